@@ -1,0 +1,66 @@
+"""What some tests need, and the rule that with UPRIGHT_REQUIRE_ALL=1 nothing may be left out."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Generator
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+SHARED = CHECKOUT.parent / "shared"
+REQUIRE_ALL = os.environ.get("UPRIGHT_REQUIRE_ALL", "") not in ("", "0")
+
+
+def missing(need: str) -> bool:
+    """Whether a folder or file ("shared/data/regbot"), a module ("module:cvxpy") or a program ("node") is absent."""
+    if need.startswith("shared/"):
+        return not (SHARED.parent / need).exists()
+    if need.startswith("module:"):
+        return find_spec(need.removeprefix("module:")) is None
+    return shutil.which(need) is None
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.addinivalue_line(
+        "markers",
+        "needs(*what): skip where 'shared/…', 'module:…' or a program is not there; fail if UPRIGHT_REQUIRE_ALL=1",
+    )
+
+
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    for mark in item.iter_markers("needs"):
+        absent = [need for need in mark.args if missing(need)]
+        if absent:
+            pytest.skip(f"needs {', '.join(absent)}")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport() -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    report = yield
+    if not hasattr(report, "wasxfail"):
+        _refuse_skip(report)
+    return report
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_make_collect_report() -> Generator[None, pytest.CollectReport, pytest.CollectReport]:
+    report = yield
+    _refuse_skip(report)
+    return report
+
+
+def _refuse_skip(report: pytest.TestReport | pytest.CollectReport) -> None:
+    if REQUIRE_ALL and report.outcome == "skipped":
+        reason = report.longrepr[2] if isinstance(report.longrepr, tuple) else str(report.longrepr)
+        report.outcome = "failed"
+        report.longrepr = f"UPRIGHT_REQUIRE_ALL=1 allows no skip, but: {reason}"
+
+
+@pytest.fixture
+def shared() -> Path:
+    """The folder beside the checkout that holds measured logs; mark the test with `needs("shared/…")`."""
+    return SHARED
