@@ -1,0 +1,103 @@
+"""What stands between a controller and the physics: sensors, motors, battery, and time."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+
+from upright.errors import InvalidRobot
+
+
+def _check_not_negative(name: str, value: float) -> None:
+    if not value >= 0:
+        raise InvalidRobot(f"{name} is {value:g}", expected="zero or more")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sensor:
+    """One sensor's faults, in the unit of its channel (rad, rad/s, m/s², V).
+
+    Zero means ideal: no quantum, no noise, no bias, unlimited range, no delay, sampled at every step.
+    """
+
+    quantum: float = 0.0  # step between two readings
+    noise: float = 0.0  # standard deviation of white noise, each sample
+    bias: float = 0.0  # standard deviation of the constant offset, drawn at reset
+    bias_walk: float = 0.0  # standard deviation of the offset's random walk, per √s
+    range: float = math.inf  # largest absolute reading
+    delay: float = 0.0  # [s] from the physics to the reading
+    period: float = 0.0  # [s] between two fresh readings, held between
+
+    def __post_init__(self) -> None:
+        for f in fields(self):
+            _check_not_negative(f"sensor {f.name}", getattr(self, f.name))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Motor:
+    """What a motor and its driver do to a command, besides the physics in `Robot`."""
+
+    limit: float = math.inf  # largest command the driver gives (V or N m)
+    dead_zone: float = 0.0  # commands up to this size do nothing (V or N m)
+    quantum: float = 0.0  # step between two commands (V or N m)
+    backlash: float = 0.0  # [rad] play between wheel and encoder
+
+    def __post_init__(self) -> None:
+        for f in fields(self):
+            _check_not_negative(f"motor {f.name}", getattr(self, f.name))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Battery:
+    """Open-circuit `voltage` [V] and the `sag` [V per V commanded to both motors together]."""
+
+    voltage: float = math.inf
+    sag: float = 0.0
+
+    def __post_init__(self) -> None:
+        _check_not_negative("battery sag", self.sag)
+        if not self.voltage > 0:
+            raise InvalidRobot(f"battery voltage is {self.voltage:g} V", expected="more than zero")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Kit:
+    """Sensors by channel, motors, battery, and the timing of the control loop.
+
+    `period` [s] is the loop period the kit is meant for; `delay` [s] the dead time from a command to
+    the motor; `jitter` [s] how much later than that a command may come, uniformly.
+    A channel that is not in `sensors` does not exist on this kit. `drive` is "voltage" or "torque" where the motor's
+    numbers are meant for one of them, "" where the kit serves both.
+    """
+
+    name: str
+    drive: str = ""
+    sensors: dict[str, Sensor] = field(default_factory=dict)
+    motor: Motor = Motor()
+    battery: Battery = Battery()
+    period: float = 0.01
+    delay: float = 0.0
+    jitter: float = 0.0
+
+    def __post_init__(self) -> None:
+        if self.drive not in ("", "voltage", "torque"):
+            raise InvalidRobot(f"kit '{self.name}': drive is '{self.drive}'", expected="'voltage', 'torque' or nothing")
+        _check_not_negative("kit delay", self.delay)
+        _check_not_negative("kit jitter", self.jitter)
+        if not 0 < self.period < 1:
+            raise InvalidRobot(f"kit period is {self.period:g} s", expected="between 0 and 1 s", likely="milliseconds")
+
+    @classmethod
+    def preset(cls, name: str) -> Kit:
+        """The kit of that name among the presets; `UnknownName` lists them."""
+        from upright.robots.files import load_kit
+
+        return load_kit(name)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Kit:
+        """A kit from a TOML file written like the presets."""
+        from upright.robots.files import read_kit
+
+        return read_kit(path)

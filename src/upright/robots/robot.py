@@ -1,0 +1,166 @@
+"""The physical parameters of a two-wheeled balancing robot."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from upright.errors import InvalidRobot
+
+
+def _number(unit: str, symbol: str, default: float | None = None) -> Any:
+    metadata = {"unit": unit, "symbol": symbol}
+    return field(metadata=metadata) if default is None else field(default=default, metadata=metadata)
+
+
+@dataclass(frozen=True)
+class Provenance:
+    """Where a number comes from: a source in words, and its `spread` (one standard deviation, in the
+    number's own unit) or None where it is a guess."""
+
+    source: str
+    spread: float | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Robot:
+    """Parameters of one robot, in SI units. Symbols are those of Herrera et al. (2015) and Yamamoto (2008).
+
+    `pitch_inertia`, `yaw_inertia` and `roll_inertia` are the body's about its centre of mass; the yaw and
+    roll inertias include the two wheels' small inertias about their own diameters. With `drive="torque"`
+    the command is each motor's torque [N m] on its wheel and the electrical numbers are not used.
+    `coulomb_friction` acts between body and wheel, smoothed over `stiction_rate`.
+
+    Raises `InvalidRobot` for a robot that cannot exist or that has nothing to balance.
+    """
+
+    name: str
+    wheel_mass: float = _number("kg", "m")
+    wheel_radius: float = _number("m", "R")
+    wheel_inertia: float = _number("kg m²", "J_w")
+    body_mass: float = _number("kg", "M")
+    track: float = _number("m", "W")
+    com_height: float = _number("m", "L")
+    pitch_inertia: float = _number("kg m²", "J_ψ")
+    yaw_inertia: float = _number("kg m²", "J_φ")
+    roll_inertia: float = _number("kg m²", "J_ρ")
+    rotor_inertia: float = _number("kg m²", "J_m")
+    gear_ratio: float = _number("1", "n", 1.0)
+    motor_resistance: float = _number("Ω", "R_m", 1.0)
+    back_emf: float = _number("V s/rad", "K_b", 0.0)
+    torque_constant: float = _number("N m/A", "K_t", 1.0)
+    motor_friction: float = _number("N m s/rad", "f_m", 0.0)
+    wheel_friction: float = _number("N m s/rad", "f_w", 0.0)
+    coulomb_friction: float = _number("N m", "τ_c", 0.0)
+    stiction_rate: float = _number("rad/s", "ω_c", 0.2)
+    gravity: float = _number("m/s²", "g", 9.81)
+    body_depth: float = _number("m", "D", 0.05)
+    body_height: float = _number("m", "H", 0.15)
+    title: str = ""
+    drive: str = "voltage"
+    kit: str = "ideal"
+    provenance: Mapping[str, Provenance] = field(default_factory=dict, compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        _check_numbers(self)
+        _check_drive(self)
+        _check_body(self)
+        _check_unstable(self)
+
+    @classmethod
+    def preset(cls, name: str) -> Robot:
+        """The robot of that name among the presets; `UnknownName` lists them."""
+        from upright.robots.files import load_preset
+
+        return load_preset(name)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Robot:
+        """A robot from a TOML file written like the presets."""
+        from upright.robots.files import read_robot
+
+        return read_robot(path)
+
+    def save(self, path: str | Path) -> Path:
+        """Write as TOML, with units, sources and spreads."""
+        from upright.robots.files import write_robot
+
+        return write_robot(self, path)
+
+    def replace(self, **changes: Any) -> Robot:
+        """The same robot with some parameters changed, checked again; what is changed loses its source."""
+        kept = {name: source for name, source in self.provenance.items() if name not in changes}
+        return dataclasses.replace(self, **({"provenance": kept} | changes))
+
+    @property
+    def command_unit(self) -> str:
+        """Unit of the two commands: 'V', or 'N m' for a torque drive."""
+        return "V" if self.drive == "voltage" else "N m"
+
+    def numbers(self) -> dict[str, float]:
+        """Every physical parameter by field name, in SI units."""
+        return {name: float(getattr(self, name)) for name in PARAMETERS}
+
+
+PARAMETERS: dict[str, tuple[str, str]] = {
+    f.name: (f.metadata["unit"], f.metadata["symbol"]) for f in dataclasses.fields(Robot) if "unit" in f.metadata
+}
+"""Field name → (unit, symbol) of every physical parameter, in order."""
+
+_LARGEST = 3.0  # [m] no balancing robot is larger
+_MAY_BE_ZERO = {"rotor_inertia", "back_emf", "motor_friction", "wheel_friction", "coulomb_friction"}
+
+
+def _check_numbers(robot: Robot) -> None:
+    for name, (unit, _) in PARAMETERS.items():
+        value = getattr(robot, name)
+        if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+            raise InvalidRobot(f"{robot.name}: {name} is {value!r}", expected=f"a finite number [{unit}]")
+        object.__setattr__(robot, name, float(value))
+        if name != "com_height" and (value < 0 or (value == 0 and name not in _MAY_BE_ZERO)):
+            lower = "zero or more" if name in _MAY_BE_ZERO else "more than zero"
+            raise InvalidRobot(f"{robot.name}: {name} is {value:g} {unit}", expected=lower, likely="a slip of the sign")
+
+
+def _check_drive(robot: Robot) -> None:
+    if robot.drive not in ("voltage", "torque"):
+        raise InvalidRobot(f"{robot.name}: drive is '{robot.drive}'", expected="'voltage' or 'torque'")
+    electrical = (robot.motor_resistance, robot.torque_constant, robot.back_emf)
+    if robot.drive == "torque" and electrical != (1.0, 1.0, 0.0):
+        raise InvalidRobot(
+            f"{robot.name}: a torque drive with electrical numbers (R_m, K_t, K_b) = {electrical}",
+            expected="none, since the command is the torque itself",
+            mend='leave motor_resistance, torque_constant and back_emf out, or set drive = "voltage"',
+        )
+
+
+def _check_body(robot: Robot) -> None:
+    sizes = ("wheel_radius", "track", "com_height")
+    for name in (name for name in sizes if getattr(robot, name) > _LARGEST):
+        raise InvalidRobot(
+            f"{robot.name}: {name} is {getattr(robot, name):g} m",
+            expected=f"at most {_LARGEST:g} m",
+            likely="millimetres",
+        )
+    inertias = {"pitch": robot.pitch_inertia, "yaw": robot.yaw_inertia, "roll": robot.roll_inertia}
+    largest = max(inertias, key=lambda axis: inertias[axis])
+    others = sum(inertias.values()) - inertias[largest]
+    if inertias[largest] > others * (1 + 1e-9):
+        raise InvalidRobot(
+            f"{robot.name}: {largest}_inertia {inertias[largest]:g} kg m² exceeds the sum of the other two, {others:g}",
+            expected="principal inertias that obey the triangle inequality, as those of any rigid body do",
+            likely="an inertia about the axle given for one about the centre of mass",
+        )
+
+
+def _check_unstable(robot: Robot) -> None:
+    if robot.com_height <= 0:
+        raise InvalidRobot(
+            f"{robot.name}: com_height is {robot.com_height:g} m, so the robot has no unstable pole",
+            expected="a centre of mass above the axle",
+            likely="a slip of the sign, or a hanging pendulum",
+        )
