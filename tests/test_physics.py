@@ -1,0 +1,152 @@
+"""Linearisation, discretisation, integration and energy against closed forms and independent routes."""
+
+import math
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from scipy.integrate import quad_vec, solve_ivp
+from scipy.linalg import expm
+
+from upright.errors import InvalidModel
+from upright.physics import energy
+from upright.physics.dynamics import Disturbance, derivative
+from upright.physics.integrate import rk4_step
+from upright.physics.linear import LinearModel, linearise
+from upright.robots import Robot
+
+NXT = Robot.preset("nxtway-gs")
+LOSSLESS = NXT.replace(back_emf=0.0, motor_friction=0.0)
+
+
+def test_poles_of_nxtway_gs_are_the_published_ones():
+    # docs/model.md: 0, −241.19, 7.437, −6.520 1/s (and the yaw pair); half a unit of the last printed digit
+    poles = np.sort(linearise(NXT, model="published").poles().real)
+    for pole, digits in ((-241.19, 0.005), (-6.520, 0.0005), (0.0, 1e-9), (7.437, 0.0005)):
+        assert np.abs(poles - pole).min() <= digits
+
+
+@pytest.mark.parametrize("x", [(0,) * 6, (0.3, 1.0, 0.0, 4.0, 0.5, 3.0)])
+def test_linearisation_is_the_derivative_of_the_dynamics(x):
+    # central differences: error h²/6·f''' + ε/h ≈ 1e-9 of the largest slope for h = 1e-5
+    model, h = linearise(NXT, x, (1.0, -0.5)), 1e-5
+    for i in range(6):
+        up, down = list(x), list(x)
+        up[i] += h
+        down[i] -= h
+        slope = (np.array(derivative(up, (1.0, -0.5), NXT)) - derivative(down, (1.0, -0.5), NXT)) / (2 * h)
+        assert np.allclose(model.A[:, i], slope, rtol=1e-6, atol=1e-8 * np.abs(model.A).max())
+
+
+def test_disturbance_columns_are_what_a_small_push_does():
+    model, small = linearise(NXT), 1e-6
+    pushed = np.array(derivative((0,) * 6, (0, 0), NXT, Disturbance(small, 0.05))) / small
+    assert np.allclose(model.E @ [1.0, 0.05, 0.0], pushed, rtol=1e-9)  # upright the push enters linearly
+    sloped = np.array(derivative((0,) * 6, (0, 0), NXT, Disturbance(slope=small))) / small
+    assert np.allclose(model.E @ [0.0, 0.0, 1.0], sloped, rtol=1e-9)  # sin γ = γ − γ³/6: relative error 2e-13
+
+
+def test_zero_order_hold_is_the_matrix_exponential_and_its_integral():
+    # the integral ∫ e^{As} ds B by quadrature is a route that shares nothing with the augmented exponential
+    model = linearise(NXT)
+    held = model.c2d(0.01)
+    integral = quad_vec(lambda s: expm(model.A * s), 0, 0.01, epsrel=1e-12)[0]
+    assert np.allclose(held.A, expm(model.A * 0.01), rtol=1e-12, atol=1e-13)
+    assert np.allclose(held.B, integral @ model.B, rtol=1e-9, atol=1e-12)
+    assert np.allclose(held.E, integral @ model.E, rtol=1e-9, atol=1e-12)
+
+
+def test_operating_point_that_is_no_equilibrium_keeps_its_drift():
+    x = (0.0, 0.0, 0.0, 5.0, 0.0, 0.0)  # rolling on without voltage: back-EMF brakes
+    model = linearise(NXT, x)
+    exact = solve_ivp(lambda _t, y: derivative(y, (0, 0), NXT), (0, 1e-3), x, rtol=1e-10, atol=1e-12).y[:, -1]
+    moved = exact - x
+    # over 1 ms the curvature left out is of the order of pitch² ~ 1e-6 of the motion
+    assert np.allclose(model.c2d(1e-3).next(x, (0, 0)) - x, moved, rtol=1e-3, atol=1e-6)
+
+
+def test_converts_to_and_from_control():
+    control = pytest.importorskip("control")
+    model = linearise(NXT).c2d(0.01)
+    system = model.to_control()
+    back = LinearModel.from_control(system)
+    assert isinstance(system, control.StateSpace)
+    assert np.array_equal(back.A, model.A)
+    assert np.array_equal(back.B, model.B)
+    assert (back.dt, back.states, back.inputs) == (model.dt, model.states, model.inputs)
+
+
+def test_mixing_continuous_and_discrete_is_refused():
+    model = linearise(NXT)
+    with pytest.raises(InvalidModel, match="discrete already"):
+        model.c2d(0.01).c2d(0.01)
+    with pytest.raises(InvalidModel, match="c2d"):
+        model.next([0] * 6, [0, 0])
+
+
+def test_model_survives_json_and_is_read_only():
+    model = linearise(NXT).c2d(0.01)
+    assert np.array_equal(LinearModel.from_json(model.to_json()).E, model.E)
+    with pytest.raises(ValueError, match="read-only"):
+        model.A[0, 0] = 1
+
+
+def test_wrong_sizes_are_named():
+    with pytest.raises(InvalidModel, match=r"B has shape \(2, 6\).*transpose"):
+        LinearModel(np.eye(6), np.zeros((2, 6)))
+
+
+def test_rk4_has_order_four():
+    # halving the step of a method of order p divides the error by 2^p: slope 4 ± 0.1 over three halvings
+    start, stop = (0.2, 0.0, 0.0, 2.0, 0.0, 1.0), 0.2
+
+    def f(x):
+        return derivative(x, (0.5, 0.2), LOSSLESS)
+
+    exact = solve_ivp(lambda _t, y: f(y), (0, stop), start, method="DOP853", rtol=1e-13, atol=1e-14).y[:, -1]
+    errors = []
+    for steps in (20, 40, 80, 160):
+        x = start
+        for _ in range(steps):
+            x = rk4_step(f, x, stop / steps)
+        errors.append(np.linalg.norm(np.array(x) - exact))
+    slopes = np.log2(np.array(errors[:-1]) / errors[1:])
+    assert np.allclose(slopes, 4, atol=0.1)
+
+
+@pytest.mark.parametrize("model", ["complete", "published"])
+def test_energy_is_conserved_to_the_order_of_the_integrator(model):
+    # the energy error of RK4 falls with h⁴ to h⁵: at least 2^3.8 a halving
+    start = (0.3, 0.0, 0.0, 3.0, 0.0, 4.0)
+    drifts = []
+    for steps in (100, 200, 400):
+        x = start
+        for _ in range(steps):
+            x = rk4_step(lambda s: derivative(s, (0, 0), LOSSLESS, model=model), x, 0.5 / steps)
+        before, after = (energy.total(s, LOSSLESS, model=model) for s in (start, x))
+        drifts.append(abs(after - before))
+    assert np.log2(drifts[0] / drifts[1]) > 3.8
+    assert drifts[2] < 1e-7  # joules, of 0.4 J
+
+
+def test_mirrored_robot_does_the_mirrored_thing():
+    rng = np.random.default_rng(1)
+    mirror = np.array([1, 1, 1, 1, -1, -1.0])
+    for _ in range(20):
+        x, u = rng.normal(size=6), rng.normal(size=2)
+        plain = np.array(derivative(x, u, NXT))
+        assert np.allclose(derivative(mirror * x, u[::-1], NXT), mirror * plain, rtol=1e-13, atol=1e-13)
+
+
+def test_parameters_may_be_arrays_over_a_batch():
+    numbers = NXT.numbers() | {"com_height": np.array([0.07, 0.08])}
+    batch = derivative([np.full(2, 0.1)] * 6, (1.0, 1.0), SimpleNamespace(**numbers), xp=np)
+    single = derivative([0.1] * 6, (1.0, 1.0), NXT.replace(com_height=0.08))
+    assert math.isclose(batch[1][1], single[1], rel_tol=1e-13)
+
+
+def test_robot_is_frozen():
+    with pytest.raises(AttributeError):
+        NXT.track = 1.0  # type: ignore[misc]
+    assert replace(NXT, track=0.2).track == 0.2
