@@ -1,0 +1,37 @@
+"""What answers a command: models and the twin, and the electronics round any of them.
+
+`BODIES` names every body there is; a new one is one file and one line here.
+"""
+
+from collections.abc import Callable
+
+from upright.bodies.body import Body as Body
+from upright.bodies.body import BodySpec as BodySpec
+from upright.bodies.body import Sample as Sample
+from upright.bodies.electronics import Electronics as Electronics
+from upright.bodies.models import LinearBody as LinearBody
+from upright.bodies.models import NonlinearBody as NonlinearBody
+from upright.errors import UnknownName
+from upright.physics.linear import linearise
+from upright.robots import Robot
+
+
+def _twin(robot: Robot) -> Body:
+    from upright.bodies.twin import Twin  # MuJoCo is slow to load
+
+    return Twin(robot)
+
+
+BODIES: dict[str, Callable[[Robot], Body]] = {
+    "twin": _twin,
+    "nonlinear": NonlinearBody,
+    "published": lambda robot: NonlinearBody(robot, "published"),
+    "linear": lambda robot: LinearBody(linearise(robot), robot),
+}
+
+
+def make_body(name: str, robot: Robot) -> Body:
+    """The registered body of that name round `robot`; `UnknownName` lists them."""
+    if name not in BODIES:
+        raise UnknownName("body", name, BODIES)
+    return BODIES[name](robot)

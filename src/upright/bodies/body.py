@@ -1,0 +1,88 @@
+"""The contract of everything that answers a command: models, the twin, real bricks."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol, runtime_checkable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.errors import SpecMismatch
+from upright.physics.dynamics import CALM, Disturbance
+from upright.robots import Robot
+from upright.signals import Signal
+
+Array = NDArray[np.float64]
+
+REST = (0.0,) * 6
+FALLEN = 1.4
+"""Pitch [rad] beyond which a robot has fallen: close to lying (π/2), beyond what any measured run recovers from."""
+
+
+@dataclass(frozen=True)
+class BodySpec:
+    """What a body is, known before anything is connected.
+
+    `kind` says in words what it is ("nonlinear model", "twin", …); only a body of hardware has `real=True`.
+    `channels` are the signals each sample holds, in order; `period` [s] is the time one `step` takes;
+    `command_unit` is V or N m; `limit` the largest command it takes (inf: no limit). A body that cannot
+    be put into a state (`settable=False`) is reset where it stands; one that cannot be pushed by a number
+    (`pushable=False`) is pushed by hand.
+    """
+
+    kind: str
+    robot: Robot
+    channels: tuple[Signal, ...]
+    period: float
+    command_unit: str = "V"
+    limit: float = np.inf
+    real: bool = False
+    settable: bool = True
+    pushable: bool = True
+
+
+@dataclass(frozen=True)
+class Sample:
+    """What one step gives: time `t` [s], `values` in the order of the spec's channels (read-only), the command
+    (left, right) that was really `applied` on the way here, and whether the robot has `fallen`."""
+
+    t: float
+    values: Array
+    applied: tuple[float, float]
+    fallen: bool = False
+
+
+@runtime_checkable
+class Body(Protocol):
+    """`reset(start, seed)` puts the robot at state `start` (six numbers) at t = 0 and returns the first sample;
+    `step(command, disturbance)` holds the command [left, right] for one period and returns what came of it.
+    A NaN in the command is refused with `SpecMismatch`. `close` frees what the body holds; it may be called twice.
+    """
+
+    @property
+    def spec(self) -> BodySpec: ...
+
+    def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample: ...
+
+    def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample: ...
+
+    def close(self) -> None: ...
+
+
+def sample(t: float, values: Sequence[float], applied: Sequence[float], fallen: bool) -> Sample:
+    """A `Sample` of read-only values."""
+    array = np.array(values, dtype=np.float64)
+    array.setflags(write=False)
+    return Sample(t, array, (float(applied[0]), float(applied[1])), fallen)
+
+
+def checked(values: Sequence[float], size: int, name: str) -> tuple[float, ...]:
+    """`values` as floats, refused with `SpecMismatch` unless there are `size` of them and all are finite."""
+    numbers = tuple(float(v) for v in values)
+    if len(numbers) != size or not all(map(math.isfinite, numbers)):
+        likely = "a controller that diverged" if name == "command" else ""
+        raise SpecMismatch(f"{name} is {list(numbers)}", expected=f"{size} finite numbers", likely=likely)
+    return numbers

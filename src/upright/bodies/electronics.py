@@ -1,0 +1,148 @@
+"""A kit's electronics round any body: what reaches the motors, and what the sensors say."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from upright.bodies.body import REST, Body, Sample, checked, sample
+from upright.errors import SpecMismatch
+from upright.physics.dynamics import CALM, Disturbance
+from upright.robots import Kit, Sensor
+from upright.signals.signal import KNOWN, TRUTH
+
+BATTERY = "sensor/battery"
+
+
+class Electronics:
+    """`body` behind the electronics of `kit`: quantisation, noise, bias, delay, dead zone, backlash, battery.
+
+    Truth channels of the body are passed on, so that a log shows both; a controller for a real robot must
+    not read them. Times are rounded to the body's period. Everything random is drawn from the seed of `reset`.
+    """
+
+    def __init__(self, body: Body, kit: Kit) -> None:
+        inner = body.spec
+        have = {signal.name: i for i, signal in enumerate(inner.channels)}
+        missing = sorted(set(kit.sensors) - have.keys() - {BATTERY})
+        if missing:
+            raise SpecMismatch(
+                f"kit '{kit.name}' has sensors {', '.join(missing)}", expected=f"what a {inner.kind} offers"
+            )
+        if kit.drive and kit.drive != inner.robot.drive:
+            raise SpecMismatch(f"kit '{kit.name}' drives by {kit.drive}", expected=f"{inner.robot.drive}, as the robot")
+        names = [*(s.name for s in TRUTH if s.name in have), *kit.sensors]
+        self.body, self.kit = body, kit
+        self._truth = [have[s.name] for s in TRUTH if s.name in have]
+        limit = min(kit.motor.limit, kit.battery.voltage if inner.command_unit == "V" else math.inf)
+        channels = tuple(KNOWN[name] for name in names)
+        self.spec = replace(inner, kind=f"{inner.kind} with {kit.name} electronics", channels=channels, limit=limit)
+        self._sensors = [
+            (have.get(name), _Channel(sensor, name, inner.period, kit)) for name, sensor in kit.sensors.items()
+        ]
+        self._line = _CommandLine(kit, inner.period)
+
+    def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:
+        rng = np.random.Generator(np.random.Philox(seed))
+        first = self.body.reset(start, seed)
+        self._line.reset(rng)
+        self._voltage = self.kit.battery.voltage
+        for index, channel in self._sensors:
+            channel.reset(rng, self._voltage if index is None else float(first.values[index]))
+        return self._sample(first)
+
+    def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
+        arrived = self._line.step(checked(command, 2, "command"))
+        applied, self._voltage = drive(arrived, self.kit, self.spec.command_unit)
+        return self._sample(self.body.step(applied, disturbance))
+
+    def close(self) -> None:
+        self.body.close()
+
+    def _sample(self, inner: Sample) -> Sample:
+        raw = inner.values.tolist()
+        truth = [raw[i] for i in self._truth]
+        readings = [channel.read(self._voltage if i is None else raw[i]) for i, channel in self._sensors]
+        return sample(inner.t, (*truth, *readings), inner.applied, inner.fallen)
+
+
+def drive(command: Sequence[float], kit: Kit, unit: str = "V") -> tuple[tuple[float, float], float]:
+    """What reaches both motors, and the battery's voltage [V] while it does.
+
+    Order: dead zone, sag of the battery under both commands, saturation, quantum of the driver.
+    """
+    left, right = (0.0 if abs(u) <= kit.motor.dead_zone else u for u in command)
+    full = kit.battery.voltage
+    load = min(abs(left), full) + min(abs(right), full) if math.isfinite(full) else 0.0
+    voltage = full - kit.battery.sag * load
+    limit = min(kit.motor.limit, voltage if unit == "V" else math.inf)
+    quantum = kit.motor.quantum
+
+    def driven(u: float) -> float:
+        inside = min(max(u, -limit), limit)
+        return math.trunc(inside / quantum) * quantum if quantum else inside
+
+    return (driven(left), driven(right)), voltage
+
+
+class _CommandLine:
+    """Delays a command by the kit's dead time, and each new one by a jitter on top."""
+
+    def __init__(self, kit: Kit, period: float) -> None:
+        self._delay, self._jitter = round(kit.delay / period), round(kit.jitter / period)
+
+    def reset(self, rng: np.random.Generator) -> None:
+        self._rng, self._now = rng, 0
+        self._latest = self._current = (0.0, 0.0)
+        self._waiting: deque[tuple[int, tuple[float, ...]]] = deque()
+
+    def step(self, command: tuple[float, ...]) -> tuple[float, ...]:
+        if command != self._latest:
+            late = int(self._rng.integers(0, self._jitter + 1)) if self._jitter else 0
+            self._waiting.append((self._now + self._delay + late, command))
+            self._latest = command
+        while self._waiting and self._waiting[0][0] <= self._now:
+            self._current = self._waiting.popleft()[1]
+        self._now += 1
+        return self._current
+
+
+class _Channel:
+    """One sensor: play, delay, bias, noise, quantum, range, sample and hold, in this order."""
+
+    def __init__(self, sensor: Sensor, name: str, period: float, kit: Kit) -> None:
+        self._sensor = sensor
+        self._play = kit.motor.backlash / 2 if "encoder" in name else 0.0
+        self._late = round(sensor.delay / period)
+        self._every = max(1, round(sensor.period / period))
+        self._walk = sensor.bias_walk * math.sqrt(period * self._every)
+
+    def reset(self, rng: np.random.Generator, first: float) -> None:
+        self._rng, self._count = rng, 0
+        self._line = deque([first] * (self._late + 1), maxlen=self._late + 1)
+        self._touch = first
+        self._bias = self._sensor.bias * float(rng.standard_normal()) if self._sensor.bias else 0.0
+
+    def read(self, value: float) -> float:
+        if self._play:
+            self._touch = value = min(max(self._touch, value - self._play), value + self._play)
+        self._line.append(value)
+        if self._count % self._every == 0:
+            self._held = self._fresh(self._line[0])
+        self._count += 1
+        return self._held
+
+    def _fresh(self, value: float) -> float:
+        sensor = self._sensor
+        if self._walk:
+            self._bias += self._walk * float(self._rng.standard_normal())
+        value += self._bias
+        if sensor.noise:
+            value += sensor.noise * float(self._rng.standard_normal())
+        if sensor.quantum:
+            value = round(value / sensor.quantum) * sensor.quantum
+        return min(max(value, -sensor.range), sensor.range)

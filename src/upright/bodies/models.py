@@ -1,0 +1,120 @@
+"""The nonlinear and the linear model as bodies."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, sample
+from upright.errors import InvalidModel, InvalidScenario
+from upright.physics.dynamics import CALM, MODELS, Disturbance, accelerations, derivative
+from upright.physics.integrate import rk4_step
+from upright.physics.linear import DISTURBANCES, LinearModel, linearise
+from upright.physics.sensing import readings
+from upright.robots import Robot
+from upright.signals.signal import SENSORS, STATE_NAMES, TRUTH
+
+CHANNELS = (*TRUTH, *SENSORS[:-1])  # all but the battery, which is the electronics'
+
+_STIFF = 0.5  # largest |pole|·h of a Runge–Kutta step: a tenth of a permille of error, far inside stability (2.78)
+
+
+class NonlinearBody:
+    """The equations of `physics.dynamics`, integrated by RK4; `period` [s] is what one step takes.
+
+    `model` is "complete" or "published". Steps are cut so that the fastest pole is followed.
+    """
+
+    def __init__(self, robot: Robot, model: str = "complete", period: float = 0.001) -> None:
+        if model not in MODELS:
+            raise InvalidModel(f"no model is called '{model}'", expected=" or ".join(MODELS))
+        self.spec = BodySpec(f"{model} nonlinear model", robot, CHANNELS, _period(period), robot.command_unit)
+        self._model = model
+        fastest = max(abs(linearise(robot, model=model).poles()))
+        self._substeps = max(1, math.ceil(fastest * period / _STIFF))
+        self.reset()
+
+    def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (nothing here is random)
+        self._x: Sequence[float] = checked(start, 6, "start")
+        self._steps = 0
+        return self._sample((0.0, 0.0), CALM)
+
+    def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
+        u = checked(command, 2, "command")
+        robot, model, h = self.spec.robot, self._model, self.spec.period / self._substeps
+
+        def f(x: Sequence[float]) -> tuple[float, ...]:
+            return derivative(x, u, robot, disturbance, math, model)
+
+        for _ in range(self._substeps):
+            self._x = rk4_step(f, self._x, h)
+        self._steps += 1
+        return self._sample(u, disturbance)
+
+    def close(self) -> None:
+        """Nothing is held."""
+
+    def _sample(self, u: Sequence[float], w: Disturbance) -> Sample:
+        robot = self.spec.robot
+        wheel_acc = accelerations(self._x, u, robot, w, math, self._model)[1]
+        values = (*self._x, *readings(self._x, wheel_acc, robot, w.slope))
+        return sample(self._steps * self.spec.period, values, u, abs(self._x[0]) > FALLEN)
+
+
+class LinearBody:
+    """A linear model as a body: exact between commands. A continuous model is discretised at `period` [s];
+    a discrete one steps at its own.
+
+    What a push does is taken from the model's disturbance columns; a model without them (one identified from
+    commands alone) gets those of `robot`, linearised upright.
+    """
+
+    def __init__(self, model: LinearModel, robot: Robot, period: float = 0.001) -> None:
+        if model.states != STATE_NAMES or len(model.inputs) != 2:
+            raise InvalidModel(
+                f"the model has states {', '.join(model.states)} and {len(model.inputs)} inputs",
+                expected=f"{', '.join(STATE_NAMES)} and two commands",
+            )
+        discrete = model.c2d(_period(period)) if model.dt is None else model
+        self._push = discrete.E if discrete.disturbances else _push_columns(robot, discrete)
+        self._linear = discrete
+        assert discrete.dt is not None
+        self.spec = BodySpec("linear model", robot, CHANNELS, discrete.dt, robot.command_unit)
+        self.reset()
+
+    def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (nothing here is random)
+        self._x = np.array(checked(start, 6, "start"))
+        self._steps, self._wheel_acc = 0, 0.0
+        return self._sample((0.0, 0.0), CALM)
+
+    def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
+        u = checked(command, 2, "command")
+        force, height, slope = disturbance
+        before = self._x[3]
+        self._x = self._linear.next(self._x, u) + self._push @ np.array([force, force * height, slope])
+        self._wheel_acc = float(self._x[3] - before) / self.spec.period
+        self._steps += 1
+        return self._sample(u, disturbance)
+
+    def close(self) -> None:
+        """Nothing is held."""
+
+    def _sample(self, u: Sequence[float], w: Disturbance) -> Sample:
+        x = self._x.tolist()
+        values = (*x, *readings(x, self._wheel_acc, self.spec.robot, w.slope))
+        return sample(self._steps * self.spec.period, values, u, abs(x[0]) > FALLEN)
+
+
+def _push_columns(robot: Robot, model: LinearModel) -> np.ndarray:
+    assert model.dt is not None
+    physical = linearise(robot).c2d(model.dt)
+    assert physical.disturbances == DISTURBANCES
+    return physical.E
+
+
+def _period(period: float) -> float:
+    if not (math.isfinite(period) and 0 < period <= 1):
+        raise InvalidScenario(f"a body's period is {period} s", expected="between 0 and 1 s", likely="milliseconds")
+    return float(period)

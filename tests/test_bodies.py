@@ -1,0 +1,173 @@
+"""One conformance suite over every registered body, bare and behind every kit's electronics."""
+
+import numpy as np
+import pytest
+
+from upright.bodies import BODIES, Body, Electronics, LinearBody, NonlinearBody, make_body
+from upright.bodies.electronics import drive
+from upright.errors import SpecMismatch, UnknownName
+from upright.physics.dynamics import Disturbance
+from upright.physics.linear import linearise
+from upright.robots import Battery, Kit, Motor, Robot, Sensor, kit_names
+
+NXT = Robot.preset("nxtway-gs")
+LEAN = (0.05, 0.0, 0.1, 0.0, 0.2, 0.0)
+KITS = ("bare", *kit_names())
+
+
+@pytest.fixture(params=[(name, kit) for name in BODIES for kit in KITS], ids="-".join)
+def body(request):
+    name, kit = request.param
+    made = make_body(name, NXT) if kit == "bare" else Electronics(make_body(name, NXT), Kit.preset(kit))
+    yield made
+    made.close()
+    made.close()  # closing twice is allowed
+
+
+def play(body, seed, steps=60):
+    """A noisy open-loop run, gentle enough that nothing falls."""
+    rng = np.random.default_rng(5)
+    samples = [body.reset(LEAN, seed)]
+    samples += [body.step(rng.normal(size=2) * 0.3, Disturbance(0.2, 0.05)) for _ in range(steps)]
+    return samples
+
+
+def test_it_keeps_the_contract(body):
+    assert isinstance(body, Body)
+    samples = play(body, 1)
+    names = [signal.name for signal in body.spec.channels]
+    assert len(set(names)) == len(names)
+    assert all(sample.values.shape == (len(names),) for sample in samples)
+    assert np.allclose([s.t for s in samples], np.arange(len(samples)) * body.spec.period, rtol=0, atol=1e-12)
+    assert not any(s.fallen for s in samples)
+
+
+def test_same_seed_same_run_and_a_reset_forgets(body):
+    first, second = play(body, 7), play(body, 7)
+    assert all(
+        np.array_equal(a.values, b.values) and a.applied == b.applied for a, b in zip(first, second, strict=True)
+    )
+
+
+def test_samples_are_read_only_and_share_no_memory(body):
+    samples = play(body, 1, steps=3)
+    with pytest.raises(ValueError, match="read-only"):
+        samples[0].values[0] = 1
+    assert not np.shares_memory(samples[1].values, samples[2].values)
+
+
+def test_no_channel_of_motion_is_stuck(body):
+    table = np.array([s.values for s in play(body, 3, steps=300)])
+    names = [signal.name for signal in body.spec.channels]
+    stuck = {name for name, column in zip(names, table.T, strict=True) if np.ptp(column) == 0}
+    assert stuck <= {"sensor/battery"}  # a battery may stay full
+
+
+def test_starts_where_it_is_told(body):
+    first = body.reset(LEAN, 1)
+    truth = dict(zip((s.name for s in body.spec.channels), first.values, strict=True))
+    # MuJoCo keeps attitude as a quaternion: rounding, not more
+    assert np.allclose([truth["truth/pitch"], truth["truth/yaw"]], [0.05, 0.2], atol=1e-9)
+
+
+def test_nan_and_wrong_size_are_refused(body):
+    body.reset()
+    with pytest.raises(SpecMismatch, match="diverged"):
+        body.step((np.nan, 0.0))
+    with pytest.raises(SpecMismatch, match="2 finite numbers"):
+        body.step((0.0,))
+    with pytest.raises(SpecMismatch, match="start"):
+        body.reset((0.0, 1.0))
+
+
+def test_unknown_body_is_named_with_the_known_ones():
+    with pytest.raises(UnknownName, match="did you mean 'twin'"):
+        make_body("twinn", NXT)
+
+
+def test_linear_and_nonlinear_model_agree_for_small_motion():
+    # the first neglected term is pitch³/6: at 1 mrad, a relative 2e-7, grown by the unstable pole over 0.2 s
+    runs = []
+    for body in (NonlinearBody(NXT), LinearBody(linearise(NXT), NXT)):
+        body.reset((1e-3, 0, 0, 0, 0, 0))
+        for _ in range(200):
+            last = body.step((1e-3, -1e-3), Disturbance(1e-4, 0.05))
+        runs.append(last.values[:6])
+    assert np.allclose(runs[0], runs[1], rtol=1e-4, atol=1e-8)
+
+
+def test_a_discrete_model_steps_at_its_own_period():
+    assert LinearBody(linearise(NXT).c2d(0.01), NXT).spec.period == 0.01
+
+
+def test_a_stiff_robot_is_integrated_in_smaller_steps():
+    # a winding of 0.5 Ω puts the fast pole far beyond what one RK4 step of 10 ms bears (stability ends at 2.78/|λ|)
+    robot = NXT.replace(motor_resistance=0.5)
+    body = NonlinearBody(robot, period=0.01)
+    assert max(abs(linearise(robot).poles())) * 0.01 > 2.78
+    body.reset()
+    assert abs(body.step((1.0, 1.0)).values).max() < 100
+
+
+IDEAL = {"sensor/encoder_left": Sensor(), "sensor/encoder_right": Sensor(), "sensor/gyro": Sensor()}
+
+
+def test_drive_order_dead_zone_sag_saturation_quantum():
+    kit = Kit(name="k", motor=Motor(dead_zone=0.5, quantum=0.1), battery=Battery(voltage=8.0, sag=0.05))
+    assert drive((0.4, 2.04), kit)[0] == (0.0, pytest.approx(2.0))  # dead zone; quantum towards zero
+    # both motors at full: the battery sags by 0.05·(8 + 8) = 0.8 V
+    applied, voltage = drive((100.0, -100.0), kit)
+    assert (applied[0], applied[1], voltage) == (pytest.approx(7.2), pytest.approx(-7.2), pytest.approx(7.2))
+
+
+def test_sensor_delay_and_hold_are_counted_in_steps():
+    kit = Kit(name="k", sensors=IDEAL | {"sensor/gyro": Sensor(delay=0.003, period=0.002)})
+    body = Electronics(NonlinearBody(NXT), kit)
+    body.reset((0.05, 0, 0, 0, 0, 0))
+    rows = [body.step((0.5, 0.5)) for _ in range(40)]
+    truth, gyro = np.array([[r.values[1], r.values[-1]] for r in rows]).T
+    for k in range(10, 40):
+        fresh = k - (k + 1) % 2  # read at even counts; row k is count k + 1
+        assert gyro[k] == truth[fresh - 3]
+
+
+def test_command_delay_and_dead_time():
+    body = Electronics(NonlinearBody(NXT), Kit(name="k", sensors=IDEAL, delay=0.004))
+    body.reset()
+    applied = [body.step((1.0, 1.0)).applied[0] for _ in range(8)]
+    assert applied == [0, 0, 0, 0, 1, 1, 1, 1]
+
+
+def test_encoder_quantum_bias_and_range():
+    quantum = np.deg2rad(1.0)
+    kit = Kit(name="k", sensors=IDEAL | {"sensor/encoder_left": Sensor(quantum=quantum, range=0.1)})
+    body = Electronics(NonlinearBody(NXT), kit)
+    body.reset()
+    left = np.array([body.step((3.0, 3.0)).values[-3] for _ in range(100)])
+    counts = left[np.abs(left) < 0.1] / quantum
+    assert np.allclose(counts, np.round(counts), atol=1e-9)
+    assert left.max() == 0.1
+
+
+def test_noise_has_the_stated_size():
+    kit = Kit(name="k", sensors=IDEAL | {"sensor/gyro": Sensor(noise=0.02)})
+    body = Electronics(NonlinearBody(NXT), kit)
+    body.reset()
+    rows = np.array([body.step((0.0, 0.0)).values for _ in range(2000)])
+    spread = np.std(rows[:, -1] - rows[:, 1])
+    # the standard error of a standard deviation from n samples is σ/√(2n): 1.6 %; five of them
+    assert abs(spread / 0.02 - 1) < 0.08
+
+
+def test_backlash_hides_small_motion():
+    kit = Kit(name="k", sensors=IDEAL, motor=Motor(backlash=0.02))
+    body = Electronics(NonlinearBody(NXT), kit)
+    body.reset()
+    first = body.reset().values[-3]
+    small = body.step((0.01, 0.01))
+    assert small.values[-3] == first
+
+
+def test_a_kit_with_a_sensor_the_body_lacks_is_refused():
+    with pytest.raises(SpecMismatch, match="lidar"):
+        Electronics(NonlinearBody(NXT), Kit(name="k", sensors={"sensor/lidar": Sensor()}))
