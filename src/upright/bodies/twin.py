@@ -1,0 +1,191 @@
+"""The twin: the robot in MuJoCo, physics that nobody here wrote.
+
+A twin stands in for hardware; it is not hardware, and its spec says so. The floor is the plane z = 0 with x forward
+at zero yaw; a slope tilts gravity instead, so that pitch is measured from the floor's normal as in the model.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from importlib import import_module
+from typing import Any
+
+from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, sample
+from upright.bodies.mjcf import mjcf
+from upright.errors import InvalidScenario, UprightError
+from upright.physics.dynamics import CALM, Disturbance, motor_gain
+from upright.physics.sensing import wheel_angles
+from upright.robots import Robot
+from upright.signals.signal import SENSORS, TRUTH
+
+mujoco: Any = import_module("mujoco")  # compiled and untyped: `Any` says so to the type checker
+
+_WILD = 1e9  # [rad/s²] a tenth of the acceleration at which MuJoCo gives up, and writes a file about it
+
+
+class Twin:
+    """`robot` simulated by MuJoCo; `period` [s] is what one `step` takes.
+
+    `timestep` [s] is MuJoCo's own step and must divide the period; contacts settle within `contact_time` [s], at
+    least twice the time step. `impedance` (below 1) and `impratio` say how little the contact yields along and
+    across the floor's normal, `grip` is the coefficient of friction of the wheels. Why these defaults: docs/twin.md.
+
+    Raises `InvalidScenario` for times that do not fit, and `InvalidRobot` for a robot that no rigid body is.
+    """
+
+    def __init__(
+        self,
+        robot: Robot,
+        period: float = 0.001,
+        *,
+        timestep: float = 0.00025,
+        contact_time: float = 0.0005,
+        impedance: float = 0.95,
+        impratio: float = 10.0,
+        grip: float = 10.0,
+    ) -> None:
+        self._count = _steps_per_period(period, timestep)
+        contact = {"contact_time": contact_time, "impedance": impedance, "impratio": impratio, "grip": grip}
+        _check_contact(timestep, **contact)
+        text = mjcf(robot, timestep=period / self._count, **contact)
+        self.spec = BodySpec("twin", robot, (*TRUTH, *SENSORS[:-1]), period, robot.command_unit)
+        self._model = mujoco.MjModel.from_xml_string(text)
+        self._data = mujoco.MjData(self._model)
+        lightest = robot.wheel_inertia + robot.gear_ratio**2 * robot.rotor_inertia
+        self._wildest = _WILD * lightest / motor_gain(robot)
+        self.reset()
+
+    def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (nothing here is random)
+        x = checked(start, 6, "start")
+        robot, data = self.spec.robot, self._data
+        pitch, pitch_rate, _, wheel_rate, yaw, yaw_rate = x
+        mujoco.mj_resetData(self._model, data)
+        self._slope_is(0.0)
+        angles = wheel_angles(x, robot)
+        rates = wheel_angles((0.0, 0.0, wheel_rate, 0.0, yaw_rate, 0.0), robot)
+        data.qpos[3:7] = _quaternion(pitch, yaw)
+        data.qpos[7:9] = [angle - pitch for angle in angles]
+        speed = robot.wheel_radius * wheel_rate
+        data.qvel[:2] = speed * math.cos(yaw), speed * math.sin(yaw)
+        data.qvel[3:6] = -yaw_rate * math.sin(pitch), pitch_rate, yaw_rate * math.cos(pitch)
+        data.qvel[6:8] = [rate - pitch_rate for rate in rates]
+        self._settle()
+        self._steps, self._yaw = 0, yaw
+        return self._sample((0.0, 0.0))
+
+    def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
+        u = checked(command, 2, "command")
+        force, height, slope = checked(disturbance, 3, "disturbance")
+        if max(abs(u[0]), abs(u[1])) > self._wildest:
+            raise _unstable(self._steps * self.spec.period, u)
+        self._data.ctrl[:] = u
+        self._slope_is(slope)
+        if force or self.spec.robot.wheel_friction:
+            for _ in range(self._count):
+                self._load(force, height)
+                mujoco.mj_step(self._model, self._data)
+        else:
+            self._data.qfrc_applied[:] = 0.0
+            mujoco.mj_step(self._model, self._data, self._count)
+        mujoco.mj_forward(self._model, self._data)  # sensors belong to the end of the step, not to its start
+        self._steps += 1
+        return self._sample(u)
+
+    def close(self) -> None:
+        """MuJoCo's memory goes with the object."""
+
+    def _slope_is(self, slope: float) -> None:
+        g = self.spec.robot.gravity
+        self._model.opt.gravity[:] = -g * math.sin(slope), 0.0, -g * math.cos(slope)
+
+    def _settle(self) -> None:
+        """Sinks the wheels into the floor until the contacts carry the weight and the axle does not accelerate."""
+        model, data, radius = self._model, self._data, self.spec.robot.wheel_radius
+        depth, deeper = 1e-9 * radius, 1e-6 * radius
+
+        def lift(depth: float) -> float:
+            data.qpos[2] = radius - depth
+            mujoco.mj_forward(model, data)
+            return float(data.qacc[2])
+
+        first, second = lift(depth), lift(deeper)
+        lift(depth - first * (deeper - depth) / (second - first))
+
+    def _load(self, force: float, height: float) -> None:
+        """The push and the floor's drag on the wheels, as generalised forces of this instant.
+
+        The free joint takes forces in the world's axes and torques in the body's. Drag is a torque on the wheel from
+        outside, so it works on the wheel's own angle, which is the hinge's plus the pitch.
+        """
+        robot, data = self.spec.robot, self._data
+        pitch, yaw = _attitude(data.qpos.tolist())
+        rates = data.qvel.tolist()
+        left, right = (-robot.wheel_friction * (rate + rates[4]) for rate in rates[6:8])
+        moment = force * height * math.cos(pitch) + left + right
+        data.qfrc_applied[:] = force * math.cos(yaw), force * math.sin(yaw), 0.0, 0.0, moment, 0.0, left, right
+
+    def _sample(self, u: Sequence[float]) -> Sample:
+        data = self._data
+        if data.warning.number.any():  # not a number, or beyond 10¹⁰, somewhere inside
+            raise _unstable(self._steps * self.spec.period, u)
+        q, v = data.qpos.tolist(), data.qvel.tolist()
+        pitch, yaw = _attitude(q)
+        self._yaw += math.remainder(yaw - self._yaw, math.tau)
+        pitch_rate, left, right = v[4], q[7], q[8]
+        yaw_rate = v[5] * math.cos(pitch) - v[3] * math.sin(pitch)
+        wheel, wheel_rate = (left + right) / 2 + pitch, (v[6] + v[7]) / 2 + pitch_rate
+        _, gyro, _, forward, _, up = data.sensordata.tolist()
+        truth = (pitch, pitch_rate, wheel, wheel_rate, self._yaw, yaw_rate)
+        values = (*truth, left, right, gyro, self._yaw, forward, up)
+        return sample(self._steps * self.spec.period, values, u, abs(pitch) > FALLEN)
+
+
+def _quaternion(pitch: float, yaw: float) -> tuple[float, float, float, float]:
+    """Yaw about z after pitch about y, as (w, x, y, z)."""
+    cp, sp, cy, sy = math.cos(pitch / 2), math.sin(pitch / 2), math.cos(yaw / 2), math.sin(yaw / 2)
+    return cy * cp, -sy * sp, cy * sp, sy * cp
+
+
+def _attitude(q: Sequence[float]) -> tuple[float, float]:
+    """Pitch atan2(−R₃₁, R₃₃) and yaw atan2(−R₁₂, R₂₂) [rad] from MuJoCo's positions.
+
+    Yaw is read from the axle (second column), which stays level; the first column turns round as pitch passes π/2.
+    """
+    w, x, y, z = q[3:7]
+    pitch = math.atan2(2 * (w * y - x * z), 1 - 2 * (x * x + y * y))
+    return pitch, math.atan2(2 * (w * z - x * y), 1 - 2 * (x * x + z * z))
+
+
+def _steps_per_period(period: float, timestep: float) -> int:
+    if not (math.isfinite(period) and 0 < period <= 1):
+        raise InvalidScenario(f"a body's period is {period} s", expected="between 0 and 1 s", likely="milliseconds")
+    count = round(period / timestep) if math.isfinite(timestep) and timestep > 0 else 0
+    if count < 1 or abs(count * timestep - period) > 1e-9 * period:
+        raise InvalidScenario(
+            f"the twin's period is {period} s with a timestep of {timestep} s",
+            expected="a whole number of time steps in a period",
+            mend=f"take timestep={period / max(count, 1):g}",
+        )
+    return count
+
+
+def _check_contact(timestep: float, *, contact_time: float, impedance: float, impratio: float, grip: float) -> None:
+    if not 2 * timestep * (1 - 1e-9) <= contact_time < math.inf:
+        raise InvalidScenario(
+            f"contact_time is {contact_time} s with a timestep of {timestep} s",
+            expected="at least two time steps, or MuJoCo would change it silently",
+        )
+    if not 0.0001 <= impedance <= 0.9999:
+        raise InvalidScenario(f"impedance is {impedance}", expected="between 0.0001 and 0.9999, MuJoCo's range")
+    for name, value in (("impratio", impratio), ("grip", grip)):
+        if not 0 < value < math.inf:
+            raise InvalidScenario(f"{name} is {value}", expected="a positive number")
+
+
+def _unstable(t: float, u: Sequence[float]) -> UprightError:
+    return UprightError(
+        f"the twin became unstable at t = {t:g} s under the command {list(u)}",
+        likely="a command beyond any motor",
+        mend="limit the command, or take a shorter timestep",
+    )
