@@ -1,0 +1,68 @@
+"""The contract of everything that commands: state feedback, estimators in front of it, and all other methods."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol, runtime_checkable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.signals import STATE_NAMES
+
+Array = NDArray[np.float64]
+
+TRUE_STATE = tuple(f"truth/{name}" for name in STATE_NAMES)
+"""What a controller of the full true state reads: no real robot offers it."""
+
+
+@dataclass(frozen=True)
+class ControllerSpec:
+    """What a controller reads (channel names, in the order `step` gets them) and every how many seconds.
+
+    `estimates` says that `estimate()` gives an opinion on the six states after each step.
+    """
+
+    kind: str
+    reads: tuple[str, ...]
+    period: float
+    command_unit: str = "V"
+    estimates: bool = False
+
+    @property
+    def reads_truth(self) -> bool:
+        """Whether a real robot could not run this controller."""
+        return any(name.startswith("truth/") for name in self.reads)
+
+
+@runtime_checkable
+class Controller(Protocol):
+    """`reset()` forgets everything; `step(measurement, reference)` gives the command (left, right).
+
+    `measurement` holds the channels of `spec.reads`, shape (len(reads),); `reference` is the wanted state,
+    shape (6,), zero for standing still. `applied(command)` tells what the motors really did with the last
+    command (saturation); most controllers ignore it. `to_json()` says everything that decides its commands,
+    so that its hash identifies it.
+    """
+
+    @property
+    def spec(self) -> ControllerSpec: ...
+
+    def reset(self) -> None: ...
+
+    def step(self, measurement: Array, reference: Array) -> tuple[float, float]: ...
+
+    def estimate(self) -> Sequence[float]: ...
+
+    def applied(self, command: Sequence[float]) -> None: ...
+
+    def to_json(self) -> dict[str, Any]: ...
+
+
+def controller_hash(controller: Controller) -> str:
+    """SHA-256 of the controller's JSON, the same for the same numbers on every machine."""
+    text = json.dumps(controller.to_json(), sort_keys=True, separators=(",", ":"))
+    return hashlib.sha256(text.encode()).hexdigest()

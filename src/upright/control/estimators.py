@@ -1,0 +1,214 @@
+"""From raw sensors to the state: the steady Kalman filter and the complementary filter."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.control.controller import Controller, ControllerSpec
+from upright.control.lqr import LARGEST_COMMAND
+from upright.errors import DesignFailed, SpecMismatch
+from upright.physics.linear import linearise
+from upright.robots import Kit, Robot, Sensor
+
+Array = NDArray[np.float64]
+
+ENCODER_LEFT, ENCODER_RIGHT, GYRO = "sensor/encoder_left", "sensor/encoder_right", "sensor/gyro"
+ACCELEROMETER = ("sensor/accel_forward", "sensor/accel_up")
+
+
+class Estimator(Protocol):
+    """`update(measurement)` gives the state (6,) now; `predict(command)` moves on one period under the command
+    that was really applied. `reads` names the channels of the measurement."""
+
+    @property
+    def reads(self) -> tuple[str, ...]: ...
+
+    def reset(self) -> None: ...
+
+    def update(self, measurement: Array) -> Array: ...
+
+    def predict(self, command: Sequence[float]) -> None: ...
+
+    def to_json(self) -> dict[str, Any]: ...
+
+
+class Estimated:
+    """A controller of the state behind an estimator: what a real robot can run."""
+
+    def __init__(self, controller: Controller, estimator: Estimator) -> None:
+        inner = controller.spec
+        self.controller, self.estimator = controller, estimator
+        kind = f"{inner.kind} behind a {estimator.to_json()['kind']}"
+        self.spec = ControllerSpec(kind, estimator.reads, inner.period, inner.command_unit, estimates=True)
+        self.reset()
+
+    def reset(self) -> None:
+        self.controller.reset()
+        self.estimator.reset()
+        self._state = np.zeros(6)
+
+    def step(self, measurement: Array, reference: Array) -> tuple[float, float]:
+        self._state = self.estimator.update(measurement)
+        return self.controller.step(self._state, reference)
+
+    def estimate(self) -> Sequence[float]:
+        return self._state.tolist()
+
+    def applied(self, command: Sequence[float]) -> None:
+        self.estimator.predict(command)
+        self.controller.applied(command)
+
+    def to_json(self) -> dict[str, Any]:
+        parts = {"controller": self.controller.to_json(), "estimator": self.estimator.to_json()}
+        return {"kind": self.spec.kind, "period": self.spec.period, "command_unit": self.spec.command_unit, **parts}
+
+
+@dataclass(eq=False)
+class Kalman:
+    """The steady-state filter x̂ = x̂⁻ + L (y − C x̂⁻), x̂⁻ = A x̂ + B u (Anderson and Moore 1979, ch. 4).
+
+    The state is the robot's six, the gyro's bias [rad/s] and a push at the centre of mass [N], both slowly wandering:
+    without the push as a state a steady force would pass for a lean. y holds both encoders and the gyro.
+    Build it with `kalman`.
+    """
+
+    A: Array
+    B: Array
+    C: Array
+    L: Array
+    reads: tuple[str, ...] = (ENCODER_LEFT, ENCODER_RIGHT, GYRO)
+    _x: Array = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        self.reset()
+
+    def reset(self) -> None:
+        self._x = np.zeros(len(self.A))
+
+    def update(self, measurement: Array) -> Array:
+        self._x = self._x + self.L @ (measurement - self.C @ self._x)
+        return self._x[:6]
+
+    def predict(self, command: Sequence[float]) -> None:
+        self._x = self.A @ self._x + self.B @ np.asarray(command)
+
+    def to_json(self) -> dict[str, Any]:
+        matrices = {name: getattr(self, name).tolist() for name in "ABCL"}
+        return {"kind": "Kalman filter", "reads": list(self.reads), **matrices}
+
+
+def kalman(
+    robot: Robot,
+    kit: Kit,
+    dt: float = 0.01,
+    *,
+    push: float = 0.05,
+    push_walk: float = 0.3,
+    motor: float = 0.02,
+    bias_walk: float = 1e-3,
+) -> Kalman:
+    """The filter for `robot` under `kit`, every `dt` [s].
+
+    Process noise, each period: a `push` on the body [N], an error of each command of `motor` times the largest usual
+    command; and walks of the steady push by `push_walk` [N/√s] and of the gyro's bias by `bias_walk` [rad/s/√s], or by
+    the kit's own figure, whichever is larger. Pushes scale with the robot's weight against NXTway-GS (6 N).
+    Sensor noise: the kit's, plus quantum²/12. Raises `DesignFailed` when it has no solution.
+    """
+    from scipy.linalg import solve_discrete_are
+
+    sensors = [_sensor(kit, name) for name in (ENCODER_LEFT, ENCODER_RIGHT, GYRO)]
+    model = linearise(robot).c2d(dt)
+    pushed = model.E[:, 0] + robot.com_height * model.E[:, 1]
+    A, B = np.eye(8), np.vstack([model.B, np.zeros((2, 2))])
+    A[:6, :6], A[:6, 7] = model.A, pushed
+    C = measurement_matrix(robot)
+    weight = robot.body_mass * robot.gravity / 6.0
+    walks = np.array([max(bias_walk, sensors[2].bias_walk), push_walk * weight]) * math.sqrt(dt)
+    command = motor * LARGEST_COMMAND[robot.command_unit]
+    G = np.column_stack([np.append(pushed, [0, 0]) * push * weight, B * command, np.eye(8)[:, 6:] * walks])
+    noise = np.diag([max(s.noise**2 + s.quantum**2 / 12, 1e-10) for s in sensors])
+    try:
+        P = solve_discrete_are(A.T, C.T, G @ G.T + 1e-14 * np.eye(8), noise)
+    except (np.linalg.LinAlgError, ValueError):
+        raise DesignFailed(
+            f"no steady Kalman filter for '{robot.name}' at {dt:g} s", expected="an observable robot",
+            likely="a period too long for it", mend="shorten the period",
+        ) from None  # fmt: skip
+    L = np.linalg.solve(C @ P @ C.T + noise, C @ P).T
+    return Kalman(A, B, C, L)
+
+
+def measurement_matrix(robot: Robot) -> Array:
+    """C (3, 8): both encoders (θ ∓ Wφ/2R − ψ) and the gyro (ψ̇ + bias) from the state, the gyro's bias and the push."""
+    turn = robot.track / (2 * robot.wheel_radius)
+    rows = [[-1, 0, 1, 0, -turn, 0, 0, 0], [-1, 0, 1, 0, turn, 0, 0, 0], [0, 1, 0, 0, 0, 0, 1, 0]]
+    return np.array(rows, dtype=np.float64)
+
+
+@dataclass(eq=False)
+class Complementary:
+    """Pitch from the gyro at high and gravity at low frequency, the rest from encoders (Mahony et al. 2008, sec. II).
+
+    ψ̂⁺ = a (ψ̂ + dt·gyro) + (1 − a) ψ_slow with a = τ/(τ + dt). ψ_slow is the accelerometer's pitch where the kit has
+    one, else zero: a robot that balances is upright in the mean. Rates of wheel and yaw are differences, low-passed
+    with `rate_time` [s]. `turn` is W/(2R).
+    """
+
+    turn: float
+    dt: float = 0.01
+    time: float = 2.0
+    rate_time: float = 0.03
+    accelerometer: bool = False
+    _state: Array = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        self.reset()
+
+    @property
+    def reads(self) -> tuple[str, ...]:
+        return (ENCODER_LEFT, ENCODER_RIGHT, GYRO, *(ACCELEROMETER if self.accelerometer else ()))
+
+    def reset(self) -> None:
+        self._state, self._first = np.zeros(6), True
+
+    def update(self, measurement: Array) -> Array:
+        left, right, gyro = measurement[:3].tolist()
+        slow = math.atan2(-measurement[3], measurement[4]) if self.accelerometer else 0.0
+        pitch, _, wheel, wheel_rate, yaw, yaw_rate = self._state.tolist()
+        keep = self.time / (self.time + self.dt)
+        pitch = slow if self._first else keep * (pitch + self.dt * gyro) + (1 - keep) * slow
+        new_wheel, new_yaw = (left + right) / 2 + pitch, (right - left) / (2 * self.turn)
+        if self._first:
+            wheel, yaw, self._first = new_wheel, new_yaw, False
+        smooth = self.rate_time / (self.rate_time + self.dt)
+        wheel_rate = smooth * wheel_rate + (1 - smooth) * (new_wheel - wheel) / self.dt
+        yaw_rate = smooth * yaw_rate + (1 - smooth) * (new_yaw - yaw) / self.dt
+        self._state = np.array([pitch, gyro, new_wheel, wheel_rate, new_yaw, yaw_rate])
+        return self._state
+
+    def predict(self, command: Sequence[float]) -> None:
+        """This filter knows no model, so the command tells it nothing."""
+
+    def to_json(self) -> dict[str, Any]:
+        numbers = {name: getattr(self, name) for name in ("turn", "dt", "time", "rate_time", "accelerometer")}
+        return {"kind": "complementary filter", "reads": list(self.reads), **numbers}
+
+
+def complementary(robot: Robot, kit: Kit, dt: float = 0.01, **options: float) -> Complementary:
+    """The complementary filter for `robot` under `kit`, with the accelerometer where the kit has one."""
+    for name in (ENCODER_LEFT, ENCODER_RIGHT, GYRO):
+        _sensor(kit, name)
+    accelerometer = all(name in kit.sensors for name in ACCELEROMETER)
+    return Complementary(robot.track / (2 * robot.wheel_radius), dt, accelerometer=accelerometer, **options)
+
+
+def _sensor(kit: Kit, name: str) -> Sensor:
+    if name not in kit.sensors:
+        raise SpecMismatch(f"kit '{kit.name}' has no {name}", expected="both encoders and a gyro to estimate from")
+    return kit.sensors[name]

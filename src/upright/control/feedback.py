@@ -1,0 +1,72 @@
+"""Linear state feedback u = −K (x − r), the form in which most methods hand over their result."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.control.controller import TRUE_STATE, ControllerSpec
+from upright.errors import InvalidController
+from upright.signals import STATE_NAMES
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class StateFeedback:
+    """u = −K (x − r): `gain` K (2, 6) from the state to [left, right], every `period` [s]; r is the reference state.
+
+    Raises `InvalidController` for a gain of the wrong size or with NaN.
+    """
+
+    gain: Array
+    period: float = 0.01
+    command_unit: str = "V"
+    kind: str = "state feedback"
+    spec: ControllerSpec = field(init=False)
+
+    def __post_init__(self) -> None:
+        gain = np.array(self.gain, dtype=np.float64)
+        if gain.shape != (2, 6):
+            raise InvalidController(
+                f"the gain has shape {gain.shape}",
+                expected=f"(2, 6): left and right motor, each from {', '.join(STATE_NAMES)}",
+                likely="one motor's row alone" if gain.size == 6 else "",
+                mend="use StateFeedback.symmetric(pitch_row, yaw_row)" if gain.size == 6 else "",
+            )
+        if not np.isfinite(gain).all():
+            raise InvalidController("the gain holds NaN or infinity", expected="finite numbers")
+        if not (np.isfinite(self.period) and self.period > 0):
+            raise InvalidController(f"the period is {self.period} s", expected="a positive number")
+        gain.setflags(write=False)
+        object.__setattr__(self, "gain", gain)
+        object.__setattr__(self, "spec", ControllerSpec(self.kind, TRUE_STATE, self.period, self.command_unit))
+
+    @classmethod
+    def symmetric(cls, left: Sequence[float], period: float = 0.01, **options: Any) -> StateFeedback:
+        """From the left motor's six gains: the right motor's are the same with the two yaw gains negated."""
+        row = np.array(left, dtype=np.float64)
+        if row.shape != (6,):
+            raise InvalidController(f"{row.size} gains", expected=f"six, from {', '.join(STATE_NAMES)}")
+        return cls(np.array([row, row * [1, 1, 1, 1, -1, -1]]), period, **options)
+
+    def reset(self) -> None:
+        """Nothing is remembered."""
+
+    def step(self, measurement: Array, reference: Array) -> tuple[float, float]:
+        left, right = self.gain @ (reference - measurement)
+        return float(left), float(right)
+
+    def estimate(self) -> Sequence[float]:
+        """It has no opinion of its own."""
+        return ()
+
+    def applied(self, command: Sequence[float]) -> None:
+        """What the motors did does not matter to a static gain."""
+
+    def to_json(self) -> dict[str, Any]:
+        return {"kind": self.kind, "gain": self.gain.tolist(), "period": self.period, "command_unit": self.command_unit}

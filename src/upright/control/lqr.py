@@ -1,0 +1,113 @@
+"""The discrete linear quadratic regulator."""
+
+from __future__ import annotations
+
+import contextlib
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from upright.control.feedback import StateFeedback
+from upright.errors import DesignFailed
+from upright.physics.linear import LinearModel, linearise
+from upright.robots import Robot
+
+Array = NDArray[np.float64]
+
+# Bryson's rule: a deviation or a command of this size costs one.
+LARGEST_STATE = (0.15, 1.5, 4.0, 15.0, 0.5, 3.0)  # [rad, rad/s, rad, rad/s, rad, rad/s]
+LARGEST_COMMAND = {"V": 4.0, "N m": 0.15}
+
+
+@dataclass(frozen=True, eq=False)
+class Lqr(StateFeedback):
+    """The gain that minimises J = Σ xᵀQx + uᵀRu for x⁺ = Ax + Bu, with what proves it.
+
+    `cost` is the stabilising solution P of the Riccati equation; `check()` re-computes its residual.
+    """
+
+    model: LinearModel = field(kw_only=True)
+    Q: Array = field(kw_only=True)
+    R: Array = field(kw_only=True)
+    cost: Array = field(kw_only=True)
+
+    @property
+    def poles(self) -> NDArray[np.complex128]:
+        """Eigenvalues of A − BK, largest magnitude first."""
+        poles = np.linalg.eigvals(self.model.A - self.model.B @ self.gain).astype(complex)
+        return poles[np.argsort(-np.abs(poles))]
+
+    def check(self) -> float:
+        """Largest entry of AᵀPA − P − AᵀPB(R + BᵀPB)⁻¹BᵀPA + Q, relative to P's largest."""
+        A, B, P = self.model.A, self.model.B, self.cost
+        coupling = A.T @ P @ B
+        residual = A.T @ P @ A - P - coupling @ np.linalg.solve(self.R + B.T @ P @ B, coupling.T) + self.Q
+        return float(np.abs(residual).max() / np.abs(P).max())
+
+
+def bryson(largest: ArrayLike) -> Array:
+    """diag(1/largest²): weights from the largest accepted deviation of each (Bryson and Ho 1975)."""
+    scale = np.asarray(largest, dtype=np.float64)
+    if not (np.isfinite(scale).all() and (scale > 0).all()):
+        raise DesignFailed(f"largest accepted deviations {scale.tolist()}", expected="positive numbers")
+    return np.diag(1 / scale**2)
+
+
+def lqr(robot: Robot, dt: float = 0.01, Q: ArrayLike | None = None, R: ArrayLike | None = None) -> Lqr:
+    """The regulator of the robot linearised upright and held over `dt` [s].
+
+    Q (6, 6) or its diagonal (6,), R (2, 2) or (2,); without them Bryson's rule on `LARGEST_STATE` and
+    `LARGEST_COMMAND`. Raises `DesignFailed` for weights of the wrong size or sign, or when no gain stabilises.
+    """
+    state_weight = bryson(LARGEST_STATE) if Q is None else Q
+    command_weight = bryson([LARGEST_COMMAND[robot.command_unit]] * 2) if R is None else R
+    return dlqr(linearise(robot).c2d(dt), state_weight, command_weight, robot.command_unit)
+
+
+def dlqr(model: LinearModel, Q: ArrayLike, R: ArrayLike, command_unit: str = "V") -> Lqr:
+    """The regulator of a discrete linear model (Åström and Wittenmark 1997, theorem 11.2)."""
+    if model.dt is None:
+        raise DesignFailed("the model is continuous", expected="a discrete one", mend="call model.c2d(dt)")
+    weight, price = _weight(Q, len(model.states), "Q"), _weight(R, len(model.inputs), "R")
+    if np.linalg.eigvalsh(price)[0] <= 0:
+        raise DesignFailed("R is not positive definite", expected="a price on every command", mend="raise its diagonal")
+    cost, gain = _solve(model, weight, price)
+    return Lqr(gain, model.dt, command_unit, "lqr", model=model, Q=weight, R=price, cost=cost)
+
+
+def _solve(model: LinearModel, Q: Array, R: Array) -> tuple[Array, Array]:
+    from scipy.linalg import LinAlgError, solve_discrete_are
+
+    A, B = model.A, model.B
+    cost: Array = np.full_like(A, np.nan)
+    with contextlib.suppress(LinAlgError, ValueError):
+        cost = np.asarray(solve_discrete_are(A, B, Q, R), dtype=np.float64)
+    gain = np.asarray(np.linalg.solve(R + B.T @ cost @ B, B.T @ cost @ A), dtype=np.float64)
+    if not np.isfinite(cost).all() or np.abs(np.linalg.eigvals(A - B @ gain)).max() >= 1:
+        raise DesignFailed(
+            "no gain stabilises this model under these weights",
+            expected="every unstable or weightless mode to be reached by the commands and seen by Q",
+            likely="a zero on the diagonal of Q for wheel or yaw, or a period too long for the robot",
+            mend="give every state a weight, or shorten the period",
+        )
+    return cost, gain
+
+
+def _weight(weight: ArrayLike, size: int, name: str) -> Array:
+    matrix = np.array(weight, dtype=np.float64)
+    matrix = np.diag(matrix) if matrix.ndim == 1 else matrix
+    if matrix.shape != (size, size):
+        raise DesignFailed(
+            f"{name} has shape {np.shape(weight)}", expected=f"({size}, {size}) or its diagonal ({size},)"
+        )
+    if not np.isfinite(matrix).all() or not np.allclose(matrix, matrix.T) or np.linalg.eigvalsh(matrix)[0] < -1e-12:
+        raise DesignFailed(f"{name} is not a symmetric, non-negative matrix", expected="weights of zero or more")
+    return matrix
+
+
+def describe(design: Lqr) -> dict[str, Any]:
+    """Gain, poles and Riccati residual as plain numbers."""
+    poles = [[float(p.real), float(p.imag)] for p in design.poles]
+    return {"gain": design.gain.tolist(), "poles": poles, "residual": design.check()}
