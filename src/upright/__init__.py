@@ -1,0 +1,48 @@
+"""upright: the workbench for two-wheeled balancing robots.
+
+Names are loaded when they are first used, so that `import upright` is quick.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from upright.bodies import Electronics, LinearBody, NonlinearBody
+    from upright.bodies.twin import Twin
+    from upright.compare import compare
+    from upright.control import Estimated, StateFeedback, complementary, kalman, lqr
+    from upright.errors import UprightError
+    from upright.experiment import Drive, Hold, Impulse, Push, Slope, Turn, run
+    from upright.physics.linear import LinearModel, linearise
+    from upright.robots import Kit, Robot
+    from upright.signals import Log, Signal
+
+_HOME = {
+    "upright.bodies": ("Electronics", "LinearBody", "NonlinearBody"),
+    "upright.bodies.twin": ("Twin",),
+    "upright.compare": ("compare",),
+    "upright.control": ("Estimated", "StateFeedback", "complementary", "kalman", "lqr"),
+    "upright.errors": ("UprightError",),
+    "upright.experiment": ("Drive", "Hold", "Impulse", "Push", "Slope", "Turn", "run"),
+    "upright.physics.linear": ("LinearModel", "linearise"),
+    "upright.robots": ("Kit", "Robot"),
+    "upright.signals": ("Log", "Signal"),
+}
+_MODULE = {name: module for module, names in _HOME.items() for name in names}
+
+__all__ = [  # noqa: RUF022 (grouped by room, from the ground up)
+    "UprightError", "Log", "Signal", "Kit", "Robot", "LinearModel", "linearise",
+    "Electronics", "LinearBody", "NonlinearBody", "Twin",
+    "Estimated", "StateFeedback", "complementary", "kalman", "lqr",
+    "Drive", "Hold", "Impulse", "Push", "Slope", "Turn", "run", "compare",
+]  # fmt: skip
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _MODULE:
+        raise AttributeError(f"module 'upright' has no attribute '{name}'")
+    return getattr(import_module(_MODULE[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
