@@ -1,0 +1,285 @@
+"""Several logs of the same experiment side by side, as numbers."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from upright.bodies.body import FALLEN
+from upright.compare import metrics
+from upright.errors import InvalidLog, UnknownName
+from upright.signals import STATE_NAMES, Log
+
+
+def _number(unit: str, label: str) -> Any:
+    return field(metadata={"unit": unit, "label": label})
+
+
+@dataclass(frozen=True, kw_only=True)
+class Metrics:
+    """What one log shows; times count from the release of the push, NaN where a log cannot say.
+
+    Settling and overshoot are of pitch about zero, and `wheel_travel` is the largest |θ − θ(first sample)|.
+    """
+
+    settling_2: float = _number("s", "settling 2 %")
+    settling_5: float = _number("s", "settling 5 %")
+    overshoot: float = _number("1", "overshoot")
+    pitch_peak: float = _number("rad", "peak pitch")
+    pitch_rms: float = _number("rad", "RMS pitch")
+    wheel_travel: float = _number("rad", "wheel travel")
+    effort: float = _number("u² s", "effort")
+    saturated: float = _number("1", "saturated")
+    fell: bool = _number("", "fell")
+
+
+METRICS: dict[str, tuple[str, str]] = {
+    f.name: (f.metadata["unit"], f.metadata["label"]) for f in dataclasses.fields(Metrics)
+}
+"""Field name → (unit, label) of every metric, in order; the effort's u is `Comparison.command_unit`."""
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """Logs under their labels, the metrics of each, and how well each fits the reference.
+
+    `fits[label][signal]` is the NRMSE fit [%] to the log labelled `reference`. `sources` says whether a log's
+    states are its `truth` or its `estimate`; `releases` when its push ended [s] (inf: never); `kinds` what body
+    it is of. `release` is what the caller asked for, None for each log's own.
+    """
+
+    logs: Mapping[str, Log]
+    reference: str
+    signals: tuple[str, ...]
+    release: float | None
+    sources: Mapping[str, str]
+    releases: Mapping[str, float]
+    kinds: Mapping[str, str]
+    command_unit: str
+    metrics: Mapping[str, Metrics]
+    fits: Mapping[str, Mapping[str, float]]
+
+    def check(self) -> bool:
+        """Whether comparing the logs kept here again gives these very numbers."""
+        again = compare(self.logs, reference=self.reference, signals=self.signals, release=self.release)
+        return again.to_json() == self.to_json()
+
+    def unit(self, metric: str) -> str:
+        """Unit of a metric, '1' for a share, '' for yes or no."""
+        squared = f"({self.command_unit})²" if " " in self.command_unit else f"{self.command_unit}²"
+        return METRICS[metric][0].replace("u²", squared)
+
+    def to_json(self) -> dict[str, Any]:
+        """Everything but the logs as plain values, None for what is not a finite number."""
+        return {
+            "reference": self.reference,
+            "signals": list(self.signals),
+            "release": self.release,
+            "command_unit": self.command_unit,
+            "logs": {label: self._log_json(label) for label in self.logs},
+        }
+
+    def _log_json(self, label: str) -> dict[str, Any]:
+        numbers = {name: _plain(value) for name, value in dataclasses.asdict(self.metrics[label]).items()}
+        fits = {name: _plain(value) for name, value in self.fits.get(label, {}).items()}
+        where = {"kind": self.kinds[label], "source": self.sources[label], "release": _plain(self.releases[label])}
+        return where | {"metrics": numbers, "fit": fits}
+
+    def __str__(self) -> str:
+        labels = list(self.logs)
+        rows = [["", "unit", *labels]]
+        for name, (_, text) in METRICS.items():
+            rows.append([text, self.unit(name), *(_cell(getattr(self.metrics[label], name)) for label in labels)])
+        for name in self.signals if self.fits else ():
+            cells = (_cell(self.fits[label][name]) if label in self.fits else "reference" for label in labels)
+            rows.append([f"fit of {name}", "%", *cells])
+        rows.append(["states from", "", *(self.sources[label] for label in labels)])
+        return _aligned(rows)
+
+    def report(self, path: str | Path) -> Path:
+        """Write the comparison as one self-contained HTML page."""
+        from upright.report.comparing import comparison_page
+
+        return comparison_page(self, path)
+
+
+def compare(
+    logs: Mapping[str, Log],
+    *,
+    reference: str | None = None,
+    signals: Sequence[str] = STATE_NAMES,
+    release: float | None = None,
+) -> Comparison:
+    """Metrics of each log and the fit of each to the `reference` log (default: the first, normally the twin).
+
+    A log on another time base is interpolated linearly onto the reference's times inside the interval both
+    share. States are `truth/…` if all logs have them, else each log's `estimate/…`, or its `truth/…` where it has
+    no estimate. `release` [s] is when the push ends; by default each log's own `push/force` says so, or the
+    reference's for a log without one; without any push it is the first sample. The log of a twin is
+    labelled a twin: "robot" or "real" becomes "twin", any other label gets "(twin)".
+
+    Raises `InvalidLog` for no logs, missing states, or no common time; `UnknownName` for an unknown reference.
+    """
+    if not logs:
+        raise InvalidLog("no logs to compare", expected="a mapping of labels to logs")
+    first = next(iter(logs)) if reference is None else reference
+    if first not in logs:
+        raise UnknownName("log", first, logs)
+    labels = _labels(logs)
+    named = {labels[label]: log for label, log in logs.items()}
+    anchor = named[labels[first]]
+    sources = _sources(named, signals)
+    releases = {label: _release(log, anchor) if release is None else release for label, log in named.items()}
+    unit = _command_unit(anchor)
+    numbers = {label: _measure(log, sources[label], releases[label], unit) for label, log in named.items()}
+    states = {label: {name: f"{sources[label]}/{name}" for name in signals} for label in named}
+    fits = {
+        label: MappingProxyType(_fit(anchor, log, states[labels[first]], states[label], label))
+        for label, log in named.items()
+        if label != labels[first]
+    }
+    return Comparison(
+        logs=MappingProxyType(named),
+        reference=labels[first],
+        signals=tuple(signals),
+        release=release,
+        sources=MappingProxyType(sources),
+        releases=MappingProxyType(releases),
+        kinds=MappingProxyType({label: body_kind(log) for label, log in named.items()}),
+        command_unit=unit,
+        metrics=MappingProxyType(numbers),
+        fits=MappingProxyType(fits),
+    )
+
+
+def body_kind(log: Log) -> str:
+    """What kind of body the log's origin names, '' where it does not say."""
+    body = log.origin.get("body", {})
+    return str(body.get("kind", "")) if isinstance(body, Mapping) else ""
+
+
+def _labels(logs: Mapping[str, Log]) -> dict[str, str]:
+    labels: dict[str, str] = {}
+    taken = {label for label, log in logs.items() if _honest(label, log)}
+    for label, log in logs.items():
+        wanted = label
+        if not _honest(label, log):
+            stem = "twin" if re.search(r"robot|real", label, re.IGNORECASE) else f"{label} (twin)"
+            numbered = (f"{stem} {number}" for number in range(2, len(logs) + 2))
+            wanted = next(name for name in (stem, *numbered) if name not in taken)
+        taken.add(wanted)
+        labels[label] = wanted
+    return labels
+
+
+def _honest(label: str, log: Log) -> bool:
+    return "twin" not in body_kind(log).lower() or (
+        "twin" in label.lower() and not re.search(r"robot|real", label, re.IGNORECASE)
+    )
+
+
+def _sources(logs: Mapping[str, Log], signals: Sequence[str]) -> dict[str, str]:
+    complete = {label: [p for p in ("truth", "estimate") if _has(log, p, signals)] for label, log in logs.items()}
+    for label, prefixes in complete.items():
+        if not prefixes:
+            raise InvalidLog(
+                f"log '{label}' has neither truth/… nor estimate/… of {', '.join(signals)}",
+                expected="the states to be compared",
+                mend="run it with an estimator, or name fewer signals",
+            )
+    prefer = "truth" if all("truth" in prefixes for prefixes in complete.values()) else "estimate"
+    return {label: prefer if prefer in prefixes else prefixes[0] for label, prefixes in complete.items()}
+
+
+def _has(log: Log, prefix: str, signals: Sequence[str]) -> bool:
+    return all(f"{prefix}/{name}" in log for name in signals)
+
+
+def _release(log: Log, anchor: Log) -> float:
+    for candidate in (log, anchor):
+        pushes = metrics.active_intervals(candidate.t, candidate["push/force"]) if "push/force" in candidate else ()
+        if pushes:
+            return pushes[-1][1]
+    return float(log.t[0])
+
+
+def _command_unit(log: Log) -> str:
+    names = [name for name in ("applied/left", "command/left") if name in log]
+    return log.unit(names[0]) if names else "V"
+
+
+def _measure(log: Log, source: str, release: float, unit: str) -> Metrics:
+    pitch, wheel = _channel(log, f"{source}/pitch"), _channel(log, f"{source}/wheel")
+    after = pitch[log.t >= release]
+    return Metrics(
+        settling_2=metrics.settling_time(log.t, pitch, band=0.02, start=release),
+        settling_5=metrics.settling_time(log.t, pitch, band=0.05, start=release),
+        overshoot=metrics.overshoot(after),
+        pitch_peak=metrics.peak(log.t, pitch).value,
+        pitch_rms=metrics.rms(pitch),
+        wheel_travel=abs(metrics.peak(log.t, wheel, float(wheel[0])).value),
+        effort=_effort(log, unit),
+        saturated=_saturated(log),
+        fell=bool((np.abs(pitch) > FALLEN).any()),
+    )
+
+
+def _channel(log: Log, name: str) -> metrics.Array:
+    return log[name] if name in log else np.full(len(log), np.nan)
+
+
+def _effort(log: Log, unit: str) -> float:
+    prefix = "applied" if "applied/left" in log else "command"
+    if f"{prefix}/left" in log and _command_unit(log) != unit:
+        return np.nan  # volts and newton metres do not compare
+    return metrics.effort(log.t, _channel(log, f"{prefix}/left"), _channel(log, f"{prefix}/right"))
+
+
+def _saturated(log: Log) -> float:
+    names = [f"{prefix}/{side}" for prefix in ("command", "applied") for side in ("left", "right")]
+    if not all(name in log for name in names):
+        return np.nan
+    columns = [log[name] for name in names]
+    return metrics.saturated_share(np.column_stack(columns[:2]), np.column_stack(columns[2:]))
+
+
+def _fit(anchor: Log, log: Log, mine: Mapping[str, str], other: Mapping[str, str], label: str) -> dict[str, float]:
+    keep = (anchor.t >= log.t[0]) & (anchor.t <= log.t[-1])
+    if np.count_nonzero(keep) < 2:
+        raise InvalidLog(
+            f"log '{label}' runs from {log.t[0]:g} to {log.t[-1]:g} s, the reference from {anchor.t[0]:g} to "
+            f"{anchor.t[-1]:g} s",
+            expected="at least two samples of the reference inside both",
+        )
+    t = anchor.t[keep]
+    return {name: metrics.nrmse_fit(anchor[mine[name]][keep], np.interp(t, log.t, log[other[name]])) for name in mine}
+
+
+def _plain(value: float | bool) -> float | bool | None:
+    return value if isinstance(value, bool) or math.isfinite(value) else None
+
+
+def _cell(value: float | bool) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return "–" if math.isnan(value) else f"{value:.4g}"
+
+
+def _aligned(rows: Sequence[Sequence[str]]) -> str:
+    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
+    lines = (
+        "  ".join(
+            cell.ljust(width) if i < 2 else cell.rjust(width)
+            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
+        )
+        for row in rows
+    )
+    return "\n".join(line.rstrip() for line in lines)

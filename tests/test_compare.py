@@ -1,0 +1,224 @@
+"""Numbers from logs, against closed forms of first- and second-order responses."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+from upright.compare import (
+    active_intervals,
+    compare,
+    effort,
+    nrmse_fit,
+    overshoot,
+    peak,
+    rms,
+    saturated_share,
+    settling_time,
+)
+from upright.errors import InvalidLog, UnknownName
+from upright.signals import STATE_NAMES, Log
+
+STEP = 1e-3
+"""Sample period [s]; interpolating a crossing then errs by about STEP² × curvature / slope, below 1e-5 s here."""
+
+
+def second_order(t, zeta, natural):
+    """Step response of ω² / (s² + 2ζωs + ω²) (Ogata, Modern Control Engineering, eq. 5-12)."""
+    damped = natural * np.sqrt(1 - zeta**2)
+    swing = np.cos(damped * t) + zeta / np.sqrt(1 - zeta**2) * np.sin(damped * t)
+    return 1 - np.exp(-zeta * natural * t) * swing
+
+
+@pytest.mark.parametrize("band", [0.02, 0.05])
+@pytest.mark.parametrize("tau", [0.1, 0.7])
+def test_a_first_order_step_settles_after_tau_times_the_log_of_the_band(band, tau):
+    t = np.arange(0, 10, STEP)
+    settled = settling_time(t, 1 - np.exp(-t / tau), 1.0, band=band)
+    assert settled == pytest.approx(-tau * math.log(band), abs=1e-5)  # |1 − y| = exp(−t/τ) = band
+
+
+def test_settling_counts_from_the_start_it_is_given_and_scales_with_the_deviation_left_then():
+    t = np.arange(0, 10, STEP)
+    y = np.where(t < 2, 5.0, 0.3 * np.exp(-(t - 2)))  # before 2 s it is far off, which must not matter
+    assert settling_time(t, y, band=0.05, start=2.0) == pytest.approx(math.log(20), abs=1e-5)  # exp(−s) = 1/20
+    # scale 0.6 doubles the band: exp(−s) = 1/10
+    assert settling_time(t, y, band=0.05, start=2.0, scale=0.6) == pytest.approx(math.log(10), abs=1e-5)
+
+
+def test_a_signal_that_leaves_the_band_again_has_settled_only_after_its_last_visit_outside():
+    t = np.arange(6.0)
+    assert settling_time(t, [1, 0, 0, 0.5, 0, 0], band=0.1) == pytest.approx(3.8)  # 0.5 → 0 passes 0.1 at 3 + 0.8
+
+
+@pytest.mark.parametrize("y", [[1, 0, 1], [1, np.nan, 0], [1, 2, 4]])
+def test_what_never_settles_or_cannot_be_known_is_nan(y):
+    assert math.isnan(settling_time([0, 1, 2], y))
+
+
+def test_nothing_after_the_start_is_nan_and_a_signal_on_its_target_has_settled_at_once():
+    assert math.isnan(settling_time([0, 1], [1, 0], start=math.inf))
+    assert settling_time([0, 1], [0, 0]) == 0
+
+
+@pytest.mark.parametrize("zeta", [0.2, 0.5, 0.8])
+def test_overshoot_and_peak_time_of_a_second_order_step_are_the_textbooks(zeta):
+    t, natural = np.arange(0, 20, STEP), 3.0
+    y = second_order(t, zeta, natural)
+    damped = natural * math.sqrt(1 - zeta**2)
+    # 1e-5: a sample lies within STEP/2 of the peak, which falls off by ω² STEP²/8 ≈ 1e-6
+    assert overshoot(y, 1.0) == pytest.approx(math.exp(-math.pi * zeta / math.sqrt(1 - zeta**2)), abs=1e-5)
+    assert peak(t, y).time == pytest.approx(math.pi / damped, abs=STEP)
+    assert settling_time(t, y, 1.0) <= -math.log(0.02 * math.sqrt(1 - zeta**2)) / (zeta * natural)  # its envelope
+
+
+def test_overshoot_has_no_sign_of_its_own_and_is_zero_without_a_crossing():
+    assert overshoot([-2, -1, 1, 0]) == overshoot([2, 1, -1, 0]) == 0.5
+    assert overshoot([0.1, 0.3, 0.1, 0]) == 0  # a push may go on acting through inertia: the first side only
+    assert math.isnan(overshoot([0, 1]))
+    assert math.isnan(overshoot([]))
+
+
+def test_peak_keeps_the_sign_and_passes_over_nan():
+    assert peak([0, 1, 2], [1, -3, np.nan]) == (-3, 1)
+    assert math.isnan(peak([0], [np.nan]).value)
+
+
+def test_effort_of_constant_and_of_linear_commands_is_their_integral():
+    t = np.linspace(0, 2, 2001)
+    assert effort(t, np.full_like(t, 3), np.full_like(t, -1)) == pytest.approx(20)  # (9 + 1) V² × 2 s
+    assert effort(t, t, 0 * t) == pytest.approx(8 / 3, rel=1e-6)  # ∫ t² dt, the trapezium's error is h²/4 relative
+
+
+def test_rms_of_a_sine_is_its_amplitude_over_root_two():
+    phase = 2 * np.pi * np.arange(1000) / 1000  # a whole period, for which the sum is exact
+    assert rms(3 * np.sin(phase)) == pytest.approx(3 / math.sqrt(2))
+
+
+def test_the_saturated_share_of_a_clipped_sine_is_the_time_it_spends_beyond_the_limit():
+    command = 2 * np.sin(2 * np.pi * np.arange(100_000) / 100_000)
+    share = saturated_share(command, np.clip(command, -1, 1), margin=0.0)
+    assert share == pytest.approx(2 / 3, abs=1e-4)  # |sin| > 1/2 for 2/3 of a period; an edge is one sample wide
+
+
+def test_a_delay_is_no_saturation_and_either_motor_counts():
+    command = np.sin(np.linspace(0, 20, 500))
+    assert saturated_share(command, np.roll(command, 3)) == 0
+    assert saturated_share([[1, 1], [1, 5]], [[1, 1], [1, 1]]) == 0.5
+
+
+def test_the_fit_of_a_constant_shift_is_the_shift_in_standard_deviations():
+    y = np.random.default_rng(5).normal(2, 3, 1000)
+    assert nrmse_fit(y, y) == 100
+    # ‖c‖ / ‖y − mean‖ = c √n / (σ √n), so a shift of a quarter of σ leaves 75 %
+    assert nrmse_fit(y, y + 0.25 * y.std()) == pytest.approx(75)
+    assert nrmse_fit(y, np.full_like(y, y.mean())) == pytest.approx(0, abs=1e-9)
+
+
+def test_a_reference_that_does_not_vary_allows_no_fit():
+    assert math.isnan(nrmse_fit(np.full(7, 0.1), np.zeros(7)))  # the mean of seven 0.1 is not exactly 0.1
+    assert math.isnan(nrmse_fit([], []))
+
+
+def test_pushes_are_found_with_their_ends_and_one_still_on_never_ends():
+    assert active_intervals([0, 1, 2, 3, 4], [0, 2, 0, -1, -1]) == ((1, 2), (3, math.inf))
+    assert active_intervals([0, 1], [0, 0]) == ()
+
+
+def pushed(tau=0.5, *, period=0.01, kind="nonlinear model", prefix="truth", seconds=8.0, **channels):
+    """A log held at 0.1 rad until 2 s and released: pitch decays with τ, so it settles after τ ln 50 (2 %)."""
+    t = np.arange(0, seconds, period)
+    since = np.maximum(t - 2, 0)
+    pitch = 0.1 * np.exp(-since / tau)
+    columns = {f"{prefix}/{name}": pitch * (1 + place) for place, name in enumerate(STATE_NAMES)}
+    columns |= {"applied/left": 20 * pitch, "applied/right": 20 * pitch, "push/force": np.where(t < 2, -1.0, 0.0)}
+    columns |= {"command/left": 20 * pitch, "command/right": 20 * pitch, **channels}
+    return Log(t, columns, origin={"body": {"kind": kind}})
+
+
+def test_settling_counts_from_the_release_that_the_push_channel_shows():
+    result = compare({"slow": pushed(0.5), "fast": pushed(0.25)})
+    assert result.releases == {"slow": pytest.approx(2.0), "fast": pytest.approx(2.0)}
+    # 1e-3: curvature of exp over a 10 ms sample, h²/(8τ) at τ = 0.25 s is 5e-5 s
+    assert result.metrics["slow"].settling_2 == pytest.approx(0.5 * math.log(50), abs=1e-3)
+    assert result.metrics["fast"].settling_5 == pytest.approx(0.25 * math.log(20), abs=1e-3)
+    assert not result.metrics["slow"].fell
+
+
+def test_logs_on_other_time_bases_are_interpolated_on_the_common_interval():
+    result = compare({"a": pushed(period=0.01), "b": pushed(period=0.004, seconds=5.0)})
+    assert min(result.fits["b"].values()) > 99.9  # the same curve; linear interpolation errs by (h/τ)²/8 = 8e-6
+    assert set(result.fits) == {"b"}
+
+
+def test_the_reference_may_be_named_and_an_unknown_one_is_refused():
+    assert set(compare({"a": pushed(), "b": pushed()}, reference="b").fits) == {"a"}
+    with pytest.raises(UnknownName, match="one of a, b"):
+        compare({"a": pushed(), "b": pushed()}, reference="c")
+
+
+def test_a_twin_is_never_called_a_robot():
+    result = compare({"robot": pushed(kind="MuJoCo twin"), "real NXT": pushed(kind="twin"), "lqr": pushed(kind="twin")})
+    assert list(result.logs) == ["twin", "twin 2", "lqr (twin)"]
+    assert result.reference == "twin"
+    assert list(compare({"robot": pushed(kind="brick")}).logs) == ["robot"]
+
+
+def test_a_log_without_truth_turns_all_others_to_their_estimates_where_they_have_one():
+    both = pushed(**{f"estimate/{name}": np.zeros(800) for name in STATE_NAMES})  # 8 s at 10 ms
+    result = compare({"brick": pushed(prefix="estimate"), "both": both, "model": pushed()})
+    assert result.sources == {"brick": "estimate", "both": "estimate", "model": "truth"}
+    assert result.metrics["both"].pitch_peak == 0
+
+
+def test_a_log_without_its_states_is_named():
+    with pytest.raises(InvalidLog, match=r"log 'bare' has neither truth/… nor estimate/… of pitch"):
+        compare({"bare": Log([0, 1], {"sensor/gyro": [0, 0]})}, signals=["pitch"])
+    with pytest.raises(InvalidLog, match="no logs"):
+        compare({})
+
+
+def test_logs_that_share_no_time_are_refused():
+    late = Log(np.array([100.0, 101.0]), {"truth/pitch": [0, 0]})
+    with pytest.raises(InvalidLog, match="at least two samples"):
+        compare({"a": Log([0.0, 1.0], {"truth/pitch": [0, 0]}), "late": late}, signals=["pitch"])
+
+
+def test_a_push_that_never_ends_leaves_settling_unknown_and_a_fall_is_seen():
+    t = np.linspace(0, 1, 50)
+    log = Log(t, {"truth/pitch": 1.5 * t, "truth/wheel": 0 * t, "push/force": np.ones(50)})  # 1.5 rad is beyond FALLEN
+    numbers = compare({"a": log}, signals=["pitch", "wheel"]).metrics["a"]
+    assert math.isnan(numbers.settling_2)
+    assert math.isnan(numbers.saturated)  # no commands in this log
+    assert numbers.fell
+
+
+def test_a_comparison_checks_itself_and_notices_a_changed_number():
+    result = compare({"a": pushed(), "robot": pushed(0.2, kind="twin")})
+    assert result.check()
+    object.__setattr__(result, "metrics", {**result.metrics, "a": result.metrics["twin"]})  # a planted fault
+    assert not result.check()
+
+
+def test_json_holds_plain_numbers_and_none_for_what_is_not_known():
+    unknown = compare({"a": pushed(), "b": Log([0.0, 1.0], {f"truth/{n}": [0, 0] for n in STATE_NAMES})})
+    text = json.dumps(unknown.to_json(), allow_nan=False)  # raises if a NaN or a NumPy number is left
+    assert json.loads(text)["logs"]["b"]["metrics"]["effort"] is None
+
+
+def test_the_table_shows_units_and_keeps_its_columns_aligned():
+    lines = str(compare({"slow": pushed(0.5), "fast": pushed(0.25)})).splitlines()
+    assert len({len(line) for line in lines}) == 1  # every last cell is right-aligned
+    assert any("settling 2 %" in line and " s " in line for line in lines)
+    assert any("effort" in line and "V² s" in line for line in lines)
+
+
+def test_effort_is_not_compared_between_volts_and_newton_metres():
+    base = pushed()
+    torque = Log(base.t, base.channels, {f"{p}/{s}": "N m" for p in ("command", "applied") for s in ("left", "right")})
+    result = compare({"volts": base, "torque": torque})
+    assert math.isnan(result.metrics["torque"].effort)
+    assert compare({"torque": torque}).unit("effort") == "(N m)² s"
