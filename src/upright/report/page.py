@@ -1,0 +1,183 @@
+"""One self-contained HTML page of sections: prose, tables, figures, verdicts. It shows numbers and computes none."""
+
+from __future__ import annotations
+
+import functools
+import math
+import os
+import re
+import tempfile
+import unicodedata
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from importlib import resources
+from pathlib import Path
+from typing import TYPE_CHECKING, ClassVar
+from xml.etree import ElementTree
+
+from upright.errors import UnknownName, UprightError
+from upright.report.figure import Figure, PointFigure
+
+if TYPE_CHECKING:
+    from jinja2 import Template
+
+LEVELS = ("good", "warn", "info")
+
+TWIN_NOTE = (
+    "A twin stands in for hardware: a simulation by a physics engine whose equations are not those of the model "
+    "under test. What is said of a twin is said of no built robot."
+)
+
+Cell = str | float | bool | None
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """A badge: a short `text` and its `level`: "good" (reproduced), "warn" (not reproducible as printed) or "info"."""
+
+    text: str
+    level: str = "info"
+
+    def __post_init__(self) -> None:
+        if self.level not in LEVELS:
+            raise UnknownName("level of a verdict", self.level, LEVELS)
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows under `header`; numbers are right-aligned and shown to `digits` significant digits, NaN and None as '–'."""
+
+    header: Sequence[str]
+    rows: Sequence[Sequence[Cell]]
+    caption: str = ""
+    digits: int = 4
+    kind: ClassVar[str] = "table"
+
+    def __post_init__(self) -> None:
+        for row in self.rows:
+            if len(row) != len(self.header):
+                raise UprightError(
+                    f"a row of table '{self.caption}' has {len(row)} cells",
+                    expected=f"{len(self.header)}, as its header",
+                )
+
+    def cells(self) -> list[list[tuple[str, bool]]]:
+        """The cells as text, each with whether it is a number."""
+        return [[(cell_text(cell, self.digits), not isinstance(cell, str)) for cell in row] for row in self.rows]
+
+
+@dataclass(frozen=True)
+class Maths:
+    """A formula: plain text with its line breaks kept, or a <math> element (MathML), which must parse as XML."""
+
+    text: str
+    kind: ClassVar[str] = "maths"
+
+    def __post_init__(self) -> None:
+        if not self.is_mathml:
+            return
+        try:
+            ElementTree.fromstring(self.text)
+        except ElementTree.ParseError as error:
+            raise UprightError(f"MathML does not parse: {error}", expected="one well-formed <math> element") from None
+
+    @property
+    def is_mathml(self) -> bool:
+        """Whether this is markup rather than text."""
+        return self.text.lstrip().startswith("<math")
+
+
+Item = str | Table | Maths | Figure | PointFigure
+
+
+@dataclass(frozen=True)
+class Section:
+    """A heading, perhaps a verdict, and what follows in order; a plain string is a paragraph."""
+
+    heading: str
+    items: Sequence[Item] = ()
+    verdict: Verdict | None = None
+
+    def parts(self) -> list[tuple[str, Item]]:
+        """The items, each with the name of its template."""
+        return [("text" if isinstance(item, str) else getattr(item, "kind", "figure"), item) for item in self.items]
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page under `title`; `lead` is its first paragraph, `provenance` (versions, seeds, hashes) its foot."""
+
+    title: str
+    sections: Sequence[Section]
+    lead: str = ""
+    provenance: Mapping[str, str] = field(default_factory=dict[str, str])
+    twin_note: bool = True
+
+    def html(self) -> str:
+        """The whole page: style, script and drawings inside, nothing fetched."""
+        return _template().render(
+            page=self,
+            anchors=_anchors([section.heading for section in self.sections]),
+            style=_read("style.css"),
+            note=TWIN_NOTE if self.twin_note else "",
+        )
+
+    def write(self, path: str | Path) -> Path:
+        """Write the page as UTF-8, whole or not at all; raises `UprightError` where that cannot be done."""
+        target = Path(path)
+        try:
+            _write_atomically(target, self.html())
+        except OSError as error:
+            raise UprightError(f"cannot write {target}: {error.strerror}", mend="choose a folder that exists") from None
+        return target
+
+
+def cell_text(cell: Cell, digits: int = 4) -> str:
+    """A table's cell as text: a true minus sign, '–' for what is not known."""
+    if isinstance(cell, str):
+        return cell
+    if isinstance(cell, bool):
+        return "yes" if cell else "no"
+    if cell is None or math.isnan(cell):
+        return "–"
+    return _POWER.sub(_power, f"{cell:.{digits}g}").replace("-", "−").replace("inf", "∞")
+
+
+_POWER = re.compile(r"e([+-])0*(\d+)$")
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def _power(found: re.Match[str]) -> str:
+    return " · 10" + (found[1].replace("+", "") + found[2]).translate(_RAISED)
+
+
+def _anchors(headings: Sequence[str]) -> list[str]:
+    plain = (unicodedata.normalize("NFKD", heading).encode("ascii", "ignore").decode().lower() for heading in headings)
+    return [f"{row}-{re.sub(r'[^a-z0-9]+', '-', text).strip('-')}".strip("-") for row, text in enumerate(plain, 1)]
+
+
+def _read(name: str) -> str:
+    return resources.files("upright.report").joinpath(name).read_text(encoding="utf-8")
+
+
+@functools.cache
+def _template() -> Template:
+    from jinja2 import Environment, FunctionLoader, StrictUndefined
+
+    loader = FunctionLoader(lambda name: _read(f"templates/{name}"))
+    environment = Environment(
+        loader=loader, autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
+    return environment.get_template("page.html")
+
+
+def _write_atomically(target: Path, text: str) -> None:
+    handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+        os.chmod(temporary, 0o644)  # mkstemp's 0600 would keep a web server from reading it
+        os.replace(temporary, target)
+    except BaseException:
+        Path(temporary).unlink(missing_ok=True)
+        raise
