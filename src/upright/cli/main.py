@@ -1,0 +1,90 @@
+"""The command `upright`: its commands, and the one place where errors become a line and an exit code."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from typing import Annotated
+
+import typer
+from typer.main import get_command
+
+from upright.cli.compare import compare
+from upright.cli.linearise import linearise
+from upright.cli.reproduce import reproduce
+from upright.cli.robots import robots
+from upright.cli.simulate import simulate
+from upright.errors import UprightError
+
+USER_ERROR, BUG, STOPPED = 2, 1, 130
+"""Exit codes: what the user can mend, what only we can, and Ctrl-C (128 + SIGINT, as shells say it)."""
+
+app = typer.Typer(name="upright", rich_markup_mode=None, context_settings={"help_option_names": ["-h", "--help"]})
+app.command()(reproduce)
+app.add_typer(robots, name="robots")
+app.command()(simulate)
+app.command()(compare)
+app.command()(linearise)
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        from importlib.metadata import version
+
+        typer.echo(f"upright {version('upright')}")
+        raise typer.Exit
+
+
+@app.callback(invoke_without_command=True)
+def start(
+    context: typer.Context,
+    debug: Annotated[bool, typer.Option("--debug", help="Show tracebacks; UPRIGHT_DEBUG=1 does the same.")] = False,  # noqa: ARG001 (main reads it)
+    version: Annotated[  # noqa: ARG001 (its callback acts)
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and exit.")
+    ] = False,
+) -> None:
+    """The workbench for two-wheeled balancing robots: model, identify, control, prove, compare."""
+    if context.invoked_subcommand is None:
+        typer.echo(context.get_help())
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command and return its exit code: 0, or 2 for what the user can mend, 1 for a bug, 130 for Ctrl-C."""
+    arguments = sys.argv[1:] if argv is None else list(argv)
+    try:
+        code = get_command(app).main(arguments, prog_name="upright", standalone_mode=False)
+    except (KeyboardInterrupt, typer.Abort):
+        code = STOPPED
+    except Exception as error:  # whatever it is, a user gets one line
+        if _debugging(arguments):
+            raise
+        return _complain(error)
+    if code == STOPPED:
+        typer.secho("stopped; nothing half-written was left", err=True)
+    return code if isinstance(code, int) else 0
+
+
+def _complain(error: Exception) -> int:
+    """Say what is wrong in one line on stderr and return the exit code."""
+    code = USER_ERROR
+    if isinstance(error, typer.TyperException):
+        message = error.format_message()
+    elif isinstance(error, UprightError):
+        message = str(error)
+    elif isinstance(error, OSError) and error.filename is not None:
+        message = f"{error.filename}: {error.strerror}"
+    else:
+        code = BUG
+        message = f"unexpected {type(error).__name__}: {error}; mend: UPRIGHT_DEBUG=1 shows where, please report it"
+    colour = None if "NO_COLOR" not in os.environ else False
+    typer.secho(f"upright: {' '.join(message.split())}", fg="red", err=True, color=colour)
+    return code
+
+
+def _debugging(arguments: Sequence[str]) -> bool:
+    return "--debug" in arguments or os.environ.get("UPRIGHT_DEBUG", "") not in ("", "0")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,86 @@
+"""How commands print: tables, JSON, progress."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import tempfile
+from collections.abc import Callable, Generator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import typer
+
+from upright.errors import UprightError
+
+PIPED_WIDTH = 200
+"""Columns of a table that goes into a pipe or a file, where no line should be broken."""
+
+
+def print_table(header: Sequence[str], rows: Sequence[Sequence[str]], numbers: Sequence[str] = ()) -> None:
+    """Print aligned columns; those named in `numbers` are set to the right, and only the last one may wrap."""
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    table = Table(box=None, pad_edge=False, header_style="bold")
+    for name in header:
+        last = name == header[-1]
+        table.add_column(Text(name), justify="right" if name in numbers else "left", no_wrap=not last)
+    for row in rows:
+        table.add_row(*(Text(cell) for cell in row))
+    Console(width=None if sys.stdout.isatty() else PIPED_WIDTH, highlight=False).print(table)
+
+
+def json_text(data: Any) -> str:
+    """Indented JSON; NaN and infinity, which JSON does not have, are an error of the caller."""
+    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)
+
+
+def print_json(data: Any) -> None:
+    """Print JSON on stdout."""
+    typer.echo(json_text(data))
+
+
+def check_folder(path: Path) -> None:
+    """Refuse a file whose folder is not there, before the work that would fill it."""
+    if not path.parent.is_dir():
+        raise UprightError(f"there is no folder {path.parent} for {path.name}", mend=f"mkdir -p {path.parent}")
+
+
+def write_json(path: Path, data: Any) -> None:
+    """Write JSON whole or not at all."""
+    check_folder(path)
+    descriptor, unfinished = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}-")
+    try:
+        with os.fdopen(descriptor, "w", encoding="utf-8") as file:
+            file.write(json_text(data) + "\n")
+        Path(unfinished).chmod(0o644)  # mkstemp's own 0600 would hide a result from colleagues
+        Path(unfinished).replace(path)
+    except BaseException:
+        Path(unfinished).unlink(missing_ok=True)
+        raise
+
+
+@contextmanager
+def progress(label: str) -> Generator[Callable[[float], None]]:
+    """A bar on stderr where a person watches it: yields what takes the share done."""
+    if not sys.stderr.isatty():
+        yield _nobody_watches
+        return
+    from rich.console import Console
+    from rich.progress import Progress
+
+    with Progress(console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task(label, total=1.0)
+
+        def show(share: float) -> None:
+            bar.update(task, completed=share)
+
+        yield show
+
+
+def _nobody_watches(share: float) -> None:
+    """Show nothing of the `share` done."""

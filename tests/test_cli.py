@@ -1,0 +1,307 @@
+"""The command line: quick to start, and every mistake of a user is one clear line and exit code 2."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from upright.cli import main as cli
+from upright.cli.main import BUG, STOPPED, USER_ERROR, main
+from upright.cli.output import write_json
+from upright.errors import InvalidLog
+from upright.robots import PARAMETERS, Robot
+
+TIME = "t,truth/pitch,truth/pitch_rate,truth/wheel,truth/wheel_rate,truth/yaw,truth/yaw_rate\n"
+ROW = ",0,0,0,0,0,0\n"
+
+FILES = {
+    "good.csv": TIME + "".join(f"{0.01 * k:.2f}{ROW}" for k in range(5)),
+    "later.csv": TIME + "".join(f"{9 + 0.01 * k:.2f}{ROW}" for k in range(5)),
+    "nan.csv": TIME + "0" + ROW + "nan" + ROW,
+    "backwards.csv": TIME + "0.01" + ROW + "0.00" + ROW,
+    "no-time.csv": "seconds,truth/pitch\n0,0\n0.01,0\n",
+    "wrong-column.csv": "t,truth/lean\n0,0\n0.01,0\n",
+    "words.csv": "t,truth/pitch\n0,upright\n",
+    "empty.csv": "",
+    "header.csv": TIME,
+    "broken.parquet": "this is no Parquet file",
+    "broken.mcap": "nor is this MCAP",
+    "log.docx": "t\n0\n",
+    "broken.toml": "name = \n",
+    "unknown-field.toml": 'name = "x"\nwheel_count = 2\n',
+    "nan-gain.json": '{"gain": [[1, 2, 3, 4, 5, NaN], [1, 2, 3, 4, 5, 6]]}',
+    "flat-gain.json": '{"gain": [1, 2, 3, 4, 5, 6]}',
+    "no-gain.json": '{"K": []}',
+    "not.json": "{",
+}
+"""What the mistaken calls below are given to read, by file name."""
+
+BAD = {
+    "unknown command": ("simulat", "simulat"),
+    "unknown option": ("simulate --speed 1", "--speed"),
+    "missing argument": ("compare", "LOG"),
+    "missing value": ("simulate --seconds", "--seconds"),
+    "a word for a number": ("simulate --seconds long", "--seconds"),
+    "unknown robot": ("simulate --robot nxtway", "nxtway-gs"),
+    "unknown robot shown": ("robots show segway", "segway"),
+    "missing robot file": ("linearise --robot missing.toml", "missing.toml"),
+    "robot file that is no TOML": ("linearise --robot broken.toml", "broken.toml"),
+    "robot file with an unknown field": ("robots show unknown-field.toml", "wheel_count"),
+    "unknown body": ("simulate --body twinn", "twin"),
+    "unknown kit": ("simulate --kit lego", "lego"),
+    "unknown controller": ("simulate --controller pidd", "pidd"),
+    "negative seconds": ("simulate --seconds -1", "-1 s"),
+    "no seconds": ("simulate --seconds 0", "0 s"),
+    "seconds that are not a number": ("simulate --seconds nan", "nan"),
+    "endless run": ("simulate --seconds inf", "inf"),
+    "fewer seconds than a period": ("simulate --seconds 0.001", "0.001"),
+    "negative period": ("simulate --period -0.01", "-0.01"),
+    "period that does not divide": ("simulate --kit ideal --period 0.0105", "0.0105"),
+    "five gains": ("simulate --gains 1,2,3,4,5", "six"),
+    "a word among the gains": ("simulate --gains 1,2,3,4,5,yaw", "yaw"),
+    "NaN among the gains": ("simulate --gains 1,2,3,4,5,nan", "nan"),
+    "gain file of six numbers": ("simulate --gains flat-gain.json", "(2, 6)"),
+    "gain file with NaN": ("simulate --gains nan-gain.json", "NaN"),
+    "gain file without a gain": ("simulate --gains no-gain.json", "gain"),
+    "gain file that is no JSON": ("simulate --gains not.json", "not.json"),
+    "missing gain file": ("simulate --gains missing.json", "missing.json"),
+    "controller and gains": ("simulate --controller lqr --gains 1,2,3,4,5,6", "--gains"),
+    "push without a kind": ("simulate --push 0.1", "hold:0.1"),
+    "unknown push": ("simulate --push shove:0.1", "shove"),
+    "hold without an end": ("simulate --push hold:0.1", "until"),
+    "hold in degrees": ("simulate --push hold:6,until=1", "degrees"),
+    "hold that ends before it starts": ("simulate --push hold:0.1,start=2,until=1", "end after"),
+    "push with an unknown name": ("simulate --push force:1,length=2", "length"),
+    "push with a word": ("simulate --push force:hard", "hard"),
+    "push given twice": ("simulate --push force:1,force=2", "twice"),
+    "push of no duration": ("simulate --push force:1,duration=0", "duration"),
+    "push with a stray number": ("simulate --push force:1,2", "name=NUMBER"),
+    "wall for a slope": ("simulate --slope 1.5", "slope"),
+    "drive that ends before it starts": ("simulate --drive 0.1,start=2,until=1", "end after"),
+    "turn with a word": ("simulate --turn left", "left"),
+    "unknown state at the start": ("simulate --start lean=0.1", "pitch"),
+    "start that is not a number": ("simulate --start pitch=nan", "nan"),
+    "log of an unknown kind": ("simulate --seconds 0.1 -o log.docx", ".docx"),
+    "log into a missing folder": ("simulate --seconds 0.1 -o nowhere/log.csv", "nowhere"),
+    "unknown model": ("linearise --model printed", "published"),
+    "unknown state of the operating point": ("linearise --at lean=0.1", "pitch"),
+    "period of no length": ("linearise --period 0", "positive"),
+    "model into a missing folder": ("linearise -o nowhere/model.json", "nowhere"),
+    "missing log": ("compare missing.csv", "missing.csv"),
+    "two logs of one name": ("compare good.csv good.csv", "good"),
+    "unknown reference": ("compare good.csv --reference twin", "twin"),
+    "log without time": ("compare no-time.csv", "'t'"),
+    "log without the states": ("compare wrong-column.csv", "truth/lean"),
+    "log with words": ("compare words.csv", "words.csv"),
+    "log whose time is NaN": ("compare nan.csv", "nan"),
+    "log whose time runs backwards": ("compare backwards.csv", "increasing"),
+    "empty log": ("compare empty.csv", "empty"),
+    "log of no rows": ("compare header.csv", "no samples"),
+    "logs that share no time": ("compare good.csv later.csv", "later"),
+    "broken Parquet": ("compare broken.parquet", "broken.parquet"),
+    "broken MCAP": ("compare broken.mcap", "broken.mcap"),
+    "no log at all": ("compare log.docx", ".docx"),
+    "reproduction into a file": ("reproduce -o good.csv", "good.csv"),
+    "folder for a log": ("compare .", "."),
+}
+"""Mistake → (the call, what its line must name for the user to find the mistake)."""
+
+
+@pytest.fixture
+def files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    for name, text in FILES.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize(("call", "named"), BAD.values(), ids=BAD.keys())
+def test_a_mistake_is_one_line_that_names_it(
+    call: str, named: str, files: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = sorted(files.rglob("*"))
+    assert main(call.split()) == USER_ERROR
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert said.err.startswith("upright: ")
+    assert said.err.count("\n") == 1
+    assert named.lower() in said.err.lower()
+    assert sorted(files.rglob("*")) == before, "a refused call leaves no file"
+
+
+@pytest.mark.parametrize("call", ["simulate --robot nxtway", "compare backwards.csv"])
+def test_a_mistake_in_a_real_process_shows_no_traceback(call: str, files: Path) -> None:
+    said = subprocess.run(
+        [sys.executable, "-m", "upright.cli.main", *call.split()],
+        cwd=files,
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert said.returncode == USER_ERROR
+    assert said.stderr.startswith("upright: ")
+    assert said.stderr.count("\n") == 1
+
+
+def test_debug_shows_the_traceback(files: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(InvalidLog, match="increasing"):
+        main(["--debug", "compare", "backwards.csv"])
+    monkeypatch.setenv("UPRIGHT_DEBUG", "1")
+    with pytest.raises(InvalidLog, match="increasing"):
+        main(["compare", "backwards.csv"])
+
+
+def broken(error: BaseException) -> object:
+    def call(*_: object, **__: object) -> None:
+        raise error
+
+    return call
+
+
+def test_a_bug_is_one_line_that_says_how_to_see_more(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(Robot, "preset", broken(ZeroDivisionError("by\nzero")))
+    assert main(["robots"]) == BUG
+    said = capsys.readouterr().err
+    assert "UPRIGHT_DEBUG=1" in said
+    assert said.count("\n") == 1
+
+
+def test_ctrl_c_ends_with_130(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr(Robot, "preset", broken(KeyboardInterrupt()))
+    assert main(["robots"]) == STOPPED
+    assert capsys.readouterr().err == "stopped; nothing half-written was left\n"
+
+
+def test_help_comes_before_one_notices() -> None:
+    # A person takes 0.3 s for "at once"; the best of five leaves out what other work on the machine costs.
+    took = math.inf
+    for _ in range(5):
+        before = time.perf_counter()
+        subprocess.run(
+            [sys.executable, "-m", "upright.cli.main", "--help"], capture_output=True, check=True, timeout=60
+        )
+        took = min(took, time.perf_counter() - before)
+    assert took < 0.3
+
+
+def test_every_command_has_a_help_page(capsys: pytest.CaptureFixture[str]) -> None:
+    for command in ("reproduce", "robots", "simulate", "compare", "linearise"):
+        assert main([command, "--help"]) == 0
+        assert f"Usage: upright {command}" in capsys.readouterr().out
+
+
+def test_no_argument_prints_the_help(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([]) == 0
+    assert "Commands:" in capsys.readouterr().out
+
+
+def test_version_is_that_of_the_package(capsys: pytest.CaptureFixture[str]) -> None:
+    from importlib.metadata import version
+
+    assert main(["--version"]) == 0
+    assert capsys.readouterr().out == f"upright {version('upright')}\n"
+
+
+def test_the_shell_completes_commands() -> None:
+    # The protocol of bash's completion: the words so far and which of them is being typed.
+    asked = {**os.environ, "_UPRIGHT_COMPLETE": "complete_bash", "COMP_WORDS": "upright lin", "COMP_CWORD": "1"}
+    said = subprocess.run(
+        [sys.executable, "-c", "from upright.cli.main import main; main()"],
+        env=asked,
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,  # completion has exit codes of its own
+    )
+    assert said.stdout.split() == ["linearise"]
+
+
+def test_robots_are_listed_with_mass_and_pole(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["robots", "--json"]) == 0
+    listed = {entry["name"]: entry for entry in json.loads(capsys.readouterr().out)}
+    # Yamamoto (2008): a body of 0.6 kg on two wheels of 0.03 kg.
+    assert listed["nxtway-gs"]["mass"] == pytest.approx(0.66, abs=1e-12)
+    assert all(entry["unstable_pole"] > 0 for entry in listed.values())
+    assert main(["robots"]) == 0
+    assert listed.keys() <= set(capsys.readouterr().out.split())
+
+
+def test_a_robot_is_shown_with_every_number_and_its_source(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["robots", "show", "nxtway-gs"]) == 0
+    lines = {line.split()[0]: line for line in capsys.readouterr().out.splitlines() if line}
+    assert set(PARAMETERS) <= lines.keys()
+    assert "0.04" in lines["wheel_radius"]  # [m], Yamamoto (2008)
+    assert main(["robots", "show", "nxtway-gs", "--json"]) == 0
+    shown = {p["name"]: p for p in json.loads(capsys.readouterr().out)["parameters"]}
+    assert shown["wheel_radius"]["value"] == 0.04
+    assert shown["wheel_radius"]["unit"] == "m"
+
+
+def test_linearise_prints_the_yaw_pole_of_the_closed_form(files: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    # Upright, yaw is a first order lag of its own: Herrera et al. (2015), eq. (13) corrected, with ψ = 0.
+    p = Robot.preset("nxtway-gs")
+    lever = p.track**2 / (2 * p.wheel_radius**2)
+    damping = lever * (p.gear_ratio * p.torque_constant * p.back_emf / p.motor_resistance + p.motor_friction)
+    wheels = p.wheel_mass * p.track**2 / 2 + lever * (p.wheel_inertia + p.gear_ratio**2 * p.rotor_inertia)
+    pole = -damping / (wheels + p.yaw_inertia)
+    assert main(["linearise", "-o", "model.json"]) == 0
+    said = capsys.readouterr().out
+    printed = [float(line.split()[0]) for line in said.partition("poles\n")[2].splitlines()]
+    assert min(abs(other - pole) for other in printed) < 1e-5 * abs(pole)  # six digits are printed
+    assert "not an equilibrium" not in said
+    model = json.loads((files / "model.json").read_text(encoding="utf-8"))
+    assert model["A"][5][5] == pytest.approx(pole, rel=1e-12)  # rounding
+
+
+def test_linearise_says_that_driving_against_friction_is_no_equilibrium(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["linearise", "--at", "wheel_rate=4"]) == 0  # the motors' back-EMF brakes at once
+    assert "not an equilibrium" in capsys.readouterr().out
+
+
+def test_simulate_stands_and_writes_its_log(files: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    call = "simulate --kit ideal --start pitch=0.02 --seconds 0.5 -o run.csv --json"
+    assert main(call.split()) == 0
+    said = json.loads(capsys.readouterr().out)
+    assert said["outcome"]["fell"] is False
+    assert said["origin"]["scenario"]["start"][0] == 0.02
+    assert main(["compare", "run.csv"]) == 0
+    assert "peak pitch" in capsys.readouterr().out
+
+
+def test_simulate_tells_a_fall(capsys: pytest.CaptureFixture[str]) -> None:
+    # No gain at all: an inverted pendulum started off its top falls, here in well under 2 s (its pole is 7.4 1/s).
+    call = "simulate --kit ideal --gains 0,0,0,0,0,0 --start pitch=0.05 --seconds 2"
+    assert main(call.split()) == 0
+    assert capsys.readouterr().out.startswith("fell at ")
+
+
+def test_a_push_reads_like_its_class(files: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    pushed = "--push hold:0.05,until=0.1 --push force:0.1,start=0.1 --slope 0.01 --turn 0.5"
+    assert main(f"simulate --kit ideal --seconds 0.2 {pushed} --json".split()) == 0
+    scenario = json.loads(capsys.readouterr().out)["origin"]["scenario"]
+    assert [part["kind"] for part in scenario["push"]] == ["Hold", "Push", "Slope"]
+    assert scenario["push"][0] == {"kind": "Hold", "pitch": 0.05, "until": 0.1, "start": 0.0}
+    assert scenario["reference"][0]["rate"] == 0.5
+
+
+def test_json_is_written_whole_or_not_at_all(tmp_path: Path) -> None:
+    target = tmp_path / "model.json"
+    write_json(target, {"dt": 0.01})
+    with pytest.raises(ValueError, match="not JSON compliant"):
+        write_json(target, {"dt": math.nan})
+    assert json.loads(target.read_text(encoding="utf-8")) == {"dt": 0.01}
+    assert list(tmp_path.iterdir()) == [target]
+
+
+def test_the_exit_codes_are_those_that_shells_know() -> None:
+    assert (cli.USER_ERROR, cli.BUG, cli.STOPPED) == (2, 1, 128 + 2)  # 2 as for usage errors; SIGINT is signal 2
