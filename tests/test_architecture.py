@@ -20,14 +20,14 @@ SOURCE = CHECKOUT / "src" / "upright"
 
 ROOMS = (
     "errors", "signals", "robots", "physics", "bodies", "control", "experiment", "fleet", "identify", "certify",
-    "compare", "report", "paper", "firmware", "lab", "cli",
+    "comparison", "report", "paper", "firmware", "lab", "cli",
 )  # fmt: skip
 """From the ground up. Fleet stands below identify and certify, which run many robots at once."""
 
 STRANGERS = {("control", "bodies")}
 """Rooms that do not know each other although the order would allow it: a controller must not see inside a body."""
 
-UPWARD = {("compare/comparison.py", "report"): "a comparison writes its own page, with the page's code loaded then"}
+UPWARD = {("comparison/comparison.py", "report"): "a comparison writes its own page, with the page's code loaded then"}
 """The stated exceptions, lazy imports all of them."""
 
 HEAVY = {

@@ -18,7 +18,9 @@ KITS = ("bare", *kit_names())
 @pytest.fixture(params=[(name, kit) for name in BODIES for kit in KITS], ids="-".join)
 def body(request):
     name, kit = request.param
-    made = make_body(name, NXT) if kit == "bare" else Electronics(make_body(name, NXT), Kit.preset(kit))
+    parts = None if kit == "bare" else Kit.preset(kit)
+    robot = Robot.preset("twipr") if parts and parts.drive == "torque" else NXT
+    made = make_body(name, robot) if parts is None else Electronics(make_body(name, robot), parts)
     yield made
     made.close()
     made.close()  # closing twice is allowed
@@ -28,7 +30,8 @@ def play(body, seed, steps=60):
     """A noisy open-loop run, gentle enough that nothing falls."""
     rng = np.random.default_rng(5)
     samples = [body.reset(LEAN, seed)]
-    samples += [body.step(rng.normal(size=2) * 0.3, Disturbance(0.2, 0.05)) for _ in range(steps)]
+    size = 0.3 if body.spec.command_unit == "V" else 0.03  # [V], or [N m]: enough to overcome stiction
+    samples += [body.step(rng.normal(size=2) * size, Disturbance(0.2, 0.05)) for _ in range(steps)]
     return samples
 
 

@@ -103,7 +103,7 @@ BAD = {
     "log whose time is NaN": ("compare nan.csv", "nan"),
     "log whose time runs backwards": ("compare backwards.csv", "increasing"),
     "empty log": ("compare empty.csv", "empty"),
-    "log of no rows": ("compare header.csv", "no samples"),
+    "log of no rows": ("compare header.csv", "no rows"),
     "logs that share no time": ("compare good.csv later.csv", "later"),
     "broken Parquet": ("compare broken.parquet", "broken.parquet"),
     "broken MCAP": ("compare broken.mcap", "broken.mcap"),

@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from upright.compare import (
+from upright.comparison import (
     active_intervals,
     compare,
     effort,

@@ -116,10 +116,11 @@ def test_kalman_gain_equals_python_control():
     sensors = [kit.sensors[name] for name in built.reads]
     noise = np.diag([s.noise**2 + s.quantum**2 / 12 for s in sensors])
     model = linearise(NXT).c2d(0.01)
-    push = np.append(model.E @ [1, NXT.com_height, 0], 0) * 0.1
-    walk = max(1e-3, sensors[2].bias_walk) * 0.1  # √(0.01 s)
-    G = np.column_stack([push, built.B * 0.05 * 4.0, np.eye(7)[6] * walk])
-    P = control.dare(built.A.T, built.C.T, G @ G.T + 1e-14 * np.eye(7), noise)[0]
+    share = NXT.body_mass * NXT.gravity / 6.0  # of the weight that the documented noises are for
+    push = np.append(model.E @ [1, NXT.com_height, 0], [0, 0]) * 0.05 * share
+    walks = np.array([max(1e-3, sensors[2].bias_walk), 0.3 * share]) * 0.1  # √(0.01 s)
+    G = np.column_stack([push, built.B * 0.02 * 4.0, np.eye(8)[:, 6:] * walks])
+    P = control.dare(built.A.T, built.C.T, G @ G.T + 1e-14 * np.eye(8), noise)[0]
     assert np.allclose(built.L, P @ built.C.T @ np.linalg.inv(built.C @ P @ built.C.T + noise), rtol=1e-5, atol=1e-9)
 
 
@@ -130,7 +131,7 @@ def test_kalman_finds_a_planted_gyro_bias():
     body = NonlinearBody(NXT, period=0.01)
     loop, state = Estimated(design, estimator), body.reset((0.02, 0, 0, 0, 0, 0)).values[:6]
     for _ in range(3000):
-        y = measurement_matrix(NXT) @ np.append(state, 0.05)
+        y = measurement_matrix(NXT) @ np.append(state, [0.05, 0.0])
         command = loop.step(y, np.zeros(6))
         state = body.step(command).values[:6]
         loop.applied(command)

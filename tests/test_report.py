@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from upright.compare import compare
+from upright.comparison import compare
 from upright.errors import InvalidLog, UnknownName, UprightError
 from upright.report import (
     Figure,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from upright.bodies import Electronics, LinearBody, NonlinearBody
     from upright.bodies.twin import Twin
-    from upright.compare import compare
+    from upright.comparison import compare
     from upright.control import Estimated, StateFeedback, complementary, kalman, lqr
     from upright.errors import UprightError
     from upright.experiment import Drive, Hold, Impulse, Push, Slope, Turn, run
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 _HOME = {
     "upright.bodies": ("Electronics", "LinearBody", "NonlinearBody"),
     "upright.bodies.twin": ("Twin",),
-    "upright.compare": ("compare",),
+    "upright.comparison": ("compare",),
     "upright.control": ("Estimated", "StateFeedback", "complementary", "kalman", "lqr"),
     "upright.errors": ("UprightError",),
     "upright.experiment": ("Drive", "Hold", "Impulse", "Push", "Slope", "Turn", "run"),

@@ -10,7 +10,7 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.errors import SpecMismatch
+from upright.errors import InvalidScenario, SpecMismatch
 from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Robot
 from upright.signals import Signal
@@ -86,3 +86,10 @@ def checked(values: Sequence[float], size: int, name: str) -> tuple[float, ...]:
         likely = "a controller that diverged" if name == "command" else ""
         raise SpecMismatch(f"{name} is {list(numbers)}", expected=f"{size} finite numbers", likely=likely)
     return numbers
+
+
+def checked_period(period: float) -> float:
+    """A body's period [s], refused with `InvalidScenario` unless it lies between 0 and 1 s."""
+    if not (math.isfinite(period) and 0 < period <= 1):
+        raise InvalidScenario(f"a body's period is {period} s", expected="between 0 and 1 s", likely="milliseconds")
+    return float(period)

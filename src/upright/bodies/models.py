@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, sample
-from upright.errors import InvalidModel, InvalidScenario
+from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, checked_period, sample
+from upright.errors import InvalidModel
 from upright.physics.dynamics import CALM, MODELS, Disturbance, accelerations, derivative
 from upright.physics.integrate import rk4_step
 from upright.physics.linear import DISTURBANCES, LinearModel, linearise
@@ -30,7 +30,7 @@ class NonlinearBody:
     def __init__(self, robot: Robot, model: str = "complete", period: float = 0.001) -> None:
         if model not in MODELS:
             raise InvalidModel(f"no model is called '{model}'", expected=" or ".join(MODELS))
-        self.spec = BodySpec(f"{model} nonlinear model", robot, CHANNELS, _period(period), robot.command_unit)
+        self.spec = BodySpec(f"{model} nonlinear model", robot, CHANNELS, checked_period(period), robot.command_unit)
         self._model = model
         fastest = max(abs(linearise(robot, model=model).poles()))
         self._substeps = max(1, math.ceil(fastest * period / _STIFF))
@@ -77,7 +77,7 @@ class LinearBody:
                 f"the model has states {', '.join(model.states)} and {len(model.inputs)} inputs",
                 expected=f"{', '.join(STATE_NAMES)} and two commands",
             )
-        discrete = model.c2d(_period(period)) if model.dt is None else model
+        discrete = model.c2d(checked_period(period)) if model.dt is None else model
         self._push = discrete.E if discrete.disturbances else _push_columns(robot, discrete)
         self._linear = discrete
         assert discrete.dt is not None
@@ -112,9 +112,3 @@ def _push_columns(robot: Robot, model: LinearModel) -> np.ndarray:
     physical = linearise(robot).c2d(model.dt)
     assert physical.disturbances == DISTURBANCES
     return physical.E
-
-
-def _period(period: float) -> float:
-    if not (math.isfinite(period) and 0 < period <= 1):
-        raise InvalidScenario(f"a body's period is {period} s", expected="between 0 and 1 s", likely="milliseconds")
-    return float(period)

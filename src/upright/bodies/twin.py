@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from importlib import import_module
 from typing import Any
 
-from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, sample
+from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, checked_period, sample
 from upright.bodies.mjcf import mjcf
 from upright.errors import InvalidScenario, UprightError
 from upright.physics.dynamics import CALM, Disturbance, motor_gain
@@ -158,9 +158,7 @@ def _attitude(q: Sequence[float]) -> tuple[float, float]:
 
 
 def _steps_per_period(period: float, timestep: float) -> int:
-    if not (math.isfinite(period) and 0 < period <= 1):
-        raise InvalidScenario(f"a body's period is {period} s", expected="between 0 and 1 s", likely="milliseconds")
-    count = round(period / timestep) if math.isfinite(timestep) and timestep > 0 else 0
+    count = round(checked_period(period) / timestep) if math.isfinite(timestep) and timestep > 0 else 0
     if count < 1 or abs(count * timestep - period) > 1e-9 * period:
         raise InvalidScenario(
             f"the twin's period is {period} s with a timestep of {timestep} s",

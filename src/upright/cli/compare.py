@@ -32,7 +32,7 @@ def compare(
 
     Prints settling, overshoot, effort and more for each, and how well each fits the reference.
     """
-    from upright.compare import compare as compare_logs
+    from upright.comparison import compare as compare_logs
 
     comparison = compare_logs(_labelled(logs), reference=reference, release=release)
     page = comparison.report(report) if report else None

@@ -127,7 +127,7 @@ def _programmes(push: list[str], slope: str | None, drive: str | None, turn: str
 
 
 def _say(log: Log, label: str, written: Path | None, as_json: bool) -> None:
-    from upright.compare import compare
+    from upright.comparison import compare
 
     numbers = compare({label: log})
     outcome = log.origin["outcome"]

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from upright.compare import Comparison, active_intervals
-from upright.compare.comparison import METRICS
+from upright.comparison import Comparison, active_intervals
+from upright.comparison.comparison import METRICS
 from upright.report.figure import Figure, Panel, Trace
 from upright.report.page import Cell, Page, Section, Table, cell_text
 from upright.signals import STATE, Log

@@ -60,7 +60,7 @@ class Robot:
     gravity: float = _number("m/s²", "g", 9.81)
     body_depth: float = _number("m", "D", 0.05)
     body_height: float = _number("m", "H", 0.15)
-    title: str = ""
+    title: str = field(default="", compare=False)
     drive: str = "voltage"
     kit: str = "ideal"
     provenance: Mapping[str, Provenance] = field(default_factory=dict, compare=False, repr=False)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from upright.bodies.body import FALLEN
-from upright.compare import metrics
+from upright.comparison import metrics
 from upright.errors import InvalidLog, UnknownName
 from upright.signals import STATE_NAMES, Log
 
@@ -190,9 +190,10 @@ def _sources(logs: Mapping[str, Log], signals: Sequence[str]) -> dict[str, str]:
     complete = {label: [p for p in ("truth", "estimate") if _has(log, p, signals)] for label, log in logs.items()}
     for label, prefixes in complete.items():
         if not prefixes:
+            have = ", ".join(sorted(logs[label].channels)) or "no channels"
             raise InvalidLog(
                 f"log '{label}' has neither truth/… nor estimate/… of {', '.join(signals)}",
-                expected="the states to be compared",
+                expected=f"the states to be compared (it holds {have})",
                 mend="run it with an estimator, or name fewer signals",
             )
     prefer = "truth" if all("truth" in prefixes for prefixes in complete.values()) else "estimate"
