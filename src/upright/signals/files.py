@@ -1,0 +1,127 @@
+"""Logs as files: Parquet to keep, CSV to look at, MCAP to plot; the suffix chooses."""
+
+from __future__ import annotations
+
+import difflib
+import os
+import uuid
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import BinaryIO
+
+from upright.errors import InvalidLog
+from upright.signals.header import check_writable
+from upright.signals.log import Log
+
+
+@dataclass(frozen=True)
+class _Format:
+    """How one kind of file is written to a stream and read from a path."""
+
+    write: Callable[[Log, BinaryIO], None]
+    read: Callable[[Path], Log]
+
+
+def _parquet() -> _Format:
+    from upright.signals import parquet
+
+    return _Format(parquet.write, parquet.read)
+
+
+def _csv() -> _Format:
+    from upright.signals import text
+
+    return _Format(text.write, text.read)
+
+
+def _mcap() -> _Format:
+    from upright.signals import mcap
+
+    return _Format(mcap.write, mcap.read)
+
+
+FORMATS: dict[str, Callable[[], _Format]] = {".parquet": _parquet, ".csv": _csv, ".mcap": _mcap}
+"""Suffix → the format, whose packages are loaded only when it is asked for."""
+
+
+def write_log(log: Log, path: str | Path) -> Path:
+    """Write `log` as Parquet, CSV or MCAP by the suffix of `path`, and return that path with `~` expanded.
+
+    What is read back equals the log, and one log always gives the same bytes. The file appears whole or not at all:
+    it is written beside its place and then moved there, so that a failure leaves an older file as it was.
+    Raises `InvalidLog` for an unknown suffix, a missing folder, or a channel name that no column can have.
+
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     log = Log([0.0, 0.1], {"truth/pitch": [0.0, float("nan")]}, origin={"seed": 1})
+    ...     read_log(write_log(log, folder + "/run.csv")) == log
+    True
+    """
+    target = _expanded(path)
+    form = _format(target)
+    check_writable(log)
+    if target.is_dir():
+        raise InvalidLog(f"{target} is a folder", expected="the name of a file in it")
+    if not target.parent.is_dir():
+        raise InvalidLog(f"there is no folder {target.parent}", mend="make it first, or correct the path")
+    try:
+        _replace(target, lambda stream: form.write(log, stream))
+    except OSError as error:
+        raise InvalidLog(f"{target} cannot be written: {error.strerror or error}") from None
+    except InvalidLog as error:
+        raise InvalidLog(f"{target}: {error}") from None
+    return target
+
+
+def read_log(path: str | Path) -> Log:
+    """Read a log written by `write_log`, or any CSV or Parquet of numbers with a column `t` [s].
+
+    Cells that are empty or say NaN are NaN. Raises `InvalidLog`, which names the file and what is wrong in it.
+    """
+    source = _expanded(path)
+    if source.is_dir():
+        raise InvalidLog(f"{source} is a folder", expected="one file: " + ", ".join(FORMATS))
+    if not source.exists():
+        raise InvalidLog(f"there is no file {source}", mend=_similar(source))
+    form = _format(source)
+    try:
+        if source.stat().st_size == 0:
+            raise InvalidLog("the file is empty", likely="a recording that was never closed")
+        return form.read(source)
+    except OSError as error:
+        raise InvalidLog(f"{source} cannot be read: {error.strerror or error}") from None
+    except InvalidLog as error:
+        raise InvalidLog(f"{source}: {error}") from None
+
+
+def _expanded(path: str | Path) -> Path:
+    try:
+        return Path(path).expanduser()
+    except RuntimeError:
+        raise InvalidLog(f"{path} names a home folder that is not known", mend="write the path in full") from None
+
+
+def _format(path: Path) -> _Format:
+    suffix = path.suffix.lower()
+    if suffix not in FORMATS:
+        raise InvalidLog(f"{path} has the suffix '{path.suffix}'", expected="one of " + ", ".join(FORMATS))
+    return FORMATS[suffix]()
+
+
+def _similar(path: Path) -> str:
+    if not path.parent.is_dir():
+        return f"there is no folder {path.parent} either"
+    close = difflib.get_close_matches(path.name, sorted(os.listdir(path.parent)), n=1)
+    return f"did you mean '{close[0]}'?" if close else "look at the path again"
+
+
+def _replace(target: Path, write: Callable[[BinaryIO], None]) -> None:
+    # Beside the target, because only within one file system is the move a single step.
+    unfinished = target.with_name(f".{target.name}.{uuid.uuid4().hex[:8]}.part")
+    try:
+        with unfinished.open("xb") as stream:
+            write(stream)
+        os.replace(unfinished, target)
+    finally:
+        unfinished.unlink(missing_ok=True)

@@ -1,0 +1,81 @@
+"""What the three file formats share: units and origin as one line of JSON, and the column called `t`."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.errors import InvalidLog
+from upright.signals.log import Log
+
+TIME = "t"
+"""The column of time in seconds: a channel cannot have this name in a file."""
+
+_TIME_WORDS = {"t", "ts", "time", "times", "timestamp", "stamp", "sec", "secs", "second", "seconds", "clock"}
+
+
+def describe(log: Log) -> str:
+    """Units (in the order of the channels) and origin of a log as one line of ASCII JSON."""
+    return json.dumps({"units": dict(log.units), "origin": dict(log.origin)})
+
+
+def understand(text: str | bytes) -> tuple[dict[str, str], dict[str, Any]]:
+    """Units and origin from what `describe` wrote; raises `InvalidLog` for anything else."""
+    try:
+        said = json.loads(text)
+    except ValueError as error:
+        raise InvalidLog(f"the note of units and origin is no JSON ({error})", likely="a file edited by hand") from None
+    parts = [said.get(key) for key in ("units", "origin")] if isinstance(said, dict) else []
+    if len(parts) != 2 or not all(isinstance(part, dict) for part in parts):
+        raise InvalidLog("the note of units and origin is incomplete", expected='{"units": {…}, "origin": {…}}')
+    return cast("tuple[dict[str, str], dict[str, Any]]", tuple(parts))
+
+
+def check_writable(log: Log) -> None:
+    """Raise `InvalidLog` for a channel name that no column can have: `t`, or one with line breaks or control codes."""
+    if TIME in log:
+        raise InvalidLog("a channel is called 't'", expected="'t' for the time alone", mend="give the channel a path")
+    for name in log.channels:
+        if not name.isprintable():
+            raise InvalidLog(f"channel {name!a} cannot be a column name", expected="printable characters")
+
+
+def check_names(names: Sequence[str]) -> None:
+    """Raise `InvalidLog` unless every column has its own name and one of them is `t`."""
+    twice = [name for name, count in Counter(names).items() if count > 1]
+    if twice:
+        raise InvalidLog(f"column '{twice[0]}' is there {Counter(names)[twice[0]]} times", mend="rename or drop one")
+    if TIME not in names:
+        likely, mend = _where_is_time(names)
+        came = f"no column 't' among {', '.join(names[:12])}{', …' if len(names) > 12 else ''}"
+        raise InvalidLog(came, expected="time in seconds in a column 't'", likely=likely, mend=mend)
+
+
+def assemble(columns: Mapping[str, NDArray[Any]], units: Mapping[str, str], origin: Mapping[str, Any]) -> Log:
+    """The log of these columns, of which `t` is the time; `check_names` has passed them."""
+    channels = {name: values for name, values in columns.items() if name != TIME}
+    return Log(columns[TIME], channels, units, origin)
+
+
+def _where_is_time(names: Sequence[str]) -> tuple[str, str]:
+    if len(names) == 1 and any(mark in names[0] for mark in ";\t"):
+        return "semicolons or tabs between the columns", "save it with commas, and points in the numbers"
+    for name in names:
+        if _TIME_WORDS & set(re.split(r"[^a-z]+", name.lower())):
+            return f"the time is '{name}'", f"rename it to 't', in seconds, or make Log(table['{name}'], …) yourself"
+    if _all_numbers(names):
+        return "no header row, or one behind '#'", "begin the file with the names of the columns"
+    return "", ""
+
+
+def _all_numbers(names: Iterable[str]) -> bool:
+    try:
+        return all(np.isreal(float(name)) for name in names)
+    except ValueError:
+        return False

@@ -1,0 +1,149 @@
+"""A recorded run: strictly increasing time, named channels with units, and where they came from."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from upright.errors import InvalidLog
+from upright.signals.signal import KNOWN, STATE_NAMES, Signal
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Log:
+    """Time `t` [s], shape (n,), and `channels`: name → values, shape (n,).
+
+    Arrays are copied and read-only. `units` names the unit of channels that are not in the catalogue
+    (or differ from it); `origin` holds what can be said as JSON about where the log came from:
+    robot, body, controller, scenario, seed, versions, hash of the controller.
+
+    Raises `InvalidLog` for no samples, unequal lengths, NaN in time, or time that does not increase.
+
+    >>> log = Log([0.0, 0.01], {"truth/pitch": [0.0, 0.1]})
+    >>> log["truth/pitch"].tolist(), log.unit("truth/pitch"), log.period
+    ([0.0, 0.1], 'rad', 0.01)
+    """
+
+    t: Array
+    channels: Mapping[str, Array]
+    units: Mapping[str, str] = field(default_factory=dict)
+    origin: Mapping[str, Any] = field(default_factory=dict)
+
+    def __init__(
+        self,
+        t: ArrayLike,
+        channels: Mapping[str, ArrayLike],
+        units: Mapping[str, str] | None = None,
+        origin: Mapping[str, Any] | None = None,
+    ) -> None:
+        time = _column("t", t)
+        columns = {name: _column(name, values) for name, values in channels.items()}
+        _check(time, columns)
+        units = units or {}
+        known = {name: units.get(name, KNOWN[name].unit if name in KNOWN else "") for name in columns}
+        object.__setattr__(self, "t", time)
+        object.__setattr__(self, "channels", columns)
+        object.__setattr__(self, "units", known)
+        object.__setattr__(self, "origin", json.loads(json.dumps(origin or {})))
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.channels
+
+    def __getitem__(self, name: str) -> Array:
+        if name not in self.channels:
+            have = ", ".join(sorted(self.channels))
+            raise InvalidLog(f"the log has no channel '{name}'", expected=f"one of {have}")
+        return self.channels[name]
+
+    __hash__ = None  # type: ignore[assignment]  # equal logs may be far too long to hash
+
+    def __eq__(self, other: object) -> bool:
+        return (
+            isinstance(other, Log)
+            and np.array_equal(self.t, other.t)
+            and self.channels.keys() == other.channels.keys()
+            and all(np.array_equal(self[n], other[n], equal_nan=True) for n in self.channels)
+            and self.units == other.units
+            and self.origin == other.origin
+        )
+
+    @property
+    def period(self) -> float:
+        """Median time between samples [s]; a log of one sample has none and raises."""
+        if len(self.t) < 2:
+            raise InvalidLog("the log has a single sample", expected="at least two, to have a period")
+        return float(np.median(np.diff(self.t)))
+
+    def unit(self, name: str) -> str:
+        """Unit of a channel, '' where nobody said one."""
+        self[name]
+        return self.units[name]
+
+    def signal(self, name: str) -> Signal:
+        """The channel's `Signal`, with the unit this log has it in."""
+        symbol = KNOWN[name].symbol if name in KNOWN else name
+        return Signal(name, self.unit(name), symbol)
+
+    def state(self, prefix: str = "truth") -> Array:
+        """The six states as an array (n, 6), from `truth/…` (which no real robot has) or `estimate/…`."""
+        return np.column_stack([self[f"{prefix}/{name}"] for name in STATE_NAMES])
+
+    def between(self, start: float, stop: float) -> Log:
+        """The part with start ≤ t < stop [s], time unchanged."""
+        keep = (self.t >= start) & (self.t < stop)
+        channels = {name: values[keep] for name, values in self.channels.items()}
+        return Log(self.t[keep], channels, self.units, self.origin)
+
+    def save(self, path: str | Path) -> Path:
+        """Write as Parquet, CSV or MCAP, chosen by the suffix."""
+        from upright.signals.files import write_log
+
+        return write_log(self, path)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Log:
+        """Read a log written by `save` (Parquet, CSV or MCAP), or any CSV or Parquet with a column `t`."""
+        from upright.signals.files import read_log
+
+        return read_log(path)
+
+
+def _column(name: str, values: ArrayLike) -> Array:
+    column = np.array(values, dtype=np.float64)
+    if column.ndim != 1:
+        raise InvalidLog(f"channel '{name}' has shape {column.shape}", expected="one number per sample")
+    column.setflags(write=False)
+    return column
+
+
+def _check(time: Array, columns: Mapping[str, Array]) -> None:
+    if len(time) == 0:
+        raise InvalidLog("the log holds no samples", expected="at least one row", likely="an empty recording")
+    for name, column in columns.items():
+        if len(column) != len(time):
+            raise InvalidLog(
+                f"channel '{name}' has {len(column)} samples but t has {len(time)}", expected="equal lengths"
+            )
+    if not np.isfinite(time).all():
+        row = int(np.argmin(np.isfinite(time)))
+        raise InvalidLog(f"t is {time[row]} at row {row}", expected="seconds", mend="drop that row")
+    steps = np.diff(time)
+    if (steps <= 0).any():
+        row = int(np.argmax(steps <= 0)) + 1
+        raise InvalidLog(
+            f"t goes from {time[row - 1]:g} to {time[row]:g} s at row {row}",
+            expected="strictly increasing seconds",
+            likely="repeated rows, or two recordings in one file",
+            mend="sort and drop repeats, or split the file there",
+        )

@@ -1,0 +1,71 @@
+"""Logs as Parquet: one column of doubles for each channel, units and origin in the metadata of the schema."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.errors import InvalidLog
+from upright.signals.header import TIME, assemble, check_names, describe, understand
+from upright.signals.log import Log
+
+_NOTE = b"upright-log"
+
+
+def write(log: Log, stream: BinaryIO) -> None:
+    """Write columns `t` [s] and the channels, each with its unit in the metadata of its field."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    columns = {TIME: log.t, **log.channels}
+    units = {TIME: "s", **log.units}
+    fields = [pa.field(name, pa.float64(), nullable=False, metadata={"unit": units[name]}) for name in columns]
+    schema = pa.schema(fields, metadata={_NOTE: describe(log)})
+    table = pa.table([pa.array(values) for values in columns.values()], schema=schema)
+    pq.write_table(table, stream, compression="zstd", write_page_checksum=True)
+
+
+def read(path: Path) -> Log:
+    """Read numeric columns, with or without our metadata; null is NaN. Raises `InvalidLog`."""
+    table = _table(path)
+    check_names(table.column_names)
+    columns = {name: _numbers(name, table.column(name)) for name in table.column_names}
+    note = (table.schema.metadata or {}).get(_NOTE)
+    units, origin = understand(note) if note is not None else (_field_units(table.schema), {})
+    return assemble(columns, units, origin)
+
+
+def _table(path: Path) -> Any:
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    try:
+        # Not read_table, which would add columns for folders that are called like `robot=2`.
+        with pq.ParquetFile(path, page_checksum_verification=True) as file:
+            return file.read()
+    except (pa.ArrowException, OSError, UnicodeDecodeError) as error:
+        raise InvalidLog(
+            f"the Parquet cannot be read ({error})",
+            likely="a file that was cut off, or another kind of file under this name",
+            mend="copy it again from where it was recorded",
+        ) from None
+
+
+def _field_units(schema: Any) -> dict[str, str]:
+    said = {field.name: (field.metadata or {}).get(b"unit") for field in schema}
+    return {name: unit.decode(errors="replace") for name, unit in said.items() if unit is not None}
+
+
+def _numbers(name: str, column: Any) -> NDArray[np.float64]:
+    import pyarrow as pa
+
+    kind = column.type
+    if pa.types.is_integer(kind) or pa.types.is_floating(kind) or pa.types.is_decimal(kind) or pa.types.is_null(kind):
+        return np.asarray(column.cast(pa.float64(), safe=False).to_numpy(), dtype=np.float64)
+    valid = column.is_valid().to_numpy()
+    row = int(np.argmax(valid)) if len(valid) else 0
+    holds = f"'{column[row]}' at row {row}" if len(valid) else "no rows"
+    raise InvalidLog(f"column '{name}' is {kind}: {holds}", expected="numbers", mend="convert or drop the column")
