@@ -19,8 +19,8 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 SOURCE = CHECKOUT / "src" / "upright"
 
 ROOMS = (
-    "errors", "signals", "robots", "physics", "bodies", "control", "experiment", "fleet", "identify", "certify",
-    "comparison", "report", "paper", "firmware", "lab", "cli",
+    "errors", "atomic", "signals", "robots", "physics", "bodies", "control", "experiment", "fleet", "identify",
+    "certify", "comparison", "report", "paper", "firmware", "lab", "cli",
 )  # fmt: skip
 """From the ground up. Fleet stands below identify and certify, which run many robots at once."""
 

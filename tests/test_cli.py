@@ -12,9 +12,9 @@ from pathlib import Path
 
 import pytest
 
+from upright.atomic import write_json
 from upright.cli import main as cli
 from upright.cli.main import BUG, STOPPED, USER_ERROR, main
-from upright.cli.output import write_json
 from upright.errors import InvalidLog
 from upright.robots import PARAMETERS, Robot
 

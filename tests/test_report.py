@@ -143,7 +143,7 @@ def test_text_is_escaped_wherever_it_stands():
 
 
 def test_a_page_that_cannot_be_written_is_an_error_of_ours(tmp_path):
-    with pytest.raises(UprightError, match="cannot write"):
+    with pytest.raises(UprightError, match="no folder"):
         page().write(tmp_path / "nowhere" / "a.html")
 
 

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from upright.atomic import write_json
 from upright.cli.options import JsonOption, RobotOption, vector
-from upright.cli.output import print_json, write_json
+from upright.cli.output import print_json
 from upright.errors import UnknownName
 
 if TYPE_CHECKING:
@@ -72,6 +73,10 @@ def _print(model: LinearModel, drift: dict[str, float]) -> None:
 def _matrix(name: str, rows: Sequence[str], columns: Sequence[str], values: Any) -> str:
     width = max(len(row) for row in rows)
     lines = [f"{name:<{width}}" + "".join(f"{column:>13}" for column in columns)]
+    rounding = 1e-14 * abs(values).max()  # what arithmetic leaves of a zero
     for row, numbers in zip(rows, values.tolist(), strict=True):
-        lines.append(f"{row:<{width}}" + "".join(f"{number + 0.0:13.6g}" for number in numbers))
+        lines.append(
+            f"{row:<{width}}"
+            + "".join(f"{number:13.6g}" for number in (0.0 if abs(n) < rounding else n for n in numbers))
+        )
     return "\n".join(lines)

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import json
-import os
 import sys
-import tempfile
 from collections.abc import Callable, Generator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -13,6 +10,7 @@ from typing import Any
 
 import typer
 
+from upright.atomic import json_text
 from upright.errors import UprightError
 
 PIPED_WIDTH = 200
@@ -34,11 +32,6 @@ def print_table(header: Sequence[str], rows: Sequence[Sequence[str]], numbers: S
     Console(width=None if sys.stdout.isatty() else PIPED_WIDTH, highlight=False).print(table)
 
 
-def json_text(data: Any) -> str:
-    """Indented JSON; NaN and infinity, which JSON does not have, are an error of the caller."""
-    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)
-
-
 def print_json(data: Any) -> None:
     """Print JSON on stdout."""
     typer.echo(json_text(data))
@@ -48,20 +41,6 @@ def check_folder(path: Path) -> None:
     """Refuse a file whose folder is not there, before the work that would fill it."""
     if not path.parent.is_dir():
         raise UprightError(f"there is no folder {path.parent} for {path.name}", mend=f"mkdir -p {path.parent}")
-
-
-def write_json(path: Path, data: Any) -> None:
-    """Write JSON whole or not at all."""
-    check_folder(path)
-    descriptor, unfinished = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}-")
-    try:
-        with os.fdopen(descriptor, "w", encoding="utf-8") as file:
-            file.write(json_text(data) + "\n")
-        Path(unfinished).chmod(0o644)  # mkstemp's own 0600 would hide a result from colleagues
-        Path(unfinished).replace(path)
-    except BaseException:
-        Path(unfinished).unlink(missing_ok=True)
-        raise
 
 
 @contextmanager

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-import os
 import re
-import tempfile
 import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -15,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 from xml.etree import ElementTree
 
+from upright.atomic import write_text
 from upright.errors import UnknownName, UprightError
 from upright.report.figure import Figure, PointFigure
 
@@ -124,12 +123,7 @@ class Page:
 
     def write(self, path: str | Path) -> Path:
         """Write the page as UTF-8, whole or not at all; raises `UprightError` where that cannot be done."""
-        target = Path(path)
-        try:
-            _write_atomically(target, self.html())
-        except OSError as error:
-            raise UprightError(f"cannot write {target}: {error.strerror}", mend="choose a folder that exists") from None
-        return target
+        return write_text(path, self.html())
 
 
 def cell_text(cell: Cell, digits: int = 4) -> str:
@@ -169,15 +163,3 @@ def _template() -> Template:
         loader=loader, autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
     return environment.get_template("page.html")
-
-
-def _write_atomically(target: Path, text: str) -> None:
-    handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-        os.chmod(temporary, 0o644)  # mkstemp's 0600 would keep a web server from reading it
-        os.replace(temporary, target)
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise

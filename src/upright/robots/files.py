@@ -13,6 +13,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any, NoReturn, cast
 
+from upright.atomic import write_text
 from upright.errors import InvalidRobot, UnknownName
 from upright.robots.kit import Battery, Kit, Motor, Sensor
 from upright.robots.robot import PARAMETERS, Provenance, Robot
@@ -88,19 +89,12 @@ def find_kit(name_or_path: str | Path) -> Kit:
 def write_robot(robot: Robot, path: str | Path) -> Path:
     """Write `robot` as TOML; `read_robot` gives back an equal robot with equal provenance.
 
-    Raises `InvalidRobot` where the file cannot be written.
+    Raises `UprightError` where the file cannot be written.
     """
-    path = Path(path)
     head = [f"{key} = {_quoted(getattr(robot, key))}" for key in ("name", "title", "drive", "kit")]
     idle = set(_ELECTRICAL) - robot.provenance.keys() if robot.drive == "torque" else set[str]()
     tables = [_written(name, robot) for name in PARAMETERS if name not in idle]
-    try:
-        path.write_text("\n".join(head) + "\n" + "".join(tables), encoding="utf-8")
-    except OSError as error:
-        raise InvalidRobot(
-            f"cannot write {path} ({error.strerror})", expected="a file in an existing folder"
-        ) from error
-    return path
+    return write_text(path, "\n".join(head) + "\n" + "".join(tables))
 
 
 def _written(name: str, robot: Robot) -> str:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import difflib
 import os
-import uuid
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
 
+from upright.atomic import write_whole
 from upright.errors import InvalidLog
 from upright.signals.header import check_writable
 from upright.signals.log import Log
@@ -66,7 +66,7 @@ def write_log(log: Log, path: str | Path) -> Path:
     if not target.parent.is_dir():
         raise InvalidLog(f"there is no folder {target.parent}", mend="make it first, or correct the path")
     try:
-        _replace(target, lambda stream: form.write(log, stream))
+        write_whole(target, lambda stream: form.write(log, stream))
     except OSError as error:
         raise InvalidLog(f"{target} cannot be written: {error.strerror or error}") from None
     except InvalidLog as error:
@@ -114,14 +114,3 @@ def _similar(path: Path) -> str:
         return f"there is no folder {path.parent} either"
     close = difflib.get_close_matches(path.name, sorted(os.listdir(path.parent)), n=1)
     return f"did you mean '{close[0]}'?" if close else "look at the path again"
-
-
-def _replace(target: Path, write: Callable[[BinaryIO], None]) -> None:
-    # Beside the target, because only within one file system is the move a single step.
-    unfinished = target.with_name(f".{target.name}.{uuid.uuid4().hex[:8]}.part")
-    try:
-        with unfinished.open("xb") as stream:
-            write(stream)
-        os.replace(unfinished, target)
-    finally:
-        unfinished.unlink(missing_ok=True)
