@@ -222,3 +222,19 @@ def test_effort_is_not_compared_between_volts_and_newton_metres():
     result = compare({"volts": base, "torque": torque})
     assert math.isnan(result.metrics["torque"].effort)
     assert compare({"torque": torque}).unit("effort") == "(N m)² s"
+
+
+def test_a_command_cut_only_by_the_driver_s_steps_is_not_saturated():
+    # a driver of 0.1 V steps gives 0.9 V for 0.99 V, a tenth less, on a body that could give 8 V
+    t, command = [0.0, 0.1, 0.2], [0.99, 0.5, 0.0]
+    channels = {f"truth/{name}": [0.0] * 3 for name in STATE_NAMES}
+    channels |= {f"command/{side}": command for side in ("left", "right")}
+    channels |= {f"applied/{side}": [0.9, 0.5, 0.0] for side in ("left", "right")}
+
+    def share(limit: float) -> float:
+        return (
+            compare({"a": Log(t, channels, origin={"body": {"kind": "model", "limit": limit}})}).metrics["a"].saturated
+        )
+
+    assert share(8.0) == 0
+    assert share(0.9) == pytest.approx(1 / 3)  # one row of three, where 0.9 V is all there is

@@ -18,6 +18,9 @@ from upright.comparison import metrics
 from upright.errors import InvalidLog, UnknownName
 from upright.signals import STATE_NAMES, Log
 
+NEAR_LIMIT = 0.8
+"""Share of its limit below which no command was cut: a battery that sags gives way by less than the rest."""
+
 
 def _number(unit: str, label: str) -> Any:
     return field(metadata={"unit": unit, "label": label})
@@ -249,7 +252,17 @@ def _saturated(log: Log) -> float:
     if not all(name in log for name in names):
         return np.nan
     columns = [log[name] for name in names]
+    limit = _limit(log)
+    if max(float(np.abs(column).max()) for column in columns[2:]) < NEAR_LIMIT * limit:
+        return 0.0
     return metrics.saturated_share(np.column_stack(columns[:2]), np.column_stack(columns[2:]))
+
+
+def _limit(log: Log) -> float:
+    """The largest command the body takes, as its log says; 0 where it does not say."""
+    body = log.origin.get("body", {})
+    limit = body.get("limit", 0.0) if isinstance(body, Mapping) else 0.0
+    return math.inf if limit is None else float(limit)
 
 
 def _fit(anchor: Log, log: Log, mine: Mapping[str, str], other: Mapping[str, str], label: str) -> dict[str, float]:
