@@ -8,6 +8,7 @@ import re
 import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from html import escape
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
@@ -137,6 +138,12 @@ def cell_text(cell: Cell, digits: int = 4) -> str:
     return _POWER.sub(_power, f"{cell:.{digits}g}").replace("-", "−").replace("inf", "∞")
 
 
+def symbols(text: str) -> str:
+    """Text as HTML, in which a letter with an index, such as J_ψ, is set with a subscript."""
+    return _INDEX.sub(r"\1<sub>\2</sub>", escape(text))
+
+
+_INDEX = re.compile(r"\b([A-Za-zα-ωΔ]\u0307?)_(\w)\b")
 _POWER = re.compile(r"e([+-])0*(\d+)$")
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -162,4 +169,5 @@ def _template() -> Template:
     environment = Environment(
         loader=loader, autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
+    environment.filters["symbols"] = symbols
     return environment.get_template("page.html")

@@ -1,0 +1,54 @@
+"""What came of trying to reproduce one claim of the paper."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from upright.report import Section, Verdict
+from upright.report.page import Item
+from upright.signals import Log
+
+REPRODUCED = "reproduced"
+NOT_AS_PRINTED = "not reproducible as printed"
+BEYOND = "beyond the paper"
+
+_LEVEL = {REPRODUCED: "good", NOT_AS_PRINTED: "warn", BEYOND: "info"}
+
+Progress = Callable[[float], None]
+
+
+def silent(_share: float) -> None:
+    """Progress that nobody watches."""
+
+
+@dataclass(frozen=True, eq=False)
+class Finding:
+    """One claim: `part` of the paper, `title`, `verdict`, one `summary` line with its numbers, and what shows it.
+
+    `numbers` are plain JSON; `items` what the page shows; `logs` the runs it rests on, by file name without suffix.
+    """
+
+    part: str
+    title: str
+    verdict: str
+    summary: str
+    numbers: Mapping[str, Any]
+    items: Sequence[Item] = ()
+    logs: Mapping[str, Log] = field(default_factory=dict[str, Log])
+
+    def why(self, width: int) -> str:
+        """The first sentence of the summary, indented and wrapped to `width` columns."""
+        first = self.summary.split(". ")[0].rstrip(".")
+        return textwrap.fill(f"{first}.", width, initial_indent="    ", subsequent_indent="    ")
+
+    def section(self) -> Section:
+        """The finding as a section of the page."""
+        verdict = Verdict(self.verdict, _LEVEL[self.verdict])
+        return Section(f"{self.part} {self.title}", [self.summary, *self.items], verdict)
+
+    def to_json(self) -> dict[str, Any]:
+        named = {"part": self.part, "title": self.title, "verdict": self.verdict, "summary": self.summary}
+        return {**named, "numbers": dict(self.numbers), "logs": sorted(self.logs)}

@@ -1,0 +1,206 @@
+"""Chapter 5: both pushes on twin, nonlinear and linear model under the same regulator (figures 5 to 13)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from upright.bodies import Body, Electronics, LinearBody, NonlinearBody
+from upright.bodies.twin import Twin
+from upright.comparison import Comparison, compare
+from upright.control import Controller, Estimated, StateFeedback, kalman
+from upright.experiment import Hold, run
+from upright.paper import printed
+from upright.paper.finding import NOT_AS_PRINTED, REPRODUCED, Finding, Progress, silent
+from upright.physics.linear import LinearModel
+from upright.report import Figure, Table
+from upright.report.comparing import fit_tables, metrics_table, state_figure
+from upright.report.page import Cell, cell_text
+from upright.robots import Kit, Motor, Robot
+
+RELEASE, SECONDS = 8.0, 16.0  # [s] long enough to come to rest before the release and after it
+
+PUSHES = {"front": printed.FRONT_PUSH, "back": printed.BACK_PUSH}
+FIGURES = {
+    "front": {"pitch": 5, "pitch_rate": 6, "wheel": 7, "wheel_rate": 8, "yaw": 9, "yaw_rate": 10},
+    "back": {"pitch": 12, "wheel": 13},
+}
+"""Which figure of the paper shows which state under which push."""
+NAMED = {"front": "figures 5 to 10", "back": "figures 12 and 13"}
+
+YAW_NEGLIGIBLE = math.radians(1.0)  # what the paper's compass resolves
+ALIKE = 0.8  # correlation with the twin from which a reader would call two curves alike
+
+
+@dataclass(frozen=True, eq=False)
+class Trial:
+    """A robot with the regulator and the identified linear model it is tried with; `why` this regulator."""
+
+    robot: Robot
+    feedback: StateFeedback
+    linear: LinearModel
+    why: str
+
+
+@dataclass(frozen=True)
+class Claims:
+    """What the paper says of its figures, measured on one robot under one push."""
+
+    correlation: float  # smallest of ψ and θ, both models, with the twin
+    settling: dict[str, float]  # of pitch to 5 % after the release [s]
+    largest_yaw: float  # [rad] over all runs
+
+    @property
+    def alike(self) -> bool:
+        return self.correlation >= ALIKE
+
+    @property
+    def yaw_negligible(self) -> bool:
+        return self.largest_yaw <= YAW_NEGLIGIBLE
+
+    @property
+    def settling_differs(self) -> bool:
+        return max(self.settling.values()) - min(self.settling.values()) > printed.PERIOD
+
+    @property
+    def linear_fastest(self) -> bool:
+        others = min(value for name, value in self.settling.items() if name != "linear")
+        return self.settling["linear"] < others - printed.PERIOD / 2  # closer than half a sample is a tie
+
+
+def chapter(trials: Sequence[Trial], kit: Kit, progress: Progress = silent) -> list[Finding]:
+    """One finding for each robot and push, and one for the paper's claims over all of them."""
+    findings: list[Finding] = []
+    claims: dict[str, Claims] = {}
+    for trial in trials:
+        for side in PUSHES:
+            progress(len(claims) / (len(trials) * len(PUSHES)))
+            comparison = push(trial, side, kit)
+            name = f"{trial.robot.name}, {side} push"
+            claims[name] = measure(comparison)
+            findings.append(_shown(trial, side, comparison, claims[name], f"5{'abcd'[len(findings)]}"))
+    return [*findings, _claims(claims)]
+
+
+def push(trial: Trial, side: str, kit: Kit) -> Comparison:
+    """The robot held at the paper's pitch and released: the twin on its sensors, both models on their true states.
+
+    The models have the kit's battery and nothing else of its electronics, like the paper's simulations.
+    """
+    robot, hold = trial.robot, Hold(pitch=PUSHES[side], until=RELEASE)
+    supply = replace(kit, name="battery", sensors={}, motor=Motor(), delay=0.0, jitter=0.0)
+    runs: dict[str, tuple[Body, Controller]] = {
+        "twin": (Electronics(Twin(robot), kit), Estimated(trial.feedback, kalman(robot, kit))),
+        "nonlinear": (Electronics(NonlinearBody(robot), supply), trial.feedback),
+        "linear": (Electronics(LinearBody(trial.linear, robot), supply), trial.feedback),
+    }
+    logs = {name: run(body, controller, hold, seconds=SECONDS, seed=1) for name, (body, controller) in runs.items()}
+    return compare(logs)
+
+
+def measure(comparison: Comparison) -> Claims:
+    """The paper's claims as numbers."""
+    logs = comparison.logs
+    length = min(len(log) for log in logs.values())
+    twin = logs["twin"]
+    correlations = [
+        np.corrcoef(twin[name][:length], logs[other][name][:length])[0, 1]
+        for name in ("truth/pitch", "truth/wheel")
+        for other in ("nonlinear", "linear")
+    ]
+    yaw = max(float(np.abs(log["truth/yaw"]).max()) for log in logs.values())
+    settling = {name: numbers.settling_5 for name, numbers in comparison.metrics.items()}
+    return Claims(float(min(correlations)), settling, yaw)
+
+
+def _shown(trial: Trial, side: str, comparison: Comparison, claims: Claims, part: str) -> Finding:
+    robot = trial.robot
+    stood = not any(numbers.fell for numbers in comparison.metrics.values())
+    force = Hold(pitch=PUSHES[side], until=RELEASE).force(robot)
+    fits = {name: cell_text(fit["pitch"], 2) for name, fit in comparison.fits.items()}
+    summary = (
+        f"Held at {cell_text(PUSHES[side])} rad by {cell_text(force, 2)} N at the centre of mass and let go, pitch "
+        f"settles to 5 % in {_times(claims.settling)}; its fit to the twin is {fits['nonlinear']} % for the nonlinear "
+        f"and {fits['linear']} % for the linear model. {trial.why}"
+    )
+    figures = [_figure(comparison, claims, state, number) for state, number in FIGURES[side].items()]
+    title = f"{robot.name}: force on the {side}, {NAMED[side]}"
+    items = [metrics_table(comparison), _restless(comparison), *_fits(comparison, claims), *figures]
+    numbers = {"force": force, "hold": PUSHES[side], **comparison.to_json()}
+    logs = {f"{robot.name}-{side}-{name}": log for name, log in comparison.logs.items()}
+    verdict = REPRODUCED if stood else NOT_AS_PRINTED
+    return Finding(part, title, verdict, summary, numbers, items, logs)
+
+
+def _restless(comparison: Comparison) -> str:
+    """How far the twin stays from rest, which decides its settling time as much as its dynamics do."""
+    twin = comparison.logs["twin"].between(SECONDS - 2.0, SECONDS)
+    swing = float(np.abs(twin["truth/pitch"]).max())
+    band = 0.05 * float(np.abs(comparison.logs["twin"].between(RELEASE, SECONDS)["truth/pitch"]).max())
+    outside = "wider" if swing > band else "narrower"
+    return (
+        "The twin never comes quite to rest: steps of encoders and driver, the motors' dead zone and the gyro's noise "
+        f"keep its pitch swinging by up to {cell_text(1000 * swing, 2)} mrad in the last 2 s, {outside} than 5 % "
+        f"({cell_text(1000 * band, 2)} mrad). The models have none of these and settle by their poles alone."
+    )
+
+
+def _fits(comparison: Comparison, claims: Claims) -> list[Table]:
+    """The fits, without those of yaw where there is no yaw to be fitted."""
+    tables = fit_tables(comparison)
+    if not claims.yaw_negligible:
+        return tables
+    return [replace(t, rows=[[*row[:-2], "negligible", "negligible"] for row in t.rows]) for t in tables]
+
+
+def _figure(comparison: Comparison, claims: Claims, state: str, number: int) -> Figure:
+    drawn = state_figure(comparison, state)
+    if state in ("yaw", "yaw_rate") and claims.yaw_negligible:
+        degrees = cell_text(math.degrees(claims.largest_yaw), 2)
+        title = f"Yaw is negligible: at most {degrees} degrees in any run, where the compass reads whole ones"
+        # rounding errors alone are no curve: there the axis shows what the compass could tell
+        limits = None if claims.largest_yaw > YAW_NEGLIGIBLE / 100 else (-YAW_NEGLIGIBLE, YAW_NEGLIGIBLE)
+        panels = [replace(panel, limits=limits) for panel in drawn.panels]
+        drawn = replace(drawn, title=title, panels=panels, note="")
+    return replace(drawn, title=f"Figure {number} again. {drawn.title}")
+
+
+def _claims(claims: dict[str, Claims]) -> Finding:
+    every = list(claims.values())
+    verdicts = {
+        "shapes are alike": all(c.alike for c in every),
+        "settling times differ": all(c.settling_differs for c in every),
+        "the linear model settles fastest": all(c.linear_fastest for c in every),
+        "yaw is negligible": all(c.yaw_negligible for c in every),
+    }
+    said = "; ".join(f"{claim}: {'holds' if holds else 'does not hold'}" for claim, holds in verdicts.items())
+    fastest = sum(c.linear_fastest for c in every)
+    summary = (
+        f"{said[0].upper()}{said[1:]}. A claim holds where it does for both robots and both pushes; the linear model "
+        f"is the fastest in {fastest} of {len(every)} cases."
+    )
+    numbers = {"claims": verdicts, "cases": {name: vars(c) for name, c in claims.items()}}
+    verdict = REPRODUCED if all(verdicts.values()) else NOT_AS_PRINTED
+    return Finding("5e", "The paper's findings, tested as claims", verdict, summary, numbers, _claim_tables(claims))
+
+
+def _claim_tables(claims: dict[str, Claims]) -> list[Table]:
+    settling: list[list[Cell]] = [[name, *c.settling.values(), c.linear_fastest] for name, c in claims.items()]
+    shapes: list[list[Cell]] = [
+        [name, c.correlation, c.alike, math.degrees(c.largest_yaw), c.yaw_negligible] for name, c in claims.items()
+    ]
+    runs = [f"{name} [s]" for name in next(iter(claims.values())).settling]
+    caption = f"Smallest correlation with the twin ({ALIKE:g} and more counts as alike), and largest yaw"
+    return [
+        Table(
+            ["robot and push", *runs, "linear fastest"], settling, "Pitch settles to 5 % after the release", digits=4
+        ),
+        Table(["robot and push", "correlation", "alike", "yaw [°]", "negligible"], shapes, caption, digits=3),
+    ]
+
+
+def _times(settling: dict[str, float]) -> str:
+    return ", ".join(f"{value:.2f} s ({name})" for name, value in settling.items())

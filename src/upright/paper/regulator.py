@@ -1,0 +1,123 @@
+"""Chapter 4: the regulator. The printed gains are not the ones that the printed Q and R give."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.control import Lqr, StateFeedback, dlqr
+from upright.paper import printed
+from upright.paper.finding import NOT_AS_PRINTED, Finding
+from upright.physics.linear import LinearModel, linearise
+from upright.report import PointFigure, PointSet, Table
+from upright.report.page import cell_text
+from upright.robots import Robot
+from upright.signals import STATE_NAMES
+
+Array = NDArray[np.float64]
+
+PRICES: list[float] = np.logspace(0, 4, 41).tolist()
+
+
+def printed_feedback() -> StateFeedback:
+    """u = −Kx with the printed gains, for the equations' yaw (anticlockwise)."""
+    return StateFeedback(printed.K, printed.PERIOD, kind="printed gains")
+
+
+def without_noise(A: Array, B: Array) -> LinearModel:
+    """The printed model with its small coupling of pitch and yaw removed, which is noise."""
+    pitch, yaw = np.arange(4), np.arange(4, 6)
+    clean = A.copy()
+    clean[np.ix_(pitch, yaw)] = clean[np.ix_(yaw, pitch)] = 0
+    clean[5, 4] = 0  # heading does not turn the robot
+    return LinearModel(clean, B, dt=printed.PERIOD)
+
+
+def chapter(light: Robot) -> Finding:
+    """The regulator of the printed A, B, Q, R beside the printed gains, and the proof that those do not follow.
+
+    `light` is the robot of reference [4], on which the printed gains are tried too.
+    """
+    as_printed = dlqr(LinearModel(printed.A, printed.B, dt=printed.PERIOD), printed.Q, printed.R)
+    clean = dlqr(without_noise(printed.A, printed.B), printed.Q, printed.R)
+    nearest, permutation, price = nearest_gain()
+    feedback = printed_feedback()
+    loops = {
+        "printed A, B as printed": _radius(LinearModel(printed.A, printed.B, dt=printed.PERIOD), feedback),
+        "printed A, B, yaw inputs turned": _radius(_turned(), feedback),
+        light.name: _radius(linearise(light).c2d(printed.PERIOD), feedback),
+    }
+    summary = (
+        f"dlqr of the printed A, B, Q, R gives a pitch gain of {cell_text(clean.gain[0, 0], 3)} where "
+        f"{cell_text(printed.KU1[0], 3)} is printed, and a wheel gain of {cell_text(clean.gain[0, 2], 2)} where "
+        f"{cell_text(printed.KU1[2], 2)} is printed. None of the 30 different orders of the diagonal of Q with R = "
+        f"r·I, r from 1 to 10⁴, comes nearer than {100 * nearest:.0f} % (RMS over the six gains). The printed gains "
+        f"hold the printed robot (largest |eigenvalue| {loops['printed A, B, yaw inputs turned']:.4f} with the yaw "
+        f"sign settled, {loops['printed A, B as printed']:.4f} without) but not {light.name} ({loops[light.name]:.1f})."
+    )
+    numbers = {
+        "dlqr_as_printed": as_printed.gain.tolist(), "dlqr_without_noise": clean.gain.tolist(),
+        "printed": printed.K.tolist(), "riccati_residual": clean.check(),
+        "nearest_relative_distance": nearest, "nearest_Q": permutation, "nearest_r": price, "largest_eigenvalue": loops,
+    }  # fmt: skip
+    items = [_gains(clean.gain, as_printed.gain), _stability(loops), _poles(feedback, clean)]
+    return Finding("4", "The regulator and its gains, eqs. (36)–(38)", NOT_AS_PRINTED, summary, numbers, items)
+
+
+def nearest_gain() -> tuple[float, list[float], float]:
+    """The smallest relative distance (RMS) of the left motor's gains from the printed ones, over every order of Q's
+    diagonal and prices r, with the order and the price. Yaw gains count by size, since their sign is in doubt."""
+    model = without_noise(printed.A, printed.B)
+    target = np.abs(printed.KU1)
+    best: tuple[float, list[float], float] = (math.inf, [0.0], 0.0)
+    orders = sorted(set(itertools.permutations(np.diag(printed.Q).tolist())))
+    for diagonal in orders:
+        for price in PRICES:
+            gain = dlqr(model, np.array(diagonal), np.array([price, price])).gain[0]
+            distance = float(np.linalg.norm(np.abs(gain) / target - 1) / math.sqrt(6))
+            best = min(best, (distance, list(diagonal), price))
+    return best
+
+
+def _turned() -> LinearModel:
+    signs = np.array([[1], [1], [1], [1], [-1], [-1]])
+    return LinearModel(printed.A, printed.B * signs, dt=printed.PERIOD)
+
+
+def _radius(model: LinearModel, feedback: StateFeedback) -> float:
+    return float(np.abs(np.linalg.eigvals(model.A - model.B @ feedback.gain)).max())
+
+
+def _gains(clean: Array, noisy: Array) -> Table:
+    header = ["gain, left motor", *(name.replace("_", " ") for name in STATE_NAMES)]
+    rows = [
+        ["printed Ku₁", *printed.KU1.tolist()],
+        ["dlqr of the printed matrices, noise removed", *clean[0].tolist()],
+        ["dlqr of the printed matrices, left", *noisy[0].tolist()],
+        ["dlqr of the printed matrices, right", *noisy[1].tolist()],
+    ]
+    return Table(header, rows, "The regulator of (38) beside the printed gains", digits=3)
+
+
+def _stability(loops: dict[str, float]) -> Table:
+    rows = [[name, value, value < 1] for name, value in loops.items()]
+    return Table(
+        ["robot under the printed gains", "largest |eigenvalue|", "stable"],
+        rows,
+        "Where the printed gains hold",
+        digits=5,
+    )
+
+
+def _poles(feedback: StateFeedback, clean: Lqr) -> PointFigure:
+    """Each under its own sign of yaw: the printed gains suit the equations', dlqr the printed matrices'."""
+    model = _turned()
+    sets = [
+        PointSet("printed gains", np.linalg.eigvals(model.A - model.B @ feedback.gain).tolist()),
+        PointSet("dlqr of the printed Q and R", clean.poles.tolist()),
+    ]
+    largest = ", ".join(f"{cell_text(max(map(abs, s.values)), 6)} ({s.name})" for s in sets)
+    return PointFigure(f"Largest pole of the printed robot under both regulators: {largest}", sets)

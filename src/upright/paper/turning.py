@@ -1,0 +1,276 @@
+"""Chapter 2: what the published model leaves out, and MuJoCo as judge.
+
+The published equations put the rolling constraint into the Lagrangian before differentiating, which a non-holonomic
+constraint does not allow, and take the body's roll inertia for its yaw inertia. Both matter only to a robot that turns.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.bodies import Body, NonlinearBody
+from upright.bodies.twin import Twin
+from upright.control import StateFeedback, lqr
+from upright.experiment import Drive, Turn, run
+from upright.paper.finding import BEYOND, Finding, Progress, silent
+from upright.physics.dynamics import accelerations, mass_matrix, motor_damping, motor_gain
+from upright.report import Figure, Panel, Table, Trace
+from upright.report.page import Cell, cell_text
+from upright.robots import Robot
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+
+RATES = (1.0, 3.0, 6.0)  # [rad/s] of yaw
+SHOWN = 3.0  # [rad/s] the rate that is drawn, and at which the contact is stiffened
+WHEEL_RATE = 4.3  # [rad/s] driving forward meanwhile
+SECONDS = 3.0
+JOLT = 0.1  # [s] the start from rest is a jolt of a few milliseconds, whose torques would dwarf all others
+PERIOD = 0.001  # [s] a fast loop, so that the models alone differ and not how long a command is held
+CONTACTS = (0.001, 0.0005, 0.00025)  # [s] contact times of the twin, its own step half of each
+SPIN, DRIFT, CORIOLIS = "M L R φ̇² sin ψ", "M L R φ̇ θ̇ sin ψ", "2 M L² ψ̇ φ̇ sin ψ cos ψ"
+JUDGED = {"ψ": "pitch", "θ̇": "wheel_rate"}
+
+
+@dataclass(frozen=True)
+class Term:
+    """One term of the equation of θ, ψ or φ along a run: `values` (n,) in N m; `kept` in the published model or not."""
+
+    equation: str
+    text: str
+    values: Array
+    kept: bool
+
+    @property
+    def rms(self) -> float:
+        """Root of the mean square [N m]."""
+        return float(np.sqrt(np.mean(self.values**2)))
+
+
+@dataclass(frozen=True)
+class Off:
+    """How far a model is from the twin in one state: RMS and largest difference over the twin's peak."""
+
+    rms: float
+    largest: float
+
+
+def chapter(progress: Progress = silent) -> list[Finding]:
+    """The size of the terms left out at each yaw rate, and both models against the twin."""
+    robot = Robot.preset("nxtway-gs")
+    feedback = lqr(robot, PERIOD)
+    logs: dict[float, dict[str, Log]] = {}
+    for rate in RATES:
+        logs[rate] = {name: drive(body, feedback, rate) for name, body in bodies(robot).items()}
+        progress(len(logs) / (len(RATES) + 1))
+    stiffened = {contact: drive(_twin(robot, contact), feedback, SHOWN) for contact in CONTACTS}
+    progress(1.0)
+    return [_sizes(robot, logs), _judged(logs, stiffened)]
+
+
+def bodies(robot: Robot) -> dict[str, Body]:
+    """The twin, both models, and the complete one without its roll inertia, which shows what the rolling alone does."""
+    return {
+        "twin": Twin(robot, PERIOD),
+        "complete": NonlinearBody(robot, "complete", PERIOD),
+        "complete, J_ρ = J_φ": NonlinearBody(robot.replace(roll_inertia=robot.yaw_inertia), "complete", PERIOD),
+        "published": NonlinearBody(robot, "published", PERIOD),
+    }
+
+
+def drive(body: Body, feedback: StateFeedback, rate: float) -> Log:
+    """`body` from rest under `feedback`, told to drive at `WHEEL_RATE` and to turn at `rate` [rad/s]."""
+    reference = [Drive(speed=WHEEL_RATE * body.spec.robot.wheel_radius), Turn(rate=rate)]
+    return run(body, feedback, reference=reference, seconds=SECONDS)
+
+
+def terms(robot: Robot, log: Log) -> list[Term]:
+    """Every term of the three equations of the complete model along `log`, from `JOLT` on, all on one side, so that
+    they add up to zero. A motor's voltage and back-EMF nearly cancel, so that their net torque is one term.
+    Friction of the floor and dry friction are not among them; NXTway-GS has none."""
+    x, u = log.state().T, np.array([log["applied/left"], log["applied/right"]])
+    pitch, pitch_rate, _, wheel_rate, _, yaw_rate = x
+    sin, cos = np.sin(pitch), np.cos(pitch)
+    a11, a12, a22, a33 = mass_matrix(cos, sin, robot, "published")
+    pitch_acc, wheel_acc, yaw_acc = accelerations(list(x), list(u), robot, xp=np)
+    alpha, beta = motor_gain(robot), motor_damping(robot)
+    lever, point = robot.body_mass * robot.com_height * robot.wheel_radius, robot.body_mass * robot.com_height**2
+    half, roll = robot.track / (2 * robot.wheel_radius), robot.roll_inertia - robot.yaw_inertia
+    net = alpha * (u[0] + u[1]) - 2 * beta * (wheel_rate - pitch_rate)
+    turning = half * alpha * (u[1] - u[0]) - 2 * half**2 * beta * yaw_rate
+    listed: list[tuple[str, str, Array, bool]] = [
+        ("θ", "a₁₁ θ̈", a11 * wheel_acc, True),
+        ("θ", "a₁₂ ψ̈", a12 * pitch_acc, True),
+        ("θ", "M L R ψ̇² sin ψ", -lever * pitch_rate**2 * sin, True),
+        ("θ", "motors: α (v_l + v_r) − 2 β (θ̇ − ψ̇)", -net, True),
+        ("θ", SPIN, -lever * yaw_rate**2 * sin, False),
+        ("ψ", "a₁₂ θ̈", a12 * wheel_acc, True),
+        ("ψ", "a₂₂ ψ̈", a22 * pitch_acc, True),
+        ("ψ", "M g L sin ψ", -robot.body_mass * robot.gravity * robot.com_height * sin, True),
+        ("ψ", "M L² φ̇² sin ψ cos ψ", -point * yaw_rate**2 * sin * cos, True),
+        ("ψ", "motors: α (v_l + v_r) − 2 β (θ̇ − ψ̇)", net, True),
+        ("ψ", "(J_ρ − J_φ) φ̇² sin ψ cos ψ", -roll * yaw_rate**2 * sin * cos, False),
+        ("φ", "a₃₃ φ̈", a33 * yaw_acc, True),
+        ("φ", CORIOLIS, 2 * point * pitch_rate * yaw_rate * sin * cos, True),
+        ("φ", "motors: W/(2 R) α (v_r − v_l) − W²/(2 R²) β φ̇", -turning, True),
+        ("φ", DRIFT, lever * yaw_rate * wheel_rate * sin, False),
+        ("φ", "(J_ρ − J_φ) sin² ψ φ̈", roll * sin**2 * yaw_acc, False),
+        ("φ", "2 (J_ρ − J_φ) ψ̇ φ̇ sin ψ cos ψ", 2 * roll * pitch_rate * yaw_rate * sin * cos, False),
+    ]
+    return [Term(equation, text, values[log.t >= JOLT], kept) for equation, text, values, kept in listed]
+
+
+def share(term: Term, listed: Sequence[Term]) -> float:
+    """The RMS of `term` over that of the largest term kept in its equation."""
+    return term.rms / max(other.rms for other in listed if other.kept and other.equation == term.equation)
+
+
+def off(log: Log, twin: Log, state: str) -> Off:
+    """How far `log` is from the twin's in one state."""
+    difference, peak = np.abs(log[f"truth/{state}"] - twin[f"truth/{state}"]), np.abs(twin[f"truth/{state}"]).max()
+    return Off(float(np.sqrt(np.mean(difference**2)) / peak), float(difference.max() / peak))
+
+
+def _twin(robot: Robot, contact: float) -> Twin:
+    return Twin(robot, PERIOD, contact_time=contact, timestep=contact / 2)
+
+
+def _sizes(robot: Robot, logs: Mapping[float, Mapping[str, Log]]) -> Finding:
+    listed = {rate: terms(robot, runs["complete"]) for rate, runs in logs.items()}
+    left_out = {
+        term.text: {rate: share(listed[rate][i], listed[rate]) for rate in RATES}
+        for i, term in enumerate(listed[SHOWN])
+        if not term.kept
+    }
+    spin, drift = (left_out[text] for text in (SPIN, DRIFT))
+    kept = {term.text: term.rms for term in listed[SHOWN] if term.kept and term.equation == "φ"}
+    beside = next(term.rms for term in listed[SHOWN] if term.text == DRIFT) / kept[CORIOLIS]
+    summary = (
+        "Rolling without slip is non-holonomic, and the right equations have two more terms: "
+        f"−{SPIN} on the left of the "
+        f"θ equation and +{DRIFT} on the left of the φ equation. At {_rates()} rad/s of yaw the first has "
+        f"{_shares(spin)} % of the size of the largest term kept in its equation, the second {_shares(drift)} %, "
+        f"{beside:.0f} times the Coriolis term that the model does keep (RMS along the run). A body with "
+        f"a roll inertia J_ρ of its own adds the terms with J_ρ − J_φ. All of them vanish while a robot goes straight."
+    )
+    numbers = {"share_of_largest_kept_term": {text: _keyed(shares) for text, shares in left_out.items()}}
+    title = "Terms that the published model leaves out"
+    return Finding("2a", title, BEYOND, summary, numbers, [_term_table(listed)])
+
+
+def _term_table(listed: Mapping[float, Sequence[Term]]) -> Table:
+    rows: list[list[Cell]] = []
+    for i, term in enumerate(listed[SHOWN]):
+        sizes = [1000 * listed[rate][i].rms for rate in RATES]
+        rows.append([term.equation, term.text, "kept" if term.kept else "left out", *sizes])
+    header = ["equation", "term", "published model", *(f"{rate:g} rad/s" for rate in RATES)]
+    caption = (
+        f"RMS of every term [mN m] along the run, from {JOLT:g} s on, while driving at {WHEEL_RATE:g} rad/s of wheel"
+    )
+    return Table(header, rows, caption, digits=3)
+
+
+def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, Log]) -> Finding:
+    errors = {
+        rate: {
+            name: {state: off(log, runs["twin"], state) for state in JUDGED.values()}
+            for name, log in runs.items()
+            if name != "twin"
+        }
+        for rate, runs in logs.items()
+    }
+    limits = {
+        contact: {name: off(logs[SHOWN][name], twin, "pitch").rms for name in ("complete", "published")}
+        for contact, twin in stiffened.items()
+    }
+    soft, stiff = (limits[c] for c in (CONTACTS[0], CONTACTS[-1]))
+    at = errors[SHOWN]
+    complete, published = (_percent(at[name]["pitch"].rms) for name in ("complete", "published"))
+    summary = (
+        f"MuJoCo, which knows nothing of either derivation, sides with the complete model: turning at {SHOWN:g} rad/s "
+        f"its pitch is {complete} of the peak off the twin’s (RMS), that of the published one {published}. "
+        "What limits the agreement is the twin’s contact, which slips a little while it settles, most of all in the "
+        f"jolt of the start: from a contact time of {1000 * CONTACTS[0]:g} ms to {1000 * CONTACTS[-1]:g} ms the "
+        f"complete model’s error falls from {_percent(soft['complete'])} to {_percent(stiff['complete'])}, the "
+        f"published model’s stays ({_percent(soft['published'])}, {_percent(stiff['published'])})."
+    )
+    numbers = {
+        "off_the_twin": {
+            f"{rate:g}": {name: {state: vars(o) for state, o in of.items()} for name, of in models.items()}
+            for rate, models in errors.items()
+        },
+        "pitch_rms_by_contact_time": {f"{contact:g}": of for contact, of in limits.items()},
+    }
+    items = [_error_table(errors), _contact_table(limits), _pitch_figure(logs[SHOWN], at), _error_figure(logs, errors)]
+    saved = {f"turning-{name}": log for name, log in logs[SHOWN].items() if name in ("twin", "complete", "published")}
+    return Finding("2b", "MuJoCo as judge of the two models", BEYOND, summary, numbers, items, saved)
+
+
+def _error_table(errors: Mapping[float, Mapping[str, Mapping[str, Off]]]) -> Table:
+    rows: list[list[Cell]] = []
+    for rate, models in errors.items():
+        for name, of in models.items():
+            shares = [100 * value for state in JUDGED.values() for value in (of[state].rms, of[state].largest)]
+            rows.append([f"{rate:g}", name, *shares])
+    header = ["yaw [rad/s]", "model", *(f"{text}, {kind}" for text in JUDGED for kind in ("RMS", "largest"))]
+    return Table(header, rows, "Difference from the twin [% of the twin’s peak]", digits=2)
+
+
+def _contact_table(limits: Mapping[float, Mapping[str, float]]) -> Table:
+    rows: list[list[Cell]] = [
+        [1000 * contact, *(100 * of[name] for name in ("complete", "published"))] for contact, of in limits.items()
+    ]
+    caption = f"RMS of pitch over the twin's peak at {SHOWN:g} rad/s, against the contact time of the twin"
+    return Table(["contact time [ms]", "complete [%]", "published [%]"], rows, caption, digits=2)
+
+
+def _pitch_figure(runs: Mapping[str, Log], at: Mapping[str, Mapping[str, Off]]) -> Figure:
+    drawn = ("twin", "complete", "published")
+    pitch = Panel("pitch ψ", "rad", [Trace(n, runs[n].t, runs[n]["truth/pitch"], style=i) for i, n in enumerate(drawn)])
+    complete, published = (_percent(at[name]["pitch"].rms) for name in ("complete", "published"))
+    title = (
+        f"Turning at {SHOWN:g} rad/s: pitch of the complete model is {complete} off the twin, "
+        f"of the published one {published} (RMS over peak)"
+    )
+    return Figure(title, [pitch, _difference(runs, "pitch ψ minus the twin's")])
+
+
+def _error_figure(
+    logs: Mapping[float, Mapping[str, Log]], errors: Mapping[float, Mapping[str, Mapping[str, Off]]]
+) -> Figure:
+    panels = [_difference(runs, f"pitch ψ minus the twin's at {rate:g} rad/s of yaw") for rate, runs in logs.items()]
+    worst = {name: max(of[name]["pitch"].largest for of in errors.values()) for name in ("complete", "published")}
+    title = (
+        f"The published model's error grows with the yaw rate, to {_percent(worst['published'])} of the peak; "
+        f"the complete model stays within {_percent(worst['complete'])}"
+    )
+    return Figure(title, panels)
+
+
+def _difference(runs: Mapping[str, Log], label: str) -> Panel:
+    twin = runs["twin"]["truth/pitch"]
+    traces = [
+        Trace(name, runs[name].t, 1000 * (runs[name]["truth/pitch"] - twin), style=style)
+        for style, name in enumerate(("complete", "published"), start=1)
+    ]
+    return Panel(label, "mrad", traces)
+
+
+def _percent(part: float) -> str:
+    return f"{cell_text(100 * part, 2)} %"
+
+
+def _keyed(shares: Mapping[float, float]) -> dict[str, float]:
+    return {f"{rate:g}": value for rate, value in shares.items()}
+
+
+def _rates() -> str:
+    return ", ".join(f"{rate:g}" for rate in RATES)
+
+
+def _shares(of: Mapping[float, float]) -> str:
+    return ", ".join(f"{100 * value:.2g}" for value in of.values())
