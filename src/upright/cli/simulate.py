@@ -32,7 +32,8 @@ def simulate(
         str | None, typer.Option(help="Electronics by name or TOML file; ideal for none (default: the robot's own).")
     ] = None,
     controller: Annotated[
-        str | None, typer.Option("--controller", "-c", help="By name (default: lqr, or lqr-state with --kit ideal).")
+        str | None,
+        typer.Option("--controller", "-c", help="By name or JSON file (default: lqg, or lqr-state with --kit ideal)."),
     ] = None,
     gains: Annotated[
         str | None,
@@ -80,7 +81,7 @@ def _fitted(
 ) -> tuple[Any, Controller]:
     """The body inside its electronics and a controller that can read what it offers."""
     from upright.bodies import Electronics, make_body
-    from upright.control import make_controller
+    from upright.control import find_controller
     from upright.robots.files import find_kit
 
     bare, parts = make_body(body, robot), find_kit(kit)
@@ -91,7 +92,7 @@ def _fitted(
         raise InvalidController("both --controller and --gains", expected="one of them")
     if gains is not None:
         return plant, _state_feedback(gains, robot, None if ideal else parts, dt)
-    return plant, make_controller(controller or ("lqr-state" if ideal else "lqr"), robot, parts, dt)
+    return plant, find_controller(controller or ("lqr-state" if ideal else "lqg"), robot, parts, dt)
 
 
 def _state_feedback(gains: str, robot: Robot, kit: Kit | None, dt: float) -> Controller:

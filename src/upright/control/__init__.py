@@ -14,16 +14,31 @@ from upright.control.estimators import Kalman as Kalman
 from upright.control.estimators import complementary as complementary
 from upright.control.estimators import kalman as kalman
 from upright.control.feedback import StateFeedback as StateFeedback
+from upright.control.files import read_controller as read_controller
+from upright.control.files import write_controller as write_controller
+from upright.control.linear_controller import LinearController as LinearController
+from upright.control.linear_controller import as_linear as as_linear
+from upright.control.lqg import lqg as lqg
+from upright.control.lqi import lqi as lqi
 from upright.control.lqr import Lqr as Lqr
 from upright.control.lqr import bryson as bryson
 from upright.control.lqr import dlqr as dlqr
 from upright.control.lqr import lqr as lqr
+from upright.control.mpc import mpc as mpc
+from upright.control.pid import pid as pid
+from upright.control.sliding import sliding as sliding
 from upright.errors import UnknownName
 from upright.robots import Kit, Robot
 
 CONTROLLERS: dict[str, Callable[[Robot, Kit, float], Controller]] = {
+    # a plain regulator behind a filter that knows no delay: the baseline of all others
     "lqr": lambda robot, kit, dt: Estimated(lqr(robot, dt), kalman(robot, kit, dt)),
     "lqr-complementary": lambda robot, kit, dt: Estimated(lqr(robot, dt), complementary(robot, kit, dt)),
+    "lqi": lqi,
+    "lqg": lqg,
+    "pid": pid,
+    "mpc": mpc,
+    "sliding": sliding,
     "lqr-state": lambda robot, kit, dt: lqr(robot, dt),  # noqa: ARG005 (it reads the truth, not the kit)
 }
 
@@ -33,3 +48,10 @@ def make_controller(name: str, robot: Robot, kit: Kit, dt: float) -> Controller:
     if name not in CONTROLLERS:
         raise UnknownName("controller", name, CONTROLLERS)
     return CONTROLLERS[name](robot, kit, dt)
+
+
+def find_controller(name_or_path: str, robot: Robot, kit: Kit, dt: float) -> Controller:
+    """The controller in the file of that path if it ends in `.json`, else the registered one of that name."""
+    if name_or_path.endswith(".json"):
+        return read_controller(name_or_path)
+    return make_controller(name_or_path, robot, kit, dt)

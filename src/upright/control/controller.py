@@ -43,9 +43,9 @@ class Controller(Protocol):
     """`reset()` forgets everything; `step(measurement, reference)` gives the command (left, right).
 
     `measurement` holds the channels of `spec.reads`, shape (len(reads),); `reference` is the wanted state,
-    shape (6,), zero for standing still. `applied(command)` tells what the motors really did with the last
-    command (saturation); most controllers ignore it. `to_json()` says everything that decides its commands,
-    so that its hash identifies it.
+    shape (6,), zero for standing still. `applied(command)` tells what the motors really did, as it stood at the end
+    of the period (saturated, perhaps late); most controllers ignore it. `to_json()` says everything that decides its
+    commands, so that its hash identifies it.
     """
 
     @property

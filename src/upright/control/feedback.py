@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -28,6 +28,7 @@ class StateFeedback:
     command_unit: str = "V"
     kind: str = "state feedback"
     spec: ControllerSpec = field(init=False)
+    _times: Callable[[Array], Array] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         gain = np.array(self.gain, dtype=np.float64)
@@ -44,6 +45,7 @@ class StateFeedback:
             raise InvalidController(f"the period is {self.period} s", expected="a positive number")
         gain.setflags(write=False)
         object.__setattr__(self, "gain", gain)
+        object.__setattr__(self, "_times", gain.dot)
         object.__setattr__(self, "spec", ControllerSpec(self.kind, TRUE_STATE, self.period, self.command_unit))
 
     @classmethod
@@ -58,8 +60,8 @@ class StateFeedback:
         """Nothing is remembered."""
 
     def step(self, measurement: Array, reference: Array) -> tuple[float, float]:
-        left, right = self.gain @ (reference - measurement)
-        return float(left), float(right)
+        left, right = self._times(reference - measurement).tolist()
+        return left, right
 
     def estimate(self) -> Sequence[float]:
         """It has no opinion of its own."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,6 +18,8 @@ Array = NDArray[np.float64]
 # Bryson's rule: a deviation or a command of this size costs one.
 LARGEST_STATE = (0.15, 1.5, 4.0, 15.0, 0.5, 3.0)  # [rad, rad/s, rad, rad/s, rad, rad/s]
 LARGEST_COMMAND = {"V": 4.0, "N m": 0.15}
+
+_LEFT = 1e-9  # a mode that Q does not see stays on the unit circle, to rounding on either side of it
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,10 +42,7 @@ class Lqr(StateFeedback):
 
     def check(self) -> float:
         """Largest entry of AᵀPA − P − AᵀPB(R + BᵀPB)⁻¹BᵀPA + Q, relative to P's largest."""
-        A, B, P = self.model.A, self.model.B, self.cost
-        coupling = A.T @ P @ B
-        residual = A.T @ P @ A - P - coupling @ np.linalg.solve(self.R + B.T @ P @ B, coupling.T) + self.Q
-        return float(np.abs(residual).max() / np.abs(P).max())
+        return riccati_residual(self.model.A, self.model.B, self.Q, self.R, self.cost)
 
 
 def bryson(largest: ArrayLike) -> Array:
@@ -70,14 +68,15 @@ def dlqr(model: LinearModel, Q: ArrayLike, R: ArrayLike, command_unit: str = "V"
     """The regulator of a discrete linear model (Åström and Wittenmark 1997, theorem 11.2)."""
     if model.dt is None:
         raise DesignFailed("the model is continuous", expected="a discrete one", mend="call model.c2d(dt)")
-    weight, price = _weight(Q, len(model.states), "Q"), _weight(R, len(model.inputs), "R")
+    weight, price = weight_matrix(Q, len(model.states), "Q"), weight_matrix(R, len(model.inputs), "R")
     if np.linalg.eigvalsh(price)[0] <= 0:
         raise DesignFailed("R is not positive definite", expected="a price on every command", mend="raise its diagonal")
-    cost, gain = _solve(model, weight, price)
+    cost, gain = riccati(model, weight, price)
     return Lqr(gain, model.dt, command_unit, "lqr", model=model, Q=weight, R=price, cost=cost)
 
 
-def _solve(model: LinearModel, Q: Array, R: Array) -> tuple[Array, Array]:
+def riccati(model: LinearModel, Q: Array, R: Array) -> tuple[Array, Array]:
+    """The stabilising solution P of the discrete Riccati equation and its gain K; `DesignFailed` where none is."""
     from scipy.linalg import LinAlgError, solve_discrete_are
 
     A, B = model.A, model.B
@@ -85,7 +84,7 @@ def _solve(model: LinearModel, Q: Array, R: Array) -> tuple[Array, Array]:
     with contextlib.suppress(LinAlgError, ValueError):
         cost = np.asarray(solve_discrete_are(A, B, Q, R), dtype=np.float64)
     gain = np.asarray(np.linalg.solve(R + B.T @ cost @ B, B.T @ cost @ A), dtype=np.float64)
-    if not np.isfinite(cost).all() or np.abs(np.linalg.eigvals(A - B @ gain)).max() >= 1:
+    if not np.isfinite(cost).all() or np.abs(np.linalg.eigvals(A - B @ gain)).max() > 1 - _LEFT:
         raise DesignFailed(
             "no gain stabilises this model under these weights",
             expected="every unstable or weightless mode to be reached by the commands and seen by Q",
@@ -95,7 +94,8 @@ def _solve(model: LinearModel, Q: Array, R: Array) -> tuple[Array, Array]:
     return cost, gain
 
 
-def _weight(weight: ArrayLike, size: int, name: str) -> Array:
+def weight_matrix(weight: ArrayLike, size: int, name: str) -> Array:
+    """A symmetric, non-negative (size, size) from a matrix or its diagonal; `DesignFailed` says what is wrong."""
     matrix = np.array(weight, dtype=np.float64)
     matrix = np.diag(matrix) if matrix.ndim == 1 else matrix
     if matrix.shape != (size, size):
@@ -107,7 +107,8 @@ def _weight(weight: ArrayLike, size: int, name: str) -> Array:
     return matrix
 
 
-def describe(design: Lqr) -> dict[str, Any]:
-    """Gain, poles and Riccati residual as plain numbers."""
-    poles = [[float(p.real), float(p.imag)] for p in design.poles]
-    return {"gain": design.gain.tolist(), "poles": poles, "residual": design.check()}
+def riccati_residual(A: Array, B: Array, Q: Array, R: Array, P: Array) -> float:
+    """Largest entry of AᵀPA − P − AᵀPB(R + BᵀPB)⁻¹BᵀPA + Q, relative to P's largest."""
+    coupling = A.T @ P @ B
+    residual = A.T @ P @ A - P - coupling @ np.linalg.solve(R + B.T @ P @ B, coupling.T) + Q
+    return float(np.abs(residual).max() / np.abs(P).max())

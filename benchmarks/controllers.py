@@ -1,0 +1,99 @@
+"""Every registered controller on every preset through both of the paper's pushes, on raw sensors: one table.
+
+Run: python benchmarks/controllers.py [--body twin|nonlinear] [--robot NAME ...] [--controller NAME ...] [--seeds N].
+The robot is held at +0.1 and −0.12 rad until 8 s and then released. Each row is the worst of its seeds: how many fell,
+the largest pitch, when it settled after the release, how far it stood from its place at the end of the hold, the mean
+size of the applied command, the share of samples at the limit, and the chattering of the command.
+"""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import dataclass
+
+import numpy as np
+
+from upright.bodies import Electronics, make_body
+from upright.control import CONTROLLERS, make_controller
+from upright.control.mpc import largest_command
+from upright.control.sliding import chattering
+from upright.errors import UprightError
+from upright.experiment import Hold, run
+from upright.robots import Kit, Robot, preset_names
+from upright.signals import Log
+
+HOLDS, RELEASE, SECONDS = (0.1, -0.12), 8.0, 16.0
+BAND = 0.1  # of the hold: what is called settled; sensors of a degree leave no less
+
+
+@dataclass
+class Row:
+    """One run in numbers."""
+
+    fell_at: float
+    peak: float
+    settling: float
+    offset: float
+    effort: float
+    limited: float
+    chatter: float
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--body", default="twin")
+    parser.add_argument("--robot", nargs="*", default=preset_names())
+    parser.add_argument("--controller", nargs="*", default=[name for name in CONTROLLERS if name != "lqr-state"])
+    parser.add_argument("--seeds", type=int, default=1)
+    options = parser.parse_args()
+    columns = {"hold": 6, "fell": 6, "peak": 7, "settled": 9, "offset": 8, "effort": 8, "limit": 7, "chatter": 9}
+    head = f"{'robot':<20}{'controller':<18}" + "".join(f"{name:>{width}}" for name, width in columns.items())
+    print(f"{options.body}, {options.seeds} seed(s)", head, sep="\n")
+    for name in options.robot:
+        robot = Robot.preset(name)
+        for controller in options.controller:
+            for pitch in HOLDS:
+                print(line(robot, controller, pitch, options.body, options.seeds), flush=True)
+
+
+def line(robot: Robot, name: str, pitch: float, body: str, seeds: int) -> str:
+    """One row of the table; what cannot be designed says why."""
+    kit = Kit.preset(robot.kit)
+    label = f"{robot.name:<20}{name:<18}{pitch:>6.2f}"
+    try:
+        controller = make_controller(name, robot, kit, kit.period)
+    except UprightError as error:
+        return f"{label}  {error}"
+    plant = Electronics(make_body(body, robot), kit)
+    hold = Hold(pitch=pitch, until=RELEASE)
+    logs = [run(plant, controller, hold, seconds=SECONDS, seed=seed) for seed in range(1, seeds + 1)]
+    rows = [row(log, robot, kit, pitch) for log in logs]
+    plant.close()
+    falls = [r.fell_at for r in rows if np.isfinite(r.fell_at)]
+    fell = f"{min(falls):.1f}s" if falls else "no"
+    worst = [
+        max(getattr(r, field) for r in rows) for field in ("peak", "settling", "offset", "effort", "limited", "chatter")
+    ]
+    numbers = zip(worst, ("7.3f", "9.2f", "8.3f", "8.3f", "7.1%", "9.2f"), strict=True)
+    return f"{label}{fell:>6}" + "".join(format(value, form) for value, form in numbers)
+
+
+def row(log: Log, robot: Robot, kit: Kit, pitch: float) -> Row:
+    """Pitch [rad], settling [s], offset [m], effort [V or N m], chatter [the same per second] of one run."""
+    t, truth, wheel = log.t, log["truth/pitch"], log["truth/wheel"]
+    command = np.column_stack([log["command/left"], log["command/right"]])
+    applied = np.column_stack([log["applied/left"], log["applied/right"]])
+    fell = log.origin["outcome"]["fell"]
+    moving = np.flatnonzero((np.abs(truth) > BAND * abs(pitch)) & (t >= RELEASE))
+    settling = np.inf if fell else (t[moving[-1]] - RELEASE if len(moving) else 0.0)
+    held = wheel[t < RELEASE][-1]
+    return Row(
+        float(log.origin["outcome"]["seconds"]) if fell else np.inf,
+        float(np.abs(truth).max()), float(settling), float(abs(held) * robot.wheel_radius),
+        float(np.abs(applied).mean()), float((np.abs(command) > largest_command(robot, kit)).any(axis=1).mean()),
+        chattering(command, kit.period),
+    )  # fmt: skip
+
+
+if __name__ == "__main__":
+    main()

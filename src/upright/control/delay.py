@@ -1,0 +1,206 @@
+"""The robot as its controller meets it, once a period: dead time and late sensors become states.
+
+Between two samples the motors see the command of before and, after the fraction of a period that is left of the dead
+time, a newer one (Åström and Wittenmark 1997, section 2.3). A late sensor reads an earlier state, between samples too.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.control.controller import TRUE_STATE
+from upright.errors import DesignFailed, SpecMismatch
+from upright.physics.linear import LinearModel, linearise
+from upright.robots import Kit, Robot, Sensor
+from upright.signals import STATE_NAMES
+
+Array = NDArray[np.float64]
+
+RAW = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro")
+GYRO = RAW[2]
+SIDES = ("left", "right")
+
+_SAME = 1e-9  # of a period: equal times may differ by rounding
+_FINEST = 1e-10  # [unit²] variance of a sensor said to be perfect, so that the filter stays defined
+_LONGEST = 50  # periods of delay: beyond, the states would be many and the loop hopeless
+
+
+@dataclass(frozen=True, eq=False)
+class SampledRobot:
+    """`robot` every `dt` [s] between `delay` whole periods (and a fraction) of dead time and late sensors.
+
+    What an estimator follows: p⁺ = A p + before·a⁻ + now·a, y = C p, where a is the command that was really applied
+    at the end of the period and a⁻ the one of the period before. p holds the robot's six states, a gyro's bias [rad/s]
+    where one is read, a push at the centre of mass [N], and the readings still on their way. `noise` is the readings'
+    variance and `pushed` what 1 N does to p in a period.
+
+    What a regulator steers: `plant`, x⁺ = A x + B u of the six states and the commands sent before, newest first.
+    """
+
+    robot: Robot
+    kit: Kit
+    dt: float
+    reads: tuple[str, ...]
+    delay: int
+    names: tuple[str, ...]
+    A: Array
+    before: Array
+    now: Array
+    C: Array
+    noise: Array
+    pushed: Array
+    plant: LinearModel
+
+    @property
+    def history(self) -> int:
+        """How many earlier commands the plant remembers."""
+        return (len(self.plant.states) - 6) // 2
+
+
+def sampled(robot: Robot, kit: Kit, dt: float | None = None, reads: Sequence[str] = RAW) -> SampledRobot:
+    """`robot` under `kit` every `dt` [s] (None: the kit's period), seen through the channels `reads`.
+
+    Raises `SpecMismatch` for a channel the kit does not have, `DesignFailed` for a period or a delay out of reason.
+    """
+    period = kit.period if dt is None else dt
+    if not (math.isfinite(period) and 0 < period <= 1):
+        raise DesignFailed(f"a period of {period} s", expected="between 0 and 1 s", likely="milliseconds")
+    rows = [(_sensor(kit, name), _row(robot, name)) for name in reads]
+    late = max([kit.delay + kit.jitter / 2, *(sensor.delay for sensor, _ in rows)])
+    if late > _LONGEST * period:
+        raise DesignFailed(
+            f"a delay of {late:g} s at a period of {period:g} s", expected=f"at most {_LONGEST} periods",
+            mend="lengthen the period",
+        )  # fmt: skip
+    between = _Between(robot, period, kit.delay + kit.jitter / 2)
+    return _assembled(robot, kit, tuple(reads), between, rows)
+
+
+class _Between:
+    """x(t + h) for 0 ≤ h ≤ dt: Φ(h) x + Γ⁻(h) a⁻ + Γ(h) a + ε(h) F."""
+
+    def __init__(self, robot: Robot, dt: float, dead: float) -> None:
+        self.model, self.dt, self.height = linearise(rolling(robot)), dt, robot.com_height
+        self.delay = math.floor(dead / dt + _SAME)
+        rest = dead - self.delay * dt
+        self.rest = rest if rest > _SAME * dt else 0.0
+
+    def __call__(self, h: float) -> tuple[Array, Array, Array, Array]:
+        first, second = min(h, self.rest), max(h - self.rest, 0.0)
+        phi, old, push = self._held(first)
+        phi2, new, push2 = self._held(second)
+        return phi2 @ phi, phi2 @ old, new, phi2 @ push + push2
+
+    def _held(self, h: float) -> tuple[Array, Array, Array]:
+        if h <= 0:
+            return np.eye(6), np.zeros((6, 2)), np.zeros(6)
+        held = self.model.c2d(h)
+        return held.A, held.B, held.E[:, 0] + self.height * held.E[:, 1]
+
+
+def rolling(robot: Robot, rate: float = 3.0) -> Robot:
+    """The robot with its Coulomb friction replaced by the damping that brakes alike at `rate` [rad/s].
+
+    At rest a smoothed Coulomb friction has its steepest slope, which would pass for a brake that no moving robot has.
+    """
+    if not robot.coulomb_friction:
+        return robot
+    secant = robot.coulomb_friction / math.hypot(rate, robot.stiction_rate)
+    return robot.replace(coulomb_friction=0.0, motor_friction=robot.motor_friction + secant)
+
+
+def _assembled(
+    robot: Robot, kit: Kit, reads: tuple[str, ...], between: _Between, rows: list[tuple[Sensor, Array]]
+) -> SampledRobot:
+    extra = ["gyro_bias"] * (GYRO in reads) + ["push"]
+    lines = [_line(sensor.delay, between.dt) for sensor, _ in rows]
+    late = [f"{name}@{i + 1}" for name, (count, _) in zip(reads, lines, strict=True) for i in range(count)]
+    names = (*STATE_NAMES, *extra, *late)
+    n, push = len(names), len(STATE_NAMES) + len(extra) - 1
+    A, before, now, pushed, C = (
+        np.zeros((n, n)),
+        np.zeros((n, 2)),
+        np.zeros((n, 2)),
+        np.zeros(n),
+        np.zeros((len(rows), n)),
+    )
+
+    def moves(row: int, c: Array, h: float) -> None:
+        phi, old, new, force = between(h)
+        A[row, :6], A[row, push], before[row], now[row], pushed[row] = c @ phi, c @ force, c @ old, c @ new, c @ force
+
+    for i in range(6):
+        moves(i, np.eye(6)[i], between.dt)
+    A[range(6, push + 1), range(6, push + 1)] = 1.0
+    place = push + 1
+    for i, ((_, c), (count, h)) in enumerate(zip(rows, lines, strict=True)):
+        if count:
+            moves(place, c, h)
+            A[range(place + 1, place + count), range(place, place + count - 1)] = 1.0
+            C[i, place + count - 1] = 1.0
+        else:
+            C[i, :6] = c
+        place += count
+    if GYRO in reads:
+        C[reads.index(GYRO), 6] = 1.0
+    noise = np.diag([max(s.noise**2 + s.quantum**2 / 12, _FINEST) for s, _ in rows])
+    plant = _plant(between)
+    return SampledRobot(
+        robot, kit, between.dt, reads, between.delay, names, A, before, now, C, noise, pushed, plant
+    )  # fmt: skip
+
+
+def _line(delay: float, dt: float) -> tuple[int, float]:
+    """How many states a reading waits in, and how long into the period the state is that enters the first."""
+    whole = math.floor(delay / dt + _SAME)
+    rest = delay - whole * dt
+    return (whole, 0.0) if rest <= _SAME * dt else (whole + 1, dt - rest)
+
+
+def _plant(between: _Between) -> LinearModel:
+    d, h = between.delay, between.delay + (between.rest > 0)
+    phi, old, new, push = between(between.dt)
+    n = 6 + 2 * h
+    A, B, E = np.zeros((n, n)), np.zeros((n, 2)), np.zeros((n, 1))
+    A[:6, :6], E[:6, 0] = phi, push
+    if between.rest > 0:
+        A[:6, 6 + 2 * d : 8 + 2 * d] = old
+    if d:
+        A[:6, 4 + 2 * d : 6 + 2 * d] = new
+    else:
+        B[:6] = new
+    if h:
+        B[6:8] = np.eye(2)
+        A[8:, 6:-2] = np.eye(n - 8)
+    sent = tuple(f"sent_{i + 1}/{side}" for i in range(h) for side in SIDES)
+    return LinearModel(A, B, (*STATE_NAMES, *sent), SIDES, between.dt, E, ("push",))
+
+
+def _sensor(kit: Kit, name: str) -> Sensor:
+    if name in TRUE_STATE:
+        return Sensor()
+    if name not in kit.sensors:
+        raise SpecMismatch(
+            f"kit '{kit.name}' has no {name}", expected="the sensors the controller reads: both encoders and a gyro"
+        )
+    return kit.sensors[name]
+
+
+def _row(robot: Robot, name: str) -> Array:
+    """How the channel `name` reads the six states."""
+    turn = robot.track / (2 * robot.wheel_radius)
+    rows = {
+        "sensor/encoder_left": [-1, 0, 1, 0, -turn, 0],
+        "sensor/encoder_right": [-1, 0, 1, 0, turn, 0],
+        "sensor/gyro": [0, 1, 0, 0, 0, 0],
+        "sensor/compass": [0, 0, 0, 0, 1, 0],
+        **dict(zip(TRUE_STATE, np.eye(6).tolist(), strict=True)),
+    }
+    if name not in rows:
+        raise SpecMismatch(f"no linear row for {name}", expected="one of " + ", ".join(rows))
+    return np.array(rows[name], dtype=np.float64)

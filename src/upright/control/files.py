@@ -1,0 +1,110 @@
+"""Controllers as files: JSON of everything that decides a command, with the hash that identifies it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from upright.control.controller import Controller, controller_hash
+from upright.control.estimators import Complementary, Estimated, Estimator, Kalman
+from upright.control.feedback import StateFeedback
+from upright.control.linear_controller import LinearController
+from upright.control.mpc import PredictiveController
+from upright.control.sliding import SlidingMode
+from upright.errors import InvalidController, UprightError
+
+VERSION = 1
+
+
+def write_controller(controller: Controller, path: str | Path) -> Path:
+    """Write `controller` as JSON and return the path; `InvalidController` for a kind that no file can bring back."""
+    target = Path(path)
+    form = _form(controller)
+    data = {"file": "upright controller", "version": VERSION, "form": form, "hash": controller_hash(controller)}
+    text = json.dumps(data | {"controller": controller.to_json()}, indent=1, ensure_ascii=False, allow_nan=False)
+    try:
+        target.write_text(text + "\n", encoding="utf-8")
+    except OSError as error:
+        raise InvalidController(
+            f"cannot write {target}: {error.strerror}", mend="choose a folder that exists"
+        ) from None
+    return target
+
+
+def read_controller(path: str | Path) -> Controller:
+    """The controller of a file by `write_controller`, commanding alike to rounding.
+
+    Raises `InvalidController` for a file that is none, is broken, or was changed: its hash then does not fit.
+    """
+    data = _read(Path(path))
+    form = data.get("form")
+    if not isinstance(form, str) or form not in FORMS:
+        raise InvalidController(f"{path} holds a controller of form {form!r}", expected="one of " + ", ".join(FORMS))
+    try:
+        controller = FORMS[form][1](data["controller"])
+    except UprightError:
+        raise
+    except (KeyError, TypeError, ValueError, IndexError) as error:
+        raise _broken(path, f"{type(error).__name__}: {error}") from None
+    if controller_hash(controller) != data.get("hash"):
+        raise InvalidController(
+            f"{path} was changed after it was written: its hash does not fit", likely="an edit by hand",
+            mend="design the controller anew, or write it with write_controller",
+        )  # fmt: skip
+    return controller
+
+
+def _read(path: Path) -> dict[str, Any]:
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InvalidController(f"cannot read {path}: {error.strerror}", expected="a controller file") from None
+    except ValueError as error:
+        raise _broken(path, str(error)) from None
+    if not isinstance(data, dict) or data.get("file") != "upright controller":
+        raise InvalidController(f"{path} is no controller file", expected="JSON by write_controller or upright design")
+    if data.get("version") != VERSION:
+        raise InvalidController(f"{path} is of version {data.get('version')}", expected=f"version {VERSION}")
+    return data
+
+
+def _broken(path: str | Path, why: str) -> InvalidController:
+    return InvalidController(f"{path} is broken ({why})", expected="JSON by write_controller")
+
+
+def _form(controller: Controller) -> str:
+    for name, (kind, _) in FORMS.items():
+        inside = [controller.controller] if isinstance(controller, Estimated) else []
+        if isinstance(controller, kind) and all(isinstance(part, StateFeedback) for part in inside):
+            return name
+    raise InvalidController(f"a {controller.spec.kind} cannot be written", expected="one of " + ", ".join(FORMS))
+
+
+def _feedback(data: dict[str, Any]) -> StateFeedback:
+    return StateFeedback(np.array(data["gain"]), data["period"], data["command_unit"], data["kind"])
+
+
+def _estimated(data: dict[str, Any]) -> Estimated:
+    return Estimated(_feedback(data["controller"]), _estimator(dict(data["estimator"])))
+
+
+def _estimator(data: dict[str, Any]) -> Estimator:
+    kind, reads = data.pop("kind"), tuple(data.pop("reads"))
+    if kind == "complementary filter":
+        return Complementary(**data)
+    matrices = {name: np.array(data[name], dtype=np.float64) for name in "ABCL"}
+    return Kalman(**matrices, reads=reads)
+
+
+FORMS: dict[str, tuple[type, Callable[[dict[str, Any]], Controller]]] = {
+    "state feedback": (StateFeedback, _feedback),
+    "estimated state feedback": (Estimated, _estimated),
+    "linear": (LinearController, LinearController.from_json),
+    "sliding": (SlidingMode, SlidingMode.from_json),
+    "mpc": (PredictiveController, PredictiveController.from_json),
+}
+"""What a file can hold, and how it comes back; a new form is one line."""

@@ -1,0 +1,175 @@
+"""One discrete state-space system: the form of every linear controller with a memory."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, fields
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from upright.control.controller import Controller, ControllerSpec
+from upright.control.estimators import Estimated, Kalman
+from upright.control.feedback import StateFeedback
+from upright.errors import InvalidController
+
+Array = NDArray[np.float64]
+
+MATRICES = ("A", "By", "Br", "Ba", "C", "Dy", "Dr", "S", "Sy")
+
+
+class Design(Protocol):
+    """How a controller was found: `check()` re-computes a residual from the design's own fields (zero is perfect)."""
+
+    def check(self) -> float: ...
+
+
+@dataclass(eq=False)
+class LinearController:
+    """z⁺ = A z + By y + Br r + Ba a, u = C z + Dy y + Dr r, x̂ = S z + Sy y, every `period` [s].
+
+    y are the channels `reads`, r the reference state (6,), u the command (2,) and a the one that the motors really
+    applied, so that saturation winds nothing up. x̂ (6,) is the controller's opinion of the state; S and Sy stay empty
+    where it has none. Raises `InvalidController` for matrices that do not fit each other or are not finite.
+    """
+
+    A: Array
+    By: Array
+    Br: Array
+    Ba: Array
+    C: Array
+    Dy: Array
+    Dr: Array
+    reads: tuple[str, ...]
+    period: float
+    S: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    Sy: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    command_unit: str = "V"
+    kind: str = "linear controller"
+    design: Design | None = field(default=None, repr=False)
+    spec: ControllerSpec = field(init=False)
+
+    def __post_init__(self) -> None:
+        n, m, opinions = len(self.A), len(self.reads), np.shape(self.S)[0]
+        shapes = {"A": (n, n), "By": (n, m), "Br": (n, 6), "Ba": (n, 2), "C": (2, n), "Dy": (2, m), "Dr": (2, 6)}
+        shapes |= {"S": (6, n), "Sy": (6, m)} if opinions else {"S": (0, 0), "Sy": (0, 0)}
+        for name, shape in shapes.items():
+            setattr(self, name, finite_matrix(getattr(self, name), name, shape))
+        if not (np.isfinite(self.period) and self.period > 0):
+            raise InvalidController(f"the period is {self.period} s", expected="a positive number")
+        self.reads = tuple(self.reads)
+        self.spec = ControllerSpec(self.kind, self.reads, self.period, self.command_unit, estimates=opinions > 0)
+        self._stack()
+        self.reset()
+
+    def _stack(self) -> None:
+        """One matrix from [p, a, x̂, y, r] to [p, u, x̂], with p = z − Ba a: the product needs no command but the last.
+
+        It writes where the next step reads, u in the place of a, so that a command nobody corrects counts as applied.
+        """
+        n, m, opinions = len(self.A), len(self.reads), len(self.S)
+        states = np.vstack([self.A, self.C, self.S.reshape(opinions, n)])
+        readings = np.vstack([self.By, self.Dy, self.Sy.reshape(opinions, m)])
+        wanted = np.vstack([self.Br, self.Dr, np.zeros((opinions, 6))])
+        stacked = np.hstack([states, states @ self.Ba, np.zeros((len(states), opinions)), readings, wanted])
+        self._dot = np.ascontiguousarray(stacked).dot
+        self._memory = np.zeros((2, stacked.shape[1]))
+        top, own = len(states), slice(n, n + 2)
+        first, second = self._memory
+        self._turns = [
+            (w, w[top : top + m], w[top + m :], other[:top], other[own], w[own], w[n + 2 : top])
+            for w, other in ((first, second), (second, first))
+        ]
+
+    def reset(self) -> None:
+        self._memory[:] = 0.0
+        self._now, self._next = self._turns
+
+    def step(self, measurement: Array, reference: Array) -> tuple[float, float]:
+        w, y, r, result, u, _, _ = self._now
+        y[:] = measurement
+        r[:] = reference
+        self._dot(w, result)
+        self._now, self._next = self._next, self._now
+        left, right = u.tolist()
+        return left, right
+
+    def estimate(self) -> Sequence[float]:
+        return self._now[6].tolist()
+
+    def applied(self, command: Sequence[float]) -> None:
+        a = self._now[5]
+        a[0], a[1] = command
+
+    def check(self) -> float:
+        """The residual of the design, zero where there is none to check."""
+        return 0.0 if self.design is None else self.design.check()
+
+    def to_json(self) -> dict[str, Any]:
+        matrices = {name: getattr(self, name).tolist() for name in MATRICES if getattr(self, name).size}
+        facts = {"kind": self.kind, "reads": list(self.reads), "period": self.period, "command_unit": self.command_unit}
+        return facts | {"states": len(self.A)} | matrices
+
+    @classmethod
+    def from_json(cls, data: dict[str, Any]) -> LinearController:
+        """The inverse of `to_json`; the design's record stays behind."""
+        n, reads = int(data["states"]), tuple(data["reads"])
+        empty = {"A": (n, n), "By": (n, len(reads)), "Br": (n, 6), "Ba": (n, 2), "C": (2, n), "S": (0, 0), "Sy": (0, 0)}
+        given: dict[str, Any] = {name: data[name] if name in data else np.zeros(empty[name]) for name in MATRICES}
+        return cls(**given, reads=reads, period=data["period"], command_unit=data["command_unit"], kind=data["kind"])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Copies are made anew: what a step writes to and reads from is one memory."""
+        values = {f.name: getattr(self, f.name) for f in fields(self) if f.init}
+        return _remade, (values,)
+
+
+def _remade(values: dict[str, Any]) -> LinearController:
+    return LinearController(**values)
+
+
+def finite_matrix(given: ArrayLike, name: str, shape: tuple[int, int]) -> Array:
+    """A read-only copy of that shape; `InvalidController` says what is wrong with it."""
+    value = np.array(given, dtype=np.float64)
+    if value.size == 0 and 0 in shape:
+        value = np.zeros(shape)
+    if value.shape != shape:
+        raise InvalidController(f"{name} has shape {value.shape}", expected=f"{shape}", likely="a transpose")
+    if not np.isfinite(value).all():
+        raise InvalidController(f"{name} holds NaN or infinity", expected="finite numbers")
+    value.setflags(write=False)
+    return value
+
+
+def as_linear(controller: Controller) -> LinearController:
+    """The same commands from one state-space system: of a state feedback, alone or behind a Kalman filter.
+
+    Raises `InvalidController` for a controller that is not linear or whose form is not known here.
+    """
+    if isinstance(controller, LinearController):
+        return controller
+    if isinstance(controller, StateFeedback):
+        none = np.zeros((0, 0))
+        return _named(controller, none, none, none, none, none, -controller.gain, controller.gain)
+    if isinstance(controller, Estimated):
+        inner, filter_ = controller.controller, controller.estimator
+        if isinstance(inner, StateFeedback) and isinstance(filter_, Kalman):
+            return _behind(controller, inner.gain, filter_)
+    raise InvalidController(f"a {controller.spec.kind} has no known linear form", expected="a linear controller")
+
+
+def _behind(controller: Controller, gain: Array, filter_: Kalman) -> LinearController:
+    """u = −K (x̂ − r), where z is the filter's state before the reading."""
+    n = len(filter_.A)
+    after = np.eye(n) - filter_.L @ filter_.C
+    By, Br, Ba = filter_.A @ filter_.L, np.zeros((n, 6)), filter_.B
+    S, Sy = after[:6], filter_.L[:6]
+    return _named(controller, filter_.A @ after, By, Br, Ba, -gain @ S, -gain @ Sy, gain, S, Sy)
+
+
+def _named(like: Controller, *matrices: Array) -> LinearController:
+    A, By, Br, Ba, C, Dy, Dr, *opinion = matrices
+    spec = like.spec
+    S, Sy = opinion or (np.zeros((0, 0)), np.zeros((0, 0)))
+    return LinearController(A, By, Br, Ba, C, Dy, Dr, spec.reads, spec.period, S, Sy, spec.command_unit, spec.kind)

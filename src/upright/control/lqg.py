@@ -1,0 +1,70 @@
+"""LQG: the regulator behind a Kalman filter, with the dead time and every late sensor as states."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from upright.control.delay import RAW, SampledRobot, sampled
+from upright.control.filtering import DISTURBED, Disturbed, Filter, kalman_filter
+from upright.control.linear_controller import LinearController
+from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, riccati, riccati_residual, weight_matrix
+from upright.control.observer import observer, output_feedback
+from upright.errors import DesignFailed
+from upright.robots import Kit, Robot
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Lqg:
+    """u = u_r − K (x̂ − r) with K from Q, R and the cost P of `riccati`, and x̂ from the `filter`."""
+
+    filter: Filter
+    Q: Array
+    R: Array
+    P: Array
+    K: Array
+
+    def check(self) -> float:
+        """The larger of both Riccati residuals."""
+        plant = self.filter.seen.plant
+        return max(self.filter.check(), riccati_residual(plant.A, plant.B, self.Q, self.R, self.P))
+
+
+def lqg(
+    robot: Robot,
+    kit: Kit,
+    dt: float | None = None,
+    Q: ArrayLike | None = None,
+    R: ArrayLike | None = None,
+    *,
+    reads: tuple[str, ...] = RAW,
+    disturbed: Disturbed = DISTURBED,
+) -> LinearController:
+    """The linear quadratic Gaussian regulator (Anderson and Moore 1979, ch. 8) for `robot` on the sensors of `kit`.
+
+    Q (6, 6) or its diagonal (6,) weighs the state, R (2, 2) or (2,) the command; without them Bryson's rule. Raises
+    `DesignFailed` for weights of the wrong size or sign, or where no regulator or no filter exists.
+    """
+    seen = sampled(robot, kit, dt, reads)
+    estimator = kalman_filter(seen, disturbed)
+    weight, price = state_weight(seen, Q), command_weight(robot, R)
+    P, K = riccati(seen.plant, weight, price)
+    return output_feedback(observer(estimator), K, "lqg", Lqg(estimator, weight, price, P, K))
+
+
+def state_weight(seen: SampledRobot, Q: ArrayLike | None, largest: ArrayLike = LARGEST_STATE) -> Array:
+    """Q (6, 6), or its diagonal, or Bryson's rule, padded with zeros for the commands on their way."""
+    weight = weight_matrix(bryson(largest) if Q is None else Q, 6, "Q")
+    return np.pad(weight, (0, len(seen.plant.states) - 6))
+
+
+def command_weight(robot: Robot, R: ArrayLike | None) -> Array:
+    """R (2, 2), or its diagonal, or Bryson's rule, positive definite."""
+    price = weight_matrix(bryson([LARGEST_COMMAND[robot.command_unit]] * 2) if R is None else R, 2, "R")
+    if np.linalg.eigvalsh(price)[0] <= 0:
+        raise DesignFailed("R is not positive definite", expected="a price on every command", mend="raise its diagonal")
+    return price

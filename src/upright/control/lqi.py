@@ -1,0 +1,109 @@
+"""LQI: the servo regulator of NXTway-GS, with the integral of the wheel's position error as a state."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from upright.control.delay import RAW, sampled
+from upright.control.filtering import DISTURBED, Disturbed, Filter, kalman_filter
+from upright.control.linear_controller import LinearController
+from upright.control.lqg import command_weight
+from upright.control.lqr import LARGEST_STATE, bryson, riccati, riccati_residual, weight_matrix
+from upright.control.observer import Extra, observer, output_feedback
+from upright.errors import DesignFailed
+from upright.physics.linear import LinearModel, linearise
+from upright.robots import Kit, Robot
+from upright.signals import STATE_NAMES
+
+Array = NDArray[np.float64]
+
+LARGEST_INTEGRAL = 4.0  # [rad s] of the wheel: 4 rad off for a second
+UNWINDING = 2.0  # [s] in which saturation is taken back out of the integral
+
+SERVO = ("wheel", "pitch", "wheel_rate", "pitch_rate")
+"""The order of NXTway-GS's servo regulator, before the integral of the wheel angle."""
+
+
+@dataclass(frozen=True, eq=False)
+class Lqi:
+    """u = u_r r − K (x̂ − r) − k_i ∫(θ̂ − θ_r), from Q, R and the cost P of `servo`, the plant with its integral."""
+
+    filter: Filter
+    servo: LinearModel
+    Q: Array
+    R: Array
+    P: Array
+    K: Array
+
+    def check(self) -> float:
+        """The larger of both Riccati residuals."""
+        return max(self.filter.check(), riccati_residual(self.servo.A, self.servo.B, self.Q, self.R, self.P))
+
+
+def lqi(
+    robot: Robot,
+    kit: Kit,
+    dt: float | None = None,
+    Q: ArrayLike | None = None,
+    R: ArrayLike | None = None,
+    *,
+    reads: tuple[str, ...] = RAW,
+    disturbed: Disturbed = DISTURBED,
+    unwinding: float = UNWINDING,
+) -> LinearController:
+    """The servo regulator of Yamamoto (2008) in discrete time, for `robot` on the sensors of `kit`.
+
+    The state is the robot's six, the commands on their way, and e⁺ = e + dt (θ − θ_r) [rad s]; the same regulator holds
+    the heading. What saturation, dead zone and battery take from a command flows back into e within `unwinding` [s].
+    Q (7, 7) or its diagonal, e last; R (2, 2) or (2,); without them Bryson's rule. Raises `DesignFailed` like `lqg`.
+    """
+    if not unwinding > 0:
+        raise DesignFailed(f"unwinding takes {unwinding} s", expected="a positive time")
+    seen = sampled(robot, kit, dt, reads)
+    estimator = kalman_filter(seen, disturbed)
+    weight = weight_matrix(bryson([*LARGEST_STATE, LARGEST_INTEGRAL]) if Q is None else Q, 7, "Q")
+    servo = with_integral(seen.plant)
+    n = len(servo.states)
+    order = [*range(6), n - 1]
+    padded, price = np.zeros((n, n)), command_weight(robot, R)
+    padded[np.ix_(order, order)] = weight
+    P, K = riccati(servo, padded, price)
+    extra = Extra(np.eye(1), servo.A[-1:, :-1], K[:, -1:], unwound(K[:, -1], seen.dt / unwinding))
+    return output_feedback(observer(estimator), K[:, :-1], "lqi", Lqi(estimator, servo, padded, price, P, K), extra)
+
+
+def unwound(gain: Array, share: float) -> Array:
+    """The row (1, 2) that takes `share` of what the motors withheld out of an integral acting with −gain (2,)."""
+    return np.full((1, 2), -share / gain.sum())
+
+
+def with_integral(plant: LinearModel) -> LinearModel:
+    """The plant with e⁺ = e + dt θ as its last state."""
+    assert plant.dt is not None
+    n = len(plant.states)
+    A, B = np.eye(n + 1), np.vstack([plant.B, np.zeros((1, 2))])
+    A[:n, :n], A[n, STATE_NAMES.index("wheel")] = plant.A, plant.dt
+    return LinearModel(A, B, (*plant.states, "integral"), plant.inputs, plant.dt)
+
+
+def nxtway_servo(robot: Robot, Q: ArrayLike, R: ArrayLike) -> tuple[Array, Array]:
+    """The continuous servo gains of NXTway-GS: k (2, 4) on `SERVO` and k_i (2,) on ∫θ, for u = −k x − k_i ∫θ.
+
+    Q (5, 5) or its diagonal in that order, R (2, 2) or (2,) (Yamamoto 2008, appendix: Q = diag(1, 6e5, 1, 1, 4e2),
+    R = 1e3·I gives k = [−0.835, −34.19, −1.294, −2.814], k_i = −0.447).
+    """
+    from scipy.linalg import solve_continuous_are
+
+    model = linearise(robot)
+    order = [STATE_NAMES.index(name) for name in SERVO]
+    A, B = np.zeros((5, 5)), np.zeros((5, 2))
+    A[:4, :4], A[4, 0], B[:4] = model.A[np.ix_(order, order)], 1.0, model.B[order]
+    weight, price = weight_matrix(Q, 5, "Q"), weight_matrix(R, 2, "R")
+    try:
+        gain = np.linalg.solve(price, B.T @ solve_continuous_are(A, B, weight, price))
+    except (np.linalg.LinAlgError, ValueError):
+        raise DesignFailed("no servo gain under these weights", expected="R positive, and Q on the integral") from None
+    return gain[:, :4], gain[:, 4]

@@ -1,0 +1,130 @@
+"""The memory behind every output feedback: the filter's state, the command applied last, and those on their way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.control.delay import rolling
+from upright.control.filtering import Filter
+from upright.control.linear_controller import Design, LinearController
+from upright.physics.linear import linearise
+from upright.robots import Robot
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Observer:
+    """z⁺ = A z + By y + Bu u + Ba a, where u is the command decided now and a the one applied now.
+
+    What it knows after the reading y is the regulator's state ξ = X z + Xy y (six states, then earlier commands) and
+    the push F = f z + fy y [N].
+    """
+
+    estimator: Filter
+    A: Array
+    By: Array
+    Bu: Array
+    Ba: Array
+    X: Array
+    Xy: Array
+    f: Array
+    fy: Array
+
+
+def observer(estimator: Filter) -> Observer:
+    """The observer round a filter: commands on their way are remembered as sent, the last one as it was applied."""
+    seen = estimator.seen
+    n, m, d, h = len(seen.A), len(seen.reads), seen.delay, seen.history
+    size = n + 2 * h
+    after, gain = np.eye(n) - estimator.L @ seen.C, estimator.L
+    A, By, Bu, Ba = np.zeros((size, size)), np.zeros((size, m)), np.zeros((size, 2)), np.zeros((size, 2))
+    A[:n, :n], By[:n], Ba[:n] = seen.A @ after, seen.A @ gain, seen.now
+    if d:
+        Bu[n : n + 2] = np.eye(2)
+        A[n + 2 : n + 2 * d, n : n + 2 * d - 2] = np.eye(2 * d - 2)
+    if h > d:
+        A[:n, n + 2 * d :], Ba[n + 2 * d :] = seen.before, np.eye(2)
+    X, Xy = np.zeros((6 + 2 * h, size)), np.zeros((6 + 2 * h, m))
+    X[:6, :n], Xy[:6], X[6:, n:] = after[:6], gain[:6], np.eye(2 * h)
+    push = seen.names.index("push")
+    f = np.concatenate([after[push], np.zeros(2 * h)])
+    return Observer(estimator, A, By, Bu, Ba, X, Xy, f, gain[push])
+
+
+@dataclass(frozen=True, eq=False)
+class Steady:
+    """x = x_r r + x_push F is steady at the reference r and a constant push F [N] under u = u_r r + u_push F."""
+
+    x_r: Array
+    u_r: Array
+    x_push: Array
+    u_push: Array
+
+
+def steady(robot: Robot) -> Steady:
+    """Pitch and both commands that make the three accelerations zero, from the dynamics linearised upright."""
+    model = linearise(rolling(robot))
+    rows = [1, 3, 5]
+    unknown = np.column_stack([model.A[rows, 0], model.B[rows]])
+    push = model.E[rows, 0] + robot.com_height * model.E[rows, 1]
+    rates = np.zeros((3, 6))
+    rates[:, [3, 5]] = model.A[np.ix_(rows, [3, 5])]
+    by_reference: Array = -np.linalg.solve(unknown, rates).astype(np.float64)
+    by_push: Array = -np.linalg.solve(unknown, push).astype(np.float64)
+    x_r = np.diag([0.0, 0, 1, 1, 1, 1])
+    x_r[0] = by_reference[0]
+    return Steady(x_r, by_reference[1:], np.eye(6)[0] * by_push[0], by_push[1:])
+
+
+@dataclass(frozen=True, eq=False)
+class Extra:
+    """States of the control law's own: w⁺ = A w + X (ξ − ξ_r) + back (a − u_due), and u gets − K w.
+
+    u_due is the command that should have arrived when a was applied, so that what saturation takes flows back.
+    """
+
+    A: Array
+    X: Array
+    K: Array
+    back: Array
+
+
+def output_feedback(
+    watch: Observer, K: Array, kind: str, design: Design, extra: Extra | None = None
+) -> LinearController:
+    """u = u_r r − K (ξ − ξ_r) − K_w w, with ξ_r the steady motion at the reference r: K (2, 6 + earlier commands)."""
+    seen = watch.estimator.seen
+    more = extra or Extra(np.zeros((0, 0)), np.zeros((0, K.shape[1])), np.zeros((2, 0)), np.zeros((0, 2)))
+    n, m = len(watch.A), len(more.A)
+    xi_r, u_r = steady_state(watch)
+    C, Dy, Dr = np.hstack([-K @ watch.X, -more.K]), -K @ watch.Xy, u_r + K @ xi_r
+    open_loop = np.block([[watch.A, np.zeros((n, m))], [more.X @ watch.X, more.A]])
+    Bu, Ba = np.vstack([watch.Bu, np.zeros((m, 2))]), np.vstack([watch.Ba, more.back])
+    if seen.delay:
+        due = len(seen.A) + 2 * seen.delay - 2
+        open_loop[n:, due : due + 2] -= more.back
+    else:
+        Bu[n:] -= more.back
+    By = np.vstack([watch.By, more.X @ watch.Xy]) + Bu @ Dy
+    Br = np.vstack([np.zeros((n, 6)), -more.X @ xi_r]) + Bu @ Dr
+    S, unit = np.hstack([watch.X[:6], np.zeros((6, m))]), seen.robot.command_unit
+    A = open_loop + Bu @ C
+    return LinearController(A, By, Br, Ba, C, Dy, Dr, seen.reads, seen.dt, S, watch.Xy[:6], unit, kind, design)
+
+
+def steady_state(watch: Observer) -> tuple[Array, Array]:
+    """ξ_r (6 + earlier commands, 6) and u_r (2, 6): what the steady motion at a reference needs."""
+    seen = watch.estimator.seen
+    rest = steady(seen.robot)
+    return np.vstack([rest.x_r, np.tile(rest.u_r, (seen.history, 1))]), rest.u_r
+
+
+def steady_push(watch: Observer) -> tuple[Array, Array]:
+    """ξ_F (6 + earlier commands,) and u_F (2,): what the rest under a push of 1 N needs."""
+    seen = watch.estimator.seen
+    rest = steady(seen.robot)
+    return np.concatenate([rest.x_push, np.tile(rest.u_push, seen.history)]), rest.u_push

@@ -1,0 +1,222 @@
+"""PID: a cascade of pitch and position loops and a heading loop, tuned by margins on the reduced model.
+
+Wheel rate fed back makes good what back-EMF and friction take, c = β/α: what is left is the reduced model, a robot
+driven by torques, its pitch plane (both motors alike) apart from its heading (both opposed). On it, with the position
+loop's ψ_ref = −(p_θ (θ − θ_r) + d_θ (θ̇ − θ̇_r)), the pitch loop is
+
+    u = u_r + c (θ̇ − ψ̇) + p e + i ∫e + d r_f,    e = ψ − ψ_ref,
+    r_f = a w + (1 − a) ψ̇,    w⁺ = r_f,    a = T_f/(T_f + dt)
+
+with the derivative on the measured pitch alone, filtered over T_f, and back-calculation against windup (Åström and
+Hägglund 2006, sections 3.4 and 3.5).
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.control.delay import RAW, SampledRobot, rolling, sampled
+from upright.control.filtering import DISTURBED, Disturbed, Filter, kalman_filter
+from upright.control.linear_controller import LinearController
+from upright.control.lqi import unwound
+from upright.control.observer import Extra, observer, output_feedback
+from upright.errors import DesignFailed
+from upright.physics.dynamics import motor_damping, motor_gain
+from upright.robots import Kit, Robot
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+STIFFNESSES = np.geomspace(1.4, 24, 10)  # pitch gains tried, against the gravity they must overcome
+TIMES = np.geomspace(0.03, 0.3, 7)  # [s] derivative times tried
+LAGS = (0.02, 0.1)  # integral gains tried, as a share of p times the rate at which the robot falls
+BANDWIDTHS = np.geomspace(0.3, 3, 8)  # [rad/s] of the position loop: well below the rate at which a robot falls
+DAMPINGS = (0.7, 1.0, 1.5)
+FILTERED = 100.0  # the derivative time is so many times that of its filter, since the gyro has been filtered before
+HEADING = 3.0, math.radians(60)  # [rad/s] crossover and phase margin of the heading loop
+MARGIN = 0.6  # min |1 + L| at the motors: a largest sensitivity of 1.7 (Åström and Hägglund 2006, section 4.6)
+SHARE = 0.8  # of the best margin, where MARGIN is out of reach
+LEAST = 0.1  # a sensitivity of 10: with less, the smallest error of the model topples the robot
+
+
+@dataclass(frozen=True)
+class Gains:
+    """Motor compensation, pitch loop with its filter time [s], position and heading loop, in command units and SI."""
+
+    motor: float
+    p: float
+    i: float
+    d: float
+    filter_time: float
+    wheel: float
+    wheel_rate: float
+    yaw: float
+    yaw_rate: float
+
+
+@dataclass(frozen=True, eq=False)
+class Pid:
+    """The tuned `gains`, the `filter` that gives them the state, and the `margin` min |1 + L| at the motors."""
+
+    filter: Filter
+    gains: Gains
+    margin: float
+
+    def check(self) -> float:
+        """The filter's residual, or how much less than `margin` the loop as built keeps, or its instability."""
+        plane = _Plane(self.filter.seen)
+        loop = plane.closed(self.gains)
+        if np.abs(np.linalg.eigvals(loop[0])).max() >= 1:
+            return math.inf
+        return max(self.filter.check(), self.margin - plane.margin(self.gains), 0.0)
+
+
+def pid(
+    robot: Robot,
+    kit: Kit,
+    dt: float | None = None,
+    *,
+    heading: float = HEADING[0],
+    unwinding: float = 2.0,
+    reads: tuple[str, ...] = RAW,
+    disturbed: Disturbed = DISTURBED,
+) -> LinearController:
+    """The cascade for `robot` on the sensors of `kit`, with a heading loop that crosses over at `heading` [rad/s].
+
+    Of all cascades tried, in multiples of what gravity asks for, it is the stiffest against a held push that keeps the
+    modulus margin min |1 + L| at the motors above `MARGIN`. What saturation takes flows out of the integral within
+    `unwinding` [s]. Raises `DesignFailed` where no cascade stabilises the robot.
+    """
+    if not (heading > 0 and unwinding > 0):
+        raise DesignFailed(f"heading {heading}, unwinding {unwinding}", expected="positive numbers")
+    seen = sampled(robot, kit, dt, reads)
+    estimator = kalman_filter(seen, disturbed)
+    plane = _Plane(seen)
+    still = rolling(robot)
+    gains = _tuned(plane, motor_damping(still) / motor_gain(still), _heading(seen, heading))
+    K, extra = _law(seen, gains, unwinding)
+    return output_feedback(observer(estimator), K, "pid", Pid(estimator, gains, plane.margin(gains)), extra)
+
+
+class _Plane:
+    """The pitch plane, x⁺ = A x + b v for one command v of both motors, on a grid of frequencies up to Nyquist's."""
+
+    def __init__(self, seen: SampledRobot) -> None:
+        self.seen, self.dt = seen, seen.dt
+        self.A, self.b = _halved(seen, range(4), +1)
+        self.omega = np.geomspace(0.05, math.pi / seen.dt, 300)
+        self.z = np.exp(1j * self.omega * seen.dt)
+        self.response = self.respond(self.z)
+        self.falling = math.log(np.abs(np.linalg.eigvals(self.A)).max()) / seen.dt
+
+    def respond(self, z: Complex) -> Complex:
+        """ψ, ψ̇, θ, θ̇ per command at each z, shape (len(z), 4)."""
+        n = len(self.A)
+        states: Complex = np.asarray(np.linalg.solve(z[:, None, None] * np.eye(n) - self.A, self.b[:, None]), complex)
+        return states[:, :4, 0]
+
+    def margin(self, gains: Gains) -> float:
+        """min |1 + L| with the loop cut at the motors."""
+        x, z = self.response, self.z
+        error = x[:, 0] + gains.wheel * x[:, 2] + gains.wheel_rate * x[:, 3]
+        keep = _keep(gains, self.dt)
+        rate = (1 - keep) * z / (z - keep) * x[:, 1]
+        command = (gains.p + gains.i * self.dt / (z - 1)) * error + gains.d * rate + gains.motor * (x[:, 3] - x[:, 1])
+        return float(np.abs(1 - command).min())
+
+    def closed(self, gains: Gains) -> tuple[Array, Array]:
+        """A and b of the closed plane with the integral and the derivative's filter as its last states, for −ψ_ref."""
+        n, keep = len(self.A), _keep(gains, self.dt)
+        error, row = np.zeros(n), np.zeros(n)
+        error[[0, 2, 3]] = 1.0, gains.wheel, gains.wheel_rate
+        row[[1, 3]] = (1 - keep) * gains.d - gains.motor, gains.motor
+        A, b = np.zeros((n + 2, n + 2)), np.concatenate([self.b * gains.p, [self.dt, 0.0]])
+        A[:n, :n] = self.A + np.outer(self.b, gains.p * error + row)
+        A[:n, n], A[:n, n + 1] = self.b * gains.i, self.b * keep * gains.d
+        A[n, :n], A[n, n], A[n + 1, 1], A[n + 1, n + 1] = self.dt * error, 1.0, 1 - keep, keep
+        return A, b
+
+    def slowest(self, gains: Gains) -> float:
+        """The largest |eigenvalue| of the closed plane."""
+        return float(np.abs(np.linalg.eigvals(self.closed(gains)[0])).max())
+
+
+def _keep(gains: Gains, dt: float) -> float:
+    return gains.filter_time / (gains.filter_time + dt)
+
+
+def _halved(seen: SampledRobot, states: range, sign: int) -> tuple[Array, Array]:
+    """The plant of `states` when the right motor gets `sign` times the left one's command."""
+    plant = seen.plant
+    left = [*states, *range(6, len(plant.states), 2)]
+    right = [*states, *range(7, len(plant.states), 2)]
+    A = plant.A[np.ix_(left, left)]
+    k = len(states)
+    A[:k, k:] += sign * plant.A[np.ix_(list(states), right[k:])]
+    b = plant.B[left, 0].copy()
+    b[:k] += sign * plant.B[list(states), 1]
+    return A, b
+
+
+def _tuned(plane: _Plane, motor: float, heading: tuple[float, float]) -> Gains:
+    """The stiffest position loop of all that keep `MARGIN`, or `SHARE` of the best where none does."""
+    found: list[tuple[float, Gains]] = []
+    for pitch in _pitches(plane, motor):
+        tried = (replace(g, yaw=heading[0], yaw_rate=heading[1]) for g in _positions(plane, pitch))
+        found += [(plane.margin(gains), gains) for gains in tried]
+    found = [(margin, gains) for margin, gains in found if margin >= LEAST and plane.slowest(gains) < 1]
+    if not found:
+        raise _no_cascade(plane)
+    enough = min(MARGIN, SHARE * max(margin for margin, _ in found))
+    return max((gains.wheel, margin, i, gains) for i, (margin, gains) in enumerate(found) if margin >= enough)[3]
+
+
+def _pitches(plane: _Plane, motor: float) -> Iterator[Gains]:
+    """Pitch loops of several stiffnesses, against gravity's M g L shared by both motors, and derivative times."""
+    robot = plane.seen.robot
+    gravity = robot.body_mass * robot.gravity * robot.com_height / (2 * motor_gain(robot))
+    for stiffness, time, lag in itertools.product(STIFFNESSES.tolist(), TIMES.tolist(), LAGS):
+        p = stiffness * gravity
+        yield Gains(motor, p, lag * plane.falling * p, time * p, time / FILTERED, 0.0, 0.0, 0.0, 0.0)
+
+
+def _positions(plane: _Plane, pitch: Gains) -> Iterator[Gains]:
+    """Position loops round a pitch loop, by bandwidth and damping: a robot that leans accelerates, R θ̈ = g ψ."""
+    scale = plane.seen.robot.wheel_radius / plane.seen.robot.gravity
+    for omega, damping in itertools.product(BANDWIDTHS.tolist(), DAMPINGS):
+        yield replace(pitch, wheel=scale * omega**2, wheel_rate=scale * 2 * damping * omega)
+
+
+def _heading(seen: SampledRobot, omega: float) -> tuple[float, float]:
+    """Gains on yaw and its rate for that crossover [rad/s] and the phase margin of `HEADING`."""
+    A, b = _halved(seen, range(4, 6), -1)
+    response = -np.linalg.solve(np.exp(1j * omega * seen.dt) * np.eye(len(A)) - A, b)[:2]
+    wanted = np.exp(1j * (HEADING[1] - math.pi))  # of the right motor's part, whose response is minus the left one's
+    yaw, rate = np.linalg.solve([response.real, response.imag], [wanted.real, wanted.imag]).tolist()
+    return yaw, rate
+
+
+def _law(seen: SampledRobot, gains: Gains, unwinding: float) -> tuple[Array, Extra]:
+    """K on the state and the two further states [∫e, w] of the pitch loop."""
+    n, keep = len(seen.plant.states), _keep(gains, seen.dt)
+    error, turn, rate = np.zeros(n), np.zeros(n), np.eye(n)[1]
+    error[[0, 2, 3]] = 1.0, gains.wheel, gains.wheel_rate
+    turn[[4, 5]] = gains.yaw, gains.yaw_rate
+    straight = -gains.p * error - (1 - keep) * gains.d * rate - gains.motor * (np.eye(n)[3] - rate)
+    K_w = np.tile([-gains.i, -keep * gains.d], (2, 1))
+    back = np.vstack([unwound(K_w[:, 0], seen.dt / unwinding), np.zeros((1, 2))])
+    rows = np.vstack([seen.dt * error, (1 - keep) * rate])
+    return np.vstack([straight - turn, straight + turn]), Extra(np.diag([1.0, keep]), rows, K_w, back)
+
+
+def _no_cascade(plane: _Plane) -> DesignFailed:
+    return DesignFailed(
+        f"no cascade of the kind tried stabilises '{plane.seen.robot.name}' at {plane.dt:g} s with its delays",
+        expected="a period and a dead time well below the time in which the robot falls", mend="shorten them",
+    )  # fmt: skip

@@ -1,0 +1,166 @@
+"""Sliding mode in discrete time: a reaching law with a boundary layer, behind the Kalman filter."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from upright.control.controller import ControllerSpec
+from upright.control.delay import RAW, sampled
+from upright.control.filtering import DISTURBED, Disturbed, Filter, kalman_filter
+from upright.control.lqg import command_weight, state_weight
+from upright.control.lqr import riccati, riccati_residual
+from upright.control.observer import Observer, observer, steady_state
+from upright.control.recursion import Recursion, recursion
+from upright.errors import DesignFailed, InvalidController
+from upright.robots import Kit, Robot
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Sliding:
+    """The surface S with S B = I, from the cost P of the regulator under Q and R; `keep` of s is left each period.
+
+    On s = 0 the state moves by A − B S A, which lowers xᵀPx at least as much as the regulator itself does.
+    """
+
+    filter: Filter
+    Q: Array
+    R: Array
+    P: Array
+    S: Array
+    keep: float
+
+    @property
+    def poles(self) -> NDArray[np.complex128]:
+        """Of the loop outside the layer's switching: those of the sliding motion and `keep` twice; largest first."""
+        plant = self.filter.seen.plant
+        poles = np.linalg.eigvals(plant.A - plant.B @ self.S @ (plant.A - self.keep * np.eye(len(plant.A)))).astype(
+            complex
+        )
+        return poles[np.argsort(-np.abs(poles))]
+
+    def check(self) -> float:
+        """The largest of both Riccati residuals and of |S B − I|."""
+        plant = self.filter.seen.plant
+        normal = float(np.abs(self.S @ plant.B - np.eye(2)).max())
+        return max(self.filter.check(), riccati_residual(plant.A, plant.B, self.Q, self.R, self.P), normal)
+
+
+@dataclass(eq=False)
+class SlidingMode:
+    """u = u_lin − reach · sat(s / layer) for each motor, from the outputs [s, u_lin] of `memory`, in command units.
+
+    u_lin = u_r r − S A ξ + keep · s, so that s⁺ = keep · s − reach · sat(s / layer) (Gao, Wang and Homaifa 1995, with a
+    boundary layer in place of the sign). Inside the layer nothing chatters while reach ≤ keep · layer.
+    """
+
+    memory: Recursion
+    reach: float
+    layer: float
+    reads: tuple[str, ...]
+    period: float
+    command_unit: str = "V"
+    kind: str = "sliding"
+    design: Sliding | None = field(default=None, repr=False)
+    spec: ControllerSpec = field(init=False)
+
+    def __post_init__(self) -> None:
+        if not (0 <= self.reach < math.inf and 0 < self.layer < math.inf):
+            raise InvalidController(
+                f"reach is {self.reach} and layer {self.layer}", expected="a reach of zero or more, a positive layer"
+            )
+        self.spec = ControllerSpec(self.kind, tuple(self.reads), self.period, self.command_unit, estimates=True)
+
+    def reset(self) -> None:
+        self.memory.reset()
+
+    def step(self, measurement: Array, reference: Array) -> tuple[float, float]:
+        s_left, s_right, left, right = self.memory.step(measurement, reference).tolist()
+        left -= self.reach * min(max(s_left / self.layer, -1.0), 1.0)
+        right -= self.reach * min(max(s_right / self.layer, -1.0), 1.0)
+        self.memory.decided(left, right)
+        return left, right
+
+    def estimate(self) -> Sequence[float]:
+        return self.memory.estimate()
+
+    def applied(self, command: Sequence[float]) -> None:
+        self.memory.applied(command)
+
+    def check(self) -> float:
+        """The residual of the design, zero where there is none to check."""
+        return 0.0 if self.design is None else self.design.check()
+
+    def to_json(self) -> dict[str, Any]:
+        facts = {"kind": self.kind, "reads": list(self.reads), "period": self.period, "command_unit": self.command_unit}
+        return facts | {"reach": self.reach, "layer": self.layer, "memory": self.memory.to_json()}
+
+    @classmethod
+    def from_json(cls, data: dict[str, Any]) -> SlidingMode:
+        """The inverse of `to_json`; the design's record stays behind."""
+        facts = {name: data[name] for name in ("reach", "layer", "period", "command_unit", "kind")}
+        return cls(Recursion.from_json(data["memory"]), reads=tuple(data["reads"]), **facts)
+
+
+def sliding(
+    robot: Robot,
+    kit: Kit,
+    dt: float | None = None,
+    Q: ArrayLike | None = None,
+    R: ArrayLike | None = None,
+    *,
+    time: float = 0.05,
+    reach: float = 0.02,
+    layer: float = 0.1,
+    reads: tuple[str, ...] = RAW,
+    disturbed: Disturbed = DISTURBED,
+) -> SlidingMode:
+    """The sliding mode controller of `robot` on the sensors of `kit`, on the surface s = (BᵀPB)⁻¹BᵀP ξ (Utkin 1992).
+
+    P is the regulator's cost under Q and R, as in `lqg`; s shrinks with the time constant `time` [s] and by `reach`
+    each period outside of ± `layer`, both as shares of the largest usual command. Raises `DesignFailed` like `lqg`.
+    """
+    if not (time > 0 and layer > 0 and reach >= 0):
+        raise DesignFailed(
+            f"time {time}, reach {reach}, layer {layer}", expected="positive numbers, reach zero or more"
+        )
+    seen = sampled(robot, kit, dt, reads)
+    keep = math.exp(-seen.dt / time)
+    if reach > keep * layer:
+        raise DesignFailed(
+            f"a reach of {reach:g} chatters in a layer of {layer:g}", expected=f"at most {keep * layer:.3g} of reach",
+            mend="widen the layer",
+        )  # fmt: skip
+    estimator = kalman_filter(seen, disturbed)
+    weight, price = state_weight(seen, Q), command_weight(robot, R)
+    P, _ = riccati(seen.plant, weight, price)
+    B = seen.plant.B
+    S: Array = np.asarray(np.linalg.solve(B.T @ P @ B, B.T @ P), dtype=np.float64)
+    design = Sliding(estimator, weight, price, P, S, keep)
+    usual = 1 / math.sqrt(float(price.diagonal().mean()))
+    return SlidingMode(
+        _memory(observer(estimator), design), reach * usual, layer * usual, seen.reads, seen.dt, robot.command_unit,
+        design=design,
+    )  # fmt: skip
+
+
+def _memory(watch: Observer, design: Sliding) -> Recursion:
+    """Outputs s = S (ξ − ξ_r) and u_r r − S (A − keep) (ξ − ξ_r)."""
+    A = watch.estimator.seen.plant.A
+    xi_r, u_r = steady_state(watch)
+    G = np.vstack([design.S, -design.S @ (A - design.keep * np.eye(len(A)))])
+    return recursion(watch, G, np.zeros(4), np.vstack([np.zeros((2, 6)), u_r]) - G @ xi_r)
+
+
+def chattering(commands: ArrayLike, period: float) -> float:
+    """How much a command (n, 2) turns back on itself in a second: |Δu| where Δu changes its sign, over `period` [s]."""
+    steps = np.diff(np.asarray(commands, dtype=np.float64), axis=0)
+    turns = steps[1:] * steps[:-1] < 0
+    return float(np.abs(np.where(turns, steps[1:], 0.0)).mean() / period) if len(steps) > 1 else 0.0
