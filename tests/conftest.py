@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import os
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the tests themselves run side by side; set before numpy loads
+
 import shutil
 from collections.abc import Generator
 from importlib.util import find_spec

@@ -33,7 +33,7 @@ from upright.control.lqi import nxtway_servo
 from upright.control.observer import steady
 from upright.control.reach import largest_pitch, static_pitch
 from upright.control.sliding import chattering
-from upright.errors import DesignFailed, InvalidController, SpecMismatch
+from upright.errors import DesignFailed, InvalidController, SpecMismatch, UprightError
 from upright.experiment import Drive, Hold, Impulse, Turn, run
 from upright.physics.dynamics import accelerations
 from upright.physics.linear import linearise
@@ -391,7 +391,7 @@ def test_broken_files_are_refused_in_one_line(tmp_path):
         read_controller(path)
     with pytest.raises(InvalidController, match="cannot read"):
         read_controller(tmp_path / "none.json")
-    with pytest.raises(InvalidController, match="cannot write"):
+    with pytest.raises(UprightError, match="no folder"):
         write_controller(lqg(NXT, KIT), tmp_path / "none" / "c.json")
     with pytest.raises(InvalidController, match="cannot be written"):
         write_controller(Excited(lqr(NXT), random_binary(4, 1.0, 0)), path)

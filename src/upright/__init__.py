@@ -10,7 +10,20 @@ if TYPE_CHECKING:
     from upright.bodies import Electronics, LinearBody, NonlinearBody
     from upright.bodies.twin import Twin
     from upright.comparison import compare
-    from upright.control import Estimated, StateFeedback, complementary, kalman, lqg, lqi, lqr, mpc, pid, sliding
+    from upright.control import (
+        Estimated,
+        StateFeedback,
+        complementary,
+        hinf,
+        kalman,
+        lqg,
+        lqi,
+        lqr,
+        mpc,
+        pid,
+        robust,
+        sliding,
+    )
     from upright.errors import UprightError
     from upright.experiment import Drive, Hold, Impulse, Push, Slope, Turn, run
     from upright.physics.linear import LinearModel, linearise
@@ -22,30 +35,22 @@ _HOME = {
     "upright.bodies.twin": ("Twin",),
     "upright.comparison": ("compare",),
     "upright.control": (
-        "Estimated",
-        "StateFeedback",
-        "complementary",
-        "kalman",
-        "lqg",
-        "lqi",
-        "lqr",
-        "mpc",
-        "pid",
-        "sliding",
+        "Estimated", "StateFeedback", "complementary", "hinf", "kalman", "lqg", "lqi", "lqr", "mpc", "pid",
+        "robust", "sliding",
     ),
     "upright.errors": ("UprightError",),
     "upright.experiment": ("Drive", "Hold", "Impulse", "Push", "Slope", "Turn", "run"),
     "upright.physics.linear": ("LinearModel", "linearise"),
     "upright.robots": ("Kit", "Robot"),
     "upright.signals": ("Log", "Signal"),
-}
+}  # fmt: skip
 _MODULE = {name: module for module, names in _HOME.items() for name in names}
 
 __all__ = [  # noqa: RUF022 (grouped by room, from the ground up)
     "UprightError", "Log", "Signal", "Kit", "Robot", "LinearModel", "linearise",
     "Electronics", "LinearBody", "NonlinearBody", "Twin",
-    "Estimated", "StateFeedback", "complementary", "kalman", "lqg", "lqi", "lqr", "mpc", "pid", "sliding",
-    "Drive", "Hold", "Impulse", "Push", "Slope", "Turn", "run", "compare",
+    "Estimated", "StateFeedback", "complementary", "hinf", "kalman", "lqg", "lqi", "lqr", "mpc", "pid", "robust",
+    "sliding", "Drive", "Hold", "Impulse", "Push", "Slope", "Turn", "run", "compare",
 ]  # fmt: skip
 
 

@@ -11,6 +11,7 @@ import typer
 from typer.main import get_command
 
 from upright.cli.compare import compare
+from upright.cli.design import bench_controllers, design
 from upright.cli.linearise import linearise
 from upright.cli.reproduce import reproduce
 from upright.cli.robots import robots
@@ -26,6 +27,8 @@ app.add_typer(robots, name="robots")
 app.command()(simulate)
 app.command()(compare)
 app.command()(linearise)
+app.command()(design)
+app.command("bench-controllers")(bench_controllers)
 
 
 def _print_version(wanted: bool) -> None:

@@ -16,6 +16,7 @@ from upright.control.estimators import kalman as kalman
 from upright.control.feedback import StateFeedback as StateFeedback
 from upright.control.files import read_controller as read_controller
 from upright.control.files import write_controller as write_controller
+from upright.control.hinf import hinf as hinf
 from upright.control.linear_controller import LinearController as LinearController
 from upright.control.linear_controller import as_linear as as_linear
 from upright.control.lqg import lqg as lqg
@@ -26,6 +27,7 @@ from upright.control.lqr import dlqr as dlqr
 from upright.control.lqr import lqr as lqr
 from upright.control.mpc import mpc as mpc
 from upright.control.pid import pid as pid
+from upright.control.robust import robust as robust
 from upright.control.sliding import sliding as sliding
 from upright.errors import UnknownName
 from upright.robots import Kit, Robot
@@ -37,8 +39,10 @@ CONTROLLERS: dict[str, Callable[[Robot, Kit, float], Controller]] = {
     "lqi": lqi,
     "lqg": lqg,
     "pid": pid,
+    "hinf": hinf,
     "mpc": mpc,
     "sliding": sliding,
+    "robust": lambda robot, kit, dt: Estimated(robust(robot, dt), kalman(robot, kit, dt)),
     "lqr-state": lambda robot, kit, dt: lqr(robot, dt),  # noqa: ARG005 (it reads the truth, not the kit)
 }
 

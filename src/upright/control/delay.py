@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -90,6 +91,7 @@ class _Between:
         rest = dead - self.delay * dt
         self.rest = rest if rest > _SAME * dt else 0.0
 
+    @cache  # noqa: B019 (it lives as long as one design)
     def __call__(self, h: float) -> tuple[Array, Array, Array, Array]:
         first, second = min(h, self.rest), max(h - self.rest, 0.0)
         phi, old, push = self._held(first)

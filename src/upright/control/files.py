@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from upright.atomic import write_json
 from upright.control.controller import Controller, controller_hash
 from upright.control.estimators import Complementary, Estimated, Estimator, Kalman
 from upright.control.feedback import StateFeedback
@@ -22,17 +23,9 @@ VERSION = 1
 
 def write_controller(controller: Controller, path: str | Path) -> Path:
     """Write `controller` as JSON and return the path; `InvalidController` for a kind that no file can bring back."""
-    target = Path(path)
     form = _form(controller)
     data = {"file": "upright controller", "version": VERSION, "form": form, "hash": controller_hash(controller)}
-    text = json.dumps(data | {"controller": controller.to_json()}, indent=1, ensure_ascii=False, allow_nan=False)
-    try:
-        target.write_text(text + "\n", encoding="utf-8")
-    except OSError as error:
-        raise InvalidController(
-            f"cannot write {target}: {error.strerror}", mend="choose a folder that exists"
-        ) from None
-    return target
+    return write_json(path, data | {"controller": controller.to_json()})
 
 
 def read_controller(path: str | Path) -> Controller:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from upright.control.delay import RAW, SampledRobot, sampled
-from upright.control.filtering import DISTURBED, Disturbed, Filter, kalman_filter
+from upright.control.filtering import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, riccati, riccati_residual, weight_matrix
 from upright.control.observer import observer, output_feedback
@@ -42,7 +42,7 @@ def lqg(
     R: ArrayLike | None = None,
     *,
     reads: tuple[str, ...] = RAW,
-    disturbed: Disturbed = DISTURBED,
+    disturbed: Disturbed = RECOVERED,
 ) -> LinearController:
     """The linear quadratic Gaussian regulator (Anderson and Moore 1979, ch. 8) for `robot` on the sensors of `kit`.
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from upright.control.delay import RAW, sampled
-from upright.control.filtering import DISTURBED, Disturbed, Filter, kalman_filter
+from upright.control.filtering import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqg import command_weight
 from upright.control.lqr import LARGEST_STATE, bryson, riccati, riccati_residual, weight_matrix
@@ -51,7 +51,7 @@ def lqi(
     R: ArrayLike | None = None,
     *,
     reads: tuple[str, ...] = RAW,
-    disturbed: Disturbed = DISTURBED,
+    disturbed: Disturbed = RECOVERED,
     unwinding: float = UNWINDING,
 ) -> LinearController:
     """The servo regulator of Yamamoto (2008) in discrete time, for `robot` on the sensors of `kit`.

@@ -1,0 +1,213 @@
+"""What linear theory says of a controller on a robot: poles, margins, ν-gap, and what the spreads do to them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.certify.gap import nu_gap, stability_margin
+from upright.certify.loop import Loop, commanded, robot_loop
+from upright.certify.margins import Margins, disk_gain, disk_margin, disk_phase, margins
+from upright.certify.mu import Mu, parameter_mu
+from upright.control.controller import Controller, controller_hash
+from upright.control.delay import sampled
+from upright.control.linear_controller import as_linear
+from upright.control.lqr import LARGEST_COMMAND
+from upright.control.robust import draw
+from upright.control.state_space import Complex, StateSpace, controller_of
+from upright.robots import Kit, Robot
+
+Array = NDArray[np.float64]
+
+INPUTS = {"left motor": (1.0, 0.0), "right motor": (0.0, 1.0), "both motors": (1.0, 1.0), "steering": (-1.0, 1.0)}
+"""Where the loop is broken at the robot's input: one motor, both alike, both opposed."""
+
+LATEST = 0.3  # [s] more delay than this no balancing robot survives
+DRAWN = 200
+COMPARABLE = {"sensor/gyro": 1.5, "sensor/compass": 0.5}  # [rad/s], [rad]: Bryson's sizes of the readings
+_ANGLE = 1.0  # [rad] of an encoder
+
+
+@dataclass(frozen=True, eq=False)
+class Analysis:
+    """A controller on a robot: closed-loop `poles`, `inputs` and `outputs` margins, one `disk` α for both motors at
+    once.
+
+    `delay` [s] is how much more dead time the loop survives, found by moving the dead time of the sampled robot itself;
+    `coprime` is b(P, C) and `gap` the largest ν-gap of the drawn robots, with inputs and outputs in comparable units;
+    `radii` (n,) are the largest |pole| of each drawn robot; `drawn` their poles in one row each.
+    """
+
+    robot: str
+    controller: str
+    hash: str
+    period: float
+    poles: Complex
+    inputs: tuple[Margins, ...]
+    outputs: tuple[Margins, ...]
+    disk: float
+    delay: float
+    coprime: float
+    gap: float
+    drawn: Complex
+    loop: Loop
+    mu: Mu | None = None
+
+    @property
+    def stable(self) -> bool:
+        """Whether the nominal loop is."""
+        return bool(np.abs(self.poles).max() < 1)
+
+    @property
+    def radii(self) -> Array:
+        """The largest |pole| of each drawn robot."""
+        return np.abs(self.drawn).max(axis=1) if len(self.drawn) else np.empty(0)
+
+    def both(self) -> Margins:
+        """The margins of both motors together, which say most of pitch."""
+        return next(m for m in self.inputs if m.channel == "both motors")
+
+    def words(self) -> list[str]:
+        """What it comes to, in sentences."""
+        if not self.stable:
+            return [f"The loop is unstable: its largest pole is at |z| = {np.abs(self.poles).max():.4f}."]
+        low, high = disk_gain(self.disk)
+        fell = int((self.radii >= 1).sum())
+        said = [
+            self.both().words(),
+            f"Both motors at once and each on its own: gains between {low * 100:.0f} and {high * 100:.0f} %, "
+            f"or phases up to {math.degrees(disk_phase(self.disk)):.0f}°.",
+            f"Of {len(self.radii)} robots drawn from the spreads, {fell} are unstable.",
+        ]
+        return said + ([f"Over the intervals of the parameters it {self.mu.words()}"] if self.mu else [])
+
+    def check(self) -> float:
+        """How far off the unit circle the largest pole is at the gain margins of both motors: zero is perfect."""
+        both = self.both()
+        v = np.array(INPUTS["both motors"]) / math.sqrt(2)
+        ends = [k for k in (both.gain_low, both.gain_high) if 0 < k < math.inf]
+        return max((abs(_radius(self.loop, np.eye(2) + (k - 1) * np.outer(v, v)) - 1) for k in ends), default=0.0)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers."""
+        numbers = {
+            key: getattr(self, key) for key in ("robot", "controller", "hash", "period", "disk", "coprime", "gap")
+        }
+        return numbers | {
+            "stable": self.stable,
+            "delay": self.delay if math.isfinite(self.delay) else None,
+            "poles": [[float(p.real), float(p.imag)] for p in self.poles],
+            "inputs": [m.to_json() for m in self.inputs],
+            "outputs": [m.to_json() for m in self.outputs],
+            "radii": self.radii.tolist(),
+            "mu": self.mu.to_json() if self.mu else None,
+            "words": self.words(),
+        }
+
+    def __str__(self) -> str:
+        head = f"{self.controller} on {self.robot}, every {self.period * 1e3:g} ms"
+        columns = f"{'broken at':<22}{'gain':>15}{'phase':>8}{'delay':>9}{'disk':>7}{'Ms':>7}{'Mt':>7}"
+        return "\n".join([head, columns, *(_row(m) for m in (*self.inputs, *self.outputs)), *self.words()])
+
+
+def _radius(loop: Loop, gains: Array) -> float:
+    """The largest |pole| with these gains (2, 2) between the commands and the robot."""
+    K = loop.controller
+    return float(np.abs(Loop(loop.plant, StateSpace(K.A, K.B, gains @ K.C, gains @ K.D, K.dt)).closed.poles[0]))
+
+
+def _row(m: Margins) -> str:
+    gain = f"{m.gain_low:.2f} … {m.gain_high:.2f}"
+    phase = f"{math.degrees(m.phase):.0f}°"
+    return f"{m.channel:<22}{gain:>15}{phase:>8}{m.delay * 1e3:>6.1f} ms{m.disk:>7.2f}{m.Ms:>7.2f}{m.Mt:>7.2f}"
+
+
+def analyse(
+    robot: Robot,
+    controller: Controller,
+    kit: Kit,
+    *,
+    robots: Sequence[Robot] | None = None,
+    seed: int = 0,
+    with_mu: bool = False,
+) -> Analysis:
+    """All margins of `controller` on `robot` under `kit`, and its poles on `robots` (None: `DRAWN` draws of the
+    spreads).
+
+    `with_mu` adds bounds on the structured singular value, which take a few seconds. Raises `InvalidController` where
+    the controller has no linear form.
+    """
+    loop = robot_loop(robot, controller, kit)
+    linear = as_linear(controller)
+    family = draw(robot, DRAWN, seed) if robots is None else list(robots)
+    plants = [commanded(sampled(each, kit, linear.period, linear.reads)) for each in family]
+    drawn = [Loop(plant, loop.controller).closed.poles for plant in plants]
+    readings = [COMPARABLE.get(name, _ANGLE) for name in linear.reads]
+    command = [LARGEST_COMMAND[robot.command_unit]] * 2
+    scaled = Loop(loop.plant.scaled(command, readings), loop.controller.scaled(readings, command))
+    late = delay_margin(robot, controller, kit)
+    return Analysis(
+        robot.name, controller.spec.kind, controller_hash(controller), linear.period, loop.closed.poles,
+        tuple(_at_input(loop, name, late) for name in INPUTS),
+        tuple(_at_output(loop, i, name) for i, name in enumerate(linear.reads)),
+        disk_margin(loop.at_input), late, stability_margin(scaled),
+        _largest_gap(scaled.plant, [plant.scaled(command, readings) for plant in plants[:GAPS]]),
+        np.array(drawn), loop, parameter_mu(robot, controller, kit) if with_mu else None,
+    )  # fmt: skip
+
+
+GAPS = 20
+"""How many of the drawn robots are measured by their ν-gap, which is slower than their poles."""
+
+
+def _at_input(loop: Loop, channel: str, late: float) -> Margins:
+    """With both motors alike the delay is the one found on the sampled robot where that is shorter: a delay by a part
+    of a period changes what the robot answers near the Nyquist frequency, which e^{−jωτ} does not know."""
+    found = margins(loop.at_input, INPUTS[channel], channel)
+    return replace(found, delay=min(found.delay, late)) if channel == "both motors" else found
+
+
+def _at_output(loop: Loop, i: int, name: str) -> Margins:
+    return margins(loop.at_output, np.eye(len(loop.plant.C))[i], name.removeprefix("sensor/").replace("_", " "))
+
+
+def _largest_gap(nominal: StateSpace, others: Sequence[StateSpace]) -> float:
+    return max((nu_gap(nominal, other) for other in others), default=0.0)
+
+
+def delay_margin(robot: Robot, controller: Controller, kit: Kit, step: float = 0.2) -> float:
+    """How much more dead time [s] the loop survives when the controller does not know of it; infinite beyond `LATEST`.
+
+    The dead time of the sampled robot is raised by `step` periods at a time until the loop is unstable, then bisected.
+    """
+    linear = as_linear(controller)
+    told = sampled(robot, kit, linear.period, linear.reads).delay
+    K = controller_of(linear, told)
+
+    def stable(late: float) -> bool:
+        later = replace(kit, delay=kit.delay + late)
+        return Loop(commanded(sampled(robot, later, linear.period, linear.reads)), K).stable
+
+    high, low, stride = 0.0, 0.0, step * linear.period
+    while stable(high):
+        low, high = high, high + stride
+        if high > LATEST:
+            return math.inf
+    for _ in range(12 if high else 0):
+        middle = (low + high) / 2
+        low, high = (middle, high) if stable(middle) else (low, middle)
+    return low
+
+
+def broken(loop: Loop, direction: Sequence[float], count: int = 400) -> tuple[Array, Complex]:
+    """Frequencies [rad/s] and the scalar loop broken at the commands along `direction`, all else closed."""
+    v = np.array(direction) / np.linalg.norm(direction)
+    assert loop.plant.dt is not None
+    grid = np.geomspace(0.05, math.pi / loop.plant.dt, count)
+    S = np.linalg.inv(np.eye(len(v)) + loop.at_input.response(grid))
+    return grid, 1 / np.einsum("i,kij,j->k", v, S, v) - 1

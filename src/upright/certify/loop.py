@@ -1,0 +1,78 @@
+"""The feedback loop as two linear systems: the robot as its controller meets it, and the controller."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from upright.control.controller import Controller
+from upright.control.delay import SampledRobot, sampled
+from upright.control.linear_controller import as_linear
+from upright.control.state_space import StateSpace, controller_of, one_period, plant_of
+from upright.errors import InvalidModel, SpecMismatch
+from upright.robots import Kit, Robot
+
+
+@dataclass(frozen=True, eq=False)
+class Loop:
+    """u = K y round y = P u: `plant` P and `controller` K, whose sign closes the loop. Loop gains carry 1 + L = 0.
+
+    Raises `InvalidModel` where both pass a signal on without any delay.
+    """
+
+    plant: StateSpace
+    controller: StateSpace
+
+    def __post_init__(self) -> None:
+        one_period(self.plant, self.controller)
+        if self.plant.D.any() and self.controller.D.any():
+            raise InvalidModel("plant and controller both pass signals on at once", expected="a plant with D = 0")
+
+    @cached_property
+    def at_input(self) -> StateSpace:
+        """L = −K P, broken at the commands."""
+        return -(self.controller @ self.plant)
+
+    @cached_property
+    def at_output(self) -> StateSpace:
+        """L = −P K, broken at the readings."""
+        return -(self.plant @ self.controller)
+
+    @cached_property
+    def closed(self) -> StateSpace:
+        """From a disturbance at the commands to the readings."""
+        P, K = self.plant, self.controller
+        A = np.block([
+            [P.A + P.B @ K.D @ P.C, P.B @ K.C],
+            [K.B @ P.C, K.A + K.B @ P.D @ K.C],
+        ])  # fmt: skip
+        B = np.vstack([P.B, K.B @ P.D])
+        return StateSpace(A, B, np.hstack([P.C, P.D @ K.C]), P.D, P.dt)
+
+    @property
+    def stable(self) -> bool:
+        """Whether the closed loop is."""
+        return self.closed.stable
+
+
+def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> Loop:
+    """The loop of `controller` on `robot` under the dead time and the late sensors of `kit`.
+
+    The controller's knowledge of the command that was applied is part of the controller, so that what is broken is the
+    motors' effect on the robot. Raises `InvalidController` where it is not linear.
+    """
+    linear = as_linear(controller)
+    if linear.command_unit != robot.command_unit:
+        raise SpecMismatch(
+            f"the controller commands {linear.command_unit}", expected=f"{robot.command_unit}, as '{robot.name}'"
+        )
+    seen = sampled(robot, kit, linear.period, linear.reads)
+    return Loop(commanded(seen), controller_of(linear, seen.delay))
+
+
+def commanded(seen: SampledRobot) -> StateSpace:
+    """From the commands alone to the readings."""
+    whole = plant_of(seen)
+    return StateSpace(whole.A, whole.B[:, :2], whole.C, whole.D[:, :2], whole.dt)

@@ -1,0 +1,187 @@
+"""How far a loop is from instability: gain, phase, delay and disk margins, and the sensitivity peaks.
+
+A margin is of one channel with all others closed: l = 1/[(I + L)⁻¹]ᵢᵢ − 1 (Maciejowski 1989, section 3.12). Disk
+margins follow Seiler, Packard and Gahinet (2020), "An introduction to disk margins".
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from upright.control.state_space import Complex, StateSpace
+from upright.errors import InvalidModel
+
+Array = NDArray[np.float64]
+ScalarLoop = Callable[[Array], Complex]
+
+GRID = 3000
+"""Frequencies looked at; crossovers between them are found to rounding, resonances narrower than the grid are not."""
+
+SLOWEST = 1e-3  # [rad/s] two hours: nothing of a robot's loop is slower
+
+
+@dataclass(frozen=True)
+class Margins:
+    """Of one broken loop: it stays stable while its gain is multiplied by any factor in (`gain_low`, `gain_high`), or
+    its phase moved by less than `phase` [rad], or delayed by less than `delay` [s]; and by all of that at once inside
+    the balanced disk of size `disk` α: gains in ((2 − α)/(2 + α), (2 + α)/(2 − α)), phases below 2 atan(α/2).
+
+    `Ms` and `Mt` are the peaks of |1/(1 + l)| and |l/(1 + l)|; `crossover` [rad/s] is the highest with |l| = 1.
+    """
+
+    channel: str
+    gain_low: float
+    gain_high: float
+    phase: float
+    delay: float
+    disk: float
+    Ms: float
+    Mt: float
+    crossover: float
+
+    @property
+    def disk_gain(self) -> tuple[float, float]:
+        """The factors of gain inside the disk."""
+        return disk_gain(self.disk)
+
+    @property
+    def disk_phase(self) -> float:
+        """The phase [rad] inside the disk."""
+        return disk_phase(self.disk)
+
+    def words(self) -> str:
+        """One sentence for a reader without the mathematics."""
+        if not self.delay > 0:
+            return f"{self.channel}: unstable, so there is no margin."
+        low = f"as weak as {self.gain_low * 100:.0f} %" if self.gain_low > 0 else "however weak"
+        high = f"as strong as {self.gain_high * 100:.0f} %" if self.gain_high < 1e3 else "however strong"
+        late = f"{self.delay * 1e3:.0f} ms more delay" if math.isfinite(self.delay) else "any delay"
+        return f"{self.channel}: survives {late}, and {low} or {high} of its gain."
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers; None for what is unlimited."""
+        return {key: _finite(value) for key, value in asdict(self).items()}
+
+
+def disk_gain(alpha: float) -> tuple[float, float]:
+    """The interval of gains of a balanced disk of size `alpha`."""
+    high = math.inf if alpha >= 2 else (2 + alpha) / (2 - alpha)
+    return (0.0 if alpha >= 2 else 1 / high), high
+
+
+def disk_phase(alpha: float) -> float:
+    """The phase [rad] of a balanced disk of size `alpha`."""
+    return 2 * math.atan(alpha / 2)
+
+
+def frequencies(dt: float | None, fastest: float = 1e4, count: int = GRID) -> Array:
+    """A grid [rad/s]: logarithmic from `SLOWEST` up to the Nyquist frequency, which is in it, or `fastest`."""
+    top = fastest if dt is None else math.pi / dt
+    grid = np.geomspace(min(SLOWEST, top / 1e6), top, count)
+    return grid if dt is None else np.union1d(grid, np.linspace(top / 300, top, 300))
+
+
+def margins(loop: StateSpace, direction: ArrayLike = (1.0,), channel: str = "the loop") -> Margins:
+    """Margins of the square loop gain `loop` (1 + L = 0), broken along `direction` (m,) with all else closed.
+
+    Zero margins where the closed loop is unstable.
+    """
+    v = np.asarray(direction, dtype=np.float64)
+    if loop.D.shape != (len(v), len(v)):
+        raise InvalidModel(f"a direction of {len(v)} in a loop of shape {loop.D.shape}", expected="as many as channels")
+    if not closed_stable(loop):
+        return Margins(channel, 1.0, 1.0, 0.0, 0.0, 0.0, math.inf, math.inf, math.nan)
+    v = v / np.linalg.norm(v)
+
+    def scalar(w: Array) -> Complex:
+        sensitivity = np.linalg.inv(np.eye(len(v)) + loop.response(w))
+        return 1 / np.einsum("i,kij,j->k", v, sensitivity, v) - 1
+
+    return scalar_margins(scalar, frequencies(loop.dt), channel, real_end=loop.dt is not None)
+
+
+def closed_stable(loop: StateSpace) -> bool:
+    """Whether the loop gain under unit negative feedback gives a stable closed loop."""
+    through = np.eye(len(loop.D)) + loop.D
+    if np.linalg.cond(through) > 1e12:
+        raise InvalidModel("the loop passes −1 at once", expected="a loop that can be closed", mend="add its delay")
+    closed = loop.A - loop.B @ np.linalg.solve(through, loop.C)
+    return StateSpace(closed, loop.B, loop.C, loop.D, loop.dt).stable
+
+
+def scalar_margins(scalar: ScalarLoop, grid: Array, channel: str, *, real_end: bool) -> Margins:
+    """Margins of a stable scalar loop from its response; `real_end` says that it is real at the grid's end (z = −1)."""
+    loop = scalar(grid)
+    low, high = _gain_interval(scalar, grid, loop, real_end)
+    crossings = _roots(lambda w: np.abs(scalar(w)) - 1, grid, np.abs(loop) - 1)
+    lag = np.mod(np.angle(scalar(crossings)) + math.pi, 2 * math.pi) if len(crossings) else np.empty(0)
+    phase = float(np.minimum(lag, 2 * math.pi - lag).min(initial=math.inf))
+    delay = float((lag / crossings).min(initial=math.inf)) if len(crossings) else math.inf
+    disk = 1 / peak(lambda w: np.abs(1 / (1 + scalar(w)) - 0.5), grid)
+    Ms, Mt = peak(lambda w: np.abs(1 / (1 + scalar(w))), grid), peak(lambda w: np.abs(1 - 1 / (1 + scalar(w))), grid)
+    top = float(crossings.max()) if len(crossings) else math.nan
+    return Margins(channel, low, high, phase, delay, disk, Ms, Mt, top)
+
+
+def _gain_interval(scalar: ScalarLoop, grid: Array, loop: Complex, real_end: bool) -> tuple[float, float]:
+    at = scalar(_roots(lambda w: scalar(w).imag, grid, loop.imag))
+    slow_is_real = abs(loop[0].imag) < 1e-3 * abs(loop[0].real)
+    ends = [*loop[:1][[slow_is_real]], *loop[-1:][[real_end]]]
+    real = np.append(at, ends).real
+    factors = -1 / real[real < 0]
+    return float(factors[factors < 1].max(initial=0.0)), float(factors[factors > 1].min(initial=math.inf))
+
+
+def _roots(f: Callable[[Array], Array], grid: Array, values: Array) -> Array:
+    from scipy.optimize import brentq
+
+    changes = np.flatnonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))
+
+    def at(w: float) -> float:
+        return float(f(np.array([w]))[0])
+
+    return np.array([brentq(at, grid[i], grid[i + 1], xtol=1e-12) for i in changes], dtype=np.float64)
+
+
+def peak(f: Callable[[Array], Array], grid: Array) -> float:
+    """The largest value, refined between the neighbours of the grid's largest."""
+    values = f(grid)
+    i = int(np.argmax(values))
+    best = float(values[i])
+    a, b = grid[max(i - 1, 0)], grid[min(i + 1, len(grid) - 1)]
+    for _ in range(3):
+        finer = np.linspace(a, b, 41)
+        values = f(finer)
+        i, best = int(np.argmax(values)), max(best, float(values.max()))
+        a, b = finer[max(i - 1, 0)], finer[min(i + 1, 40)]
+    return best
+
+
+def disk_margin(loop: StateSpace, skew: float = 0.0) -> float:
+    """α of all channels varying at once and independently: 1/max μ(S + (σ − 1)/2 I) with σ = `skew` (SLICOT AB13MD).
+
+    The bound is exact for up to three channels. Zero where the closed loop is unstable.
+    """
+    if not closed_stable(loop):
+        return 0.0
+    from slycot import ab13md
+
+    m = len(loop.D)
+    grid = frequencies(loop.dt)
+
+    def mu(w: Array) -> Array:
+        matrices = np.linalg.inv(np.eye(m) + loop.response(w)) + (skew - 1) / 2 * np.eye(m)
+        return np.array([ab13md(matrix, [1] * m, [2] * m)[0] for matrix in matrices])
+
+    coarse = grid[:: max(1, len(grid) // 600)]
+    return 1 / peak(mu, coarse)
+
+
+def _finite(value: Any) -> Any:
+    return value if isinstance(value, str) or math.isfinite(value) else None

@@ -1,0 +1,226 @@
+"""Bounds on the structured singular value over a robot's parameter intervals.
+
+The robot every period is taken as affine in its parameters, M(δ) = M₀ + Σ δᵢ Mᵢ with M = [A B; C D] and |δᵢ| ≤ 1 at the
+ends of each interval (central differences; what that leaves out is measured). With Mᵢ = Lᵢ Rᵢ of its rank, the loop
+holds for every δ in the box if μ of the transfer from w = δ z to z stays below one on the unit circle (Packard and
+Doyle 1993). Upper bound: SLICOT's AB13MD, where a parameter of rank one is a real scalar and another counts as a full
+complex block, which is larger than what it can do. Lower bound: the smallest box whose corner is unstable.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.certify.loop import Loop, commanded
+from upright.certify.margins import SLOWEST
+from upright.control.controller import Controller
+from upright.control.delay import sampled
+from upright.control.linear_controller import as_linear
+from upright.control.robust import FARTHEST, spreads
+from upright.control.state_space import Complex, StateSpace, controller_of
+from upright.errors import InvalidModel, InvalidRobot
+from upright.robots import Kit, Robot
+
+Array = NDArray[np.float64]
+Block = tuple[int, bool]
+"""Size of one block of Δ, and whether it is real."""
+
+POINTS = 150
+_SMALL = 1e-6  # a parameter that moves no entry of M by more than this share of the largest move does not count
+_RANK = 1e-3  # singular values below this share of a parameter's largest are left out
+_REFINED = 2  # frequencies at which the quick bound is replaced by SLICOT's
+_CORNERS = 200
+_FAR = 64.0  # the largest multiple of the box that is looked into
+
+
+@dataclass(frozen=True)
+class Mu:
+    """`lower` ≤ μ ≤ `upper` over all frequencies, in units of the given intervals: the loop holds for every robot
+    within 1/upper of them, and fails for one at 1/lower of them, which is `worst` (parameter → value).
+
+    `ranks` says how often each parameter enters, `curvature` how far the robots at the ends of single intervals are
+    from the affine model, as a share of their distance from the nominal one.
+    """
+
+    lower: float
+    upper: float
+    frequency: float
+    ranks: Mapping[str, int]
+    worst: Mapping[str, float]
+    curvature: float
+
+    def words(self) -> str:
+        """One sentence."""
+        sure = f"holds for every robot within {1 / self.upper:.2f} of the intervals" if self.upper else "always holds"
+        fails = (
+            f"fails at {1 / self.lower:.2f} of them" if self.lower else f"no failure is found up to {_FAR:g} of them"
+        )
+        return f"{sure}; {fails}."
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers."""
+        numbers = {"lower": self.lower, "upper": self.upper, "frequency": self.frequency, "curvature": self.curvature}
+        return numbers | {"ranks": dict(self.ranks), "worst": dict(self.worst)}
+
+
+def upper_bound(matrix: Complex, blocks: Sequence[Block]) -> float:
+    """μ̄ of a square complex matrix for Δ of these diagonal blocks (Fan, Tits and Doyle 1991, in SLICOT's AB13MD).
+
+    Raises `InvalidModel` for blocks that do not fit, or a real one that is not scalar.
+    """
+    if sum(size for size, _ in blocks) != len(matrix) or any(real and size > 1 for size, real in blocks):
+        raise InvalidModel(
+            f"blocks {list(blocks)} for a matrix of {len(matrix)}", expected="sizes that add up, real ones 1"
+        )
+    if not np.abs(matrix).max(initial=0.0) > 0:
+        return 0.0
+    from slycot import ab13md
+
+    return float(ab13md(matrix, [size for size, _ in blocks], [1 if real else 2 for _, real in blocks])[0])
+
+
+def parameter_mu(
+    robot: Robot, controller: Controller, kit: Kit, intervals: Mapping[str, float] | None = None, points: int = POINTS
+) -> Mu:
+    """μ of the loop over `intervals`, half-widths by parameter (None: `FARTHEST` of the preset's spreads).
+
+    Infinite bounds where the nominal loop is unstable. Raises `InvalidController` where the controller is not linear.
+    """
+    chosen = dict(intervals or {name: FARTHEST * size for name, size in spreads(robot).items()})
+    linear = as_linear(controller)
+    delay = sampled(robot, kit, linear.period, linear.reads).delay
+    K = controller_of(linear, delay)
+
+    def plant(changed: Mapping[str, float]) -> StateSpace:
+        return commanded(sampled(robot.replace(**changed) if changed else robot, kit, linear.period, linear.reads))
+
+    nominal = plant({})
+    slopes, curvature = _slopes(robot, plant, nominal, chosen)
+    factors = {name: _factors(slope) for name, slope in slopes.items()}
+    ranks = {name: L.shape[1] for name, (L, _) in factors.items()}
+    if not Loop(nominal, K).stable:
+        return Mu(math.inf, math.inf, 0.0, ranks, {}, curvature)
+    N = _uncertain(nominal, K, list(factors.values()))
+    blocks = [(rank, rank == 1) for rank in ranks.values()]
+    grid = np.geomspace(SLOWEST, math.pi / linear.period, points)
+    upper, at = _peak(N.response(grid), blocks)
+    lower, signs = _lower(nominal, K, slopes)
+    worst = {name: getattr(robot, name) + sign * chosen[name] / lower for name, sign in signs.items()} if lower else {}
+    return Mu(lower, max(upper, lower), float(grid[at]), ranks, worst, curvature)
+
+
+def scaled_bound(matrices: Complex, blocks: Sequence[Block]) -> Array:
+    """σ_max(D M D⁻¹) of each of the matrices (k, n, n), D a number for each block, by Osborne's iteration."""
+    edges = np.cumsum([0, *(size for size, _ in blocks)])[:-1]
+    power = np.add.reduceat(np.add.reduceat(np.abs(matrices) ** 2, edges, axis=1), edges, axis=2)
+    power[:, range(len(blocks)), range(len(blocks))] = 0.0
+    d = np.ones(power.shape[:2])
+    for _ in range(30):
+        for i in range(len(blocks)):
+            out, into = (power[:, i] / d**2).sum(axis=1), (power[:, :, i] * d**2).sum(axis=1)
+            d[:, i] = np.where((out > 0) & (into > 0), (into / np.where(out > 0, out, 1.0)) ** 0.25, d[:, i])
+    wide = np.repeat(d, [size for size, _ in blocks], axis=1)
+    return np.linalg.norm(wide[:, :, None] * matrices / wide[:, None, :], 2, axis=(1, 2))
+
+
+def _peak(matrices: Complex, blocks: Sequence[Block]) -> tuple[float, int]:
+    """The largest bound over all frequencies and where; the largest quick ones are refined first."""
+    bounds, refined = scaled_bound(matrices, blocks), set[int]()
+    while (at := int(np.argmax(bounds))) not in refined and len(refined) < _REFINED:
+        bounds[at] = min(bounds[at], upper_bound(matrices[at], blocks))
+        refined.add(at)
+    return float(bounds[at]), at
+
+
+def _slopes(
+    robot: Robot, plant: Any, nominal: StateSpace, chosen: Mapping[str, float]
+) -> tuple[dict[str, Array], float]:
+    """Mᵢ of each parameter that counts, and the largest share of curvature."""
+    found: dict[str, Array] = {}
+    curvature = 0.0
+    centre = _stacked(nominal)
+    for name, width in chosen.items():
+        high, low, share = _ends(robot, plant, name, width)
+        found[name], bend = (high - low) / (2 * share), ((high + low) / 2 - centre) / share**2
+        scale = np.linalg.norm(found[name])
+        curvature = max(curvature, float(np.linalg.norm(bend) / scale) if scale > 0 else 0.0)
+    largest = max((np.abs(slope).max() for slope in found.values()), default=0.0)
+    return {name: slope for name, slope in found.items() if np.abs(slope).max() > _SMALL * largest}, curvature
+
+
+def _ends(robot: Robot, plant: Any, name: str, width: float) -> tuple[Array, Array, float]:
+    """The robot at both ends of an interval, or of the share of it whose ends are robots."""
+    value = getattr(robot, name)
+    for share in (1.0, 0.5, 0.25, 0.1, 0.01):
+        try:
+            high, low = (_stacked(plant({name: value + sign * share * width})) for sign in (1.0, -1.0))
+        except InvalidRobot:
+            continue
+        return high, low, share
+    raise InvalidModel(
+        f"{name} = {value:g} ± {width:g} leaves what a robot can be", mend=f"narrow the interval of {name}"
+    )
+
+
+def _stacked(system: StateSpace) -> Array:
+    return np.block([[system.A, system.B], [system.C, system.D]])
+
+
+def _factors(slope: Array) -> tuple[Array, Array]:
+    """L (·, r) and R (r, ·) with L R = `slope` and r its rank."""
+    U, s, V = np.linalg.svd(slope)
+    rank = int((s > _RANK * s[0]).sum())
+    root = np.sqrt(s[:rank])
+    return U[:, :rank] * root, root[:, None] * V[:rank]
+
+
+def _uncertain(P: StateSpace, K: StateSpace, factors: Sequence[tuple[Array, Array]]) -> StateSpace:
+    """From w to z with the loop closed: x⁺ = A x + B u + L₁ w, y = C x + L₂ w, z = R₁ x + R₂ u, u = K y (D = 0)."""
+    n = len(P.A)
+    L, R = np.hstack([left for left, _ in factors]), np.vstack([right for _, right in factors])
+    L1, L2, R1, R2 = L[:n], L[n:], R[:, :n], R[:, n:]
+    A = np.block([[P.A + P.B @ K.D @ P.C, P.B @ K.C], [K.B @ P.C, K.A]])
+    B = np.vstack([L1 + P.B @ K.D @ L2, K.B @ L2])
+    return StateSpace(A, B, np.hstack([R1 + R2 @ K.D @ P.C, R2 @ K.C]), R2 @ K.D @ L2, P.dt)
+
+
+def _lower(P: StateSpace, K: StateSpace, slopes: Mapping[str, Array]) -> tuple[float, dict[str, float]]:
+    """1/k of the smallest corner k·δ, δ = ±1 each, found unstable, and its signs; zero where none is up to `_FAR`."""
+    names, stack = list(slopes), np.array(list(slopes.values()))
+    rng = np.random.Generator(np.random.Philox(0))
+    signs = rng.choice([-1.0, 1.0], size=(_CORNERS, len(names)))
+    closer, best = _FAR, np.zeros(len(names))
+    for corner in [*signs, *_ascent(P, K, stack)]:
+        if _unstable(P, K, np.tensordot(corner, stack, 1), closer):
+            low, high = 0.0, closer
+            for _ in range(24):
+                middle = (low + high) / 2
+                low, high = (low, middle) if _unstable(P, K, np.tensordot(corner, stack, 1), middle) else (middle, high)
+            closer, best = high, corner
+    found = bool(best.any())
+    return (1 / closer, dict(zip(names, best.tolist(), strict=True))) if found else (0.0, {})
+
+
+def _ascent(P: StateSpace, K: StateSpace, stack: Array) -> list[Array]:
+    """The corner towards which the spectral radius grows, and its opposite: one step of the sign of its gradient."""
+    step = 1e-3
+    ends = [[_radius(P, K, sign * step * slope) for sign in (1.0, -1.0)] for slope in stack]
+    uphill = np.array([1.0 if up >= down else -1.0 for up, down in ends])
+    return [uphill, -uphill]
+
+
+def _unstable(P: StateSpace, K: StateSpace, move: Array, size: float) -> bool:
+    return _radius(P, K, size * move) >= 1
+
+
+def _radius(P: StateSpace, K: StateSpace, move: Array) -> float:
+    n = len(P.A)
+    A, B, C = P.A + move[:n, :n], P.B + move[:n, n:], P.C + move[n:, :n]
+    closed = np.block([[A + B @ K.D @ C, B @ K.C], [K.B @ C, K.A]])
+    return float(np.abs(np.linalg.eigvals(closed)).max())

@@ -1,0 +1,287 @@
+"""Discrete H∞ control: a four-block mixed sensitivity for pitch and wheel, and a second one for yaw.
+
+Both motors alike and both motors opposed are two separate plants, by the robot's symmetry. In each, K minimises the
+largest gain ‖z ← w‖∞ with
+
+    w = [disturbance at the command, error of each reading]        each in units of what is to be expected of it
+    z = [what is to stay small, the command, the command with its disturbance]   each in units of what is accepted
+
+so that the poles on the unit circle are moved by feedback, never cancelled: S, KS, GS and T are all among the blocks
+(Zhou and Doyle 1998, chapter 14). z = (1 + s)/(1 − s) brings the problem to SLICOT's SB10AD and the controller back;
+both norms are the same (Doyle, Glover, Khargonekar and Francis 1989). The achieved γ is measured on the discrete loop.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.control.delay import GYRO, RAW, SampledRobot, sampled
+from upright.control.estimators import measurement_matrix
+from upright.control.linear_controller import LinearController
+from upright.control.lqr import LARGEST_STATE
+from upright.control.observer import steady
+from upright.control.state_space import StateSpace, continuous, discrete, kept, plant_of
+from upright.errors import DesignFailed
+from upright.robots import Kit, Robot
+from upright.signals import STATE_NAMES
+
+Array = NDArray[np.float64]
+
+GRID = 4000
+COMMAND = {"V": 4.0, "N m": 0.02}
+"""Commands of this size cost one. Torque is dear, since it is what the dead time of the torque-driven robot forbids."""
+
+STARTS = tuple(1e3 / 2**k for k in range(20))
+"""Values of γ to begin from: at very large ones SLICOT's tests drown in rounding."""
+
+_HALVINGS = 16
+UNTOLD = 1.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Expected:
+    """What is accepted and what is to be expected, in physical units: the weights of the design.
+
+    `state` are the largest accepted deviations [rad, rad/s, …], `command` that of each motor in its own unit (None:
+    that of `COMMAND`). To be expected are a disturbance at the command of `disturbance` times as much, and `errors`
+    of the encoders [rad] and of the gyro [rad/s]. Errors far above those of the sensors keep the loop slow enough for
+    what no model knows; a gyro's bias b then moves the wheels by at most γ·state[2]·b/errors[1] [rad].
+    """
+
+    state: tuple[float, ...] = LARGEST_STATE
+    command: float | None = None
+    disturbance: float = 1.0
+    errors: tuple[float, float] = (0.1, 0.5)
+
+
+@dataclass(frozen=True, eq=False)
+class Channel:
+    """One of both problems: `problem` from [w, u] to [z, y], the controller found for it, and the γ it was found at."""
+
+    problem: StateSpace
+    controller: StateSpace
+    gamma: float
+
+    @property
+    def closed(self) -> StateSpace:
+        """From w to z under the controller."""
+        P, K = self.problem, self.controller
+        m, p = K.D.shape
+        Bw, Bu, Cz, Cy = P.B[:, :-m], P.B[:, -m:], P.C[:-p], P.C[-p:]
+        Dzw, Dzu, Dyw = P.D[:-p, :-m], P.D[:-p, -m:], P.D[-p:, :-m]
+        A = np.block([[P.A + Bu @ K.D @ Cy, Bu @ K.C], [K.B @ Cy, K.A]])
+        B = np.vstack([Bw + Bu @ K.D @ Dyw, K.B @ Dyw])
+        return StateSpace(A, B, np.hstack([Cz + Dzu @ K.D @ Cy, Dzu @ K.C]), Dzw + Dzu @ K.D @ Dyw, P.dt)
+
+    def norm(self) -> float:
+        """The largest gain of the closed discrete loop on a dense grid; infinite where it is unstable."""
+        return norm_on_grid(self.closed)
+
+
+@dataclass(frozen=True, eq=False)
+class Hinf:
+    """Both channels of a design: `forward` (both motors alike) and `turning` (opposed)."""
+
+    forward: Channel
+    turning: Channel
+
+    @property
+    def gamma(self) -> float:
+        """The larger of both γ."""
+        return max(self.forward.gamma, self.turning.gamma)
+
+    def check(self) -> float:
+        """By how much the measured norms exceed γ, as a share of it: zero where they do not."""
+        return max(0.0, *(channel.norm() / channel.gamma - 1 for channel in (self.forward, self.turning)))
+
+
+def norm_on_grid(system: StateSpace, count: int = GRID) -> float:
+    """The largest singular value at `count` frequencies up to the Nyquist frequency, the peak refined."""
+    if not system.stable:
+        return math.inf
+    assert system.dt is not None
+    top = math.pi / system.dt
+    grid = np.union1d(np.geomspace(top * 1e-7, top, count), np.linspace(0.0, top, count // 4))
+    gains = np.linalg.norm(system.response(grid), 2, axis=(1, 2))
+    i = int(np.argmax(gains))
+    finer = np.linspace(grid[max(i - 1, 0)], grid[min(i + 1, len(grid) - 1)], 101)
+    return float(max(gains[i], np.linalg.norm(system.response(finer), 2, axis=(1, 2)).max()))
+
+
+def hinf(
+    robot: Robot, kit: Kit, dt: float | None = None, *, expected: Expected | None = None, slack: float = 1.1
+) -> LinearController:
+    """The H∞ controller for `robot` on the encoders and the gyro of `kit`.
+
+    It is the central controller at `slack` times the least γ: at the least itself its gains know no bound. Raises
+    `DesignFailed` for weights that make no sense or where SLICOT finds no controller.
+    """
+    seen = sampled(robot, kit, dt, RAW)
+    wants = _checked(expected or Expected(), slack)
+    size = COMMAND[robot.command_unit] if wants.command is None else wants.command
+    plant, names = plant_of(seen), _names(seen)
+    forward = _problem(_half(plant, names, 1.0), 2, range(4), wants, size)
+    turning = _problem(_half(plant, names, -1.0), 1, range(4, 6), wants, size)
+    design = Hinf(_synthesised(forward, 2, slack), _synthesised(turning, 1, slack))
+    return _assembled(seen, design, wants, size)
+
+
+def _checked(wants: Expected, slack: float) -> Expected:
+    numbers = [*wants.state, *wants.errors, wants.disturbance, 1.0 if wants.command is None else wants.command]
+    if len(numbers) != 10 or not all(math.isfinite(n) and n > 0 for n in numbers):
+        raise DesignFailed("weights that are not six states and positive sizes", expected=str(Expected()))
+    if not slack > 1:
+        raise DesignFailed(f"slack is {slack:g}", expected="more than 1, such as 1.1")
+    return wants
+
+
+def _names(seen: SampledRobot) -> list[str]:
+    """The states of `plant_of`, with the commands on their way named by their side."""
+    names = [seen.names[i] for i in kept(seen)]
+    count = seen.delay + bool(seen.before.any())
+    return names + [f"{side}@{i}" for i in range(count) for side in ("sent_left", "sent_right")]
+
+
+def _half(plant: StateSpace, names: Sequence[str], sign: float) -> StateSpace:
+    """The plant under equal commands of both motors (`sign` 1), or opposed ones with the right motor positive (−1).
+
+    Its input is that command; its outputs the mean of the encoders (or half their difference), the gyro and the robot's
+    six states. The states that only the other half moves are gone.
+    """
+    columns: list[Array] = []
+    for i, name in enumerate(names):
+        paired, turns = "right" in name, name in STATE_NAMES[4:]
+        column = np.zeros(len(names))
+        column[i] = 1.0
+        if paired:
+            column[names.index(name.replace("right", "left"))] = sign
+        if paired or ("left" not in name and turns == (sign < 0)):
+            columns.append(column)
+    spread = np.column_stack(columns)
+    gather, both = np.linalg.pinv(spread), np.array([sign, 1.0])
+    C = np.vstack([both @ plant.C[:2] / 2, plant.C[2], np.eye(6, len(names))]) @ spread
+    return StateSpace(gather @ plant.A @ spread, gather @ plant.B[:, :2] @ both[:, None], C, np.zeros((8, 1)), plant.dt)
+
+
+def _synthesised(problem: StateSpace, readings: int, slack: float) -> Channel:
+    """The central controller at `slack` times the least γ, which bisection finds."""
+    mapped = continuous(problem)
+    reached = (channel for gamma in STARTS if (channel := _central(problem, mapped, readings, gamma)))
+    first = next(reached, None)
+    if first is None:
+        raise _no_controller()
+    low, high = 0.0, first.norm()
+    for _ in range(_HALVINGS):
+        middle = math.sqrt(low * high) if low else high / 2
+        low, high = (low, middle) if _central(problem, mapped, readings, middle) else (middle, high)
+    found = _central(problem, mapped, readings, slack * high)
+    if found is None:
+        raise _no_controller()
+    return found
+
+
+def _central(problem: StateSpace, mapped: StateSpace, readings: int, gamma: float) -> Channel | None:
+    """SLICOT's central controller at `gamma`, or None where there is none or its discrete loop is unstable."""
+    from slycot import sb10ad
+    from slycot.exceptions import SlycotError
+
+    P = mapped
+    try:
+        found: Any = sb10ad(len(P.A), P.B.shape[1], len(P.C), 1, readings, gamma, P.A, P.B, P.C, P.D, 4, 0.0, 0.0)
+    except SlycotError:
+        return None
+    A, B, C, D = (np.array(matrix, dtype=np.float64) for matrix in found[1:5])
+    controller = discrete(StateSpace(A, B, C, D), problem.dt or 1.0)
+    channel = Channel(problem, controller, gamma)
+    return channel if channel.closed.stable else None
+
+
+def _problem(plant: StateSpace, reads: int, states: Sequence[int], wants: Expected, size: float) -> StateSpace:
+    """From [disturbance, error of each reading, command] to [states, command, it disturbed, readings], in units."""
+    n, m = len(plant.A), len(states)
+    B, C = np.zeros((n, 2 + reads)), np.zeros((m + 2 + reads, n))
+    B[:, 0], B[:, -1] = plant.B[:, 0] * wants.disturbance * size, plant.B[:, 0] * size
+    D = np.zeros((len(C), 2 + reads))
+    C[:m] = plant.C[[2 + i for i in states]] / np.array(wants.state)[list(states), None]
+    D[m : m + 2, -1], D[m + 1, 0] = 1.0, wants.disturbance
+    C[m + 2 :] = plant.C[:reads] / np.array(wants.errors)[:reads, None]
+    D[m + 2 :, 1:-1] = np.eye(reads)
+    return StateSpace(plant.A, B, C, D, plant.dt)
+
+
+def _no_controller() -> DesignFailed:
+    return DesignFailed(
+        "SLICOT finds no H∞ controller", expected="a robot that the sensors show and the motors reach",
+        likely="a delay too long for the robot, or weights far apart",
+        mend="shorten the period or the delay, or bring the weights nearer to each other",
+    )  # fmt: skip
+
+
+def _assembled(seen: SampledRobot, design: Hinf, wants: Expected, size: float) -> LinearController:
+    """u_l = u_f − u_t, u_r = u_f + u_t from [mean of the encoders, gyro] and half their difference.
+
+    A reference is taken off the readings as the sensors would show it, and met by the command that it needs.
+    """
+    errors = 1 / np.array(wants.errors)
+    forward = design.forward.controller.scaled(errors, [1 / size])
+    turning = design.turning.controller.scaled(errors[:1], [1 / size])
+    split = np.array([[0.5, 0.5, 0.0], [0.0, 0.0, 1.0], [-0.5, 0.5, 0.0]])
+    n, k = len(forward.A), len(turning.A)
+    A = np.block([[forward.A, np.zeros((n, k))], [np.zeros((k, n)), turning.A]])
+    By = np.block([[forward.B, np.zeros((n, 1))], [np.zeros((k, 2)), turning.B]]) @ split
+    join = np.array([[1.0, -1.0], [1.0, 1.0]])
+    C = join @ np.block([[forward.C, np.zeros((1, k))], [np.zeros((1, n)), turning.C]])
+    Dy = join @ np.block([[forward.D, np.zeros((1, 1))], [np.zeros((1, 2)), turning.D]]) @ split
+    seen_as, due = _reference(seen)
+    whole = StateSpace(A, By, C, Dy, seen.dt)
+    noise = np.array([wants.errors[name == GYRO] for name in seen.reads])
+    return _told(seen, whole, _conditioning(whole, noise, size), (-By @ seen_as, due - Dy @ seen_as), design)
+
+
+def _conditioning(K: StateSpace, noise: Array, size: float) -> Array:
+    """H, by which a command that was not applied corrects the controller's state, z⁺ = … + H (a − u).
+
+    The Kalman gain of a controller driven by `noise` at its readings and seen by its command: A − H C is stable even
+    where A is not (Hanus, Kinnaert and Henrotte 1987, with the gain of a filter).
+    """
+    from scipy.linalg import solve_discrete_are
+
+    W = K.B * noise @ (K.B * noise).T + 1e-9 * np.eye(len(K.A))
+    R = (size * UNTOLD) ** 2 * np.eye(2)
+    P = solve_discrete_are(K.A.T, K.C.T, W, R)
+    return np.linalg.solve(K.C @ P @ K.C.T + R, K.C @ P @ K.A.T).T
+
+
+def _told(
+    seen: SampledRobot, K: StateSpace, H: Array, reference: tuple[Array, Array], design: Hinf
+) -> LinearController:
+    """The controller that is told what the motors did, after as many periods as the command is on its way."""
+    n, line = len(K.A), 2 * seen.delay
+    By, (Br, Dr) = np.array(K.B), reference
+    A = np.pad(K.A, ((0, line), (0, line)))
+    if line:
+        A[n : n + 2, :n], A[n + 2 :, n:-2], A[:n, -2:] = K.C, np.eye(line - 2), -H
+        By, Br = np.vstack([By, K.D, np.zeros((line - 2, 3))]), np.vstack([Br, Dr, np.zeros((line - 2, 6))])
+    else:
+        A[:], By, Br = A - H @ K.C, By - H @ K.D, Br - H @ Dr
+    Ba, C = np.pad(H, ((0, line), (0, 0))), np.pad(K.C, ((0, 0), (0, line)))
+    return LinearController(
+        A, By, Br, Ba, C, K.D, Dr, seen.reads, seen.dt,
+        command_unit=seen.robot.command_unit, kind="hinf", design=design,
+    )  # fmt: skip
+
+
+def _reference(seen: SampledRobot) -> tuple[Array, Array]:
+    """What the readings (3, 6) and the commands (2, 6) are while the robot follows a reference."""
+    still = steady(seen.robot)
+    now = measurement_matrix(seen.robot)[:, :6] @ still.x_r
+    late = np.array([seen.kit.sensors[name].delay for name in seen.reads])
+    moved = np.zeros_like(now)
+    moved[:, 1::2] = now[:, ::2]
+    return now - late[:, None] * moved, still.u_r

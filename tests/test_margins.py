@@ -1,0 +1,160 @@
+"""Margins against published examples, python-control, and loops that are really delayed, weakened and strengthened."""
+
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from upright.certify import Loop, analyse, delay_margin, disk_margin, margins, parameter_mu, robot_loop
+from upright.certify.margins import disk_gain, disk_phase
+from upright.certify.mu import scaled_bound, upper_bound
+from upright.control.delay import sampled
+from upright.control.linear_controller import as_linear
+from upright.control.lqr import lqr
+from upright.control.state_space import StateSpace, continuous, controller_of, discrete
+from upright.errors import InvalidModel
+from upright.report.analysis import analysis_page
+from upright.robots import Kit, Robot
+
+control = pytest.importorskip("control")
+pytest.importorskip("slycot")
+
+NXT, IDEAL = Robot.preset("nxtway-gs"), Kit.preset("ideal")
+SEILER = control.tf(25, [1, 10, 10, 10])
+"""The example of Seiler, Packard and Gahinet (2020), also python-control's test of its own disk margins."""
+
+
+@pytest.fixture(scope="module")
+def nominal():
+    return lqr(NXT, 0.01)
+
+
+@pytest.fixture(scope="module")
+def analysis(nominal):
+    return analyse(NXT, nominal, IDEAL)
+
+
+def test_seilers_example_has_its_published_margins():
+    found = margins(StateSpace.from_control(SEILER))
+    assert found.gain_high == pytest.approx(3.6, abs=0.005)  # printed to two digits
+    assert math.degrees(found.phase) == pytest.approx(29.1, abs=0.05)
+    assert found.disk == pytest.approx(0.46, abs=0.005)
+    assert disk_gain(found.disk) == pytest.approx((0.63, 1.59), abs=0.005)
+    assert math.degrees(disk_phase(found.disk)) == pytest.approx(25.8, abs=0.05)
+
+
+@pytest.mark.parametrize("system", [SEILER, control.tf(1, [1, 2, 3, 4]), control.tf([2, 3], [1, -1, 0])])
+def test_margins_equal_python_controls(system):
+    gm, pm, sm, _, wp, _ = control.stability_margins(system)
+    found = margins(StateSpace.from_control(system))
+    assert [found.gain_high, math.degrees(found.phase)] == pytest.approx(
+        [gm, pm] if gm > 1 else [math.inf, pm], rel=1e-5
+    )
+    assert 1 / found.Ms == pytest.approx(sm, rel=1e-4)  # the peak is refined three times by a fortieth of the grid
+    assert found.crossover == pytest.approx(wp, rel=1e-6, nan_ok=True)  # a loop below one has no crossover
+
+
+def test_spinning_satellite_is_fragile_although_each_loop_is_not():
+    # Zhou and Doyle (1998), section 9.6: each loop alone is 1/s, yet both at once survive a gain of a tenth and no more
+    plant = control.ss([[0, 10], [-10, 0]], np.eye(2), [[1, 10], [-10, 1]], 0)
+    loop = StateSpace.from_control(plant)
+    alone = margins(loop, (1, 0))
+    assert math.degrees(alone.phase) == pytest.approx(90, abs=1e-6)
+    assert alone.gain_high == math.inf
+    assert disk_margin(loop) == pytest.approx(0.0997, abs=1e-4)  # as Seiler et al. (2020) find
+
+
+def test_disk_margins_of_two_loops_equal_python_controls():
+    # python-control's own test of this plant and controller expects 0.3754
+    plant = control.ss([[0, 10], [-10, 0]], np.eye(2), [[1, 10], [-10, 1]], 0)
+    gain = control.ss([], [], [], [[1, -2], [0, 1]])
+    assert disk_margin(StateSpace.from_control(gain * plant)) == pytest.approx(0.3754, abs=2e-3)
+
+
+def test_an_unstable_loop_has_no_margins():
+    found = margins(StateSpace.from_control(control.tf(100, [1, 2, 3, 4])))
+    assert (found.delay, found.disk, found.Ms) == (0.0, 0.0, math.inf)
+    assert "unstable" in found.words()
+    assert disk_margin(StateSpace.from_control(control.tf(100, [1, 2, 3, 4]))) == 0.0
+
+
+def test_the_bilinear_map_and_its_inverse_give_the_system_back():
+    rng = np.random.default_rng(1)
+    system = StateSpace(
+        0.3 * rng.normal(size=(4, 4)), rng.normal(size=(4, 2)), rng.normal(size=(3, 4)), np.ones((3, 2)), 0.1
+    )
+    again = discrete(continuous(system), 0.1)
+    assert np.allclose(again.response([0.1, 3.0]), system.response([0.1, 3.0]), rtol=1e-10)
+
+
+def test_state_feedback_margins_are_those_at_which_the_loop_really_breaks(nominal):
+    loop = robot_loop(NXT, nominal, IDEAL)
+    found = margins(loop.at_input, (1, 1), "both motors")
+
+    def stable(factor):
+        K = loop.controller
+        return Loop(loop.plant, StateSpace(K.A, K.B, K.C * factor, K.D * factor, K.dt)).stable
+
+    assert stable(found.gain_high * 0.999)
+    assert not stable(found.gain_high * 1.001)
+    assert stable(found.gain_low * 1.001)
+    assert not stable(found.gain_low * 0.999)
+
+
+def test_more_delay_than_the_margin_makes_the_robot_unstable(nominal):
+    late = delay_margin(NXT, nominal, IDEAL)
+    linear = as_linear(nominal)
+    K = controller_of(linear, 0)
+    for share, holds in ((0.98, True), (1.02, False)):
+        seen = sampled(NXT, replace(IDEAL, delay=share * late), 0.01, linear.reads)
+        P = robot_loop(NXT, nominal, replace(IDEAL, delay=share * late)).plant
+        assert Loop(P, K).stable is holds, (share, seen.delay)
+
+
+def test_loop_of_a_regulator_has_the_regulators_poles(nominal, analysis):
+    # without delay and with the state measured, the loop is A − BK
+    assert np.allclose(np.sort(np.abs(analysis.poles)), np.sort(np.abs(nominal.poles)), atol=1e-9)
+    assert analysis.check() < 1e-9
+
+
+def test_analysis_says_itself_in_words_numbers_and_a_page(analysis, tmp_path):
+    assert "ms more delay" in " ".join(analysis.words())
+    assert len(str(analysis).splitlines()) >= 2 + len(analysis.inputs) + len(analysis.outputs)
+    assert json.loads(json.dumps(analysis.to_json()))["stable"] is True
+    html = analysis_page(analysis, tmp_path / "a.html").read_text()
+    for word in ("Bode", "Nyquist", "poles", "ms more delay"):
+        assert word in html
+
+
+def test_mu_of_a_positive_matrix_with_scalar_blocks_is_its_perron_root():
+    # sup over phases of ρ(M U) is ρ(|M|), and Osborne's scaling reaches it (Zhou and Doyle 1998, section 10.2)
+    matrix = np.array([[1.0, 2.0, 0.5], [3.0, 4.0, 1.0], [0.2, 0.7, 2.0]]).astype(complex)
+    perron = float(np.abs(np.linalg.eigvals(matrix)).max())
+    assert upper_bound(matrix, [(1, False)] * 3) == pytest.approx(perron, rel=1e-4)
+    assert scaled_bound(matrix[None], [(1, False)] * 3)[0] == pytest.approx(perron, rel=0.02)
+
+
+def test_mu_of_a_dyad_is_the_sum_of_its_products():
+    # M = a bᵀ with complex scalars: det(I − M Δ) = 1 − Σ bᵢ δᵢ aᵢ, so μ = Σ |aᵢ bᵢ|
+    a, b = np.array([1.0, -2.0, 0.5]), np.array([0.3, 1.0, -4.0])
+    assert upper_bound(np.outer(a, b).astype(complex), [(1, False)] * 3) == pytest.approx(4.3, rel=1e-4)
+
+
+def test_one_full_block_gives_the_largest_singular_value_and_bad_blocks_are_refused():
+    matrix = np.random.default_rng(2).normal(size=(3, 3)).astype(complex)
+    assert upper_bound(matrix, [(3, False)]) == pytest.approx(np.linalg.norm(matrix, 2), rel=1e-6)
+    with pytest.raises(InvalidModel, match="blocks"):
+        upper_bound(matrix, [(2, False)])
+
+
+def test_a_robot_inside_the_bound_of_mu_holds(nominal):
+    # the robot is not quite affine in its parameters, so that the corner is tried a little inside of the bound
+    found = parameter_mu(NXT, nominal, IDEAL, {"body_mass": 0.2, "com_height": 0.03}, points=40)
+    assert found.lower <= found.upper
+    inside = {
+        name: getattr(NXT, name) + size * 0.98 / found.upper
+        for name, size in (("body_mass", 0.2), ("com_height", 0.03))
+    }
+    assert robot_loop(NXT.replace(**inside), nominal, IDEAL).stable
