@@ -22,7 +22,7 @@ from upright.bodies.models import NonlinearBody
 from upright.comparison import compare
 from upright.control import lqr
 from upright.errors import UprightError
-from upright.paper import equations, printed, pushes, regulator, turning
+from upright.paper import controllers, equations, printed, pushes, regulator, turning
 from upright.paper.finding import BEYOND, NOT_AS_PRINTED, REPRODUCED, Finding
 from upright.paper.reproduce import Reproduction, reproduce
 from upright.robots import Robot
@@ -90,7 +90,7 @@ def test_results_are_json_without_nan(done: Reproduction) -> None:
         raise AssertionError(f"{constant} is not JSON")
 
     results = json.loads((done.folder / "results.json").read_text("utf-8"), parse_constant=refuse)
-    assert [f["part"] for f in results["findings"]] == [*VERDICTS, "5e"]
+    assert [f["part"] for f in results["findings"]] == [*VERDICTS, "5e", "6"]
     assert results["versions"]["upright"]
 
 
@@ -114,7 +114,7 @@ def test_verdicts(parts: dict[str, Finding], part: str, verdict: str) -> None:
 def test_the_table_at_the_end_names_every_part(done: Reproduction) -> None:
     lines = str(done).splitlines()
     heads = [line for line in lines if line and line[0].isdigit()]
-    assert [line.split()[0] for line in heads] == [*VERDICTS, "5e"]
+    assert [line.split()[0] for line in heads] == [*VERDICTS, "5e", "6"]
     assert all(line.endswith(f.verdict) for line, f in zip(heads, done.findings, strict=True))
     reasons = [line for line in lines if line.startswith("    ")]
     assert len(reasons) >= len(heads)  # every part says why, in a sentence below it
@@ -328,3 +328,16 @@ def test_a_finding_keeps_its_numbers_as_plain_json(parts: dict[str, Finding]) ->
     for finding in parts.values():
         json.dumps(finding.to_json(), allow_nan=False)
     assert replace(parts["4"], verdict=BEYOND).section().verdict is not None
+
+
+# Chapter 6
+
+
+def test_every_kind_of_controller_is_in_the_table(parts: dict[str, Finding]) -> None:
+    rows = parts["6"].numbers["rows"]
+    assert parts["6"].verdict == BEYOND
+    assert {row["controller"] for row in rows} == set(controllers.METHODS)
+    assert len(rows) == 2 * len(controllers.METHODS)  # two pushes each
+    for row in rows:  # a row has its numbers, or says why it has none
+        assert row["outcome"] == "yes" or row["outcome"].startswith(("fell", "no design"))
+        assert (row["peak"] is None) == row["outcome"].startswith("no design")

@@ -9,7 +9,7 @@ import typer
 
 from upright.cli.options import JsonOption, RobotOption
 from upright.cli.output import print_json, print_table, progress
-from upright.errors import SpecMismatch, UprightError
+from upright.errors import SpecMismatch
 
 if TYPE_CHECKING:
     from upright.control import Controller
@@ -17,10 +17,6 @@ if TYPE_CHECKING:
 
 KitOption = Annotated[str | None, typer.Option(help="Electronics by name or TOML file (default: the robot's own).")]
 PeriodOption = Annotated[float | None, typer.Option(help="Controller's period [s] (default: the kit's).")]
-
-BENCH = ("lqr", "lqi", "lqg", "pid", "hinf", "mpc", "sliding", "robust")
-HOLD_UNTIL, SECONDS = 4.0, 8.0  # [s]
-PUSHES = {"front": 0.1, "back": -0.12}  # [rad] Herrera et al. (2015), section 3.2
 
 
 def design(
@@ -73,53 +69,27 @@ def bench_controllers(
     Each holds the robot on its kit's sensors through both pushes of Herrera et al. (2015): held at 0.1 rad and at
     −0.12 rad, and released.
     """
+    from upright.comparison.bench import bench_controllers as bench
+    from upright.comparison.bench import bench_json
+
     chosen, parts = _found(robot, kit)
-    rows: list[dict[str, Any]] = []
     with progress("pushing") as share:
-        for done, method in enumerate(BENCH):
-            rows += [_pushed(method, side, chosen, parts, body, seed) for side in PUSHES]
-            share((done + 1) / len(BENCH))
+        rows = bench(chosen, parts, body, seed, progress=share)
     if as_json:
-        print_json({"robot": chosen.name, "kit": parts.name, "body": body, "seed": seed, "rows": rows})
+        print_json({"robot": chosen.name, "kit": parts.name, "body": body, "seed": seed, "rows": bench_json(rows)})
         return
     header = (
         "controller",
         "push",
-        "holds",
         "peak pitch [rad]",
         "settling 5 % [s]",
         "travel [rad]",
         "effort",
         "saturated",
+        "holds",
     )
-    print_table(header, [[_cell(row[name]) for name in header] for row in rows], header[3:])
-
-
-def _pushed(method: str, side: str, robot: Robot, kit: Kit, body: str, seed: int) -> dict[str, Any]:
-    from upright.bodies import Electronics, make_body
-    from upright.comparison import compare
-    from upright.control import make_controller
-    from upright.experiment import Hold, run
-
-    row: dict[str, Any] = {"controller": method, "push": f"{side} {PUSHES[side]:+.2f}"}
-    absent = dict.fromkeys(("peak pitch [rad]", "settling 5 % [s]", "travel [rad]", "effort", "saturated"))
-    try:
-        controller = make_controller(method, robot, kit, kit.period)
-    except UprightError as error:
-        return row | {"holds": f"no design: {str(error).split(';')[0]}"} | absent
-    plant = Electronics(make_body(body, robot), kit)
-    log = run(plant, controller, Hold(pitch=PUSHES[side], until=HOLD_UNTIL), seconds=SECONDS, seed=seed)
-    plant.close()
-    numbers = compare({body: log}).to_json()["logs"][body]["metrics"]
-    outcome = log.origin["outcome"]
-    return row | {
-        "holds": f"fell at {outcome['seconds']:.1f} s" if outcome["fell"] else "yes",
-        "peak pitch [rad]": numbers["pitch_peak"],
-        "settling 5 % [s]": numbers["settling_5"],
-        "travel [rad]": numbers["wheel_travel"],
-        "effort": numbers["effort"],
-        "saturated": numbers["saturated"],
-    }
+    cells = [(r.controller, r.push, r.peak, r.settling, r.travel, r.effort, r.saturated, r.outcome) for r in rows]
+    print_table(header, [[_cell(value) for value in row] for row in cells], header[2:7])
 
 
 def _found(robot: str, kit: str | None) -> tuple[Robot, Kit]:

@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 SMALL = 0.3  # [V] of excitation: pitch stays within 3 mrad, where sin ψ = ψ to 2e-6
 LAST_DIGIT = 1e-4  # (34) and (35) are printed to four decimals, trailing zeros left out
-MORE = 5  # times the data: a bias stays, noise would shrink by √5
+MORE = 3  # times the data: a bias stays, noise would shrink by √3
 PITCH = (0, 1, 2, 3)
 YAW = (4, 5)
 NOISE = (5, 4)  # the printed −0.0007 of heading on its own rate: no heading turns a robot, so it is noise

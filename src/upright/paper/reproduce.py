@@ -11,7 +11,7 @@ from typing import Any
 from upright.atomic import write_json
 from upright.control import lqr
 from upright.errors import UprightError
-from upright.paper import equations, linear_model, printed, pushes, regulator, turning
+from upright.paper import controllers, equations, linear_model, printed, pushes, regulator, turning
 from upright.paper.finding import Finding, Progress, silent
 from upright.paper.pushes import Trial
 from upright.report import Page
@@ -78,7 +78,8 @@ def chapters(progress: Progress = silent) -> list[Finding]:
         Trial(light, own, linear_model.identify(light, own)[1].model, why),
         Trial(heavy, gains, linear_model.identify(heavy, gains)[1].model, "The gains are the printed ones."),
     ]  # fmt: skip
-    findings += pushes.chapter(trials, kit, lambda share: progress(0.5 + share / 2))
+    findings += pushes.chapter(trials, kit, lambda share: progress(0.5 + 0.25 * share))
+    findings.append(controllers.chapter(light, kit, lambda share: progress(0.75 + 0.25 * share)))
     return findings
 
 

@@ -1,0 +1,85 @@
+"""All controllers on one robot under the same pushes: one row for each."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from upright.bodies import Electronics, make_body
+from upright.comparison.comparison import compare
+from upright.control import make_controller
+from upright.errors import UprightError
+from upright.experiment import Hold, run
+from upright.robots import Kit, Robot
+
+METHODS = ("lqr", "lqi", "lqg", "pid", "hinf", "mpc", "sliding", "robust")
+PUSHES = {"front": 0.1, "back": -0.12}
+"""Pitch [rad] at which each push holds the robot (Herrera et al. 2015, section 3.2)."""
+UNTIL, SECONDS = 3.0, 7.0  # [s]
+
+
+@dataclass(frozen=True)
+class BenchRow:
+    """One controller under one push; numbers are None where there was nothing to run.
+
+    `outcome` is "yes", "fell at … s" or why there is no design; `peak` [rad], `settling` to 5 % [s], `travel` of the
+    wheels [rad], `effort` [V² s or (N m)² s], `saturated` share [1].
+    """
+
+    controller: str
+    push: str
+    outcome: str
+    peak: float | None = None
+    settling: float | None = None
+    travel: float | None = None
+    effort: float | None = None
+    saturated: float | None = None
+
+    @property
+    def holds(self) -> bool:
+        return self.outcome == "yes"
+
+
+def bench_controllers(
+    robot: Robot,
+    kit: Kit,
+    body: str = "twin",
+    seed: int = 1,
+    methods: Sequence[str] = METHODS,
+    progress: Callable[[float], None] = lambda _share: None,
+) -> tuple[BenchRow, ...]:
+    """Each of `methods` on the sensors of `kit` through both pushes of the paper, held until 3 s and released.
+
+    A method that has no design for this robot gets a row that says why.
+    """
+    rows: list[BenchRow] = []
+    for done, method in enumerate(methods):
+        rows += [bench_one(method, side, robot, kit, body, seed) for side in PUSHES]
+        progress((done + 1) / len(methods))
+    return tuple(rows)
+
+
+def bench_one(method: str, side: str, robot: Robot, kit: Kit, body: str, seed: int) -> BenchRow:
+    """One controller under one push."""
+    push = f"{side}, {PUSHES[side]:+.2f} rad".replace("-", "−")
+    try:
+        controller = make_controller(method, robot, kit, kit.period)
+    except UprightError as error:
+        return BenchRow(method, push, f"no design: {str(error).split(';')[0]}")
+    plant = Electronics(make_body(body, robot), kit)
+    log = run(plant, controller, Hold(pitch=PUSHES[side], until=UNTIL), seconds=SECONDS, seed=seed)
+    plant.close()
+    numbers = compare({body: log}).to_json()["logs"]
+    found = next(iter(numbers.values()))["metrics"]
+    outcome = log.origin["outcome"]
+    said = f"fell at {outcome['seconds']:.1f} s" if outcome["fell"] else "yes"
+    names = {"peak": "pitch_peak", "settling": "settling_5", "travel": "wheel_travel"}
+    return BenchRow(
+        method, push, said, **{n: found[names.get(n, n)] for n in ("peak", "settling", "travel", "effort", "saturated")}
+    )
+
+
+def bench_json(rows: Sequence[BenchRow]) -> list[dict[str, Any]]:
+    """The rows as plain values."""
+    return [asdict(row) for row in rows]
