@@ -31,13 +31,19 @@ UPWARD = {("comparison/comparison.py", "report"): "a comparison writes its own p
 """The stated exceptions, lazy imports all of them."""
 
 HEAVY = {
-    "control", "cvxpy", "fastapi", "jinja2", "matplotlib", "mcap", "mujoco", "numba", "pandas", "pyarrow", "rich",
-    "scipy.signal", "slycot", "sympy", "uvicorn", "xarray",
+    "control", "cvxpy", "dask", "distributed", "fastapi", "jinja2", "matplotlib", "mcap", "mujoco", "numba", "pandas",
+    "pyarrow", "rich", "scipy.signal", "slycot", "sympy", "uvicorn", "xarray", "zarr",
 }  # fmt: skip
-AT_ONCE = {("bodies/twin.py", "mujoco"), ("paper/derivation.py", "sympy"), ("paper/errata.py", "sympy")}
+AT_ONCE = {
+    ("bodies/twin.py", "mujoco"), ("paper/derivation.py", "sympy"), ("paper/errata.py", "sympy"),
+    ("fleet/trace.py", "sympy"), ("fleet/trace_print.py", "sympy"), ("fleet/trace_tangent.py", "sympy"),
+    ("fleet/cuda_loop.py", "numba"), ("identify/predictor.py", "numba"),
+}  # fmt: skip
 """Heavy packages that a module may import when it is loaded, because it is loaded only to use them."""
 
-SYMPY = {"paper/derivation.py", "paper/errata.py", "fleet/trace.py"}
+SYMPY = {
+    "paper/derivation.py", "paper/errata.py", "fleet/trace.py", "fleet/trace_print.py", "fleet/trace_tangent.py",
+}  # fmt: skip
 """Nothing else imports SymPy at all: it proves and traces, and is never needed at run time."""
 
 MOST_LINES_OF_A_MODULE = 400
@@ -142,8 +148,13 @@ def test_start_loads_no_numerics(module: str) -> None:
     assert said.stdout.strip() == "[]"
 
 
+def by_hand(path: Path) -> bool:
+    """Nobody reads or edits a generated file; what writes it is held to the limits instead."""
+    return not path.read_text("utf-8").startswith("# Generated")
+
+
 def test_no_module_is_too_long() -> None:
-    lengths = {path: len(path.read_text("utf-8").splitlines()) for path in SOURCE.rglob("*.py")}
+    lengths = {path: len(path.read_text("utf-8").splitlines()) for path in SOURCE.rglob("*.py") if by_hand(path)}
     assert {str(p): n for p, n in lengths.items() if n > MOST_LINES_OF_A_MODULE} == {}
 
 
@@ -152,7 +163,7 @@ def test_no_function_is_too_long() -> None:
         (f"{file}:{node.lineno} {node.name}", (node.end_lineno or 0) - node.lineno + 1)
         for file, tree in trees().items()
         for node in ast.walk(tree)
-        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+        if by_hand(SOURCE / file) and isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
     ]
     assert {name: n for name, n in functions if n > MOST_LINES_OF_A_FUNCTION} == {}
 
