@@ -1,0 +1,293 @@
+"""How fast the fleet's kernel is: beside hand-written C on the same loop, beside MuJoCo, and against itself.
+
+    python benchmarks/fleet.py            # everything, about three minutes on two cores
+    python benchmarks/fleet.py --quick    # fewer repeats
+
+One step is one Runge–Kutta step of 1 ms of one robot; feedback is held over 10 ms; every robot has its own parameters.
+Times are the best of several repeats taken in turns, so that a ratio compares like with like on a busy machine.
+"""
+
+# ruff: noqa: E501 (what is printed, and code for other processes, is clearer in one piece)
+
+from __future__ import annotations
+
+import argparse
+import ctypes
+import os
+import platform
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from upright.control import Estimated, kalman, lqr
+from upright.fleet.kernel import simulate
+from upright.fleet.kernel_batch import FleetBatch, parameters_of
+from upright.fleet.kernel_pack import constants
+from upright.robots import Kit, Robot
+
+HERE = Path(__file__).parent
+ROBOT = Robot.preset("nxtway-gs")
+PERIOD, STRIDE, STEP = 0.01, 10, 0.001
+CONSTANTS = (
+    3,
+    4,
+    5,
+    8,
+    9,
+    10,
+    11,
+    14,
+    15,
+    16,
+    19,
+    20,
+    21,
+    22,
+)  # which of the kernel's the C needs, in the order of its enum
+FLAGS = ("-O3", "-march=native", "-ffast-math", "-mprefer-vector-width=512", "-shared", "-fPIC")
+NUMBERS = {"float64": ("double", ctypes.c_double), "float32": ("float", ctypes.c_float)}
+
+
+def spread_fleet(n: int) -> np.ndarray:
+    """Parameters of n robots whose centre of mass and body differ by up to 10 %."""
+    rng = np.random.default_rng(1)
+    around = {
+        name: getattr(ROBOT, name) * rng.uniform(0.9, 1.1, n) for name in ("com_height", "body_mass", "pitch_inertia")
+    }
+    return parameters_of(ROBOT, around)
+
+
+def start_of(n: int) -> np.ndarray:
+    start = np.zeros((n, 6))
+    start[:, 0] = np.linspace(-0.05, 0.05, n)
+    return start
+
+
+def bare(n: int, **options: Any) -> FleetBatch:
+    return FleetBatch(parameters=spread_fleet(n), controller=lqr(ROBOT), start=start_of(n), substeps=1, **options)
+
+
+def full(n: int) -> FleetBatch:
+    """A Kalman filter on quantised, noisy sensors, dead time with jitter, saturation with sag, dead zone and a push."""
+    kit = Kit.preset("nxt")
+    controller = Estimated(lqr(ROBOT), kalman(ROBOT, kit))
+    push = [[[0.5, np.nan, 0.2, 0.1]]]
+    return FleetBatch(
+        parameters=spread_fleet(n), controller=controller, start=start_of(n), kit=kit, pushes=push, substeps=1
+    )
+
+
+class Roofline:
+    """benchmarks/roofline.c, compiled for one kind of number and one width of block."""
+
+    def __init__(self, folder: Path, number: str, lanes: int = 64) -> None:
+        name, self._real = NUMBERS[number]
+        built = folder / f"roofline-{name}-{lanes}.so"
+        command = [
+            "gcc",
+            *FLAGS,
+            f"-DREAL={name}",
+            f"-DLANES={lanes}",
+            str(HERE / "roofline.c"),
+            "-o",
+            str(built),
+            "-lm",
+        ]
+        subprocess.run(command, check=True)
+        self._run: Any = ctypes.CDLL(str(built)).simulate
+        self._run.argtypes = [ctypes.c_void_p] * 3 + [ctypes.c_long] * 3 + [self._real]
+        self._dtype, self._lanes = np.dtype(number), lanes
+
+    def job(self, n: int, periods: int, threads: int = 1) -> Callable[[], None]:
+        """The bare loop for n robots (rounded up to whole blocks), as a function to be timed."""
+        many = -(-n // self._lanes) * self._lanes
+        table = np.ascontiguousarray(constants(bare(many))[:, CONSTANTS], self._dtype)
+        gain, start = np.ascontiguousarray(lqr(ROBOT).gain, self._dtype), start_of(many).astype(self._dtype)
+        parts = np.array_split(np.arange(many // self._lanes) * self._lanes, threads)
+        bounds = [(int(p[0]), int(p[-1]) + self._lanes) for p in parts if len(p)]
+
+        def part(states: np.ndarray, first: int, last: int) -> None:
+            x, c = states[first:last], table[first:last]
+            self._run(x.ctypes.data, c.ctypes.data, gain.ctypes.data, last - first, periods, STRIDE, STEP)
+
+        def job() -> None:
+            states = start.copy()
+            if threads == 1:
+                part(states, 0, many)
+                return
+            with ThreadPoolExecutor(threads) as pool:
+                list(pool.map(lambda bound: part(states, *bound), bounds))
+
+        return job
+
+
+def kernel(batch: FleetBatch, periods: int, number: str = "float64", threads: int = 1) -> Callable[[], None]:
+    return lambda: simulate(batch, periods * PERIOD, dtype=np.dtype(number), threads=threads) and None
+
+
+def best(
+    jobs: dict[str, Callable[[], None]], repeats: int, clock: Callable[[], float] = time.perf_counter
+) -> dict[str, float]:
+    """The shortest time [s] of each job, taken in turns; `time.thread_time` leaves out what other programs took."""
+    found = dict.fromkeys(jobs, np.inf)
+    for job in jobs.values():
+        job()
+    for _ in range(repeats):
+        for name, job in jobs.items():
+            began = clock()
+            job()
+            found[name] = min(found[name], clock() - began)
+    return found
+
+
+def periods_for(n: int, steps: float = 3e7) -> int:
+    """Periods that make about `steps` steps: at least 2 s and at most 30 s of simulated time."""
+    return int(np.clip(steps / (n * STRIDE), 200, 3000))
+
+
+def against_c(folder: Path, repeats: int) -> None:
+    print("\nbare loop, one thread: M steps/s of the kernel and of the C (bar: 0.9 of it)")
+    for number in NUMBERS:
+        roof = Roofline(folder, number)
+        for n in (1_000, 10_000, 100_000):
+            periods = periods_for(n)
+            jobs = {"kernel": kernel(bare(n), periods, number), "C": roof.job(n, periods)}
+            t = best(jobs, max(3, min(repeats, 300_000 // n)), time.thread_time)
+            rate = n * periods * STRIDE / 1e6
+            print(
+                f"  {number} n = {n:7d}: {rate / t['kernel']:6.1f}  {rate / t['C']:6.1f}  {t['C'] / t['kernel']:5.2f}"
+            )
+    print("\nsensors, noise, delay, jitter, saturation, Kalman filter: M steps/s and share of the bare C (bar 0.5)")
+    for number in NUMBERS:
+        roof, n = Roofline(folder, number), 10_000
+        periods = periods_for(n)
+        t = best({"kernel": kernel(full(n), periods, number), "C": roof.job(n, periods)}, repeats, time.thread_time)
+        print(f"  {number} n = {n:7d}: {n * periods * STRIDE / 1e6 / t['kernel']:6.1f}  {t['C'] / t['kernel']:5.2f}")
+    scalar = Roofline(folder, "float64", lanes=1)
+    for periods in (1000, 20_000):
+        jobs = {"kernel": kernel(bare(1), periods), "C": scalar.job(1, periods)}
+        t = best(jobs, repeats, time.thread_time)
+        said = f"one robot for {periods * PERIOD:.0f} s: {1e3 * t['kernel']:.2f} ms, scalar C {1e3 * t['C']:.2f} ms"
+        print(f"\n{said}: {t['kernel'] / t['C']:.2f} × (bar 1.5)", end="")
+    t = best({"kernel": kernel(bare(1), 1)}, repeats, time.thread_time)
+    print(f"\n  of which a call costs {1e3 * t['kernel']:.2f} ms however short")
+
+
+def scaling(folder: Path | None, repeats: int) -> None:
+    print("\ntwo threads against one (bar 1.85), n = 100 000")
+    n, periods = 100_000, 60
+    jobs = {f"kernel {threads}": kernel(bare(n), periods, threads=threads) for threads in (1, 2)}
+    if folder:
+        roof = Roofline(folder, "float64")
+        jobs |= {f"C {threads}": roof.job(n, periods, threads) for threads in (1, 2)}
+    t = best(jobs, repeats)
+    for name in ("kernel", "C") if folder else ("kernel",):
+        rate = n * periods * STRIDE / 1e6 / t[f"{name} 2"]
+        print(f"  {name:6s} {t[f'{name} 1'] / t[f'{name} 2']:.2f} ×, {rate:.0f} M steps/s on two threads")
+
+
+def flatness(repeats: int) -> None:
+    print("\ncost of a robot-second [µs], two threads (bar: flat within 10 %)")
+    for n in (1_000, 10_000, 100_000, 1_000_000):
+        seconds = max(1.0, 2e5 / n)
+        batch = bare(n)
+        t = best({"kernel": lambda b=batch, s=seconds: simulate(b, s, threads=2) and None}, max(2, repeats // 3))
+        print(f"  n = {n:8d}, {seconds:5.0f} s each: {1e6 * t['kernel'] / (n * seconds):.3f}")
+
+
+def memory() -> None:
+    """Peak memory as Linux counts it; elsewhere nothing is said."""
+    if not Path("/proc/self/status").exists():
+        return
+    code = (
+        "import re, sys; sys.path.insert(0, sys.argv[1]); import fleet;"
+        "b = fleet.bare(1000); fleet.simulate(b, 0.1, threads=2); r = lambda: re.search(r'VmHWM:\\s+(\\d+)', open('/proc/self/status').read())[1];"
+        "a = r(); b = fleet.bare(int(sys.argv[2])); c = r(); fleet.simulate(b, 0.1, threads=2); print(a, c, r())"
+    )
+    n = 1_000_000
+    said = subprocess.run([sys.executable, "-c", code, str(HERE), str(n)], capture_output=True, text=True, check=True)
+    before, made, after = map(int, said.stdout.split())
+    share = 1024 / n
+    print(
+        f"\nmemory at n = 10⁶: {(made - before) * share:.0f} bytes a robot for the batch, {(after - made) * share:.0f} more to run it"
+    )
+
+
+def first_call() -> None:
+    code = (
+        "import time, numpy, scipy.linalg; from upright.robots import Robot; from upright.control import lqr; r = Robot.preset('nxtway-gs');"
+        "k = lqr(r); t = time.perf_counter(); from upright.fleet.kernel import simulate;"
+        "from upright.fleet.kernel_batch import FleetBatch, parameters_of;"
+        "simulate(FleetBatch(parameters=parameters_of(r), controller=k), 1.0); print(time.perf_counter() - t)"
+    )
+    with tempfile.TemporaryDirectory() as folder:
+        environment = {**os.environ, "UPRIGHT_CACHE": folder}
+        for said in ("cold (bar 6)", "warm (bar 0.3)", "warm again"):
+            run = subprocess.run(
+                [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True
+            )
+            print(f"\nimport of the kernel and first call in a new process, {said}: {float(run.stdout):.2f} s", end="")
+    print()
+
+
+def against_mujoco(repeats: int) -> None:
+    """`mujoco.rollout` of the twin on two threads: contacts solved at 0.25 ms, no controller, commands of zero."""
+    from mujoco import MjData, MjModel, rollout
+
+    from upright.bodies.mjcf import mjcf
+
+    contact = {"contact_time": 0.0005, "impedance": 0.95, "impratio": 10.0, "grip": 10.0}
+    model = MjModel.from_xml_string(mjcf(ROBOT, timestep=0.00025, **contact))
+    many, seconds = 32, 1.0
+    data = [MjData(model) for _ in range(2)]
+    import mujoco
+
+    state = np.zeros(mujoco.mj_stateSize(model, mujoco.mjtState.mjSTATE_FULLPHYSICS))
+    mujoco.mj_getState(model, data[0], state, mujoco.mjtState.mjSTATE_FULLPHYSICS)
+    first, steps = np.tile(state, (many, 1)), round(seconds / 0.00025)
+    t_rollout = best({"rollout": lambda: rollout.rollout([model] * many, data, first, nstep=steps) and None}, 2)[
+        "rollout"
+    ]
+    n = 100_000
+    t_kernel = best({"kernel": lambda: simulate(bare(n), seconds, threads=2) and None}, max(2, repeats // 3))["kernel"]
+    ours, theirs = n * seconds / t_kernel, many * seconds / t_rollout
+    print(
+        "\nrobot-seconds a second on two threads (bar 500 ×): ours in closed loop, RK4 at 1 ms, no contacts to solve (wheels roll);"
+    )
+    print(
+        f"  mujoco.rollout of the twin open loop at 0.25 ms with contacts: {ours:.3g} against {theirs:.3g}: {ours / theirs:.0f} ×"
+    )
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="fewer repeats")
+    repeats = 4 if parser.parse_args().quick else 15
+    packages = ", ".join(f"{name} {version(name)}" for name in ("numpy", "numba", "llvmlite", "mujoco"))
+    print(
+        f"{platform.processor() or platform.machine()}, {os.cpu_count()} processors, Python {platform.python_version()}, {packages}"
+    )
+    with tempfile.TemporaryDirectory() as made:
+        folder = Path(made) if shutil.which("gcc") else None
+        if folder:
+            against_c(folder, repeats)
+        else:
+            print("no gcc here, so no roofline")
+        scaling(folder, repeats)
+    flatness(repeats)
+    memory()
+    against_mujoco(repeats)
+    first_call()
+
+
+if __name__ == "__main__":
+    main()
