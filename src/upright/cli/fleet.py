@@ -1,0 +1,364 @@
+"""`upright fleet`, `push-map`, `basin` and `sweep`: many robots at once."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from upright.cli import options
+from upright.cli.options import JsonOption, RobotOption
+from upright.cli.output import check_folder, print_json, print_table, progress
+from upright.errors import InvalidScenario
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+    from upright.fleet.campaign import CaseSummary
+    from upright.fleet.ensemble import Ensemble
+
+VARY_HELP = (
+    "What differs from robot to robot, repeatable: com_height=±10%, com_height=0.06..0.08, com_height=normal:5%, "
+    "com_height=normal (the robot file's own spread), the same for delay, motor.limit, sensors.gyro.noise; or 'spread' "
+    "for all parameters with the file's own."
+)
+
+KitOption = Annotated[
+    str | None,
+    typer.Option("--kit", help="Electronics by name or TOML file; ideal for none (default: the robot's own)."),
+]
+ControllerOption = Annotated[
+    str, typer.Option("--controller", "-c", help="By name, or a controller.json; it must be linear.")
+]
+VaryOption = Annotated[list[str] | None, typer.Option("--vary", metavar="NAME=...", help=VARY_HELP)]
+PosteriorOption = Annotated[
+    Path | None, typer.Option("--posterior", help="JSON of 'parameters', 'mean' and 'covariance': jointly normal.")
+]
+SeedOption = Annotated[int, typer.Option("--seed", help="Seed of all draws and all noise.")]
+OutputOption = Annotated[Path | None, typer.Option("--output", "-o", help="Write the result: .parquet or .zarr.")]
+PageOption = Annotated[Path | None, typer.Option("--report", help="Write a page with figures: .html.")]
+ThreadsOption = Annotated[int | None, typer.Option("--threads", help="Threads (default: one a processor).")]
+
+
+def fleet(
+    *,
+    robot: RobotOption = "nxtway-gs",
+    controller: ControllerOption = "lqr",
+    kit: KitOption = None,
+    n: Annotated[int, typer.Option("-n", "--robots", help="How many robots.")] = 10000,
+    vary: VaryOption = None,
+    posterior: PosteriorOption = None,
+    push: Annotated[
+        list[str] | None, typer.Option("--push", "-p", metavar="KIND:NUMBER,...", help=options.PUSH_HELP)
+    ] = None,
+    drive: Annotated[str | None, typer.Option(metavar="M/S[,start=S,until=S]", help="Roll at a speed.")] = None,
+    turn: Annotated[str | None, typer.Option(metavar="RAD/S[,start=S,until=S]", help="Turn.")] = None,
+    start: Annotated[str, typer.Option(help="First state, such as pitch=0.05; zero where not said.")] = "",
+    seconds: Annotated[float, typer.Option("--seconds", "-s", help="How long [s].")] = 10.0,
+    seed: SeedOption = 0,
+    threads: ThreadsOption = None,
+    output: OutputOption = None,
+    report: PageOption = None,
+    as_json: JsonOption = False,
+) -> None:
+    """Run many robots that differ, and say how many fall.
+
+    Prints the chance of a fall with its 95 % interval, and the distribution of peaks, settling, effort and travel.
+    """
+    from upright.experiment import Drive, Turn
+    from upright.fleet.results import labelled, summarise
+
+    _check(output, report)
+    if n < 1:
+        raise InvalidScenario(f"-n {n}", expected="one robot or more")
+    wanted = [(Drive, drive, "--drive"), (Turn, turn, "--turn")]
+    references = tuple(options.programme(kind, text, option) for kind, text, option in wanted if text)
+    pushes = tuple(options.push(text) for text in push or [])
+    ensemble = _ensemble(
+        robot, controller, kit, vary, posterior, pushes=pushes, references=references, start=_state(start),
+        seconds=seconds, seed=seed,
+    )  # fmt: skip
+    with progress("simulating") as share:
+        data = labelled(_in_parts(ensemble, n, threads, share), range(n), ensemble)
+    summary = summarise(data)
+    if report:
+        from upright.report.fleet import fleet_page
+
+        fleet_page(data, summary, f"{n} robots like {ensemble.family.robot.name}").write(report)
+    _say(data, str(summary), summary.to_json(), output, report, as_json)
+
+
+def push_map(
+    *,
+    robot: RobotOption = "nxtway-gs",
+    controller: ControllerOption = "lqr",
+    kit: KitOption = None,
+    vary: VaryOption = None,
+    posterior: PosteriorOption = None,
+    direction: Annotated[str, typer.Option(help="forward, backward or both.")] = "both",
+    heights: Annotated[
+        str | None, typer.Option(metavar="LOW..HIGH", help="Above the axle [m] (default: up to the body's height).")
+    ] = None,
+    durations: Annotated[str, typer.Option(metavar="LOW..HIGH", help="Of the push [s].")] = "0.01..0.5",
+    points: Annotated[int, typer.Option(help="Heights, and durations.")] = 64,
+    samples: Annotated[int, typer.Option(help="Robots for the band; 0 for none.")] = 200,
+    tolerance: Annotated[float, typer.Option(help="Relative accuracy of each impulse.")] = 0.01,
+    watch: Annotated[float, typer.Option(help="Standing so long [s] after the push counts as recovered.")] = 5.0,
+    seed: SeedOption = 0,
+    threads: ThreadsOption = None,
+    output: OutputOption = None,
+    report: PageOption = None,
+    as_json: JsonOption = False,
+) -> None:
+    """Find the largest push a robot recovers from.
+
+    By direction, height and duration, with a band of 95 % for what is not known of the robot (default: --vary spread).
+    """
+    import numpy as np
+
+    from upright.fleet.pushmap import PushGrid
+    from upright.fleet.pushmap import push_map as search
+
+    _check(output, report)
+    directions = {"forward": (1,), "backward": (-1,), "both": (1, -1)}
+    if direction not in directions:
+        raise InvalidScenario(f"--direction {direction}", expected=" or ".join(directions))
+    if points < 1:
+        raise InvalidScenario(f"--points {points}", expected="one or more")
+    ensemble = _ensemble(robot, controller, kit, vary or ([] if posterior else ["spread"]), posterior, seed=seed)
+    ranges = [
+        _range(heights or f"0..{ensemble.family.robot.body_height}", "--heights"),
+        _range(durations, "--durations"),
+    ]
+    grid = PushGrid(
+        directions=directions[direction],
+        heights=np.linspace(*ranges[0], points),
+        durations=np.linspace(*ranges[1], points),
+    )
+    with progress("searching") as share:
+        data = search(
+            ensemble, grid, samples=samples, tolerance=tolerance, watch=watch, threads=threads, progress=share
+        )
+    if report:
+        from upright.report.fleet import map_page, push_map_figures
+
+        lead = (
+            f"The largest impulse after which the robot still stands {watch:g} s later, within {100 * tolerance:g} %."
+        )
+        map_page(data, push_map_figures(data), f"Pushes that {ensemble.family.robot.name} survives", lead).write(report)
+    text, numbers = _push_map_said(data)
+    _say(data, text, numbers, output, report, as_json)
+
+
+def basin(
+    *,
+    robot: RobotOption = "nxtway-gs",
+    controller: ControllerOption = "lqr",
+    kit: KitOption = None,
+    vary: VaryOption = None,
+    posterior: PosteriorOption = None,
+    across: Annotated[str, typer.Option(metavar="STATE=LOW..HIGH", help="The first state.")] = "pitch=-1..1",
+    up: Annotated[str, typer.Option(metavar="STATE=LOW..HIGH", help="The second state.")] = "pitch_rate=-10..10",
+    points: Annotated[int, typer.Option(help="Values of each state.")] = 101,
+    samples: Annotated[int, typer.Option(help="Robots of the family at each point; 1 is the nominal one.")] = 1,
+    start: Annotated[str, typer.Option(help="The other states, such as wheel_rate=5; zero where not said.")] = "",
+    seconds: Annotated[float, typer.Option("--seconds", "-s", help="Standing so long [s] counts as recovered.")] = 5.0,
+    seed: SeedOption = 0,
+    threads: ThreadsOption = None,
+    output: OutputOption = None,
+    report: PageOption = None,
+    as_json: JsonOption = False,
+) -> None:
+    """Find the states from which a robot recovers.
+
+    A grid over any two of the six states; with samples, the share of the family that recovers.
+    """
+    from upright.fleet.basin import Axis
+    from upright.fleet.basin import basin as cut
+
+    _check(output, report)
+    axes = [_axis(across, "--across"), _axis(up, "--up")]
+    first, second = (Axis(name, low, high, points) for name, low, high in axes)
+    ensemble = _ensemble(robot, controller, kit, vary, posterior, start=_state(start), seconds=seconds, seed=seed)
+    with progress("simulating") as share:
+        data = cut(ensemble, first, second, samples=samples, threads=threads, progress=share)
+    if report:
+        from upright.report.fleet import basin_figure, map_page
+
+        name = ensemble.family.robot.name
+        map_page(
+            data, [basin_figure(data)], f"States that {name} recovers from", f"Standing {seconds:g} s later."
+        ).write(report)
+    shares = data["recovered"].values
+    text = f"recovers from {100 * float(shares.mean()):.4g} % of {shares.size} states ({first.name} × {second.name})"
+    _say(data, text, {"share": float(shares.mean()), "points": int(shares.size)}, output, report, as_json)
+
+
+def sweep(
+    spec: Annotated[Path, typer.Argument(help="The campaign in TOML (see docs/fleet.md).")],
+    *,
+    folder: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Folder of the results (default: named as the file).")
+    ] = None,
+    cluster: Annotated[
+        str | None, typer.Option("--cluster", metavar="ADDRESS", help="A Dask scheduler, such as tcp://host:8786.")
+    ] = None,
+    workers: Annotated[
+        int | None, typer.Option("--workers", help="Processes on this machine (default: one a processor); 0 for none.")
+    ] = None,
+    as_json: JsonOption = False,
+) -> None:
+    """Run a campaign: robots × controllers × scenarios × grid.
+
+    In chunks on Dask. A campaign that was stopped half-way goes on from what is on disk when it is started again.
+    """
+    from upright.fleet.campaign import run_campaign
+    from upright.fleet.sweep import read_campaign
+
+    if workers is not None and workers < 0:
+        raise InvalidScenario(f"--workers {workers}", expected="zero or more")
+    campaign = read_campaign(spec)
+    place = folder or spec.with_suffix("")
+    with _countdown() as tell:
+        cases = run_campaign(campaign, place, workers=workers, cluster=cluster, progress=tell)
+    if as_json:
+        print_json({"folder": str(place), "cases": [_case_json(case) for case in cases]})
+        return
+    _print_cases(cases)
+    typer.echo(f"\nwrote {place}")
+
+
+def _ensemble(
+    robot: str, controller: str, kit: str | None, vary: list[str] | None, posterior: Path | None, **scenario: Any
+) -> Ensemble:
+    from upright.fleet.ensemble import Ensemble
+    from upright.fleet.sweep import electronics, find_controller
+    from upright.fleet.vary import Family, read_posterior, spread
+    from upright.robots.files import find_robot
+
+    chosen = find_robot(robot)
+    parts = electronics(kit or chosen.kit)
+    spreads = tuple(s for text in vary or [] for s in spread(text, chosen, parts))
+    family = Family(chosen, parts, spreads, read_posterior(posterior) if posterior else None)
+    return Ensemble(family=family, controller=find_controller(controller, chosen, parts), **scenario)
+
+
+def _in_parts(ensemble: Ensemble, n: int, threads: int | None, share: Callable[[float], None]) -> dict[str, Any]:
+    """All robots, some ten thousand at a time, so that progress shows."""
+    import numpy as np
+
+    parts: list[dict[str, Any]] = []
+    for first in range(0, n, 16384):
+        parts.append(ensemble.run(range(first, min(n, first + 16384)), threads))
+        share(min(1.0, (first + 16384) / n))
+    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+
+def _check(output: Path | None, report: Path | None) -> None:
+    if output:
+        from upright.fleet.results import check_suffix
+
+        check_suffix(output)
+    for path in (output, report):
+        if path:
+            check_folder(path)
+
+
+def _state(text: str) -> tuple[float, ...]:
+    from upright.signals import STATE_NAMES
+
+    return tuple(options.vector(text, STATE_NAMES, "--start"))
+
+
+def _range(text: str, option: str) -> tuple[float, float]:
+    low, dots, high = text.partition("..")
+    if not dots:
+        raise InvalidScenario(f"{option} '{text}'", expected="LOW..HIGH, such as 0..0.1")
+    return options.number(low, option), options.number(high, option)
+
+
+def _axis(text: str, option: str) -> tuple[str, float, float]:
+    name, _, ends = (part.strip() for part in text.partition("="))
+    return (name, *_range(ends, option))
+
+
+def _say(data: Dataset, text: str, numbers: Any, output: Path | None, report: Path | None, as_json: bool) -> None:
+    from upright.fleet.results import origin_of, save
+
+    if output:
+        save(data, output)
+    if as_json:
+        written = {"output": str(output) if output else None, "report": str(report) if report else None}
+        print_json({"result": numbers, "origin": origin_of(data), **written})
+        return
+    typer.echo(text)
+    for path in (output, report):
+        if path:
+            typer.echo(f"wrote {path}")
+
+
+def _push_map_said(data: Dataset) -> tuple[str, dict[str, Any]]:
+    import numpy as np
+
+    lines: list[str] = []
+    numbers: dict[str, Any] = {}
+    for direction in data["direction"].values.tolist():
+        part = data.sel(direction=direction)
+        impulse = part["impulse"].values
+        least = np.unravel_index(int(np.argmin(impulse)), impulse.shape)
+        row = {"impulse": float(impulse[least]), "height": float(part["height"][least[0]])}
+        row |= {"duration": float(part["duration"][least[1]])}
+        row |= {name: float(part[name].values[least]) for name in ("low", "high") if name in part}
+        band = f" (95 %: {row['low']:.3g} … {row['high']:.3g})" if "low" in row else ""
+        lines.append(
+            f"{direction}: survives at least {row['impulse']:.3g} N s{band}, "
+            f"worst at {row['height']:.3g} m above the axle within {row['duration']:.3g} s"
+        )
+        numbers[direction] = row
+    return "\n".join(lines), numbers
+
+
+@contextmanager
+def _countdown() -> Generator[Callable[[int, int, float], None]]:
+    """Chunks done and the time left: a bar where a person watches, else a line now and then."""
+    if sys.stderr.isatty():
+        with progress("campaign") as share:
+            yield lambda done, total, _: share(done / total)
+        return
+    shown = [-1]
+
+    def tell(done: int, total: int, left: float) -> None:
+        if (tenth := 10 * done // total) != shown[0]:
+            shown[0] = tenth
+            typer.echo(f"{done} of {total} chunks" + (f", {left:.0f} s left" if left > 0 else ""), err=True)
+
+    yield tell
+
+
+def _print_cases(cases: tuple[CaseSummary, ...]) -> None:
+    names = list(dict.fromkeys(name for case in cases for name in case.labels))
+    outcomes = [name for name in ("peak_pitch", "settling", "effort") if any(name in c.outcomes for c in cases)]
+    rows: list[list[str]] = []
+    for case in cases:
+        chance = case.chance
+        fell = f"{case.fell} ({chance.low:.2g} … {chance.high:.2g})" if chance else "–"
+        labels = [_short(case.labels.get(name, "")) for name in names]
+        rows.append([*labels, str(case.n), fell, *(_short(case.outcomes[o].mean) for o in outcomes)])
+    print_table([*names, "robots", "fell (95 %)", *outcomes], rows, ["robots", "fell (95 %)", *outcomes])
+
+
+def _short(value: Any) -> str:
+    return value if isinstance(value, str) else f"{value:.4g}"
+
+
+def _case_json(case: CaseSummary) -> dict[str, Any]:
+    outcomes = {
+        name: {"mean": m.mean, "deviation": m.deviation if m.n > 1 else None, "least": m.least, "most": m.most}
+        for name, m in case.outcomes.items() if m.n
+    }  # fmt: skip
+    chance = case.chance._asdict() if case.chance else None
+    return {"labels": dict(case.labels), "n": case.n, "fell": case.fell, "chance": chance, "outcomes": outcomes}

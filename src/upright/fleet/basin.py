@@ -1,0 +1,122 @@
+"""From which states a robot recovers: its basin of attraction, cut along any two of the six states."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.errors import InvalidScenario, UnknownName
+from upright.fleet.ensemble import Ensemble, robots_at
+from upright.fleet.kernel_batch import FleetBatch
+from upright.signals import STATE_NAMES
+from upright.signals.signal import STATE
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+Array = NDArray[np.float64]
+
+_AT_ONCE = 65536  # robots in one batch, which bounds the memory
+
+
+@dataclass(frozen=True)
+class Axis:
+    """`points` values of the state `name` from `low` to `high`, in its own unit."""
+
+    name: str
+    low: float
+    high: float
+    points: int = 101
+
+    def __post_init__(self) -> None:
+        if self.name not in STATE_NAMES:
+            raise UnknownName("state", self.name, STATE_NAMES)
+        if not (np.isfinite([self.low, self.high]).all() and self.low < self.high and self.points >= 2):
+            raise InvalidScenario(
+                f"{self.name} from {self.low:g} to {self.high:g} in {self.points} points",
+                expected="a low end below the high one, and two points or more",
+            )
+
+    @property
+    def values(self) -> Array:
+        """The values (points,)."""
+        return np.linspace(self.low, self.high, self.points)
+
+
+def basin(
+    ensemble: Ensemble,
+    across: Axis,
+    up: Axis,
+    *,
+    samples: int = 1,
+    threads: int | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> Dataset:
+    """The share of `samples` robots that stand `ensemble.seconds` after a start at each point of the two axes.
+
+    The other states start as the ensemble's `start`. One sample is the nominal robot, so that the share is 0 or 1; more
+    are robots 0 to `samples` − 1 of the family, each with its own noise. `settling` [s] is the median time after which
+    pitch stays in the ensemble's band, NaN where the half of them or more did not.
+    """
+    from upright.fleet.kernel import simulate
+
+    if samples < 1 or across.name == up.name:
+        raise InvalidScenario(f"{samples} samples over {across.name} and {up.name}", expected="one or more, two states")
+    starts = _starts(ensemble, across, up)
+    robots = _robots(ensemble, samples)
+    stood, settled = (np.empty((len(starts), samples)) for _ in range(2))
+    share = max(1, _AT_ONCE // samples)
+    for first in range(0, len(starts), share):
+        part = starts[first : first + share]
+        result = simulate(
+            _batch(robots, part, samples), ensemble.seconds, bands=(ensemble.band, np.inf, np.inf), threads=threads
+        )
+        stood[first : first + share] = ~result.fell.reshape(-1, samples)
+        settled[first : first + share] = result.settled.reshape(-1, samples)
+        if progress:
+            progress(min(1.0, (first + share) / len(starts)))
+    return _labelled(ensemble, across, up, stood, settled)
+
+
+def _starts(ensemble: Ensemble, across: Axis, up: Axis) -> Array:
+    """States (points, 6), the second axis running faster."""
+    starts = np.tile(np.array(ensemble.start), (across.points * up.points, 1))
+    grid = np.meshgrid(across.values, up.values, indexing="ij")
+    for axis, values in zip((across, up), grid, strict=True):
+        starts[:, STATE_NAMES.index(axis.name)] = values.reshape(-1)
+    return starts
+
+
+def _robots(ensemble: Ensemble, samples: int) -> FleetBatch:
+    """The sampled robots, once each."""
+    nominal = ensemble.nominal() if samples == 1 else ensemble
+    return nominal.batch(np.arange(samples))
+
+
+def _batch(robots: FleetBatch, starts: Array, samples: int) -> FleetBatch:
+    """Every robot at every start."""
+    rows = np.tile(np.arange(samples), len(starts))
+    return robots_at(robots, rows, start=np.repeat(starts, samples, axis=0))
+
+
+def _labelled(ensemble: Ensemble, across: Axis, up: Axis, stood: Array, settled: Array) -> Dataset:
+    import xarray as xr
+
+    shape, dims = (across.points, up.points), (across.name, up.name)
+    inner = np.where(np.isnan(settled), np.inf, settled)
+    median = np.sort(inner, axis=1)[:, settled.shape[1] // 2]
+    units = {signal.name.removeprefix("truth/"): signal.unit for signal in STATE}
+    variables: dict[str, Any] = {
+        "recovered": (dims, stood.mean(axis=1).reshape(shape), {"unit": "1", "long_name": "share that recovered"}),
+        "settling": (
+            dims, np.where(np.isinf(median), np.nan, median).reshape(shape), {"unit": "s", "long_name": "settling time"}
+        ),
+    }  # fmt: skip
+    coords = {axis.name: (axis.name, axis.values, {"unit": units[axis.name]}) for axis in (across, up)}
+    origin = ensemble.origin() | {"basin": {"samples": stood.shape[1]}}
+    return xr.Dataset(variables, coords, {"origin": json.dumps(origin, ensure_ascii=False)})

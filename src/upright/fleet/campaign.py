@@ -1,0 +1,243 @@
+"""Fleets larger than memory, or than one machine: cut into chunks, run anywhere, resumed from what is on disk.
+
+A chunk's file depends on the campaign alone: every robot draws from its own streams, so that one process, many, or many
+after some were killed write the same bytes. A chunk is there whole or not at all; what is there is not run again.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import json
+import os
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from upright.atomic import write_json, write_whole
+from upright.errors import InvalidScenario, SpecMismatch, UprightError
+from upright.fleet.ensemble import OUTCOMES, Ensemble
+from upright.fleet.results import labelled, load, write_parquet
+from upright.fleet.tally import CaseSummary, tally
+from upright.fleet.workers import connected, run_all
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+CHUNK = 16384
+"""Robots in a chunk: some seconds of work and about a megabyte of result, so that neither start nor loss costs much."""
+
+_PLAN, _CHUNKS = "plan.json", "chunks"
+_PARQUET_END = b"PAR1"
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """One point of a campaign: its `labels`, and robots 0 to `n` − 1 of an ensemble."""
+
+    labels: Mapping[str, str | float]
+    ensemble: Ensemble
+    n: int
+
+
+class Chunk(NamedTuple):
+    """Robots `start` to `stop` − 1 of case number `case`; chunk `number` of the campaign."""
+
+    number: int
+    case: int
+    start: int
+    stop: int
+
+
+@dataclass(frozen=True, eq=False)
+class Campaign:
+    """Cases in chunks of `chunk` robots; `keep` names the columns to be written (empty: all).
+
+    What a robot's parameters were can be drawn again from the seed, so `keep=("fell",)` loses nothing of them.
+    """
+
+    cases: tuple[Case, ...]
+    chunk: int = CHUNK
+    keep: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        if not self.cases or any(case.n < 1 for case in self.cases) or self.chunk < 1:
+            raise InvalidScenario("a campaign without robots", expected="one case or more, one robot or more in each")
+        for case in self.cases:
+            known = {*case.ensemble.family.names, *OUTCOMES}
+            if strangers := set(self.keep) - known:
+                raise InvalidScenario(f"keep = '{strangers.pop()}'", expected="some of " + ", ".join(sorted(known)))
+
+    def chunks(self) -> Iterator[Chunk]:
+        """All chunks, by number."""
+        number = 0
+        for index, case in enumerate(self.cases):
+            for start in range(0, case.n, self.chunk):
+                yield Chunk(number, index, start, min(case.n, start + self.chunk))
+                number += 1
+
+    def plan(self) -> dict[str, Any]:
+        """Everything that decides the bytes of the chunks, as JSON."""
+        cases = [{"labels": dict(c.labels), "n": c.n, "origin": c.ensemble.origin()} for c in self.cases]
+        return {"chunk": self.chunk, "keep": list(self.keep), "pyarrow": version("pyarrow"), "cases": cases}
+
+    def run_chunk(self, chunk: Chunk, threads: int | None = None) -> bytes:
+        """The chunk's file."""
+        ensemble = self.cases[chunk.case].ensemble
+        return run_part(ensemble, chunk.start, chunk.stop, self.keep, _versions(), threads)
+
+    def submit(self, client: Any, chunk: Chunk) -> Any:
+        """The same on a Dask client: a future of the bytes, from one thread of a worker."""
+        ensemble = self.cases[chunk.case].ensemble
+        return client.submit(run_part, ensemble, chunk.start, chunk.stop, self.keep, _versions(), pure=False)
+
+
+def run_campaign(
+    campaign: Campaign,
+    folder: str | Path,
+    *,
+    workers: int | None = None,
+    cluster: str | None = None,
+    progress: Callable[[int, int, float], None] | None = None,
+) -> tuple[CaseSummary, ...]:
+    """Run what `folder` lacks of the campaign, and summarise.
+
+    `cluster` is a Dask scheduler's address; without one, `workers` processes on this machine (None: one a processor),
+    or with 0 this process alone. `progress(done, total, seconds)` tells the chunks on disk and the time left. Raises
+    `InvalidScenario` where the folder holds another campaign, `UprightError` for a chunk that kills its workers.
+    """
+    place = Path(folder).expanduser()
+    total = sum(1 for _ in campaign.chunks())
+    _claim(campaign, place)
+    todo = [chunk for chunk in campaign.chunks() if not _there(chunk_path(place, chunk.number))]
+    show = _Watch(total, total - len(todo), progress)
+
+    def keep(chunk: Chunk, data: bytes) -> None:
+        write_whole(chunk_path(place, chunk.number), lambda stream: _fill(stream, data))
+        show.one_more()
+
+    if todo and workers == 0 and cluster is None:
+        for chunk in todo:
+            keep(chunk, campaign.run_chunk(chunk))
+    elif todo:
+        with connected(workers, cluster) as client:
+            run_all(todo, campaign.submit, keep, client)
+    return summaries(campaign, place)
+
+
+def summaries(campaign: Campaign, folder: Path) -> tuple[CaseSummary, ...]:
+    """One summary for each case of a finished campaign."""
+    paths: dict[int, list[Path]] = {}
+    for chunk in campaign.chunks():
+        paths.setdefault(chunk.case, []).append(chunk_path(folder, chunk.number))
+    return tuple(tally(case.labels, case.n, paths[i]) for i, case in enumerate(campaign.cases))
+
+
+def run_part(
+    ensemble: Ensemble, start: int, stop: int, keep: Sequence[str], versions: Mapping[str, str], threads: int | None = 1
+) -> bytes:
+    """Robots `start` to `stop` − 1 as the bytes of a Parquet file; `SpecMismatch` where a worker's versions differ."""
+    if (mine := _versions()) != dict(versions):
+        raise SpecMismatch(
+            f"a worker has {mine}", expected=f"{dict(versions)}, as here", mend="install the same versions"
+        )
+    index = range(start, stop)
+    columns = ensemble.run(index, threads)
+    data = labelled({n: v for n, v in columns.items() if not keep or n in keep}, index, ensemble)
+    stream = io.BytesIO()
+    write_parquet(data, stream)
+    return stream.getvalue()
+
+
+def chunk_path(folder: Path, number: int) -> Path:
+    """Where a chunk's file is."""
+    return folder / _CHUNKS / f"{number:08d}.parquet"
+
+
+def collect(folder: str | Path) -> Dataset:
+    """All runs of a finished campaign in one dataset, with each one's `case` by number; they must fit into memory."""
+    import xarray as xr
+
+    place = Path(folder).expanduser()
+    plan = _read_plan(place)
+    parts: list[Any] = []
+    number = 0
+    for index, case in enumerate(plan["cases"]):
+        for _ in range(0, case["n"], plan["chunk"]):
+            path = chunk_path(place, number)
+            if not _there(path):
+                raise InvalidScenario(f"{folder} lacks chunk {number}", mend="run the campaign again: it resumes")
+            part = load(path)
+            parts.append(part.assign(case=("robot", np.full(part.sizes["robot"], index), {"unit": "1"})))
+            number += 1
+    data = xr.concat(parts, "robot", data_vars="all", coords="minimal", compat="override", join="outer")
+    return data.assign_attrs(origin=json.dumps(plan, ensure_ascii=False))
+
+
+def _claim(campaign: Campaign, folder: Path) -> None:
+    """Make the folder this campaign's; refuse one that holds another's."""
+    plan = json.loads(json.dumps(campaign.plan()))
+    try:
+        (folder / _CHUNKS).mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise UprightError(f"cannot make {folder}: {error.strerror}", mend="choose another folder") from None
+    if not (folder / _PLAN).exists():
+        write_json(folder / _PLAN, plan)
+        return
+    if _digest(_read_plan(folder)) != _digest(plan):
+        raise InvalidScenario(
+            f"{folder} holds another campaign", expected="the same robots, controllers, seeds and versions to resume",
+            mend="choose another folder, or remove this one",
+        )  # fmt: skip
+
+
+def _read_plan(folder: Path) -> dict[str, Any]:
+    try:
+        return json.loads((folder / _PLAN).read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise InvalidScenario(
+            f"{folder} holds no campaign ({type(error).__name__})", expected="a folder of upright sweep"
+        ) from None
+
+
+def _digest(plan: Mapping[str, Any]) -> str:
+    return hashlib.sha256(json.dumps(plan, sort_keys=True).encode()).hexdigest()
+
+
+def _versions() -> dict[str, str]:
+    return {name: version(name) for name in ("upright", "numpy", "numba", "pyarrow")}
+
+
+def _there(path: Path) -> bool:
+    """Whether a chunk's file is whole: it ends as Parquet does."""
+    try:
+        with path.open("rb") as stream:
+            stream.seek(-len(_PARQUET_END), os.SEEK_END)
+            return stream.read() == _PARQUET_END
+    except OSError:
+        return False
+
+
+def _fill(stream: Any, data: bytes) -> None:
+    stream.write(data)
+
+
+class _Watch:
+    """Counts chunks and foretells the time left from the pace since the start."""
+
+    def __init__(self, total: int, done: int, tell: Callable[[int, int, float], None] | None) -> None:
+        self._total, self._done, self._first, self._tell = total, done, done, tell
+        self._start = time.monotonic()
+        if tell:
+            tell(done, total, np.nan)
+
+    def one_more(self) -> None:
+        self._done += 1
+        pace = (time.monotonic() - self._start) / (self._done - self._first)
+        if self._tell:
+            self._tell(self._done, self._total, pace * (self._total - self._done))

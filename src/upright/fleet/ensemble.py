@@ -1,0 +1,233 @@
+"""What a fleet is: a family of robots, their controller, and what is done to them. `run` gives any part of it."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from functools import cached_property
+from types import SimpleNamespace
+from typing import Any, NamedTuple, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.bodies.body import REST
+from upright.control import Controller, controller_hash
+from upright.errors import InvalidScenario
+from upright.experiment.pushes import Hold, Impulse, Push, Slope
+from upright.experiment.references import Drive, Turn
+from upright.fleet.kernel_batch import FleetBatch, FleetResult, Gains, parameters_of
+from upright.fleet.vary import BLOCK, Family, described
+from upright.robots import PARAMETERS
+
+Array = NDArray[np.float64]
+Index = NDArray[Any] | range
+
+SETTLED = 0.02
+"""|pitch| [rad] inside which a robot counts as settled: about a degree, more than quantised sensors make it sway."""
+
+OUTCOMES: dict[str, tuple[str, str]] = {
+    "fell": ("1", "fell"),
+    "lived": ("s", "stood for"),
+    "peak_pitch": ("rad", "largest pitch"),
+    "settling": ("s", "settling time after the last push"),
+    "rms_pitch": ("rad", "RMS pitch"),
+    "effort": ("V² s", "effort"),
+    "saturated": ("1", "saturated share"),
+    "travel": ("m", "largest distance rolled"),
+}
+"""What is known of each robot afterwards: unit and words. Torque drives have an effort in N² m² s."""
+
+
+class Programme(NamedTuple):
+    """Pushes (·, p, 4), slope (·, 2) and reference (·, q, 4), as `FleetBatch` takes them."""
+
+    pushes: Array
+    slope: Array
+    reference: Array
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Ensemble:
+    """Robots of a `family` under one `controller`, pushed and driven for `seconds`, from the state `start` (6,).
+
+    `band` [rad] of pitch counts as settled; `steps` are Runge-Kutta's in a millisecond (None: as many as the fastest of
+    the family's first robots needs). Everything random follows from `seed` and the robot's number.
+    """
+
+    family: Family
+    controller: Controller
+    pushes: tuple[Any, ...] = ()
+    references: tuple[Any, ...] = ()
+    start: tuple[float, ...] = REST
+    seconds: float = 10.0
+    seed: int = 0
+    model: str = "complete"
+    band: float = SETTLED
+    single: bool = False
+    steps: int | None = field(default=None)
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.seed < 2**64:
+            raise InvalidScenario(f"a seed of {self.seed}", expected="a whole number from 0 to 2⁶⁴ − 1")
+        if not self.band > 0:
+            raise InvalidScenario(f"a band of {self.band:g} rad", expected="more than zero")
+
+    @cached_property
+    def gains(self) -> Gains:
+        """The controller as matrices; raises `InvalidController` for one that is not linear."""
+        return Gains.of(self.controller)
+
+    @cached_property
+    def substeps(self) -> int:
+        """Runge-Kutta steps in a body's period, the same whatever part is run."""
+        from upright.fleet.kernel import substeps_for
+
+        parameters, _ = self._numbers(np.arange(BLOCK))
+        return self.steps or substeps_for(parameters, self.model, 0.001)
+
+    def nominal(self) -> Ensemble:
+        """The same with nothing varied, at the same step."""
+        family = dataclasses.replace(self.family, spreads=(), posterior=None)
+        return dataclasses.replace(self, family=family, steps=self.substeps)
+
+    def batch(self, index: Index) -> FleetBatch:
+        """The robots number `index` (n,)."""
+        numbers = np.asarray(index, dtype=np.uint64)
+        parameters, changes = self._numbers(numbers)
+        programme = tables(self.pushes, self.references, parameters)
+        return FleetBatch(
+            parameters=parameters, controller=self.gains, start=np.array([self.start]), pushes=programme.pushes,
+            slope=programme.slope, reference=programme.reference, kit=self.family.kit, kit_changes=changes,
+            model=self.model, seed=self.seed, index=numbers, substeps=self.substeps,
+        )  # fmt: skip
+
+    def run(self, index: Index, threads: int | None = None) -> dict[str, Array]:
+        """The varied numbers and `OUTCOMES` of the robots number `index` (n,), by name."""
+        from upright.fleet.kernel import simulate
+
+        batch = self.batch(index)
+        bands = (self.band, math.inf, math.inf)
+        kind = np.float32 if self.single else np.float64
+        result = simulate(batch, self.seconds, bands=bands, dtype=kind, threads=threads)
+        drawn = self.family.draw(self.seed, np.asarray(index))
+        return drawn | self._outcomes(result, batch)
+
+    def origin(self) -> dict[str, Any]:
+        """What decides the outcome, as JSON: robot, kit, controller and its hash, scenario, seed, versions."""
+        from importlib.metadata import version
+
+        family, controller = self.family, self.controller
+        kit = asdict(family.kit) if family.kit else None
+        scenario = {
+            "push": [_said(p) for p in self.pushes], "reference": [_said(r) for r in self.references],
+            "seconds": self.seconds, "start": list(self.start), "model": self.model, "band": self.band,
+            "substeps": self.substeps, "single": self.single,
+        }  # fmt: skip
+        return {
+            "robot": {"name": family.robot.name, "drive": family.robot.drive, **family.robot.numbers()},
+            "kit": _finite(kit),
+            "vary": described(family),
+            "controller": {**controller.to_json(), "hash": controller_hash(controller)},
+            "scenario": scenario,
+            "seed": self.seed,
+            "versions": {name: version(name) for name in ("upright", "numpy", "numba")},
+        }
+
+    def _numbers(self, index: NDArray[Any]) -> tuple[Array, dict[str, Array]]:
+        drawn = self.family.draw(self.seed, index)
+        own = {name: values for name, values in drawn.items() if name in PARAMETERS}
+        rest = {name: values for name, values in drawn.items() if name not in PARAMETERS}
+        table = parameters_of(self.family.robot, own)
+        return np.repeat(table, len(index), axis=0) if len(table) == 1 else table, rest
+
+    def _outcomes(self, result: FleetResult, batch: FleetBatch) -> dict[str, Array]:
+        released = max([0.0, *(end for p in self.pushes if (end := release(p)) < self.seconds)])
+        radius = batch.parameters[:, list(PARAMETERS).index("wheel_radius")]
+        found: Mapping[str, Any] = {
+            "fell": result.fell, "lived": result.lived, "peak_pitch": result.peak[:, 0],
+            "settling": np.maximum(result.settled - released, 0.0), "rms_pitch": result.rms_pitch,
+            "effort": result.effort, "saturated": result.saturated, "travel": result.peak[:, 1] * radius,
+        }  # fmt: skip
+        return {name: np.asarray(found[name], dtype=np.float64) for name in OUTCOMES}
+
+
+def robots_at(table: FleetBatch, rows: NDArray[Any], **changes: Array) -> FleetBatch:
+    """The batch of `table`'s robots number `rows` (n,), with whole arrays (`start`, `pushes`) replaced by `changes`."""
+    assert table.index is not None
+
+    def some(values: Any) -> Any:
+        return values[rows] if len(values) > 1 else values
+
+    names = ("parameters", "start", "pushes", "slope", "reference")
+    arrays = {name: changes[name] if name in changes else some(getattr(table, name)) for name in names}
+    kit_changes = {name: some(np.asarray(values)) for name, values in table.kit_changes.items()}
+    return FleetBatch(
+        **arrays, controller=table.controller, kit=table.kit, kit_changes=kit_changes, model=table.model,
+        seed=table.seed, index=table.index[rows], period=table.period, substeps=table.substeps,
+    )  # fmt: skip
+
+
+def tables(pushes: Sequence[Any], references: Sequence[Any], parameters: Array) -> Programme:
+    """Pushes, slopes, drives and turns as tables for robots with `parameters` (n, 21); a hold has a force for each.
+
+    Raises `InvalidScenario` for a programme that the kernel does not know, or for slopes from different times.
+    """
+    robots = SimpleNamespace(**dict(zip(PARAMETERS, parameters.T, strict=True)))
+    slopes = [p for p in pushes if isinstance(p, Slope)]
+    if len({slope.start for slope in slopes}) > 1:
+        raise InvalidScenario("slopes from different times", expected="one slope in a fleet")
+    slope = [sum(s.angle for s in slopes), slopes[0].start if slopes else 0.0]
+    rows = [_push_row(p, robots) for p in pushes if not isinstance(p, Slope)]
+    wide = [np.stack(np.broadcast_arrays(*row), axis=-1).reshape(-1, 4) for row in rows]
+    n = max([1, *(len(row) for row in wide)])
+    pushed = [np.broadcast_to(row, (n, 4)) for row in wide]
+    ramps = [_ramp(r) for r in references]
+    return Programme(
+        np.stack(pushed, axis=1) if pushed else np.zeros((1, 0, 4)),
+        np.array([slope]),
+        np.array(ramps, dtype=np.float64).reshape(1, -1, 4),
+    )
+
+
+def release(push: Any) -> float:
+    """When a push ends [s]; 0 for what never does."""
+    if isinstance(push, Hold):
+        return push.until
+    if isinstance(push, Impulse):
+        return push.at_time + push.duration
+    return push.start + push.duration if isinstance(push, Push) else 0.0
+
+
+def _push_row(push: Any, robots: Any) -> tuple[Any, float, float, float]:
+    height = math.nan if getattr(push, "height", None) is None else float(push.height)
+    kinds: dict[type, Callable[[], tuple[Any, float, float, float]]] = {
+        Push: lambda: (push.force, height, push.start, push.duration),
+        Impulse: lambda: (push.impulse / push.duration, height, push.at_time, push.duration),
+        Hold: lambda: (push.force(robots), height, push.start, push.until - push.start),
+    }
+    if type(push) not in kinds:
+        raise InvalidScenario(f"a {type(push).__name__} in a fleet", expected="Push, Impulse, Hold or Slope")
+    return kinds[type(push)]()
+
+
+def _ramp(reference: Any) -> list[float]:
+    if isinstance(reference, Drive):
+        return [reference.speed, 0.0, reference.start, reference.until]
+    if isinstance(reference, Turn):
+        return [0.0, reference.rate, reference.start, reference.until]
+    raise InvalidScenario(f"a {type(reference).__name__} in a fleet", expected="Drive or Turn")
+
+
+def _said(part: Any) -> dict[str, Any]:
+    return {"kind": type(part).__name__, **_finite(asdict(part))}
+
+
+def _finite(data: Any) -> Any:
+    """The same without infinities, which JSON does not have and which here mean: no limit."""
+    if isinstance(data, dict):
+        entries = cast(dict[str, Any], data).items()
+        return {k: _finite(v) for k, v in entries if not (isinstance(v, float) and not math.isfinite(v))}
+    return data

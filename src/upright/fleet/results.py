@@ -1,0 +1,247 @@
+"""Labelled results: an xarray `Dataset` with units in its attributes, saved as Parquet or Zarr, whole or not at all."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import uuid
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.atomic import write_whole
+from upright.errors import InvalidLog, MissingTool, UprightError
+from upright.fleet.ensemble import OUTCOMES, Ensemble, Index
+from upright.fleet.vary import kit_numbers
+from upright.robots import PARAMETERS, Kit
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+Array = NDArray[np.float64]
+
+_NOTE = b"upright-fleet"
+
+
+class Interval(NamedTuple):
+    """A share and the interval that holds the true one with the stated confidence."""
+
+    value: float
+    low: float
+    high: float
+
+
+def clopper_pearson(count: int, n: int, confidence: float = 0.95) -> Interval:
+    """The exact interval of a binomial share, `count` of `n` (Clopper and Pearson 1934)."""
+    from scipy.special import betaincinv
+
+    tail = (1 - confidence) / 2
+    low = float(betaincinv(count, n - count + 1, tail)) if count else 0.0
+    high = float(betaincinv(count + 1, n - count, 1 - tail)) if count < n else 1.0
+    return Interval(count / n, low, high)
+
+
+@dataclass(frozen=True)
+class Summary:
+    """A fleet in short: of `n` robots `fell` fell, the chance of it with its 95 % interval, and of each outcome of
+    those that stood the quantiles of 5, 50 and 95 %, in `units`."""
+
+    n: int
+    fell: int
+    chance: Interval
+    quantiles: Mapping[str, tuple[float, float, float]]
+    units: Mapping[str, str]
+
+    def __str__(self) -> str:
+        chance = f"{self.chance.value:.3g} (95 %: {self.chance.low:.3g} … {self.chance.high:.3g})"
+        lines = [f"{self.fell} of {self.n} robots fell; P(fall) = {chance}", "", "of those that stood:"]
+        for name, (low, middle, high) in self.quantiles.items():
+            words = OUTCOMES[name][1] if name in OUTCOMES else name
+            lines.append(f"  {words:<32} {middle:>9.4g}   {low:>9.4g} … {high:<9.4g} {self.units[name]}")
+        return "\n".join([*lines, "  (median and 5 … 95 %)"])
+
+    def to_json(self) -> dict[str, Any]:
+        """The same as JSON; NaN, where no robot stood, is null."""
+        quantiles = {
+            name: dict(zip(("q05", "q50", "q95"), (None if np.isnan(q) else q for q in row), strict=True))
+            for name, row in self.quantiles.items()
+        }
+        return {"n": self.n, "fell": self.fell, "chance": self.chance._asdict(), "outcomes": quantiles}
+
+
+def summarise(data: Dataset) -> Summary:
+    """The summary of a fleet's results (dimension `robot`)."""
+    fell = data["fell"].values.astype(bool)
+    names = [name for name in OUTCOMES if name in data and name not in ("fell", "lived")]
+    quantiles = {name: _quantiles(data[name].values[~fell]) for name in names}
+    units = {name: str(data[name].attrs["unit"]) for name in names}
+    return Summary(len(fell), int(fell.sum()), clopper_pearson(int(fell.sum()), len(fell)), quantiles, units)
+
+
+def _quantiles(values: Array) -> tuple[float, float, float]:
+    finite = values[~np.isnan(values)]
+    low, middle, high = np.quantile(finite, (0.05, 0.5, 0.95)).tolist() if len(finite) else (np.nan,) * 3
+    return low, middle, high
+
+
+def labelled(columns: Mapping[str, Array], index: Index, ensemble: Ensemble) -> Dataset:
+    """What `Ensemble.run` gave for the robots number `index`, with names, units and origin."""
+    import xarray as xr
+
+    family = ensemble.family
+    units = {name: unit_of(name, family.kit) for name in family.names} | {n: u for n, (u, _) in OUTCOMES.items()}
+    units["effort"] = units["effort"] if family.robot.drive == "voltage" else "N² m² s"
+    words = {name: text for name, (_, text) in OUTCOMES.items()}
+    variables = {
+        name: ("robot", values, {"unit": units[name], "long_name": words.get(name, name)})
+        for name, values in columns.items()
+    }
+    origin = json.dumps(ensemble.origin(), ensure_ascii=False)
+    return xr.Dataset(variables, {"robot": np.asarray(index, dtype=np.int64)}, {"origin": origin})
+
+
+def unit_of(name: str, kit: Kit | None) -> str:
+    """The unit of a varied number: a parameter's, or a kit's by dotted name ("" where it depends on the drive)."""
+    if name in PARAMETERS:
+        return PARAMETERS[name][0]
+    if name in ("delay", "jitter"):
+        return "s"
+    fixed = {"battery.voltage": "V", "battery.sag": "1", "motor.backlash": "rad"}
+    assert kit is None or name in kit_numbers(kit)
+    return fixed.get(name, "")
+
+
+def origin_of(data: Dataset) -> dict[str, Any]:
+    """Where a result comes from: robot, controller and its hash, scenario, seed, versions."""
+    return json.loads(data.attrs.get("origin", "{}"))
+
+
+def save(data: Dataset, path: str | Path) -> Path:
+    """Write as `.parquet` (a table, one row a point) or `.zarr` (a folder of arrays), by the suffix; returns the path.
+
+    Raises `UprightError` for another suffix or where it cannot be written, `MissingTool` where Zarr is not installed.
+    """
+    target = Path(path).expanduser()
+    check_suffix(target)
+    if not target.parent.is_dir():
+        raise UprightError(f"there is no folder {target.parent} for {target.name}", mend=f"mkdir -p {target.parent}")
+    try:
+        if target.suffix == ".zarr":
+            _save_zarr(data, target)
+        else:
+            write_whole(target, lambda stream: write_parquet(data, stream))
+    except OSError as error:
+        raise UprightError(
+            f"cannot write {target}: {error.strerror}", mend="choose a place that can be written"
+        ) from None
+    return target
+
+
+def load(path: str | Path) -> Dataset:
+    """What `save` wrote; raises `InvalidLog` for anything else."""
+    source = Path(path).expanduser()
+    check_suffix(source)
+    if not source.exists():
+        raise InvalidLog(f"there is no {source}", expected="a result of upright fleet, push-map, basin or sweep")
+    return _load_zarr(source) if source.suffix == ".zarr" else _load_parquet(source)
+
+
+def check_suffix(path: Path) -> None:
+    """Refuse what is neither .parquet nor .zarr, before the work that would fill it."""
+    if path.suffix not in (".parquet", ".zarr"):
+        raise UprightError(f"cannot tell the form of {path.name}", expected="a name that ends in .parquet or .zarr")
+    if path.suffix == ".zarr":
+        _zarr()
+
+
+def write_parquet(data: Dataset, stream: BinaryIO) -> None:
+    """One row for each point of all dimensions; units with the columns, shape and origin with the schema."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    sizes = {str(name): int(size) for name, size in data.sizes.items()}
+    named = {str(name): data[name] for name in (*data.coords, *data.data_vars)}
+    fields = [pa.field(name, _arrow(v.dtype), metadata={"attrs": json.dumps(v.attrs)}) for name, v in named.items()]
+    shapes = {name: [str(d) for d in v.dims] for name, v in named.items()}
+    note = {"sizes": sizes, "dims": shapes, "coords": [str(c) for c in data.coords], "attrs": data.attrs}
+    columns = [pa.array(_spread_out(v.values, shapes[name], sizes), type=_arrow(v.dtype)) for name, v in named.items()]
+    schema = pa.schema(fields, metadata={_NOTE: json.dumps(note).encode()})
+    pq.write_table(pa.table(columns, schema=schema), stream, compression="zstd", write_page_checksum=True)
+
+
+def _arrow(kind: np.dtype[Any]) -> Any:
+    import pyarrow as pa
+
+    return pa.string() if kind.kind in "UO" else pa.from_numpy_dtype(kind)
+
+
+def _spread_out(values: NDArray[Any], dims: Sequence[str], sizes: Mapping[str, int]) -> NDArray[Any]:
+    """The values at every point of all dimensions, as one column."""
+    shape = [sizes[name] if name in dims else 1 for name in sizes]
+    order = [dims.index(name) for name in sizes if name in dims]
+    return np.broadcast_to(values.transpose(order).reshape(shape), tuple(sizes.values())).reshape(-1)
+
+
+def _load_parquet(path: Path) -> Dataset:
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+    import xarray as xr
+
+    try:
+        with pq.ParquetFile(path, page_checksum_verification=True) as file:
+            table = file.read()
+        note = json.loads((table.schema.metadata or {})[_NOTE])
+    except (pa.ArrowException, OSError, KeyError, ValueError) as error:
+        raise InvalidLog(
+            f"{path} cannot be read as a fleet's result ({type(error).__name__})", expected="Parquet by upright",
+            likely="a file that was cut off, or of another kind", mend="make it again",
+        ) from None  # fmt: skip
+    sizes: dict[str, int] = note["sizes"]
+    read: dict[str, Any] = {}
+    for column in table.schema:
+        dims = [name for name in sizes if name in note["dims"][column.name]]
+        values = np.asarray(table.column(column.name).to_numpy()).reshape(tuple(sizes.values()))
+        first = tuple(slice(None) if name in dims else 0 for name in sizes)
+        kind = str if pa.types.is_string(column.type) else values.dtype
+        read[column.name] = (dims, values[first].astype(kind), json.loads(column.metadata[b"attrs"]))
+    coords = {name: read.pop(name) for name in note["coords"]}
+    return xr.Dataset(read, coords, note["attrs"])
+
+
+def _zarr() -> Any:
+    try:
+        import zarr
+    except ImportError:
+        raise MissingTool("Zarr is not installed", mend="pip install 'upright[zarr]', or write .parquet") from None
+    return zarr
+
+
+def _save_zarr(data: Dataset, target: Path) -> None:
+    """Into a folder beside the target, then moved there in one step; an older one is moved away first."""
+    mark = uuid.uuid4().hex[:8]
+    unfinished, older = (target.with_name(f".{target.name}.{mark}.{end}") for end in ("part", "old"))
+    try:
+        data.to_zarr(unfinished, mode="w", consolidated=False, zarr_format=2)  # 3 has no settled form of texts
+        if target.exists():
+            os.replace(target, older)
+        os.replace(unfinished, target)
+    finally:
+        for folder in (unfinished, older):
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def _load_zarr(path: Path) -> Dataset:
+    import xarray as xr
+
+    try:
+        with xr.open_zarr(path, consolidated=False, chunks=None) as data:
+            return data.load()
+    except (OSError, ValueError, KeyError) as error:
+        raise InvalidLog(
+            f"{path} cannot be read ({type(error).__name__}: {error})", expected="Zarr by upright"
+        ) from None

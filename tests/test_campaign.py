@@ -1,0 +1,206 @@
+"""Campaigns: one process, many, or many of which some were killed write the same bytes, and none does work twice."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from upright.cli.fleet import sweep
+from upright.errors import InvalidScenario, UnknownName, UprightError
+from upright.fleet.campaign import chunk_path, collect, run_campaign
+from upright.fleet.sweep import campaign_of, read_campaign
+from upright.fleet.tally import Moments
+
+SPEC = """
+robots = ["nxtway-gs"]
+n = 120
+chunk = 20
+seed = 3
+seconds = 1.0
+vary = ["spread", "delay=0..0.004"]
+
+[grid]
+"motor.dead_zone" = [0.0, 0.3]
+
+[[scenario]]
+name = "knock"
+push = [{ kind = "impulse", impulse = 0.25, at_time = 0.2 }]
+"""
+CHUNKS = 12  # two cases of 120 robots, 20 at a time
+
+
+@pytest.fixture(scope="module")
+def spec(tmp_path_factory):
+    path = tmp_path_factory.mktemp("spec") / "campaign.toml"
+    path.write_text(SPEC)
+    return path
+
+
+@pytest.fixture(scope="module")
+def alone(spec, tmp_path_factory):
+    """The campaign in one process."""
+    folder = tmp_path_factory.mktemp("alone")
+    run_campaign(read_campaign(spec), folder, workers=0)
+    return folder
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    return {path.name: path.read_bytes() for path in sorted((folder / "chunks").iterdir())}
+
+
+def worker_processes() -> list[int]:
+    """Processes that this one's nannies started: the workers, by what they were started with."""
+    import psutil
+
+    found = []
+    for child in psutil.Process().children(recursive=True):
+        try:
+            found += [child.pid] if any("spawn_main" in word for word in child.cmdline()) else []
+        except psutil.NoSuchProcess:
+            continue
+    return found
+
+
+def test_two_workers_write_the_bytes_of_one_process_though_one_is_killed(spec, alone, tmp_path):
+    killed = []
+
+    def kill_one(done, total, left):
+        if done == 3 and not killed:
+            killed.append(worker_processes()[0])
+            os.kill(killed[0], signal.SIGKILL)
+
+    run_campaign(read_campaign(spec), tmp_path / "c", workers=2, progress=kill_one)
+    assert len(killed) == 1
+    assert files(tmp_path / "c") == files(alone)
+    assert len(files(alone)) == CHUNKS
+
+
+def test_a_cluster_elsewhere_is_used_by_its_address(spec, alone, tmp_path):
+    from distributed import LocalCluster
+
+    with LocalCluster(n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None) as cluster:
+        run_campaign(read_campaign(spec), tmp_path / "c", cluster=cluster.scheduler_address)
+    assert files(tmp_path / "c") == files(alone)
+
+
+def test_a_campaign_killed_half_way_goes_on_from_what_is_on_disk(spec, alone, tmp_path):
+    folder = tmp_path / "c"
+    code = (
+        "import sys; from upright.fleet.campaign import run_campaign; from upright.fleet.sweep import read_campaign; "
+        "import time; slow = lambda done, total, left: time.sleep(0.3); "
+        "run_campaign(read_campaign(sys.argv[1]), sys.argv[2], workers=0, progress=slow)"
+    )
+    process = subprocess.Popen([sys.executable, "-c", code, str(spec), str(folder)])
+    deadline = time.monotonic() + 60
+    while not chunk_path(folder, 3).exists():
+        assert time.monotonic() < deadline
+        assert process.poll() is None
+        time.sleep(0.02)
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    before = {name: (folder / "chunks" / name).stat().st_mtime_ns for name in files(folder)}
+    assert 4 <= len(before) < CHUNKS
+    told = []
+    run_campaign(read_campaign(spec), folder, workers=0, progress=lambda done, total, left: told.append((done, left)))
+    assert told[0][0] == len(before)
+    assert [done for done, _ in told] == list(range(len(before), CHUNKS + 1))
+    assert told[-1][1] == 0  # no time is left at the end
+    assert files(folder) == files(alone)
+    assert all((folder / "chunks" / name).stat().st_mtime_ns == when for name, when in before.items())
+
+
+def test_a_chunk_cut_off_by_a_crash_is_run_again(spec, alone, tmp_path):
+    run_campaign(read_campaign(spec), tmp_path, workers=0)
+    whole = chunk_path(tmp_path, 5).read_bytes()
+    chunk_path(tmp_path, 5).write_bytes(whole[: len(whole) // 2])
+    chunk_path(tmp_path, 6).write_bytes(b"")
+    run_campaign(read_campaign(spec), tmp_path, workers=0)
+    assert files(tmp_path) == files(alone)
+
+
+def test_the_size_of_a_chunk_changes_no_robot(alone):
+    table = {"n": 120, "seed": 3, "seconds": 1.0, "vary": ["spread", "delay=0..0.004"], "chunk": 120}
+    table["scenario"] = [{"name": "knock", "push": [{"kind": "impulse", "impulse": 0.25, "at_time": 0.2}]}]
+    ensemble = campaign_of(table).cases[0].ensemble  # without the grid: the kit's own dead zone
+    at_once = ensemble.run(range(120))
+    in_parts = [ensemble.run(range(start, start + 40)) for start in (0, 40, 80)]
+    for name, values in at_once.items():
+        np.testing.assert_array_equal(values, np.concatenate([part[name] for part in in_parts]))
+
+
+def test_all_runs_come_together_and_the_tally_is_theirs(spec, alone):
+    data = collect(alone)
+    assert data.sizes["robot"] == 240
+    cases = run_campaign(read_campaign(spec), alone, workers=0)  # nothing left to do
+    for number, case in enumerate(cases):
+        mine = data.isel(robot=data["case"].values == number)
+        assert case.labels["motor.dead_zone"] == (0.0, 0.3)[number]
+        assert case.fell == int(mine["fell"].sum())
+        stood = mine["peak_pitch"].values[mine["fell"].values == 0]
+        moments = case.outcomes["peak_pitch"]
+        found = (moments.n, moments.mean, moments.deviation, moments.least, moments.most)
+        assert found == pytest.approx(
+            (stood.size, stood.mean(), stood.std(ddof=1), stood.min(), stood.max()), rel=1e-12
+        )
+
+
+def test_moments_merge_to_those_of_the_whole():
+    values = 1e3 + np.random.Generator(np.random.Philox(1)).standard_normal(1000)
+    merged = Moments()
+    for part in np.split(values, [1, 400, 400, 990]):  # parts of 1, 399, 0, 590 and 10
+        merged = merged.with_values(part)
+    # mean and deviation of numbers about 1000 lose three of the sixteen digits
+    assert merged.mean == pytest.approx(values.mean(), rel=1e-13)
+    assert merged.deviation == pytest.approx(values.std(ddof=1), rel=1e-11)
+
+
+def test_another_campaign_keeps_out_of_the_folder(spec, alone, tmp_path):
+    other = tmp_path / "other.toml"
+    other.write_text(SPEC.replace("seed = 3", "seed = 4"))
+    with pytest.raises(InvalidScenario, match="another campaign"):
+        run_campaign(read_campaign(other), alone, workers=0)
+    with pytest.raises(InvalidScenario, match="no campaign"):
+        collect(tmp_path)
+    with pytest.raises(UprightError, match="no scheduler"):
+        # port 1 is reserved and nobody listens there
+        run_campaign(read_campaign(spec), tmp_path / "far", cluster="tcp://127.0.0.1:1")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "error", "says"),
+    [
+        ("n = 120", "n = 0", InvalidScenario, "without robots"),
+        ("n = 120", 'n = "many"', InvalidScenario, "n is 'many'"),
+        ('["nxtway-gs"]', "[1]", InvalidScenario, "texts in quotes"),
+        ("seed = 3", "seed = -3", InvalidScenario, "seed of -3"),
+        ("seed", "sead", UnknownName, "seed"),
+        ('"impulse"', '"impuls"', UnknownName, "impulse"),
+        ("impulse = 0.25, ", "", InvalidScenario, "lacks impulse"),
+        ("[0.0, 0.3]", "0.3", InvalidScenario, "list of numbers"),
+        ("motor.dead_zone", "motor.deadzone", UnknownName, "motor.dead_zone"),
+        ("seconds = 1.0", "seconds = 1.0\nkeep = ['pitch']", InvalidScenario, "peak_pitch"),
+        ("[grid]", "[grid", InvalidScenario, "broken TOML"),
+        ("nxtway-gs", "missing.toml", UprightError, "missing.toml"),
+    ],
+)
+def test_what_is_wrong_with_a_campaign_is_said(tmp_path, old, new, error, says):
+    assert old in SPEC
+    path = tmp_path / "c.toml"
+    path.write_text(SPEC.replace(old, new))
+    with pytest.raises(error, match=says):
+        read_campaign(path)
+
+
+def test_only_what_is_asked_for_is_kept(tmp_path, capsys):
+    path = tmp_path / "c.toml"
+    path.write_text(SPEC.replace("n = 120", "n = 20").replace("seed = 3", "seed = 3\nkeep = ['fell', 'effort']"))
+    sweep(path, workers=0)
+    assert "nxtway-gs" in capsys.readouterr().out
+    assert set(collect(tmp_path / "c").data_vars) == {"fell", "effort", "case"}

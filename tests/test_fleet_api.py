@@ -1,0 +1,396 @@
+"""Families, fleets, push maps and basins: drawn as said, equal to the single run, and kept with their labels."""
+
+from __future__ import annotations
+
+import json
+import math
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+import xarray as xr
+from scipy.stats import binomtest
+
+from upright.bodies import NonlinearBody
+from upright.cli.fleet import basin as basin_command
+from upright.cli.fleet import fleet as fleet_command
+from upright.control import make_controller
+from upright.errors import InvalidLog, InvalidRobot, InvalidScenario, UnknownName, UprightError
+from upright.experiment import Drive, Hold, Impulse, Push, Slope, run
+from upright.experiment.pushes import combined
+from upright.fleet.basin import Axis, basin
+from upright.fleet.ensemble import Ensemble, tables
+from upright.fleet.kernel_batch import parameters_of
+from upright.fleet.pushmap import PushGrid, largest, push_map
+from upright.fleet.results import clopper_pearson, labelled, load, origin_of, save, summarise
+from upright.fleet.vary import BLOCK, Family, Posterior, Spread, own_spreads, read_posterior, spread, with_number
+from upright.report.fleet import CIVIDIS, MapFigure, basin_figure, fleet_page, map_page, push_map_figures, shade
+from upright.robots import PARAMETERS, Kit, Robot
+
+ROBOT = Robot.preset("nxtway-gs")
+NXT = Kit.preset("nxt")
+FREE = make_controller("lqr-state", ROBOT, Kit.preset("ideal"), 0.01)
+
+
+def bare(**changes):
+    return Ensemble(**({"family": Family(ROBOT), "controller": FREE, "seconds": 3.0} | changes))
+
+
+# What varies
+
+
+def test_a_uniform_variation_fills_its_range_evenly():
+    drawn = Family(ROBOT, spreads=spread("com_height=±10%", ROBOT)).draw(1, range(20000))["com_height"]
+    share = (drawn / ROBOT.com_height - 0.9) / 0.2
+    assert 0 <= share.min() < 0.001  # of 20 000 the least is 1/20 000 on average, and above 0.001 with chance e^-20
+    assert 0.999 < share.max() <= 1
+    assert abs(share.mean() - 0.5) < 5 / math.sqrt(12 * 20000)  # five standard errors of a uniform mean
+
+
+def test_a_normal_variation_has_the_spread_of_the_robots_file():
+    family = Family(ROBOT, spreads=spread("com_height=normal", ROBOT))
+    drawn = family.draw(2, range(20000))["com_height"]
+    known = ROBOT.provenance["com_height"].spread
+    assert known == 0.0036  # the preset says 5 %
+    assert abs(drawn.mean() - ROBOT.com_height) < 5 * known / math.sqrt(20000)
+    assert drawn.std() == pytest.approx(known, rel=5 / math.sqrt(40000))  # five standard errors of a deviation
+
+
+def test_a_posterior_is_drawn_with_its_covariance(tmp_path):
+    names = ["com_height", "body_mass"]
+    covariance = [[1e-6, 8e-6], [8e-6, 1e-4]]  # a correlation of 0.8
+    file = tmp_path / "posterior.json"
+    file.write_text(json.dumps({"parameters": names, "mean": [0.072, 0.6], "covariance": covariance}))
+    drawn = Family(ROBOT, posterior=read_posterior(file)).draw(3, range(20000))
+    sampled = np.cov([drawn[name] for name in names])
+    # relative standard error of a variance √(2/n) = 1 %, of this covariance √((1 + 1/0.64)/n) = 1.1 %: five of them
+    np.testing.assert_allclose(sampled, covariance, rtol=0.055)
+
+
+def test_a_calibrations_own_file_is_a_posterior(tmp_path):
+    file = tmp_path / "calibration.json"
+    names = ["com_height", "encoder_delay"]
+    file.write_text(json.dumps({"robot": {"com_height": 0.07}, "names": names, "covariance": [[1e-6, 0], [0, 1e-6]]}))
+    found = read_posterior(file)
+    assert found.names == ("com_height",)  # a dead time is no parameter of the robot
+    assert found.mean.tolist() == [0.07]
+
+
+def test_any_part_of_a_family_is_drawn_by_itself():
+    family = Family(ROBOT, NXT, (*own_spreads(ROBOT), *spread("delay=0..0.01", ROBOT, NXT)))
+    whole = family.draw(7, range(2 * BLOCK))
+    some = np.array([5, BLOCK + 3, BLOCK - 1, 5])  # out of order, twice, and from two blocks
+    part = family.draw(7, some)
+    for name, values in whole.items():
+        assert (part[name] == values[some]).all()
+    assert (family.draw(8, some)["delay"] != part["delay"]).all()
+
+
+def test_possible_robots_are_those_that_can_be_made():
+    wide = tuple(Spread(name, "normal", value, 0.5 * abs(value) + 0.01) for name, value in ROBOT.numbers().items())
+    family = Family(ROBOT, spreads=wide)
+    rng = np.random.Generator(np.random.Philox(1))
+    values = np.abs(np.array(list(ROBOT.numbers().values())) * (1 + 0.3 * rng.standard_normal((400, len(wide)))))
+    values[::7, rng.integers(0, len(wide), 58)] *= -1
+    values[::11, list(PARAMETERS).index("track")] = 3.5  # beyond the largest robot
+    made = []
+    for row in values.tolist():
+        try:
+            made.append(bool(ROBOT.replace(**dict(zip(family.names, row, strict=True)))))
+        except InvalidRobot:
+            made.append(False)
+    assert family.possible(values).tolist() == made
+    assert 0.1 < np.mean(made) < 0.9  # both kinds are well represented, else the test would say nothing
+
+
+def test_what_no_robot_can_be_is_drawn_again():
+    family = Family(ROBOT, spreads=spread("pitch_inertia=±30%", ROBOT))
+    drawn = family.draw(0, range(2000))["pitch_inertia"]
+    most = ROBOT.yaw_inertia + ROBOT.roll_inertia  # the triangle inequality, one way and the other
+    least = ROBOT.roll_inertia - ROBOT.yaw_inertia
+    assert drawn.min() >= least > 0.7 * ROBOT.pitch_inertia
+    assert drawn.max() <= most
+    with pytest.raises(InvalidRobot, match="vary less"):
+        Family(ROBOT, spreads=(Spread("com_height", "uniform", -2.0, -1.0),)).draw(0, range(10))
+
+
+@pytest.mark.parametrize(
+    ("text", "error", "says"),
+    [
+        ("com_heigth=±10%", UnknownName, "com_height"),
+        ("com_height", InvalidScenario, "±10%"),
+        ("com_height=10%", InvalidScenario, "±10%"),
+        ("com_height=0.08..0.06", InvalidScenario, "low end"),
+        ("com_height=±x%", InvalidScenario, "finite number"),
+        ("coulomb_friction=±10%", InvalidScenario, "share of zero"),
+        ("motor.limit=±10%", InvalidScenario, "infinity"),
+        ("stiction_rate=normal", InvalidScenario, "normal:5%"),
+    ],
+)
+def test_a_variation_that_makes_no_sense_says_why(text, error, says):
+    with pytest.raises(error, match=says):
+        spread(text, ROBOT, NXT)
+
+
+def test_a_name_varies_once():
+    with pytest.raises(InvalidScenario, match="twice"):
+        Family(ROBOT, spreads=spread("com_height=±10%", ROBOT) * 2)
+    with pytest.raises(InvalidRobot, match="covariance"):
+        Posterior(("com_height", "body_mass"), np.zeros(2), np.array([[1.0, 2.0], [2.0, 1.0]]))  # correlation of 2
+
+
+def test_a_number_of_the_kit_is_replaced_by_its_dotted_name():
+    for name, read in (
+        ("delay", lambda kit: kit.delay),
+        ("motor.dead_zone", lambda kit: kit.motor.dead_zone),
+        ("sensors.gyro.noise", lambda kit: kit.sensors["sensor/gyro"].noise),
+    ):
+        assert read(with_number(name, 0.0042, ROBOT, NXT)[1]) == 0.0042
+
+
+# What is done to them
+
+
+def test_pushes_of_each_robot_are_those_of_the_single_run():
+    robots = [ROBOT, ROBOT.replace(com_height=0.08, body_mass=0.7)]
+    pushes = [Hold(pitch=0.1, until=1.0), Push(force=0.3, start=0.5, duration=0.5, height=0.1), Impulse(impulse=0.02)]
+    table = tables(pushes, (), parameters_of(robots)).pushes
+    for row, robot in zip(table, robots, strict=True):
+        for t in (0.0, 0.7, 1.005, 2.0):
+            on = [(f, robot.com_height if math.isnan(h) else h) for f, h, s, d in row if s <= t < s + d]
+            felt = combined(pushes, t, robot)
+            assert sum(f for f, _ in on) == pytest.approx(felt.force, abs=1e-12)
+            assert sum(f * h for f, h in on) == pytest.approx(felt.force * felt.height, abs=1e-12)
+
+
+def test_a_fleets_numbers_are_those_of_the_single_run():
+    programme = (Impulse(impulse=0.05, at_time=0.2), Slope(angle=0.02, start=1.0))
+    ensemble = bare(family=Family(ROBOT, spreads=spread("com_height=±10%", ROBOT)), pushes=programme,
+                    references=(Drive(speed=0.05, start=0.5),))  # fmt: skip
+    found = ensemble.run(range(3))
+    for i in range(3):
+        robot = ROBOT.replace(com_height=float(found["com_height"][i]))
+        log = run(NonlinearBody(robot), FREE, programme, reference=ensemble.references, seconds=3.0)
+        # the kernel's bound against the single path (issue of the kernel): 1e-9
+        assert found["peak_pitch"][i] == pytest.approx(np.abs(log["truth/pitch"]).max(), rel=1e-9)
+        assert found["travel"][i] == pytest.approx(np.abs(log["truth/wheel"]).max() * robot.wheel_radius, rel=1e-9)
+        squares = log["applied/left"] ** 2 + log["applied/right"] ** 2
+        assert found["effort"][i] == pytest.approx(squares.sum() * 0.01, rel=1e-9)  # held over 10 ms
+        assert found["fell"][i] == 0
+        assert not log.origin["outcome"]["fell"]
+
+
+def test_a_robot_does_the_same_in_any_company():
+    ensemble = Ensemble(
+        family=Family(ROBOT, NXT, own_spreads(ROBOT)), controller=make_controller("lqr", ROBOT, NXT, 0.01),
+        pushes=(Impulse(impulse=0.2),), seconds=2.0, seed=5,
+    )  # fmt: skip
+    whole = ensemble.run(range(150), threads=2)
+    part = ensemble.run(np.array([149, 3, 77]), threads=1)
+    for name, values in whole.items():
+        np.testing.assert_array_equal(part[name], values[[149, 3, 77]])  # to the last bit
+
+
+# What comes of it
+
+
+def test_the_interval_of_a_share_is_clopper_and_pearsons():
+    for count, n in ((0, 50), (3, 50), (50, 50), (17, 1000)):
+        ours, theirs = clopper_pearson(count, n), binomtest(count, n).proportion_ci(method="exact")
+        assert (ours.low, ours.high) == pytest.approx((theirs.low, theirs.high), abs=1e-12)
+    assert clopper_pearson(0, 50).high == pytest.approx(1 - 0.025 ** (1 / 50))  # closed form where nothing happened
+
+
+@pytest.fixture(scope="module")
+def results():
+    family = Family(ROBOT, spreads=(*spread("com_height=±10%", ROBOT), *spread("motor_resistance=±20%", ROBOT)))
+    ensemble = bare(family=family, start=(0.5, 0, 0, 0, 0, 0), seconds=2.0, seed=11)
+    return labelled(ensemble.run(range(100)), range(100), ensemble)
+
+
+@pytest.mark.parametrize("suffix", ["parquet", "zarr"])
+def test_results_come_back_as_they_were(results, tmp_path, suffix):
+    if suffix == "zarr":
+        pytest.importorskip("zarr")
+    path = save(results, tmp_path / f"fleet.{suffix}")
+    save(results, path)  # a second time, over the first
+    xr.testing.assert_identical(load(path), results)
+    assert [p.name for p in tmp_path.iterdir()] == [path.name]  # nothing half-written beside it
+    assert load(path)["travel"].attrs["unit"] == "m"
+    origin = origin_of(load(path))
+    assert origin["seed"] == 11
+    assert len(origin["controller"]["hash"]) == 64  # SHA-256 in hexadecimal
+    assert {"upright", "numpy", "numba"} <= origin["versions"].keys()
+
+
+def test_a_broken_result_is_refused(results, tmp_path):
+    path = save(results, tmp_path / "fleet.parquet")
+    path.write_bytes(path.read_bytes()[:-100])
+    with pytest.raises(InvalidLog, match="cut off"):
+        load(path)
+    with pytest.raises(InvalidLog, match="there is no"):
+        load(tmp_path / "none.parquet")
+    with pytest.raises(UprightError, match=r"\.parquet or \.zarr"):
+        save(results, tmp_path / "fleet.csv")
+
+
+def test_the_summary_counts_falls_and_leaves_the_fallen_out(results):
+    summary = summarise(results)
+    stood = results["fell"].values == 0
+    assert summary.fell == int((~stood).sum())
+    assert summary.quantiles["travel"][1] == pytest.approx(np.median(results["travel"].values[stood]))
+    json.dumps(summary.to_json(), allow_nan=False)
+    page = fleet_page(results, summary).html()
+    assert f"{summary.fell} of 100 robots fell" in page
+
+
+# The largest push
+
+
+def test_the_search_finds_a_known_threshold():
+    rng = np.random.Generator(np.random.Philox(4))
+    true = np.exp(rng.uniform(math.log(1e-3), math.log(10), 200))
+    calls = []
+
+    def stands(impulse, which):
+        calls.append(which.size)
+        return impulse <= true[which]
+
+    found = largest(stands, np.full(200, 0.1), ceiling=2.0, floor=0.01, tolerance=0.01, factor=1.5)
+    inside = (true > 0.01) & (true < 2.0)
+    assert (found[true >= 2.0] == 2.0).all()
+    assert (found[true < 0.01] == 0.0).all()
+    assert (found[inside] <= true[inside]).all()
+    assert (true[inside] < found[inside] * 1.01).all()
+    assert len(calls) < 20  # growing and halving: log2(ln 200/0.01) = 9 halvings and a few steps of growth
+
+
+@pytest.fixture(scope="module")
+def small_map():
+    ensemble = bare(family=Family(ROBOT, spreads=spread("com_height=±5%", ROBOT)))
+    # without a limit of the motors a linear regulator throws a robot far; a kit with one makes it fall earlier
+    kit = Kit(name="limited", motor=Kit.preset("ideal").motor.__class__(limit=8.0))
+    ensemble = bare(family=Family(ROBOT, kit, ensemble.family.spreads))
+    grid = PushGrid(heights=np.array([0.05, 0.1, 0.144]), durations=np.array([0.02, 0.1, 0.2]))
+    return ensemble, push_map(ensemble, grid, samples=20, nodes=(3, 2), watch=3.0)
+
+
+def test_the_impulse_found_is_survived_and_a_little_more_is_not(small_map):
+    from upright.bodies import Electronics
+
+    ensemble, data = small_map
+    for height, duration in ((0.05, 0.2), (0.144, 0.02)):
+        impulse = float(data["impulse"].sel(direction="forward", height=height, duration=duration))
+        for share, falls in ((1.0, False), (1.0101, True)):  # the tolerance is 1 %
+            push = Push(force=share * impulse / duration, start=0.0, duration=duration, height=height)
+            log = run(Electronics(NonlinearBody(ROBOT), ensemble.family.kit), FREE, push, seconds=duration + 3.0)
+            assert log.origin["outcome"]["fell"] == falls
+
+
+def test_a_symmetric_robot_survives_both_directions_alike(small_map):
+    impulse = small_map[1]["impulse"].values
+    np.testing.assert_allclose(impulse[0], impulse[1], rtol=0.0101)  # each within 1 % of the same number
+
+
+def test_higher_pushes_are_harder_and_the_band_holds_the_nominal_robot(small_map):
+    data = small_map[1]
+    assert (np.diff(data["impulse"].values, axis=1) < 0).all()  # above the centre of percussion the moment grows
+    assert (data["low"].values < data["impulse"].values).all()
+    assert (data["high"].values > data["impulse"].values).all()
+    assert not data["capped"].values.any()
+
+
+def test_the_band_is_that_of_robots_searched_one_by_one(small_map):
+    ensemble, data = small_map
+    heights = ensemble.family.draw(ensemble.seed, range(20))["com_height"]
+    grid = PushGrid(directions=(1,), heights=np.array([0.1]), durations=np.array([0.1]))
+    alone = [
+        float(push_map(bare(family=Family(ROBOT.replace(com_height=float(h)), ensemble.family.kit)), grid, samples=0,
+                       watch=3.0)["impulse"].item())
+        for h in heights[:20]
+    ]  # fmt: skip
+    at = data.sel(direction="forward", height=0.1, duration=0.1)
+    # each search is within 1 %, and duration 0.1 lies between nodes: another per cent
+    assert float(at["low"]) == pytest.approx(np.quantile(alone, 0.025), rel=0.02)
+    assert float(at["high"]) == pytest.approx(np.quantile(alone, 0.975), rel=0.02)
+
+
+# The basin
+
+
+def test_a_basin_is_symmetric_holds_upright_and_agrees_with_single_runs():
+    kit = Kit(name="limited", motor=Kit.preset("ideal").motor.__class__(limit=8.0))
+    data = basin(bare(family=Family(ROBOT, kit)), Axis("pitch", -1.2, 1.2, 13), Axis("pitch_rate", -12, 12, 11))
+    share = data["recovered"].values
+    assert (share == share[::-1, ::-1]).all()  # x → −x, u → −u maps motions into motions
+    assert share[6, 5] == 1.0
+    assert 0.05 < share.mean() < 0.95  # the cut shows a border at all
+    from upright.bodies import Electronics
+
+    for i, j in ((9, 5), (10, 2), (2, 1), (8, 8)):
+        start = (float(data["pitch"][i]), float(data["pitch_rate"][j]), 0, 0, 0, 0)
+        log = run(Electronics(NonlinearBody(ROBOT), kit), FREE, seconds=3.0, start=start)
+        assert log.origin["outcome"]["fell"] == (share[i, j] == 0)
+
+
+def test_a_basin_over_a_family_is_a_share():
+    family = Family(ROBOT, spreads=spread("motor_resistance=±60%", ROBOT))
+    data = basin(bare(family=family), Axis("pitch", 0.0, 1.3, 9), Axis("wheel_rate", -20, 20, 3), samples=8)
+    assert set(np.unique(data["recovered"].values * 8)) <= set(range(9))
+    with pytest.raises(UnknownName, match="pitch_rate"):
+        Axis("pitch_rat", 0, 1)
+    with pytest.raises(InvalidScenario, match="two states"):
+        basin(bare(), Axis("pitch", 0, 1), Axis("pitch", 0, 1))
+
+
+# Figures
+
+
+def test_a_map_draws_every_cell_once_in_its_colour():
+    values = np.array([[0.0, 1.0, 2.0], [0.0, 0.0, math.nan]])
+    figure = MapFigure("T", np.array([0.0, 1.0]), np.array([0.0, 1.0, 2.0]), values, "x", "y", "z", [0, 1, 2, 3])
+    root = ElementTree.fromstring(figure.svg())
+    paths = [node for node in root if node.tag.endswith("path")]
+    assert [p.get("d").count("M") for p in paths] == [2, 1, 1]  # two columns of 0 (the second of two cells), 1 and 2
+    assert [p.get("fill") for p in paths] == [CIVIDIS[0], shade(1, 3), CIVIDIS[-1]]
+
+
+def test_the_colours_grow_lighter_throughout():
+    def lightness(colour):
+        r, g, b = (int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5))
+        return 0.2126 * r**2.2 + 0.7152 * g**2.2 + 0.0722 * b**2.2  # relative luminance (Rec. 709)
+
+    tones = [lightness(shade(k, 40)) for k in range(40)]
+    assert (np.diff(tones) > 0).all()
+
+
+def test_pages_of_maps_are_well_formed(small_map, tmp_path):
+    data = small_map[1]
+    figures = push_map_figures(data)
+    assert len(figures) == 4  # a map and its slices for each direction
+    for figure in figures:
+        ElementTree.fromstring(figure.svg())
+    xr.testing.assert_identical(load(save(data, tmp_path / "map.parquet")), data)  # texts, numbers and truths
+    assert "N s" in map_page(data, figures, "Pushes", "Lead.").html()
+    cut = basin(bare(seconds=1.0), Axis("pitch", -1.0, 1.0, 5), Axis("wheel", -1, 1, 3))
+    ElementTree.fromstring(basin_figure(cut).svg())
+
+
+# The commands
+
+
+def test_the_commands_write_what_they_say(tmp_path, capsys):
+    target, page = tmp_path / "f.parquet", tmp_path / "f.html"
+    fleet_command(kit="ideal", n=50, vary=["com_height=±10%"], push=["impulse:0.05"], seconds=2.0, output=target,
+                  report=page, as_json=True)  # fmt: skip
+    said = json.loads(capsys.readouterr().out)
+    assert said["result"]["n"] == 50
+    assert said["origin"]["scenario"]["push"][0]["kind"] == "Impulse"
+    assert load(target).sizes["robot"] == 50
+    assert page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+    basin_command(kit="ideal", points=5, seconds=1.0)
+    assert "recovers from" in capsys.readouterr().out
+    with pytest.raises(UprightError, match="mkdir"):
+        fleet_command(kit="ideal", n=1, output=tmp_path / "none" / "f.parquet")
+    with pytest.raises(InvalidScenario, match="-n 0"):
+        fleet_command(kit="ideal", n=0)
