@@ -76,7 +76,7 @@ def sample(t: float, values: Sequence[float], applied: Sequence[float], fallen: 
     """A `Sample` of read-only values."""
     array = np.array(values, dtype=np.float64)
     array.setflags(write=False)
-    return Sample(t, array, (float(applied[0]), float(applied[1])), fallen)
+    return Sample(t, array, (float(applied[0]), float(applied[1])), bool(fallen))
 
 
 def checked(values: Sequence[float], size: int, name: str) -> tuple[float, ...]:

@@ -143,6 +143,6 @@ class _Channel:
         value += self._bias
         if sensor.noise:
             value += sensor.noise * float(self._rng.standard_normal())
-        if sensor.quantum:
+        if sensor.quantum and math.isfinite(value):
             value = round(value / sensor.quantum) * sensor.quantum
         return min(max(value, -sensor.range), sensor.range)

@@ -62,5 +62,11 @@ PUSH = (
     Signal("push/slope", "rad", "γ"),
 )
 
-KNOWN = {s.name: s for s in (*TRUTH, *ESTIMATE, *REFERENCE, *SENSORS, *command_signals("V"), *PUSH)}
+RATES = (
+    Signal("sensor/encoder_rate_left", "rad/s", "θ̇_l − ψ̇"),
+    Signal("sensor/encoder_rate_right", "rad/s", "θ̇_r − ψ̇"),
+)
+"""What robots log that know only their wheels' speeds."""
+
+KNOWN = {s.name: s for s in (*RATES, *TRUTH, *ESTIMATE, *REFERENCE, *SENSORS, *command_signals("V"), *PUSH)}
 """Every channel name this package writes, with its usual unit."""

@@ -1,0 +1,1 @@
+"""What the log doctor looks for, one file for each family of checks."""

@@ -1,0 +1,113 @@
+"""What a check reads, and what it hands over: a record, findings, and the fixes that mend it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+SEVERITIES = ("error", "warning", "note")
+"""What makes the log lie, what spoils a fit unless it is taken into account, and what is good to know."""
+
+LEFT, RIGHT, GYRO = "sensor/encoder_left", "sensor/encoder_right", "sensor/gyro"
+BATTERY, COMPASS, PITCH = "sensor/battery", "sensor/compass", "estimate/pitch"
+FORWARD, UP = "sensor/accel_forward", "sensor/accel_up"
+
+
+@dataclass(frozen=True, eq=False)
+class Record:
+    """A log before it is one: time [s] that may repeat or run backwards, and channels that may be anything.
+
+    `truth/…` is never in it: a doctor reads what a real robot has.
+    """
+
+    t: Array
+    channels: Mapping[str, Array]
+    units: Mapping[str, str] = field(default_factory=dict[str, str])
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.channels
+
+    def __getitem__(self, name: str) -> Array:
+        return self.channels[name]
+
+    @property
+    def period(self) -> float:
+        """Median time between rows [s]."""
+        return float(np.median(np.diff(self.t)))
+
+    @property
+    def commands(self) -> tuple[str, str] | None:
+        """The channels of what drove the motors: applied where it was logged, else commanded."""
+        for prefix in ("applied", "command"):
+            if f"{prefix}/left" in self and f"{prefix}/right" in self:
+                return f"{prefix}/left", f"{prefix}/right"
+        return None
+
+    @property
+    def torque_driven(self) -> bool:
+        """Whether the commands are torques."""
+        return self.commands is not None and self.units.get(self.commands[0]) == "N m"
+
+    def changed(self, changes: Mapping[str, Array]) -> Record:
+        """The same record with some channels replaced."""
+        return replace(self, channels={**self.channels, **changes})
+
+    def rows(self, keep: NDArray[Any], t: Array | None = None) -> Record:
+        """Only these rows (a mask or indices), at their own times or at `t`."""
+        channels = {name: values[keep] for name, values in self.channels.items()}
+        return replace(self, t=self.t[keep] if t is None else t, channels=channels)
+
+
+@dataclass(frozen=True)
+class Fix:
+    """One mend: what to do (see `fixes.FIXES`) to which channels with which numbers."""
+
+    kind: str
+    channels: tuple[str, ...] = ()
+    numbers: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing that is so: `code` (family/name), `severity`, `channel`, the `evidence` as a sentence with its numbers,
+    the `repair` in words, what `fixes` does it, and from when to when [s] where it is not the whole log."""
+
+    code: str
+    severity: str
+    channel: str
+    evidence: str
+    repair: str = ""
+    fixes: tuple[Fix, ...] = ()
+    span: tuple[float, float] | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        """As plain data."""
+        said: dict[str, Any] = {
+            name: getattr(self, name) for name in ("code", "severity", "channel", "evidence", "repair")
+        }
+        return said | ({"from": self.span[0], "until": self.span[1]} if self.span else {})
+
+
+def error(code: str, channel: str, evidence: str, repair: str = "", *fixes: Fix) -> Finding:
+    """A finding that makes the log lie."""
+    return Finding(code, "error", channel, evidence, repair, fixes)
+
+
+def warning(
+    code: str, channel: str, evidence: str, repair: str = "", *fixes: Fix, span: tuple[float, float] | None = None
+) -> Finding:
+    """A finding that spoils a fit unless it is taken into account."""
+    return Finding(code, "warning", channel, evidence, repair, fixes, span)
+
+
+def note(
+    code: str, channel: str, evidence: str, repair: str = "", *, span: tuple[float, float] | None = None
+) -> Finding:
+    """A finding that is good to know."""
+    return Finding(code, "note", channel, evidence, repair, (), span)

@@ -1,0 +1,274 @@
+"""Foreign logs as tables of numbers: CSV in its dialects, Parquet, MCAP, MAT and JSON of columns."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.errors import InvalidLog
+from upright.signals import Log
+from upright.signals.header import TIME, understand
+
+Array = NDArray[np.float64]
+
+_NOTE = "# upright-log: "
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """`columns` of equal length by name, as they stand in the file `source`.
+
+    `units` says the unit of those columns whose file told it; `text` names the columns that hold no numbers, each with
+    what stands there; `comments` are the lines before the header; `origin` is what one of our own logs says of itself.
+    """
+
+    columns: Mapping[str, Array]
+    units: Mapping[str, str] = field(default_factory=dict[str, str])
+    text: Mapping[str, str] = field(default_factory=dict[str, str])
+    comments: tuple[str, ...] = ()
+    source: str = ""
+    origin: Mapping[str, Any] = field(default_factory=dict[str, Any])
+
+    def __len__(self) -> int:
+        return len(next(iter(self.columns.values()), ()))
+
+    def column(self, name: str) -> Array:
+        """One column; raises `InvalidLog` for one that is not there or that holds text."""
+        if name in self.text:
+            raise InvalidLog(f"column '{name}' holds {self.text[name]}", expected="numbers", mend="correct that cell")
+        if name not in self.columns:
+            raise InvalidLog(f"there is no column '{name}'", expected=f"one of {', '.join(self.columns)}")
+        return self.columns[name]
+
+
+def read_table(path: str | Path) -> Table:
+    """Read a log of any program: .csv, .txt, .log, .tsv, .dat, .json, .mat, .parquet or .mcap.
+
+    A text file may have comment lines with # or %, commas, semicolons, tabs or spaces between its columns, decimal
+    commas beside semicolons, and no header: columns are then called c1, c2, …. Raises `InvalidLog` with one line.
+    """
+    source = Path(path).expanduser()
+    if not source.is_file():
+        raise InvalidLog(f"there is no file {source}", mend="look at the path again")
+    try:
+        if source.stat().st_size == 0:
+            raise InvalidLog("the file is empty", likely="a recording that was never closed")
+        table = READERS.get(source.suffix.lower(), _text)(source)
+        if not len(table):
+            raise InvalidLog("there are no rows of numbers", likely="an empty recording")
+    except InvalidLog as error:
+        raise InvalidLog(f"{source.name}: {error}") from None
+    except OSError as error:
+        raise InvalidLog(f"{source} cannot be read: {error.strerror or error}") from None
+    return Table(table.columns, table.units, table.text, table.comments, source.name, table.origin)
+
+
+def table_of(log: Log) -> Table:
+    """A log as a table with the columns `t` and its channels."""
+    return Table({TIME: log.t, **log.channels}, {TIME: "s", **log.units}, origin=log.origin)
+
+
+@dataclass(frozen=True)
+class _Dialect:
+    """How a text file is laid out: separator, names, and where the numbers begin (line of the file, from 0)."""
+
+    separator: str
+    names: Sequence[str]
+    first: int
+    comments: tuple[str, ...]
+    decimal: str
+
+
+def _text(path: Path) -> Table:
+    raw = path.read_bytes()
+    if raw.lstrip()[:1] in (b"{", b"["):
+        return _json(path)
+    try:
+        head = raw[: 1 << 16].decode("utf-8-sig", errors="strict" if len(raw) <= 1 << 16 else "ignore")
+    except UnicodeDecodeError:
+        head = "\0"
+    if "\0" in head:
+        raise InvalidLog("the file is not text", likely="a binary file under this name", mend="export it as CSV")
+    dialect = _dialect([line.rstrip("\r") for line in head.split("\n")])
+    note = next((line for line in dialect.comments if line.startswith(_NOTE)), "")
+    units, origin = understand(note.removeprefix(_NOTE)) if note else ({}, {})
+    columns, text = _parse(raw, dialect)
+    return Table(columns, units, text, dialect.comments, origin=origin)
+
+
+def _dialect(lines: Sequence[str]) -> _Dialect:
+    comments, first = [], 0
+    for first, line in enumerate(lines):  # noqa: B007 (the number of the first line of the table)
+        if line.strip() and not line.lstrip().startswith(("#", "%", "//")):
+            break
+        comments += [line] if line.strip() else []
+    else:
+        raise InvalidLog("there are no rows of numbers", likely="an empty recording")
+    head = lines[first]
+    separator = next((mark for mark in (";", "\t", ",") if mark in head), " ")
+    cells = _cells(head, separator)
+    decimal = "," if separator != "," and re.search(r"\d,\d", " ".join(lines[first + 1 : first + 3])) else "."
+    if any(_is_number(cell.replace(decimal, ".")) for cell in cells):
+        return _Dialect(separator, [f"c{i + 1}" for i in range(len(cells))], first, tuple(comments), decimal)
+    names = [cell.strip() for cell in cells]
+    twice = [name for i, name in enumerate(names) if name in names[:i]]
+    if twice:
+        raise InvalidLog(f"column '{twice[0]}' is there twice", mend="rename or drop one")
+    return _Dialect(separator, names, first + 1, tuple(comments), decimal)
+
+
+def _cells(line: str, separator: str) -> list[str]:
+    return line.split() if separator == " " else next(csv.reader([line], delimiter=separator))
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def _parse(raw: bytes, dialect: _Dialect) -> tuple[dict[str, Array], dict[str, str]]:
+    import pyarrow as pa
+    import pyarrow.csv as pc
+
+    lines = raw.split(b"\n", dialect.first)
+    body = lines[dialect.first] if len(lines) > dialect.first else b""
+    if dialect.separator == " ":
+        body = b"\n".join(b" ".join(line.split()) for line in body.splitlines())
+    names = list(dialect.names)
+    if not body.strip():
+        raise InvalidLog("there are no rows below the header", likely="an empty recording")
+    options = pc.ConvertOptions(decimal_point=dialect.decimal, strings_can_be_null=True)
+    reading = pc.ReadOptions(column_names=names)
+    parsing = pc.ParseOptions(delimiter=dialect.separator, ignore_empty_lines=True)
+    try:
+        table = pc.read_csv(io.BytesIO(body), read_options=reading, convert_options=options, parse_options=parsing)
+    except pa.ArrowInvalid as error:
+        said = " ".join(str(error).split())[:160]
+        raise InvalidLog(
+            f"the rows cannot be read ({said})",
+            expected=f"{len(names)} values in each",
+            likely="a row that was cut off",
+        ) from None
+    return _sorted({name: table.column(name) for name in names})
+
+
+def _sorted(columns: Mapping[str, Any]) -> tuple[dict[str, Array], dict[str, str]]:
+    """Numbers apart from text, from columns of Arrow."""
+    import pyarrow as pa
+
+    numbers: dict[str, Array] = {}
+    text: dict[str, str] = {}
+    kinds = pa.types
+    for name, column in columns.items():
+        kind = column.type
+        if kinds.is_integer(kind) or kinds.is_floating(kind) or kinds.is_null(kind) or kinds.is_boolean(kind):
+            cast_to = column.cast(pa.int8()) if kinds.is_boolean(kind) else column
+            numbers[name] = np.asarray(cast_to.cast(pa.float64(), safe=False).to_numpy(), dtype=np.float64)
+        else:
+            text[name] = _first_text(column.to_pylist())
+    return numbers, text
+
+
+def _first_text(values: Sequence[Any]) -> str:
+    for row, value in enumerate(values):
+        if value is not None and not _is_number(str(value)):
+            return f"the text '{str(value)[:40]}' at row {row}"
+    return "text"
+
+
+def _json(path: Path) -> Table:
+    try:
+        said: Any = json.loads(path.read_text("utf-8-sig"))
+    except (ValueError, UnicodeDecodeError) as error:
+        raise InvalidLog(f"the JSON cannot be read ({error})", likely="a recording that was cut off") from None
+    if isinstance(said, list) and said and all(isinstance(row, dict) for row in cast("list[Any]", said)):
+        rows = cast("list[dict[str, Any]]", said)
+        said = {name: [row.get(name) for row in rows] for name in rows[0]}
+    if not isinstance(said, dict):
+        raise InvalidLog("the JSON holds no columns", expected='{"name": [numbers], …} or a list of such rows')
+    lists = {name: value for name, value in cast("dict[str, Any]", said).items() if isinstance(value, list)}
+    return _equal({name: _listed(cast("list[Any]", value)) for name, value in lists.items()})
+
+
+def _listed(values: list[Any]) -> Array | str:
+    try:
+        return np.array([np.nan if value is None else value for value in values], dtype=np.float64)
+    except (TypeError, ValueError):
+        return _first_text(values)
+
+
+def _equal(columns: Mapping[str, Array | str]) -> Table:
+    numbers = {name: value for name, value in columns.items() if not isinstance(value, str) and value.ndim == 1}
+    text = {name: value for name, value in columns.items() if isinstance(value, str)}
+    lengths = sorted({len(value) for value in numbers.values()})
+    if len(lengths) > 1:
+        shown = ", ".join(f"{name} {len(value)}" for name, value in list(numbers.items())[:6])
+        raise InvalidLog(f"columns of unequal lengths: {shown}", expected="one value for each sample")
+    return Table(numbers, text=text)
+
+
+def _mat(path: Path) -> Table:
+    from scipy.io import loadmat
+
+    try:
+        content: dict[str, Any] = loadmat(path, squeeze_me=True, struct_as_record=True)
+    except OSError:
+        raise
+    except Exception as error:  # whatever a parser of binary records stumbles over in damaged bytes
+        mend = "save it in MATLAB with '-v7'" if isinstance(error, NotImplementedError) else "export it again"
+        raise InvalidLog(f"the MAT file cannot be read ({' '.join(str(error).split())[:80]})", mend=mend) from None
+    found: dict[str, Array] = {}
+    for name, value in content.items():
+        if not name.startswith("__"):
+            _collect(name, value, found)
+    longest = max((len(value) for value in found.values()), default=0)
+    return Table({name: value for name, value in found.items() if len(value) == longest})
+
+
+def _collect(name: str, value: Any, found: dict[str, Array]) -> None:
+    array = np.asarray(value)
+    if array.dtype.names:
+        for part in array.dtype.names:
+            _collect(f"{name}.{part}", array[part].item() if array.ndim == 0 else array[part], found)
+    elif array.dtype.kind in "fiub" and array.ndim == 1:
+        found[name] = array.astype(np.float64)
+    elif array.dtype.kind in "fiub" and array.ndim == 2:
+        for i in range(array.shape[1]):
+            found[f"{name}_{i + 1}"] = array[:, i].astype(np.float64)
+
+
+def _parquet(path: Path) -> Table:
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    try:
+        with pq.ParquetFile(path) as file:
+            table = file.read()
+    except (pa.ArrowException, OSError, UnicodeDecodeError) as error:
+        raise InvalidLog(f"the Parquet cannot be read ({error})", likely="a file that was cut off") from None
+    note = (table.schema.metadata or {}).get(b"upright-log")
+    units, origin = understand(note) if note is not None else ({}, {})
+    columns, text = _sorted({name: table.column(name) for name in table.column_names})
+    return Table(columns, units, text, origin=origin)
+
+
+def _mcap(path: Path) -> Table:
+    return table_of(Log.load(path))
+
+
+READERS: dict[str, Callable[[Path], Table]] = {
+    ".json": _json, ".mat": _mat, ".parquet": _parquet, ".mcap": _mcap,
+}  # fmt: skip
+"""Suffix → reader; every other suffix is read as text."""
