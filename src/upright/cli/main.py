@@ -10,8 +10,11 @@ from typing import Annotated
 import typer
 from typer.main import get_command
 
+from upright.cli.calibrate import calibrate
 from upright.cli.compare import compare
 from upright.cli.design import bench_controllers, design
+from upright.cli.doctor import doctor
+from upright.cli.fleet import basin, fleet, push_map, sweep
 from upright.cli.linearise import linearise
 from upright.cli.reproduce import reproduce
 from upright.cli.robots import robots
@@ -29,6 +32,12 @@ app.command()(compare)
 app.command()(linearise)
 app.command()(design)
 app.command("bench-controllers")(bench_controllers)
+app.command()(doctor)
+app.command()(calibrate)
+app.command()(fleet)
+app.command("push-map")(push_map)
+app.command()(basin)
+app.command()(sweep)
 
 
 def _print_version(wanted: bool) -> None:

@@ -31,7 +31,7 @@ def without_noise(A: Array, B: Array) -> LinearModel:
     """The printed model with its small coupling of pitch and yaw removed, which is noise."""
     pitch, yaw = np.arange(4), np.arange(4, 6)
     clean = A.copy()
-    clean[np.ix_(pitch, yaw)] = clean[np.ix_(yaw, pitch)] = 0
+    clean[pitch[:, None], yaw] = clean[yaw[:, None], pitch] = 0
     clean[5, 4] = 0  # heading does not turn the robot
     return LinearModel(clean, B, dt=printed.PERIOD)
 

@@ -1,0 +1,201 @@
+"""How long a calibration takes, and how often its intervals hold the truth.
+
+    python benchmarks/calibrate.py                   # time: 2000 samples, eight parameters, against SciPy
+    python benchmarks/calibrate.py --seeds 100       # coverage and unstable pole on twins of three kits
+
+Truth is drawn from what each preset says of its own numbers (value and spread); the controller and the calibration know
+the preset alone. Robots that the preset's controller cannot hold fall, and are left out and counted.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import os
+import platform
+import time
+from collections.abc import Callable
+from importlib.metadata import version
+
+import numpy as np
+
+from upright.bodies import Electronics
+from upright.bodies.twin import Twin
+from upright.control import Estimated, kalman, lqr, make_controller
+from upright.control.excited import Excited, random_binary
+from upright.errors import UprightError
+from upright.experiment import run
+from upright.identify.calibrate import annealed, calibrate, prepared, refined
+from upright.identify.calibration import VISIBLE
+from upright.identify.fitting import Problem
+from upright.identify.summary import rolling_pole
+from upright.physics.dynamics import derivative
+from upright.robots import PARAMETERS, Kit, Robot
+from upright.signals import Log
+
+EIGHT = (
+    "com_height", "pitch_inertia", "yaw_inertia", "torque_constant", "motor_friction", "coulomb_friction",
+    "delay/encoder", "delay/gyro",
+)  # fmt: skip
+DITHER = {"nxtway-gs": (1.5, 4), "ev3way": (2.5, 4), "twipr": (0.03, 6)}
+"""Amplitude [command unit] and how many periods it is held: loud enough to be told from the sensors' steps."""
+
+
+def drawn(robot: Robot, seed: int) -> Robot:
+    """A robot that might be this preset: each measured number off by its own spread."""
+    rng = np.random.default_rng(1000 + seed)
+    known = {
+        n: p.spread for n, p in robot.provenance.items() if p.spread and n in PARAMETERS and not n.startswith("body_d")
+    }
+    while True:
+        values = {n: getattr(robot, n) for n in known}
+        try:
+            moved = {n: v * math.exp(min(known[n] / v, 0.5) * rng.standard_normal()) for n, v in values.items()}
+            true = robot.replace(**moved)
+            Twin(true)
+        except UprightError:
+            continue
+        return true
+
+
+def twin_log(name: str, true: Robot, seed: int, seconds: float = 20.0) -> Log:
+    """The twin of `true` under the preset's controller, excited by a random binary dither."""
+    robot = Robot.preset(name)
+    kit = Kit.preset(robot.kit)
+    if name == "nxtway-gs":
+        controller = Estimated(lqr(robot, kit.period), kalman(robot, kit, kit.period))
+    else:
+        controller = make_controller("lqg", robot, kit, kit.period)
+    amplitude, hold = DITHER[name]
+    dither = random_binary(round(seconds / kit.period), amplitude, seed, hold)
+    return run(Electronics(Twin(true), kit), Excited(controller, dither), seconds=seconds, seed=seed)
+
+
+def coverage(name: str, seeds: int) -> None:
+    robot = Robot.preset(name)
+    held: dict[str, list[bool]] = {}
+    poles: list[float] = []
+    fallen = 0
+    for seed in range(seeds):
+        true = drawn(robot, seed)
+        log = twin_log(name, true, seed)
+        if log.origin["outcome"]["fell"]:
+            fallen += 1
+            continue
+        found = calibrate(log, robot)
+        for e in found.parameters:
+            if e.verdict == VISIBLE:
+                held.setdefault(e.name, []).append(e.low <= getattr(true, e.name) <= e.high)
+        poles.append(abs(rolling_pole(found.robot) / rolling_pole(true) - 1))
+    print(f"\n{name}: {len(poles)} logs of 20 s ({fallen} of {seeds} fell and are left out)")
+    print(f"  unstable pole: median error {np.median(poles):.2%}, worst {max(poles):.2%}")
+    for parameter, inside in held.items():
+        print(f"  {parameter:<18} visible in {len(inside):3d}, truth inside in {np.mean(inside):.0%}")
+
+
+def best_of(repeats: int, work: Callable[[], object]) -> tuple[float, float]:
+    """Least time [s] on the clock and of the processor; on a busy machine only the second says something."""
+    times: list[tuple[float, float]] = []
+    for _ in range(repeats):
+        start, busy = time.perf_counter(), time.process_time()
+        work()
+        times.append((time.perf_counter() - start, time.process_time() - busy))
+    return min(t[0] for t in times), min(t[1] for t in times)
+
+
+def timing() -> None:
+    """The optimisation of eight parameters from 2000 samples, and SciPy's on the same residuals."""
+    robot = Robot.preset("nxtway-gs")
+    kit = Kit.preset(robot.kit)
+    log = twin_log("nxtway-gs", drawn(robot, 0), 0)
+    log = Log(log.t, {n: v for n, v in log.channels.items() if n != "sensor/compass"}, log.units)
+    every, _ = prepared([log], robot, kit, (), 0.0)
+    known = [p.name for p in every.parameters if p.name not in EIGHT]
+    problem, limits = prepared([log], robot, kit, known, 0.0)
+
+    def ours() -> None:
+        refined(*annealed(problem, limits), limits)
+
+    start = time.perf_counter()
+    ours()
+    print(f"first call, with compiling or loading what was compiled: {time.perf_counter() - start:.1f} s")
+    print(
+        f"optimisation, {len(log)} samples, {len(problem.parameters)} parameters: {best_of(5, ours):.3f} s (best of 5)"
+    )
+    scipy_time(problem, limits)
+
+
+def scipy_time(problem: Problem, limits: dict[str, float]) -> None:
+    """`least_squares` with differences over `solve_ivp`: one pass is timed, the passes are counted on our own
+    residuals, which are the same numbers; the product is what the whole would take."""
+    from scipy.optimize import least_squares
+
+    from upright.identify.predictor import innovations
+
+    settled, z, _, _ = refined(*annealed(problem, limits), limits)
+    recording = settled.recordings[0]
+    path = settled.filtered(recording, z)
+    use = (recording.kind >= 0) & np.isfinite(path.s)
+    calls = 0
+
+    def residuals(at: np.ndarray) -> np.ndarray:
+        nonlocal calls
+        calls += 1
+        reads, delays, constants = settled.lanes(recording, at[:, None])
+        e = innovations(
+            settled.order(recording, at), recording.kind, recording.when, recording.value, recording.commands, reads,
+            delays, constants, recording.first[:, None], path.gains, settled.longest,
+        )[use, 0]  # fmt: skip
+        return np.concatenate([e / np.sqrt(path.s[use]), at])
+
+    least_squares(residuals, np.zeros(len(z)), method="trf", diff_step=1e-4)
+    start = time.perf_counter()
+    stiff = solve_ivp_pass(settled, z, path.gains)
+    one = time.perf_counter() - start
+    difference = np.abs(stiff[use] - residuals(z)[: use.sum()] * np.sqrt(path.s[use])).max()
+    print(
+        f"one pass over solve_ivp (RK45, rtol 1e-6): {one:.2f} s; largest difference of an innovation {difference:.1e}"
+    )
+    print(f"least_squares asks for {calls - 1} passes: {one * (calls - 1):.0f} s for its one fit at known noise")
+
+
+def solve_ivp_pass(problem: Problem, z: np.ndarray, gains: np.ndarray) -> np.ndarray:
+    """The innovations with SciPy's integrator between events."""
+    from scipy.integrate import solve_ivp
+
+    from upright.identify.parameters import with_values
+
+    recording = problem.recordings[0]
+    robot = with_values(problem.robot, {p.name: float(p.value(z[i])) for i, p in enumerate(problem.parameters)})
+    reads = problem.lanes(recording, z[:, None])[0][:, :, 0]
+    moment = recording.when - problem.own_delays(recording, z)
+    x, u, found, now = recording.first.copy(), recording.commands[0], np.full(len(moment), np.nan), None
+    for event in problem.order(recording, z):
+        if now is not None and moment[event] > now:
+            span = (now, moment[event])
+            x[:6] = solve_ivp(lambda _, s, u=u: derivative(s, u, robot), span, x[:6], rtol=1e-6, atol=1e-9).y[:, -1]
+        now = moment[event]
+        row = recording.kind[event]
+        if row < 0:
+            u = recording.commands[int(recording.value[event])]
+        else:
+            found[event] = recording.value[event] - reads[row] @ x
+            x = x + gains[event] * found[event]
+    return found
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--seeds", type=int, default=0, help="logs of each kit for coverage (default: time only)")
+    parser.add_argument("--robots", nargs="*", default=list(DITHER), help="presets to draw from")
+    asked = parser.parse_args()
+    packages = ", ".join(f"{name} {version(name)}" for name in ("numpy", "scipy", "numba"))
+    processor = platform.processor() or platform.machine()
+    print(f"{processor}, {os.cpu_count()} cores; Python {platform.python_version()}, {packages}")
+    timing()
+    for name in asked.robots if asked.seeds else ():
+        coverage(name, asked.seeds)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,223 @@
+"""The robot from its own raw logs: start, anneal, learn the noise, and say what came of it.
+
+    calibrate(log, robot) → Calibration
+
+The predictor's gains belong to noise that is learnt with the parameters. Its process noise may not exceed `FREEDOM`: a
+filter that trusts its model little foretells the next sample well whatever the model is, and nothing beyond.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.errors import DesignFailed
+from upright.identify.calibration import Calibration
+from upright.identify.fitting import Normal, Path, Problem, gauss_newton, objective
+from upright.identify.informativity import INERTIAL, too_quiet
+from upright.identify.noise import Bounds, learn_noise
+from upright.identify.parameters import parameters_of
+from upright.identify.recording import SENSOR, Recording, first_noise, head, record
+from upright.robots import Kit, Robot
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+Progress = Callable[[float], None]
+
+ANNEALED = (0.3, 0.1, 0.03)
+"""Process noise of the first fits, as a share of the commands: large noise makes a short-sighted filter that holds on
+to any robot, so that a poor start is found; less noise then makes it look farther."""
+
+FREEDOM = 0.015
+"""Most process noise that is learnt, as a share of the commands and of the robot's weight."""
+
+TRIED = ((0.003, 1.0), (0.03, 16.0), (0.03, 1e6), (0.1, 256.0), (0.3, 1e6))
+"""(share, largest sensor variance over the kit's) tried where innovations are not white: the one wins under which the
+robot simulated freely follows the log farthest."""
+
+WHITE = 0.15
+"""Autocorrelation of innovations below which the model is taken for right."""
+
+STARTS = ((0, 0), (3, 0), (6, 0), (0, 2))
+"""Periods by which all sensors, and the gyro alone, are later than the prior has it; tried in turn."""
+
+PLAUSIBLE = 9.0
+"""Sensors no noisier than this over their kit's variance show that the prior's own dead times are near enough."""
+
+NOISE_TIME = 0.01  # [s] the period for which shares of the commands are meant
+BIAS_WALK = 1e-7  # [(rad/s)²/s] the gyro's bias, a few hundredths of a degree a second each second
+LEAST = 1e-6  # smallest process noise, of the largest
+EARLY = 6.0  # [s] of each log that decide between starts
+
+
+def calibrate(
+    logs: Log | Sequence[Log],
+    robot: Robot,
+    kit: Kit | None = None,
+    *,
+    known: Sequence[str] = (),
+    held_out: float = 0.25,
+    progress: Progress | None = None,
+) -> Calibration:
+    """Physical parameters, dead times and noise of `robot` from one or several logs of raw sensors and commands.
+
+    `robot` gives the prior: each number with the spread of its provenance, a guess with a factor of two. `kit`
+    (default: the robot's own) gives first dead times and noise. `known` names parameters taken for exact. The last
+    share `held_out` of each log is kept back and only foretold. Raises `InvalidLog` for logs that cannot be used,
+    `DesignFailed` where no start follows the log.
+    """
+    from upright.identify.summary import summarised
+
+    began = time.perf_counter()
+    show = progress or _unwatched
+    several = [logs] if isinstance(logs, Log) else list(logs)
+    problem, limits = prepared(several, robot, kit or Kit.preset(robot.kit), known, held_out)
+    reason = too_quiet(problem)
+    if reason:
+        problem = replace(problem, held=frozenset(p.name for p in problem.parameters if p.name in INERTIAL))
+    show(0.05)
+    problem, z = annealed(problem, limits)
+    show(0.4)
+    problem, z, normal, paths = refined(problem, z, limits)
+    show(0.8)
+    return summarised(problem, z, normal, paths, several, reason, began)
+
+
+def _unwatched(share: float) -> None:
+    """Show nothing of the `share` done."""
+
+
+def prepared(
+    logs: Sequence[Log], robot: Robot, kit: Kit, known: Sequence[str], held_out: float
+) -> tuple[Problem, dict[str, float]]:
+    """The problem at its prior, and each sensor's variance as its kit has it."""
+    late = max([kit.delay, *(kit.delay + s.delay for s in kit.sensors.values())])
+    recordings = tuple(record(log, robot, skip=late + 0.02, held_out=held_out) for log in logs)
+    sensors = dict.fromkeys(s for r in recordings for s in r.sensors)
+    delays = {s: kit.delay + kit.jitter / 2 + _delay(kit, s) for s in sensors}
+    variances = [first_noise(r, kit) for r in recordings]
+    limits = {s: max(v[s] for v in variances if s in v) for s in sensors}
+    noise = {s: float(np.log(v)) for s, v in limits.items()}
+    parameters = tuple(p for p in parameters_of(robot, delays, known))
+    problem = Problem(recordings, robot, parameters, delays, noise | process(recordings, robot, ANNEALED[0]))
+    return problem, limits
+
+
+def _delay(kit: Kit, sensor: str) -> float:
+    return max((s.delay for name, s in kit.sensors.items() if SENSOR.get(name) == sensor), default=0.0)
+
+
+def process(recordings: Sequence[Recording], robot: Robot, share: float) -> dict[str, float]:
+    """Log-variances a second of process noise: `share` of the commands, and of 1 N for a robot of 0.6 kg."""
+    rms = np.sqrt(np.mean([np.mean(r.commands**2) for r in recordings]))
+    push = share * robot.body_mass / 0.6
+    return {
+        "motor": float(np.log((share * rms) ** 2 * NOISE_TIME)),
+        "push": float(np.log(push**2 * NOISE_TIME)),
+        "gyro_bias": float(np.log(BIAS_WALK)),
+    }
+
+
+def _with_process(problem: Problem, share: float) -> Problem:
+    return replace(problem, noise={**problem.noise, **process(problem.recordings, problem.robot, share)})
+
+
+def _sensor_bounds(limits: Mapping[str, float], most: float = 1e6) -> dict[str, tuple[float, float]]:
+    return {name: (variance / 4, variance * most) for name, variance in limits.items()}
+
+
+def annealed(problem: Problem, limits: Mapping[str, float]) -> tuple[Problem, Array]:
+    """From the best of several starts, with less and less process noise, as long as the filter keeps the robot."""
+    z = _best_start(problem, limits)
+    bounds = _sensor_bounds(limits)
+    for share in ANNEALED:
+        less = _with_process(problem, share)
+        if not np.isfinite(objective(less, z)[0]):
+            break
+        less = learn_noise(less, z, bounds, iterations=2)
+        new, normal, _ = gauss_newton(less, z, iterations=6, tolerance=0.1)
+        if not np.isfinite(normal.objective):
+            break
+        problem, z = less, new
+    return problem, z
+
+
+def _best_start(problem: Problem, limits: Mapping[str, float]) -> Array:
+    """The prior with its dead times, or with longer ones, whichever explains the beginning of the logs best."""
+    early = replace(problem, recordings=tuple(head(r, EARLY) for r in problem.recordings))
+    tries: list[tuple[float, Array]] = []
+    for all_later, gyro_later in STARTS:
+        z = np.zeros(len(problem.parameters))
+        for i, p in enumerate(problem.parameters):
+            if p.name.startswith("delay/"):
+                later = all_later + (gyro_later if p.name == "delay/gyro" else 0)
+                z[i] = p.coordinate(p.prior + later * problem.recordings[0].period)
+        if np.isfinite(objective(early, z)[0]):
+            start = learn_noise(early, z, _sensor_bounds(limits), iterations=1)
+            z, normal, _ = gauss_newton(start, z, iterations=3, tolerance=0.3)
+            tries.append((normal.objective, z))
+            if len(tries) == 1 and all(start.noise[n] < np.log(PLAUSIBLE * v) for n, v in limits.items()):
+                break
+    if not tries:
+        raise DesignFailed(
+            "no start follows this log", expected="a log of the robot that was named, balancing",
+            likely="another robot, a flipped sign or a wrong unit", mend="run `upright doctor` on the log",
+        )  # fmt: skip
+    return min(tries, key=lambda t: t[0])[1]
+
+
+def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> tuple[Problem, Array, Normal, Sequence[Path]]:
+    """Parameters and noise of greatest likelihood; where the innovations show that the model is not right, the noise
+    that sees farthest, and a weight of the readings that their correlation leaves them."""
+    from upright.identify.validate import score, worst_correlation
+
+    calm = _with_process(problem, FREEDOM / 10)
+    start = calm if np.isfinite(objective(calm, z)[0]) else problem
+    best = _settled(start, z, _bounds(problem, limits, FREEDOM))
+    if worst_correlation(*best) < WHITE:
+        return best
+    ranked = [(score(best[0], best[1]), best)]
+    for share, most in TRIED:
+        fit = _settled(best[0], best[1], _bounds(problem, limits, share, most))
+        if np.isfinite(fit[2].objective):
+            ranked.append((score(fit[0], fit[1]), fit))
+    best = max(ranked, key=lambda r: r[0])[1]
+    return _tempered(*best)
+
+
+def _bounds(problem: Problem, limits: Mapping[str, float], share: float, most: float = 1e6) -> Bounds:
+    top = process(problem.recordings, problem.robot, share)
+    free = {name: (float(np.exp(top[name])) * LEAST, float(np.exp(top[name]))) for name in ("motor", "push")}
+    return {**_sensor_bounds(limits, most), **free}
+
+
+def _settled(problem: Problem, z: Array, bounds: Bounds) -> tuple[Problem, Array, Normal, Sequence[Path]]:
+    """Noise and parameters in turn, until the noise of the sensors stays."""
+    inside = {n: float(np.clip(problem.noise[n], np.log(low), np.log(high))) for n, (low, high) in bounds.items()}
+    within = replace(problem, noise={**problem.noise, **inside})
+    problem = within if np.isfinite(objective(within, z)[0]) else problem
+    for turn in range(6):
+        before = problem.noise
+        problem = learn_noise(problem, z, bounds, iterations=3 if turn else 5)
+        z, normal, paths = gauss_newton(problem, z, iterations=5, tolerance=0.05)
+        if max(abs(problem.noise[n] - before[n]) for n in bounds if n in problem.delays) < 0.05:
+            break
+    z, normal, paths = gauss_newton(problem, z, iterations=8)
+    return problem, z, normal, paths
+
+
+def _tempered(
+    problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]
+) -> tuple[Problem, Array, Normal, Sequence[Path]]:
+    """The same fit with readings that count as little as their scores' correlation says, against the prior."""
+    from upright.identify.informativity import independent_share
+
+    for _ in range(2):
+        share = independent_share(problem, normal, paths)
+        problem = replace(problem, temper=share)
+        z, normal, paths = gauss_newton(problem, z, iterations=10)
+    return problem, z, normal, paths

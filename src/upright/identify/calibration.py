@@ -1,0 +1,174 @@
+"""What a calibration says: every number with its interval and its prior, what the log could not tell, and how it was
+checked. A `Calibration` can check itself, print itself and be written as JSON."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.errors import InvalidRobot
+from upright.robots import Robot
+
+Array = NDArray[np.float64]
+
+VISIBLE, PRIOR, BOUND, HELD = "visible", "known from its prior", "at its bound", "held at its prior"
+VERDICTS = {
+    VISIBLE: "the log halves what was unknown of it, or better",
+    PRIOR: "the log adds little to what was known; alone it means nothing, with the others it fits the log",
+    BOUND: "the fit pressed against zero; the interval is one-sided",
+    HELD: "not fitted: the log cannot tell it",
+}
+SURPRISE = 3.0
+"""Prior deviations beyond which the log contradicts what was said to be known."""
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A number with its 95 % interval, the prior it had (value and one standard deviation), and the verdict on it.
+
+    `shift` is how far it moved, and `shrink` how uncertain it still is, in deviations of its prior.
+    """
+
+    name: str
+    unit: str
+    value: float
+    low: float
+    high: float
+    prior: float
+    prior_spread: float
+    verdict: str
+    shift: float
+    shrink: float
+    guess: bool = False
+
+    @property
+    def spread(self) -> float:
+        """One standard deviation, as a quarter of the interval's width over 0.98."""
+        return (self.high - self.low) / (2 * 1.96)
+
+    @property
+    def surprising(self) -> bool:
+        """Whether the log contradicts a prior that was not a guess."""
+        return not self.guess and abs(self.shift) > SURPRISE
+
+
+@dataclass(frozen=True)
+class Whiteness:
+    """Two tests of a sensor's innovations: whether they foretell one another, and whether the commands foretell them.
+
+    `ljung_box` and `input_test` are χ² statistics of `lags` degrees of freedom; both are to stay below `threshold`
+    (the 99 % point). `worst` is the largest autocorrelation of the first five lags, `rms` that of the innovations over
+    what the filter expected.
+    """
+
+    sensor: str
+    rms: float
+    worst: float
+    ljung_box: float
+    input_test: float
+    lags: int
+    threshold: float
+
+    @property
+    def white(self) -> bool:
+        return self.ljung_box < self.threshold and self.input_test < self.threshold
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """A robot learnt from logs. `parameters` are what was fitted, `combinations` what the log really sees (ratios of
+    them, and the unstable pole), `delays` the dead times; `covariance` (n, n) is that of the parameters' names in
+    `names`, in SI units. `fits` holds [%] h-step fits by horizon and sensor on the part kept back, `segments` R² of
+    free simulation. `notes` are sentences for the reader."""
+
+    robot: Robot
+    prior: Robot
+    parameters: tuple[Estimate, ...]
+    combinations: tuple[Estimate, ...]
+    delays: tuple[Estimate, ...]
+    names: tuple[str, ...]
+    covariance: Array
+    noise: Mapping[str, float]
+    whiteness: tuple[Whiteness, ...]
+    fits: Mapping[str, Mapping[str, float]]
+    segments: Mapping[str, float]
+    temper: float
+    samples: int
+    seconds: float
+    sources: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    unseen: tuple[str, ...] = ()
+    closed_loop: Mapping[str, float] = field(default_factory=dict[str, float])
+
+    def __post_init__(self) -> None:
+        covariance = np.array(self.covariance, dtype=np.float64)
+        covariance.setflags(write=False)
+        object.__setattr__(self, "covariance", covariance)
+
+    def __getitem__(self, name: str) -> Estimate:
+        return next(e for e in (*self.parameters, *self.combinations, *self.delays) if e.name == name)
+
+    def check(self) -> tuple[str, ...]:
+        """What is wrong with this calibration, from its own numbers; nothing where it may be trusted."""
+        wrong = [
+            f"{e.name}: {e.low:g} ≤ {e.value:g} ≤ {e.high:g} does not hold"
+            for e in self.parameters
+            if not e.low <= e.value <= e.high
+        ]
+        values = np.linalg.eigvalsh(self.covariance / np.sqrt(np.outer(*[np.diag(self.covariance)] * 2)))
+        wrong += ["the covariance is not positive"] if values[0] < -1e-9 else []
+        wrong += [
+            f"{e.name} contradicts its prior by {abs(e.shift):.1f} deviations" for e in self.parameters if e.surprising
+        ]
+        wrong += [f"innovations of the {w.sensor} are not white" for w in self.whiteness if not w.white]
+        try:
+            self.robot.replace()
+        except InvalidRobot as error:
+            wrong.append(str(error))
+        return tuple(wrong)
+
+    @property
+    def correlation(self) -> Array:
+        """Correlation matrix (n, n) of `names`."""
+        spread = np.sqrt(np.diag(self.covariance))
+        return self.covariance / np.outer(spread, spread)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers; what is not finite is null."""
+        from dataclasses import asdict
+
+        def plain(items: Sequence[Any]) -> list[dict[str, Any]]:
+            return [{k: _finite(v) for k, v in asdict(item).items()} for item in items]
+
+        return {
+            "robot": {"name": self.robot.name, "drive": self.robot.drive, **self.robot.numbers()},
+            "prior": {"name": self.prior.name, **self.prior.numbers()},
+            "parameters": plain(self.parameters), "combinations": plain(self.combinations),
+            "delays": plain(self.delays),
+            "names": list(self.names), "covariance": self.covariance.tolist(), "noise": dict(self.noise),
+            "whiteness": [{**d, "white": w.white} for d, w in zip(plain(self.whiteness), self.whiteness, strict=True)],
+            "fits": {k: {n: _finite(v) for n, v in row.items()} for k, row in self.fits.items()},
+            "segments": {k: _finite(v) for k, v in self.segments.items()}, "closed_loop": dict(self.closed_loop),
+            "temper": self.temper, "samples": self.samples, "seconds": self.seconds, "sources": list(self.sources),
+            "notes": list(self.notes), "unseen": list(self.unseen), "wrong": list(self.check()),
+        }  # fmt: skip
+
+    def __str__(self) -> str:
+        head = f"{self.robot.name} from {', '.join(self.sources) or 'a log'}: {self.samples} samples fitted"
+        lines = [head, *(_line(e) for e in (*self.parameters, *self.delays)), "What the log sees:"]
+        lines += [_line(e) for e in self.combinations]
+        return "\n".join([*lines, *self.unseen, *self.notes])
+
+
+def _line(e: Estimate) -> str:
+    mark = "  contradicts its prior" if e.surprising else ""
+    return f"  {e.name:<18} {e.value:>11.5g} [{e.low:.4g}, {e.high:.4g}] {e.unit:<10} {e.verdict}{mark}"
+
+
+def _finite(value: Any) -> Any:
+    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -1,0 +1,142 @@
+"""What a calibration estimates: the robot's numbers and the dead times, in coordinates of the prior.
+
+Every parameter p is a function of one number z that the prior takes for standard normal: p = p₀ exp(z σ/p₀) for what
+must be positive, p = p₀ + z σ for what may be zero or negative. So z = 0 is what was known before, |z| = 1 one standard
+deviation away, and the information of a log about z is in units of the prior's.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.errors import UnknownName
+from upright.physics.dynamics import motor_damping, motor_gain
+from upright.robots import PARAMETERS, Robot
+
+Array = NDArray[np.float64]
+
+GUESS = math.log(2.0)
+"""Standard deviation of the logarithm of a positive number that is called a guess: right within a factor of two."""
+
+MAY_BE_ZERO = ("rotor_inertia", "back_emf", "motor_friction", "wheel_friction", "coulomb_friction")
+ELECTRICAL = ("motor_resistance", "back_emf", "torque_constant")
+NEVER = ("gear_ratio", "stiction_rate", "body_depth", "body_height", "roll_inertia")
+"""What no log is asked: a convention, a smoothing, two measures for drawing, and an inertia that only a robot which
+turns while it leans shows; it follows the other two so that a rigid body remains (see `with_values`)."""
+
+SMOOTHING = "stiction_rate"
+"""Fitted where the robot is known to have dry friction, so that the friction found is not its smoothing's; the robot
+that is written keeps its own."""
+
+STICKIEST = 8.0  # times as sharp as the prior's, for which the integration's steps are still short enough
+
+DELAY_SPREAD = 0.02  # [s] one standard deviation of a dead time, about two periods: kits say little of theirs
+SENSORS = ("encoder", "gyro", "compass")
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A number to estimate: its `prior`, the prior's `spread` (one standard deviation) and whether z acts on its
+    logarithm. `lower` bounds it; `guess` says that nobody measured the prior."""
+
+    name: str
+    unit: str
+    prior: float
+    spread: float
+    logarithmic: bool
+    lower: float = -math.inf
+    guess: bool = False
+
+    def value(self, z: Any) -> Any:
+        """The parameter at the coordinate z."""
+        if self.logarithmic:
+            return self.prior * np.exp(np.asarray(z) * (self.spread / self.prior))
+        return self.prior + np.asarray(z) * self.spread
+
+    def coordinate(self, value: float) -> float:
+        """The inverse of `value`."""
+        if self.logarithmic:
+            return math.log(value / self.prior) * self.prior / self.spread
+        return (value - self.prior) / self.spread
+
+    @property
+    def least(self) -> float:
+        """The smallest z allowed."""
+        return -math.inf if self.logarithmic else (self.lower - self.prior) / self.spread
+
+
+def parameters_of(robot: Robot, delays: Mapping[str, float], known: Sequence[str] = ()) -> tuple[Parameter, ...]:
+    """What a log of `robot` may tell, with its priors, and the dead time from the command to each sensor in `delays`.
+
+    `known` names what is taken for exact. Raises `UnknownName` for a name that is none of these.
+    """
+    names = [n for n in PARAMETERS if n not in NEVER and not (robot.drive == "torque" and n in ELECTRICAL)]
+    names += [SMOOTHING] if robot.coulomb_friction else []
+    physical = [_physical(robot, name) for name in names]
+    late = [Parameter(f"delay/{name}", "s", d, DELAY_SPREAD, False, -DELAY_SPREAD) for name, d in delays.items()]
+    every = [p for p in (*physical, *late) if p.spread > 0]
+    for name in known:
+        if name not in (p.name for p in every):
+            raise UnknownName("parameter", name, [p.name for p in every])
+    return tuple(p for p in every if p.name not in known)
+
+
+def _physical(robot: Robot, name: str) -> Parameter:
+    value, unit = getattr(robot, name), PARAMETERS[name][0]
+    source = robot.provenance.get(name)
+    spread = None if source is None else source.spread
+    guess = spread is None
+    if name in MAY_BE_ZERO:
+        return Parameter(name, unit, value, _scale(robot, name) if spread is None else spread, False, 0.0, guess)
+    return Parameter(name, unit, value, GUESS * value if spread is None else spread, True, 0.0, guess)
+
+
+def _scale(robot: Robot, name: str) -> float:
+    """How large a loss or a rotor of unknown size may well be [its unit]: what the rest of the robot would notice."""
+    mass = (2 * robot.wheel_mass + robot.body_mass) * robot.wheel_radius**2 + 2 * robot.wheel_inertia
+    stall = motor_gain(robot) * 0.3 if robot.drive == "voltage" else 0.0  # [N m] what 0.3 V give, a motor's dead zone
+    scale = {
+        "rotor_inertia": mass / (2 * robot.gear_ratio**2),  # as much as all else that rolls
+        "coulomb_friction": max(stall, 0.3 * robot.wheel_radius * robot.wheel_mass * robot.gravity),
+        "back_emf": robot.back_emf,
+    }
+    drag = max(motor_damping(robot) / 5, mass / 2)  # a fifth of what is there, or what halts the robot within seconds
+    return max(scale.get(name, drag), getattr(robot, name))
+
+
+def with_values(robot: Robot, values: Mapping[str, float]) -> Robot:
+    """`robot` with new numbers, its roll inertia kept where it stood between the bounds |J_ψ − J_φ| and J_ψ + J_φ."""
+    physical = {name: value for name, value in values.items() if name in PARAMETERS}
+    changed = _Numbers(**(robot.numbers() | physical))
+    return robot.replace(**physical, roll_inertia=float(roll_inertia(robot, changed)))
+
+
+def roll_inertia(robot: Robot, p: Any) -> Any:
+    """J_ρ of parameters `p` (numbers or arrays): as far between its bounds as `robot`'s own."""
+    low, high = abs(robot.pitch_inertia - robot.yaw_inertia), robot.pitch_inertia + robot.yaw_inertia
+    share = min(max((robot.roll_inertia - low) / (high - low), 0.02), 0.98)
+    least = np.abs(p.pitch_inertia - p.yaw_inertia)
+    return least + share * (p.pitch_inertia + p.yaw_inertia - least)
+
+
+_Numbers: Any = dataclasses.make_dataclass("_Numbers", list(PARAMETERS), frozen=True)
+
+
+def columns(robot: Robot, parameters: Sequence[Parameter], z: Array) -> Any:
+    """The robot's numbers as arrays over the lanes of `z` (parameters, lanes), with the fields of `Robot`."""
+    values = {p.name: p.value(z[i]) for i, p in enumerate(parameters) if p.name in PARAMETERS}
+    full = {name: np.full(z.shape[1], value) for name, value in robot.numbers().items()}
+    changed = _Numbers(**(full | values))
+    return dataclasses.replace(changed, roll_inertia=roll_inertia(robot, changed))
+
+
+def rows_of(mask: NDArray[np.bool_]) -> list[int]:
+    """The rows that a mask (n,) keeps."""
+    return [int(row) for row in np.flatnonzero(mask)]

@@ -1,0 +1,182 @@
+"""A log as the predictor takes it: events of commands and raw readings, and what is known before the first of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.errors import InvalidLog
+from upright.robots import Kit, Robot, Sensor
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+Whole = NDArray[np.int64]
+
+ROWS = (
+    "sensor/encoder_left", "sensor/encoder_right", "sensor/encoder_rate_left", "sensor/encoder_rate_right",
+    "sensor/gyro", "sensor/compass",
+)  # fmt: skip
+SENSOR = {name: next(kind for kind in ("encoder", "gyro", "compass") if kind in name) for name in ROWS}
+"""Which readings share one dead time and one noise."""
+
+STATES = ("pitch", "pitch_rate", "wheel", "wheel_rate", "yaw", "yaw_rate", "gyro_bias", "compass_offset")
+FEWEST = 100
+"""Samples below which nothing is calibrated."""
+
+FIRST_SPREAD = (0.2, 0.5, 1e-2, 5.0, 1e-2, 2.0, 0.05, 0.5)
+"""What is known of the first state before any reading: one standard deviation, in rad and rad/s; of wheel and yaw
+beyond what the encoders say, since where they count from is free."""
+
+
+@dataclass(frozen=True, eq=False)
+class Recording:
+    """Events in the order of the log: `kind` (−1: a command, else the row of `rows`), `when` [s], `value` (a reading,
+    or the row of `commands` (n, 2)), `fitted` (whether the event belongs to the fitted part, not to the held-out one).
+    """
+
+    rows: tuple[str, ...]
+    kind: Whole
+    when: Array
+    value: Array
+    commands: Array
+    fitted: NDArray[np.bool_]
+    first: Array
+    P0: Array
+    period: float
+
+    @property
+    def sensors(self) -> tuple[str, ...]:
+        """Encoder, gyro, compass: those that are read."""
+        return tuple(dict.fromkeys(SENSOR[row] for row in self.rows))
+
+    def order(self, delays: Mapping[str, float]) -> Whole:
+        """The events in the command's time."""
+        late = np.array([delays[SENSOR[row]] for row in self.rows] + [0.0])
+        return np.lexsort((self.kind, self.when - late[self.kind])).astype(np.int64)
+
+
+def record(log: Log, robot: Robot, *, skip: float = 0.0, held_out: float = 0.25) -> Recording:
+    """The events of `log`, of whose length the last share `held_out` is not fitted; readings of the first `skip` [s]
+    are left out, since they answer commands from before the log.
+
+    Raises `InvalidLog` where there are no commands, fewer than two sensors, or too few samples.
+    """
+    if len(log) < FEWEST:
+        raise InvalidLog(f"the log has {len(log)} samples", expected=f"at least {FEWEST} to calibrate from")
+    commands = _commands(log)
+    rows = _rows(log)
+    last = log.t[0] + (log.t[-1] - log.t[0]) * (1 - held_out)
+    kinds, whens, values = [np.full(len(log), -1)], [log.t], [np.arange(len(log), dtype=np.float64)]
+    for row, name in enumerate(rows):
+        there = np.isfinite(log[name]) & (log.t >= log.t[0] + skip)
+        reading = log[name][there]
+        kinds.append(np.full(len(reading), row))
+        whens.append(log.t[there])
+        values.append(np.unwrap(reading) if name == "sensor/compass" else reading)
+    when = np.concatenate(whens)
+    first, P0 = _start(log, robot, rows)
+    return Recording(
+        rows, np.concatenate(kinds).astype(np.int64), when, np.concatenate(values), commands, when <= last, first, P0,
+        log.period,
+    )  # fmt: skip
+
+
+def head(recording: Recording, seconds: float) -> Recording:
+    """The events of the first `seconds`."""
+    keep = recording.when <= recording.when.min() + seconds
+    parts = {name: getattr(recording, name)[keep] for name in ("kind", "when", "value", "fitted")}
+    return replace(recording, **parts)
+
+
+def _commands(log: Log) -> Array:
+    prefix = next((p for p in ("applied", "command") if f"{p}/left" in log and f"{p}/right" in log), "")
+    if not prefix:
+        raise InvalidLog(
+            "the log has no commands", expected="channels applied/left and applied/right",
+            mend="name their columns in a mapping; see `upright doctor`",
+        )  # fmt: skip
+    commands = np.column_stack([log[f"{prefix}/left"], log[f"{prefix}/right"]])
+    if not np.isfinite(commands).all():
+        raise InvalidLog(f"{prefix}: a command is missing (NaN)", expected="every command", mend="cut the log there")
+    if np.ptp(commands, axis=0).max() == 0:
+        raise InvalidLog("the commands never change", expected="motors at work", likely="a log of a robot switched off")
+    return np.ascontiguousarray(commands)
+
+
+def _rows(log: Log) -> tuple[str, ...]:
+    """The raw sensors that say something; two encoders that always agree are one encoder written twice."""
+    rows = [
+        name
+        for name in ROWS
+        if name in log
+        and np.ptp(log[name][np.isfinite(log[name])] if np.isfinite(log[name]).any() else np.zeros(1)) > 0
+    ]
+    if "sensor/encoder_left" in rows and "sensor/encoder_right" in rows and one_encoder(log):
+        rows.remove("sensor/encoder_right")
+    if not {"encoder", "gyro"} <= {SENSOR[row] for row in rows}:
+        raise InvalidLog(
+            f"raw sensors that move: {', '.join(rows) or 'none'}", expected="both encoders and a gyro",
+            mend="name their columns in a mapping; see `upright doctor`",
+        )  # fmt: skip
+    return tuple(rows)
+
+
+def one_encoder(log: Log) -> bool:
+    """Whether both encoder channels hold the same numbers, as where only their mean was logged."""
+    return np.array_equal(log["sensor/encoder_left"], log["sensor/encoder_right"], equal_nan=True)
+
+
+def reading_matrix(rows: Sequence[str], size: int, turn: Array) -> Array:
+    """How each row reads the state (rows, states, lanes), for W/(2R) = `turn` (lanes,)."""
+    C = np.zeros((len(rows), size, len(turn)))
+    for i, name in enumerate(rows):
+        if SENSOR[name] == "encoder":
+            rate = int("rate" in name)
+            C[i, rate], C[i, 2 + rate], C[i, 4 + rate] = -1.0, 1.0, -turn if name.endswith("left") else turn
+        elif SENSOR[name] == "gyro":
+            C[i, 1] = C[i, 6] = 1.0
+        else:
+            C[i, 4] = C[i, 7] = 1.0
+    return C
+
+
+def _start(log: Log, robot: Robot, rows: tuple[str, ...]) -> tuple[Array, Array]:
+    size = 8 if "sensor/compass" in rows else 7
+    left = right = 0.0
+    if "sensor/encoder_left" in rows:
+        left = _first(log["sensor/encoder_left"])
+        right = _first(log["sensor/encoder_right" if "sensor/encoder_right" in rows else "sensor/encoder_left"])
+    turn = robot.track / (2 * robot.wheel_radius)
+    first = np.zeros(size)
+    first[2], first[4] = (left + right) / 2, (right - left) / (2 * turn)
+    first[6] = np.nanmean(log["sensor/gyro"])
+    if size == 8:
+        compass = log["sensor/compass"]
+        first[7] = compass[np.isfinite(compass)][0] - first[4]
+    P0 = np.diag(np.array(FIRST_SPREAD[:size]) ** 2)
+    P0[2, 2] += P0[0, 0]
+    P0[0, 2] = P0[2, 0] = P0[0, 0]
+    return first, P0
+
+
+def _first(reading: Array) -> float:
+    return float(reading[np.isfinite(reading)][0])
+
+
+def first_noise(recording: Recording, kit: Kit) -> dict[str, float]:
+    """Variance of each sensor as the kit and the grain of its readings have it."""
+    found: dict[str, float] = {}
+    for row, name in enumerate(recording.rows):
+        known = kit.sensors.get(name, Sensor())
+        grain = _grain(recording.value[recording.kind == row])
+        found[SENSOR[name]] = max(known.noise**2 + known.quantum**2 / 12, grain**2 / 12, 1e-10)
+    return found
+
+
+def _grain(reading: Array) -> float:
+    steps = np.abs(np.diff(reading))
+    steps = steps[steps > 1e-9]
+    return float(steps.min()) if len(steps) else 0.0

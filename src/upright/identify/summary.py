@@ -1,0 +1,181 @@
+"""From a finished fit to a `Calibration`: intervals, combinations, verdicts, checks and sentences."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.identify.calibration import BOUND, HELD, PRIOR, SURPRISE, VISIBLE, Calibration, Estimate
+from upright.identify.fitting import NUDGE, Normal, Path, Problem
+from upright.identify.informativity import posterior, unseen_directions
+from upright.identify.parameters import SMOOTHING, Parameter, columns, with_values
+from upright.identify.validate import segments, steps_ahead, whiteness
+from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
+from upright.physics.linear import unstable_pole
+from upright.robots import PARAMETERS, Provenance, Robot
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+
+SEEN = 0.5  # of the prior's deviation: a number known twice as well, or better, is called visible
+NORMAL = 1.96  # deviations that hold 95 % of a normal distribution
+
+COMBINATIONS: dict[str, tuple[str, Callable[[Any], Any]]] = {
+    "motor_gain": ("N m/V", motor_gain),
+    "motor_damping": ("N m s/rad", motor_damping),
+    "a11": ("kg m²", lambda p: mass_matrix(1.0, 0.0, p)[0]),
+    "a12": ("kg m²", lambda p: mass_matrix(1.0, 0.0, p)[1]),
+    "a22": ("kg m²", lambda p: mass_matrix(1.0, 0.0, p)[2]),
+    "weight_moment": ("N m", lambda p: p.gravity * p.body_mass * p.com_height),
+    "a22/a11": ("1", lambda p: mass_matrix(1.0, 0.0, p)[2] / mass_matrix(1.0, 0.0, p)[0]),
+    "weight_moment/a22": ("1/s²", lambda p: p.gravity * p.body_mass * p.com_height / mass_matrix(1.0, 0.0, p)[2]),
+}
+"""What enters the motion: the coefficients of the equations, and two ratios of them."""
+
+
+def summarised(
+    problem: Problem, z: Array, normal: Normal, paths: Sequence[Path], logs: Sequence[Log], reason: str, began: float
+) -> Calibration:
+    """Everything said of a fit."""
+    C = posterior(problem, normal, paths)
+    spread = np.sqrt(np.diag(C))
+    every = [
+        _estimate(p, float(z[i]), float(spread[i]), p.name in problem.held) for i, p in enumerate(problem.parameters)
+    ]
+    parameters = tuple(e for e in every if not e.name.startswith("delay/"))
+    sources = tuple(str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log"))) for log in logs)
+    robot = _calibrated(problem, every, sources)
+    slopes = np.array([_slope(p, float(z[i])) for i, p in enumerate(problem.parameters)])
+    fits, free = _checks(problem, z)
+    return Calibration(
+        robot, problem.robot, parameters, _combined(problem, z, C), _delays(problem, z, C, every),
+        tuple(p.name for p in problem.parameters), slopes[:, None] * C * slopes[None, :],
+        {name: math.exp(0.5 * value) for name, value in problem.noise.items()},
+        tuple(w for r, path in zip(problem.recordings, paths, strict=True) for w in whiteness(r, path)),
+        fits, free, problem.temper, int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
+        time.perf_counter() - began, sources, tuple(_notes(problem, every, free, reason)),
+        tuple(unseen_directions(problem, normal)),
+    )  # fmt: skip
+
+
+def _estimate(p: Parameter, z: float, spread: float, held: bool) -> Estimate:
+    low, high = (float(p.value(max(z + side * NORMAL * spread, p.least))) for side in (-1, 1))
+    pressed = z <= p.least + 1e-9 and p.lower == 0.0 and p.prior > 0
+    verdict = HELD if held else BOUND if pressed else VISIBLE if spread < SEEN else PRIOR
+    return Estimate(p.name, p.unit, float(p.value(z)), low, high, p.prior, p.spread, verdict, z, spread, p.guess)
+
+
+def _slope(p: Parameter, z: float) -> float:
+    return float((p.value(z + NUDGE) - p.value(z - NUDGE)) / (2 * NUDGE))
+
+
+def _calibrated(problem: Problem, every: Sequence[Estimate], sources: Sequence[str]) -> Robot:
+    """The robot with its new numbers, each with where it comes from and its deviation."""
+    moved = {e.name: e for e in every if e.name in PARAMETERS and e.verdict != HELD and e.name != SMOOTHING}
+    robot = with_values(problem.robot, {name: e.value for name, e in moved.items()})
+    origin = ", ".join(dict.fromkeys(sources))
+    said = {n: Provenance(f"calibrated from {origin}; {e.verdict}", e.spread) for n, e in moved.items()}
+    old = problem.robot.provenance
+    kept = {name: source for name, source in old.items() if name not in said}
+    follows = old.get("roll_inertia")
+    kept["roll_inertia"] = Provenance("follows the pitch and yaw inertias", follows.spread if follows else None)
+    return robot.replace(provenance={**kept, **said}, name=problem.robot.name)
+
+
+def _combined(problem: Problem, z: Array, C: Array) -> tuple[Estimate, ...]:
+    """Each combination by its logarithm's gradient, with the prior's own deviation beside it."""
+    n = len(z)
+    lanes = np.repeat(z[:, None], 2 * n + 1, axis=1)
+    lanes[np.arange(n), np.arange(n)] += NUDGE
+    lanes[np.arange(n), n + np.arange(n)] -= NUDGE
+    numbers, prior = (
+        columns(problem.robot, problem.parameters, lanes),
+        columns(problem.robot, problem.parameters, 0 * lanes),
+    )
+    found: list[Estimate] = []
+    for name, (unit, formula) in COMBINATIONS.items():
+        if problem.robot.drive == "torque" and name == "motor_gain":
+            continue
+        values = np.broadcast_to(formula(numbers), 2 * n + 1)
+        found.append(_combination(name, unit, values, float(np.atleast_1d(formula(prior))[0]), C))
+    poles = np.array([rolling_pole(_robot_at(problem, lanes[:, i])) for i in range(2 * n + 1)])
+    found.append(_combination("unstable_pole", "1/s", poles, rolling_pole(problem.robot), C))
+    return tuple(found)
+
+
+def rolling_pole(robot: Robot) -> float:
+    """The rate [1/s] at which the robot falls while its wheels roll: dry friction, which at rest would hold them, is a
+    steady force then and moves no pole."""
+    return unstable_pole(robot.replace(coulomb_friction=0.0))
+
+
+def _robot_at(problem: Problem, z: Array) -> Robot:
+    values = {p.name: float(p.value(z[i])) for i, p in enumerate(problem.parameters)}
+    return with_values(problem.robot, {n: max(v, 0.0) for n, v in values.items()})
+
+
+def _combination(name: str, unit: str, values: Array, prior: float, C: Array) -> Estimate:
+    n = (len(values) - 1) // 2
+    gradient = (values[:n] - values[n : 2 * n]) / (2 * NUDGE)
+    spread, before = float(np.sqrt(gradient @ C @ gradient)), float(np.linalg.norm(gradient))
+    value = float(values[-1])
+    shrink = spread / max(before, 1e-300)
+    verdict = VISIBLE if shrink < SEEN else PRIOR
+    shift = (value - prior) / max(before, 1e-300)
+    return Estimate(
+        name, unit, value, value - NORMAL * spread, value + NORMAL * spread, prior, before, verdict, shift, shrink, True
+    )
+
+
+def _delays(problem: Problem, z: Array, C: Array, every: Sequence[Estimate]) -> tuple[Estimate, ...]:
+    """Dead times from the command to each sensor, and how much later than the encoders the gyro is."""
+    found = [e for e in every if e.name.startswith("delay/")]
+    index = {p.name: i for i, p in enumerate(problem.parameters)}
+    if {"delay/gyro", "delay/encoder"} <= index.keys():
+        i, j = index["delay/gyro"], index["delay/encoder"]
+        p, q = problem.parameters[i], problem.parameters[j]
+        value, prior = float(p.value(z[i]) - q.value(z[j])), p.prior - q.prior
+        variance = p.spread**2 * C[i, i] + q.spread**2 * C[j, j] - 2 * p.spread * q.spread * C[i, j]
+        half, before = NORMAL * math.sqrt(variance), math.hypot(p.spread, q.spread)
+        verdict = VISIBLE if half / NORMAL < SEEN * before else PRIOR
+        found.append(Estimate(
+            "delay/gyro−encoder", "s", value, value - half, value + half, prior, before, verdict,
+            (value - prior) / before, half / NORMAL / before, True,
+        ))  # fmt: skip
+    return tuple(found)
+
+
+def _checks(problem: Problem, z: Array) -> tuple[dict[str, dict[str, float]], dict[str, float]]:
+    """h-step fits of the first recording's part kept back, and R² of half seconds simulated freely."""
+    recording = problem.recordings[0]
+    free = segments(problem, recording, z)
+    r2 = {name: free.r_squared(name) for name in recording.rows}
+    pairs = {n.removeprefix("sensor/").removesuffix("_left") for n in recording.rows if n.endswith("_left")}
+    r2 |= {f"mean {pair}": free.r_squared(pair) for pair in sorted(pairs)}
+    ahead = steps_ahead(problem, recording, z) if (~recording.fitted).sum() > 60 * len(recording.rows) else {}
+    return ahead, {**r2, "lost": free.lost}
+
+
+def _notes(problem: Problem, every: Sequence[Estimate], free: Mapping[str, float], reason: str) -> list[str]:
+    notes = [reason] if reason else []
+    if problem.temper < 1:
+        notes.append(
+            "The innovations are not white: the model leaves something out. "
+            f"{1 / problem.temper:.0f} readings count as one, so that the intervals are wider."
+        )
+    surprised = [f"{e.name} by {abs(e.shift):.1f}" for e in every if e.surprising]
+    if surprised:
+        notes.append(
+            f"The log contradicts what was said to be known of {', '.join(surprised)} deviations (more than "
+            f"{SURPRISE:g}): measure that again, or take another robot for the prior."
+        )
+    if free["lost"] > 0.1:
+        notes.append(
+            f"In {free['lost']:.0%} of half a second's free simulation the robot falls where the real one did not."
+        )
+    return notes
