@@ -17,7 +17,7 @@ from upright.errors import InvalidRobot, UnknownName, UprightError
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.robots import PARAMETERS, Kit, Provenance, Robot, kit_names, preset_names
 from upright.robots.files import find_kit, find_robot, read_kit, read_robot, write_robot
-from upright.signals.signal import KNOWN
+from upright.signals.signal import KNOWN, SENSORS
 
 NXTWAY = {
     "gravity": 9.81,
@@ -356,7 +356,7 @@ def test_a_kit_without_a_name_is_refused(tmp_path: Path) -> None:
 def test_the_ideal_kit_has_every_sensor_and_no_fault() -> None:
     ideal = Kit.preset("ideal")
     # an endless battery has no voltage to read
-    assert set(ideal.sensors) == {name for name in KNOWN if name.startswith("sensor/")} - {"sensor/battery"}
+    assert set(ideal.sensors) == {sensor.name for sensor in SENSORS} - {"sensor/battery"}
     assert ideal == Kit(name="ideal", sensors={name: type(s)() for name, s in ideal.sensors.items()})
 
 

@@ -46,7 +46,7 @@ def sincos(x: Any) -> Any:
     return math.sin(x), math.cos(x)
 
 
-def carray(block: Any, size: Any) -> Any:  # noqa: ARG001 (the processor's kernel says the size)
+def rows_of(block: Any, size: Any) -> Any:  # noqa: ARG001 (the processor's kernel says the size)
     return block
 
 
@@ -54,7 +54,7 @@ def align_stack() -> int:
     return 0
 
 
-ARITHMETIC = (fma, mul, reciprocal, absolute, sqrt, sincos, carray, align_stack)
+ARITHMETIC = (fma, mul, reciprocal, absolute, sqrt, sincos, rows_of, align_stack)
 
 
 @cache
