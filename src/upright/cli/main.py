@@ -11,6 +11,7 @@ import typer
 from typer.main import get_command
 
 from upright.cli.calibrate import calibrate
+from upright.cli.certify import certify
 from upright.cli.compare import compare
 from upright.cli.design import bench_controllers, design
 from upright.cli.doctor import doctor
@@ -31,6 +32,7 @@ app.command()(simulate)
 app.command()(compare)
 app.command()(linearise)
 app.command()(design)
+app.command()(certify)
 app.command("bench-controllers")(bench_controllers)
 app.command()(doctor)
 app.command()(calibrate)

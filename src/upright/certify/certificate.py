@@ -1,0 +1,284 @@
+"""Whether a controller may drive a robot: a light, the reasons in words and numbers, and what was measured for it.
+
+Robots are drawn from what is not known of the robot; each meets every standard push at every battery, in the nonlinear
+model with the kit's faults. A robot that falls in any of these trials counts as fallen, and the chance of that is
+bounded from above by Clopper and Pearson (1934).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.certify.analysis import INPUTS, delay_margin
+from upright.certify.checks import Swept, Trial, later, linear_gains, slower, trials
+from upright.certify.loop import robot_loop
+from upright.certify.margins import margins
+from upright.control.controller import Controller, controller_hash
+from upright.control.robust import draw, spreads
+from upright.errors import InvalidController, InvalidScenario, SpecMismatch
+from upright.robots import Kit, Robot
+
+Array = NDArray[np.float64]
+
+GREEN, AMBER, RED = "green", "amber", "red"
+
+FEWEST = 100
+"""Robots below which no certificate is given: even without a fall the bound would be 3 % and more."""
+
+CONFIDENCE = 0.95
+MOST_FALLS = 0.05  # red above: with one such robot in twenty, a class of students breaks one
+LEAST_GAIN = 0.04  # amber below: copper that warms by 10 K takes 4 % of the motor's gain
+LEAST_DELAY = 0.25  # [periods] amber below: a loop that runs in time still jitters by a tenth or two of its period
+MOST_SATURATED = 0.25  # amber above: a motor at its end this often is no longer the one the design assumed
+MOST_TRAVEL = 1.0  # [m] amber above: it leaves the table
+MOST_CYCLE = 0.1  # [rad] amber above: at rest it sways as far as the paper's pushes lean it
+
+KIND = "upright certificate"
+VERSION = 1
+
+
+@dataclass(frozen=True)
+class LinearMargins:
+    """Of the nominal loop broken at both motors: its largest |pole| `radius`, the factors of gain between which it
+    stays stable, and `delay` [s], the further dead time that it survives."""
+
+    radius: float
+    gain_low: float
+    gain_high: float
+    delay: float
+
+    @property
+    def stable(self) -> bool:
+        """Whether the nominal loop is."""
+        return self.radius < 1
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """What was measured of the controller with this `hash`, every `period` [s], and the `light` that follows from it.
+
+    Of `samples` robots `fell` fell in at least one of the `trials`; `bound` is what the chance of that stays below,
+    with a confidence of 95 %. `later` and `slower` say what more dead time and other periods do.
+    """
+
+    light: str
+    reasons: tuple[str, ...]
+    bound: float
+    robot: str
+    kit: str
+    controller: str
+    hash: str
+    period: float
+    seed: int
+    samples: int
+    fell: int
+    linear: LinearMargins
+    trials: tuple[Trial, ...]
+    later: tuple[Swept, ...] = ()
+    slower: tuple[Swept, ...] = ()
+
+    def check(self) -> tuple[str, ...]:
+        """What does not follow from this certificate's own numbers; nothing where it may be trusted."""
+        bound = clopper_pearson(self.fell, self.samples)
+        light, reasons = judge(self.samples, self.fell, self.linear, self.trials, self.period)
+        wrong = [f"the bound is {self.bound:g}, not {bound:g}"] if not math.isclose(bound, self.bound) else []
+        wrong += [f"the light is {self.light}, not {light}"] if light != self.light else []
+        wrong += ["the reasons are not those of the numbers"] if reasons != self.reasons else []
+        most, runs = max(t.fell for t in self.trials), {t.runs for t in self.trials}
+        fits = most <= self.fell <= sum(t.fell for t in self.trials) and runs == {self.samples}
+        return (*wrong, *(() if fits else ("the trials are not those of the falls",)))
+
+    def refuses(self, controller: Controller | None = None) -> str:
+        """Why a robot should not be driven with this certificate, or nothing: it is red, broken, or of another
+        controller than `controller`."""
+        if wrong := self.check():
+            return f"the certificate contradicts itself: {wrong[0]}"
+        if controller is not None and controller_hash(controller) != self.hash:
+            return f"the certificate is of another {self.controller} ({self.hash[:12]})"
+        return f"red: {self.reasons[0]}" if self.light == RED else ""
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers; None for what is unlimited."""
+        numbers = asdict(self) | {"linear": {k: _finite(v) for k, v in asdict(self.linear).items()}}
+        return {"file": KIND, "version": VERSION} | numbers
+
+    @classmethod
+    def from_json(cls, data: Mapping[str, Any]) -> Certificate:
+        """The inverse of `to_json`; raises `InvalidController` for what is no certificate, or contradicts itself."""
+        try:
+            return _read(cls, data)
+        except (KeyError, TypeError, ValueError, AttributeError) as error:
+            raise InvalidController(
+                f"this is no certificate ({type(error).__name__}: {error})", expected="JSON by upright certify"
+            ) from None
+
+    def __str__(self) -> str:
+        head = f"{self.light.upper()}: {self.controller} on {self.robot} with kit {self.kit}"
+        columns = f"{'push':<20}{'battery':>8}{'fell':>12}{'saturated':>11}{'travel':>10}{'peak':>11}{'sway':>11}"
+        sweeps = [_said("dead time +", self.later), _said("period ", self.slower)]
+        lines = [head, *(f"  {reason}" for reason in self.reasons), "", columns, *(_row(t) for t in self.trials)]
+        return "\n".join([*lines, *(line for line in sweeps if line)])
+
+
+def certify(
+    controller: Controller,
+    robot: Robot,
+    kit: Kit,
+    *,
+    samples: int = 1000,
+    seed: int = 0,
+    robots: Sequence[Robot] | None = None,
+    sizes: Mapping[str, float] | None = None,
+    covariance: Array | None = None,
+    sweeps: bool = True,
+    threads: int | None = None,
+) -> Certificate:
+    """The certificate of `controller` for `robot` with `kit`, over `robots` or `samples` draws round `robot`.
+
+    Draws are normal in the parameters named by `sizes` (None: the spreads of the robot's sources); `covariance` (n, n),
+    such as a calibration's, in the order of `sizes` replaces their squares. `sweeps` adds further dead times and other
+    periods, on which the light does not depend. Raises `SpecMismatch` for a controller that is not linear or does not
+    fit, `InvalidScenario` for too few samples.
+    """
+    gains = linear_gains(controller, robot, kit)
+    family = _family(robot, samples, seed, sizes, covariance) if robots is None else list(robots)
+    _check_family(family, robot)
+    found, fell = trials(gains, robot, family, kit, seed, threads)
+    linear, count = linear_margins(controller, robot, kit), int(fell.sum())
+    light, reasons = judge(len(family), count, linear, found, gains.period)
+    swept = [f(gains, robot, family, kit, seed, threads) if sweeps else () for f in (later, slower)]
+    return Certificate(
+        light, reasons, clopper_pearson(count, len(family)), robot.name, kit.name, controller.spec.kind,
+        controller_hash(controller), gains.period, seed, len(family), count, linear, found, *swept,
+    )  # fmt: skip
+
+
+def uncertainty(robot: Robot) -> dict[str, float]:
+    """One standard deviation of each number not known of the robot; a gear's teeth can be counted."""
+    return {name: size for name, size in spreads(robot).items() if name != "gear_ratio"}
+
+
+def clopper_pearson(fell: int, samples: int, confidence: float = CONFIDENCE) -> float:
+    """What the chance of a fall stays below: p with P(no more than `fell` of `samples` | p) = 1 − `confidence`."""
+    from scipy.special import betaincinv
+
+    return 1.0 if fell >= samples else float(betaincinv(fell + 1, samples - fell, confidence))
+
+
+def linear_margins(controller: Controller, robot: Robot, kit: Kit) -> LinearMargins:
+    """The nominal loop's, zero where it is unstable."""
+    loop = robot_loop(robot, controller, kit)
+    radius = float(np.abs(loop.closed.poles).max())
+    if radius >= 1:
+        return LinearMargins(radius, 1.0, 1.0, 0.0)
+    both = margins(loop.at_input, INPUTS["both motors"])
+    late = min(both.delay, delay_margin(robot, controller, kit))
+    return LinearMargins(radius, both.gain_low, both.gain_high, late)
+
+
+def judge(
+    samples: int, fell: int, linear: LinearMargins, found: Sequence[Trial], period: float
+) -> tuple[str, tuple[str, ...]]:
+    """The light and its one or two reasons, the gravest first."""
+    if red := _falls(samples, fell, found) + _unstable(linear):
+        return RED, tuple(red[:2])
+    if amber := _thin(linear, period) + _laborious(found):
+        return AMBER, tuple(amber[:2])
+    late = "any delay" if math.isinf(linear.delay) else f"{linear.delay * 1e3:.1f} ms more delay"
+    chance = _per_cent(clopper_pearson(fell, samples))
+    return GREEN, (f"{fell} of {samples} robots fell: the chance is below {chance}", f"it survives {late}")
+
+
+def _falls(samples: int, fell: int, found: Sequence[Trial]) -> list[str]:
+    bound = clopper_pearson(fell, samples)
+    if bound <= MOST_FALLS:
+        return []
+    worst = max(found, key=lambda t: t.fell)
+    where = f", {worst.fell} of them after a {worst.push} at {worst.battery} battery" if fell else ""
+    said = f"the chance may be {_per_cent(bound)}, more than {100 * MOST_FALLS:g} %"
+    return [f"{fell} of {samples} robots fell{where}: {said}"]
+
+
+def _unstable(linear: LinearMargins) -> list[str]:
+    return [] if linear.stable else [f"the nominal loop is unstable, with a pole at |z| = {linear.radius:.4f}"]
+
+
+def _thin(linear: LinearMargins, period: float) -> list[str]:
+    up, down = linear.gain_high - 1, 1 - linear.gain_low
+    slack, way = (up, "stronger") if up < down else (down, "weaker")
+    thin = [f"motors {100 * slack:.1f} % {way} make it unstable"] if slack < LEAST_GAIN else []
+    if linear.delay >= LEAST_DELAY * period:
+        return thin
+    return [*thin, f"{linear.delay * 1e3:.1f} ms more delay make it unstable, {linear.delay / period:.2f} of a period"]
+
+
+def _laborious(found: Sequence[Trial]) -> list[str]:
+    limits = {"saturated": MOST_SATURATED, "travel": MOST_TRAVEL, "cycle": MOST_CYCLE}
+    words = {
+        "saturated": "a motor is at its limit for {:.0%} of the time",
+        "travel": "it rolls {:.2f} m away",
+        "cycle": "at rest it sways by ±{:.2f} rad",
+    }
+    said: list[str] = []
+    for name, limit in limits.items():
+        worst = max(found, key=lambda t: getattr(t, name))
+        if getattr(worst, name) > limit:
+            said.append(f"{words[name].format(getattr(worst, name))} after a {worst.push} at {worst.battery} battery")
+    return said
+
+
+def _family(
+    robot: Robot, samples: int, seed: int, sizes: Mapping[str, float] | None, covariance: Array | None
+) -> list[Robot]:
+    if covariance is not None and sizes is None:
+        raise InvalidScenario("a covariance without names", expected="sizes with its parameters, in its order")
+    return draw(robot, samples, seed, uncertainty(robot) if sizes is None else sizes, covariance)
+
+
+def _check_family(family: Sequence[Robot], robot: Robot) -> None:
+    if len(family) < FEWEST:
+        raise InvalidScenario(f"{len(family)} robots", expected=f"{FEWEST} or more, of which a bound can be given")
+    if stranger := next((r for r in family if r.command_unit != robot.command_unit), None):
+        raise SpecMismatch(f"'{stranger.name}' among the robots is commanded in {stranger.command_unit}",
+                           expected=f"{robot.command_unit}, as '{robot.name}'")  # fmt: skip
+
+
+def _per_cent(share: float) -> str:
+    """Two significant digits."""
+    return f"{100 * share:.2g} %" if share < 0.1 else f"{100 * share:.0f} %"
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
+    given = dict(data)
+    if (given.pop("file"), given.pop("version")) != (KIND, VERSION):
+        raise ValueError(f"it is no '{KIND}' of version {VERSION}")
+    linear = {name: math.inf if value is None else float(value) for name, value in given["linear"].items()}
+    parts: dict[str, Any] = {
+        "reasons": tuple(given["reasons"]),
+        "linear": LinearMargins(**linear),
+        "trials": tuple(Trial(**row) for row in given["trials"]),
+    }
+    swept: dict[str, Any] = {name: tuple(Swept(**row) for row in given[name]) for name in ("later", "slower")}
+    certificate = cls(**{**given, **parts, **swept})
+    if wrong := certificate.check():
+        raise ValueError(wrong[0])
+    return certificate
+
+
+def _row(t: Trial) -> str:
+    numbers = f"{t.saturated:>11.0%}{t.travel:>8.2f} m{t.peak:>7.3f} rad{t.cycle:>7.3f} rad"
+    return f"{t.push:<20}{t.battery:>8}{f'{t.fell}/{t.runs}':>12}{numbers}"
+
+
+def _said(label: str, swept: Sequence[Swept]) -> str:
+    return ", ".join(f"{label}{s.value * 1e3:.3g} ms: {s.fell / s.runs:.1%} fell" for s in swept)

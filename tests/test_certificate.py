@@ -1,0 +1,232 @@
+"""The certificate: what it proves, when it refuses, and that it is right about robots it has never seen."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+import sys
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from upright.bodies import Electronics, NonlinearBody
+from upright.certify.analysis import analyse
+from upright.certify.certificate import (
+    AMBER,
+    GREEN,
+    RED,
+    Certificate,
+    LinearMargins,
+    certify,
+    clopper_pearson,
+    judge,
+    uncertainty,
+)
+from upright.certify.checks import RELEASE, Trial, linear_gains, standard_pushes, trials
+from upright.cli import certify as command
+from upright.control import LinearController, as_linear, controller_hash, make_controller
+from upright.errors import InvalidController, InvalidScenario, SpecMismatch
+from upright.experiment import run
+from upright.report.certificate import page_of
+from upright.robots import Kit, Robot
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "benchmarks"))
+
+ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+CALIBRATED = {name: 0.2 * size for name, size in uncertainty(ROBOT).items()}
+
+
+@cache
+def designed(name: str) -> LinearController:
+    return as_linear(make_controller(name, ROBOT, KIT, KIT.period))
+
+
+def scaled(controller: LinearController, factor: float) -> LinearController:
+    changes = {name: factor * getattr(controller, name) for name in ("C", "Dy", "Dr")}
+    return dataclasses.replace(controller, **changes)
+
+
+@cache
+def green() -> Certificate:
+    return certify(designed("pid"), ROBOT, KIT, samples=200, sizes=CALIBRATED)
+
+
+def test_bound_is_clopper_and_pearsons() -> None:
+    # Without a fall the bound is 1 − 0.05^(1/n) in closed form; "rule of three": about 3/n
+    assert math.isclose(clopper_pearson(0, 1000), 1 - 0.05 ** (1 / 1000), rel_tol=1e-9)
+    assert clopper_pearson(7, 7) == 1.0
+
+
+def test_bound_has_the_coverage_it_claims() -> None:
+    # P(no more than k falls | p = bound) is 5 %, summed term by term
+    for fell, samples in ((1, 100), (12, 1000), (300, 400)):
+        p = clopper_pearson(fell, samples)
+        terms = (math.comb(samples, i) * p**i * (1 - p) ** (samples - i) for i in range(fell + 1))
+        assert math.isclose(math.fsum(terms), 0.05, rel_tol=1e-6)
+
+
+def test_a_good_controller_of_a_known_robot_is_green() -> None:
+    # pid holds every draw of the full spreads (see docs/certificate.md), and these are five times narrower
+    assert green().light == GREEN
+    assert green().refuses(designed("pid")) == ""
+
+
+def test_an_unstable_loop_is_red() -> None:
+    certificate = certify(scaled(designed("pid"), -1.0), ROBOT, KIT, samples=100, sweeps=False)
+    assert certificate.light == RED
+    assert certificate.fell == 100  # positive feedback of an unstable body holds nobody
+    assert certificate.bound == 1.0
+    assert certificate.refuses().startswith("red: 100 of 100 robots fell")
+
+
+def test_an_unstable_loop_whose_robots_still_stand_is_red() -> None:
+    # the rule by itself, since dead zones and limits can hold a loop upright that linear theory calls unstable
+    light, reasons = judge(1000, 0, LinearMargins(1.01, 1.0, 1.0, 0.0), [_trial()], 0.01)
+    assert light == RED
+    assert "1.0100" in reasons[0]
+
+
+@pytest.mark.parametrize(
+    ("linear", "trial", "word"),
+    [
+        (LinearMargins(0.99, 0.5, 1.02, 0.02), {}, "stronger"),  # 2 % < 4 %
+        (LinearMargins(0.99, 0.97, 3.0, 0.02), {}, "weaker"),  # 3 % < 4 %
+        (LinearMargins(0.99, 0.5, 2.0, 0.002), {}, "delay"),  # a fifth of the period < a quarter
+        (LinearMargins(0.99, 0.5, 2.0, 0.02), {"saturated": 0.3}, "limit"),
+        (LinearMargins(0.99, 0.5, 2.0, 0.02), {"travel": 1.5}, "rolls"),
+        (LinearMargins(0.99, 0.5, 2.0, 0.02), {"cycle": 0.2}, "sways"),
+    ],
+)
+def test_thin_margins_and_hard_work_are_amber(linear: LinearMargins, trial: dict[str, Any], word: str) -> None:
+    light, reasons = judge(1000, 0, linear, [_trial(**trial)], 0.01)
+    assert light == AMBER
+    assert word in reasons[0]
+    assert judge(1000, 0, LinearMargins(0.99, 0.5, 2.0, 0.02), [_trial()], 0.01)[0] == GREEN
+
+
+@pytest.mark.parametrize(("fell", "light"), [(38, GREEN), (39, RED)])
+def test_falls_decide_by_their_bound(fell: int, light: str) -> None:
+    # one-sided 95 % bounds of 1000 by summing the binomial: 38 falls → 4.951 %, 39 → 5.063 %; the limit is 5 %
+    assert judge(1000, fell, LinearMargins(0.99, 0.5, 2.0, 0.02), [_trial(fell=fell)], 0.01)[0] == light
+
+
+def test_trials_are_the_loop_of_run() -> None:
+    # the same robot in the one loop of `experiment.run`: peaks differ by noise alone, below some hundredths of a radian
+    found, fell = trials(linear_gains(designed("pid"), ROBOT, KIT), ROBOT, [ROBOT] * 20, KIT, 0)
+    for trial in found[::2]:  # one battery: no motor is at its limit here
+        push = standard_pushes(ROBOT)[trial.push]
+        log = run(Electronics(NonlinearBody(ROBOT), KIT), designed("pid"), push, seconds=RELEASE + 1, seed=3)
+        assert abs(np.abs(log["truth/pitch"]).max() - trial.peak) < 0.03
+    assert not fell.any()
+
+
+def test_more_delay_and_other_periods_are_swept() -> None:
+    certificate = green()
+    assert [s.value for s in certificate.later] == pytest.approx([0.002, 0.005, 0.01, 0.015, 0.02])  # of 10 ms
+    assert [s.value for s in certificate.slower] == pytest.approx([0.005, 0.008, 0.012, 0.015, 0.02])
+    assert certificate.slower[-1].fell == certificate.slower[-1].runs  # half the rate: far beyond the margin
+
+
+def test_margins_are_those_of_the_analysis() -> None:
+    both = analyse(ROBOT, designed("pid"), KIT, robots=[]).both()
+    linear = green().linear
+    assert (linear.gain_low, linear.gain_high, linear.delay) == (both.gain_low, both.gain_high, both.delay)
+
+
+def test_same_seed_same_certificate() -> None:
+    first, second = (certify(designed("pid"), ROBOT, KIT, samples=100, seed=4, sweeps=False) for _ in range(2))
+    assert first == second
+
+
+def test_file_brings_the_certificate_back() -> None:
+    assert Certificate.from_json(json.loads(json.dumps(green().to_json()))) == green()
+    assert green().check() == ()
+
+
+@pytest.mark.parametrize("change", [{"light": RED}, {"bound": 0.5}, {"fell": 199}, {"reasons": ["trust me"]}])
+def test_a_changed_certificate_is_found_out(change: dict[str, object]) -> None:
+    with pytest.raises(InvalidController):
+        Certificate.from_json(green().to_json() | change)
+    tampered = dataclasses.replace(green(), **(change | ({"reasons": ("trust me",)} if "reasons" in change else {})))
+    assert "contradicts itself" in tampered.refuses()
+
+
+def test_it_is_of_one_controller() -> None:
+    other = scaled(designed("pid"), 1.001)
+    assert green().hash == controller_hash(designed("pid"))
+    assert "another" in green().refuses(other)
+
+
+def test_a_covariance_keeps_what_is_known_together() -> None:
+    # Only the product of both motor constants' errors is unknown here: draws move along one line of the plane
+    sizes = {name: CALIBRATED[name] for name in ("torque_constant", "back_emf")}
+    s = np.array(list(sizes.values()))
+    certificate = certify(
+        designed("pid"), ROBOT, KIT, samples=200, sizes=sizes, covariance=np.outer(s, s), sweeps=False
+    )
+    assert certificate.light == GREEN
+    with pytest.raises(InvalidScenario, match="names"):
+        certify(designed("pid"), ROBOT, KIT, covariance=np.eye(2))
+
+
+@pytest.mark.parametrize("name", ["mpc", "sliding", "lqr-complementary"])
+def test_what_is_not_linear_is_refused_in_one_line(name: str) -> None:
+    with pytest.raises(SpecMismatch, match="cannot be certified") as caught:
+        certify(make_controller(name, ROBOT, KIT, KIT.period), ROBOT, KIT)
+    assert "\n" not in str(caught.value)
+
+
+def test_who_reads_the_truth_is_certified_for_nothing_real() -> None:
+    with pytest.raises(SpecMismatch, match="true state"):
+        certify(make_controller("lqr-state", ROBOT, KIT, KIT.period), ROBOT, KIT)
+
+
+def test_too_few_robots_prove_nothing() -> None:
+    with pytest.raises(InvalidScenario, match="100 or more"):
+        certify(designed("pid"), ROBOT, KIT, samples=50)
+
+
+def test_page_and_table_say_the_light() -> None:
+    page = page_of(green()).html()
+    assert green().hash[:12] in page
+    assert "Every standard push" in page
+    assert str(green()).startswith("GREEN: pid on nxtway-gs")
+
+
+def test_command_writes_certificate_and_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    posterior = {"parameters": ["com_height"], "mean": [0.07], "covariance": [[1e-6]]}
+    (tmp_path / "posterior.json").write_text(json.dumps(posterior))
+    command.certify(
+        "pid",
+        posterior=tmp_path / "posterior.json",
+        samples=150,
+        output=tmp_path / "c.json",
+        report=tmp_path / "c.html",
+    )
+    written = Certificate.from_json(json.loads((tmp_path / "c.json").read_text()))
+    said = capsys.readouterr().out
+    assert str(written) in said
+    assert written.light in (tmp_path / "c.html").read_text()
+    # the controller is designed for the middle of the posterior, a robot whose centre of mass stands 2 mm lower
+    own = make_controller("pid", ROBOT.replace(com_height=0.07), KIT, KIT.period)
+    assert written.hash == controller_hash(own)
+
+
+def test_it_is_right_of_robots_it_has_never_seen() -> None:
+    """A lighter benchmarks/certificate.py, on other cases, with fewer robots in each."""
+    import certificate as benchmark  # type: ignore[import-not-found]
+
+    cases = [case for number in range(1000, 1012) if (case := benchmark.plant(number, samples=200))]
+    fell, held = ([c for c in cases if c.fell is happened] for happened in (True, False))
+    assert len(fell) >= 3  # both kinds are there, so that the two claims are not empty
+    assert len(held) >= 3
+    assert all(c.light == RED for c in fell)
+    assert sum(c.light == GREEN for c in held) >= 0.75 * len(held)  # of so few, one or two are on the edge
+
+
+def _trial(*, fell: int = 0, saturated: float = 0.0, travel: float = 0.2, cycle: float = 0.01) -> Trial:
+    return Trial("hold", "low", 1000, fell, saturated, travel, 0.1, cycle)
