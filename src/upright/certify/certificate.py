@@ -22,6 +22,7 @@ from upright.certify.margins import margins
 from upright.control.controller import Controller, controller_hash
 from upright.control.robust import draw, spreads
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
+from upright.fleet.results import clopper_pearson as interval
 from upright.robots import Kit, Robot
 
 Array = NDArray[np.float64]
@@ -166,9 +167,7 @@ def uncertainty(robot: Robot) -> dict[str, float]:
 
 def clopper_pearson(fell: int, samples: int, confidence: float = CONFIDENCE) -> float:
     """What the chance of a fall stays below: p with P(no more than `fell` of `samples` | p) = 1 − `confidence`."""
-    from scipy.special import betaincinv
-
-    return 1.0 if fell >= samples else float(betaincinv(fell + 1, samples - fell, confidence))
+    return interval(fell, samples, 2 * confidence - 1).high  # one-sided: all of what is left stands above
 
 
 def linear_margins(controller: Controller, robot: Robot, kit: Kit) -> LinearMargins:

@@ -16,14 +16,13 @@ from upright.bodies.body import FALLEN
 from upright.errors import InvalidScenario, MissingTool, SpecMismatch
 from upright.fleet.kernel import substeps_for
 from upright.fleet.kernel_batch import NAMES, FleetBatch, FleetResult
-from upright.fleet.kernel_pack import constants
+from upright.fleet.kernel_pack import constants, pushes_of
 from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
 
 THREADS = 128  # of a block of the card: four warps, so that their waiting for memory overlaps
-MOST_STATES, MOST_READS = 24, 8  # of a controller, as in `cuda_loop`
-_SAME_TIME = 1e-9  # [s] as in `experiment.pushes`
+MOST_STATES, MOST_READS = 24, 8  # of a controller, which live in each thread's own memory
 
 _READINGS = {
     **{f"truth/{name}": (row, 0.0) for row, name in enumerate(STATE_NAMES)},
@@ -62,8 +61,9 @@ def simulate_cuda(batch: FleetBatch, seconds: float = 10.0) -> FleetResult:
     if not (stride >= 1 and math.isclose(stride * batch.period, gains.period, rel_tol=1e-9) and seconds > 0):
         raise InvalidScenario(f"{seconds:g} s in periods of {gains.period:g} s on steps of {batch.period:g} s")
     periods = round(seconds / gains.period)
+    pushes = pushes_of(batch).reshape(-1, batch.pushes.shape[1], 4)
     reads = np.array([_READINGS[name] for name in gains.reads], dtype=np.float64)
-    tables = (constants(batch), batch.start, _pushes(batch), gains.A, gains.By, gains.Ba, gains.C, gains.Dy, reads)
+    tables = (constants(batch), batch.start, pushes, gains.A, gains.By, gains.Ba, gains.C, gains.Dy, reads)
     given = [cuda.to_device(np.ascontiguousarray(table)) for table in (*tables, batch.slope)]
     out: Any = cuda.device_array((batch.n, 12), np.float64)
     times = (periods, stride, substeps, batch.period / substeps, batch.period, limit, FALLEN)
@@ -92,15 +92,6 @@ def _refuse(batch: FleetBatch) -> float:
     if missing:
         raise SpecMismatch(f"the card's kernel has no {', '.join(missing)}", mend="use fleet.simulate")
     return math.inf if kit is None else min(kit.motor.limit, kit.battery.voltage)
-
-
-def _pushes(batch: FleetBatch) -> Array:
-    """(·, p, 4): force, moment, first and last step."""
-    force, height, start, duration = np.moveaxis(batch.pushes, -1, 0)
-    com = batch.parameters[:, NAMES.index("com_height"), None]
-    moment = force * np.where(np.isnan(height), com, height)
-    first, last = (np.ceil((t - _SAME_TIME) / batch.period) for t in (start, start + duration))
-    return np.stack(np.broadcast_arrays(force, moment, first, last), axis=-1)
 
 
 def _result(out: Array, period: float, substeps: int) -> FleetResult:

@@ -11,6 +11,7 @@ from numba import cuda as _cuda
 from numba import float64
 
 from upright.fleet import generated_motion as motion
+from upright.fleet.cuda import MOST_READS, MOST_STATES
 from upright.fleet.generated import C0 as CONSTANTS_AT
 from upright.fleet.generated import CONSTANTS
 
@@ -18,7 +19,6 @@ cuda: Any = _cuda  # Numba's stubs do not know what a kernel may call
 device: Any = cuda.jit(device=True)
 
 ROWS = CONSTANTS_AT + CONSTANTS  # numbers of one robot, as in a row of the processor's blocks
-STATES, READS = 24, 8  # the most that a controller may have, which live in each thread's own memory
 SAME_TIME = 1e-9  # [s] as in `experiment.pushes`
 
 
@@ -102,7 +102,7 @@ def begin(w: Any, z: Any, starts: Any, own: int, table: Any, row: int, h: float)
         w[j] = starts[own, j]
     for j in range(CONSTANTS):
         w[CONSTANTS_AT + j] = table[row, j]
-    for j in range(STATES):
+    for j in range(MOST_STATES):
         z[j] = 0.0
     w[6], w[7] = h, 0.0
 
@@ -127,8 +127,12 @@ def kernel(variant: str) -> Any:
         robot = cuda.grid(1)
         if robot >= out.shape[0]:
             return
-        w, z = cuda.local.array(ROWS, float64), cuda.local.array(STATES, float64)
-        new, y, u = cuda.local.array(STATES, float64), cuda.local.array(READS, float64), cuda.local.array(2, float64)
+        w, z = cuda.local.array(ROWS, float64), cuda.local.array(MOST_STATES, float64)
+        new, y, u = (
+            cuda.local.array(MOST_STATES, float64),
+            cuda.local.array(MOST_READS, float64),
+            cuda.local.array(2, float64),
+        )
         gain, push = min(robot, A.shape[0] - 1), min(robot, pushes.shape[0] - 1)
         floor = min(robot, floors.shape[0] - 1)
         begin(w, z, starts, min(robot, starts.shape[0] - 1), table, min(robot, table.shape[0] - 1), h)

@@ -79,7 +79,7 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
     block.take(3, kit.late.astype(np.float64))
     block.take(b.FLOOR - b.NOISE)
     block.take(3, _floor(batch))
-    pushes, ramps, memories = _pushes(batch), _ramps(batch), gains.A.shape[1]
+    pushes, ramps, memories = pushes_of(batch), _ramps(batch), gains.A.shape[1]
     slots = int(kit.late[:, 0].max()) + 4 if kit.late.any() else 0
     at = Rows(
         pushes=block.take(pushes.shape[1], pushes), push_count=pushes.shape[1] // 4,
@@ -101,7 +101,7 @@ def constants(batch: FleetBatch) -> Array:
     return np.stack(np.broadcast_arrays(*g.constants(batch.parameters.T, complete)), axis=1)
 
 
-def _pushes(batch: FleetBatch) -> Array:
+def pushes_of(batch: FleetBatch) -> Array:
     """(·, 4p): force, moment, first and last step of each push."""
     force, height, start, duration = np.moveaxis(batch.pushes, -1, 0)
     if np.isnan(height).any():

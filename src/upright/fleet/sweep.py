@@ -108,16 +108,12 @@ def find_controller(name: str, robot: Robot, kit: Kit | None) -> Controller:
 
     On the ideal kit `lqr` is the regulator of the true state. Raises `InvalidController` where units do not fit.
     """
-    from upright.control import make_controller
-    from upright.control.files import read_controller
+    from upright.control import find_controller as named_or_read
     from upright.robots import Kit as AnyKit
 
-    if name.endswith(".json"):
-        controller = read_controller(name)
-    else:
-        wanted = "lqr-state" if name == "lqr" and kit is None else name
-        parts = kit or AnyKit.preset(IDEAL)
-        controller = make_controller(wanted, robot, parts, parts.period)
+    wanted = "lqr-state" if name == "lqr" and kit is None else name
+    parts = kit or AnyKit.preset(IDEAL)
+    controller = named_or_read(wanted, robot, parts, parts.period)
     if controller.spec.command_unit != robot.command_unit:
         raise InvalidController(
             f"the controller commands {controller.spec.command_unit}",
