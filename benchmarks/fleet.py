@@ -1,7 +1,9 @@
 """How fast the fleet's kernel is: beside hand-written C on the same loop, beside MuJoCo, and against itself.
 
-    python benchmarks/fleet.py            # everything, about three minutes on two cores
+    python benchmarks/fleet.py            # everything, about four minutes on two cores
     python benchmarks/fleet.py --quick    # fewer repeats
+
+Whether twin, model and kernel rank controllers alike is asked by benchmarks/rank.py.
 
 One step is one Runge–Kutta step of 1 ms of one robot; feedback is held over 10 ms; every robot has its own parameters.
 Times are the best of several repeats taken in turns, so that a ratio compares like with like on a busy machine.
@@ -13,6 +15,7 @@ from __future__ import annotations
 
 import argparse
 import ctypes
+import json
 import os
 import platform
 import shutil
@@ -22,37 +25,32 @@ import tempfile
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from upright.bodies import NonlinearBody
 from upright.control import Estimated, kalman, lqr
+from upright.experiment import Push, run
+from upright.fleet.cuda import why_not
+from upright.fleet.ensemble import Ensemble
 from upright.fleet.kernel import simulate
 from upright.fleet.kernel_batch import FleetBatch, parameters_of
 from upright.fleet.kernel_pack import constants
+from upright.fleet.pushmap import PushGrid, push_map
+from upright.fleet.sweep import find_controller
+from upright.fleet.vary import Family, own_spreads
 from upright.robots import Kit, Robot
 
 HERE = Path(__file__).parent
 ROBOT = Robot.preset("nxtway-gs")
 PERIOD, STRIDE, STEP = 0.01, 10, 0.001
-CONSTANTS = (
-    3,
-    4,
-    5,
-    8,
-    9,
-    10,
-    11,
-    14,
-    15,
-    16,
-    19,
-    20,
-    21,
-    22,
-)  # which of the kernel's the C needs, in the order of its enum
+CONSTANTS = (3, 4, 5, 8, 9, 10, 11, 14, 15, 16, 19, 20, 21, 22)
+"""Which of the kernel's the C needs, in the order of its enum."""
+
 FLAGS = ("-O3", "-march=native", "-ffast-math", "-mprefer-vector-width=512", "-shared", "-fPIC")
 NUMBERS = {"float64": ("double", ctypes.c_double), "float32": ("float", ctypes.c_float)}
 
@@ -76,9 +74,12 @@ def bare(n: int, **options: Any) -> FleetBatch:
     return FleetBatch(parameters=spread_fleet(n), controller=lqr(ROBOT), start=start_of(n), substeps=1, **options)
 
 
-def full(n: int) -> FleetBatch:
-    """A Kalman filter on quantised, noisy sensors, dead time with jitter, saturation with sag, dead zone and a push."""
-    kit = Kit.preset("nxt")
+def full(n: int, jitter: float = 0.0) -> FleetBatch:
+    """A Kalman filter on quantised, noisy sensors, dead time, saturation with sag, dead zone and a push.
+
+    `jitter` [s] counts in whole steps of 1 ms: the kit's own 0.5 ms would be none.
+    """
+    kit = replace(Kit.preset("nxt"), jitter=jitter)
     controller = Estimated(lqr(ROBOT), kalman(ROBOT, kit))
     push = [[[0.5, np.nan, 0.2, 0.1]]]
     return FleetBatch(
@@ -166,19 +167,24 @@ def against_c(folder: Path, repeats: int) -> None:
             print(
                 f"  {number} n = {n:7d}: {rate / t['kernel']:6.1f}  {rate / t['C']:6.1f}  {t['C'] / t['kernel']:5.2f}"
             )
-    print("\nsensors, noise, delay, jitter, saturation, Kalman filter: M steps/s and share of the bare C (bar 0.5)")
+    print("\nsensors, noise, delay, saturation, Kalman filter: M steps/s and share of the bare C (bar 0.5)")
     for number in NUMBERS:
         roof, n = Roofline(folder, number), 10_000
         periods = periods_for(n)
-        t = best({"kernel": kernel(full(n), periods, number), "C": roof.job(n, periods)}, repeats, time.thread_time)
-        print(f"  {number} n = {n:7d}: {n * periods * STRIDE / 1e6 / t['kernel']:6.1f}  {t['C'] / t['kernel']:5.2f}")
+        jobs = {"kernel": kernel(full(n), periods, number), "late": kernel(full(n, 0.001), periods, number)}
+        t = best(jobs | {"C": roof.job(n, periods)}, repeats, time.thread_time)
+        rate = n * periods * STRIDE / 1e6
+        print(
+            f"  {number} n = {n:7d}: {rate / t['kernel']:6.1f}  {t['C'] / t['kernel']:5.2f}"
+            f"   with a jitter of 1 ms too: {rate / t['late']:6.1f}  {t['C'] / t['late']:5.2f}"
+        )
     scalar = Roofline(folder, "float64", lanes=1)
     for periods in (1000, 20_000):
         jobs = {"kernel": kernel(bare(1), periods), "C": scalar.job(1, periods)}
-        t = best(jobs, repeats, time.thread_time)
+        t = best(jobs, repeats * (20 if periods == 1000 else 1), time.thread_time)
         said = f"one robot for {periods * PERIOD:.0f} s: {1e3 * t['kernel']:.2f} ms, scalar C {1e3 * t['C']:.2f} ms"
         print(f"\n{said}: {t['kernel'] / t['C']:.2f} × (bar 1.5)", end="")
-    t = best({"kernel": kernel(bare(1), 1)}, repeats, time.thread_time)
+    t = best({"kernel": kernel(bare(1), 1)}, repeats * 20, time.thread_time)
     print(f"\n  of which a call costs {1e3 * t['kernel']:.2f} ms however short")
 
 
@@ -196,12 +202,42 @@ def scaling(folder: Path | None, repeats: int) -> None:
 
 
 def flatness(repeats: int) -> None:
-    print("\ncost of a robot-second [µs], two threads (bar: flat within 10 %)")
+    seconds = 2.0
+    print(f"\ncost of a robot [µs of processor time], {seconds:g} s each, two threads (bar: flat within 10 %)")
+    costs: list[float] = []
     for n in (1_000, 10_000, 100_000, 1_000_000):
-        seconds = max(1.0, 2e5 / n)
         batch = bare(n)
-        t = best({"kernel": lambda b=batch, s=seconds: simulate(b, s, threads=2) and None}, max(2, repeats // 3))
-        print(f"  n = {n:8d}, {seconds:5.0f} s each: {1e6 * t['kernel'] / (n * seconds):.3f}")
+        many = max(1, repeats // 4) if n > 100_000 else max(3, repeats)
+        job = {"kernel": lambda b=batch: simulate(b, seconds, threads=2) and None}
+        t = best(job, many, time.process_time)
+        costs.append(1e6 * t["kernel"] / n)
+        print(f"  n = {n:8d}: {costs[-1]:.2f}")
+    middle = (max(costs) + min(costs)) / 2
+    print(f"  within ±{100 * (max(costs) - middle) / middle:.0f} % of {middle:.2f}")
+
+
+def equality() -> None:
+    """Every state of 10 s, under a push, against the single-robot path, and float32 against float64."""
+    push, rows = Push(force=1.0, start=1.0, duration=0.1), [[1.0, np.nan, 1.0, 0.1]]
+    start = (0.05, 0.0, 0.1, 0.0, 0.2, 0.0)
+    log = run(NonlinearBody(ROBOT), lqr(ROBOT), push, start=start, seconds=10.0)
+    batch = FleetBatch(parameters=parameters_of(ROBOT), controller=lqr(ROBOT), start=start, pushes=rows)
+    exact, short = (simulate(batch, 10.0, record=1, dtype=kind).trace[0] for kind in (np.float64, np.float32))
+    apart, coarse = np.abs(log.state()[: len(exact)] - exact).max(), np.abs(short - exact).max()
+    print(f"\n10 s under a push, kernel against the single-robot path: {apart:.1e} (bar 1e-9)")
+    print(f"  float32 against float64: {coarse / np.abs(exact).max():.1e} of the largest state (stated bound 2e-5)")
+
+
+def largest_pushes() -> None:
+    family = Family(ROBOT, Kit.preset("nxt"), own_spreads(ROBOT))
+    ensemble = Ensemble(family=family, controller=find_controller("lqr", ROBOT, family.kit))
+    grid = PushGrid(heights=np.linspace(0.0, ROBOT.body_height, 64), durations=np.linspace(0.01, 0.5, 64))
+    wall, used = time.perf_counter(), time.process_time()
+    data = push_map(ensemble, grid, samples=200, threads=2)
+    wall, used = time.perf_counter() - wall, time.process_time() - used
+    runs = json.loads(data.attrs["origin"])["push_map"]["runs"]
+    print(f"\npush map, 64 × 64 points in both directions, band of 200 samples (bar 60 s): {wall:.1f} s", end="")
+    print(f", {used:.1f} s of processor time, {runs} runs")
 
 
 def memory() -> None:
@@ -216,9 +252,9 @@ def memory() -> None:
     n = 1_000_000
     said = subprocess.run([sys.executable, "-c", code, str(HERE), str(n)], capture_output=True, text=True, check=True)
     before, made, after = map(int, said.stdout.split())
-    share = 1024 / n
+    share = 1024 / n  # the two are counted in KiB
     print(
-        f"\nmemory at n = 10⁶: {(made - before) * share:.0f} bytes a robot for the batch, {(after - made) * share:.0f} more to run it"
+        f"\nmemory at n = 10⁶: {(made - before) * share:.0f} bytes a robot at the most while the batch is made, {(after - made) * share:.0f} more to run it"
     )
 
 
@@ -286,7 +322,10 @@ def main() -> None:
     flatness(repeats)
     memory()
     against_mujoco(repeats)
+    equality()
+    largest_pushes()
     first_call()
+    print(f"\nNVIDIA card: {why_not() or 'there is one, and nothing here measures it'}")
 
 
 if __name__ == "__main__":

@@ -106,8 +106,9 @@ def test_an_accelerometer_equals_the_obvious_loop():
     assert difference(twipr, controller, push=Slope(angle=0.1, start=0.05), slope=[0.1, 0.05], seconds=0.5) < EQUAL
 
 
-QUANTISED = 1.2
-"""[s] Between two steps of a quantum nothing is fed back: rounding grows as in an open loop, by 10⁴ until then."""
+QUANTISED = 2.0
+"""[s] Two roundings of a quantised loop drift apart as in an open loop, since equal readings feed nothing of the drift
+back: from 1e-17 by e^(7.5/s · t), the unstable pole of this robot, to a few 1e-10 until then."""
 
 
 @pytest.mark.parametrize("backlash", [0.0, 0.02])
@@ -116,6 +117,16 @@ def test_quantised_loops_equal_the_obvious_loop_until_rounding_has_grown(backlas
     kit = replace(kit, motor=replace(kit.motor, backlash=backlash))
     push = {"push": Push(force=1.5, start=0.5), "pushes": [[1.5, np.nan, 0.5, 0.1]]}
     assert difference(NXT, FILTERED, kit, QUANTISED, **push) < EQUAL
+
+
+def test_what_is_quantised_is_the_same_bits_for_longer():
+    kit, names = still(NOISY), ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro", "applied/left")
+    log = run(Electronics(NonlinearBody(NXT), kit), FILTERED, start=START, seconds=3.0)
+    batch = FleetBatch(parameters=parameters_of(NXT), controller=FILTERED, start=START, kit=kit)
+    result = simulate(batch, 3.0, record=1, channels=names)
+    # by 3 s the drift is 1e-7 at most, 1e-5 of a quantum: that one of 1200 numbers rounds differently is unlikely
+    for k, name in enumerate(names):
+        assert np.array_equal(log[name], result.trace[0, : len(log), k])
 
 
 def fleet(n=200, **changes):
@@ -154,9 +165,38 @@ def test_a_robot_is_the_same_bits_in_any_batch_order_and_number_of_threads(dtype
         assert np.array_equal(getattr(whole, name)[[137]], getattr(alone, name))
 
 
+def test_a_robot_does_not_get_what_only_its_company_needs():
+    robots = [NXT, NXT.replace(coulomb_friction=0.005), NXT, NXT.replace(coulomb_friction=0.005)]
+    slope = np.array([[0.0, 0.0], [0.0, 0.0], [0.03, 0.5], [0.03, 0.5]])
+    given = {"controller": lqr(NXT), "start": START, "substeps": 1}
+    together = simulate(FleetBatch(parameters=parameters_of(robots), slope=slope, **given), 1.0, record=10)
+    for i, robot in enumerate(robots):
+        alone = simulate(FleetBatch(parameters=parameters_of(robot), slope=slope[i], **given), 1.0, record=10)
+        assert np.array_equal(together.final[i], alone.final[0])
+        assert np.array_equal(together.trace[i], alone.trace[0])
+
+
+def test_a_batch_cut_into_pieces_is_the_same_bits(monkeypatch):
+    whole = simulate(FleetBatch(**fleet()), 0.5, record=10, threads=1)
+    monkeypatch.setattr("upright.fleet.kernel.PIECE", 80)  # 200 robots in pieces of one block
+    pieces = simulate(FleetBatch(**fleet()), 0.5, record=10, threads=2)
+    for name in ("final", "lived", "peak", "effort", "trace"):
+        assert np.array_equal(getattr(whole, name), getattr(pieces, name), equal_nan=True)
+
+
+def test_every_kth_period_is_recorded_as_it_is_among_all():
+    batch = FleetBatch(**fleet(20))
+    names = (*BOTH, "sensor/gyro")
+    every, fifth = (simulate(batch, 0.5, record=k, channels=names) for k in (1, 5))
+    assert np.array_equal(every.trace[:, ::5], fifth.trace, equal_nan=True)
+    assert np.allclose(every.t[::5], fifth.t, rtol=1e-15)  # one product is rounded twice
+    assert simulate(batch, 0.5).trace.size == 0
+
+
 def test_another_seed_is_another_noise():
-    one, other = (simulate(FleetBatch(**fleet(seed=seed)), 0.5).final for seed in (1, 2))
+    one, other, last = (simulate(FleetBatch(**fleet(seed=seed)), 0.5).final for seed in (1, 2, 2**64 - 1))
     assert not np.isclose(one, other, rtol=1e-6).any(axis=0)[:2].all()
+    assert not np.isclose(one, last, rtol=1e-6).any(axis=0)[:2].all()
 
 
 def test_noise_spreads_robots_as_in_the_obvious_loop():

@@ -77,3 +77,16 @@ def test_tangents_of_a_trajectory_equal_differences_of_trajectories():
     by_pitch = (states(ROUGH, start + nudge) - states(ROUGH, start - nudge)) / (2 * step)
     for column, true in enumerate((by_height, by_pitch)):
         assert np.abs(found.tangents[:, :, column] - true).max() < 1e-6 * np.abs(true).max()
+
+
+def test_sixteen_directions_at_once_are_each_the_one_alone():
+    names = [name for name in PARAMETERS if name not in ("stiction_rate", "body_depth", "body_height")]
+    directions = [*names[:13], "start/pitch", "start/wheel_rate", "start/yaw"]
+    assert len(directions) == sensitivity.DIRECTIONS == 16
+    commands = np.random.default_rng(1).normal(size=(20, 2))
+    together = sensitivity.simulate_with_sensitivities(ROUGH, commands, 0.01, directions).tangents
+    for column, direction in enumerate(directions):
+        alone = sensitivity.simulate_with_sensitivities(ROUGH, commands, 0.01, [direction]).tangents[:, :, 0]
+        # the same sums, but perhaps in other vector instructions: rounding, in numbers of very different size
+        assert np.abs(together[:, :, column] - alone).max() <= 1e-12 * np.abs(alone).max()
+        assert np.abs(alone).max() > 0

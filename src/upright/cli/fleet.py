@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from upright.cli import options
-from upright.cli.options import JsonOption, RobotOption
-from upright.cli.output import check_folder, print_json, print_table, progress
+from upright.cli.fleet_options import Asked, asked_alike
+from upright.cli.options import JsonOption
+from upright.cli.output import print_json, print_table, progress
 from upright.errors import InvalidScenario
 
 if TYPE_CHECKING:
@@ -21,37 +22,12 @@ if TYPE_CHECKING:
     from upright.fleet.campaign import CaseSummary
     from upright.fleet.ensemble import Ensemble
 
-VARY_HELP = (
-    "What differs from robot to robot, repeatable: com_height=±10%, com_height=0.06..0.08, com_height=normal:5%, "
-    "com_height=normal (the robot file's own spread), the same for delay, motor.limit, sensors.gyro.noise; or 'spread' "
-    "for all parameters with the file's own."
-)
 
-KitOption = Annotated[
-    str | None,
-    typer.Option("--kit", help="Electronics by name or TOML file; ideal for none (default: the robot's own)."),
-]
-ControllerOption = Annotated[
-    str, typer.Option("--controller", "-c", help="By name, or a controller.json; it must be linear.")
-]
-VaryOption = Annotated[list[str] | None, typer.Option("--vary", metavar="NAME=...", help=VARY_HELP)]
-PosteriorOption = Annotated[
-    Path | None, typer.Option("--posterior", help="JSON of 'parameters', 'mean' and 'covariance': jointly normal.")
-]
-SeedOption = Annotated[int, typer.Option("--seed", help="Seed of all draws and all noise.")]
-OutputOption = Annotated[Path | None, typer.Option("--output", "-o", help="Write the result: .parquet or .zarr.")]
-PageOption = Annotated[Path | None, typer.Option("--report", help="Write a page with figures: .html.")]
-ThreadsOption = Annotated[int | None, typer.Option("--threads", help="Threads (default: one a processor).")]
-
-
+@asked_alike
 def fleet(
     *,
-    robot: RobotOption = "nxtway-gs",
-    controller: ControllerOption = "lqr",
-    kit: KitOption = None,
+    asked: Asked,
     n: Annotated[int, typer.Option("-n", "--robots", help="How many robots.")] = 10000,
-    vary: VaryOption = None,
-    posterior: PosteriorOption = None,
     push: Annotated[
         list[str] | None, typer.Option("--push", "-p", metavar="KIND:NUMBER,...", help=options.PUSH_HELP)
     ] = None,
@@ -59,11 +35,6 @@ def fleet(
     turn: Annotated[str | None, typer.Option(metavar="RAD/S[,start=S,until=S]", help="Turn.")] = None,
     start: Annotated[str, typer.Option(help="First state, such as pitch=0.05; zero where not said.")] = "",
     seconds: Annotated[float, typer.Option("--seconds", "-s", help="How long [s].")] = 10.0,
-    seed: SeedOption = 0,
-    threads: ThreadsOption = None,
-    output: OutputOption = None,
-    report: PageOption = None,
-    as_json: JsonOption = False,
 ) -> None:
     """Run many robots that differ, and say how many fall.
 
@@ -72,33 +43,27 @@ def fleet(
     from upright.experiment import Drive, Turn
     from upright.fleet.results import labelled, summarise
 
-    _check(output, report)
+    asked.check()
     if n < 1:
         raise InvalidScenario(f"-n {n}", expected="one robot or more")
     wanted = [(Drive, drive, "--drive"), (Turn, turn, "--turn")]
     references = tuple(options.programme(kind, text, option) for kind, text, option in wanted if text)
     pushes = tuple(options.push(text) for text in push or [])
-    ensemble = _ensemble(
-        robot, controller, kit, vary, posterior, pushes=pushes, references=references, start=_state(start),
-        seconds=seconds, seed=seed,
-    )  # fmt: skip
+    ensemble = asked.ensemble(pushes=pushes, references=references, start=_state(start), seconds=seconds)
     with progress("simulating") as share:
-        data = labelled(_in_parts(ensemble, n, threads, share), range(n), ensemble)
+        data = labelled(_in_parts(ensemble, n, asked.threads, share), range(n), ensemble)
     summary = summarise(data)
-    if report:
+    if asked.report:
         from upright.report.fleet import fleet_page
 
-        fleet_page(data, summary, f"{n} robots like {ensemble.family.robot.name}").write(report)
-    _say(data, str(summary), summary.to_json(), output, report, as_json)
+        fleet_page(data, summary, f"{n} robots like {ensemble.family.robot.name}").write(asked.report)
+    _say(data, str(summary), summary.to_json(), asked)
 
 
+@asked_alike
 def push_map(
     *,
-    robot: RobotOption = "nxtway-gs",
-    controller: ControllerOption = "lqr",
-    kit: KitOption = None,
-    vary: VaryOption = None,
-    posterior: PosteriorOption = None,
+    asked: Asked,
     direction: Annotated[str, typer.Option(help="forward, backward or both.")] = "both",
     heights: Annotated[
         str | None, typer.Option(metavar="LOW..HIGH", help="Above the axle [m] (default: up to the body's height).")
@@ -108,11 +73,6 @@ def push_map(
     samples: Annotated[int, typer.Option(help="Robots for the band; 0 for none.")] = 200,
     tolerance: Annotated[float, typer.Option(help="Relative accuracy of each impulse.")] = 0.01,
     watch: Annotated[float, typer.Option(help="Standing so long [s] after the push counts as recovered.")] = 5.0,
-    seed: SeedOption = 0,
-    threads: ThreadsOption = None,
-    output: OutputOption = None,
-    report: PageOption = None,
-    as_json: JsonOption = False,
 ) -> None:
     """Find the largest push a robot recovers from.
 
@@ -123,13 +83,13 @@ def push_map(
     from upright.fleet.pushmap import PushGrid
     from upright.fleet.pushmap import push_map as search
 
-    _check(output, report)
+    asked.check()
     directions = {"forward": (1,), "backward": (-1,), "both": (1, -1)}
     if direction not in directions:
         raise InvalidScenario(f"--direction {direction}", expected=" or ".join(directions))
     if points < 1:
         raise InvalidScenario(f"--points {points}", expected="one or more")
-    ensemble = _ensemble(robot, controller, kit, vary or ([] if posterior else ["spread"]), posterior, seed=seed)
+    ensemble = asked.ensemble(vary=() if asked.posterior else ("spread",))
     ranges = [
         _range(heights or f"0..{ensemble.family.robot.body_height}", "--heights"),
         _range(durations, "--durations"),
@@ -141,37 +101,31 @@ def push_map(
     )
     with progress("searching") as share:
         data = search(
-            ensemble, grid, samples=samples, tolerance=tolerance, watch=watch, threads=threads, progress=share
+            ensemble, grid, samples=samples, tolerance=tolerance, watch=watch, threads=asked.threads, progress=share
         )
-    if report:
+    if asked.report:
         from upright.report.fleet import map_page, push_map_figures
 
         lead = (
             f"The largest impulse after which the robot still stands {watch:g} s later, within {100 * tolerance:g} %."
         )
-        map_page(data, push_map_figures(data), f"Pushes that {ensemble.family.robot.name} survives", lead).write(report)
+        map_page(data, push_map_figures(data), f"Pushes that {ensemble.family.robot.name} survives", lead).write(
+            asked.report
+        )
     text, numbers = _push_map_said(data)
-    _say(data, text, numbers, output, report, as_json)
+    _say(data, text, numbers, asked)
 
 
+@asked_alike
 def basin(
     *,
-    robot: RobotOption = "nxtway-gs",
-    controller: ControllerOption = "lqr",
-    kit: KitOption = None,
-    vary: VaryOption = None,
-    posterior: PosteriorOption = None,
+    asked: Asked,
     across: Annotated[str, typer.Option(metavar="STATE=LOW..HIGH", help="The first state.")] = "pitch=-1..1",
     up: Annotated[str, typer.Option(metavar="STATE=LOW..HIGH", help="The second state.")] = "pitch_rate=-10..10",
     points: Annotated[int, typer.Option(help="Values of each state.")] = 101,
     samples: Annotated[int, typer.Option(help="Robots of the family at each point; 1 is the nominal one.")] = 1,
     start: Annotated[str, typer.Option(help="The other states, such as wheel_rate=5; zero where not said.")] = "",
     seconds: Annotated[float, typer.Option("--seconds", "-s", help="Standing so long [s] counts as recovered.")] = 5.0,
-    seed: SeedOption = 0,
-    threads: ThreadsOption = None,
-    output: OutputOption = None,
-    report: PageOption = None,
-    as_json: JsonOption = False,
 ) -> None:
     """Find the states from which a robot recovers.
 
@@ -180,22 +134,22 @@ def basin(
     from upright.fleet.basin import Axis
     from upright.fleet.basin import basin as cut
 
-    _check(output, report)
+    asked.check()
     axes = [_axis(across, "--across"), _axis(up, "--up")]
     first, second = (Axis(name, low, high, points) for name, low, high in axes)
-    ensemble = _ensemble(robot, controller, kit, vary, posterior, start=_state(start), seconds=seconds, seed=seed)
+    ensemble = asked.ensemble(start=_state(start), seconds=seconds)
     with progress("simulating") as share:
-        data = cut(ensemble, first, second, samples=samples, threads=threads, progress=share)
-    if report:
+        data = cut(ensemble, first, second, samples=samples, threads=asked.threads, progress=share)
+    if asked.report:
         from upright.report.fleet import basin_figure, map_page
 
         name = ensemble.family.robot.name
         map_page(
             data, [basin_figure(data)], f"States that {name} recovers from", f"Standing {seconds:g} s later."
-        ).write(report)
+        ).write(asked.report)
     shares = data["recovered"].values
     text = f"recovers from {100 * float(shares.mean()):.4g} % of {shares.size} states ({first.name} × {second.name})"
-    _say(data, text, {"share": float(shares.mean()), "points": int(shares.size)}, output, report, as_json)
+    _say(data, text, {"share": float(shares.mean()), "points": int(shares.size)}, asked)
 
 
 def sweep(
@@ -232,21 +186,6 @@ def sweep(
     typer.echo(f"\nwrote {place}")
 
 
-def _ensemble(
-    robot: str, controller: str, kit: str | None, vary: list[str] | None, posterior: Path | None, **scenario: Any
-) -> Ensemble:
-    from upright.fleet.ensemble import Ensemble
-    from upright.fleet.sweep import electronics, find_controller
-    from upright.fleet.vary import Family, read_posterior, spread
-    from upright.robots.files import find_robot
-
-    chosen = find_robot(robot)
-    parts = electronics(kit or chosen.kit)
-    spreads = tuple(s for text in vary or [] for s in spread(text, chosen, parts))
-    family = Family(chosen, parts, spreads, read_posterior(posterior) if posterior else None)
-    return Ensemble(family=family, controller=find_controller(controller, chosen, parts), **scenario)
-
-
 def _in_parts(ensemble: Ensemble, n: int, threads: int | None, share: Callable[[float], None]) -> dict[str, Any]:
     """All robots, some ten thousand at a time, so that progress shows."""
     import numpy as np
@@ -256,16 +195,6 @@ def _in_parts(ensemble: Ensemble, n: int, threads: int | None, share: Callable[[
         parts.append(ensemble.run(range(first, min(n, first + 16384)), threads))
         share(min(1.0, (first + 16384) / n))
     return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
-
-
-def _check(output: Path | None, report: Path | None) -> None:
-    if output:
-        from upright.fleet.results import check_suffix
-
-        check_suffix(output)
-    for path in (output, report):
-        if path:
-            check_folder(path)
 
 
 def _state(text: str) -> tuple[float, ...]:
@@ -286,12 +215,13 @@ def _axis(text: str, option: str) -> tuple[str, float, float]:
     return (name, *_range(ends, option))
 
 
-def _say(data: Dataset, text: str, numbers: Any, output: Path | None, report: Path | None, as_json: bool) -> None:
+def _say(data: Dataset, text: str, numbers: Any, asked: Asked) -> None:
     from upright.fleet.results import origin_of, save
 
+    output, report = asked.output, asked.report
     if output:
         save(data, output)
-    if as_json:
+    if asked.as_json:
         written = {"output": str(output) if output else None, "report": str(report) if report else None}
         print_json({"result": numbers, "origin": origin_of(data), **written})
         return

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidScenario, UnknownName
-from upright.fleet.ensemble import Ensemble, robots_at
+from upright.fleet.ensemble import Ensemble
 from upright.fleet.kernel_batch import FleetBatch
 from upright.signals import STATE_NAMES
 from upright.signals.signal import STATE
@@ -101,7 +101,7 @@ def _robots(ensemble: Ensemble, samples: int) -> FleetBatch:
 def _batch(robots: FleetBatch, starts: Array, samples: int) -> FleetBatch:
     """Every robot at every start."""
     rows = np.tile(np.arange(samples), len(starts))
-    return robots_at(robots, rows, start=np.repeat(starts, samples, axis=0))
+    return robots.part(rows, start=np.repeat(starts, samples, axis=0))
 
 
 def _labelled(ensemble: Ensemble, across: Axis, up: Axis, stood: Array, settled: Array) -> Dataset:

@@ -46,25 +46,30 @@ def sincos(x: Any) -> Any:
     return math.sin(x), math.cos(x)
 
 
-def rows_of(block: Any, size: Any) -> Any:  # noqa: ARG001 (the processor's kernel says the size)
-    return block
+def get(w: Any, row: Any, lane: Any) -> Any:  # noqa: ARG001 (the processor's kernel has several)
+    return w[row]
 
 
-def align_stack() -> int:
-    return 0
+def put(w: Any, row: Any, lane: Any, value: Any) -> None:  # noqa: ARG001
+    w[row] = value
 
 
-ARITHMETIC = (fma, mul, reciprocal, absolute, sqrt, sincos, rows_of, align_stack)
+def positive(a: Any) -> bool:
+    return a > 0.0
+
+
+ARITHMETIC = (fma, mul, reciprocal, absolute, sqrt, sincos, get, put, positive)
 
 
 @cache
 def traced_step(variant: str) -> Any:
-    """One step of Runge and Kutta: the text of `generated_motion.advance_…`, with a robot's own memory for a block."""
+    """One step of Runge and Kutta: the text of `generated_motion.step_…`, with a robot's own memory for a block."""
     words: dict[str, Any] = {function.__name__: device(function) for function in ARITHMETIC}
-    words |= {"inlined": device, "sincos_any": words["sincos"], "ROW": 1, "SIZE": ROWS}
-    moves = getattr(motion, f"accelerations_{variant}").py_func, getattr(motion, f"advance_{variant}")
+    words |= {"inlined": device, "sincos_any": words["sincos"]}
+    inner = [getattr(motion, f"{name}_{variant}").py_func for name in ("held", "moved")]
+    moves = [*inner, getattr(motion, f"step_{variant}")]
     exec("".join(inspect.getsource(move) for move in moves), words)  # our own generated module, checked by a test
-    return device(words[f"advance_{variant}"])
+    return device(words[f"step_{variant}"])
 
 
 @device

@@ -154,22 +154,6 @@ class Ensemble:
         return {name: np.asarray(found[name], dtype=np.float64) for name in OUTCOMES}
 
 
-def robots_at(table: FleetBatch, rows: NDArray[Any], **changes: Array) -> FleetBatch:
-    """The batch of `table`'s robots number `rows` (n,), with whole arrays (`start`, `pushes`) replaced by `changes`."""
-    assert table.index is not None
-
-    def some(values: Any) -> Any:
-        return values[rows] if len(values) > 1 else values
-
-    names = ("parameters", "start", "pushes", "slope", "reference")
-    arrays = {name: changes[name] if name in changes else some(getattr(table, name)) for name in names}
-    kit_changes = {name: some(np.asarray(values)) for name, values in table.kit_changes.items()}
-    return FleetBatch(
-        **arrays, controller=table.controller, kit=table.kit, kit_changes=kit_changes, model=table.model,
-        seed=table.seed, index=table.index[rows], period=table.period, substeps=table.substeps,
-    )  # fmt: skip
-
-
 def tables(pushes: Sequence[Any], references: Sequence[Any], parameters: Array) -> Programme:
     """Pushes, slopes, drives and turns as tables for robots with `parameters` (n, 21); a hold has a force for each.
 

@@ -3,7 +3,7 @@
 # fmt: off
 # pyright: basic
 
-LANES, ROW, SIZE = 64, 80, 38 * 80
+LANES, ROW, SIZE = 64, 80, 59 * 80
 CONSTANTS = 24
 PITCH = 0
 PITCH_RATE = 1
@@ -20,6 +20,7 @@ MOMENT = 11
 SIN_SLOPE = 12
 COS_SLOPE = 13
 C0 = 14
+WORK, WORK_ROWS = 38, 21
 
 
 def constants(p, complete):
@@ -47,23 +48,23 @@ def constants(p, complete):
     t0 = (1/2)*track/wheel_radius
     t1 = gear_ratio*torque_constant
     t2 = back_emf*t1 + motor_friction*motor_resistance
-    t3 = wheel_radius**2
-    t4 = gear_ratio**2*rotor_inertia
+    t3 = (wheel_radius * wheel_radius)
+    t4 = (gear_ratio * gear_ratio)*rotor_inertia
     t5 = 2*t4
     t6 = 2*wheel_mass
     t7 = 1/(body_mass*t3 + t3*t6 + t5 + 2*wheel_inertia)
     t8 = 1/motor_resistance
     t9 = t7*t8
     t10 = 2*t9
-    t11 = body_mass*com_height**2
+    t11 = body_mass*(com_height * com_height)
     t12 = complete*roll_inertia - complete*yaw_inertia + t11
     t13 = body_mass*com_height
     t14 = gravity*t13
     t15 = t7*wheel_radius
     t16 = t13*t15
     t17 = motor_resistance*wheel_friction + t2
-    t18 = (1/2)*track**2
+    t18 = (1/2)*(track * track)
     t19 = t18/t3
     t20 = 1/(t18*wheel_mass + t19*t4 + t19*wheel_inertia + yaw_inertia)
     t21 = t0*t20
-    return (t0, wheel_radius, gravity, -t10*t2, t12*t7, t14*t7, t7, coulomb_friction*t7, -t1*t9, t16, -t10*t17, complete*t16, -gravity*t15*(body_mass + t6), t15, -2*t12*t20, -complete*t13*t20*wheel_radius, -t17*t19*t20*t8, t14*t20, coulomb_friction*t21, -t1*t21*t8, -t5*t7, t7*(pitch_inertia + t11 + t5), t12*t20, stiction_rate**2)
+    return (t0, wheel_radius, gravity, -t10*t2, t12*t7, t14*t7, t7, coulomb_friction*t7, -t1*t9, t16, -t10*t17, complete*t16, -gravity*t15*(body_mass + t6), t15, -2*t12*t20, -complete*t13*t20*wheel_radius, -t17*t19*t20*t8, t14*t20, coulomb_friction*t21, -t1*t21*t8, -t5*t7, t7*(pitch_inertia + t11 + t5), t12*t20, (stiction_rate * stiction_rate))

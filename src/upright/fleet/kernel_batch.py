@@ -19,6 +19,9 @@ from upright.robots.robot import PARAMETERS
 
 Array = NDArray[np.float64]
 
+Rows = slice | NDArray[np.int64]
+"""Which robots of a batch."""
+
 NAMES = tuple(PARAMETERS)
 
 
@@ -55,6 +58,14 @@ class Gains(NamedTuple):
         ]
         A, By, Br, Ba, C, Dy, Dr = stacked
         return cls(A, By, Br, Ba, C, Dy, Dr, linear[0].reads, linear[0].period, linear[0].command_unit)
+
+    @classmethod
+    def silent(cls, controller: Controller) -> Gains:
+        """Gains that command nothing and read what `controller` reads, which is called in their place."""
+        spec, m = controller.spec, len(controller.spec.reads)
+        sizes = ((1, 0, 0), (1, 0, m), (1, 0, 6), (1, 0, 2), (1, 2, 0), (1, 2, m), (1, 2, 6))
+        A, By, Br, Ba, C, Dy, Dr = (np.zeros(size) for size in sizes)
+        return cls(A, By, Br, Ba, C, Dy, Dr, spec.reads, spec.period, spec.command_unit)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -115,6 +126,26 @@ class FleetBatch:
         """The controller as matrices."""
         assert isinstance(self.controller, Gains)
         return self.controller
+
+    def part(self, rows: Rows, **changes: Array) -> FleetBatch:
+        """The robots number `rows` (n,) under the numbers they have in the whole, with whole arrays (`start`, `pushes`)
+        replaced by `changes`."""
+
+        def some(values: Any) -> Any:
+            return values[rows] if len(values) > 1 else values
+
+        names = ("parameters", "start", "pushes", "slope", "reference")
+        arrays = {name: changes[name] if name in changes else some(getattr(self, name)) for name in names}
+        kit_changes = {name: some(np.asarray(values)) for name, values in self.kit_changes.items()}
+        gains = self.gains
+        if len(gains.C) > 1:
+            gains = gains._replace(**{name: getattr(gains, name)[rows] for name in gains._fields[:7]})
+        models = self.model if isinstance(self.model, str) else tuple(np.asarray(self.model)[rows].tolist())
+        index = np.arange(self.n, dtype=np.uint64) if self.index is None else self.index
+        return FleetBatch(
+            **arrays, controller=gains, kit=self.kit, kit_changes=kit_changes,
+            model=models, seed=self.seed, index=index[rows], period=self.period, substeps=self.substeps,
+        )  # fmt: skip
 
 
 def parameters_of(robots: Robot | Iterable[Robot], changes: Mapping[str, ArrayLike] | None = None) -> Array:

@@ -13,10 +13,11 @@ from functools import partial
 from importlib import import_module
 from typing import Any
 
+from upright.fleet.generated import ROW
+
 numba: Any = import_module("numba")  # compiled and untyped, like what follows: `Any` says so to the type checker
 ir: Any = import_module("llvmlite.ir")
 types: Any = numba.types
-carray: Any = numba.carray
 intrinsic: Any = numba.extending.intrinsic
 overload: Any = numba.extending.overload
 
@@ -56,7 +57,7 @@ def _call(name: str) -> Callable[[Any, Any, Any, Any], Any]:
 
 
 def _address(context: Any, builder: Any, kind: Any, array: Any) -> Any:
-    return context.make_array(kind)(context, builder, array).data
+    return array if isinstance(kind, types.CPointer) else context.make_array(kind)(context, builder, array).data
 
 
 @intrinsic
@@ -120,6 +121,16 @@ def positive(typingctx: Any, a: Any) -> Any:
 
 
 @intrinsic
+def like(typingctx: Any, array: Any, value: Any) -> Any:
+    """`value` in the kind of the array's numbers."""
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        return args[1]
+
+    return array.dtype(array, array.dtype), codegen
+
+
+@intrinsic
 def bits(typingctx: Any, a: Any) -> Any:
     """The 64 bits of a double as a whole number."""
 
@@ -153,21 +164,10 @@ def align_stack(typingctx: Any) -> Any:
     return types.void(), _code(emit)
 
 
-def rows_of(block: Any, size: int) -> Any:
-    """A block as an array, given as one or as the address of `size` numbers; in compiled code only."""
-    raise NotImplementedError
-
-
-@overload(rows_of)
-def _rows_of(block, size):  # pyright: ignore (Numba compares bare signatures)
-    if isinstance(block, types.CPointer):
-        return lambda block, size: carray(block, size)  # pyright: ignore  # noqa: PLW0108
-    return lambda block, size: block  # pyright: ignore  # noqa: ARG005
-
-
 @intrinsic
 def item(typingctx: Any, array: Any, place: Any) -> Any:
-    """array[place] for a place that is not negative, which spares the test that keeps loops from being vectorised."""
+    """array[place] of an array or an address, for a place that is not negative, which spares the test that keeps loops
+    from being vectorised."""
 
     def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         return builder.load(builder.gep(_address(context, builder, array, args[0]), [args[1]], inbounds=True))
@@ -176,7 +176,7 @@ def item(typingctx: Any, array: Any, place: Any) -> Any:
 
 
 @intrinsic
-def put(typingctx: Any, array: Any, place: Any, value: Any) -> Any:
+def store(typingctx: Any, array: Any, place: Any, value: Any) -> Any:
     """array[place] = value, likewise."""
 
     def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
@@ -184,6 +184,32 @@ def put(typingctx: Any, array: Any, place: Any, value: Any) -> Any:
         return context.get_dummy_value()
 
     return types.void(array, types.int64, array.dtype), codegen
+
+
+def _lane(builder: Any, block: Any, row: Any, lane: Any) -> Any:
+    place = builder.add(builder.mul(row, ir.Constant(row.type, ROW)), lane)
+    return builder.gep(block, [place], inbounds=True)
+
+
+@intrinsic
+def get(typingctx: Any, block: Any, row: Any, lane: Any) -> Any:
+    """The number of robot `lane` in a row of a block."""
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        return builder.load(_lane(builder, *args))
+
+    return block.dtype(block, types.int64, types.int64), codegen
+
+
+@intrinsic
+def put(typingctx: Any, block: Any, row: Any, lane: Any, value: Any) -> Any:
+    """Writes it."""
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        builder.store(args[3], _lane(builder, *args[:3]))
+        return context.get_dummy_value()
+
+    return types.void(block, types.int64, types.int64, block.dtype), codegen
 
 
 def _far_call(array: Any) -> Callable[[Any, Any, Any, Any], Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -29,13 +30,12 @@ _SENSOR = ("quantum", "noise", "bias", "bias_walk", "range")
 @dataclass(frozen=True, eq=False)
 class KitTables:
     """`motor` (·, 5) and `sensor` (·, s, 6) as in `kernel_block`; `late` (·, 3) as in `kernel_block.arrive`;
-    `times` (s, 3): kind, delay and period [steps] of each sensor; `loud` (s,) whether anything of it is random."""
+    `times` (s, 3): kind, delay and period [steps] of each sensor."""
 
     motor: Array
     late: NDArray[np.int64]
     sensor: Array
     times: NDArray[np.int64]
-    loud: NDArray[np.bool_]
 
 
 def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
@@ -45,8 +45,10 @@ def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
     `InvalidScenario` for a jitter longer than a period.
     """
     kit, gains = batch.kit or BARE, batch.gains
-    numbers = _Numbers(kit, batch.kit_changes)
     voltage = gains.command_unit == "V"
+    if batch.kit is None and not batch.kit_changes and not any(name.startswith("sensor/") for name in gains.reads):
+        return _bare(voltage)
+    numbers = _Numbers(kit, batch.kit_changes)
     ideal = {"battery.voltage": math.inf, "battery.sag": 0.0}
     motor = _stack([numbers[n] if voltage or n not in ideal else np.array([ideal[n]]) for n in _MOTOR])
     reads = [name for name in gains.reads if name.startswith("sensor/")]
@@ -59,9 +61,15 @@ def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
     ]
     late = _late(numbers, batch.period, stride)
     numbers.check()
-    return KitTables(
-        motor, late, table, np.array(times, dtype=np.int64).reshape(-1, 3), np.asarray(table[..., 1:4].any(axis=(0, 2)))
-    )  # fmt: skip
+    return KitTables(motor, late, table, np.array(times, dtype=np.int64).reshape(-1, 3))
+
+
+@cache
+def _bare(voltage: bool) -> KitTables:
+    """Those of no kit at all, made once, since they are half of what it takes to start a single robot."""
+    motor = [[BARE.motor.limit, 0.0, 0.0, BARE.battery.voltage if voltage else math.inf, 0.0]]
+    late, times = np.zeros((1, 3), dtype=np.int64), np.zeros((0, 3), dtype=np.int64)
+    return KitTables(np.array(motor), late, np.zeros((1, 0, len(_SENSOR) + 1)), times)
 
 
 class _Numbers:

@@ -25,8 +25,8 @@ _SAME_TIME = 1e-9  # [s] as in `experiment.pushes`
 
 @dataclass(eq=False)
 class Packed:
-    """`common` (r,) holds each row of a block as all robots have it; `rows` (v,) are overwritten by the columns of
-    `table` (n, v). `truth`, `sensors`, `command` and `memory` are those of `kernel_run.run_blocks`."""
+    """`common` (r,) holds each row of a block as all robots have it; `rows` (v,) are overwritten by the rows of
+    `table` (v, n). `truth`, `sensors`, `command` and `memory` are those of `kernel_run.run_blocks`."""
 
     at: Rows
     common: NDArray[Any]
@@ -61,8 +61,8 @@ class _Block:
                 common[first : first + values.shape[1]] = values[0]
             else:
                 rows += range(first, first + values.shape[1])
-                columns.append(values)
-        table = np.concatenate(columns, axis=1, dtype=dtype) if columns else np.zeros((1, 0), dtype)
+                columns.append(values.T)
+        table = np.concatenate(columns, dtype=dtype) if columns else np.zeros((0, 1), dtype)
         return common, np.array(rows, dtype=np.int64), np.ascontiguousarray(table)
 
 
@@ -73,8 +73,9 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
     block.take(2, np.array([[h, 0.0]]))
     block.take(6, np.array([[0.0, 0.0, 0.0, 0.0, 0.0, 1.0]]))  # nothing commanded, no push, a level floor
     block.take(g.CONSTANTS, constants(batch))
+    block.take(g.WORK_ROWS)
     block.take(b.KIT_SIZE, kit.motor)
-    block.take(b.COUNTED, np.where(np.arange(b.COUNTED) == b.OUTSIDE, -1.0, 0.0)[None])
+    block.take(b.COUNTED, np.where(np.arange(b.COUNTS, b.REFERENCE) == b.OUTSIDE, -1.0, 0.0)[None])
     block.take(b.LATE - b.REFERENCE)
     block.take(3, kit.late.astype(np.float64))
     block.take(b.FLOOR - b.NOISE)
@@ -96,13 +97,19 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
 
 def constants(batch: FleetBatch) -> Array:
     """(·, CONSTANTS): each robot's constants of the traced dynamics."""
-    models = [batch.model] if isinstance(batch.model, str) else batch.model
-    complete = np.array([float(model == "complete") for model in models])
-    return np.stack(np.broadcast_arrays(*g.constants(batch.parameters.T, complete)), axis=1)
+    if isinstance(batch.model, str):
+        complete: Any = float(batch.model == "complete")
+        if len(batch.parameters) == 1:  # one robot's numbers are quicker by themselves than as arrays of one
+            return np.array([g.constants(batch.parameters[0].tolist(), complete)])
+    else:
+        complete = np.array([float(model == "complete") for model in batch.model])
+    return np.stack(np.broadcast_arrays(*g.constants(batch.parameters.T, complete))).T
 
 
 def pushes_of(batch: FleetBatch) -> Array:
     """(·, 4p): force, moment, first and last step of each push."""
+    if batch.pushes.shape[1] == 0:
+        return np.zeros((1, 0))
     force, height, start, duration = np.moveaxis(batch.pushes, -1, 0)
     if np.isnan(height).any():
         height = np.where(np.isnan(height), batch.parameters[:, NAMES.index("com_height"), None], height)
@@ -112,8 +119,10 @@ def pushes_of(batch: FleetBatch) -> Array:
 
 def _ramps(batch: FleetBatch) -> Array:
     """(·, 4q): wheel rate, yaw rate, start and end of each part of the reference."""
+    if batch.reference.shape[1] == 0:
+        return np.zeros((1, 0))
     speed, turn, start, until = np.moveaxis(batch.reference, -1, 0)
-    rate = speed / batch.parameters[:, NAMES.index("wheel_radius"), None] if speed.size else speed
+    rate = speed / batch.parameters[:, NAMES.index("wheel_radius"), None]
     return _flat((rate, turn, start, until))
 
 
@@ -140,26 +149,40 @@ def _sensors(gains: Gains, kit: KitTables, at: Rows, block: _Block) -> Whole:
         places = late // every + 3
         row = block.take(b.SENSOR_SIZE, kit.sensor[:, s])
         block.take(b.S_LINE - b.SENSOR_SIZE + places)
-        play, loud = kit.sensor[:, s, b.S_PLAY].any(), kit.loud[s]
-        table.append((kind, late, every, row, places, reading, int(play), int(loud)))
+        play = int(kit.sensor[:, s, b.S_PLAY].any())
+        random = ((b.S_NOISE, b.LOUD_NOISE), (b.S_WALK, b.LOUD_WALK), (b.S_BIAS, b.LOUD_BIAS))
+        loud = sum(sign for column, sign in random if kit.sensor[:, s, column].any())
+        table.append((kind, late, every, row, places, reading, play, loud))
     return np.array(table, dtype=np.int64).reshape(-1, b.SENSOR_COLUMNS)
 
 
 def _gains(gains: Gains, at: Rows, block: _Block) -> tuple[Whole, Whole]:
-    """Entries of [z, y, r] → u and [z, y, r, a] → z⁺ that are not zero, as `kernel_block.apply_gains` wants them."""
+    """Groups of what is not zero in [z, y, r] → u and [z, y, r, a] → z⁺, as `kernel_block.apply_gains` wants them."""
     rows = [at.memory + i for i in range(at.memory_count)] + [at.reading + i for i in range(len(gains.reads))]
     rows += [b.REFERENCE + i for i in range(6 if at.ramp_count else 0)]
     wanted = slice(None) if at.ramp_count else slice(0)
     command = np.concatenate([gains.C, gains.Dy, gains.Dr[..., wanted]], axis=2)
+    nothing = block.take(1)
+    commands = _groups(command, rows, nothing, block)
+    if at.memory_count == 0:
+        return commands, commands[:0]
     memory = np.concatenate([gains.A, gains.By, gains.Br[..., wanted], gains.Ba], axis=2)
-    return _entries(command, rows, block), _entries(memory, [*rows, g.LEFT, g.RIGHT], block)
+    return commands, _groups(memory, [*rows, g.LEFT, g.RIGHT], nothing, block)
 
 
-def _entries(matrix: Array, rows: Sequence[int], block: _Block) -> Whole:
-    to, source = np.nonzero(matrix.any(axis=0))
-    first = block.take(len(to), matrix[:, to, source]) if len(to) else 0
-    where = np.array(rows, dtype=np.int64)[source]
-    return np.ascontiguousarray(np.stack([to, where, first + np.arange(len(to))], axis=1).astype(np.int64))
+def _groups(matrix: Array, rows: Sequence[int], nothing: int, block: _Block) -> Whole:
+    """(groups, GROUP_COLUMNS); row `nothing` of the block, which is zero, is the gain where a group has none."""
+    to, sources = np.nonzero(matrix.any(axis=0) if len(matrix) > 1 else matrix[0])
+    first = block.take(len(to), matrix[:, to, sources]) if len(to) else nothing
+    pairs: list[list[tuple[int, int]]] = [[] for _ in range(matrix.shape[1])]
+    for k, (row, source) in enumerate(zip(to.tolist(), sources.tolist(), strict=True)):
+        pairs[row].append((rows[source], first + k))
+    table = list[list[int]]()
+    for row, own in enumerate(pairs):
+        own.extend([(own[-1][0] if own else g.H, nothing)] * (-len(own) % b.AT_ONCE if own else b.AT_ONCE))
+        for k in range(0, len(own), b.AT_ONCE):
+            table.append([row, int(k == 0), *(place for pair in own[k : k + b.AT_ONCE] for place in pair)])
+    return np.array(table, dtype=np.int64).reshape(-1, b.GROUP_COLUMNS)
 
 
 def _state(name: str) -> int:

@@ -5,34 +5,39 @@ A block is one array of rows; each row holds one number for each of up to `LANES
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from upright.fleet.generated import C0, CONSTANTS
+from upright.fleet.generated import WORK, WORK_ROWS
 
-JITTER = 6  # purposes of random numbers: 0, 1 noise, 2, 3 walk and 4, 5 bias of four sensors each; 6 jitter
+FOR_NOISE, FOR_WALK, FOR_BIAS, JITTER = 0, 2, 4, 6  # purposes of random numbers, the first three for four sensors each
 NEVER = 1 << 60  # [steps] longer than any run
 
-LIMIT, DEAD_ZONE, QUANTUM, VOLTAGE, SAG, KIT_SIZE = range(6)  # numbers of a kit
 S_QUANTUM, S_NOISE, S_BIAS, S_WALK, S_RANGE, S_PLAY, SENSOR_SIZE = range(7)  # numbers of a sensor, and after them:
 S_OFFSET, S_SAID, S_TOUCH, S_WHEEL, S_LINE = range(
     SENSOR_SIZE, SENSOR_SIZE + 5
 )  # offset, reading, encoder, wheel, delay line
 ENCODER_LEFT, ENCODER_RIGHT, GYRO, COMPASS, ACCEL_FORWARD, ACCEL_UP = range(6)  # kinds of sensors
-PEAK_PITCH, PEAK_WHEEL, PEAK_YAW, OUTSIDE, EFFORT, SATURATED, SQUARE, COUNTED = range(8)  # what is counted
 S_KIND, S_LATE, S_EVERY, S_ROW, S_PLACES, S_READING, S_SLACK, S_LOUD, SENSOR_COLUMNS = range(9)
 """Columns of the table of sensors: kind, delay and period [steps], first row, places in the delay line, row of the
-reading, and whether it has play and noise."""
+reading, whether it has play, and the sum of what is random about it:"""
+LOUD_NOISE, LOUD_WALK, LOUD_BIAS = 1, 2, 4
+G_TO, G_FRESH, G_FIRST, AT_ONCE = 0, 1, 2, 4
+GROUP_COLUMNS = G_FIRST + 2 * AT_ONCE
+"""Columns of a table of gains: the row of a result, 1 where its sum begins, then `AT_ONCE` pairs of a row and of its
+gain's row. A sum is made four products at a time, since storing it takes longer than the products."""
 
 
-KIT = C0 + CONSTANTS  # rows that every block has, after the state, what is held and the constants
-COUNTS = KIT + KIT_SIZE
-REFERENCE = COUNTS + COUNTED  # 6
-COMMAND = REFERENCE + 6  # 2: asked for
+KIT = WORK + WORK_ROWS  # rows that every block has, after those of the motion
+LIMIT, DEAD_ZONE, QUANTUM, VOLTAGE, SAG, COUNTS = range(KIT, KIT + 6)  # numbers of a kit; then what is counted:
+PEAK_PITCH, PEAK_WHEEL, PEAK_YAW, OUTSIDE, EFFORT, SATURATED, SQUARE, REFERENCE = range(COUNTS, COUNTS + 8)
+KIT_SIZE, COUNTED = COUNTS - KIT, REFERENCE - COUNTS
+COMMAND = REFERENCE + 6  # 2: asked for; the reference has 6
 DRIVEN = COMMAND + 2  # 2: what the electronics make of it
 HOLD = DRIVEN + 2  # 8: see `kernel_block.arrive`
 LATE = HOLD + 8  # 3: see `kernel_block.arrive`
-NOISE = LATE + 3  # 4 and 4: noise and walk
-FELT = NOISE + 8  # 2: accelerometer
+NOISE = LATE + 3  # 6: one for each kind of sensor
+WALK = NOISE + 6  # 6
+FELT = WALK + 6  # 2: accelerometer
 FLOOR = FELT + 2  # 3: see `kernel_block.tilt`
 FREE = FLOOR + 3
 
@@ -63,7 +68,36 @@ class Plan(NamedTuple):
     alike: int  # 1: every command is equally late for all robots
     advance: int  # address of `advance_…`
     feel: int  # address of `specific_force_…`, 0 where no accelerometer is read
-    seed: Any
+    brain: int  # address of what decides instead of gains (see `kernel_lanes`), 0: nothing does
+    seed: int  # its 64 bits as a signed number
+
+
+class Sizes(NamedTuple):
+    """How long the tables are that the compiled loop gets."""
+
+    robots: int
+    rows: int  # of a block
+    own: int  # rows that differ from robot to robot
+    held: int  # recorded rows of a robot
+    truths: int
+    sensors: int
+    commands: int
+    memories: int
+    before: int  # channels recorded at the start of a period
+    after: int  # and at its end
+
+
+class Times(NamedTuple):
+    """Numbers of the plan that are not whole."""
+
     step: float  # [s] of a body
     h: float  # [s] of Runge and Kutta
     fallen: float  # [rad]
+
+
+PUSHES, PUSH_COUNT, RAMPS, RAMP_COUNT, READING, MEMORY, MEMORY_COUNT, RING, SLOTS = range(9)
+PERIODS, STRIDE, SUBSTEPS, EVERY, OWN_GAINS, SLOPE, ALIKE, ADVANCE, FEEL, BRAIN, SEED = range(9, 20)
+ROBOTS, ALL_ROWS, OWN, HELD, TRUTHS, SENSORS, COMMANDS, MEMORIES, BEFORE, AFTER = range(20, 30)
+"""Places of the fields of `Rows`, `Plan` and `Sizes` in the one array that compiled functions get."""
+STEP, H_STEP, FALLEN_AT = range(3)
+"""Places of those of `Times`."""

@@ -12,6 +12,8 @@ import hashlib
 import os
 import sys
 import tempfile
+from collections.abc import Generator
+from contextlib import contextmanager
 from functools import cache
 from importlib import import_module
 from importlib.metadata import version
@@ -38,7 +40,12 @@ def address_of(module: str, function: str, arguments: tuple[str, ...]) -> int:
 
 def call(address: int, arguments: list[Any]) -> None:
     """Calls it with addresses and whole numbers, other threads running on."""
-    ctypes.CFUNCTYPE(None, *[ctypes.c_void_p if a is None else ctypes.c_int64 for a in arguments])(address)(*arguments)
+    _prototype(len(arguments))(address)(*arguments)
+
+
+@cache
+def _prototype(count: int) -> Any:
+    return ctypes.CFUNCTYPE(None, *[ctypes.c_int64] * count)
 
 
 @cache
@@ -87,8 +94,9 @@ def _compiled(module: str, function: str, arguments: tuple[str, ...]) -> bytes:
     types = numba.types
     kinds = [types.CPointer(getattr(types, a[1:])) if a[0] == "*" else getattr(types, a) for a in arguments]
     python = getattr(import_module(f"upright.fleet.{module}"), function)
-    options = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-    made: Any = numba.njit(types.void(*kinds), **options)(python)
+    with _not_optimised(numba):
+        options = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+        made: Any = numba.njit(types.void(*kinds), **options)(python)
     (result,) = made.overloads.values()
     final = llvm.parse_assembly(str(result.library._final_module))
     inner = result.fndesc.llvm_func_name
@@ -96,7 +104,36 @@ def _compiled(module: str, function: str, arguments: tuple[str, ...]) -> bytes:
     for part in final.functions:
         if not part.is_declaration and part.name != function:
             part.linkage = "internal"
-    return result.library.codegen._tm.emit_object(_swept(final, result.library.codegen._tm))
+    machine = result.library.codegen._tm
+    return machine.emit_object(_optimised(final, machine))
+
+
+@contextmanager
+def _not_optimised(numba: Any) -> Generator[None]:
+    """Numba optimises every function when it is made, and again in each one that calls it; here all are optimised once,
+    together. No other thread compiles meanwhile."""
+    locked = import_module("numba.core.compiler_lock").global_compiler_lock
+    with locked:
+        level = numba.config.OPT
+        numba.config.OPT = type(level)(0)
+        try:
+            yield
+        finally:
+            numba.config.OPT = level
+
+
+def _optimised(module: Any, machine: Any) -> Any:
+    """At level 3, with loops as vectors. Unrolled, a loop over 64 robots is no quicker, and takes twice as long to
+    compile."""
+    tuning = llvm.create_pipeline_tuning_options(speed_level=3)
+    tuning.loop_vectorization, tuning.slp_vectorization = True, False
+    tuning.loop_unrolling = tuning.loop_interleaving = False
+    tuning.inlining_threshold = 0
+    builder = llvm.create_pass_builder(machine, tuning)
+    passes = builder.getModulePassManager()
+    passes.add_global_dead_code_eliminate_pass()
+    passes.run(module, builder)
+    return module
 
 
 _LLVM = {"int64": "i64", "uint64": "i64", "float64": "double", "float32": "float"}
@@ -115,15 +152,6 @@ def _entrance(name: str, inner: str, kinds: list[str]) -> str:
             %status = call i32 @"{inner}"(ptr %result, ptr %exception, {head})
             ret void
         }}"""
-
-
-def _swept(module: Any, machine: Any) -> Any:
-    """Without what nothing calls any more."""
-    builder = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options())
-    passes = llvm.create_new_module_pass_manager()
-    passes.add_global_dead_code_eliminate_pass()
-    passes.run(module, builder)
-    return module
 
 
 def _load(code: bytes, name: str) -> int:

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from upright.errors import InvalidScenario
-from upright.fleet.ensemble import Ensemble, robots_at
+from upright.fleet.ensemble import Ensemble
 from upright.fleet.kernel_batch import FleetBatch
 
 if TYPE_CHECKING:
@@ -218,7 +218,7 @@ class _Search:
         stood = np.empty(which.size, dtype=bool)
         # Together go those whose pushes last about as long: a short one need not be watched as long as a long one.
         for part in np.array_split(np.argsort(duration, kind="stable"), max(1, min(8, which.size // 512))):
-            batch = robots_at(table, which[part], pushes=pushes[part])
+            batch = table.part(which[part], pushes=pushes[part])
             seconds = float(duration[part].max()) + beyond
             stood[part] = ~simulate(batch, seconds, threads=self.threads).fell
         return stood

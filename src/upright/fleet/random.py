@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from upright.fleet.generated import ROW
 from upright.fleet.kernel_jit import bits, fma, from_bits, inlined, item, njit, put, sqrt
 from upright.fleet.kernel_math import sincos_any
 
@@ -26,12 +25,27 @@ _SQRT2 = 1.4142135623730951
 
 
 @inlined
+def _two_rounds(c0: Any, c1: Any, c2: Any, c3: Any, k0: Any, k1: Any) -> Any:
+    """Counter and key two rounds on."""
+    p0, p1 = _M0 * c0, _M1 * c2
+    c0, c1, c2, c3 = (p1 >> _SHIFT) ^ c1 ^ k0, p1 & _LOW, (p0 >> _SHIFT) ^ c3 ^ k1, p0 & _LOW
+    k0, k1 = (k0 + _W0) & _LOW, (k1 + _W1) & _LOW
+    p0, p1 = _M0 * c0, _M1 * c2
+    c0, c1, c2, c3 = (p1 >> _SHIFT) ^ c1 ^ k0, p1 & _LOW, (p0 >> _SHIFT) ^ c3 ^ k1, p0 & _LOW
+    return c0, c1, c2, c3, (k0 + _W0) & _LOW, (k1 + _W1) & _LOW
+
+
+@inlined
 def philox(c0: Any, c1: Any, c2: Any, c3: Any, k0: Any, k1: Any) -> Any:
-    """Four words of 32 bits, each in 64, from four words of counter and two of key."""
-    for _ in range(10):
-        p0, p1 = _M0 * c0, _M1 * c2
-        c0, c1, c2, c3 = (p1 >> _SHIFT) ^ c1 ^ k0, p1 & _LOW, (p0 >> _SHIFT) ^ c3 ^ k1, p0 & _LOW
-        k0, k1 = (k0 + _W0) & _LOW, (k1 + _W1) & _LOW
+    """Four words of 32 bits, each in 64, from four words of counter and two of key.
+
+    Its ten rounds are written out, since a loop inside would keep the loop over robots from being vectorised.
+    """
+    c0, c1, c2, c3, k0, k1 = _two_rounds(c0, c1, c2, c3, k0, k1)
+    c0, c1, c2, c3, k0, k1 = _two_rounds(c0, c1, c2, c3, k0, k1)
+    c0, c1, c2, c3, k0, k1 = _two_rounds(c0, c1, c2, c3, k0, k1)
+    c0, c1, c2, c3, k0, k1 = _two_rounds(c0, c1, c2, c3, k0, k1)
+    c0, c1, c2, c3, _, _ = _two_rounds(c0, c1, c2, c3, k0, k1)
     return c0, c1, c2, c3
 
 
@@ -62,24 +76,24 @@ def normal_pair(first: Any, second: Any) -> Any:
 
 
 @njit
-def fill_normals(w: Any, out: int, count: int, index: Any, first: int, time: int, purpose: int, seed: Any) -> None:
-    """Rows `out` to `out` + 3 of a block: four normal numbers for each robot from `first` on, at whole `time`."""
-    c0, c3 = np.uint64(time), np.uint64(purpose)
-    k0, k1 = seed & _LOW, seed >> _SHIFT
+def fill_normals(
+    w: Any, out: int, count: int, index: Any, first: int, time: int, purpose: int, half: int, seed: int
+) -> None:  # fmt: skip
+    """Rows `out` and `out` + 1 of a block: two normal numbers for each robot from `first` on, at whole `time`. Of the
+    four that a purpose has, `half` 0 gives the first two and 1 the others."""
+    c0, c3, key = np.uint64(time), np.uint64(purpose), np.uint64(seed)
+    k0, k1, second = key & _LOW, key >> _SHIFT, half > 0
     for i in range(count):
         robot = item(index, first + i)
         r0, r1, r2, r3 = philox(c0, robot & _LOW, robot >> _SHIFT, c3, k0, k1)
-        a, b = normal_pair(r0, r1)
-        c, d = normal_pair(r2, r3)
-        put(w, out * ROW + i, a)
-        put(w, (out + 1) * ROW + i, b)
-        put(w, (out + 2) * ROW + i, c)
-        put(w, (out + 3) * ROW + i, d)
+        a, b = normal_pair(r2 if second else r0, r3 if second else r1)
+        put(w, out, i, a)
+        put(w, out + 1, i, b)
 
 
 @inlined
 def whole(index: Any, time: int, purpose: int, seed: Any, below: int) -> Any:
     """A whole number from 0 to `below` − 1 for robot `index`, evenly to within 2⁻³² of each."""
-    time_word, purpose_word = np.uint64(time), np.uint64(purpose)
-    word = philox(time_word, index & _LOW, index >> _SHIFT, purpose_word, seed & _LOW, seed >> _SHIFT)[0]
+    time_word, purpose_word, key = np.uint64(time), np.uint64(purpose), np.uint64(seed)
+    word = philox(time_word, index & _LOW, index >> _SHIFT, purpose_word, key & _LOW, key >> _SHIFT)[0]
     return np.int64((word * np.uint64(below)) >> _SHIFT)

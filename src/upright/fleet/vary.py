@@ -203,8 +203,8 @@ def spread(text: str, robot: Robot, kit: Kit | None = None) -> tuple[Spread, ...
 
 
 def own_spreads(robot: Robot) -> tuple[Spread, ...]:
-    """Every parameter normal with the spread of its source, guesses by a fifth (see `control.robust.spreads`)."""
-    from upright.control.robust import spreads
+    """Every parameter normal with the spread of its source, guesses by a fifth (see `control.uncertain.spreads`)."""
+    from upright.control.uncertain import spreads
 
     sizes = {name: size for name, size in spreads(robot).items() if name != "gear_ratio"}  # teeth are counted
     return tuple(Spread(name, "normal", getattr(robot, name), size) for name, size in sizes.items())
@@ -267,6 +267,15 @@ def read_posterior(path: str | Path) -> Posterior:
             f"{path} holds no posterior ({type(error).__name__}: {error})",
             expected='{"parameters": [names], "mean": [numbers], "covariance": [[numbers]]}',
         ) from None
+
+
+def known(robot: Robot, path: str | Path) -> tuple[Robot, dict[str, float], Array]:
+    """The robot at the middle of a posterior's file, one standard deviation of each number by name, and the covariance
+    (n, n) in that order."""
+    found = read_posterior(path)
+    deviations = np.sqrt(np.maximum(np.diag(found.covariance), 0.0)).tolist()
+    middle = robot.replace(**dict(zip(found.names, found.mean.tolist(), strict=True)))
+    return middle, dict(zip(found.names, deviations, strict=True)), found.covariance
 
 
 def described(family: Family) -> Mapping[str, Any]:

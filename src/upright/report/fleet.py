@@ -187,7 +187,8 @@ def histogram(data: Dataset, name: str, bins: int = 60) -> Figure:
     share = np.append(counts, 0) / max(int(counts.sum()), 1)
     middle = float(np.median(values)) if len(values) else math.nan
     high = float(np.quantile(values, 0.95)) if len(values) else math.nan
-    title = f"{words[:1].upper()}{words[1:]}: half below {middle:.3g} {unit}, 95 % below {high:.3g} {unit}"
+    after = "" if unit == "1" else f" {unit}"
+    title = f"{words[:1].upper()}{words[1:]}: half below {middle:.3g}{after}, 95 % below {high:.3g}{after}"
     return Figure(title, [Panel("share of robots", "1", [Trace(words, edges, share, step=True)])], words, unit)
 
 

@@ -1,0 +1,92 @@
+"""What `fleet`, `push-map` and `basin` are asked alike: which robots, under what, and where the result goes."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import inspect
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
+
+import typer
+
+from upright.cli.options import JsonOption, RobotOption
+from upright.cli.output import check_folder
+
+if TYPE_CHECKING:
+    from upright.fleet.ensemble import Ensemble
+
+VARY_HELP = (
+    "What differs from robot to robot, repeatable: com_height=±10%, com_height=0.06..0.08, com_height=normal:5%, "
+    "com_height=normal (the robot file's own spread), the same for delay, motor.limit, sensors.gyro.noise; or 'spread' "
+    "for all parameters with the file's own."
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Asked:
+    """The options, in the order of `--help`."""
+
+    robot: RobotOption = "nxtway-gs"
+    controller: Annotated[
+        str, typer.Option("--controller", "-c", help="By name, or a controller.json; it must be linear.")
+    ] = "lqr"
+    kit: Annotated[
+        str | None,
+        typer.Option("--kit", help="Electronics by name or TOML file; ideal for none (default: the robot's own)."),
+    ] = None
+    vary: Annotated[list[str] | None, typer.Option("--vary", metavar="NAME=...", help=VARY_HELP)] = None
+    posterior: Annotated[
+        Path | None,
+        typer.Option("--posterior", help="JSON of 'parameters', 'mean' and 'covariance', or a saved calibration."),
+    ] = None
+    seed: Annotated[int, typer.Option("--seed", help="Seed of all draws and all noise.")] = 0
+    threads: Annotated[int | None, typer.Option("--threads", min=1, help="Threads (default: one a processor).")] = None
+    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the result: .parquet or .zarr.")] = None
+    report: Annotated[Path | None, typer.Option("--report", help="Write a page with figures: .html.")] = None
+    as_json: JsonOption = False
+
+    def check(self) -> None:
+        """Refuse, before the work, what could not be written after it."""
+        if self.output:
+            from upright.fleet.results import check_suffix
+
+            check_suffix(self.output)
+        for path in (self.output, self.report):
+            if path:
+                check_folder(path)
+
+    def ensemble(self, vary: Sequence[str] = (), **scenario: Any) -> Ensemble:
+        """The fleet; what varies is `vary` where nothing else is said."""
+        from upright.fleet.ensemble import Ensemble
+        from upright.fleet.sweep import electronics, find_controller
+        from upright.fleet.vary import Family, read_posterior, spread
+        from upright.robots.files import find_robot
+
+        robot = find_robot(self.robot)
+        kit = electronics(self.kit or robot.kit)
+        spreads = tuple(s for text in self.vary or vary for s in spread(text, robot, kit))
+        family = Family(robot, kit, spreads, read_posterior(self.posterior) if self.posterior else None)
+        controller = find_controller(self.controller, robot, kit)
+        return Ensemble(family=family, controller=controller, seed=self.seed, **scenario)
+
+
+def asked_alike(command: Callable[..., None]) -> Callable[..., None]:
+    """The command with every option of `Asked` in place of its argument `asked`."""
+    hints = get_type_hints(Asked, include_extras=True)
+    kind = inspect.Parameter.KEYWORD_ONLY
+    shared = [
+        inspect.Parameter(f.name, kind, default=f.default, annotation=hints[f.name]) for f in dataclasses.fields(Asked)
+    ]
+    own = [p for p in inspect.signature(command, eval_str=True).parameters.values() if p.name != "asked"]
+    middle = [parameter.name for parameter in shared].index("seed")
+
+    @functools.wraps(command)
+    def asking(**given: Any) -> None:
+        known = {parameter.name: given.pop(parameter.name) for parameter in shared if parameter.name in given}
+        command(asked=Asked(**known), **given)
+
+    setattr(asking, "__signature__", inspect.Signature([*shared[:middle], *own, *shared[middle:]]))  # noqa: B010
+    return asking
