@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, LinearBody, NonlinearBody
+from upright.certify import delay_margin
 from upright.control import (
     CONTROLLERS,
     Estimated,
@@ -27,9 +28,11 @@ from upright.control import (
 from upright.control.controller import TRUE_STATE
 from upright.control.delay import RAW, rolling, sampled
 from upright.control.excited import Excited, random_binary
-from upright.control.filtering import kalman_filter
+from upright.control.filtering import DISTURBED, kalman_filter
 from upright.control.linear_controller import MATRICES
 from upright.control.lqi import nxtway_servo
+from upright.control.near_rest import near_rest
+from upright.control.observed import observed
 from upright.control.observer import steady
 from upright.control.reach import largest_pitch, static_pitch
 from upright.control.sliding import chattering
@@ -42,7 +45,7 @@ from upright.robots import Kit, Robot, Sensor, preset_names
 NXT = Robot.preset("nxtway-gs")
 KIT = Kit.preset("nxt")
 IDEAL = Kit.preset("ideal")
-NEW = ("lqi", "lqg", "pid", "mpc", "sliding")
+NEW = ("lqr", "lqi", "lqg", "pid", "mpc", "sliding")
 LATE = Kit(name="late", sensors={name: Sensor() for name in RAW} | {"sensor/gyro": Sensor(delay=0.022)}, delay=0.034)
 
 
@@ -151,6 +154,47 @@ def test_plant_of_the_regulator_equals_the_robot_seen():
         assert np.allclose(x[:6], p[:6], atol=1e-12)
 
 
+@pytest.mark.parametrize("dead", [0.0, 0.004, 0.01, 0.034, 0.053])
+def test_a_feedback_of_the_state_ahead_has_the_poles_of_the_loop_without_dead_time(dead):
+    # Artstein's reduction, whole periods and fractions: eig(A − B K) of the robot held over a period, and as many zeros
+    # as commands are on their way; a zero of multiplicity h is only found to the h-th root of rounding
+    kit = Kit(name="late", sensors={name: Sensor() for name in RAW}, delay=dead)
+    seen, design = sampled(NXT, kit, 0.01), lqr(NXT, 0.01)
+    plant = seen.plant
+    poles = np.linalg.eigvals(plant.A - plant.B @ design.gain @ seen.ahead)
+    slow = poles[np.argsort(-np.abs(poles))][:6]
+    assert np.sort_complex(slow) == pytest.approx(np.sort_complex(design.poles), abs=1e-6)
+    assert len(poles) == 6 + 2 * int(np.ceil(dead / 0.01 - 1e-9))
+
+
+def test_a_feedback_in_another_unit_is_refused():
+    with pytest.raises(SpecMismatch, match="commands V"):
+        observed(lqr(NXT), Robot.preset("twipr"), Kit.preset("twipr"))
+
+
+@pytest.mark.parametrize("name", ["mpc", "sliding"])
+def test_near_rest_a_method_is_the_linear_system_that_it_is_said_to_be(name):
+    # readings of a millionth of a radian: no limit is active, and s stays inside its layer
+    controller = make_controller(name, NXT, KIT, 0.01)
+    same, rng = near_rest(controller), np.random.default_rng(6)
+    controller.reset()
+    for _ in range(20):
+        y, r = rng.normal(size=3) * 1e-6, np.zeros(6)
+        u = controller.step(y, r)
+        assert same.step(y, r) == pytest.approx(u, rel=1e-5, abs=1e-8)
+        controller.applied(u)
+        same.applied(u)
+    with pytest.raises(InvalidController, match="no known linear form"):
+        near_rest(make_controller("lqr-complementary", NXT, KIT, 0.01))
+
+
+def test_predictive_control_survives_more_delay_than_a_quarter_of_its_period():
+    # it leans against the push that it sees, one more loop round the dead time; 53 ms of it on TWIPR
+    for preset in preset_names():
+        robot, kit, controller = made("mpc", preset)
+        assert delay_margin(robot, controller, kit) > kit.period / 4
+
+
 def test_rolling_brakes_like_coulomb_friction_at_its_rate():
     robot = Robot.preset("twipr")
     exact = accelerations((0, 0, 0, 3.0, 0, 0), (0, 0), robot)
@@ -168,7 +212,7 @@ def test_steady_motion_stands_still():
 
 
 @pytest.mark.parametrize("preset", preset_names())
-@pytest.mark.parametrize("name", ["lqi", "lqg", "pid"])
+@pytest.mark.parametrize("name", ["lqr", "lqi", "lqg", "pid"])
 def test_the_loop_of_a_linear_controller_is_stable(name, preset):
     robot, kit, controller = made(name, preset)
     seen = sampled(robot, kit)
@@ -291,7 +335,7 @@ def test_pid_keeps_the_margin_it_states():
 def test_reaching_law_holds_on_the_linear_robot():
     # s⁺ = keep·s − reach·sat(s/layer) exactly, with the true state in place of the estimate
     controller = sliding(NXT, IDEAL)
-    design, plant = controller.design, controller.design.filter.seen.plant
+    design, plant = controller.design, controller.design.base.filter.seen.plant
     x = np.array([0.02, 0.1, 0.3, -0.2, 0.1, 0.0])
     for _ in range(50):
         s = design.S @ x
@@ -311,7 +355,8 @@ def test_chattering_counts_turns_only():
 def test_a_reach_too_long_for_its_layer_is_refused_and_would_chatter():
     with pytest.raises(DesignFailed, match="chatters"):
         sliding(NXT, KIT, reach=0.2, layer=0.1)
-    calm, rough = sliding(NXT, KIT), sliding(NXT, KIT)
+    # a filter that trusts its model, so that the command is not moved by the sensors' grain instead
+    calm, rough = (sliding(NXT, KIT, disturbed=DISTURBED) for _ in range(2))
     rough.layer = rough.reach / 20
     seen = [
         run(Electronics(NonlinearBody(NXT), KIT), c, Hold(pitch=0.05, until=1.0), seconds=4, seed=1)

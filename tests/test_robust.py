@@ -1,65 +1,150 @@
-"""One gain for many robots: its inequalities, its costs by simulation, and what it says of itself."""
+"""One controller for many robots: its inequalities, its costs by other routes, and what it says of itself."""
+
+from functools import cache
 
 import numpy as np
 import pytest
 
-from upright.control.delay import rolling
-from upright.control.lqr import lqr
-from upright.control.robust import FARTHEST, Robust, draw, robust, spreads
+from upright.bodies import Electronics, NonlinearBody
+from upright.certify import robot_loop
+from upright.control.delay import rolling, sampled
+from upright.control.family import family, halves, plane, sides
+from upright.control.filtering import RECOVERED, kalman_filter
+from upright.control.guaranteed import excess, guaranteed
+from upright.control.lqr import LARGEST_STATE, bryson, lqr
+from upright.control.observed import observed
+from upright.control.observer import observer
+from upright.control.robust import Costs, Robust, robust
+from upright.control.uncertain import FARTHEST, draw, spreads
 from upright.errors import DesignFailed, UnknownName
+from upright.experiment import Hold, run
 from upright.physics.linear import linearise
-from upright.robots import Robot
+from upright.robots import Kit, Provenance, Robot
+from upright.signals import STATE_NAMES
 
 pytest.importorskip("cvxpy")
 
-NXT = Robot.preset("nxtway-gs")
+NXT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+W, PRICE = bryson(LARGEST_STATE)[:4, :4], 2 / 4.0**2
 
 
-@pytest.fixture(scope="module")
-def family():
+@cache
+def drawn():
     return draw(NXT, 20, seed=4)
 
 
-@pytest.fixture(scope="module")
-def design(family):
-    return robust(NXT, robots=family)
+@cache
+def design():
+    return robust(NXT, KIT, robots=drawn())
 
 
-def test_one_lyapunov_function_proves_every_robot_of_the_family(design, family):
-    assert isinstance(design, Robust)
-    assert design.check() < 1e-6
-    K, P = design.gain, design.P
-    assert np.linalg.eigvalsh(P)[0] > 0
-    for robot in [NXT, *family]:
-        model = linearise(rolling(robot)).c2d(0.01)
-        closed = model.A - model.B @ K
-        fall = closed.T @ P @ closed - P + design.W + K.T @ design.R @ K
-        assert np.linalg.eigvalsh(fall)[-1] < 1e-5 * np.linalg.eigvalsh(P)[-1]
-        assert np.abs(np.linalg.eigvals(closed)).max() < 1
+@pytest.mark.parametrize("preset", ["nxtway-gs", "ev3way", "twipr"])
+def test_the_plane_has_the_poles_of_the_whole_loop(preset):
+    # the same loop assembled in full from the finished controller's matrices, for robots it was not designed for: the
+    # plane's largest pole is the loop's, since heading decays faster; late sensors and 53 ms of dead time among them
+    robot = Robot.preset(preset)
+    kit = Kit.preset(robot.kit)
+    others = draw(robot, 3, seed=1)
+    controller = observed(lqr(robot, kit.period), robot, kit)
+    seen, estimator = sampled(robot, kit), controller.design.filter
+    loops = family([plane(sampled(each, kit)) for each in others], observer(estimator))
+    out, _ = halves([*STATE_NAMES, *sides(seen.history)])
+    k = (controller.design.feedback.gain @ seen.ahead @ out)[0]
+    whole = [float(np.abs(robot_loop(each, controller, kit).closed.poles[0])) for each in others]
+    assert loops.radii(k) == pytest.approx(whole, abs=1e-7)
 
 
-def test_the_cost_is_that_of_a_simulation(design):
-    # tr(P X₀) of the nominal robot against the sum of the costs of six runs of 40 s, whose tails have died
-    model = linearise(NXT).c2d(0.01)
-    closed = model.A - model.B @ design.gain
-    price = design.W + design.gain.T @ design.R @ design.gain
-    x, total = np.diag(1 / np.sqrt(np.diag(design.W))), 0.0
-    for _ in range(4000):
-        total += float(np.trace(x.T @ price @ x))
-        x = closed @ x
-    assert design.own.nominal == pytest.approx(total, rel=1e-6)
+def test_the_cost_is_that_of_a_noisy_run():
+    # E[xᵀWx + price u²] against the mean over 2e5 periods of the plane driven by its own noise: a tenth of a standard
+    # deviation for each of the some hundred periods that its slow modes remember
+    seen = sampled(NXT, KIT)
+    loops = family([plane(seen)], observer(kalman_filter(seen, RECOVERED)))
+    k = np.concatenate([lqr(NXT).gain[0, :4], [0, 0]]) @ seen.ahead @ halves([*STATE_NAMES, *sides(seen.history)])[0]
+    rng = np.random.default_rng(0)
+    row, closed = k @ loops.F, loops.M[0] - np.outer(loops.b[0], k @ loops.F)
+    count = 200_000
+    push, noise = rng.normal(size=(count, 2)), rng.normal(size=(count, 2)) * np.sqrt(loops.noise)
+    enters = push @ loops.G[0].T + noise @ (loops.N - np.outer(loops.b[0], k @ loops.Fy)).T
+    x, total = np.zeros(len(closed)), 0.0
+    for w, v in zip(enters, noise, strict=True):
+        u = -row @ x - k @ loops.Fy @ v
+        total += x[:4] @ W @ x[:4] + PRICE * u * u
+        x = closed @ x + w
+    assert loops.costs(k, W, PRICE)[0] == pytest.approx(total / count, rel=0.1)
+
+
+def test_doubling_equals_the_lyapunov_equation_and_an_unstable_loop_costs_infinity():
+    seen = sampled(NXT, KIT)
+    loops = family([plane(seen)], observer(kalman_filter(seen, RECOVERED)))
+    k = design().design.k
+    assert loops.costs(k, W, PRICE)[0] == pytest.approx(loops.direct(k, W, PRICE), rel=1e-9)
+    assert loops.costs(-k, W, PRICE)[0] == np.inf
+
+
+def models(robots, dt=0.01):
+    found = [linearise(rolling(each)).c2d(dt) for each in robots]
+    return [(m.A[:4, :4], m.B[:4].sum(axis=1)[:, None]) for m in found]
+
+
+def test_one_lyapunov_function_proves_every_robot_of_the_family():
+    family_ = models([NXT, *drawn()])
+    found = guaranteed(family_, W, PRICE, 1 / np.sqrt(np.diag(W)))
+    assert found.check() < 1e-6
+    assert np.linalg.eigvalsh(found.P)[0] > 0
+    for A, b in family_:
+        assert excess((A, b), found.k, found.P, W, PRICE) < 1e-5
+        assert np.abs(np.linalg.eigvals(A - b * found.k)).max() < 1
 
 
 def test_a_family_of_one_has_the_gain_of_lqr():
-    alone = robust(NXT, robots=[NXT])
-    assert alone.own.nominal == pytest.approx(lqr(NXT, 0.01).cost.diagonal() @ (1 / np.diag(alone.W)), rel=1e-4)
+    # for one system the inequalities are tight at the Riccati solution; Clarabel stops at 1e-7 of the cost, and the
+    # gain moves by the root of that
+    found = guaranteed(models([NXT]), W, PRICE, 1 / np.sqrt(np.diag(W)))
+    assert found.k == pytest.approx(lqr(NXT, 0.01).gain[0, :4], rel=1e-2)
 
 
-def test_plain_lqr_is_optimal_for_the_nominal_robot_and_the_verdict_says_how_both_compare(design):
-    assert design.own.nominal >= design.plain.nominal * (1 - 1e-6)
-    said = design.verdict()
-    better = design.plain.fell > design.own.fell or design.own.worst < 0.99 * design.plain.worst
-    assert said.startswith("Better" if better else "No better than plain LQR")
+def test_it_is_better_than_plain_lqr_where_it_says_so_and_checks_itself():
+    found = design().design
+    assert isinstance(found, Robust)
+    # the nominal cost by SciPy, the filter's Riccati equation, and the inequalities to Clarabel's tolerance
+    assert found.check() < 1e-6
+    assert found.verdict().startswith("Better" if found.own.below(found.plain) else "No better")
+    assert any("inequalities" in said for said in found.words())
+
+
+def test_the_verdict_says_plainly_when_it_is_no_better():
+    found, same = design().design, Costs(1.0, 2.0, 0, 20)
+
+    def verdict(own, plain=same):
+        fields = {
+            name: getattr(found, name) for name in ("filter", "k", "W", "price", "method", "proof", "inequalities")
+        }
+        return Robust(**fields, own=own, plain=plain).verdict()
+
+    assert verdict(same).startswith("No better than plain LQR")
+    assert verdict(Costs(1.1, 1.0, 0, 20)).startswith("Better: the worst cost is 50.0% lower")
+    assert verdict(Costs(1.0, np.inf, 3, 20)).startswith("No better: 3 of 20")
+    assert verdict(same, Costs(1.0, np.inf, 3, 20)).startswith("Better: 0 of 20")
+
+
+def test_it_stabilises_robots_that_it_has_not_seen():
+    others = draw(NXT, 20, seed=9)
+    assert all(robot_loop(each, design(), KIT).stable for each in others)
+
+
+@pytest.mark.parametrize("pitch", [0.1, -0.12])
+def test_it_holds_the_papers_pushes_on_raw_sensors(pitch):
+    log = run(Electronics(NonlinearBody(NXT, period=0.002), KIT), design(), Hold(pitch=pitch, until=3), seconds=6)
+    assert not log.origin["outcome"]["fell"]
+
+
+def test_dead_time_is_part_of_the_design():
+    # 53 ms: a gain designed without them falls at once; of draws within a fifth of the spreads none is unstable
+    robot = Robot.preset("twipr")
+    kit = Kit.preset("twipr")
+    sizes = {name: 0.2 * size for name, size in spreads(robot).items()}
+    found = robust(robot, kit, sizes=sizes, tried=20).design
+    assert found.own.fell == 0
 
 
 def test_draws_are_robots_within_their_spreads_and_repeat_with_the_seed():
@@ -71,8 +156,14 @@ def test_draws_are_robots_within_their_spreads_and_repeat_with_the_seed():
     assert draw(NXT, 3, seed=7) != draw(NXT, 3, seed=8)
 
 
+def test_a_gears_teeth_are_counted_unless_a_spread_is_stated():
+    assert "gear_ratio" not in spreads(NXT)  # its source calls it an estimate: a guess
+    stated = {**NXT.provenance, "gear_ratio": Provenance("slips", 0.01)}
+    assert spreads(NXT.replace(provenance=stated))["gear_ratio"] == 0.01
+
+
 def test_a_covariance_correlates_the_draws():
-    # both parameters move together exactly: 2000 draws have the correlation to rounding
+    # both parameters move together exactly: 200 draws have the correlation to rounding
     sizes = {"body_mass": 0.02, "com_height": 0.004}
     covariance = np.outer(list(sizes.values()), list(sizes.values()))
     robots = draw(NXT, 200, sizes=sizes, covariance=covariance)
@@ -85,5 +176,6 @@ def test_what_cannot_be_is_refused():
         draw(NXT, 2, sizes={"bodymass": 0.1})
     with pytest.raises(DesignFailed, match="covariance"):
         draw(NXT, 2, sizes={"body_mass": 0.1}, covariance=np.array([[-1.0]]))
+    slow = models(drawn(), 0.5)  # e-folded 40 times between two commands
     with pytest.raises(DesignFailed, match="no one gain"):
-        robust(NXT, 0.5, robots=draw(NXT, 12, seed=4))  # at half a second, 40 times e-folded between two commands
+        guaranteed(slow, W, PRICE, 1 / np.sqrt(np.diag(W)))

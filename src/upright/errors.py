@@ -51,6 +51,10 @@ class DesignFailed(UprightError):
     """A controller or estimator design that has no solution for this robot."""
 
 
+class NotPermitted(UprightError):
+    """A controller that its certificate forbids to drive hardware."""
+
+
 class MissingTool(UprightError):
     """An optional package or program that is not installed."""
 

@@ -6,9 +6,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
+import numpy as np
+
 from upright.bodies import Electronics, make_body
+from upright.certify.checks import Course, driver, watched
 from upright.comparison.comparison import compare
 from upright.control import make_controller
+from upright.control.uncertain import draw
 from upright.errors import UprightError
 from upright.experiment import Hold, run
 from upright.robots import Kit, Robot
@@ -17,6 +21,8 @@ METHODS = ("lqr", "lqi", "lqg", "pid", "hinf", "mpc", "sliding", "robust")
 PUSHES = {"front": 0.1, "back": -0.12}
 """Pitch [rad] at which each push holds the robot (Herrera et al. 2015, section 3.2)."""
 UNTIL, SECONDS = 3.0, 7.0  # [s]
+DRAWN = 200
+"""Robots over the spreads: a share of one in a hundred is seen."""
 
 
 @dataclass(frozen=True)
@@ -24,7 +30,8 @@ class BenchRow:
     """One controller under one push; numbers are None where there was nothing to run.
 
     `outcome` is "yes", "fell at … s" or why there is no design; `peak` [rad], `settling` to 5 % [s], `travel` of the
-    wheels [rad], `effort` [V² s or (N m)² s], `saturated` share [1].
+    wheels [rad], `effort` [V² s or (N m)² s], `saturated` share [1]. `spread` is the share of `DRAWN` robots over the
+    spreads of this one's sources that fall under the same push, in the nonlinear model; only of linear controllers.
     """
 
     controller: str
@@ -35,6 +42,7 @@ class BenchRow:
     travel: float | None = None
     effort: float | None = None
     saturated: float | None = None
+    spread: float | None = None
 
     @property
     def holds(self) -> bool:
@@ -53,15 +61,17 @@ def bench_controllers(
 
     A method that has no design for this robot gets a row that says why.
     """
-    rows: list[BenchRow] = []
+    rows, drawn = list[BenchRow](), draw(robot, DRAWN, seed)
     for done, method in enumerate(methods):
-        rows += [bench_one(method, side, robot, kit, body, seed) for side in PUSHES]
+        rows += [bench_one(method, side, robot, kit, body, seed, drawn) for side in PUSHES]
         progress((done + 1) / len(methods))
     return tuple(rows)
 
 
-def bench_one(method: str, side: str, robot: Robot, kit: Kit, body: str, seed: int) -> BenchRow:
-    """One controller under one push."""
+def bench_one(
+    method: str, side: str, robot: Robot, kit: Kit, body: str, seed: int, drawn: Sequence[Robot]
+) -> BenchRow:  # fmt: skip
+    """One controller under one push, of `robot` and of the `drawn` ones."""
     push = f"{side}, {PUSHES[side]:+.2f} rad".replace("-", "−")
     try:
         controller = make_controller(method, robot, kit, kit.period)
@@ -74,10 +84,18 @@ def bench_one(method: str, side: str, robot: Robot, kit: Kit, body: str, seed: i
     found = next(iter(numbers.values()))["metrics"]
     outcome = log.origin["outcome"]
     said = f"fell at {outcome['seconds']:.1f} s" if outcome["fell"] else "yes"
+    spread = _spread(Course(driver(controller, robot, kit), robot, drawn, kit, seed), side)
     names = {"peak": "pitch_peak", "settling": "settling_5", "travel": "wheel_travel"}
-    return BenchRow(
-        method, push, said, **{n: found[names.get(n, n)] for n in ("peak", "settling", "travel", "effort", "saturated")}
-    )
+    numbers = {n: found[names.get(n, n)] for n in ("peak", "settling", "travel", "effort", "saturated")}
+    return BenchRow(method, push, said, **numbers, spread=spread)
+
+
+def _spread(course: Course, side: str) -> float | None:
+    """Share of drawn robots that fall, in the kernel."""
+    if course.driver.brain:
+        return None
+    runs = watched(course, Hold(pitch=PUSHES[side], until=UNTIL), 0, ())
+    return float(np.concatenate([result.fell for result in runs]).mean())
 
 
 def bench_json(rows: Sequence[BenchRow]) -> list[dict[str, Any]]:

@@ -26,6 +26,7 @@ from upright.control.lqr import bryson as bryson
 from upright.control.lqr import dlqr as dlqr
 from upright.control.lqr import lqr as lqr
 from upright.control.mpc import mpc as mpc
+from upright.control.observed import observed as observed
 from upright.control.pid import pid as pid
 from upright.control.robust import robust as robust
 from upright.control.sliding import sliding as sliding
@@ -33,8 +34,7 @@ from upright.errors import UnknownName
 from upright.robots import Kit, Robot
 
 CONTROLLERS: dict[str, Callable[[Robot, Kit, float], Controller]] = {
-    # a plain regulator behind a filter that knows no delay: the baseline of all others
-    "lqr": lambda robot, kit, dt: Estimated(lqr(robot, dt), kalman(robot, kit, dt)),
+    "lqr": lambda robot, kit, dt: observed(lqr(robot, dt), robot, kit),  # the baseline of all others
     "lqr-complementary": lambda robot, kit, dt: Estimated(lqr(robot, dt), complementary(robot, kit, dt)),
     "lqi": lqi,
     "lqg": lqg,
@@ -42,7 +42,7 @@ CONTROLLERS: dict[str, Callable[[Robot, Kit, float], Controller]] = {
     "hinf": hinf,
     "mpc": mpc,
     "sliding": sliding,
-    "robust": lambda robot, kit, dt: Estimated(robust(robot, dt), kalman(robot, kit, dt)),
+    "robust": robust,
     "lqr-state": lambda robot, kit, dt: lqr(robot, dt),  # noqa: ARG005 (it reads the truth, not the kit)
 }
 

@@ -41,6 +41,7 @@ class SampledRobot:
     variance and `pushed` what 1 N does to p in a period.
 
     What a regulator steers: `plant`, x⁺ = A x + B u of the six states and the commands sent before, newest first.
+    `ahead` (6, n) tells from these the six states at the moment when a command sent now reaches the motors.
     """
 
     robot: Robot
@@ -56,6 +57,7 @@ class SampledRobot:
     noise: Array
     pushed: Array
     plant: LinearModel
+    ahead: Array
 
     @property
     def history(self) -> int:
@@ -71,7 +73,7 @@ def sampled(robot: Robot, kit: Kit, dt: float | None = None, reads: Sequence[str
     period = kit.period if dt is None else dt
     if not (math.isfinite(period) and 0 < period <= 1):
         raise DesignFailed(f"a period of {period} s", expected="between 0 and 1 s", likely="milliseconds")
-    rows = [(_sensor(kit, name), _row(robot, name)) for name in reads]
+    rows = [(_sensor(kit, name), sensor_row(robot, name)) for name in reads]
     late = max([kit.delay + kit.jitter / 2, *(sensor.delay for sensor, _ in rows)])
     if late > _LONGEST * period:
         raise DesignFailed(
@@ -94,11 +96,12 @@ class _Between:
     @cache  # noqa: B019 (it lives as long as one design)
     def __call__(self, h: float) -> tuple[Array, Array, Array, Array]:
         first, second = min(h, self.rest), max(h - self.rest, 0.0)
-        phi, old, push = self._held(first)
-        phi2, new, push2 = self._held(second)
+        phi, old, push = self.held(first)
+        phi2, new, push2 = self.held(second)
         return phi2 @ phi, phi2 @ old, new, phi2 @ push + push2
 
-    def _held(self, h: float) -> tuple[Array, Array, Array]:
+    def held(self, h: float) -> tuple[Array, Array, Array]:
+        """Φ, Γ and ε of one command over `h` [s]."""
         if h <= 0:
             return np.eye(6), np.zeros((6, 2)), np.zeros(6)
         held = self.model.c2d(h)
@@ -153,7 +156,8 @@ def _assembled(
     noise = np.diag([max(s.noise**2 + s.quantum**2 / 12, _FINEST) for s, _ in rows])
     plant = _plant(between)
     return SampledRobot(
-        robot, kit, between.dt, reads, between.delay, names, A, before, now, C, noise, pushed, plant
+        robot, kit, between.dt, reads, between.delay, names, A, before, now, C, noise, pushed, plant,
+        _ahead(between, plant),
     )  # fmt: skip
 
 
@@ -183,6 +187,17 @@ def _plant(between: _Between) -> LinearModel:
     return LinearModel(A, B, (*STATE_NAMES, *sent), SIDES, between.dt, E, ("push",))
 
 
+def _ahead(between: _Between, plant: LinearModel) -> Array:
+    """The plant run over its dead time: whole periods, then the rest of one under the command sent last."""
+    whole: Array = np.linalg.matrix_power(plant.A, between.delay)[:6]
+    if not between.rest:
+        return whole
+    phi, held, _ = between.held(between.rest)
+    later = phi @ whole
+    later[:, 6:8] += held
+    return later
+
+
 def _sensor(kit: Kit, name: str) -> Sensor:
     if name in TRUE_STATE:
         return Sensor()
@@ -193,7 +208,7 @@ def _sensor(kit: Kit, name: str) -> Sensor:
     return kit.sensors[name]
 
 
-def _row(robot: Robot, name: str) -> Array:
+def sensor_row(robot: Robot, name: str) -> Array:
     """How the channel `name` reads the six states."""
     turn = robot.track / (2 * robot.wheel_radius)
     rows = {

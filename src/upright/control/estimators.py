@@ -4,21 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.control.controller import Controller, ControllerSpec
-from upright.control.lqr import LARGEST_COMMAND
-from upright.errors import DesignFailed, SpecMismatch
-from upright.physics.linear import linearise
+from upright.control.delay import RAW, sampled, sensor_row
+from upright.control.filtering import DISTURBED, Disturbed, kalman_filter
+from upright.errors import SpecMismatch
 from upright.robots import Kit, Robot, Sensor
 
 Array = NDArray[np.float64]
 
-ENCODER_LEFT, ENCODER_RIGHT, GYRO = "sensor/encoder_left", "sensor/encoder_right", "sensor/gyro"
 ACCELEROMETER = ("sensor/accel_forward", "sensor/accel_up")
 
 
@@ -82,7 +81,7 @@ class Kalman:
     B: Array
     C: Array
     L: Array
-    reads: tuple[str, ...] = (ENCODER_LEFT, ENCODER_RIGHT, GYRO)
+    reads: tuple[str, ...] = RAW
     _x: Array = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -103,52 +102,22 @@ class Kalman:
         return {"kind": "Kalman filter", "reads": list(self.reads), **matrices}
 
 
-def kalman(
-    robot: Robot,
-    kit: Kit,
-    dt: float = 0.01,
-    *,
-    push: float = 0.05,
-    push_walk: float = 0.3,
-    motor: float = 0.02,
-    bias_walk: float = 1e-3,
-) -> Kalman:
-    """The filter for `robot` under `kit`, every `dt` [s].
+def kalman(robot: Robot, kit: Kit, dt: float = 0.01, disturbed: Disturbed = DISTURBED) -> Kalman:
+    """The filter for `robot` under `kit`, every `dt` [s], that knows of no dead time: `filtering.kalman_filter` of the
+    kit without its delays.
 
-    Process noise, each period: a `push` on the body [N], an error of each command of `motor` times the largest usual
-    command; and walks of the steady push by `push_walk` [N/√s] and of the gyro's bias by `bias_walk` [rad/s/√s], or by
-    the kit's own figure, whichever is larger. Pushes scale with the robot's weight against NXTway-GS (6 N).
-    Sensor noise: the kit's, plus quantum²/12. Raises `DesignFailed` when it has no solution.
+    Raises `SpecMismatch` for a kit without both encoders and a gyro, `DesignFailed` when it has no solution.
     """
-    from scipy.linalg import solve_discrete_are
-
-    sensors = [_sensor(kit, name) for name in (ENCODER_LEFT, ENCODER_RIGHT, GYRO)]
-    model = linearise(robot).c2d(dt)
-    pushed = model.E[:, 0] + robot.com_height * model.E[:, 1]
-    A, B = np.eye(8), np.vstack([model.B, np.zeros((2, 2))])
-    A[:6, :6], A[:6, 7] = model.A, pushed
-    C = measurement_matrix(robot)
-    weight = robot.body_mass * robot.gravity / 6.0
-    walks = np.array([max(bias_walk, sensors[2].bias_walk), push_walk * weight]) * math.sqrt(dt)
-    command = motor * LARGEST_COMMAND[robot.command_unit]
-    G = np.column_stack([np.append(pushed, [0, 0]) * push * weight, B * command, np.eye(8)[:, 6:] * walks])
-    noise = np.diag([max(s.noise**2 + s.quantum**2 / 12, 1e-10) for s in sensors])
-    try:
-        P = solve_discrete_are(A.T, C.T, G @ G.T + 1e-14 * np.eye(8), noise)
-    except (np.linalg.LinAlgError, ValueError):
-        raise DesignFailed(
-            f"no steady Kalman filter for '{robot.name}' at {dt:g} s", expected="an observable robot",
-            likely="a period too long for it", mend="shorten the period",
-        ) from None  # fmt: skip
-    L = np.linalg.solve(C @ P @ C.T + noise, C @ P).T
-    return Kalman(A, B, C, L)
+    sensors = {name: replace(_sensor(kit, name), delay=0.0) for name in RAW}
+    found = kalman_filter(sampled(robot, Kit(name=kit.name, sensors=sensors), dt), disturbed)
+    return Kalman(found.seen.A, found.seen.now, found.seen.C, found.L)
 
 
 def measurement_matrix(robot: Robot) -> Array:
     """C (3, 8): both encoders (θ ∓ Wφ/2R − ψ) and the gyro (ψ̇ + bias) from the state, the gyro's bias and the push."""
-    turn = robot.track / (2 * robot.wheel_radius)
-    rows = [[-1, 0, 1, 0, -turn, 0, 0, 0], [-1, 0, 1, 0, turn, 0, 0, 0], [0, 1, 0, 0, 0, 0, 1, 0]]
-    return np.array(rows, dtype=np.float64)
+    C = np.zeros((3, 8))
+    C[:, :6], C[2, 6] = [sensor_row(robot, name) for name in RAW], 1.0
+    return C
 
 
 @dataclass(eq=False)
@@ -172,7 +141,7 @@ class Complementary:
 
     @property
     def reads(self) -> tuple[str, ...]:
-        return (ENCODER_LEFT, ENCODER_RIGHT, GYRO, *(ACCELEROMETER if self.accelerometer else ()))
+        return (*RAW, *(ACCELEROMETER if self.accelerometer else ()))
 
     def reset(self) -> None:
         self._state, self._first = np.zeros(6), True
@@ -202,7 +171,7 @@ class Complementary:
 
 def complementary(robot: Robot, kit: Kit, dt: float = 0.01, **options: float) -> Complementary:
     """The complementary filter for `robot` under `kit`, with the accelerometer where the kit has one."""
-    for name in (ENCODER_LEFT, ENCODER_RIGHT, GYRO):
+    for name in RAW:
         _sensor(kit, name)
     accelerometer = all(name in kit.sensors for name in ACCELEROMETER)
     return Complementary(robot.track / (2 * robot.wheel_radius), dt, accelerometer=accelerometer, **options)

@@ -70,5 +70,9 @@ class StateFeedback:
     def applied(self, command: Sequence[float]) -> None:
         """What the motors did does not matter to a static gain."""
 
+    def check(self) -> float:
+        """A gain that was given has no equation to fail."""
+        return 0.0
+
     def to_json(self) -> dict[str, Any]:
         return {"kind": self.kind, "gain": self.gain.tolist(), "period": self.period, "command_unit": self.command_unit}

@@ -23,13 +23,13 @@ from numpy.typing import NDArray
 
 from upright.control.delay import GYRO, RAW, SampledRobot, sampled
 from upright.control.estimators import measurement_matrix
+from upright.control.family import halves, sides
 from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_STATE
 from upright.control.observer import steady
 from upright.control.state_space import StateSpace, continuous, discrete, kept, plant_of
 from upright.errors import DesignFailed
 from upright.robots import Kit, Robot
-from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
 
@@ -143,9 +143,7 @@ def _checked(wants: Expected, slack: float) -> Expected:
 
 def _names(seen: SampledRobot) -> list[str]:
     """The states of `plant_of`, with the commands on their way named by their side."""
-    names = [seen.names[i] for i in kept(seen)]
-    count = seen.delay + bool(seen.before.any())
-    return names + [f"{side}@{i}" for i in range(count) for side in ("sent_left", "sent_right")]
+    return [seen.names[i] for i in kept(seen)] + sides(seen.delay + bool(seen.before.any()))
 
 
 def _half(plant: StateSpace, names: Sequence[str], sign: float) -> StateSpace:
@@ -154,17 +152,7 @@ def _half(plant: StateSpace, names: Sequence[str], sign: float) -> StateSpace:
     Its input is that command; its outputs the mean of the encoders (or half their difference), the gyro and the robot's
     six states. The states that only the other half moves are gone.
     """
-    columns: list[Array] = []
-    for i, name in enumerate(names):
-        paired, turns = "right" in name, name in STATE_NAMES[4:]
-        column = np.zeros(len(names))
-        column[i] = 1.0
-        if paired:
-            column[names.index(name.replace("right", "left"))] = sign
-        if paired or ("left" not in name and turns == (sign < 0)):
-            columns.append(column)
-    spread = np.column_stack(columns)
-    gather, both = np.linalg.pinv(spread), np.array([sign, 1.0])
+    (spread, gather), both = halves(names, sign), np.array([sign, 1.0])
     C = np.vstack([both @ plant.C[:2] / 2, plant.C[2], np.eye(6, len(names))]) @ spread
     return StateSpace(gather @ plant.A @ spread, gather @ plant.B[:, :2] @ both[:, None], C, np.zeros((8, 1)), plant.dt)
 

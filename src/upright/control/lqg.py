@@ -49,11 +49,15 @@ def lqg(
     Q (6, 6) or its diagonal (6,) weighs the state, R (2, 2) or (2,) the command; without them Bryson's rule. Raises
     `DesignFailed` for weights of the wrong size or sign, or where no regulator or no filter exists.
     """
-    seen = sampled(robot, kit, dt, reads)
-    estimator = kalman_filter(seen, disturbed)
-    weight, price = state_weight(seen, Q), command_weight(robot, R)
-    P, K = riccati(seen.plant, weight, price)
-    return output_feedback(observer(estimator), K, "lqg", Lqg(estimator, weight, price, P, K))
+    design = regulated(kalman_filter(sampled(robot, kit, dt, reads), disturbed), Q, R)
+    return output_feedback(observer(design.filter), design.K, "lqg", design)
+
+
+def regulated(estimator: Filter, Q: ArrayLike | None = None, R: ArrayLike | None = None) -> Lqg:
+    """The regulator of the robot that `estimator` sees, under weights as in `lqg`."""
+    seen = estimator.seen
+    weight, price = state_weight(seen, Q), command_weight(seen.robot, R)
+    return Lqg(estimator, weight, price, *riccati(seen.plant, weight, price))
 
 
 def state_weight(seen: SampledRobot, Q: ArrayLike | None, largest: ArrayLike = LARGEST_STATE) -> Array:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from upright.control.delay import rolling
 from upright.control.feedback import StateFeedback
 from upright.errors import DesignFailed
 from upright.physics.linear import LinearModel, linearise
@@ -54,14 +55,14 @@ def bryson(largest: ArrayLike) -> Array:
 
 
 def lqr(robot: Robot, dt: float = 0.01, Q: ArrayLike | None = None, R: ArrayLike | None = None) -> Lqr:
-    """The regulator of the robot linearised upright and held over `dt` [s].
+    """The regulator of the robot linearised upright, its Coulomb friction as `rolling` has it, and held over `dt` [s].
 
     Q (6, 6) or its diagonal (6,), R (2, 2) or (2,); without them Bryson's rule on `LARGEST_STATE` and
     `LARGEST_COMMAND`. Raises `DesignFailed` for weights of the wrong size or sign, or when no gain stabilises.
     """
     state_weight = bryson(LARGEST_STATE) if Q is None else Q
     command_weight = bryson([LARGEST_COMMAND[robot.command_unit]] * 2) if R is None else R
-    return dlqr(linearise(robot).c2d(dt), state_weight, command_weight, robot.command_unit)
+    return dlqr(linearise(rolling(robot)).c2d(dt), state_weight, command_weight, robot.command_unit)
 
 
 def dlqr(model: LinearModel, Q: ArrayLike, R: ArrayLike, command_unit: str = "V") -> Lqr:

@@ -22,9 +22,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from upright.control.controller import ControllerSpec
 from upright.control.delay import RAW, sampled
-from upright.control.filtering import DISTURBED, Disturbed, Filter, kalman_filter
-from upright.control.lqg import command_weight, state_weight
-from upright.control.lqr import riccati, riccati_residual
+from upright.control.filtering import Disturbed, kalman_filter, offset_free
+from upright.control.lqg import Lqg, regulated
 from upright.control.observer import Observer, observer, steady_push, steady_state
 from upright.control.recursion import Recursion, recursion
 from upright.errors import DesignFailed, InvalidController
@@ -37,22 +36,6 @@ Array = NDArray[np.float64]
 NO_LIMIT = 1e30  # what DAQP takes for infinity
 SOFT, HARD = 8, 0  # DAQP's names for a constraint that may and one that may not be broken
 BOUNDED = 10  # instants of the horizon, evenly spread, at which pitch and travel are bounded
-
-
-@dataclass(frozen=True, eq=False)
-class Mpc:
-    """The regulator behind the programme: K and P from Q and R, x̂ from the `filter`."""
-
-    filter: Filter
-    Q: Array
-    R: Array
-    P: Array
-    K: Array
-
-    def check(self) -> float:
-        """The larger of both Riccati residuals."""
-        plant = self.filter.seen.plant
-        return max(self.filter.check(), riccati_residual(plant.A, plant.B, self.Q, self.R, self.P))
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +79,7 @@ class PredictiveController:
     period: float
     command_unit: str = "V"
     kind: str = "mpc"
-    design: Mpc | None = field(default=None, repr=False)
+    design: Lqg | None = field(default=None, repr=False)
     spec: ControllerSpec = field(init=False)
     failures: int = field(default=0, init=False)
 
@@ -211,12 +194,13 @@ def mpc(
     travel: float = 1.0,
     soft: bool = True,
     reads: tuple[str, ...] = RAW,
-    disturbed: Disturbed = DISTURBED,
+    disturbed: Disturbed | None = None,
 ) -> PredictiveController:
     """The predictive controller of `robot` on the sensors of `kit`, over `horizon` periods.
 
     Q and R as in `lqg`; `limit` of each command (None: what the kit gives), `pitch` [rad] and `travel` [m] from the
-    reference, both soft unless said otherwise. Raises `DesignFailed` like `lqg`, or for bounds that are not positive.
+    reference, both soft unless said otherwise; `disturbed` is by default `offset_free`. Raises
+    `DesignFailed` like `lqg`, or for bounds that are not positive.
     """
     if horizon not in range(1, 201):
         raise DesignFailed(f"a horizon of {horizon}", expected="between 1 and 200 periods", likely="seconds")
@@ -225,12 +209,9 @@ def mpc(
         if not bound > 0:
             raise DesignFailed(f"{name} is {bound}", expected="a positive bound")
     seen = sampled(robot, kit, dt, reads)
-    estimator = kalman_filter(seen, disturbed)
-    weight, price = state_weight(seen, Q), command_weight(robot, R)
-    P, K = riccati(seen.plant, weight, price)
-    design = Mpc(estimator, weight, price, P, K)
+    design = regulated(kalman_filter(seen, disturbed or offset_free(seen)), Q, R)
     memory, H, rows = _condensed(
-        observer(estimator), design, horizon, {"pitch": pitch, "wheel": travel / robot.wheel_radius}
+        observer(design.filter), design, horizon, {"pitch": pitch, "wheel": travel / robot.wheel_radius}
     )
     programme = Programme(H, rows, most, soft)
     return PredictiveController(memory, programme, seen.reads, seen.dt, robot.command_unit, design=design)
@@ -255,7 +236,7 @@ def predicted(plant: LinearModel, horizon: int) -> tuple[Array, Array]:
     return free, forced
 
 
-def _condensed(watch: Observer, design: Mpc, horizon: int, bounds: dict[str, float]) -> tuple[Recursion, Array, Array]:
+def _condensed(watch: Observer, design: Lqg, horizon: int, bounds: dict[str, float]) -> tuple[Recursion, Array, Array]:
     """The memory with outputs [f, c, u], H and the rows of the bounds, all in the commands themselves."""
     plant = design.filter.seen.plant
     free, forced = predicted(plant, horizon)

@@ -1,279 +1,262 @@
-"""One state feedback for a whole family of robots, by linear matrix inequalities.
+"""One output feedback for a whole family of robots: by scenarios, and by linear matrix inequalities beside them.
 
-For sampled robots (Aᵢ, Bᵢ) of the family, find Q ≻ 0 and Y so that K = −Y Q⁻¹ guarantees the cost of one Lyapunov
-function P = Q⁻¹ for all of them (Kothare, Balakrishnan and Morari 1996; Boyd et al. 1994, chapter 7):
-
-    ⎡ Q   (Aᵢ Q + Bᵢ Y)ᵀ   Q W½   Yᵀ R½ ⎤
-    ⎢ ·         Q            0       0   ⎥ ⪰ 0   for every i,        J = Σ xᵀWx + uᵀRu ≤ x₀ᵀ P x₀
-    ⎢ ·         ·            I       0   ⎥
-    ⎣ ·         ·            ·       I   ⎦
-
-and minimise tr(P X₀). The robots are found by scenarios (Calafiore and Campi 2006): the nominal one and a few draws at
-first, then the worst of many draws under the gain found, until the worst is in the list.
+Both work in the pitch plane on the state that the nominal robot's filter finds, dead time included (`family`).
+Scenarios (Calafiore and Campi 2006): four gains and the trust of the filter are moved until the cost of the worst of
+many drawn robots is least, by the simplex of Nelder and Mead (1965) from the best of several regulators. Inequalities
+(`guaranteed`): one gain and one Lyapunov function for all robots, as if their states were measured. Whichever has the
+smaller worst cost on sensors is taken; heading keeps the plain regulator's gains.
 """
 
 from __future__ import annotations
 
+import itertools
 import math
-import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.control.delay import rolling
-from upright.control.feedback import StateFeedback
+from upright.control.delay import SampledRobot, sampled
+from upright.control.family import Family, Plane, family, halves, plane, sides
+from upright.control.filtering import RECOVERED, Disturbed, Filter, kalman_filter
+from upright.control.guaranteed import Guaranteed, guaranteed
+from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, lqr
-from upright.errors import DesignFailed, InvalidRobot, UnknownName
-from upright.physics.linear import linearise
-from upright.robots import PARAMETERS, Robot
+from upright.control.observer import observer, output_feedback
+from upright.control.uncertain import draw
+from upright.errors import DesignFailed
+from upright.robots import Kit, Robot
+from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
 
-GUESSED = 0.2
-"""Relative standard deviation of a parameter that its preset calls a guess, or gives no source for."""
-
-FARTHEST = 2.0  # standard deviations: draws beyond are drawn again, as the ends of a robot's parameters are known
-
-_PITCH, _YAW = [0, 1, 2, 3], [4, 5]
-_STRICT = 1e-6
-
-
-def spreads(robot: Robot, guessed: float = GUESSED) -> dict[str, float]:
-    """One standard deviation of each uncertain parameter, in its own unit: the preset's, or `guessed` of its value.
-
-    A parameter that is zero by a guess stays zero, since a share of it says nothing.
-    """
-    found = {
-        name: known.spread if known.spread is not None else guessed * abs(value)
-        for name, value in robot.numbers().items()
-        if (known := robot.provenance.get(name)) and name not in ("body_depth", "body_height", "stiction_rate")
-    }
-    return {name: size for name, size in found.items() if size > 0}
-
-
-def draw(
-    robot: Robot, count: int, seed: int = 0, sizes: Mapping[str, float] | None = None, covariance: Array | None = None
-) -> list[Robot]:
-    """`count` robots round `robot`: normal in the parameters named by `sizes` (None: the preset's `spreads`), cut at
-    `FARTHEST` deviations. `covariance` (n, n) in the order of `sizes` replaces their squares.
-
-    What no robot can be (`InvalidRobot`) is drawn again. Raises `DesignFailed` where nearly nothing can be.
-    """
-    chosen = dict(spreads(robot) if sizes is None else sizes)
-    for name in chosen:
-        if name not in PARAMETERS:
-            raise UnknownName("parameter", name, PARAMETERS)
-    rng = np.random.Generator(np.random.Philox(seed))
-    root = np.diag(list(chosen.values())) if covariance is None else _root(covariance, len(chosen))
-    centre = np.array([getattr(robot, name) for name in chosen])
-    found: list[Robot] = []
-    for _ in range(50 * count + 50):
-        if len(found) == count:
-            return found
-        normal = rng.standard_normal(len(chosen))
-        if np.abs(normal).max(initial=0.0) > FARTHEST:
-            continue
-        drawn = _made(robot, dict(zip(chosen, (centre + root @ normal).tolist(), strict=True)))
-        found += [drawn] if drawn else []
-    raise DesignFailed(
-        f"of {50 * count} draws only {len(found)} are robots", expected="spreads well below the values",
-        mend="name smaller spreads",
-    )  # fmt: skip
-
-
-def _root(covariance: Array, size: int) -> Array:
-    values, vectors = np.linalg.eigh(np.asarray(covariance, dtype=np.float64))
-    if len(values) != size or values[0] < -1e-9 * max(values[-1], 0.0):
-        raise DesignFailed("the covariance is not one", expected=f"a symmetric, non-negative ({size}, {size}) matrix")
-    return vectors * np.sqrt(np.maximum(values, 0.0))
-
-
-def _made(robot: Robot, changes: dict[str, float]) -> Robot | None:
-    try:
-        return robot.replace(**changes)
-    except InvalidRobot:
-        return None
-
-
-@dataclass(frozen=True, eq=False)
-class Robust(StateFeedback):
-    """A gain for all of `robots`, with the Lyapunov matrix P (6, 6) that proves it, beside the plain LQR of the first.
-
-    `models` holds each robot's (A, B). Costs are tr(P X₀) for initial deviations of Bryson's size, infinite where the
-    loop is unstable, over `tried` draws that the design has not seen: `nominal`, `worst` and `fell` (how many of them
-    are unstable) for this gain and for `plain`.
-    """
-
-    models: Sequence[tuple[Array, Array]] = field(kw_only=True)
-    P: Array = field(kw_only=True)
-    W: Array = field(kw_only=True)
-    R: Array = field(kw_only=True)
-    own: Costs = field(kw_only=True)
-    plain: Costs = field(kw_only=True)
-
-    def check(self) -> float:
-        """By how much the largest eigenvalue of (A − BK)ᵀP(A − BK) − P + W + KᵀRK exceeds zero, relative to P's
-        largest.
-
-        Zero or less proves stability and the cost for every robot of the list under one Lyapunov function.
-        """
-        K = self.gain
-        price = self.W + K.T @ self.R @ K - self.P
-        sums = [(A - B @ K).T @ self.P @ (A - B @ K) + price for A, B in self.models]
-        largest = max(float(np.linalg.eigvalsh((S + S.T) / 2)[-1]) for S in sums)
-        return max(0.0, largest / float(np.linalg.eigvalsh(self.P)[-1]))
-
-    def verdict(self) -> str:
-        """Whether it was worth it, in one sentence."""
-        if self.own.fell < self.plain.fell:
-            fell, other = self.own.fell, self.plain.fell
-            return f"Better: {fell} of {self.own.tried} drawn robots are unstable, under plain LQR {other}."
-        gain = 1 - self.own.worst / self.plain.worst if math.isfinite(self.plain.worst) else 0.0
-        loss = self.own.nominal / self.plain.nominal - 1
-        if gain < WORTH:
-            return f"No better than plain LQR: the worst cost changes by {-gain:+.1%}, the nominal by {loss:+.1%}."
-        return f"Better: the worst cost is {gain:.1%} lower than under plain LQR, the nominal {loss:.1%} higher."
-
-
+DRAWN = 200
 WORTH = 0.01
 """A worst case that is better by less than this share counts as no better."""
+
+PRICES = (0.1, 1.0, 10.0)  # of the command, against Bryson's, of the regulators to begin from
+TRUSTS = (0.02, 0.1, 0.2)  # shares of the command that the filters to begin from take for noise
+MOST = RECOVERED.motor  # a filter that trusts its model less finds a lean too late for motors as weak as ev3way's
+STARTS = 2
+STEPS = 150
+_FELL = 1e3  # what an unstable robot costs: more than any other
 
 
 @dataclass(frozen=True)
 class Costs:
-    """Cost for the nominal robot, for the worst of `tried`, and how many of those are unstable."""
+    """E[xᵀWx + uᵀRu] in a period for the nominal robot and the worst of `tried`, and how many of those are unstable.
+
+    Deviations of Bryson's size cost one; infinite where unstable.
+    """
 
     nominal: float
     worst: float
     fell: int
     tried: int
 
+    def below(self, other: Costs) -> bool:
+        """Whether fewer fall, or as few at a lower worst cost."""
+        return (self.fell, self.worst) < (other.fell, other.worst)
+
+
+@dataclass(frozen=True, eq=False)
+class Robust:
+    """The gain k (m,) on the filter's pitch plane, found by `method`, beside plain LQR on the same sensors.
+
+    Costs are over draws that no design has seen; `inequalities` are those of the other method, or None with `why`.
+    """
+
+    filter: Filter
+    k: Array
+    W: Array
+    price: float
+    method: str
+    own: Costs
+    plain: Costs
+    proof: Guaranteed | None
+    inequalities: Costs | None
+    why: str = ""
+
+    def check(self) -> float:
+        """The largest of the filter's Riccati residual, of the inequalities' excess, and of how far the nominal cost
+        is from that of the covariance solved directly, as a share."""
+        seen = self.filter.seen
+        direct = family([plane(seen)], observer(self.filter)).direct(self.k, self.W, self.price)
+        return max(self.filter.check(), self.proof.check() if self.proof else 0.0, abs(self.own.nominal / direct - 1))
+
+    def verdict(self) -> str:
+        """Whether it was worth it, in one sentence."""
+        own, plain = self.own, self.plain
+        if own.fell != plain.fell:
+            word = "Better" if own.fell < plain.fell else "No better"
+            return f"{word}: {own.fell} of {own.tried} drawn robots are unstable, under plain LQR {plain.fell}."
+        gain = 1 - own.worst / plain.worst if math.isfinite(plain.worst) else 0.0
+        loss = own.nominal / plain.nominal - 1
+        if not gain >= WORTH:
+            return f"No better than plain LQR: the worst cost changes by {-gain:+.1%}, the nominal by {loss:+.1%}."
+        return f"Better: the worst cost is {gain:.1%} lower than under plain LQR, the nominal changes by {loss:+.1%}."
+
+    def words(self) -> list[str]:
+        """The verdict, both costs, and what became of the inequalities."""
+        own, plain = self.own, self.plain
+        said = [self.verdict(), f"Found by {self.method}. Cost of the nominal robot {own.nominal:.4g}, plain LQR "]
+        said[1] += f"{plain.nominal:.4g}; of the worst {own.worst:.4g}, plain LQR {plain.worst:.4g}."
+        if self.inequalities is None:
+            return [*said, f"Linear matrix inequalities: {self.why}."]
+        other = self.inequalities
+        proof = f"{other.fell} of {other.tried} unstable on sensors, worst cost {other.worst:.4g}"
+        return [*said, f"Linear matrix inequalities prove a gain for the measured state: {proof}."]
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers; None for what is infinite."""
+        costs = {"own": self.own, "plain": self.plain, "inequalities": self.inequalities}
+        said = {name: _finite(asdict(c)) if c else None for name, c in costs.items()}
+        return {"method": self.method, "k": self.k.tolist(), **said, "words": self.words()}
+
 
 def robust(
     robot: Robot,
-    dt: float = 0.01,
+    kit: Kit,
+    dt: float | None = None,
     *,
     robots: Sequence[Robot] | None = None,
+    sizes: Mapping[str, float] | None = None,
+    covariance: Array | None = None,
     largest: Sequence[float] = LARGEST_STATE,
     command: float | None = None,
-    tried: int = 200,
+    tried: int = DRAWN,
     seed: int = 0,
-) -> Robust:
-    """One gain for `robot` and for every one of `robots` (None: `tried` draws from its spreads), held over `dt` [s].
+) -> LinearController:
+    """One controller on the sensors of `kit` for `robot` and for every one of `robots` (None: `tried` draws).
 
-    Bryson's rule gives the weights: `largest` accepted state (6,), largest `command` of each motor. The verdict is over
-    as many draws again that the design has not seen. Raises `DesignFailed` where no gain serves them all.
+    Draws are normal in the parameters named by `sizes` (None: the spreads of the robot's sources); `covariance` (n, n),
+    such as a calibration's, in the order of `sizes` replaces their squares. Bryson's rule gives the weights: `largest`
+    accepted state (6,), largest `command` of each motor. The verdict is over as many draws again that the design has
+    not seen. Raises `DesignFailed` where no gain stabilises the nominal robot.
     """
-    family = [robot, *(draw(robot, tried, seed) if robots is None else robots)]
-    fresh = draw(robot, tried, seed + 1) if robots is None else list(robots)
-    W = bryson(largest)
-    R = bryson([command or LARGEST_COMMAND[robot.command_unit]] * 2)
-    models = [_model(each, dt) for each in family]
-    gain, P, chosen = _scenarios(models, W, R)
-    plain = lqr(rolling(robot), dt, W, R).gain
-    unseen = [models[0], *(_model(each, dt) for each in fresh)]
-    own, other = (_costs(unseen, K, W, R) for K in (gain, plain))
-    listed = [models[i] for i in chosen]
-    return Robust(
-        gain, dt, robot.command_unit, "robust", models=listed, P=P, W=W, R=R, own=own, plain=other
-    )  # fmt: skip
+    near = draw(robot, tried, seed, sizes, covariance) if robots is None else list(robots)
+    fresh = draw(robot, tried, seed + 1, sizes, covariance) if robots is None else near
+    seen, *others = [sampled(each, kit, dt) for each in (robot, *near)]
+    task = _Task(robot, seen, [plane(other) for other in others], bryson(largest), command)
+    best = min((_descended(task, *start) for start in _starts(task)), key=lambda found: found[0])
+    unseen = task.over([plane(sampled(each, kit, dt)) for each in fresh])
+    return _chosen(unseen, best[1], [seen, *others])
 
 
-def _model(robot: Robot, dt: float) -> tuple[Array, Array]:
-    model = linearise(rolling(robot)).c2d(dt)
-    return model.A, model.B
+class _Task:
+    """What is minimised: the nominal robot first, then the drawn ones."""
+
+    def __init__(
+        self, robot: Robot, seen: SampledRobot, planes: Sequence[Plane], weight: Array, command: float | None
+    ) -> None:
+        self.robot, self.seen, self.weight = robot, seen, weight
+        self.planes = [plane(seen), *planes]
+        self.size = command or LARGEST_COMMAND[robot.command_unit]
+        self.W, self.price = weight[:4, :4], 2 / self.size**2
+        self.spread, self.gather = halves([*STATE_NAMES, *sides(seen.history)])
+
+    def over(self, planes: Sequence[Plane]) -> _Task:
+        """The same over other robots."""
+        return _Task(self.robot, self.seen, planes, self.weight, self.size)
+
+    def loops(self, trust: float) -> tuple[Filter, Family]:
+        """The filter that takes the share `trust` of the command for noise, and all loops with it."""
+        found = kalman_filter(self.seen, Disturbed(motor=trust))
+        return found, family(self.planes, observer(found))
+
+    def regulator(self, price: float = 1.0) -> Array:
+        """Plain LQR (2, 6) at that price of the command."""
+        R = price * bryson([self.size] * 2)
+        return lqr(self.robot, self.seen.dt, self.weight, R).gain
+
+    def ahead(self, four: Array) -> Array:
+        """k (m,) on the filter's plane from four gains on the state when the command arrives."""
+        return np.concatenate([four, [0.0, 0.0]]) @ self.seen.ahead @ self.spread
+
+    def costs(self, k: Array, loops: Family) -> Costs:
+        """The first loop is the nominal robot's."""
+        found = loops.costs(k, self.W, self.price)
+        return Costs(float(found[0]), float(found.max()), int(np.isinf(found[1:]).sum()), len(found) - 1)
 
 
-def _scenarios(models: Sequence[tuple[Array, Array]], W: Array, R: Array) -> tuple[Array, Array, list[int]]:
-    """The gain, its Lyapunov matrix, and which robots were needed to find it."""
-    chosen = list(range(min(_FIRST, len(models))))
-    for last in range(_ROUNDS, -1, -1):
-        gain, P = _one_gain([models[i] for i in chosen], W, R)
-        excess = np.array([_excess(A, B, gain, P, W, R) for A, B in models])
-        if excess[chosen].max() > _STRICT:
-            raise _no_gain("Clarabel's gain breaks its own inequalities", len(chosen))
-        worst = [int(i) for i in np.argsort(-excess)[:_ADDED] if excess[i] > _STRICT and i not in chosen]
-        if not worst or not last:
-            return gain, P, chosen
-        chosen += worst
-    raise AssertionError
+def _starts(task: _Task) -> list[tuple[Array, float]]:
+    """The best of several regulators behind several filters, the plain one among them."""
+    tried = list(itertools.product(PRICES, TRUSTS))
+    made = [(task.regulator(price)[0, :4], trust) for price, trust in tried]
+    worst = [_objective(task, four, trust) for four, trust in made]
+    return [made[i] for i in np.argsort(worst)[:STARTS]]
 
 
-def _excess(A: Array, B: Array, K: Array, P: Array, W: Array, R: Array) -> float:
-    closed = A - B @ K
-    return float(np.linalg.eigvalsh(closed.T @ P @ closed - P + W + K.T @ R @ K)[-1] / np.linalg.eigvalsh(P)[-1])
-
-
-_FIRST, _ADDED, _ROUNDS = 12, 8, 8
-
-
-def _one_gain(models: Sequence[tuple[Array, Array]], W: Array, R: Array) -> tuple[Array, Array]:
-    """Pitch under both motors alike and yaw under both opposed are two problems, since the robot is symmetric."""
-    gain, P = np.zeros((2, 6)), np.zeros((6, 6))
-    for states, sides in ((_PITCH, np.array([1.0, 1.0])), (_YAW, np.array([-1.0, 1.0]))):
-        block = np.ix_(states, states)
-        parts = [(A[block], B[states] @ sides[:, None]) for A, B in models]
-        k, p = _guaranteed(parts, W[block], float(sides @ R @ sides))
-        gain[:, states], P[block] = np.outer(sides, k), p
-    return gain, P
-
-
-def _guaranteed(models: Sequence[tuple[Array, Array]], W: Array, price: float) -> tuple[Array, Array]:
-    """k (n,) and P (n, n) of least tr(P X₀) for one input, where the first robot's own P is made the identity."""
-    import cvxpy as cp
-    from cvxpy.error import SolverError
-    from scipy.linalg import solve_discrete_are
-
-    n, size = len(W), 1 / math.sqrt(price)
-    T = np.linalg.cholesky(solve_discrete_are(*models[0], W, np.array([[price]]))).T
-    back = np.linalg.inv(T)
-    deviation = np.diag(np.sqrt(np.diag(W))) @ back
-    start = T @ np.diag(1 / np.sqrt(np.diag(W)))
-    Q, Y, Z = cp.Variable((n, n), symmetric=True), cp.Variable((1, n)), cp.Variable((n, n), symmetric=True)
-    rules: list[Any] = [cp.bmat([[Z, start.T], [start, Q]]) >> 0]
-    for A, B in models:
-        after = (T @ A @ back) @ Q + (T @ B * size) @ Y
-        none, column = np.zeros((n, n)), np.zeros((n, 1))
-        rows = [
-            [Q, after.T, Q @ deviation.T, Y.T],
-            [after, Q, none, column],
-            [deviation @ Q, none, np.eye(n), column],
-            [Y, column.T, column.T, np.eye(1)],
-        ]
-        rules.append(cp.bmat(rows) >> 0)
-    problem = cp.Problem(cp.Minimize(cp.trace(Z) / float(np.sum(start**2))), rules)
+def _objective(task: _Task, four: Array, trust: float) -> float:
     try:
-        with warnings.catch_warnings():  # what is inaccurate is measured by whoever uses it
-            warnings.simplefilter("ignore", UserWarning)
-            problem.solve(solver=cp.CLARABEL, tol_gap_abs=1e-7, tol_gap_rel=1e-7, tol_feas=1e-9)
-    except SolverError:
-        raise _no_gain("Clarabel gave up", len(models)) from None
-    if problem.status not in ("optimal", "optimal_inaccurate") or Q.value is None or Y.value is None:
-        raise _no_gain(f"Clarabel says: {problem.status}", len(models))
-    P = np.linalg.inv((Q.value + Q.value.T) / 2)
-    return -(Y.value @ P @ T)[0] * size, T.T @ P @ T
-
-
-def _no_gain(why: str, count: int) -> DesignFailed:
-    return DesignFailed(
-        f"no one gain is found for {count} robots ({why})", expected="robots near enough to each other",
-        likely="spreads too wide for quadratic stability", mend="narrow the spreads, or shorten the period",
-    )  # fmt: skip
-
-
-def _costs(models: Sequence[tuple[Array, Array]], K: Array, W: Array, R: Array) -> Costs:
-    """The nominal robot is the first."""
-    costs = [_cost(A - B @ K, W + K.T @ R @ K, W) for A, B in models]
-    return Costs(costs[0], max(costs), sum(math.isinf(c) for c in costs[1:]), len(costs) - 1)
-
-
-def _cost(closed: Array, price: Array, W: Array) -> float:
-    from scipy.linalg import solve_discrete_lyapunov
-
-    if np.abs(np.linalg.eigvals(closed)).max() >= 1:
+        _, loops = task.loops(trust)
+    except DesignFailed:
         return math.inf
-    P = solve_discrete_lyapunov(closed.T, price)
-    return float(np.trace(P @ np.diag(1 / np.diag(W))))
+    k = task.ahead(four)
+    found = loops.costs(k, task.W, task.price)
+    unstable = np.isinf(found)
+    if not unstable.any():
+        return float(found.max())
+    beyond = np.maximum(loops.some(np.flatnonzero(unstable).tolist()).radii(k) - 1, 0.0)
+    stable = float(found[~unstable].max()) if not unstable.all() else 0.0
+    return _FELL * float(unstable.sum() + beyond.sum() + _FELL * unstable[0]) + stable
+
+
+def _descended(task: _Task, four: Array, trust: float) -> tuple[float, tuple[Array, float]]:
+    """Nelder and Mead in the logarithms of four gains and the filter's trust."""
+    from scipy.optimize import minimize
+
+    def unpacked(z: Array) -> tuple[Array, float]:
+        return four * np.exp(z[:4]), float(np.clip(trust * np.exp(z[4]), 1e-3, MOST))
+
+    corners = np.vstack([np.zeros(5), np.diag([0.2, 0.2, 0.3, 0.3, 0.7])])
+    options = {"maxfev": STEPS, "initial_simplex": corners, "xatol": 1e-3, "fatol": 1e-9}
+
+    def cost(z: Array) -> float:
+        return _objective(task, *unpacked(z))
+
+    found: Any = minimize(cost, np.zeros(5), method="Nelder-Mead", options=options)
+    return float(found.fun), unpacked(found.x)
+
+
+def _chosen(task: _Task, found: tuple[Array, float], near: Sequence[SampledRobot]) -> LinearController:
+    """The better of both methods on robots that neither has seen."""
+    estimator, loops = task.loops(found[1])
+    k, method = task.ahead(found[0]), "scenarios"
+    recovered, others = task.loops(RECOVERED.motor)
+    own, plain = task.costs(k, loops), task.costs(task.ahead(task.regulator()[0, :4]), others)
+    proof, other, why = None, None, ""
+    try:
+        proof = _inequalities(task, near)
+        other = task.costs(proof.k, others)
+        if other.below(own):
+            estimator, k, method, own = recovered, proof.k, "inequalities", other
+    except DesignFailed as error:
+        why = str(error).split(";")[0]
+    design = Robust(estimator, k, task.W, task.price, method, own, plain, proof, other, why)
+    return output_feedback(observer(estimator), _both(task, k), "robust", design)
+
+
+def _inequalities(task: _Task, near: Sequence[SampledRobot]) -> Guaranteed:
+    models = [_halved(task, each) for each in near]
+    n = len(models[0][0])
+    W, start = np.zeros((n, n)), np.full(n, 0.1 * task.size)
+    W[:4, :4], start[:4] = task.W, 1 / np.sqrt(np.diag(task.W))
+    return guaranteed(models, W, task.price, start)
+
+
+def _halved(task: _Task, seen: SampledRobot) -> tuple[Array, Array]:
+    A = task.gather @ seen.plant.A @ task.spread
+    return A, (task.gather @ seen.plant.B.sum(axis=1))[:, None]
+
+
+def _both(task: _Task, k: Array) -> Array:
+    """K (2, 6 + earlier commands): `k` on the pitch plane, plain LQR on the heading."""
+    out, into = halves([*STATE_NAMES, *sides(task.seen.history)], -1.0)
+    return np.tile(k @ task.gather, (2, 1)) + task.regulator() @ task.seen.ahead @ out @ into
+
+
+def _finite(numbers: dict[str, Any]) -> dict[str, Any]:
+    return {k: None if isinstance(v, float) and not math.isfinite(v) else v for k, v in numbers.items()}

@@ -12,9 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from upright.control.controller import ControllerSpec
 from upright.control.delay import RAW, sampled
-from upright.control.filtering import DISTURBED, Disturbed, Filter, kalman_filter
-from upright.control.lqg import command_weight, state_weight
-from upright.control.lqr import riccati, riccati_residual
+from upright.control.filtering import RECOVERED, Disturbed, kalman_filter
+from upright.control.lqg import Lqg, regulated
 from upright.control.observer import Observer, observer, steady_state
 from upright.control.recursion import Recursion, recursion
 from upright.errors import DesignFailed, InvalidController
@@ -25,32 +24,27 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Sliding:
-    """The surface S with S B = I, from the cost P of the regulator under Q and R; `keep` of s is left each period.
+    """The surface S with S B = I, from the cost P of the regulator `base`; `keep` of s is left each period.
 
     On s = 0 the state moves by A − B S A, which lowers xᵀPx at least as much as the regulator itself does.
     """
 
-    filter: Filter
-    Q: Array
-    R: Array
-    P: Array
+    base: Lqg
     S: Array
     keep: float
 
     @property
     def poles(self) -> NDArray[np.complex128]:
         """Of the loop outside the layer's switching: those of the sliding motion and `keep` twice; largest first."""
-        plant = self.filter.seen.plant
-        poles = np.linalg.eigvals(plant.A - plant.B @ self.S @ (plant.A - self.keep * np.eye(len(plant.A)))).astype(
-            complex
-        )
+        plant = self.base.filter.seen.plant
+        closed = plant.A - plant.B @ self.S @ (plant.A - self.keep * np.eye(len(plant.A)))
+        poles = np.linalg.eigvals(closed).astype(complex)
         return poles[np.argsort(-np.abs(poles))]
 
     def check(self) -> float:
         """The largest of both Riccati residuals and of |S B − I|."""
-        plant = self.filter.seen.plant
-        normal = float(np.abs(self.S @ plant.B - np.eye(2)).max())
-        return max(self.filter.check(), riccati_residual(plant.A, plant.B, self.Q, self.R, self.P), normal)
+        normal = float(np.abs(self.S @ self.base.filter.seen.plant.B - np.eye(2)).max())
+        return max(self.base.check(), normal)
 
 
 @dataclass(eq=False)
@@ -120,7 +114,7 @@ def sliding(
     reach: float = 0.02,
     layer: float = 0.1,
     reads: tuple[str, ...] = RAW,
-    disturbed: Disturbed = DISTURBED,
+    disturbed: Disturbed = RECOVERED,
 ) -> SlidingMode:
     """The sliding mode controller of `robot` on the sensors of `kit`, on the surface s = (BᵀPB)⁻¹BᵀP ξ (Utkin 1992).
 
@@ -138,15 +132,12 @@ def sliding(
             f"a reach of {reach:g} chatters in a layer of {layer:g}", expected=f"at most {keep * layer:.3g} of reach",
             mend="widen the layer",
         )  # fmt: skip
-    estimator = kalman_filter(seen, disturbed)
-    weight, price = state_weight(seen, Q), command_weight(robot, R)
-    P, _ = riccati(seen.plant, weight, price)
-    B = seen.plant.B
-    S: Array = np.asarray(np.linalg.solve(B.T @ P @ B, B.T @ P), dtype=np.float64)
-    design = Sliding(estimator, weight, price, P, S, keep)
-    usual = 1 / math.sqrt(float(price.diagonal().mean()))
+    base, B = regulated(kalman_filter(seen, disturbed), Q, R), seen.plant.B
+    S: Array = np.asarray(np.linalg.solve(B.T @ base.P @ B, B.T @ base.P), dtype=np.float64)
+    design = Sliding(base, S, keep)
+    usual = 1 / math.sqrt(float(base.R.diagonal().mean()))
     return SlidingMode(
-        _memory(observer(estimator), design), reach * usual, layer * usual, seen.reads, seen.dt, robot.command_unit,
+        _memory(observer(base.filter), design), reach * usual, layer * usual, seen.reads, seen.dt, robot.command_unit,
         design=design,
     )  # fmt: skip
 

@@ -9,9 +9,11 @@ from importlib.metadata import version
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from upright.bodies.body import REST, Body, BodySpec, Sample
 from upright.control.controller import Controller, controller_hash
+from upright.control.permit import Permit, permitted
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.experiment.pushes import PushProgramme, combined
 from upright.experiment.references import Reference, wanted
@@ -31,19 +33,24 @@ def run(
     seed: int = 0,
     start: Sequence[float] = REST,
     progress: Callable[[float], None] | None = None,
+    certificate: Permit | None = None,
+    anyway: bool = False,
 ) -> Log:
     """Run `body` under `controller` for `seconds`, or until it falls, and return the log.
 
     One row for each of the controller's periods: what the body read at that time, the command decided on it, and the
     command that was really applied from then on. `push` and `reference` are one programme or several that add up;
     `start` is the state (6,); `progress` is called with the share done. The same arguments give the same log.
+    Hardware is not driven by a controller that its `certificate` refuses, unless `anyway`.
 
-    Raises `SpecMismatch` when body and controller do not fit, `InvalidScenario` for times that make no sense.
+    Raises `SpecMismatch` when body and controller do not fit, `InvalidScenario` for times that make no sense,
+    `NotPermitted` for a refused controller.
     """
     pushes, references = _several(push, "at"), _several(reference, "at")
-    inputs, stride = _fit(body.spec, controller)
+    inputs, stride = fit(body.spec, controller)
     _check_pushable(body.spec, pushes)
     _check_time(seconds, controller.spec.period)
+    permit = {"certificate": permitted(controller, certificate, anyway)} if body.spec.real else {}
     controller.reset()
     now = body.reset(start, seed)
     rows: list[list[float]] = []
@@ -61,8 +68,8 @@ def run(
         if progress and k % 50 == 0:
             progress(k / count)
     scenario = {"push": [_said(p) for p in pushes], "reference": [_said(r) for r in references]}
-    scenario |= {"seconds": seconds, "seed": seed, "start": list(start)}
-    return _log(rows, body.spec, controller, scenario, now)
+    scenario |= {"seconds": seconds, "seed": seed, "start": list(start), **permit}
+    return as_log(rows, body.spec, controller, scenario, now)
 
 
 def _hold(body: Body, command: Sequence[float], pushes: Sequence[PushProgramme], stride: int, now: Sample) -> Sample:
@@ -72,7 +79,7 @@ def _hold(body: Body, command: Sequence[float], pushes: Sequence[PushProgramme],
     return now
 
 
-def _fit(spec: BodySpec, controller: Controller) -> tuple[list[int], int]:
+def fit(spec: BodySpec, controller: Controller) -> tuple[list[int], int]:
     """Where the controller's inputs stand among the body's channels, and how many body steps make a period."""
     wants = controller.spec
     names = [signal.name for signal in spec.channels]
@@ -124,7 +131,8 @@ def _said(part: Any) -> dict[str, Any]:
     return {"kind": type(part).__name__, **finite}
 
 
-def _log(rows: list[list[float]], spec: BodySpec, controller: Controller, scenario: dict[str, Any], end: Sample) -> Log:
+def as_log(rows: ArrayLike, spec: BodySpec, controller: Controller, scenario: dict[str, Any], end: Sample) -> Log:
+    """The log of `rows`, one for each of the controller's periods as `run` writes them, that ended with `end`."""
     signals = [*spec.channels, *command_signals(spec.command_unit), *PUSH, *REFERENCE]
     signals += ESTIMATE if controller.spec.estimates else ()
     table = np.array(rows)
@@ -138,7 +146,7 @@ def _log(rows: list[list[float]], spec: BodySpec, controller: Controller, scenar
     }
     channels = {signal.name: table[:, i] for i, signal in enumerate(signals)}
     units = {signal.name: signal.unit for signal in signals}
-    return Log(np.arange(len(rows)) * controller.spec.period, channels, units, origin)
+    return Log(np.arange(len(table)) * controller.spec.period, channels, units, origin)
 
 
 def _finite(value: float) -> float | None:

@@ -36,8 +36,14 @@ def _table(rows: tuple[BenchRow, ...]) -> Table:
         "travel [rad]",
         "effort [V² s]",
         "saturated",
+        "drawn robots that fall",
     ]
     cells: list[list[Cell]] = [
-        [r.controller, r.push, r.outcome, r.peak, r.settling, r.travel, r.effort, r.saturated] for r in rows
+        [r.controller, r.push, r.outcome, r.peak, r.settling, r.travel, r.effort, r.saturated, r.spread] for r in rows
     ]
-    return Table(header, cells, "Held until 3 s, then released; twin on its kit's sensors", digits=3)
+    return Table(
+        header,
+        cells,
+        "Held until 3 s, then released; twin on its kit's sensors, and 200 robots over the spreads",
+        digits=3,
+    )

@@ -44,7 +44,7 @@ def _margins(analysis: Analysis) -> list[Item]:
         ["b(P, C), normalised coprime stability margin", analysis.coprime],
         ["largest ν-gap of the drawn robots", analysis.gap],
         ["largest |pole|", float(np.abs(analysis.poles).max())],
-        ["largest |pole| of the drawn robots", float(analysis.radii.max(initial=math.nan))],
+        ["largest |pole| of the drawn robots", float(analysis.radii.max()) if len(analysis.radii) else math.nan],
     ]
     if analysis.mu:
         numbers.append(["μ over the parameters, at least", analysis.mu.lower])

@@ -1,0 +1,162 @@
+"""Many robots under one output feedback: the linear loops' costs, all at once.
+
+Only the pitch plane, both motors alike: every robot turns stably, so that nothing there is to be made robust. In it the
+observer of the nominal robot is z⁺ = A z + B y + b_u u + b_a a, and u = −k (X z + X_y y), so that for each robot
+
+    χ⁺ = (M − b k F) χ + G w        χ = [the robot, commands on their way, z],    F = [X_y C, X]
+
+is driven by white noise w: a push, an error of the motors, the sensors' noise. The cost is E[xᵀWx + uᵀRu] in a period,
+from the covariance Σ = A Σ Aᵀ + G Gᵀ, found by doubling for all robots together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.control.delay import SampledRobot
+from upright.control.filtering import DISTURBED, NXTWAY_WEIGHT, Disturbed
+from upright.control.lqr import LARGEST_COMMAND
+from upright.control.observer import Observer
+from upright.control.state_space import kept, plant_of
+from upright.physics.dynamics import motor_gain
+from upright.signals import STATE_NAMES
+
+Array = NDArray[np.float64]
+
+_DOUBLINGS = 18  # 2¹⁸ periods: an hour, after which a loop that still remembers its start counts as unstable
+
+
+def sides(count: int) -> list[str]:
+    """Names of `count` commands of both motors, newest first."""
+    return [f"{side}@{i}" for i in range(count) for side in ("sent_left", "sent_right")]
+
+
+def halves(names: Sequence[str], sign: float = 1.0) -> tuple[Array, Array]:
+    """`spread` (n, m) and `gather` (m, n) of the states that equal commands move, or opposed ones (`sign` −1).
+
+    Left and right of a pair are one state; those of the other half are gone.
+    """
+    columns: list[Array] = []
+    for i, name in enumerate(names):
+        paired, turns = "right" in name, name in STATE_NAMES[4:]
+        column = np.zeros(len(names))
+        column[i] = 1.0
+        if paired:
+            column[names.index(name.replace("right", "left"))] = sign
+        if paired or ("left" not in name and turns == (sign < 0)):
+            columns.append(column)
+    spread = np.column_stack(columns)
+    return spread, np.asarray(np.linalg.pinv(spread), dtype=np.float64)
+
+
+@dataclass(frozen=True, eq=False)
+class Plane:
+    """One robot's pitch plane: A (n, n), b (n,), C (2, n) to the encoders' mean and the gyro, G (n, 2) of push and
+    motor noise; its first four states are pitch, pitch rate, wheel and wheel rate."""
+
+    A: Array
+    b: Array
+    C: Array
+    G: Array
+
+
+def plane(seen: SampledRobot, disturbed: Disturbed = DISTURBED) -> Plane:
+    """The pitch plane of `seen`, which reads both encoders and the gyro."""
+    whole = plant_of(seen)
+    names = [seen.names[i] for i in kept(seen)]
+    line = (len(whole.A) - len(names)) // 2
+    spread, gather = halves([*names, *sides(line)])
+    robot = seen.robot
+    motor = disturbed.motor * LARGEST_COMMAND[robot.command_unit] + robot.coulomb_friction / motor_gain(robot)
+    felt = np.zeros((len(whole.A), 2))
+    felt[: len(names), 0] = seen.pushed[kept(seen)] * disturbed.push * robot.body_mass * robot.gravity / NXTWAY_WEIGHT
+    felt[: len(names), 1] = (seen.now + seen.before)[kept(seen)].sum(axis=1) * motor / np.sqrt(2)
+    C = np.vstack([whole.C[:2].sum(axis=0) / 2, whole.C[2]]) @ spread
+    return Plane(gather @ whole.A @ spread, gather @ whole.B[:, :2].sum(axis=1), C, gather @ felt)
+
+
+@dataclass(frozen=True, eq=False)
+class Family:
+    """The loops of several planes (first axis) with one observer, affine in the gain k (m,) on ξ: see above.
+
+    `N` (n, 2) is how the readings' noise enters besides through u, `Fy` (m, 2) how through ξ.
+    """
+
+    M: Array
+    b: Array
+    F: Array
+    G: Array
+    N: Array
+    Fy: Array
+    noise: Array
+
+    def costs(self, k: Array, W: Array, price: float) -> Array:
+        """E[xᵀWx + price u²] (robots,) with W (4, 4) on the first four states; infinite where unstable."""
+        row = k @ self.F
+        closed = self.M - self.b[:, :, None] * row
+        entering = np.concatenate([self.G, self._noise(k)], axis=2)
+        covariance = entering @ entering.swapaxes(1, 2)
+        with np.errstate(over="ignore", invalid="ignore"):
+            power = closed
+            for _ in range(_DOUBLINGS):
+                covariance = covariance + power @ covariance @ power.swapaxes(1, 2)
+                power = power @ power
+            size = np.abs(power).max(axis=(1, 2))
+            command = np.einsum("i,kij,j->k", row, covariance, row) + float(((k @ self.Fy) ** 2) @ self.noise)
+            cost = np.einsum("ij,kji->k", W, covariance[:, :4, :4]) + price * command
+        return np.where((size < 0.5) & np.isfinite(cost), cost, np.inf)
+
+    def direct(self, k: Array, W: Array, price: float) -> float:
+        """The cost of the first loop by SciPy's solution of its Lyapunov equation."""
+        from scipy.linalg import solve_discrete_lyapunov
+
+        row = k @ self.F
+        closed, entering = self.M[0] - np.outer(self.b[0], row), np.hstack([self.G[0], self._noise(k)[0]])
+        found = np.asarray(solve_discrete_lyapunov(closed, entering @ entering.T), dtype=np.float64)
+        command = row @ found @ row + float(((k @ self.Fy) ** 2) @ self.noise)
+        return float(np.sum(W * found[:4, :4]) + price * command)
+
+    def radii(self, k: Array) -> Array:
+        """The largest |pole| of each loop."""
+        return np.abs(np.linalg.eigvals(self.M - self.b[:, :, None] * (k @ self.F))).max(axis=1)
+
+    def _noise(self, k: Array) -> Array:
+        """The readings' noise through observer and command, as columns."""
+        through = self.N[None] - self.b[:, :, None] * (k @ self.Fy)
+        return through * np.sqrt(self.noise)
+
+    def some(self, rows: Sequence[int]) -> Family:
+        """Only these robots."""
+        picked = list(rows)
+        return Family(self.M[picked], self.b[picked], self.F, self.G[picked], self.N, self.Fy, self.noise)
+
+
+def family(planes: Sequence[Plane], watch: Observer) -> Family:
+    """The loops of `planes`, all of one size, with the observer `watch` of the nominal robot."""
+    seen = watch.estimator.seen
+    spread, gather = halves([*seen.names, *sides(seen.history)])
+    out, _ = halves([*STATE_NAMES, *sides(seen.history)])
+    into = np.linalg.pinv(out)
+    both, apart = np.ones(2), np.array([[1.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
+    A, By = gather @ watch.A @ spread, gather @ watch.By @ apart
+    Bu, Ba = gather @ watch.Bu @ both, gather @ watch.Ba @ both
+    X, Xy = into @ watch.X @ spread, into @ watch.Xy @ apart
+    n, size = len(planes[0].A), len(A)
+    line = seen.delay + bool(seen.before.any())
+    M = np.zeros((len(planes), n + size, n + size))
+    b, G = np.zeros((len(planes), n + size)), np.zeros((len(planes), n + size, 2))
+    for i, one in enumerate(planes):
+        M[i, :n, :n], M[i, n:, :n], M[i, n:, n:] = one.A, By @ one.C, A
+        b[i, :n], b[i, n:], G[i, :n] = one.b, Bu, one.G
+    if seen.delay:
+        M[:, n:, n - line + seen.delay - 1] += Ba
+    else:
+        b[:, n:] += Ba
+    F = np.hstack([Xy @ planes[0].C, X])
+    N = np.vstack([np.zeros((n, 2)), By])
+    variance = np.array([seen.noise[0, 0] / 2, seen.noise[2, 2]])
+    return Family(M, b, F, G, N, Xy, variance)

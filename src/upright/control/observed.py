@@ -1,0 +1,55 @@
+"""Any state feedback on raw sensors: the Kalman filter of the delayed robot, then the state when the command arrives.
+
+A command sent at t reaches the motors at t + τ. With x̂ from the filter and the commands that are on their way, the
+state at that moment is known, and u = u_r − K (x̂(t + τ) − x_r) has the poles of A − B K as if there were no dead time,
+besides those of the filter (Artstein 1982). Late sensors are the filter's business: their readings wait among its
+states.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from upright.control.delay import RAW, sampled
+from upright.control.feedback import StateFeedback
+from upright.control.filtering import RECOVERED, Disturbed, Filter, kalman_filter
+from upright.control.linear_controller import LinearController
+from upright.control.observer import observer, output_feedback
+from upright.errors import SpecMismatch
+from upright.robots import Kit, Robot
+
+
+@dataclass(frozen=True, eq=False)
+class Observed:
+    """A `feedback` behind a `filter`."""
+
+    filter: Filter
+    feedback: StateFeedback
+
+    def check(self) -> float:
+        """The larger of the residuals of both."""
+        return max(self.filter.check(), self.feedback.check())
+
+
+def observed(
+    feedback: StateFeedback,
+    robot: Robot,
+    kit: Kit,
+    *,
+    reads: tuple[str, ...] = RAW,
+    disturbed: Disturbed = RECOVERED,
+) -> LinearController:
+    """`feedback` of the true state, designed without dead time, for `robot` on the sensors of `kit`.
+
+    Raises `SpecMismatch` for a sensor the kit does not have or a command in another unit than the robot's,
+    `DesignFailed` where no filter exists.
+    """
+    if feedback.command_unit != robot.command_unit:
+        raise SpecMismatch(
+            f"the {feedback.kind} commands {feedback.command_unit}", expected=f"{robot.command_unit}, as '{robot.name}'"
+        )
+    seen = sampled(robot, kit, feedback.period, reads)
+    estimator = kalman_filter(seen, disturbed)
+    return output_feedback(
+        observer(estimator), feedback.gain @ seen.ahead, feedback.kind, Observed(estimator, feedback)
+    )  # fmt: skip
