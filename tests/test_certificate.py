@@ -24,11 +24,13 @@ from upright.certify.certificate import (
     certify,
     clopper_pearson,
     judge,
-    uncertainty,
+    read_certificate,
 )
-from upright.certify.checks import RELEASE, Trial, linear_gains, standard_pushes, trials
+from upright.certify.checks import RELEASE, Course, Trial, driver, standard_pushes, trials
 from upright.cli import certify as command
-from upright.control import LinearController, as_linear, controller_hash, make_controller
+from upright.cli.main import main
+from upright.control import LinearController, as_linear, controller_hash, make_controller, write_controller
+from upright.control.uncertain import spreads
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.experiment import run
 from upright.report.certificate import page_of
@@ -37,7 +39,7 @@ from upright.robots import Kit, Robot
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "benchmarks"))
 
 ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
-CALIBRATED = {name: 0.2 * size for name, size in uncertainty(ROBOT).items()}
+CALIBRATED = {name: 0.2 * size for name, size in spreads(ROBOT).items()}
 
 
 @cache
@@ -116,7 +118,7 @@ def test_falls_decide_by_their_bound(fell: int, light: str) -> None:
 
 def test_trials_are_the_loop_of_run() -> None:
     # the same robot in the one loop of `experiment.run`: peaks differ by noise alone, below some hundredths of a radian
-    found, fell = trials(linear_gains(designed("pid"), ROBOT, KIT), ROBOT, [ROBOT] * 20, KIT, 0)
+    found, fell = trials(Course(driver(designed("pid"), ROBOT, KIT), ROBOT, [ROBOT] * 20, KIT))
     for trial in found[::2]:  # one battery: no motor is at its limit here
         push = standard_pushes(ROBOT)[trial.push]
         log = run(Electronics(NonlinearBody(ROBOT), KIT), designed("pid"), push, seconds=RELEASE + 1, seed=3)
@@ -173,13 +175,6 @@ def test_a_covariance_keeps_what_is_known_together() -> None:
         certify(designed("pid"), ROBOT, KIT, covariance=np.eye(2))
 
 
-@pytest.mark.parametrize("name", ["mpc", "sliding", "lqr-complementary"])
-def test_what_is_not_linear_is_refused_in_one_line(name: str) -> None:
-    with pytest.raises(SpecMismatch, match="cannot be certified") as caught:
-        certify(make_controller(name, ROBOT, KIT, KIT.period), ROBOT, KIT)
-    assert "\n" not in str(caught.value)
-
-
 def test_who_reads_the_truth_is_certified_for_nothing_real() -> None:
     with pytest.raises(SpecMismatch, match="true state"):
         certify(make_controller("lqr-state", ROBOT, KIT, KIT.period), ROBOT, KIT)
@@ -207,13 +202,21 @@ def test_command_writes_certificate_and_page(tmp_path: Path, capsys: pytest.Capt
         output=tmp_path / "c.json",
         report=tmp_path / "c.html",
     )
-    written = Certificate.from_json(json.loads((tmp_path / "c.json").read_text()))
+    written = read_certificate(tmp_path / "c.json")
     said = capsys.readouterr().out
     assert str(written) in said
     assert written.light in (tmp_path / "c.html").read_text()
     # the controller is designed for the middle of the posterior, a robot whose centre of mass stands 2 mm lower
     own = make_controller("pid", ROBOT.replace(com_height=0.07), KIT, KIT.period)
     assert written.hash == controller_hash(own)
+
+
+def test_command_stops_scripts_by_its_exit_code(tmp_path: Path) -> None:
+    write_controller(scaled(designed("pid"), -1.0), tmp_path / "wrong.json")
+    arguments = ["certify", str(tmp_path / "wrong.json"), "-n", "100", "-o", str(tmp_path / "c.json")]
+    assert main(arguments) == 3  # as its help says
+    assert read_certificate(tmp_path / "c.json").light == RED  # written all the same, for `run` and firmware to read
+    assert main(["certify", "pid", "-n", "100", "--log", "a.csv", "--posterior", "b.json"]) == 2
 
 
 def test_it_is_right_of_robots_it_has_never_seen() -> None:

@@ -16,10 +16,10 @@ from upright.certify.margins import Margins, disk_gain, disk_margin, disk_phase,
 from upright.certify.mu import Mu, parameter_mu
 from upright.control.controller import Controller, controller_hash
 from upright.control.delay import sampled
-from upright.control.linear_controller import as_linear
 from upright.control.lqr import LARGEST_COMMAND
-from upright.control.robust import draw
+from upright.control.near_rest import near_rest
 from upright.control.state_space import Complex, StateSpace, controller_of
+from upright.control.uncertain import draw
 from upright.robots import Kit, Robot
 
 Array = NDArray[np.float64]
@@ -143,7 +143,7 @@ def analyse(
     the controller has no linear form.
     """
     loop = robot_loop(robot, controller, kit)
-    linear = as_linear(controller)
+    linear = near_rest(controller)
     family = draw(robot, DRAWN, seed) if robots is None else list(robots)
     plants = [commanded(sampled(each, kit, linear.period, linear.reads)) for each in family]
     drawn = [Loop(plant, loop.controller).closed.poles for plant in plants]
@@ -185,7 +185,7 @@ def delay_margin(robot: Robot, controller: Controller, kit: Kit, step: float = 0
 
     The dead time of the sampled robot is raised by `step` periods at a time until the loop is unstable, then bisected.
     """
-    linear = as_linear(controller)
+    linear = near_rest(controller)
     told = sampled(robot, kit, linear.period, linear.reads).delay
     K = controller_of(linear, told)
 

@@ -7,27 +7,31 @@ bounded from above by Clopper and Pearson (1934).
 
 from __future__ import annotations
 
+import json
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.certify.agreement import AMBER, RED, Agreement, agreement, disagreements
 from upright.certify.analysis import INPUTS, delay_margin
-from upright.certify.checks import Swept, Trial, later, linear_gains, slower, trials
+from upright.certify.checks import Course, Progress, Swept, Trial, driver, later, slower, trials
 from upright.certify.loop import robot_loop
 from upright.certify.margins import margins
 from upright.control.controller import Controller, controller_hash
-from upright.control.robust import draw, spreads
+from upright.control.uncertain import draw, spreads
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.fleet.results import clopper_pearson as interval
 from upright.robots import Kit, Robot
+from upright.signals import Log
 
 Array = NDArray[np.float64]
 
-GREEN, AMBER, RED = "green", "amber", "red"
+GREEN = "green"
 
 FEWEST = 100
 """Robots below which no certificate is given: even without a fall the bound would be 3 % and more."""
@@ -65,7 +69,9 @@ class Certificate:
     """What was measured of the controller with this `hash`, every `period` [s], and the `light` that follows from it.
 
     Of `samples` robots `fell` fell in at least one of the `trials`; `bound` is what the chance of that stays below,
-    with a confidence of 95 %. `later` and `slower` say what more dead time and other periods do.
+    with a confidence of 95 %. `linear` is None for a controller that no matrices describe, not even near rest. `later`
+    and `slower` say what more dead time and other periods do; `agreement` how far the log from which the robot was
+    learnt looks like what was assumed here.
     """
 
     light: str
@@ -79,15 +85,16 @@ class Certificate:
     seed: int
     samples: int
     fell: int
-    linear: LinearMargins
+    linear: LinearMargins | None
     trials: tuple[Trial, ...]
     later: tuple[Swept, ...] = ()
     slower: tuple[Swept, ...] = ()
+    agreement: tuple[Agreement, ...] = ()
 
     def check(self) -> tuple[str, ...]:
         """What does not follow from this certificate's own numbers; nothing where it may be trusted."""
         bound = clopper_pearson(self.fell, self.samples)
-        light, reasons = judge(self.samples, self.fell, self.linear, self.trials, self.period)
+        light, reasons = judge(self.samples, self.fell, self.linear, self.trials, self.period, self.agreement)
         wrong = [f"the bound is {self.bound:g}, not {bound:g}"] if not math.isclose(bound, self.bound) else []
         wrong += [f"the light is {self.light}, not {light}"] if light != self.light else []
         wrong += ["the reasons are not those of the numbers"] if reasons != self.reasons else []
@@ -106,7 +113,8 @@ class Certificate:
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is unlimited."""
-        numbers = asdict(self) | {"linear": {k: _finite(v) for k, v in asdict(self.linear).items()}}
+        linear = {k: _finite(v) for k, v in asdict(self.linear).items()} if self.linear else None
+        numbers = asdict(self) | {"linear": linear}
         return {"file": KIND, "version": VERSION} | numbers
 
     @classmethod
@@ -124,6 +132,7 @@ class Certificate:
         columns = f"{'push':<20}{'battery':>8}{'fell':>12}{'saturated':>11}{'travel':>10}{'peak':>11}{'sway':>11}"
         sweeps = [_said("dead time +", self.later), _said("period ", self.slower)]
         lines = [head, *(f"  {reason}" for reason in self.reasons), "", columns, *(_row(t) for t in self.trials)]
+        sweeps += ["the log: " + "; ".join(map(str, self.agreement))] if self.agreement else []
         return "\n".join([*lines, *(line for line in sweeps if line)])
 
 
@@ -139,30 +148,47 @@ def certify(
     covariance: Array | None = None,
     sweeps: bool = True,
     threads: int | None = None,
+    log: Log | None = None,
+    progress: Callable[[float], None] | None = None,
 ) -> Certificate:
     """The certificate of `controller` for `robot` with `kit`, over `robots` or `samples` draws round `robot`.
 
     Draws are normal in the parameters named by `sizes` (None: the spreads of the robot's sources); `covariance` (n, n),
     such as a calibration's, in the order of `sizes` replaces their squares. `sweeps` adds further dead times and other
-    periods, on which the light does not depend. Raises `SpecMismatch` for a controller that is not linear or does not
-    fit, `InvalidScenario` for too few samples.
+    periods, on which the light does not depend; `log`, a recording of this robot, is compared with what is assumed.
+    A controller that is not linear is called for each robot, so that 1000 samples take minutes; `progress` is told the
+    share done. Raises `SpecMismatch` for a controller that does not fit, `InvalidScenario` for too few samples,
+    `InvalidLog` for a log that cannot be compared.
     """
-    gains = linear_gains(controller, robot, kit)
     family = _family(robot, samples, seed, sizes, covariance) if robots is None else list(robots)
     _check_family(family, robot)
-    found, fell = trials(gains, robot, family, kit, seed, threads)
-    linear, count = linear_margins(controller, robot, kit), int(fell.sum())
-    light, reasons = judge(len(family), count, linear, found, gains.period)
-    swept = [f(gains, robot, family, kit, seed, threads) if sweeps else () for f in (later, slower)]
+    course = Course(driver(controller, robot, kit), robot, family, kit, seed, threads)
+    if progress:
+        course = replace(course, progress=Progress(course.runs, progress))
+    found, fell = trials(course)
+    linear, count, period = linear_margins(controller, robot, kit), int(fell.sum()), controller.spec.period
+    seen = agreement(log, course) if log else ()
+    light, reasons = judge(len(family), count, linear, found, period, seen)
+    late, slow = (f(course) if sweeps else () for f in (later, slower))
     return Certificate(
         light, reasons, clopper_pearson(count, len(family)), robot.name, kit.name, controller.spec.kind,
-        controller_hash(controller), gains.period, seed, len(family), count, linear, found, *swept,
+        controller_hash(controller), period, seed, len(family), count, linear, found, late, slow, seen,
     )  # fmt: skip
 
 
+def read_certificate(path: str | Path) -> Certificate:
+    """The certificate in a file by `upright certify -o`; raises `InvalidController` for what is none."""
+    try:
+        return Certificate.from_json(json.loads(Path(path).read_text(encoding="utf-8")))
+    except OSError as error:
+        raise InvalidController(f"cannot read {path}: {error.strerror}", expected="a certificate file") from None
+    except ValueError as error:
+        raise InvalidController(f"{path} is broken ({error})", expected="JSON by upright certify") from None
+
+
 def uncertainty(robot: Robot) -> dict[str, float]:
-    """One standard deviation of each number not known of the robot; a gear's teeth can be counted."""
-    return {name: size for name, size in spreads(robot).items() if name != "gear_ratio"}
+    """One standard deviation of each number not known of the robot."""
+    return spreads(robot)
 
 
 def clopper_pearson(fell: int, samples: int, confidence: float = CONFIDENCE) -> float:
@@ -170,9 +196,12 @@ def clopper_pearson(fell: int, samples: int, confidence: float = CONFIDENCE) -> 
     return interval(fell, samples, 2 * confidence - 1).high  # one-sided: all of what is left stands above
 
 
-def linear_margins(controller: Controller, robot: Robot, kit: Kit) -> LinearMargins:
-    """The nominal loop's, zero where it is unstable."""
-    loop = robot_loop(robot, controller, kit)
+def linear_margins(controller: Controller, robot: Robot, kit: Kit) -> LinearMargins | None:
+    """The nominal loop's near rest, zero where it is unstable; None where nothing linear is known of the controller."""
+    try:
+        loop = robot_loop(robot, controller, kit)
+    except InvalidController:
+        return None
     radius = float(np.abs(loop.closed.poles).max())
     if radius >= 1:
         return LinearMargins(radius, 1.0, 1.0, 0.0)
@@ -182,16 +211,25 @@ def linear_margins(controller: Controller, robot: Robot, kit: Kit) -> LinearMarg
 
 
 def judge(
-    samples: int, fell: int, linear: LinearMargins, found: Sequence[Trial], period: float
+    samples: int,
+    fell: int,
+    linear: LinearMargins | None,
+    found: Sequence[Trial],
+    period: float,
+    seen: Sequence[Agreement] = (),
 ) -> tuple[str, tuple[str, ...]]:
     """The light and its one or two reasons, the gravest first."""
-    if red := _falls(samples, fell, found) + _unstable(linear):
+    if red := _falls(samples, fell, found) + (_unstable(linear) if linear else []) + disagreements(seen, RED):
         return RED, tuple(red[:2])
-    if amber := _thin(linear, period) + _laborious(found):
+    thin = _thin(linear, period) if linear else []
+    if amber := disagreements(seen, AMBER) + thin + _laborious(found):
         return AMBER, tuple(amber[:2])
-    late = "any delay" if math.isinf(linear.delay) else f"{linear.delay * 1e3:.1f} ms more delay"
     chance = _per_cent(clopper_pearson(fell, samples))
-    return GREEN, (f"{fell} of {samples} robots fell: the chance is below {chance}", f"it survives {late}")
+    said = f"{fell} of {samples} robots fell: the chance is below {chance}"
+    if linear is None:
+        return GREEN, (said, "its linear margins are not known")
+    late = "any delay" if math.isinf(linear.delay) else f"{linear.delay * 1e3:.1f} ms more delay"
+    return GREEN, (said, f"it survives {late}")
 
 
 def _falls(samples: int, fell: int, found: Sequence[Trial]) -> list[str]:
@@ -261,10 +299,11 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
     given = dict(data)
     if (given.pop("file"), given.pop("version")) != (KIND, VERSION):
         raise ValueError(f"it is no '{KIND}' of version {VERSION}")
-    linear = {name: math.inf if value is None else float(value) for name, value in given["linear"].items()}
+    said = given["linear"]
     parts: dict[str, Any] = {
         "reasons": tuple(given["reasons"]),
-        "linear": LinearMargins(**linear),
+        "linear": LinearMargins(**{n: math.inf if v is None else float(v) for n, v in said.items()}) if said else None,
+        "agreement": tuple(Agreement(**row) for row in given["agreement"]),
         "trials": tuple(Trial(**row) for row in given["trials"]),
     }
     swept: dict[str, Any] = {name: tuple(Swept(**row) for row in given[name]) for name in ("later", "slower")}

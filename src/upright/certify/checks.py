@@ -6,9 +6,9 @@ All of it is the nonlinear model in the batch kernel, with the kit's quanta, noi
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,6 +41,10 @@ SLOWER = (0.5, 0.8, 1.25, 1.5, 2.0)
 SWEPT = 100
 """How many of the drawn robots the sweeps are run with."""
 
+CALLED = 128
+"""Robots that run together where the controller is called for each: a second or some of work."""
+
+PITCH = ("truth/pitch",)
 _STEP = 0.001  # [s] of the body, as everywhere
 _MOST = 95  # per cent: what one run in twenty exceeds
 
@@ -72,24 +76,29 @@ class Swept:
     fell: int
 
 
-def linear_gains(controller: Controller, robot: Robot, kit: Kit) -> Gains:
-    """The controller as the kernel runs it; `SpecMismatch` for one that is not linear, that reads what no sensor of the
-    kit gives, or that commands another unit."""
-    try:
-        gains = Gains.of(as_linear(controller))
-    except InvalidController:
+class Driver(NamedTuple):
+    """A controller as the kernel runs it: as `gains`, or called for each robot (`brain`) where no matrices describe it,
+    which takes some hundred times as long."""
+
+    gains: Gains
+    brain: Controller | None = None
+
+
+def driver(controller: Controller, robot: Robot, kit: Kit) -> Driver:
+    """The controller at the wheel; `SpecMismatch` for one that reads what no sensor of the kit gives, or that commands
+    another unit."""
+    spec = controller.spec
+    if spec.command_unit != robot.command_unit:
+        raise SpecMismatch(f"the controller commands {spec.command_unit}", expected=f"{robot.command_unit}")
+    if spec.reads_truth and kit.name != "ideal":
         raise SpecMismatch(
-            f"a {controller.spec.kind} cannot be certified", expected="a linear controller, which the kernel can run",
-            mend="certify an lqg, lqi, hinf, pid or robust one",
-        ) from None  # fmt: skip
-    if gains.command_unit != robot.command_unit:
-        raise SpecMismatch(f"the controller commands {gains.command_unit}", expected=f"{robot.command_unit}")
-    if controller.spec.reads_truth and kit.name != "ideal":
-        raise SpecMismatch(
-            f"a {controller.spec.kind} that reads the true state, on kit '{kit.name}'",
+            f"a {spec.kind} that reads the true state, on kit '{kit.name}'",
             expected="a controller of its sensors", mend="put a filter before it, or certify on the kit 'ideal'",
         )  # fmt: skip
-    return gains
+    try:
+        return Driver(Gains.of(as_linear(controller)))
+    except InvalidController:
+        return Driver(Gains.silent(controller), controller)
 
 
 def standard_pushes(robot: Robot) -> dict[str, Any]:
@@ -101,67 +110,106 @@ def standard_pushes(robot: Robot) -> dict[str, Any]:
     }
 
 
-def trials(
-    gains: Gains, robot: Robot, robots: Sequence[Robot], kit: Kit, seed: int, threads: int | None = None
-) -> tuple[tuple[Trial, ...], NDArray[np.bool_]]:
-    """Every standard push at every battery on all `robots`, and which robots (n,) fell in any of them."""
-    parameters = parameters_of(robots)
-    fell = np.zeros(len(robots), dtype=np.bool_)
+@dataclass
+class Progress:
+    """Counts robots that have run, and tells the share of `total`."""
+
+    total: int
+    show: Callable[[float], None]
+    done: int = 0
+
+    def add(self, count: int) -> None:
+        self.done += count
+        self.show(min(1.0, self.done / max(1, self.total)))
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """Who drives which robots, on which kit, from which seed."""
+
+    driver: Driver
+    robot: Robot
+    robots: Sequence[Robot]
+    kit: Kit
+    seed: int = 0
+    threads: int | None = None
+    progress: Progress | None = None
+
+    @property
+    def runs(self) -> int:
+        """How many robots run in all trials and sweeps."""
+        pushes, some = len(standard_pushes(self.robot)), min(SWEPT, len(self.robots))
+        return pushes * (len(BATTERIES) * len(self.robots) + (len(_extra(self)) + len(_periods(self))) * some)
+
+
+def trials(course: Course) -> tuple[tuple[Trial, ...], NDArray[np.bool_]]:
+    """Every standard push at every battery on all robots, and which robots (n,) fell in any of them."""
+    fell = np.zeros(len(course.robots), dtype=np.bool_)
     found: list[Trial] = []
-    for name, push in standard_pushes(robot).items():
+    for name, push in standard_pushes(course.robot).items():
         for battery, share in BATTERIES.items():
-            batch = _batch(gains, parameters, [push], kit, seed, len(found), _battery(kit, robot, share))
-            result = simulate(batch, SECONDS, record=1, channels=("truth/pitch",), threads=threads)
-            found.append(_trial(name, battery, result, parameters, gains.period))
-            fell |= result.fell
+            changes = _battery(course.kit, course.robot, share)
+            rows = list(_runs(course, course.robots, push, len(found), changes, course.driver, PITCH))
+            found.append(_trial(name, battery, rows, parameters_of(course.robots), course.driver.gains.period))
+            fell |= np.concatenate([row.fell for row in rows])
     return tuple(found), fell
 
 
-def later(
-    gains: Gains, robot: Robot, robots: Sequence[Robot], kit: Kit, seed: int, threads: int | None = None
-) -> tuple[Swept, ...]:
+def later(course: Course) -> tuple[Swept, ...]:
     """Falls under every standard push with `LATER` periods of further dead time, which the controller does not know."""
-    extra = sorted({round(share * gains.period / _STEP) * _STEP for share in LATER} - {0.0})
-    return tuple(
-        _swept(value, gains, robot, robots, kit, seed, {"delay": [kit.delay + value]}, threads) for value in extra
-    )
+    kit = course.kit
+    return tuple(_swept(course, value, {"delay": [kit.delay + value]}, course.driver) for value in _extra(course))
 
 
-def slower(
-    gains: Gains, robot: Robot, robots: Sequence[Robot], kit: Kit, seed: int, threads: int | None = None
-) -> tuple[Swept, ...]:
+def slower(course: Course) -> tuple[Swept, ...]:
     """Falls under every standard push where the loop runs every `SLOWER` share of its period with the same gains."""
-    periods = sorted({max(1, round(share * gains.period / _STEP)) * _STEP for share in SLOWER})
-    allowed = [period for period in periods if period >= kit.jitter]  # the kernel takes no later command than that
+    gains, brain = course.driver
     return tuple(
-        _swept(period, gains._replace(period=period), robot, robots, kit, seed, {}, threads) for period in allowed
+        _swept(course, period, {}, Driver(gains._replace(period=period), brain)) for period in _periods(course)
     )
 
 
-def _swept(
-    value: float, gains: Gains, robot: Robot, robots: Sequence[Robot], kit: Kit, seed: int,
-    changes: Mapping[str, Any], threads: int | None,
-) -> Swept:  # fmt: skip
-    parameters = parameters_of(robots[:SWEPT])
+def watched(course: Course, push: Any, row: int, channels: Sequence[str]) -> Iterator[FleetResult]:
+    """The robots of `course` once under `push`, `channels` recorded; `row` numbers the trial."""
+    return _runs(course, course.robots, push, row, {}, course.driver, channels)
+
+
+def _extra(course: Course) -> list[float]:
+    return sorted({round(share * course.driver.gains.period / _STEP) * _STEP for share in LATER} - {0.0})
+
+
+def _periods(course: Course) -> list[float]:
+    """The kernel takes no command that is later than the next one."""
+    tried = sorted({max(1, round(share * course.driver.gains.period / _STEP)) * _STEP for share in SLOWER})
+    return [period for period in tried if period >= course.kit.jitter]
+
+
+def _swept(course: Course, value: float, changes: Mapping[str, Any], at_the_wheel: Driver) -> Swept:
+    some = course.robots[:SWEPT]
     fell = runs = 0
-    for row, push in enumerate(standard_pushes(robot).values()):
-        batch = _batch(gains, parameters, [push], kit, seed, row, changes)
-        result = simulate(batch, SECONDS, threads=threads)
-        fell, runs = fell + int(result.fell.sum()), runs + batch.n
+    for row, push in enumerate(standard_pushes(course.robot).values()):
+        for result in _runs(course, some, push, row, changes, at_the_wheel):
+            fell, runs = fell + int(result.fell.sum()), runs + len(result.fell)
     return Swept(value, runs, fell)
 
 
-def _batch(
-    gains: Gains, parameters: Array, pushes: Sequence[Any], kit: Kit, seed: int, row: int, changes: Mapping[str, Any]
-) -> FleetBatch:
-    """The robots once each; `row` numbers the trial, so that each has its own noise."""
-    n = len(parameters)
-    index = np.arange(row * n, (row + 1) * n, dtype=np.uint64)
-    pushed = tables(pushes, (), parameters).pushes
-    return FleetBatch(
-        parameters=parameters, controller=gains, kit=kit, kit_changes=changes, pushes=pushed, seed=seed, index=index,
-        period=_STEP,
-    )  # fmt: skip
+def _runs(
+    course: Course, robots: Sequence[Robot], push: Any, row: int, changes: Mapping[str, Any], at_the_wheel: Driver,
+    channels: Sequence[str] = (),
+) -> Iterator[FleetResult]:  # fmt: skip
+    """The robots once each, a part at a time; `row` numbers the trial, so that each has its own noise."""
+    n, part = len(robots), CALLED if at_the_wheel.brain else len(robots)
+    for first in range(0, n, part):
+        some = parameters_of(robots[first : first + part])
+        index = np.arange(row * n + first, row * n + first + len(some), dtype=np.uint64)
+        batch = FleetBatch(
+            parameters=some, controller=at_the_wheel.gains, kit=course.kit, kit_changes=changes, seed=course.seed,
+            pushes=tables([push], (), some).pushes, index=index, period=_STEP,
+        )  # fmt: skip
+        brain, record = at_the_wheel.brain, int(bool(channels))
+        yield simulate(batch, SECONDS, record=record, channels=channels, threads=course.threads, brain=brain)
+        if course.progress:
+            course.progress.add(len(some))
 
 
 def _battery(kit: Kit, robot: Robot, share: float) -> dict[str, list[float]]:
@@ -170,13 +218,16 @@ def _battery(kit: Kit, robot: Robot, share: float) -> dict[str, list[float]]:
     return {"battery.voltage": [share * kit.battery.voltage]} if known else {}
 
 
-def _trial(push: str, battery: str, result: FleetResult, parameters: Array, period: float) -> Trial:
-    stood = ~result.fell
+def _trial(push: str, battery: str, rows: Sequence[FleetResult], parameters: Array, period: float) -> Trial:
+    fell, saturated, peak, trace = (
+        np.concatenate([getattr(row, name) for row in rows]) for name in ("fell", "saturated", "peak", "trace")
+    )
+    stood = ~fell
     radius = parameters[:, NAMES.index("wheel_radius")]
-    ending = result.trace[stood, -max(1, round(TAIL / period)) :, 0]
+    ending = trace[stood, -max(1, round(TAIL / period)) :, 0]
     swings = (ending.max(axis=1) - ending.min(axis=1)) / 2
-    numbers = (result.saturated[stood], (result.peak[:, 1] * radius)[stood], result.peak[stood, 0], swings)
-    return Trial(push, battery, len(stood), int((~stood).sum()), *(_most(values) for values in numbers))
+    numbers = (saturated[stood], (peak[:, 1] * radius)[stood], peak[stood, 0], swings)
+    return Trial(push, battery, len(stood), int(fell.sum()), *(_most(values) for values in numbers))
 
 
 def _most(values: Array) -> float:

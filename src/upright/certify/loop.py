@@ -9,7 +9,7 @@ import numpy as np
 
 from upright.control.controller import Controller
 from upright.control.delay import SampledRobot, sampled
-from upright.control.linear_controller import as_linear
+from upright.control.near_rest import near_rest
 from upright.control.state_space import StateSpace, controller_of, one_period, plant_of
 from upright.errors import InvalidModel, SpecMismatch
 from upright.robots import Kit, Robot
@@ -61,9 +61,10 @@ def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> Loop:
     """The loop of `controller` on `robot` under the dead time and the late sensors of `kit`.
 
     The controller's knowledge of the command that was applied is part of the controller, so that what is broken is the
-    motors' effect on the robot. Raises `InvalidController` where it is not linear.
+    motors' effect on the robot. A controller that is linear only near rest is taken as it
+    is there. Raises `InvalidController` where nothing linear is known of it.
     """
-    linear = as_linear(controller)
+    linear = near_rest(controller)
     if linear.command_unit != robot.command_unit:
         raise SpecMismatch(
             f"the controller commands {linear.command_unit}", expected=f"{robot.command_unit}, as '{robot.name}'"

@@ -21,9 +21,9 @@ from upright.certify.loop import Loop, commanded
 from upright.certify.margins import SLOWEST
 from upright.control.controller import Controller
 from upright.control.delay import sampled
-from upright.control.linear_controller import as_linear
-from upright.control.robust import FARTHEST, spreads
+from upright.control.near_rest import near_rest
 from upright.control.state_space import Complex, StateSpace, controller_of
+from upright.control.uncertain import FARTHEST, spreads
 from upright.errors import InvalidModel, InvalidRobot
 from upright.robots import Kit, Robot
 
@@ -93,7 +93,7 @@ def parameter_mu(
     Infinite bounds where the nominal loop is unstable. Raises `InvalidController` where the controller is not linear.
     """
     chosen = dict(intervals or {name: FARTHEST * size for name, size in spreads(robot).items()})
-    linear = as_linear(controller)
+    linear = near_rest(controller)
     delay = sampled(robot, kit, linear.period, linear.reads).delay
     K = controller_of(linear, delay)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from upright.certify.certificate import GREEN, RED, Certificate
+from upright.certify.certificate import GREEN, RED, Certificate, LinearMargins
 from upright.certify.checks import Swept
 from upright.report.figure import Figure, Panel, Trace
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict
@@ -24,7 +24,7 @@ def page_of(certificate: Certificate) -> Page:
     sections = [
         Section("In words", [f"{reason[0].upper()}{reason[1:]}." for reason in certificate.reasons], verdict),
         Section("Pushes", [_intro(certificate), _trials(certificate)]),
-        Section("Nominal loop", [_linear(certificate)]),
+        Section("Nominal loop", [_linear(certificate.linear)] if certificate.linear else []),
     ]
     if certificate.later or certificate.slower:
         sections.append(Section("If the loop ran otherwise", _sweeps(certificate)))
@@ -49,12 +49,12 @@ def _trials(c: Certificate) -> Table:
     return Table(header, rows, "Every standard push at every battery", 3)
 
 
-def _linear(c: Certificate) -> Table:
+def _linear(found: LinearMargins) -> Table:
     rows: list[list[Cell]] = [
-        ["largest |pole|", c.linear.radius],
-        ["both motors as weak as", c.linear.gain_low],
-        ["both motors as strong as", c.linear.gain_high],
-        ["more dead time survived [ms]", c.linear.delay * 1e3],
+        ["largest |pole|", found.radius],
+        ["both motors as weak as", found.gain_low],
+        ["both motors as strong as", found.gain_high],
+        ["more dead time survived [ms]", found.delay * 1e3],
     ]
     return Table(["", "value"], rows, "Linear margins, broken at both motors", 4)
 

@@ -1,0 +1,135 @@
+"""Whether a log looks like what a certificate assumes: its innovations against those of the robots that were drawn.
+
+The steady Kalman filter of the nominal robot, with the noise of its kit, foretells each reading of the log from the
+commands that were applied. The same filter foretells drawn robots in the nonlinear model with the kit's faults, driven
+by the controller under the standard pushes. What the certificate assumes is right as far as the log can tell where the
+innovations of the log are not larger than those. Their size is that of the median, so that a push or a lost sample here
+and there, which the log may have and the model not, says nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.certify.checks import Course, standard_pushes, watched
+from upright.control.delay import RAW, sampled
+from upright.control.filtering import Filter, kalman_filter
+from upright.errors import InvalidLog, SpecMismatch
+from upright.identify.raw import RATES
+from upright.identify.recording import commanded
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+
+AMBER, RED = "amber", "red"
+
+DRAWN = 12
+"""Robots with which the log is compared; of so many one in twelve exceeds what 92 % of all stay below."""
+
+LARGER = 2.0  # times the largest of the drawn robots: amber, since noise or model err by more than what was drawn
+FAR_LARGER = 5.0  # red: what was certified is another robot
+SETTLED = 1.0  # [s] in which the filter finds the first state
+LEAST = 2.0  # [s] of log after that
+UNEVEN = 0.02  # share of steps that may be half a period off
+APPLIED = ("applied/left", "applied/right")
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """One sensor: size of the log's innovations `seen` and the largest of the drawn robots' `expected`, both as shares
+    of what the filter itself foretells."""
+
+    sensor: str
+    seen: float
+    expected: float
+
+    @property
+    def ratio(self) -> float:
+        """How many times larger the log's are."""
+        return self.seen / self.expected
+
+    def __str__(self) -> str:
+        return f"{self.sensor} {self.ratio:.2f} of what was expected"
+
+
+def disagreements(found: Sequence[Agreement], light: str) -> list[str]:
+    """The reasons that a log gives for this light, the largest first."""
+    low, high = (FAR_LARGER, np.inf) if light == RED else (LARGER, FAR_LARGER)
+    beyond = sorted((a for a in found if low < a.ratio <= high), key=lambda a: -a.ratio)
+    return [
+        f"the log's {a.sensor} surprises {a.ratio:.1f} times as much as any drawn robot's, more than {low:g} times"
+        for a in beyond
+    ]
+
+
+def agreement(log: Log, course: Course) -> tuple[Agreement, ...]:
+    """Each sensor of `log`, recorded on the robot of `course`, against that of its first `DRAWN` robots.
+
+    Robots that fall are left out. Raises `InvalidLog` where the log lacks encoders, gyro or commands, is uneven, or too
+    short; `SpecMismatch` for a kit without these sensors.
+    """
+    readings, applied = recorded(log, sampled(course.robot, course.kit, log.period).delay)
+    seen = surprise(kalman_filter(sampled(course.robot, course.kit, log.period)), readings[None], applied[None])[0]
+    period = course.driver.gains.period
+    estimator, found = kalman_filter(sampled(course.robot, course.kit, period)), list[Array]()
+    reads = course.driver.gains.reads
+    if not set(RAW) <= set(reads):
+        raise SpecMismatch(f"the controller reads {', '.join(reads)}", expected="both encoders and the gyro")
+    for row, push in enumerate(standard_pushes(course.robot).values()):
+        some = replace(course, robots=course.robots[:DRAWN], progress=None)
+        for result in watched(some, push, row, (*RAW, *APPLIED)):
+            found.append(surprise(estimator, *np.split(result.trace[~result.fell], [3], axis=2)))
+    standing = np.concatenate(found)
+    largest = standing.max(axis=0) if len(standing) else np.ones(3)
+    return tuple(
+        Agreement(name.removeprefix("sensor/"), float(own), float(most))
+        for name, own, most in zip(RAW, seen, largest, strict=True)
+    )
+
+
+def recorded(log: Log, delay: int) -> tuple[Array, Array]:
+    """Readings (n, 3) of both encoders and the gyro, and applied commands (n, 2), `delay` periods late."""
+    steps = np.diff(log.t)
+    if np.mean(np.abs(steps - log.period) > log.period / 2) > UNEVEN:
+        raise InvalidLog("the log is uneven", expected=f"steps near {log.period:g} s", likely="dropped samples",
+                         mend="cut the log with --start and --until, or ask `upright doctor`")  # fmt: skip
+    if log.t[-1] - log.t[0] < SETTLED + LEAST:
+        raise InvalidLog(f"the log lasts {log.t[-1] - log.t[0]:.1f} s", expected=f"{SETTLED + LEAST:g} s or more")
+    readings = np.column_stack([_reading(log, name) for name in RAW])
+    prefix = commanded(log)
+    if not prefix:
+        raise InvalidLog("the log has no commands", expected="channels applied/left and applied/right")
+    commands = np.column_stack([log[f"{prefix}/left"], log[f"{prefix}/right"]])
+    late = delay if prefix == "command" else 0
+    return readings, np.vstack([np.zeros((late, 2)), commands])[: len(log)]
+
+
+def _reading(log: Log, name: str) -> Array:
+    """An encoder that was logged as a rate is summed."""
+    rate = RATES.get(name, "")
+    return np.cumsum(log[rate]) * log.period if name not in log and rate in log else log[name]
+
+
+def surprise(estimator: Filter, readings: Array, applied: Array) -> Array:
+    """Size of the innovations (robots, 3) over what the filter foretells: 1.48 times the median of |e|, for
+    readings (robots, n, 3) and commands (robots, n, 2); missing readings (NaN) are left out, and the first `SETTLED`
+    seconds."""
+    seen, C, L = estimator.seen, estimator.seen.C, estimator.L
+    p = np.zeros((len(readings), len(seen.A)))
+    turn = seen.robot.track / (2 * seen.robot.wheel_radius)
+    left, right = np.nan_to_num(readings[:, 0, 0]), np.nan_to_num(readings[:, 0, 1])
+    p[:, 2], p[:, 4] = (left + right) / 2, (right - left) / (2 * turn)
+    for place, name in enumerate(seen.names):
+        p[:, place] += np.nan_to_num(readings[:, 0, RAW.index(name[:-2])]) if "@" in name else 0.0
+    before, errors = np.zeros((len(readings), 2)), np.empty_like(readings)
+    for k in range(readings.shape[1]):
+        errors[:, k] = readings[:, k] - p @ C.T
+        p = p + np.nan_to_num(errors[:, k]) @ L.T
+        p = p @ seen.A.T + before @ seen.before.T + applied[:, k] @ seen.now.T
+        before = applied[:, k]
+    foretold = np.sqrt(np.diag(C @ estimator.P @ C.T + seen.noise))
+    return 1.4826 * np.nanmedian(np.abs(errors[:, round(SETTLED / seen.dt) :]), axis=1) / foretold

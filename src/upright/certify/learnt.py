@@ -1,0 +1,43 @@
+"""What a calibration hands to a certificate: the robot, how far from it the truth may be, and its dead times."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.identify.calibration import HELD, Calibration
+from upright.identify.recording import SENSOR
+from upright.robots import PARAMETERS, Kit, Robot
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Learnt:
+    """A robot with its kit; draws are jointly normal with `covariance` (n, n), in the order of `sizes`."""
+
+    robot: Robot
+    kit: Kit
+    sizes: dict[str, float]
+    covariance: Array
+
+
+def learnt(found: Calibration, kit: Kit) -> Learnt:
+    """The calibrated robot, with the posterior of its parameters, on `kit` with the sensors as late as the log says.
+
+    Dead times that the log has shorter stay as in the kit: where a log holds what was applied, not what was commanded,
+    it does not show all of them.
+    """
+    rows = [i for i, name in enumerate(found.names) if name in PARAMETERS]
+    covariance = found.covariance[np.ix_(rows, rows)]
+    deviations = np.sqrt(np.maximum(np.diag(covariance), 0.0)).tolist()
+    sizes = dict(zip([found.names[i] for i in rows], deviations, strict=True))
+    late = {e.name.removeprefix("delay/"): e.value for e in found.delays if e.verdict != HELD}
+    told = kit.delay + kit.jitter / 2
+    sensors = {
+        name: replace(sensor, delay=max(sensor.delay, late.get(SENSOR.get(name, ""), 0.0) - told))
+        for name, sensor in kit.sensors.items()
+    }
+    return Learnt(found.robot, replace(kit, sensors=sensors), sizes, covariance)
