@@ -1,0 +1,107 @@
+"""The same log with a fault taken out of it: what the filter says then is exact, where the bank is linear."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.certify.postmortem.fall import before, without
+from upright.certify.postmortem.faults import Bank, plain_bank
+from upright.certify.postmortem.fits import Fit, bias_left, with_pushes
+from upright.certify.postmortem.path import Track, driven, tangent, track
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+GYRO = "sensor/gyro"
+FREED = ("bias", "weak", "late")
+"""Faults that a log can be freed of."""
+FAR, MOST = 150.0, 4
+"""Nats behind the likeliest from which a hypothesis is not looked at again, and how many are at most."""
+
+ROUNDS = 2
+"""Most times that the size of a gyro's offset is found again on the log freed of it."""
+
+
+def mended(found: Track, fit: Fit) -> Track | None:
+    """The track of the log without the fault; None for a fault that no log can be freed of."""
+    log, kit, robot = found.log, found.kit, found.robot
+    if fit.fault == "bias":
+        later = log.t - fit.onset
+        shift = fit.size * np.where(later >= 0, 1.0 if fit.way == "step" else later, 0.0)
+        return track(Log(log.t, {**log.channels, GYRO: log[GYRO] - shift}, log.units, log.origin), robot, kit)
+    if fit.fault not in ("weak", "late"):
+        return None
+    usual = driven(found.asked, kit, robot.command_unit)
+    if fit.fault == "weak":
+        other = driven(found.asked, kit, robot.command_unit, fit.size, weak=fit.way == "pwm")
+    else:
+        other = _later(usual, fit.size)
+    return track(log, robot, kit, np.where((log.t >= fit.onset)[:, None], other, usual))
+
+
+def _later(commands: Array, periods: float) -> Array:
+    """Commands (samples, 2) that come so many periods later, a part of one as the mean of two."""
+    whole = math.floor(periods)
+    part = periods - whole
+    early = np.vstack([np.repeat(commands[:1], whole, axis=0), commands[: len(commands) - whole]])
+    earlier = np.vstack([early[:1], early[:-1]])
+    return (1 - part) * early + part * earlier
+
+
+@dataclass(frozen=True)
+class Window:
+    """The part of a log that is judged: it `end`s then [s], is at most so many `seconds` long, and `usual` is the scale
+    of its innovations before."""
+
+    end: float
+    seconds: float
+    usual: float
+
+    def bank(self, found: Track) -> Bank:
+        """The bank of pushes alone on this part of a track."""
+        part = before(found, self.end, self.seconds)
+        use = (part.row >= 0) & np.isfinite(part.s)
+        return plain_bank(part, tangent(part), use, self.usual)
+
+
+def exact(found: Track, fit: Fit, window: Window, against: Bank) -> Fit:
+    """The fit's score where its fault is taken out of the log; the size of a gyro's offset is found again."""
+    best = fit
+    for _ in range(ROUNDS if fit.fault == "bias" else 1):
+        freed = mended(found, fit)
+        if freed is None or freed.then[-1] < window.end - 0.1:
+            return best
+        again = with_pushes(window.bank(freed), against=against)
+        now = replace(again, fault=fit.fault, way=fit.way, onset=fit.onset, size=fit.size)
+        if now.score <= best.score and best is not fit:
+            return best
+        best = now if now.score > best.score else best
+        if fit.fault == "bias":
+            fit = replace(fit, size=fit.size + _more_bias(freed, fit, window))
+    return best
+
+
+def _more_bias(freed: Track, fit: Fit, window: Window) -> float:
+    """By how much the offset is larger than what was taken out."""
+    part = before(freed, window.end, window.seconds)
+    return bias_left(part, tangent(part), fit)
+
+
+def dropped(found: Track, frozen: NDArray[np.bool_], window: Window, against: Bank) -> Fit:
+    """The fit of a robot whose sensors said nothing in the `frozen` rows."""
+    freed = track(without(found.log, frozen), found.robot, found.kit)
+    again = with_pushes(window.bank(freed), against=against)
+    first = np.flatnonzero(frozen & (found.log.t > window.end - window.seconds))
+    onset = float(found.log.t[first[0]]) if len(first) else math.nan
+    return replace(again, fault="dropped", way="frozen", onset=onset, size=float(frozen[first[0] :].mean()))
+
+
+def sharpened(found: Track, fits: Sequence[Fit], window: Window, against: Bank) -> list[Fit]:
+    """All fits, the likeliest of each fault that a log can be freed of by their exact score, the likeliest first."""
+    worth = [fit for fit in fits if fit.fault in FREED and fit.score > fits[0].score - FAR][:MOST]
+    rest = [fit for fit in fits if not any(fit is one for one in worth)]
+    return sorted([*(exact(found, fit, window, against) for fit in worth), *rest], key=lambda f: -f.score)
