@@ -48,6 +48,9 @@ def simulate(
     turn: Annotated[
         str | None, typer.Option(metavar="RAD/S[,start=S,until=S]", help="Turn, anticlockwise positive.")
     ] = None,
+    excite: Annotated[
+        Path | None, typer.Option(help="Add the excitation of a plan by `upright excite` to the commands.")
+    ] = None,
     start: Annotated[str, typer.Option(help="First state, such as pitch=0.05; zero where not said.")] = "",
     seconds: Annotated[float, typer.Option("--seconds", "-s", help="How long [s].")] = 10.0,
     seed: Annotated[int, typer.Option(help="Seed of all noise.")] = 0,
@@ -70,6 +73,7 @@ def simulate(
         check_folder(output)
     chosen = find_robot(robot)
     plant, brain = _fitted(chosen, body=body, kit=kit or chosen.kit, controller=controller, gains=gains, period=period)
+    brain = _excited(brain, excite) if excite else brain
     with progress("simulating") as share:
         log = run(plant, brain, pushes, reference=references, seconds=seconds, seed=seed, start=first, progress=share)
     plant.close()
@@ -95,16 +99,27 @@ def _fitted(
     return plant, find_controller(controller or ("lqr-state" if ideal else "lqg"), robot, parts, dt)
 
 
+def _excited(controller: Controller, path: Path) -> Controller:
+    """The controller with a plan's excitation; says where the plan was made with another one."""
+    from upright.control import controller_hash
+    from upright.identify.excite.plan import read_plan
+
+    plan = read_plan(path)
+    if controller_hash(controller) != plan.hash:
+        typer.echo(f"{path} was checked with another {plan.controller}: its limits are not those of this run", err=True)
+    return plan.excited(controller)
+
+
 def _state_feedback(gains: str, robot: Robot, kit: Kit | None, dt: float) -> Controller:
     """u = −Kx on the true state, or behind a Kalman filter where there is a kit."""
-    from upright.control import Estimated, StateFeedback, kalman
+    from upright.control import StateFeedback, observed
 
     if gains.endswith(".json"):
         feedback = StateFeedback(_read_gain(Path(gains)), dt, robot.command_unit)
     else:
         row = [options.number(text, "--gains") for text in gains.split(",")]
         feedback = StateFeedback.symmetric(row, dt, command_unit=robot.command_unit)
-    return feedback if kit is None else Estimated(feedback, kalman(robot, kit, dt))
+    return feedback if kit is None else observed(feedback, robot, kit)
 
 
 def _read_gain(path: Path) -> Any:

@@ -1,0 +1,188 @@
+"""What a designed excitation gains over a random binary dither of its energy, and how often a robot falls with it.
+
+    python benchmarks/excite.py                               # three presets, five robots each, 300 twin runs each
+    python benchmarks/excite.py --robots nxtway-gs --seeds 3 --runs 0
+
+Energy is ∫ u_l² + u_r² dt of what the motors of the nominal robot get by an excitation, the loop's answer included, so
+that a slow turn, most of whose added voltage the controller takes back, and a dither are measured alike.
+
+Robots are drawn from the spreads of the preset's file. Those that do not stand unexcited are left out: of the drawn
+ones the kernel tells which, and a twin that falls with the plan is tried again without it. Twins are MuJoCo in the
+kit's electronics; plan, controller and calibration know the preset alone.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import platform
+import time
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
+from importlib.metadata import version
+from itertools import islice
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import numpy as np
+
+from upright.bodies import Electronics
+from upright.bodies.twin import Twin
+from upright.control import make_controller
+from upright.control.excited import Excited, random_binary
+from upright.errors import UprightError
+from upright.experiment import run
+from upright.fleet.kernel_batch import parameters_of
+from upright.fleet.results import clopper_pearson
+from upright.fleet.vary import Family, own_spreads
+from upright.identify.calibrate import calibrate
+from upright.identify.calibration import VISIBLE, Calibration
+from upright.identify.excite import excite
+from upright.identify.excite.loop import Loop
+from upright.identify.excite.plan import ExcitationPlan
+from upright.identify.excite.search import SWAY
+from upright.robots import Kit, Robot
+from upright.signals import Log
+
+PRESETS = ("nxtway-gs", "ev3way", "twipr")
+SECONDS = 20.0
+UNSEEN = 1000  # added to the seed: robots and noise that the plan was not made with
+
+
+def robots(name: str, count: int, seed: int) -> list[Robot]:
+    """Drawn robots that stand unexcited and that are rigid bodies in the twin."""
+    robot = Robot.preset(name)
+    kit = Kit.preset(robot.kit)
+    drawn = Family(robot, kit, own_spreads(robot)).draw(seed, np.arange(4 * count + 20))
+    loop = Loop(robot, kit, make_controller("lqg", robot, kit, kit.period), SECONDS, seed)
+    result = loop.run(np.zeros((1, 1, 2)), parameters_of(robot, drawn), hold=loop.periods)
+    stands = np.flatnonzero(~result.fell & (result.peak[:, 0] < SWAY))
+    found = (robot.replace(**{n: float(v[i]) for n, v in drawn.items()}) for i in stands)
+    return list(islice(filter(possible, found), count))
+
+
+def possible(robot: Robot) -> bool:
+    """Whether the twin can be: its wheels' own inertias must leave the body a rigid one."""
+    try:
+        Twin(robot)
+    except UprightError:
+        return False
+    return True
+
+
+def twin_log(name: str, sequence: np.ndarray, true: Robot, seed: int) -> Log:
+    """A twin of `true` under the preset's controller with `sequence` (n, 2) added."""
+    robot = Robot.preset(name)
+    kit = Kit.preset(robot.kit)
+    controller = Excited(make_controller("lqg", robot, kit, kit.period), sequence)
+    return run(Electronics(Twin(true), kit), controller, seconds=SECONDS, seed=seed)
+
+
+def dither(name: str, energy: float, seed: int, hold: int) -> np.ndarray:
+    """A random binary dither (n, 2) of that energy."""
+    robot = Robot.preset(name)
+    kit = Kit.preset(robot.kit)
+    loop = Loop(robot, kit, make_controller("lqg", robot, kit, kit.period), SECONDS, seed)
+    first = 1.0 if loop.gains.command_unit == "V" else 0.02
+    rows = random_binary(-(-loop.periods // hold), first, seed)
+    return np.repeat(loop.scaled(rows[None], energy, hold)[0], hold, axis=0)
+
+
+def learnt(job: tuple[str, np.ndarray, Robot, int]) -> Calibration | None:
+    """What a calibration makes of a twin's log; None where it fell or nothing follows the log."""
+    name, sequence, true, seed = job
+    log = twin_log(name, sequence, true, seed)
+    if log.origin["outcome"]["fell"]:
+        return None
+    try:
+        return calibrate(log, Robot.preset(name))
+    except UprightError:
+        return None
+
+
+def fell(name: str, sequence: np.ndarray, job: tuple[int, Robot]) -> tuple[bool, bool]:
+    """Whether a twin falls with the sequence, and then also without it."""
+    seed, true = job
+    falls = twin_log(name, sequence, true, seed).origin["outcome"]["fell"]
+    return falls, falls and twin_log(name, 0 * sequence, true, seed).origin["outcome"]["fell"]
+
+
+def widths(plan: ExcitationPlan, name: str, seeds: int, pool: ProcessPoolExecutor) -> None:
+    """Median ratios of interval widths from the plan's logs to those from dithers of its energy."""
+    true = robots(name, seeds, UNSEEN)
+    kinds = {"plan": 0, "dither": 1, "held 40 ms": 4}
+    jobs = [
+        (name, dither(name, plan.energy, UNSEEN + i, hold) if hold else plan.sequence, robot, UNSEEN + i)
+        for hold in kinds.values()
+        for i, robot in enumerate(true)
+    ]
+    found = list(pool.map(learnt, jobs))
+    by_kind = {kind: found[i * seeds : (i + 1) * seeds] for i, kind in enumerate(kinds)}
+    lost = {kind: sum(c is None for c in several) for kind, several in by_kind.items()}
+    print(
+        f"  interval widths from calibrations of twin logs, medians over {seeds} robots; fell or not followed: {lost}"
+    )
+    head = f"  {'parameter':<20}{'visible in':>11}{'plan/dither':>13}{'plan/held':>11}{'± plan':>12}{'± dither':>12}"
+    print(f"{head}  bar (at most half of the dither's)")
+    in_all = [c.to_json() for several in by_kind.values() for c in several if c]
+    there = {e["name"] for e in (*in_all[0]["parameters"], *in_all[0]["delays"])} if in_all else set()
+    for p in plan.predicted:
+        if p.name in there:
+            row(p.name, by_kind)
+
+
+def row(name: str, by_kind: dict[str, list[Calibration | None]]) -> None:
+    """One parameter that the plan's logs make visible, in half of them or more."""
+    seen = [c[name] for c in by_kind["plan"] if c]
+    visible = sum(e.verdict == VISIBLE for e in seen)
+    if 2 * visible < len(seen) or not seen:
+        return
+    half = {
+        kind: [(c[name].high - c[name].low) / 2 if c else np.nan for c in several] for kind, several in by_kind.items()
+    }
+    ratio, held = (float(np.nanmedian(np.divide(half["plan"], half[kind]))) for kind in ("dither", "held 40 ms"))
+    kind = "" if "/" in name else "met" if ratio <= 0.5 else "not met"
+    sizes = f"{np.nanmedian(half['plan']):>12.3g}{np.nanmedian(half['dither']):>12.3g}"
+    print(f"  {name:<20}{f'{visible}/{len(seen)}':>11}{ratio:>13.2f}{held:>11.2f}{sizes}  {kind}", flush=True)
+
+
+def falls(plan: ExcitationPlan, name: str, runs: int, pool: ProcessPoolExecutor) -> None:
+    """How many of `runs` twins fall."""
+    jobs = list(enumerate(robots(name, runs, UNSEEN + 1), UNSEEN))
+    outcomes = list(pool.map(partial(fell, name, plan.sequence), jobs, chunksize=4))
+    count, anyway = (sum(column) for column in zip(*outcomes, strict=True))
+    high = clopper_pearson(count, len(jobs)).high
+    print(f"\n{name}: {count} of {len(jobs)} twins fall ({count / len(jobs):.2%}, at most {high:.2%}; bar: 1 %),")
+    print(f"{anyway} of them without the excitation too", flush=True)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--robots", nargs="*", default=list(PRESETS), help="presets")
+    parser.add_argument("--seeds", type=int, default=5, help="robots whose logs are calibrated")
+    parser.add_argument("--runs", type=int, default=300, help="twin runs for the falls")
+    parser.add_argument("--workers", type=int, default=os.cpu_count() or 1, help="processes")
+    asked = parser.parse_args()
+    packages = ", ".join(f"{name} {version(name)}" for name in ("numpy", "numba", "mujoco"))
+    processor = platform.processor() or platform.machine()
+    print(f"{processor}, {os.cpu_count()} cores; Python {platform.python_version()}, {packages}")
+    plans: dict[str, ExcitationPlan] = {}
+    with ProcessPoolExecutor(asked.workers) as pool:
+        for name in asked.robots:
+            start = time.perf_counter()
+            try:
+                plan = excite(Robot.preset(name), seconds=SECONDS)
+            except UprightError as error:
+                print(f"\n{name}: {error}")
+                continue
+            print(f"\n{plan}\n\n  designed in {time.perf_counter() - start:.1f} s")
+            plans[name] = plan
+            print(f"  energy {plan.energy:.3g} ({plan.unit})² s, of the excitation alone {plan.added:.3g}", flush=True)
+            if asked.seeds:
+                widths(plan, name, asked.seeds, pool)
+        for name, plan in plans.items() if asked.runs else ():
+            falls(plan, name, asked.runs, pool)
+
+
+if __name__ == "__main__":
+    main()
