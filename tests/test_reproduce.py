@@ -30,6 +30,7 @@ from upright.signals import STATE, Log
 
 VERDICTS = {
     "1a": REPRODUCED, "1b": NOT_AS_PRINTED, "2a": BEYOND, "2b": BEYOND, "3a": REPRODUCED, "3b": BEYOND,
+    "3c": BEYOND,
     "4": NOT_AS_PRINTED, "5a": REPRODUCED, "5b": REPRODUCED, "5c": REPRODUCED, "5d": REPRODUCED,
 }  # fmt: skip
 """What the paper's text allows: known before this program ran. 5e depends on the twin and has a test of its own."""

@@ -11,7 +11,7 @@ from typing import Any
 from upright.atomic import write_json
 from upright.control import lqr
 from upright.errors import UprightError
-from upright.paper import controllers, equations, linear_model, printed, pushes, regulator, turning
+from upright.paper import controllers, equations, linear_model, printed, pushes, regulator, sensors, turning
 from upright.paper.finding import Finding, Progress, silent
 from upright.paper.pushes import Trial
 from upright.report import Page
@@ -71,6 +71,8 @@ def chapters(progress: Progress = silent) -> list[Finding]:
     findings = equations.chapter(lambda share: progress(0.2 * share))
     findings += turning.chapter(lambda share: progress(0.2 + 0.1 * share))
     findings += linear_model.chapter(heavy, gains, kit)
+    sensed = findings[-1].logs["identification-sensors"]
+    findings.append(sensors.chapter(heavy, kit, sensed, lambda share: progress(0.3 + 0.1 * share)))
     progress(0.4)
     findings.append(regulator.chapter(light))
     progress(0.5)
