@@ -366,6 +366,7 @@ CASES: Sequence[Case] = (
     Case("encoders of 48 steps a turn", "nxt", _coarse, "encoder/grain"),
     Case("accelerometer in the pitch", "torque", _leaning, "estimate/accelerometer", PITCH, (("gain", 3.0),)),
     Case("controller at 2 ms", "nxt", _same, "samples/controller", "", _FAST),
+    Case("controller at 2 ms, excited", "ev3", _same, "samples/controller", "", (("dt", 0.002),)),
     Case("held for 1.5 s", "ev3", _held, "segment/still"),
     Case("wheels slip on ice", "nxt", _same, "segment/slip", "", (("ice", True),)),
     Case("falls", "nxt", _same, "segment/fall", "", (("fall", True),)),

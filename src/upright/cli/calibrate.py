@@ -33,7 +33,7 @@ def calibrate(
     ] = None,
     held_out: Annotated[float, typer.Option(help="Last share of each log that is only foretold.")] = 0.25,
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the robot as TOML.")] = None,
-    page: Annotated[Path | None, typer.Option(help="Write a page with figures (HTML).")] = None,
+    page: Annotated[Path | None, typer.Option("--report", help="Write a page with figures: .html.")] = None,
     save: Annotated[Path | None, typer.Option(help="Write all numbers, with the covariance, as JSON.")] = None,
     as_json: JsonOption = False,
 ) -> None:
@@ -78,7 +78,7 @@ def calibrate(
 def _say(found: Calibration) -> None:
     typer.echo(f"{found.robot.name}: {found.samples} samples fitted in {found.seconds:.1f} s\n")
     header = ("parameter", "unit", "value", "95 % interval", "prior", "verdict")
-    rows = [_row(e) for e in (*found.parameters, *found.delays)]
+    rows = [_row(e) for e in (*found.parameters, *found.delays, *found.electronics)]
     print_table(header, rows, numbers=("value", "prior"))
     typer.echo("\nWhat enters the motion:")
     print_table(header, [_row(e) for e in found.combinations], numbers=("value", "prior"))

@@ -8,6 +8,7 @@ filter that trusts its model little foretells the next sample well whatever the 
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
@@ -17,11 +18,12 @@ from numpy.typing import NDArray
 
 from upright.errors import DesignFailed
 from upright.identify.calibration import Calibration
+from upright.identify.electronics import electronics_of
 from upright.identify.fitting import Normal, Path, Problem, gauss_newton, objective
 from upright.identify.informativity import INERTIAL, too_quiet
 from upright.identify.noise import Bounds, learn_noise
 from upright.identify.parameters import parameters_of
-from upright.identify.recording import SENSOR, Recording, first_noise, head, record
+from upright.identify.recording import SENSOR, Recording, commanded, first_noise, head, record
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -42,8 +44,9 @@ robot simulated freely follows the log farthest."""
 WHITE = 0.15
 """Autocorrelation of innovations below which the model is taken for right."""
 
-STARTS = ((0, 0), (3, 0), (6, 0), (0, 2))
-"""Periods by which all sensors, and the gyro alone, are later than the prior has it; tried in turn."""
+STARTS = ((0, 0, 0), (3, 0, 0), (6, 0, 0), (0, 2, 0), (0, 0, 1), (0, 0, -1))
+"""Periods by which all sensors, and the gyro alone, are later than the prior has it, and deviations by which the pitch
+inertia is larger; tried in turn."""
 
 PLAUSIBLE = 9.0
 """Sensors no noisier than this over their kit's variance show that the prior's own dead times are near enough."""
@@ -51,7 +54,7 @@ PLAUSIBLE = 9.0
 NOISE_TIME = 0.01  # [s] the period for which shares of the commands are meant
 BIAS_WALK = 1e-7  # [(rad/s)²/s] the gyro's bias, a few hundredths of a degree a second each second
 LEAST = 1e-6  # smallest process noise, of the largest
-EARLY = 6.0  # [s] of each log that decide between starts
+EARLY, ENOUGH = 6.0, 10.0  # [s] of each log that decide between starts, and on which noise is taken away
 
 
 def calibrate(
@@ -83,6 +86,8 @@ def calibrate(
     problem, z = annealed(problem, limits)
     show(0.4)
     problem, z, normal, paths = refined(problem, z, limits)
+    if not np.isfinite(normal.objective):
+        raise _lost()
     show(0.8)
     return summarised(problem, z, normal, paths, several, reason, began)
 
@@ -98,13 +103,20 @@ def prepared(
     late = max([kit.delay, *(kit.delay + s.delay for s in kit.sensors.values())])
     recordings = tuple(record(log, robot, skip=late + 0.02, held_out=held_out) for log in logs)
     sensors = dict.fromkeys(s for r in recordings for s in r.sensors)
-    delays = {s: kit.delay + kit.jitter / 2 + _delay(kit, s) for s in sensors}
+    delays = {s: _dead_time(kit, logs) + _delay(kit, s) for s in sensors}
     variances = [first_noise(r, kit) for r in recordings]
     limits = {s: max(v[s] for v in variances if s in v) for s in sensors}
     noise = {s: float(np.log(v)) for s, v in limits.items()}
-    parameters = tuple(p for p in parameters_of(robot, delays, known))
+    parameters = parameters_of(robot, delays, known, electronics_of(robot, kit, logs))
     problem = Problem(recordings, robot, parameters, delays, noise | process(recordings, robot, ANNEALED[0]))
     return problem, limits
+
+
+def _dead_time(kit: Kit, logs: Sequence[Log]) -> float:
+    """From a logged command to the motor [s]: of what was really applied, only what is less than a period."""
+    whole = any(commanded(log) == "command" for log in logs)
+    periods = 0 if whole else math.floor(kit.delay / kit.period + 1e-9)
+    return kit.delay - periods * kit.period + kit.jitter / 2
 
 
 def _delay(kit: Kit, sensor: str) -> float:
@@ -131,8 +143,19 @@ def _sensor_bounds(limits: Mapping[str, float], most: float = 1e6) -> dict[str, 
 
 
 def annealed(problem: Problem, limits: Mapping[str, float]) -> tuple[Problem, Array]:
-    """From the best of several starts, with less and less process noise, as long as the filter keeps the robot."""
+    """From the best of several starts, with less and less process noise, as long as the filter keeps the robot: on the
+    beginning of the logs, since only the way down is sought, and on the whole where that does not follow the rest."""
     z = _best_start(problem, limits)
+    early, found = _less_noise(replace(problem, recordings=_beginnings(problem, ENOUGH)), z, limits)
+    fitted = replace(early, recordings=problem.recordings)
+    return (fitted, found) if np.isfinite(objective(fitted, found)[0]) else _less_noise(problem, z, limits)
+
+
+def _beginnings(problem: Problem, seconds: float) -> tuple[Recording, ...]:
+    return tuple(head(r, seconds) for r in problem.recordings)
+
+
+def _less_noise(problem: Problem, z: Array, limits: Mapping[str, float]) -> tuple[Problem, Array]:
     bounds = _sensor_bounds(limits)
     for share in ANNEALED:
         less = _with_process(problem, share)
@@ -148,14 +171,16 @@ def annealed(problem: Problem, limits: Mapping[str, float]) -> tuple[Problem, Ar
 
 def _best_start(problem: Problem, limits: Mapping[str, float]) -> Array:
     """The prior with its dead times, or with longer ones, whichever explains the beginning of the logs best."""
-    early = replace(problem, recordings=tuple(head(r, EARLY) for r in problem.recordings))
+    early = replace(problem, recordings=_beginnings(problem, EARLY))
     tries: list[tuple[float, Array]] = []
-    for all_later, gyro_later in STARTS:
+    for all_later, gyro_later, heavier in STARTS:
         z = np.zeros(len(problem.parameters))
         for i, p in enumerate(problem.parameters):
             if p.name.startswith("delay/"):
                 later = all_later + (gyro_later if p.name == "delay/gyro" else 0)
                 z[i] = p.coordinate(p.prior + later * problem.recordings[0].period)
+            elif p.name == "pitch_inertia" and p.name not in problem.held:
+                z[i] = heavier
         if np.isfinite(objective(early, z)[0]):
             start = learn_noise(early, z, _sensor_bounds(limits), iterations=1)
             z, normal, _ = gauss_newton(start, z, iterations=3, tolerance=0.3)
@@ -163,11 +188,15 @@ def _best_start(problem: Problem, limits: Mapping[str, float]) -> Array:
             if len(tries) == 1 and all(start.noise[n] < np.log(PLAUSIBLE * v) for n, v in limits.items()):
                 break
     if not tries:
-        raise DesignFailed(
-            "no start follows this log", expected="a log of the robot that was named, balancing",
-            likely="another robot, a flipped sign or a wrong unit", mend="run `upright doctor` on the log",
-        )  # fmt: skip
+        raise _lost()
     return min(tries, key=lambda t: t[0])[1]
+
+
+def _lost() -> DesignFailed:
+    return DesignFailed(
+        "no start follows this log", expected="a log of the robot that was named, balancing",
+        likely="another robot, a flipped sign or a wrong unit", mend="run `upright doctor` on the log",
+    )  # fmt: skip
 
 
 def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> tuple[Problem, Array, Normal, Sequence[Path]]:

@@ -82,9 +82,9 @@ class Whiteness:
 @dataclass(frozen=True)
 class Calibration:
     """A robot learnt from logs. `parameters` are what was fitted, `combinations` what the log really sees (ratios of
-    them, and the unstable pole), `delays` the dead times; `covariance` (n, n) is that of the parameters' names in
-    `names`, in SI units. `fits` holds [%] h-step fits by horizon and sensor on the part kept back, `segments` R² of
-    free simulation. `notes` are sentences for the reader."""
+    them, and the unstable pole), `delays` the dead times, `electronics` what commands go through; `covariance` (n, n)
+    is that of the parameters' names in `names`, in SI units. `fits` holds [%] h-step fits by horizon and sensor on the
+    part kept back, `segments` R² of free simulation. `notes` are sentences for the reader."""
 
     robot: Robot
     prior: Robot
@@ -104,6 +104,7 @@ class Calibration:
     notes: tuple[str, ...] = ()
     unseen: tuple[str, ...] = ()
     closed_loop: Mapping[str, float] = field(default_factory=dict[str, float])
+    electronics: tuple[Estimate, ...] = ()
 
     def __post_init__(self) -> None:
         covariance = np.array(self.covariance, dtype=np.float64)
@@ -111,7 +112,9 @@ class Calibration:
         object.__setattr__(self, "covariance", covariance)
 
     def __getitem__(self, name: str) -> Estimate:
-        return next(e for e in (*self.parameters, *self.combinations, *self.delays) if e.name == name)
+        return next(
+            e for e in (*self.parameters, *self.combinations, *self.delays, *self.electronics) if e.name == name
+        )
 
     def check(self) -> tuple[str, ...]:
         """What is wrong with this calibration, from its own numbers; nothing where it may be trusted."""
@@ -149,7 +152,7 @@ class Calibration:
             "robot": {"name": self.robot.name, "drive": self.robot.drive, **self.robot.numbers()},
             "prior": {"name": self.prior.name, **self.prior.numbers()},
             "parameters": plain(self.parameters), "combinations": plain(self.combinations),
-            "delays": plain(self.delays),
+            "delays": plain(self.delays), "electronics": plain(self.electronics),
             "names": list(self.names), "covariance": self.covariance.tolist(), "noise": dict(self.noise),
             "whiteness": [{**d, "white": w.white} for d, w in zip(plain(self.whiteness), self.whiteness, strict=True)],
             "fits": {k: {n: _finite(v) for n, v in row.items()} for k, row in self.fits.items()},
@@ -160,7 +163,7 @@ class Calibration:
 
     def __str__(self) -> str:
         head = f"{self.robot.name} from {', '.join(self.sources) or 'a log'}: {self.samples} samples fitted"
-        lines = [head, *(_line(e) for e in (*self.parameters, *self.delays)), "What the log sees:"]
+        lines = [head, *(_line(e) for e in (*self.parameters, *self.delays, *self.electronics)), "What the log sees:"]
         lines += [_line(e) for e in self.combinations]
         return "\n".join([*lines, *self.unseen, *self.notes])
 

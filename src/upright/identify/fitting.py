@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.identify.parameters import STICKIEST, Parameter, columns, rows_of
+from upright.identify.electronics import driven
+from upright.identify.parameters import Parameter, columns, rows_of
 from upright.identify.recording import SENSOR, Recording, reading_matrix
 from upright.physics.linear import linearise
 from upright.robots import PARAMETERS, Robot
@@ -21,6 +23,8 @@ Array = NDArray[np.float64]
 
 PROCESS = ("motor", "push", "gyro_bias")
 STIFF = 0.7  # largest |pole| h of a Runge–Kutta step: an error of 0.1 % of the fastest, dying mode
+ROLLING = 0.004  # [s] longest step: within one a wheel's rate is taken for straight where dry friction stops it
+SLIDING = 0.001  # [s] the same for a robot known to have dry friction: its error is 0.03 % of the friction then
 NUDGE = 1e-3  # of the prior's deviation: central differences at 1e-7 of the parameter, rounding 1e-10
 OUTLIER = 4.0  # deviations beyond which an innovation counts linearly (Huber 1964)
 
@@ -33,6 +37,15 @@ class Path:
     s: Array
     gains: Array
     states: Array
+
+
+@lru_cache(maxsize=16)
+def _linear(robot: Robot) -> tuple[float, tuple[Array, Array]]:
+    """The size of the fastest pole without dry friction [1/s], and how noise of motors and pushes enters the states."""
+    model = linearise(robot)
+    poles = linearise(robot.replace(coulomb_friction=0.0)).poles()
+    push = model.E[:, 0] + robot.com_height * model.E[:, 1]
+    return float(np.abs(poles).max()), (model.B @ model.B.T, np.outer(push, push))
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,12 +67,10 @@ class Problem:
     _shapes: tuple[Array, Array] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        model = linearise(self.robot)
-        sharp = self.robot.stiction_rate / (STICKIEST if self.robot.coulomb_friction else 1.0)
-        poles = linearise(self.robot.replace(stiction_rate=sharp)).poles()
-        object.__setattr__(self, "longest", STIFF / max(1.0, float(np.abs(poles).max())))
-        push = model.E[:, 0] + self.robot.com_height * model.E[:, 1]
-        object.__setattr__(self, "_shapes", (model.B @ model.B.T, np.outer(push, push)))
+        fastest, shapes = _linear(self.robot)
+        most = SLIDING if self.robot.coulomb_friction else ROLLING
+        object.__setattr__(self, "longest", min(most, STIFF / max(1.0, fastest)))
+        object.__setattr__(self, "_shapes", shapes)
 
     @property
     def active(self) -> NDArray[np.bool_]:
@@ -75,7 +86,7 @@ class Problem:
         return late
 
     def lanes(self, recording: Recording, z: Array) -> tuple[Array, Array, Array]:
-        """Reading matrix, delays of the rows and constants of the kernel for the lanes of z."""
+        """Reading matrix, delays of the rows, and the kernel's constants with what drives it, for the lanes of z."""
         from upright.fleet.generated import constants
 
         numbers = columns(self.robot, self.parameters, z)
@@ -84,7 +95,7 @@ class Problem:
         turn = numbers.track / (2 * numbers.wheel_radius)
         reads = reading_matrix(recording.rows, len(recording.first), turn)
         c = constants([getattr(numbers, name) for name in PARAMETERS], 1.0)
-        return reads, delays, np.array(np.broadcast_arrays(*c))
+        return reads, delays, np.concatenate([np.array(np.broadcast_arrays(*c)), driven(self.parameters, z)])
 
     def own_delays(self, recording: Recording, z: Array) -> Array:
         """Dead time [s] of each event (events,): zero for commands."""
@@ -98,7 +109,7 @@ class Problem:
 
     def filtered(self, recording: Recording, z: Array, *, keep: bool = False, until: float = np.inf) -> Path:
         """The filter at z (parameters,) along a recording, up to the time `until` [s]."""
-        from upright.identify.predictor import kalman_path
+        from upright.identify.predictor import WIDE, kalman_path
 
         reads, delays, constants = self.lanes(recording, z[:, None])
         size = len(recording.first)
@@ -109,8 +120,9 @@ class Problem:
         R = np.exp([self.noise[SENSOR[row]] for row in recording.rows])
         e, s = kalman_path(
             order, recording.kind, recording.when, recording.value, recording.commands,
-            np.ascontiguousarray(reads[:, :, 0]), np.ascontiguousarray(delays[:, 0]), np.repeat(constants, 5, axis=1),
-            recording.first, recording.P0, self.process(size), R, self.longest, gains, states,
+            np.ascontiguousarray(reads[:, :, 0]), np.ascontiguousarray(delays[:, 0]),
+            np.repeat(constants, WIDE, axis=1), recording.first, recording.P0, self.process(size), R,
+            self.longest, gains, states,
         )  # fmt: skip
         return Path(e, s, gains, states)
 
@@ -125,16 +137,17 @@ class Problem:
         return Q
 
     def slopes(self, recording: Recording, z: Array, gains: Array) -> Array:
-        """∂e/∂z (events, parameters) at fixed gains, by lanes a nudge either side."""
+        """∂e/∂z (events, parameters) at fixed gains, by lanes a nudge either side, or two above a bound."""
         from upright.identify.predictor import LANES, innovations
 
         order, half = self.order(recording, z), LANES // 2
+        low = np.maximum(z - NUDGE, [p.least for p in self.parameters])
         found: list[Array] = []
         for start in range(0, len(z), half):
             part = np.arange(start, min(start + half, len(z)))
             lanes = np.repeat(z[:, None], 2 * len(part), axis=1)
-            lanes[part, np.arange(len(part))] += NUDGE
-            lanes[part, len(part) + np.arange(len(part))] -= NUDGE
+            lanes[part, np.arange(len(part))] = low[part] + 2 * NUDGE
+            lanes[part, len(part) + np.arange(len(part))] = low[part]
             first = np.repeat(recording.first[:, None], lanes.shape[1], axis=1)
             reads, delays, constants = self.lanes(recording, lanes)
             e = innovations(
@@ -143,6 +156,21 @@ class Problem:
             )  # fmt: skip
             found.append((e[:, : len(part)] - e[:, len(part) :]) / (2 * NUDGE))
         return np.concatenate(found, axis=1)
+
+    def coefficient_slopes(self, recording: Recording, z: Array, gains: Array) -> Array:
+        """∂e/∂log c (events, coefficients) of the coefficients of the equations of motion, at fixed gains."""
+        from upright.fleet.generated import CONSTANTS
+        from upright.identify.predictor import innovations
+
+        reads, delays, constants = self.lanes(recording, np.repeat(z[:, None], 2 * CONSTANTS, axis=1))
+        k = np.arange(CONSTANTS)
+        constants[k, k] *= 1 + NUDGE
+        constants[k, CONSTANTS + k] *= 1 - NUDGE
+        e = innovations(
+            self.order(recording, z), recording.kind, recording.when, recording.value, recording.commands, reads,
+            delays, constants, np.repeat(recording.first[:, None], 2 * CONSTANTS, axis=1), gains, self.longest,
+        )  # fmt: skip
+        return (e[:, :CONSTANTS] - e[:, CONSTANTS:]) / (2 * NUDGE)
 
 
 @dataclass(frozen=True, eq=False)

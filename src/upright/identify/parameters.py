@@ -28,14 +28,9 @@ GUESS = math.log(2.0)
 MAY_BE_ZERO = ("rotor_inertia", "back_emf", "motor_friction", "wheel_friction", "coulomb_friction")
 ELECTRICAL = ("motor_resistance", "back_emf", "torque_constant")
 NEVER = ("gear_ratio", "stiction_rate", "body_depth", "body_height", "roll_inertia")
-"""What no log is asked: a convention, a smoothing, two measures for drawing, and an inertia that only a robot which
-turns while it leans shows; it follows the other two so that a rigid body remains (see `with_values`)."""
-
-SMOOTHING = "stiction_rate"
-"""Fitted where the robot is known to have dry friction, so that the friction found is not its smoothing's; the robot
-that is written keeps its own."""
-
-STICKIEST = 8.0  # times as sharp as the prior's, for which the integration's steps are still short enough
+"""What no log is asked: a convention, a smoothing (the predictor's friction is dry), two measures for drawing,
+and an inertia that only a robot which turns while it leans shows; it follows the other two so that a rigid body
+remains (see `with_values`)."""
 
 DELAY_SPREAD = 0.02  # [s] one standard deviation of a dead time, about two periods: kits say little of theirs
 SENSORS = ("encoder", "gyro", "compass")
@@ -72,16 +67,18 @@ class Parameter:
         return -math.inf if self.logarithmic else (self.lower - self.prior) / self.spread
 
 
-def parameters_of(robot: Robot, delays: Mapping[str, float], known: Sequence[str] = ()) -> tuple[Parameter, ...]:
-    """What a log of `robot` may tell, with its priors, and the dead time from the command to each sensor in `delays`.
+def parameters_of(
+    robot: Robot, delays: Mapping[str, float], known: Sequence[str] = (), others: Sequence[Parameter] = ()
+) -> tuple[Parameter, ...]:
+    """What a log of `robot` may tell, with its priors: its numbers, `others`, and the dead time from the command to
+    each sensor in `delays`.
 
     `known` names what is taken for exact. Raises `UnknownName` for a name that is none of these.
     """
     names = [n for n in PARAMETERS if n not in NEVER and not (robot.drive == "torque" and n in ELECTRICAL)]
-    names += [SMOOTHING] if robot.coulomb_friction else []
     physical = [_physical(robot, name) for name in names]
     late = [Parameter(f"delay/{name}", "s", d, DELAY_SPREAD, False, -DELAY_SPREAD) for name, d in delays.items()]
-    every = [p for p in (*physical, *late) if p.spread > 0]
+    every = [p for p in (*physical, *others, *late) if p.spread > 0]
     for name in known:
         if name not in (p.name for p in every):
             raise UnknownName("parameter", name, [p.name for p in every])

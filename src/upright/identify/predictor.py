@@ -16,7 +16,8 @@ from typing import Any
 import numba
 import numpy as np
 
-from upright.fleet.generated_motion import accelerations_coulomb
+from upright.fleet.generated import CONSTANTS
+from upright.fleet.generated_motion import accelerations_smooth
 
 _compile: Any = numba.njit  # its stubs know fewer options than it has
 njit: Any = partial(_compile, cache=True, nogil=True, error_model="numpy")
@@ -29,12 +30,23 @@ STATES = 6
 MOVED = (0, 1, 3, 5)
 """The states on which the motion depends: pitch and the three rates."""
 
+WIDE = 8
+"""Lanes of the filter: the state and four neighbours; eight are moved faster than five."""
+
 LANES = 64
 """Most lanes of one call: beyond, their states leave the fastest memory."""
 
 ROW, SPAN, CONSTANT = LANES, STATES, STATES + 1
-"""A block is one array of rows, `ROW` apart, of one number for each lane: the states, the time to move, and the robot's
-constants. One array and a fixed distance let the compiler take several lanes at once."""
+DRIVE = CONSTANT + CONSTANTS
+DRY, STOPS, LEFT, RIGHT, OLD = DRIVE + 3, DRIVE + 4, DRIVE + 5, DRIVE + 6, DRIVE + 7
+"""A block is one array of rows, `ROW` apart, of one number for each lane: the states, the time to move, the robot's
+constants, what drives it (factors of both motors, dead zone), its dry friction as a command, whether a wheel stops, the
+commands that arrive, and the states before the step. One array and a fixed distance let the compiler take several lanes
+at once."""
+
+SWEEPS = 20  # of Gauss and Seidel over both wheels, at most: each halves the error at least
+PASSES = 3  # in which the answer to friction, known to a few hundredths, is corrected, at most
+SETTLED = 1e-10  # [rad/s] of a wheel, to which friction is found
 
 COMMAND = -1
 """The kind of an event that is a command; any other kind is the row of a sensor."""
@@ -45,8 +57,8 @@ _NUDGE = 1e-6  # a step in the state to differentiate the flow: error and roundi
 
 @inlined
 def _acc(w: Any, i: Any, left: Any, right: Any, pitch: Any, pitch_rate: Any, wheel_rate: Any, yaw_rate: Any) -> Any:
-    """ψ̈, θ̈, φ̈ of lane i on a level floor that pushes nothing."""
-    return accelerations_coulomb(
+    """ψ̈, θ̈, φ̈ of lane i on a level floor that pushes nothing, without dry friction."""
+    return accelerations_smooth(
         pitch, pitch_rate, wheel_rate, 0.0, yaw_rate, left, right, 0.0, 0.0, 0.0, 1.0,
         w[7 * ROW + i], w[8 * ROW + i], w[9 * ROW + i], w[10 * ROW + i], w[11 * ROW + i], w[12 * ROW + i],
         w[13 * ROW + i], w[14 * ROW + i], w[15 * ROW + i], w[16 * ROW + i], w[17 * ROW + i], w[18 * ROW + i],
@@ -55,29 +67,118 @@ def _acc(w: Any, i: Any, left: Any, right: Any, pitch: Any, pitch_rate: Any, whe
     )  # fmt: skip
 
 
+@inlined
+def _runge_kutta(
+    w: Any, i: Any, d: Any, left: Any, right: Any, p0: Any, v0: Any, r0: Any, w0: Any, f0: Any, y0: Any
+) -> Any:  # fmt: skip
+    """One classical Runge–Kutta step of d [s] of lane i. Angles of wheel and yaw drive nothing on a level floor, so
+    their slopes are the rates' own."""
+    a, b = 0.5 * d, d / 6
+    pa, wa, ya = _acc(w, i, left, right, p0, v0, w0, y0)
+    v1, w1, y1 = v0 + a * pa, w0 + a * wa, y0 + a * ya
+    pb, wb, yb = _acc(w, i, left, right, p0 + a * v0, v1, w1, y1)
+    v2, w2, y2 = v0 + a * pb, w0 + a * wb, y0 + a * yb
+    pc, wc, yc = _acc(w, i, left, right, p0 + a * v1, v2, w2, y2)
+    v3, w3, y3 = v0 + d * pc, w0 + d * wc, y0 + d * yc
+    pd, wd, yd = _acc(w, i, left, right, p0 + d * v2, v3, w3, y3)
+    pitch = p0 + b * (v0 + 2 * (v1 + v2) + v3)
+    return (
+        pitch if abs(pitch) < TOPPLED else np.nan, v0 + b * (pa + 2 * (pb + pc) + pd),
+        r0 + b * (w0 + 2 * (w1 + w2) + w3), w0 + b * (wa + 2 * (wb + wc) + wd),
+        f0 + b * (y0 + 2 * (y1 + y2) + y3), y0 + b * (ya + 2 * (yb + yc) + yd),
+    )  # fmt: skip
+
+
 @njit
-def _advance(w: Any, count: Any, u: Any, steps: Any) -> None:
-    """One classical Runge–Kutta step of span/steps [s] for the first `count` lanes of the block `w` under the command
-    u (2,). Angles of wheel and yaw drive nothing on a level floor, so their slopes are the rates' own."""
-    left, right = u[0], u[1]
+def _advance(w: Any, count: Any, steps: Any) -> None:
+    """One step of span/steps [s] for the first `count` lanes of the block `w`: each wheel's dry friction against its
+    motion, and where that would turn it back within the step, what it really gives."""
     for i in range(count):
-        d = w[SPAN * ROW + i] / steps
-        a, b = 0.5 * d, d / 6
-        p0, v0, w0, y0 = w[i], w[ROW + i], w[3 * ROW + i], w[5 * ROW + i]
-        pa, wa, ya = _acc(w, i, left, right, p0, v0, w0, y0)
-        v1, w1, y1 = v0 + a * pa, w0 + a * wa, y0 + a * ya
-        pb, wb, yb = _acc(w, i, left, right, p0 + a * v0, v1, w1, y1)
-        v2, w2, y2 = v0 + a * pb, w0 + a * wb, y0 + a * yb
-        pc, wc, yc = _acc(w, i, left, right, p0 + a * v1, v2, w2, y2)
-        v3, w3, y3 = v0 + d * pc, w0 + d * wc, y0 + d * yc
-        pd, wd, yd = _acc(w, i, left, right, p0 + d * v2, v3, w3, y3)
-        pitch = p0 + b * (v0 + 2 * (v1 + v2) + v3)
-        w[i] = pitch if abs(pitch) < TOPPLED else np.nan
-        w[ROW + i] = v0 + b * (pa + 2 * (pb + pc) + pd)
-        w[2 * ROW + i] += b * (w0 + 2 * (w1 + w2) + w3)
-        w[3 * ROW + i] = w0 + b * (wa + 2 * (wb + wc) + wd)
-        w[4 * ROW + i] += b * (y0 + 2 * (y1 + y2) + y3)
-        w[5 * ROW + i] = y0 + b * (ya + 2 * (yb + yc) + yd)
+        d, half, dry = w[SPAN * ROW + i] / steps, w[CONSTANT * ROW + i], w[DRY * ROW + i]
+        p0, v0, r0 = w[i], w[ROW + i], w[2 * ROW + i]
+        w0, f0, y0 = w[3 * ROW + i], w[4 * ROW + i], w[5 * ROW + i]
+        left = dry if w0 - v0 - half * y0 >= 0 else -dry
+        right = dry if w0 - v0 + half * y0 >= 0 else -dry
+        p, v, r, o, f, y = _runge_kutta(
+            w, i, d, w[LEFT * ROW + i] - left, w[RIGHT * ROW + i] - right, p0, v0, r0, w0, f0, y0
+        )  # fmt: skip
+        w[STOPS * ROW + i] = min(left * (o - v - half * y), right * (o - v + half * y))
+        w[OLD * ROW + i], w[(OLD + 1) * ROW + i], w[(OLD + 2) * ROW + i] = p0, v0, r0
+        w[(OLD + 3) * ROW + i], w[(OLD + 4) * ROW + i], w[(OLD + 5) * ROW + i] = w0, f0, y0
+        w[i], w[ROW + i], w[2 * ROW + i] = p, v, r
+        w[3 * ROW + i], w[4 * ROW + i], w[5 * ROW + i] = o, f, y
+    for i in range(count):
+        if w[STOPS * ROW + i] < 0:
+            _stop(w, i, w[SPAN * ROW + i] / steps)
+
+
+@njit
+def _answers(w: Any, i: Any, d: Any) -> Any:
+    """By how much a unit of command over d [s] changes the wheels' rate relative to the body: its own and the other's.
+
+    From the accelerations' response to equal and to opposite commands, each with the motors' damping over the step.
+    """
+    c = (CONSTANT * ROW) + i
+    sine = math.sin(w[(OLD) * ROW + i])
+    a12 = w[c + 9 * ROW] * math.sqrt(1 - sine * sine) + w[c + 20 * ROW]
+    a22 = w[c + 21 * ROW]
+    mean = -2 * w[c + 8 * ROW] * (1 + 2 * a12 + a22) / (a22 - a12 * a12)
+    turn = -2 * w[c + 19 * ROW] * w[c] / (1 + w[c + 22 * ROW] * sine * sine)
+    loss = d * w[c + 3 * ROW] / (2 * w[c + 8 * ROW])
+    mean *= d / (1 + mean * loss * (0.5 + mean * loss / 12))
+    turn *= d / (1 + turn * loss * (0.5 + turn * loss / 12))
+    return (mean + turn) / 2, (mean - turn) / 2
+
+
+@njit
+def _held(first: Any, free: Any, own: Any, dry: Any) -> Any:
+    """Mean dry friction of a wheel over a step, from its first rate and its last rate without friction.
+
+    The rate is taken for straight: up to the moment at which it vanishes friction is full; from there the wheel sticks,
+    or turns back if friction cannot hold it.
+    """
+    sign = 1.0 if first >= 0 else -1.0
+    first, free = abs(first), sign * free
+    last = free - own * dry
+    if last < 0:
+        left = last / (last - first)
+        last = min(0.0, left * (free - first + own * dry))
+    return sign * (free - last) / own
+
+
+@njit
+def _stop(w: Any, i: Any, d: Any) -> None:
+    """The step of lane i again, in which a wheel stops: friction is such that it sticks or turns back."""
+    half, dry = w[CONSTANT * ROW + i], w[DRY * ROW + i]
+    mean, turn = w[(OLD + 3) * ROW + i] - w[(OLD + 1) * ROW + i], half * w[(OLD + 5) * ROW + i]
+    first_left, first_right = mean - turn, mean + turn
+    left, right = dry if first_left >= 0 else -dry, dry if first_right >= 0 else -dry
+    own, other = _answers(w, i, d)
+    for _ in range(PASSES):
+        mean, turn = w[3 * ROW + i] - w[ROW + i], half * w[5 * ROW + i]
+        free_left = mean - turn + own * left + other * right
+        free_right = mean + turn + own * right + other * left
+        before_left, before_right = left, right
+        for _ in range(SWEEPS):
+            was = left
+            left = _held(first_left, free_left - other * right, own, dry)
+            right = _held(first_right, free_right - other * left, own, dry)
+            if abs(left - was) * own < SETTLED:
+                break
+        if (abs(left - before_left) + abs(right - before_right)) * own < SETTLED:
+            break
+        w[i], w[ROW + i], w[2 * ROW + i], w[3 * ROW + i], w[4 * ROW + i], w[5 * ROW + i] = _runge_kutta(
+            w, i, d, w[LEFT * ROW + i] - left, w[RIGHT * ROW + i] - right,
+            w[OLD * ROW + i], w[(OLD + 1) * ROW + i], w[(OLD + 2) * ROW + i],
+            w[(OLD + 3) * ROW + i], w[(OLD + 4) * ROW + i], w[(OLD + 5) * ROW + i],
+        )  # fmt: skip
+
+
+@inlined
+def _through(command: Any, zone: Any) -> Any:
+    """What a dead zone leaves of a command: nothing inside, all of it outside, and between 0.9 and 1.1 of the zone a
+    straight way from one to the other, so that its size can be estimated."""
+    return command * min(1.0, max(0.0, 5 * abs(command) / max(zone, 1e-9) - 4.5))
 
 
 @njit
@@ -89,18 +190,23 @@ def _move(w: Any, count: Any, u: Any, start: Any, stop: Any, longest: Any) -> No
         farthest = max(farthest, abs(stop[i] - start[i]))
         start[i] = stop[i]
     if farthest >= 1e-12:
+        for i in range(count):
+            w[LEFT * ROW + i] = w[DRIVE * ROW + i] * _through(u[0], w[(DRIVE + 2) * ROW + i])
+            w[RIGHT * ROW + i] = w[(DRIVE + 1) * ROW + i] * _through(u[1], w[(DRIVE + 2) * ROW + i])
         steps = max(1, math.ceil(farthest / longest))
         for _ in range(steps):
-            _advance(w, count, u, steps)
+            _advance(w, count, steps)
 
 
 @njit
 def _block(c: Any) -> Any:
     """The block of lanes with constants c (constants, lanes), their states zero."""
-    w = np.zeros((CONSTANT + c.shape[0]) * ROW)
+    w = np.zeros((OLD + STATES) * ROW)
     for j in range(c.shape[0]):
         for i in range(c.shape[1]):
             w[(CONSTANT + j) * ROW + i] = c[j, i]
+    for i in range(c.shape[1]):
+        w[DRY * ROW + i] = max(0.0, -c[7, i] / c[8, i])
     return w
 
 
@@ -154,13 +260,13 @@ def _flow(w: Any, x: Any, u: Any, start: Any, stop: Any, longest: Any, phi: Any,
 
     Angles of wheel and yaw shift nothing, so four neighbours suffice: pitch, and the three rates.
     """
-    for i in range(5):
+    for i in range(WIDE):
         times[0, i], times[1, i] = start, stop
         for j in range(STATES):
             w[j * ROW + i] = x[j]
     for i in range(4):
         w[MOVED[i] * ROW + 1 + i] += _NUDGE
-    _move(w, 5, u, times[0], times[1], longest)
+    _move(w, times.shape[1], u, times[0], times[1], longest)
     for j in range(STATES):
         base = w[j * ROW]
         x[j] = base
@@ -201,14 +307,14 @@ def kalman_path(
 ) -> Any:  # fmt: skip
     """The extended Kalman filter along one log: innovations e (events,) and their variances s (events,).
 
-    `c` (constants, 5) are the robot's, five times. Fills `gains` (events, states) and, where it has rows, `states`
-    (events, states) after each event. `Q` is the covariance of the process noise per second, `noise` the variance of
-    each sensor row.
+    `c` (constants, WIDE) are the robot's, in every lane. Fills `gains` (events, states) and, where it has rows,
+    `states` (events, states) after each event. `Q` is the covariance of the process noise per second, `noise` the
+    variance of each sensor row.
     """
     size = len(first)
     x, P, u = first.copy(), P0.copy(), commands[0].copy()
     phi, scratch, seen = np.zeros((STATES, STATES)), np.zeros((STATES, size)), np.zeros(size)
-    w, times = _block(c), np.zeros((2, 5))
+    w, times = _block(c), np.zeros((2, WIDE))
     e, s = np.full(len(kind), np.nan), np.full(len(kind), np.nan)
     now = -np.inf
     for event in order:

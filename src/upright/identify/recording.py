@@ -91,8 +91,13 @@ def head(recording: Recording, seconds: float) -> Recording:
     return replace(recording, **parts)
 
 
+def commanded(log: Log) -> str:
+    """What the commands of a log are called: "applied" where it says what reached the motors, else "command", or ""."""
+    return next((p for p in ("applied", "command") if f"{p}/left" in log and f"{p}/right" in log), "")
+
+
 def _commands(log: Log) -> Array:
-    prefix = next((p for p in ("applied", "command") if f"{p}/left" in log and f"{p}/right" in log), "")
+    prefix = commanded(log)
     if not prefix:
         raise InvalidLog(
             "the log has no commands", expected="channels applied/left and applied/right",

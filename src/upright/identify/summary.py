@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.identify.calibration import BOUND, HELD, PRIOR, SURPRISE, VISIBLE, Calibration, Estimate
+from upright.identify.electronics import MEANING
 from upright.identify.fitting import NUDGE, Normal, Path, Problem
-from upright.identify.informativity import posterior, unseen_directions
-from upright.identify.parameters import SMOOTHING, Parameter, columns, with_values
+from upright.identify.informativity import equation_error, posterior, unseen_directions
+from upright.identify.parameters import Parameter, columns, with_values
 from upright.identify.validate import segments, steps_ahead, whiteness
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.physics.linear import unstable_pole
@@ -23,6 +24,7 @@ from upright.signals import Log
 Array = NDArray[np.float64]
 
 SEEN = 0.5  # of the prior's deviation: a number known twice as well, or better, is called visible
+FINEST_TIME = 0.01  # of a period: no dead time is claimed to be known better, since the integration takes steps
 NORMAL = 1.96  # deviations that hold 95 % of a normal distribution
 
 COMBINATIONS: dict[str, tuple[str, Callable[[Any], Any]]] = {
@@ -42,12 +44,12 @@ def summarised(
     problem: Problem, z: Array, normal: Normal, paths: Sequence[Path], logs: Sequence[Log], reason: str, began: float
 ) -> Calibration:
     """Everything said of a fit."""
-    C = posterior(problem, normal, paths)
+    C = posterior(problem, normal, paths) + equation_error(problem, z, normal, paths) + _floor(problem)
     spread = np.sqrt(np.diag(C))
     every = [
         _estimate(p, float(z[i]), float(spread[i]), p.name in problem.held) for i, p in enumerate(problem.parameters)
     ]
-    parameters = tuple(e for e in every if not e.name.startswith("delay/"))
+    parameters = tuple(e for e in every if e.name in PARAMETERS)
     sources = tuple(str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log"))) for log in logs)
     robot = _calibrated(problem, every, sources)
     slopes = np.array([_slope(p, float(z[i])) for i, p in enumerate(problem.parameters)])
@@ -59,8 +61,14 @@ def summarised(
         tuple(w for r, path in zip(problem.recordings, paths, strict=True) for w in whiteness(r, path)),
         fits, free, problem.temper, int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
         time.perf_counter() - began, sources, tuple(_notes(problem, every, free, reason)),
-        tuple(unseen_directions(problem, normal)),
+        tuple(unseen_directions(problem, normal)), electronics=tuple(e for e in every if e.name in MEANING),
     )  # fmt: skip
+
+
+def _floor(problem: Problem) -> Array:
+    """Variance of each coordinate (n, n) that no log takes away: of dead times."""
+    finest = FINEST_TIME * problem.recordings[0].period
+    return np.diag([(finest / p.spread) ** 2 if p.name.startswith("delay/") else 0.0 for p in problem.parameters])
 
 
 def _estimate(p: Parameter, z: float, spread: float, held: bool) -> Estimate:
@@ -76,7 +84,7 @@ def _slope(p: Parameter, z: float) -> float:
 
 def _calibrated(problem: Problem, every: Sequence[Estimate], sources: Sequence[str]) -> Robot:
     """The robot with its new numbers, each with where it comes from and its deviation."""
-    moved = {e.name: e for e in every if e.name in PARAMETERS and e.verdict != HELD and e.name != SMOOTHING}
+    moved = {e.name: e for e in every if e.name in PARAMETERS and e.verdict != HELD}
     robot = with_values(problem.robot, {name: e.value for name, e in moved.items()})
     origin = ", ".join(dict.fromkeys(sources))
     said = {n: Provenance(f"calibrated from {origin}; {e.verdict}", e.spread) for n, e in moved.items()}
@@ -151,14 +159,24 @@ def _delays(problem: Problem, z: Array, C: Array, every: Sequence[Estimate]) -> 
 
 
 def _checks(problem: Problem, z: Array) -> tuple[dict[str, dict[str, float]], dict[str, float]]:
-    """h-step fits of the first recording's part kept back, and R² of half seconds simulated freely."""
-    recording = problem.recordings[0]
-    free = segments(problem, recording, z)
-    r2 = {name: free.r_squared(name) for name in recording.rows}
-    pairs = {n.removeprefix("sensor/").removesuffix("_left") for n in recording.rows if n.endswith("_left")}
-    r2 |= {f"mean {pair}": free.r_squared(pair) for pair in sorted(pairs)}
-    ahead = steps_ahead(problem, recording, z) if (~recording.fitted).sum() > 60 * len(recording.rows) else {}
-    return ahead, {**r2, "lost": free.lost}
+    """h-step fits of the parts kept back, and R² of half seconds simulated freely: means over the recordings."""
+    ahead: list[dict[str, dict[str, float]]] = []
+    free: list[dict[str, float]] = []
+    for recording in problem.recordings:
+        parts = segments(problem, recording, z)
+        r2 = {name: parts.r_squared(name) for name in recording.rows}
+        pairs = {n.removeprefix("sensor/").removesuffix("_left") for n in recording.rows if n.endswith("_left")}
+        r2 |= {f"mean {pair}": parts.r_squared(pair) for pair in sorted(pairs)}
+        free.append({**r2, "lost": parts.lost})
+        if (~recording.fitted).sum() > 60 * len(recording.rows):
+            ahead.append(steps_ahead(problem, recording, z))
+    return {h: _mean([a[h] for a in ahead]) for h in (ahead[0] if ahead else ())}, _mean(free)
+
+
+def _mean(found: Sequence[Mapping[str, float]]) -> dict[str, float]:
+    """Of each name over those that have it."""
+    names = dict.fromkeys(name for one in found for name in one)
+    return {name: float(np.mean([one[name] for one in found if name in one])) for name in names}
 
 
 def _notes(problem: Problem, every: Sequence[Estimate], free: Mapping[str, float], reason: str) -> list[str]:

@@ -27,7 +27,7 @@ def page_of(calibration: Calibration) -> Page:
     verdict = Verdict("passes its checks", "good") if not wrong else Verdict(f"{len(wrong)} reservations", "warn")
     sections = [
         Section("What was learnt", [*calibration.notes, _estimates(calibration.parameters), _meanings()], verdict),
-        Section("Dead times", ["From a command to what each sensor says of it.", _estimates(calibration.delays)]),
+        Section("Dead times and motors", [_LATE, _estimates((*calibration.delays, *calibration.electronics))]),
         Section("What enters the motion", [_COMBINED, _estimates(calibration.combinations)]),
         Section(
             "What this log cannot tell", [*(calibration.unseen or ["Every direction is seen."]), _pairs(calibration)]
@@ -43,6 +43,10 @@ def page_of(calibration: Calibration) -> Page:
     return Page(f"{calibration.robot.name}, calibrated", sections, _lead(calibration), kept, twin_note=False)
 
 
+_LATE = (
+    "From a command to what each sensor says of it; then what commands go through. `asymmetry` is by how much the "
+    "right motor is the stronger, of their mean, `battery` what reaches the motors of what the log says."
+)
 _COMBINED = (
     "The coefficients of the equations of motion and the pole with which the robot falls. A log often fixes these far "
     "better than the parameters they are made of."

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from upright.identify.checks.delays import command_delay
-from upright.identify.checks.finding import Finding, Record, note
+from upright.identify.checks.finding import Finding, Record, note, warning
 from upright.identify.checks.fixes import grain_of
 from upright.identify.checks.physics import Motion, answers, backward_rate, motion, motor, pendulum
 
@@ -13,16 +13,42 @@ _SURE = 3.0  # standard deviations by which the answer must fall short
 _GRAINS = 3.0  # a surprise of less than so many steps of the command is the driver's rounding, not the controller's
 
 
+_LAW = 0.98  # R² of the motor equation from which its lag is known to a few hundredths of a row
+_EARLY = 0.05  # rows by which the wheels may seem to answer before a command that was held
+
+
 def faster_controller(record: Record) -> list[Finding]:
+    """Wheels that answer before the command, or hardly at all to what is unforeseen in it."""
+    m = motion(record)
+    if m is None or m.commands is None or record.torque_driven:
+        return []
+    return _too_early(m) or _swallowed(m)
+
+
+def _too_early(m: Motion) -> list[Finding]:
+    """An effect before its cause: a command that is held from row to row acts half a row late in the mean, and no dead
+    time is negative; one that moves on between the rows acts at once."""
+    assert m.commands is not None
+    mean, lag = (m.commands[0] + m.commands[1]) / 2, 0.0
+    if m.gyro is not None:
+        law = pendulum(m, m.wheel)
+        lag = law.lag if law.r2 > 0.6 else 0.0
+    fit = motor(m, mean, m.left, m.right, m.gyro, lag)
+    if fit.r2 < _LAW or fit.lag > -_EARLY * m.period:
+        return []
+    said = f"the wheels answer {-fit.lag * 1e3:.1f} ms before the command, were it held for {m.period * 1e3:.3g} ms "
+    said += f"(motor equation, R² {fit.r2:.3f}): the motors got other commands between the rows"
+    repair = "log at the controller's rate; a one-step regression on this log is biased"
+    return [warning("samples/controller", "command", said, repair)]
+
+
+def _swallowed(m: Motion) -> list[Finding]:
     """Wheels that hardly answer to what is unforeseen in a logged command.
 
     Were a command held from its row to the next, its unforeseen part would move the wheels as the motor equation says.
     Under a faster controller the logged value is only one of several between two rows, and its surprises pass at once.
     Friction can swallow them as well, so this stays a note.
     """
-    m = motion(record)
-    if m is None or m.commands is None or record.torque_driven:
-        return []
     measured = held(m)
     if measured is None:
         return []
