@@ -1,0 +1,11 @@
+"""A controller as a program for a brick, traced from its one definition, and the check that it does as designed."""
+
+from upright.firmware.balance import trace as trace
+from upright.firmware.generate import Firmware as Firmware
+from upright.firmware.generate import generate as generate
+from upright.firmware.generate import head as head
+from upright.firmware.interpret import Interpreter as Interpreter
+from upright.firmware.parity import Parity as Parity
+from upright.firmware.parity import parity as parity
+from upright.firmware.program import Program as Program
+from upright.firmware.targets import TARGETS as TARGETS

@@ -1,0 +1,239 @@
+"""The balancing program, written once: what `trace` writes down here is what every target runs.
+
+reading = scale · (raw − offset), kept within the sensor's range; positions enter the memory by what they moved
+u = the law's output; duty = whole(full · u / battery), without what the dead zone swallows and within ±full
+applied = duty · battery / full, which the law's memory gets in place of what it asked for
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from importlib.metadata import version
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.control.controller import Controller, controller_hash
+from upright.errors import SpecMismatch
+from upright.firmware.law import law_of
+from upright.firmware.program import Program
+from upright.firmware.readings import calibrate, inputs, moved, reading
+from upright.firmware.setup import (
+    BALANCING,
+    FALL_PITCH,
+    FALLEN,
+    FASTEST,
+    HEADING,
+    POSITIONS,
+    REFERENCE_RANGE,
+    SIDES,
+    STATE_UNITS,
+    STUCK,
+    STUCK_TIME,
+    TILT_TIME,
+    TOO_FAR,
+    TRAVEL,
+    UNPROVEN,
+    UPSIDE_DOWN,
+    Setup,
+)
+from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, Driver, driver, find_target, largest
+from upright.firmware.tracer import Form, Tracer
+from upright.robots import Kit, Robot
+from upright.signals import STATE_NAMES
+
+Array = NDArray[np.float64]
+
+
+def trace(
+    controller: Controller,
+    robot: Robot,
+    kit: Kit,
+    target: str = "c",
+    *,
+    reference: bool = False,
+    travel: float = TRAVEL,
+) -> Program:
+    """The program of `controller` for `robot` on `kit`'s electronics.
+
+    `reference` adds the wanted state as inputs (a robot that only stands needs none); encoders are followed within
+    ±`travel` [rad]. Raises `InvalidController` for a controller that is no fixed sum of products, `SpecMismatch` where
+    target, robot and controller do not fit, `UnknownName` for the target.
+    """
+    law, place = law_of(controller).by_increments(POSITIONS), find_target(target)
+    if law.spec.command_unit != robot.command_unit:
+        raise SpecMismatch(f"the controller commands {law.spec.command_unit}", expected=f"{robot.command_unit}")
+    setup = Setup(law, kit, driver(robot, kit, place), place, travel, reference)
+    if not math.isfinite(setup.strongest):
+        raise SpecMismatch(
+            f"kit '{kit.name}' sets no limit to a command", expected="a battery or a motor's limit",
+            mend="name the robot's own kit",
+        )  # fmt: skip
+    t = Tracer()
+    raw = inputs(t, setup)
+    held = calibrate(t, setup, raw)
+    at_start = t.block("calibrate")
+    y = [reading(t, setup, raw, channel, held) for channel in law.spec.reads]
+    steps = [moved(t, setup, raw, channel) for channel in law.spec.reads]
+    bounds = _bounds(setup)
+    sizes = np.full(len(law.A), UNPROVEN) if bounds is None else bounds
+    w = [t.state(f"w{i}", "1", bound) for i, bound in enumerate(sizes.tolist())]
+    z = [_counted(t, state, i, law.X[i], steps) for i, state in enumerate(w)]
+    r = _reference(t, setup)
+    pitch = _pitch(t, setup, z, y)
+    u = _command(t, setup, z, y, r)
+    a = _applied(t, setup, u, raw)
+    command = t.block("command")
+    _remember(t, setup, w, z, y, r, u, _arrived(t, setup, a), bounds is not None)
+    _stop(t, setup, pitch, raw)
+    update = t.block("update")
+    made_for = (robot.name, kit.name, law.spec.kind, controller_hash(controller), target)
+    units = {form.name: channel for channel, form in raw.items()}
+    return Program(
+        *made_for, law.spec.period, version("upright"), setup.driver.unit, setup.driver.full, bounds is not None,
+        setup.lag, units, {name: setup.raw(channel).scale for name, channel in units.items()}, t.variables,
+        at_start, command, update,
+    )  # fmt: skip
+
+
+def _counted(t: Tracer, state: Form, index: int, row: Array, steps: list[Form | float]) -> Form:
+    """The memory counted from where the positions are now."""
+    return t.let(f"z{index}", state - _dot(row, steps), "1") if row.any() else state
+
+
+def _bounds(setup: Setup) -> Array | None:
+    steps = np.full(len(setup.law.spec.reads), FASTEST * setup.law.spec.period)
+    y = np.array([HEADING if c == COMPASS else largest(setup.kit, c, setup.travel) for c in setup.law.spec.reads])
+    r = np.array(REFERENCE_RANGE) if setup.reference else np.zeros(6)
+    u = np.full(2, setup.typed if setup.law.sliding else 0.0)
+    return setup.law.bounds(steps, y, r, u, np.full(2, setup.strongest))
+
+
+def _reference(t: Tracer, setup: Setup) -> list[Form | float]:
+    """The wanted state as inputs, where it does anything."""
+    law, found = setup.law, list[Form | float]()
+    for i, name in enumerate(STATE_NAMES):
+        acts = setup.reference and bool(law.Br[:, i].any() or law.Dr[:, i].any())
+        form = t.input(f"wanted_{name}", STATE_UNITS[i], REFERENCE_RANGE[i]) if acts else 0.0
+        found.append(form)
+    return found
+
+
+def _pitch(t: Tracer, setup: Setup, z: list[Form], y: list[Form]) -> Form:
+    """The controller's opinion of the pitch, or where it has none the gyro's integral, which forgets in `TILT_TIME`."""
+    law = setup.law
+    if law.S is not None and law.Sy is not None:
+        return t.let("pitch", _dot(law.S, z) + _dot(law.Sy, y), "rad", UPSIDE_DOWN, output=True)
+    rate, dt = y[law.spec.reads.index(GYRO)], law.spec.period
+    tilt = t.state("tilt", "rad", UPSIDE_DOWN)
+    pitch = t.let("pitch", (tilt + rate * dt) * (1 - dt / TILT_TIME), "rad", UPSIDE_DOWN, output=True)
+    t.commit(tilt, pitch)
+    return pitch
+
+
+def _command(t: Tracer, setup: Setup, z: list[Form], y: list[Form], r: list[Form | float]) -> list[Form]:
+    """What the law asks of each motor, in the command's unit."""
+    law, most, unit = setup.law, setup.typed, setup.driver.unit
+    rows = [_dot(law.C[i], z) + _dot(law.Dy[i], y) + _dot(law.Dr[i], r) for i in range(len(law.C))]
+    names = ("command_left", "command_right")
+    if not law.sliding:
+        return [t.let(name, row, unit, most, output=True) for name, row in zip(names, rows, strict=True)]
+    found: list[Form] = []
+    for side, name, surface, linear in zip(("left", "right"), names, rows[:2], rows[2:], strict=True):
+        s = t.let(f"surface_{side}", surface * (1 / law.layer), "1", 1.0)
+        found.append(t.let(name, linear - s * law.reach, unit, most, output=True))
+    return found
+
+
+def _applied(t: Tracer, setup: Setup, u: list[Form], raw: dict[str, Form]) -> list[Form]:
+    """What the motors really get: without the dead zone, within the limit, in whole steps of the battery's voltage."""
+    d, full = setup.driver, float(setup.driver.full)
+    awake = [_awake(t, d, form, side) for form, side in zip(u, SIDES, strict=True)]
+    if not full:
+        return [
+            t.let(f"applied_{s}", form, d.unit, setup.strongest, output=True)
+            for form, s in zip(awake, SIDES, strict=True)
+        ]
+    # the battery is read before the motors load it anew
+    volts = t.let("volts", raw[BATTERY] * setup.raw(BATTERY).scale, "V")
+    battery = t.limit("battery", volts, d.lowest, d.highest, "V")
+    per_volt = t.quotient("per_volt", full, battery, "1/V")
+    step = t.let("step", battery * (1 / full), "V")
+    found: list[Form] = []
+    for form, side in zip(awake, SIDES, strict=True):
+        wanted = t.product(f"wanted_duty_{side}", form, per_volt, "1")
+        limited = t.limit(f"limited_duty_{side}", wanted, -full, full, "1")
+        duty = t.whole(f"duty_{side}", limited, "1")
+        found.append(t.product(f"applied_{side}", duty, step, "V", output=True))
+    return found
+
+
+def _arrived(t: Tracer, setup: Setup, a: list[Form]) -> list[Form]:
+    """What reaches the motors now: applied `lag` periods ago."""
+    if not setup.lag:
+        return a
+    found: list[Form] = []
+    for form, side in zip(a, SIDES, strict=True):
+        unit, most = setup.driver.unit, t.variables[form.name].most
+        line = [t.state(f"sent_{side}_{k}", unit, most) for k in range(1, setup.lag + 1)]
+        for k, (place, before) in enumerate(zip(line[1:], line, strict=False), 2):
+            t.commit(place, t.let(f"next_sent_{side}_{k}", before, unit))
+        t.commit(line[0], form)
+        found.append(line[-1])
+    return found
+
+
+def _awake(t: Tracer, d: Driver, command: Form, side: str) -> Form:
+    """The command, or zero where the dead zone would swallow it anyway, within the driver's limit."""
+    value = command
+    if d.dead_zone:
+        size = t.absolute(f"size_{side}", command, d.unit)
+        value = t.choose(f"awake_{side}", size, math.nextafter(d.dead_zone, math.inf), 0.0, command, d.unit)
+    if math.isfinite(d.limit) and d.full:
+        return t.limit(f"bounded_{side}", value, -d.limit, d.limit, d.unit)
+    return value
+
+
+def _remember(
+    t: Tracer, setup: Setup, w: list[Form], z: list[Form], y: list[Form], r: list[Form | float], u: list[Form],
+    a: list[Form], proven: bool,
+) -> None:  # fmt: skip
+    """The law's memory for the next period, kept within its range where that is not proven."""
+    law, after = setup.law, list[Form]()
+    for i, state in enumerate(w):
+        row = _dot(law.A[i], z) + _dot(law.By[i], y) + _dot(law.Br[i], r) + _dot(law.Bu[i], u) + _dot(law.Ba[i], a)
+        most, keep = t.variables[state.name].most, t.claim if proven else t.let
+        after.append(keep(f"next_w{i}", row, "1", most))
+    for state, value in zip(w, after, strict=True):
+        t.commit(state, value)
+
+
+def _stop(t: Tracer, setup: Setup, pitch: Form, raw: dict[str, Form]) -> None:
+    """The status: fallen, stuck at full duty, or rolled out of range."""
+    lean = t.absolute("lean", pitch, "rad")
+    status = t.choose("fallen", lean, FALL_PITCH, float(BALANCING), float(FALLEN), "1", whole=True)
+    if setup.driver.full:
+        status = _stuck(t, setup, status)
+    for side, channel in zip(SIDES, ENCODERS, strict=True):
+        far = t.absolute(f"far_{side}", raw[channel], setup.raw(channel).unit)
+        most = setup.travel / setup.raw(channel).scale
+        status = t.choose(f"near_{side}", far, most, status, float(TOO_FAR), "1", whole=True)
+    t.let("status", status, "1", output=True)
+
+
+def _stuck(t: Tracer, setup: Setup, status: Form) -> Form:
+    full, longest = float(setup.driver.full), setup.periods(STUCK_TIME)
+    count = t.state("stuck", "1", float(longest), True)
+    sizes = [t.absolute(f"strength_{side}", Form({f"duty_{side}": 1.0}), "1") for side in SIDES]
+    both = t.let("strength", sizes[0] + sizes[1], "1")
+    more = t.let("stuck_more", count + 1.0, "1")
+    held = t.choose("stuck_now", both, 2 * full - 0.5, 0.0, more, "1", whole=True)
+    t.commit(count, t.limit("stuck_kept", held, 0.0, float(longest), "1"))
+    return t.choose("stuck_status", held, longest - 0.5, status, float(STUCK), "1", whole=True)
+
+
+def _dot(row: Array, values: Sequence[Form | float]) -> Form:
+    """Σ row_i values_i as one form."""
+    return sum((value * k if isinstance(value, Form) else Form({}, value * k)
+                for k, value in zip(row.tolist(), values, strict=True)), Form())  # fmt: skip

@@ -1,0 +1,109 @@
+"""A brick as seen from here: requests to the process that talks to it, each answered in time or not at all."""
+
+from __future__ import annotations
+
+import base64
+import json
+import queue
+import subprocess
+import sys
+import threading
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+from upright.errors import MissingTool, UprightError
+
+PATIENCE = 10.0  # [s] for an answer; a file of 30 kB takes 3 s over Bluetooth
+GYRO_KIND = 6  # the sensor type that HiTechnic's gyro is read with: active, as a light sensor
+
+
+class BrickLost(UprightError):
+    """A brick that is not there, or that no longer answers."""
+
+
+class BrickRefused(UprightError):
+    """A brick that answers, and will not."""
+
+
+class Connection:
+    """A brick at `port`: usb, or the path of a device. Raises `BrickLost`, `BrickRefused` or `MissingTool`."""
+
+    def __init__(self, port: str, patience: float = PATIENCE) -> None:
+        from importlib.util import find_spec
+
+        if find_spec("nxt") is None:
+            raise MissingTool("nxt-python is not installed", mend="pip install 'upright[nxt]'")
+        self._port, self._patience = port, patience
+        self._process = subprocess.Popen(
+            [sys.executable, str(Path(__file__).with_name("nxt_process.py")), port], text=True, stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+        )  # fmt: skip
+        self._answers: queue.Queue[str] = queue.Queue()
+        threading.Thread(target=self._listen, daemon=True).start()
+        try:
+            self._answer("find a brick")
+        except BrickRefused as error:
+            self.close()
+            raise BrickLost(
+                f"no brick at {port}: {error}", likely="it is off, or the cable is out",
+                mend="switch it on and plug it in; over Bluetooth name its device, such as /dev/rfcomm0",
+            ) from None  # fmt: skip
+
+    def __enter__(self) -> Connection:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """End the process that holds the line."""
+        self._process.kill()
+        self._process.wait()
+
+    def ask(self, request: str, **arguments: Any) -> Any:
+        """One request of `nxt_process.REQUESTS`."""
+        assert self._process.stdin is not None
+        try:
+            self._process.stdin.write(json.dumps({"do": request, **arguments}) + "\n")
+            self._process.stdin.flush()
+        except (BrokenPipeError, ValueError):
+            raise self._lost(request) from None
+        return self._answer(request)
+
+    def upload(self, name: str, data: bytes) -> None:
+        """Put a file on the brick, in place of one of that name."""
+        self.ask("upload", name=name, data=base64.b64encode(data).decode("ascii"))
+
+    def fetch(self, name: str) -> bytes:
+        """A file of the brick; `BrickRefused` where it has none of that name."""
+        return base64.b64decode(self.ask("fetch", name=name))
+
+    def _listen(self) -> None:
+        assert self._process.stdout is not None
+        for line in self._process.stdout:
+            self._answers.put(line)
+        self._answers.put("")
+
+    def _answer(self, request: str) -> Any:
+        try:
+            line = self._answers.get(timeout=self._patience)
+        except queue.Empty:
+            line = ""
+        if not line:
+            raise self._lost(request)
+        answer = json.loads(line)
+        if "error" in answer:
+            if answer["error"].startswith(("OSError", "struct.error", "error:", "USB")):
+                raise self._lost(request)
+            raise BrickRefused(f"the brick will not {request}: {answer['error']}")
+        return answer["ok"]
+
+    def _lost(self, request: str) -> BrickLost:
+        self.close()
+        return BrickLost(
+            f"the brick at {self._port} does not answer ({request})", likely="the cable came out, or it is off",
+            mend="plug it in and switch it on; its orange button stops the program",
+        )  # fmt: skip

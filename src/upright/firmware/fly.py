@@ -1,0 +1,122 @@
+"""A flight: the program onto the brick, started, watched, stopped, and its log brought home, whatever goes wrong."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from upright.errors import UprightError
+from upright.firmware.brick_log import BrickLog, read_brick_log
+from upright.firmware.connection import GYRO_KIND, BrickLost, BrickRefused, Connection
+from upright.firmware.execute_nxc import GYRO, REST, compile_nxc
+from upright.firmware.program import Program
+
+FIRMWARE = ([1, 28], [1, 29], [1, 31], [1, 32])
+"""Versions that run what nbc makes for 1.28."""
+
+LEAST_BATTERY = 6000  # [mV] below which six cells hardly turn the motors
+GYRO_MARGIN = 150  # a resting gyro reads 600 within this; 1023 is an empty port
+LOOK = 0.2  # [s] from one look at the program to the next
+STOPS = 3  # times that stopping is tried
+
+
+class FlightRefused(UprightError):
+    """A robot that is not ready to be driven."""
+
+
+@dataclass
+class Flight:
+    """What came of it: the `log` where there is one, and `notes`, a line for everything worth knowing."""
+
+    log: BrickLog | None = None
+    notes: list[str] = field(default_factory=list[str])
+
+
+def fly(
+    source: Path,
+    program: Program,
+    port: str,
+    seconds: float,
+    progress: Callable[[float], None] | None = None,
+    clock: Callable[[], float] = time.monotonic,
+) -> Flight:
+    """Compile the NXC in `source`, upload it to the brick at `port`, let it drive for `seconds` [s] or until it ends.
+
+    `clock` [s] tells how long that is. The program is stopped however this ends, Ctrl-C included; where the line is
+    lost it cannot be, and the notes say so. Raises `FlightRefused`, `BrickLost`, `BrickRefused`, `MissingTool` or
+    `ExecutionFailed` where nothing was driven.
+    """
+    with tempfile.TemporaryDirectory(prefix="upright-") as folder:
+        binary = compile_nxc(source, Path(folder)).read_bytes()
+    flight, name = Flight(), f"{source.stem[:15]}.rxe"
+    with Connection(port) as brick:
+        ready(brick)
+        brick.upload(name, binary)
+        began = clock()
+        brick.ask("start", name=name)
+        try:
+            _watch(brick, began + seconds, progress, clock)
+        except BrickLost as error:
+            flight.notes.append(
+                f"{error}; the program goes on until then, its log stays on the brick: upright fly --fetch"
+            )
+            return flight
+        finally:
+            with suppress(BrickLost, BrickRefused):
+                _land(brick)
+        bring_home(brick, program, flight)
+    return flight
+
+
+def ready(brick: Connection) -> None:
+    """Refuse a brick with another firmware, a flat battery, or no gyro where the program looks for it."""
+    version = brick.ask("firmware")
+    if version not in FIRMWARE:
+        raise FlightRefused(
+            f"the brick's firmware is {'.'.join(map(str, version))}", expected="enhanced firmware 1.28 or later",
+            mend="put it on the brick with BricxCC or NeXTTool",
+        )  # fmt: skip
+    if (battery := brick.ask("battery")) < LEAST_BATTERY:
+        raise FlightRefused(f"the battery gives {battery / 1000:.1f} V", expected="6 V at least", mend="fresh cells")
+    reads = brick.ask("sensor", port=GYRO, kind=GYRO_KIND)
+    if abs(reads - REST) > GYRO_MARGIN:
+        raise FlightRefused(
+            f"input {GYRO + 1} reads {reads}", expected=f"{REST} or so from a gyro at rest",
+            likely="the gyro is in another port, or the robot moves", mend=f"put it into port {GYRO + 1}, hold still",
+        )  # fmt: skip
+
+
+def bring_home(brick: Connection, program: Program | None, flight: Flight) -> None:
+    """Fetch the log into `flight`; what is odd about it becomes a note."""
+    names = [name for name, _ in brick.ask("files") if name.endswith(".log")]
+    wanted = f"{program.robot}.log" if program else next(iter(names), "")
+    if wanted not in names:
+        flight.notes.append("the brick has no log: the program did not come to balance")
+        return
+    flight.log = found = read_brick_log(brick.fetch(wanted))
+    if program and found.head["hash"] != program.hash:
+        flight.notes.append(
+            f"the log is of another controller ({found.head['hash'][:12]}, not {program.hash[:12]}): an older flight's"
+        )
+    if found.left_over:
+        flight.notes.append(f"the log breaks off in a row; its {len(found.log)} whole rows are kept")
+    if found.ended not in ("", "balancing"):
+        flight.notes.append(f"the program stopped by itself: {found.ended}")
+
+
+def _watch(brick: Connection, end: float, progress: Callable[[float], None] | None, clock: Callable[[], float]) -> None:
+    began = clock()
+    while (now := clock()) < end and brick.ask("running"):
+        if progress:
+            progress((now - began) / (end - began))
+        time.sleep(LOOK)
+
+
+def _land(brick: Connection) -> None:
+    for _ in range(STOPS):
+        if not brick.ask("stop"):
+            return

@@ -1,0 +1,187 @@
+"""From a controller to the text of a program: `generate` makes it, `Firmware.write` keeps it, `head` reads it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from upright.atomic import write_text
+from upright.control.controller import Controller
+from upright.errors import InvalidController, UnknownName
+from upright.firmware.balance import trace
+from upright.firmware.fixed import fractions, quantum
+from upright.firmware.print_c import CPrinter
+from upright.firmware.print_fixed import FixedPrinter
+from upright.firmware.print_nxc import NxcPrinter
+from upright.firmware.print_python import PythonPrinter
+from upright.firmware.program import Kind, Program
+from upright.firmware.setup import STATUS
+from upright.firmware.targets import find_target
+from upright.robots import Kit, Robot
+
+LONGEST_HEAD = 40  # lines in which the head of a program is looked for
+NXT_ROWS = 4000  # periods that an NXT keeps: 56 kB of the 130 kB that its firmware leaves
+
+GYROS = {
+    "prime": "GYRO_SIGN * hub.imu.angular_velocity(AXIS)",
+    "technic": "GYRO_SIGN * hub.imu.angular_velocity(AXIS)",
+    "ev3": "GYRO_SIGN * gyro_sensor.speed()",
+    "nxt": "GYRO_SIGN * (gyro_sensor.voltage() / 4.888 - 600)",  # HiTechnic's, 10 bits of 5 V, about 600 at rest
+}
+"""What the pybricks target runs on → its gyro's rate [°/s]; the NXT is experimental there, as in Pybricks itself."""
+
+
+@dataclass(frozen=True, eq=False)
+class Firmware:
+    """The `program` printed in `number` arithmetic: `files` by ending, the first of them the program itself.
+
+    `quantum` is what fixed point may add to a command at worst, in its unit; None for floats.
+    """
+
+    program: Program
+    number: str
+    files: Mapping[str, str]
+    quantum: float | None = None
+
+    @property
+    def text(self) -> str:
+        """The program itself."""
+        return next(iter(self.files.values()))
+
+    def write(self, path: str | Path) -> list[Path]:
+        """Write `path` and whatever stands beside it, each whole or not at all."""
+        first, target = Path(path).expanduser(), find_target(self.program.target)
+        if first.suffix != target.suffix:
+            raise UnknownName(f"ending of a program for {target.name}", first.suffix or first.name, [target.suffix])
+        texts = {ending: text.replace("@HEADER@", f"{first.stem}.h") for ending, text in self.files.items()}
+        return [write_text(first.with_suffix(ending), text) for ending, text in texts.items()]
+
+
+def generate(
+    controller: Controller,
+    robot: Robot,
+    kit: Kit,
+    target: str = "c",
+    *,
+    number: str = "",
+    hub: str = "prime",
+    reference: bool = False,
+) -> Firmware:
+    """The program of `controller` for `robot` on `kit` as text for `target`.
+
+    `number` is float, double or fixed where the target has a choice (C: float; `fixed` proves its ranges); `hub` says
+    what pybricks runs on; `reference` adds the wanted state as inputs of a C program. Raises like `trace`, and
+    `UnknownName` for what a target does not offer.
+    """
+    place = find_target(target)
+    arithmetic = number or place.numbers[0]
+    if arithmetic not in place.numbers:
+        raise UnknownName(f"arithmetic of {target}", arithmetic, place.numbers)
+    if hub not in GYROS:
+        raise UnknownName("hub", hub, GYROS)
+    if reference and not place.numeric:
+        raise InvalidController(f"a program for {target} only stands", expected="target c for one with a reference")
+    program = trace(controller, robot, kit, target, reference=reference)
+    _check_period(program, place.suffix)
+    finest = quantum(program, fractions(program)) if arithmetic == "fixed" else None
+    facts = {**_facts(program, arithmetic, finest), "hub": hub}
+    more = ([f"hub: {hub}"] if target == "pybricks" else []) + (["reference: yes"] if reference else [])
+    facts["head"] = [*facts["head"], *more]
+    return Firmware(program, arithmetic, TEXTS[target](program, facts), finest)
+
+
+def _check_period(program: Program, suffix: str) -> None:
+    if suffix != ".c" and not (program.period * 1000).is_integer() and abs(program.period * 1000 % 1) > 1e-9:
+        raise InvalidController(
+            f"the period is {program.period * 1e3:g} ms", expected=f"whole milliseconds, as {program.target} counts",
+            mend="design the controller for another period",
+        )  # fmt: skip
+
+
+def _facts(program: Program, number: str, finest: float | None) -> dict[str, Any]:
+    head = [*program.head(), f"number: {number}"]
+    head += [] if finest is None else [f"quantum: {finest:.3g} {program.command_unit}"]
+    return {
+        "head": head,
+        "program": program,
+        "robot": program.robot,
+        "hash": program.hash,
+        "full": program.full,
+        "number": number,
+        "period_ms": f"{program.period * 1e3:g}",
+        "period_us": round(program.period * 1e6),
+        "statuses": ", ".join(f"{i} {said}" for i, said in enumerate(STATUS)),
+        "status_names": STATUS,
+    }
+
+
+def _c(program: Program, facts: Mapping[str, Any]) -> dict[str, str]:
+    parts = {**facts, **_c_parts(program, facts["number"])}
+    head = "".join(f"   {line}\n" for line in facts["head"])
+    source = f'/* Generated by upright: do not edit.\n{head}*/\n#include "@HEADER@"\n\n' + render("balance.c", parts)
+    return {".c": source, ".h": render("balance.h", parts)}
+
+
+def _arduino(program: Program, facts: Mapping[str, Any]) -> dict[str, str]:
+    return {".ino": render("arduino.ino", {**facts, **_c_parts(program, facts["number"])})}
+
+
+def _c_parts(program: Program, number: str) -> dict[str, Any]:
+    printer = FixedPrinter(program) if number == "fixed" else CPrinter(program, number)
+    return {
+        "type": printer.type,
+        "helpers": printer.helpers().rstrip("\n"),
+        "inputs": printer.fields(Kind.INPUT),
+        "outputs": printer.fields(Kind.OUTPUT),
+        "states": printer.fields(Kind.STATE),
+        "starts": printer.starts(),
+        "blocks": [{"name": block.name, "lines": printer.lines(block)} for block in program.blocks],
+    }
+
+
+def _python(program: Program, facts: Mapping[str, Any]) -> dict[str, str]:
+    parts = {**facts, "printer": PythonPrinter(program), "gyro": GYROS[facts["hub"]]}
+    return {".py": render(f"{program.target}.py", parts)}
+
+
+def _nxc(program: Program, facts: Mapping[str, Any]) -> dict[str, str]:
+    parts = {**facts, "rows": NXT_ROWS, "printer": NxcPrinter(program), "compass": "raw_compass" in program.variables}
+    return {".nxc": render("balance.nxc", parts)}
+
+
+TEXTS: dict[str, Callable[[Program, Mapping[str, Any]], dict[str, str]]] = {
+    "c": _c,
+    "arduino": _arduino,
+    "pybricks": _python,
+    "ev3dev": _python,
+    "nxc": _nxc,
+}
+
+
+def render(name: str, facts: Mapping[str, Any]) -> str:
+    """The template of that name, filled."""
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    loader = PackageLoader("upright.firmware")
+    environment = Environment(
+        loader=loader, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True
+    )
+    return environment.get_template(f"{name}.j2").render(**facts)
+
+
+def head(text: str) -> dict[str, str]:
+    """What the first lines of a generated program say of it; `InvalidController` for any other text."""
+    lines = text.splitlines()[:LONGEST_HEAD]
+    found = [
+        re.fullmatch(r"\W*(target|robot|kit|controller|hash|period|version|number|quantum|hub|reference): (.+)", x)
+        for x in lines
+    ]
+    facts = {m[1]: m[2].strip() for m in found if m}
+    if missing := [name for name in ("target", "robot", "kit", "hash", "number") if name not in facts]:
+        raise InvalidController(
+            f"this is no program by upright: its head says no {missing[0]}", mend="generate it with upright firmware"
+        )
+    return facts

@@ -1,0 +1,118 @@
+"""The process that talks to an NXT brick: a line of JSON in, a line of JSON out. Run as a script, never imported.
+
+nxt-python is under the GPL 3, so that it is loaded here and nowhere else. Requests: {"do": NAME, …}; answers:
+{"ok": …} or {"error": "one line"}.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import sys
+from collections.abc import Callable
+from typing import Any
+
+
+def connect(port: str) -> Any:
+    """The brick at that port: usb, or the path of a device such as /dev/rfcomm0."""
+    import nxt.locator  # pyright: ignore[reportMissingImports]
+
+    where: dict[str, Any] = {"backends": ["usb"]} if port == "usb" else {"backends": ["devfile"], "filename": port}
+    return nxt.locator.find(config=None, **where)
+
+
+def upload(brick: Any, name: str, data: str) -> int:
+    """Put a file on the brick in place of one of that name."""
+    content = base64.b64decode(data)
+    try:
+        brick.file_delete(name)
+    except Exception as error:
+        if "not found" not in str(error).lower():
+            raise
+    with brick.open_file(name, "wb", len(content)) as file:
+        file.write(content)
+    return len(content)
+
+
+def fetch(brick: Any, name: str) -> str:
+    """A file of the brick, as base64."""
+    with brick.open_file(name, "rb") as file:
+        return base64.b64encode(file.read()).decode("ascii")
+
+
+def running(brick: Any) -> str:
+    """The program that runs, or nothing."""
+    try:
+        return str(brick.get_current_program_name())
+    except Exception as error:
+        if "no active program" in str(error).lower():
+            return ""
+        raise
+
+
+def stop(brick: Any) -> bool:
+    """End the program, if one runs; whether one did."""
+    if not running(brick):
+        return False
+    brick.stop_program()
+    return True
+
+
+def sensor(brick: Any, port: int, kind: int) -> int:
+    """What the converter of an input reads with a sensor of that kind set."""
+    import nxt.sensor  # pyright: ignore[reportMissingImports]
+
+    where = nxt.sensor.Port(port)
+    brick.set_input_mode(where, nxt.sensor.Type(kind), nxt.sensor.Mode.RAW)
+    brick.get_input_values(where)  # the first reading may still be that of the sensor set before
+    return int(brick.get_input_values(where)[5])
+
+
+def battery(brick: Any) -> int:
+    """The battery [mV]."""
+    return int(brick.get_battery_level())
+
+
+def firmware(brick: Any) -> list[int]:
+    """Major and minor version of the brick's firmware."""
+    return [int(part) for part in brick.get_firmware_version()[1]]
+
+
+def files(brick: Any) -> list[list[Any]]:
+    """Name and size of every file."""
+    return [list(found) for found in brick.find_files("*.*")]
+
+
+def start(brick: Any, name: str) -> None:
+    """Begin a program."""
+    brick.start_program(name)
+
+
+REQUESTS: dict[str, Callable[..., Any]] = {
+    f.__name__: f for f in (upload, fetch, running, start, stop, sensor, battery, firmware, files)
+}
+"""Name of a request → what does it with the brick."""
+
+
+def answer(brick: Any, request: dict[str, Any]) -> dict[str, Any]:
+    """What one request came to."""
+    try:
+        return {"ok": REQUESTS[request.pop("do")](brick, **request)}
+    except Exception as error:  # whatever the library or the line says, the other process wants it in one line
+        return {"error": f"{type(error).__name__}: {error}".replace("\n", " ")}
+
+
+def main(port: str) -> None:
+    """Serve requests until the input ends."""
+    try:
+        brick = connect(port)
+    except Exception as error:
+        print(json.dumps({"error": f"{type(error).__name__}: {error}".replace("\n", " ")}), flush=True)
+        return
+    print(json.dumps({"ok": "connected"}), flush=True)
+    for line in sys.stdin:
+        print(json.dumps(answer(brick, json.loads(line))), flush=True)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

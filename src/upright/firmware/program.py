@@ -1,0 +1,260 @@
+"""The one representation of a balancing program: typed straight-line statements that every target is printed from.
+
+A `Program` has three blocks, called once a period: `calibrate` while the robot is held still, then `command` (readings
+to duty) and `update` (memory, fall detection), which comes second so that the motors wait for `command` alone. Every
+variable is a number with a unit and a proven range; a state keeps its value from one period to the next, and `commit`
+gives it its next value at the end of a block. There are no branches, loops or calls: `Choose` picks one of two values.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from enum import StrEnum
+from typing import Any
+
+INFINITY = float("inf")
+
+
+class Kind(StrEnum):
+    """What a variable is for."""
+
+    INPUT = "input"
+    STATE = "state"
+    OUTPUT = "output"
+    TEMPORARY = "temporary"
+
+
+@dataclass(frozen=True)
+class Variable:
+    """A number in `unit`, always within [`low`, `high`]; `whole` ones are integers. A state begins at `start`."""
+
+    name: str
+    unit: str
+    kind: Kind
+    low: float
+    high: float
+    whole: bool = False
+    start: float = 0.0
+
+    @property
+    def most(self) -> float:
+        """The largest magnitude."""
+        return max(abs(self.low), abs(self.high))
+
+
+Operand = str | float
+"""A variable's name or a constant."""
+
+
+@dataclass(frozen=True)
+class Sum:
+    """target = Σ coefficient · variable + constant, kept within [`low`, `high`] where they are finite."""
+
+    target: str
+    terms: tuple[tuple[float, str], ...]
+    constant: float = 0.0
+    low: float = -INFINITY
+    high: float = INFINITY
+
+
+@dataclass(frozen=True)
+class Product:
+    """target = first · second."""
+
+    target: str
+    first: str
+    second: str
+
+
+@dataclass(frozen=True)
+class Quotient:
+    """target = number / below, where `below` never comes near zero."""
+
+    target: str
+    number: float
+    below: str
+
+
+@dataclass(frozen=True)
+class Limit:
+    """target = value kept within [low, high]."""
+
+    target: str
+    value: str
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class Absolute:
+    """target = |value|."""
+
+    target: str
+    value: str
+
+
+@dataclass(frozen=True)
+class Whole:
+    """target = value without its fraction, towards zero."""
+
+    target: str
+    value: str
+
+
+@dataclass(frozen=True)
+class Choose:
+    """target = then where left < right, else other."""
+
+    target: str
+    left: str
+    right: Operand
+    then: Operand
+    other: Operand
+
+
+Statement = Sum | Product | Quotient | Limit | Absolute | Whole | Choose
+
+
+def operands(statement: Statement) -> tuple[str, ...]:
+    """The variables a statement reads, in order."""
+    if isinstance(statement, Sum):
+        return tuple(name for _, name in statement.terms)
+    fields = {k: v for k, v in asdict(statement).items() if k != "target"}
+    return tuple(value for value in fields.values() if isinstance(value, str))
+
+
+@dataclass(frozen=True)
+class Block:
+    """`statements` in order, each target assigned once; then every (state, variable) of `commit` at the same time."""
+
+    name: str
+    statements: tuple[Statement, ...]
+    commit: tuple[tuple[str, str], ...] = ()
+
+    def reads(self) -> set[str]:
+        """Every variable that a statement or a commit reads."""
+        return {name for s in self.statements for name in operands(s)} | {name for _, name in self.commit}
+
+    def writes(self) -> set[str]:
+        return {s.target for s in self.statements}
+
+
+@dataclass(frozen=True)
+class Program:
+    """Three blocks over `variables`, and which robot, kit, controller (`kind`, `hash`) and target they were made for.
+
+    `period` [s]; `channels` says which measured channel each raw input is, and `scales` its SI unit for one raw unit.
+    `full` is the largest duty, 0 where the program commands in `command_unit` itself. `proven` is whether the ranges of
+    the memory follow from those of the readings; if not, the memory grows without the robot and is merely limited.
+    The memory is told what the motors got `lag` periods ago, when they begin to act on it.
+    """
+
+    robot: str
+    kit: str
+    kind: str
+    hash: str
+    target: str
+    period: float
+    version: str
+    command_unit: str
+    full: int
+    proven: bool
+    lag: int
+    channels: Mapping[str, str]
+    scales: Mapping[str, float]
+    variables: Mapping[str, Variable]
+    calibrate: Block
+    command: Block
+    update: Block
+
+    @property
+    def blocks(self) -> tuple[Block, Block, Block]:
+        return self.calibrate, self.command, self.update
+
+    def of(self, kind: Kind) -> list[Variable]:
+        """The variables of that kind, in the order of their making."""
+        return [v for v in self.variables.values() if v.kind is kind]
+
+    def carried(self) -> list[str]:
+        """Temporaries of `command` that `update` reads: they live from one to the other, but not over a period."""
+        wanted = self.update.reads() & self.command.writes()
+        return [s.target for s in self.command.statements if s.target in wanted and not self.is_output(s.target)]
+
+    def results(self) -> list[str]:
+        """The outputs of a period in balance, in order."""
+        written = (s.target for block in (self.command, self.update) for s in block.statements)
+        return [name for name in written if self.is_output(name)]
+
+    def is_output(self, name: str) -> bool:
+        return self.variables[name].kind is Kind.OUTPUT
+
+    def head(self) -> list[str]:
+        """What every generated text says first; `firmware.head` reads it back."""
+        facts = {"target": self.target, "robot": self.robot, "kit": self.kit, "controller": self.kind}
+        facts |= {"hash": self.hash, "period": f"{self.period!r} s", "version": f"upright {self.version}"}
+        return [f"{name}: {value}" for name, value in facts.items()]
+
+    def operations(self) -> int:
+        """Multiplications and divisions of one period, for an idea of its cost."""
+        return sum(map(_products, (*self.command.statements, *self.update.statements)))
+
+    def to_json(self) -> dict[str, Any]:
+        """Everything, as plain values; infinite limits are left out."""
+        facts = {k: v for k, v in vars(self).items() if k not in ("variables", "calibrate", "command", "update")}
+        facts = {k: dict(v) if isinstance(v, Mapping) else v for k, v in facts.items()}
+        blocks = {b.name: [*(_plain(s) for s in b.statements), {"commit": list(b.commit)}] for b in self.blocks}
+        return facts | {"variables": [_plain(v) for v in self.variables.values()], "blocks": blocks}
+
+    def __str__(self) -> str:
+        lines = [f"# {line}" for line in self.head()]
+        for variable in (*self.of(Kind.INPUT), *self.of(Kind.STATE)):
+            lines.append(f"{variable.kind} {variable.name} [{variable.unit}] in {_range(variable)}")
+        for block in self.blocks:
+            lines += ["", f"{block.name}:", *(f"    {line}" for line in self._listing(block))]
+        return "\n".join(lines)
+
+    def _listing(self, block: Block) -> Iterator[str]:
+        for statement in block.statements:
+            variable = self.variables[statement.target]
+            yield f"{statement.target} = {said(statement)}  # [{variable.unit}] in {_range(variable)}"
+        yield from (f"{state} <- {value}" for state, value in block.commit)
+
+
+def said(statement: Statement) -> str:  # noqa: PLR0911 (one for each kind of statement)
+    """The right side of a statement, in words that every reader of a formula knows."""
+    match statement:
+        case Sum(_, terms, constant, low, high):
+            text = " + ".join([*(f"{c!r} {name}" for c, name in terms), *([repr(constant)] if constant else [])]) or "0"
+            return text if low == -INFINITY else f"limit({text}, {low!r}, {high!r})"
+        case Product(_, first, second):
+            return f"{first} {second}"
+        case Quotient(_, number, below):
+            return f"{number!r} / {below}"
+        case Limit(_, value, low, high):
+            return f"limit({value}, {low!r}, {high!r})"
+        case Absolute(_, value):
+            return f"|{value}|"
+        case Whole(_, value):
+            return f"whole({value})"
+        case Choose(_, left, right, then, other):
+            return f"{then} where {left} < {right} else {other}"
+
+
+def _products(statement: Statement) -> int:
+    if isinstance(statement, Sum):
+        return sum(abs(c) != 1 for c, _ in statement.terms)
+    return int(isinstance(statement, Product | Quotient))
+
+
+def _plain(part: Statement | Variable) -> dict[str, Any]:
+    values = {k: v for k, v in asdict(part).items() if v not in (INFINITY, -INFINITY)}
+    return {"op": type(part).__name__.lower()} | values if not isinstance(part, Variable) else values
+
+
+def _range(variable: Variable) -> str:
+    return f"[{variable.low:.6g}, {variable.high:.6g}]"
+
+
+def names(variables: Sequence[Variable]) -> list[str]:
+    return [v.name for v in variables]

