@@ -1,0 +1,141 @@
+"""The web application: the built page, the WebSocket, uploads and downloads. Loaded only where a lab is served."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import secrets
+from collections.abc import AsyncGenerator
+from typing import Any
+
+from fastapi import FastAPI, Request, Response, WebSocket, WebSocketDisconnect
+from fastapi.responses import FileResponse, HTMLResponse, JSONResponse
+
+from upright.errors import UprightError
+from upright.lab import uploads
+from upright.lab.hub import Client, Hub
+from upright.lab.mailbox import Mailbox
+from upright.lab.messages import Uploaded
+from upright.lab.recording import page_text, static
+from upright.lab.server import Lab
+
+HEADERS = {
+    "Content-Security-Policy": "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; "
+    "script-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cache-Control": "no-cache",
+}
+
+
+def application(lab: Lab, hub: Hub) -> FastAPI:
+    """The application round a hub."""
+    app = FastAPI(title="upright lab", docs_url=None, redoc_url=None, openapi_url=None, lifespan=_life(hub))
+
+    async def guard(request: Request, call_next: Any) -> Response:
+        if lab.foreign(request.headers.get("host"), request.headers.get("origin")):
+            return JSONResponse({"error": "this page belongs to another site"}, 403, HEADERS)
+        response = await call_next(request)
+        response.headers.update(HEADERS)
+        return response
+
+    async def index() -> Response:
+        return HTMLResponse(page_text())
+
+    async def asset(name: str) -> Response:
+        return _asset(name)
+
+    async def download(session: str, name: str) -> Response:
+        return _download(hub, session, name)
+
+    async def upload(session: str, request: Request, what: str = "log", name: str = "") -> Response:
+        return await _upload(hub, session, request, what, name)
+
+    async def talk(socket: WebSocket) -> None:
+        await _talk(lab, hub, socket)
+
+    app.middleware("http")(guard)
+    app.get("/", response_model=None)(index)
+    app.get("/assets/{name}", response_model=None)(asset)
+    app.get("/files/{session}/{name}", response_model=None)(download)
+    app.post("/upload/{session}", response_model=None)(upload)
+    app.websocket("/ws")(talk)
+    return app
+
+
+def _life(hub: Hub) -> Any:
+    @contextlib.asynccontextmanager
+    async def life(_: Any) -> AsyncGenerator[None]:
+        hub.begin()
+        sweeping = asyncio.create_task(_sweep(hub))
+        try:
+            yield
+        finally:
+            sweeping.cancel()
+
+    return life
+
+
+async def _sweep(hub: Hub) -> None:
+    while True:
+        await asyncio.sleep(30.0)
+        hub.sweep()
+
+
+TYPES = {"js": "text/javascript", "css": "text/css", "svg": "image/svg+xml", "json": "application/json"}
+
+
+def _asset(name: str) -> Response:
+    folder = static() / "assets"
+    known = {entry.name for entry in folder.iterdir()} if folder.is_dir() else set()
+    if name not in known:
+        return Response("not found", 404)
+    kind = TYPES.get(name.rpartition(".")[2], "application/octet-stream")
+    return Response((folder / name).read_bytes(), media_type=kind)
+
+
+def _download(hub: Hub, session: str, name: str) -> Response:
+    folder = hub.folder(session)
+    known = {entry.name for entry in folder.iterdir()} if folder else set()
+    if folder is None or name not in known or name.startswith("."):
+        return Response("not found", 404)
+    return FileResponse(folder / name, filename=name, content_disposition_type="attachment")
+
+
+async def _upload(hub: Hub, session: str, request: Request, what: str, name: str) -> Response:
+    folder = hub.folder(session)
+    if folder is None:
+        return JSONResponse({"error": "there is no such session; mend: reload the page"}, 404)
+    try:
+        path = await uploads.receive(request.stream(), folder, name, what)
+    except UprightError as error:
+        return JSONResponse({"error": str(error)}, 413 if "larger" in str(error) else 400)
+    hub.pass_on(session, Uploaded("robot" if what == "robot" else "log", str(path), path.name))
+    return JSONResponse({"name": path.name})
+
+
+async def _talk(lab: Lab, hub: Hub, socket: WebSocket) -> None:
+    if lab.foreign(socket.headers.get("host"), socket.headers.get("origin")):
+        await socket.close(code=4403, reason="this page belongs to another site")
+        return
+    await socket.accept()
+    client = Client(secrets.token_hex(8), Mailbox())
+    sending = asyncio.create_task(client.box.deliver(socket.send_text))
+    try:
+        while not client.closed and not sending.done():
+            hub.receive(client, await _next(socket))
+        await asyncio.sleep(0.2)  # let the reason go out before the door closes
+        await socket.close(code=4400, reason=client.closed[:100])
+    except (WebSocketDisconnect, RuntimeError):
+        pass
+    finally:
+        sending.cancel()
+        hub.leave(client)
+
+
+async def _next(socket: WebSocket) -> str:
+    """The next message as text; binary ones are no messages."""
+    found = await socket.receive()
+    if found["type"] == "websocket.disconnect":
+        raise WebSocketDisconnect(found.get("code", 1000))
+    return found.get("text") or ""

@@ -1,0 +1,189 @@
+"""What takes longer than a frame is done at a desk: in processes of their own, which can be killed.
+
+One clerk serves quick requests, of which the latest of each key wins; every other job has a process to itself.
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import time
+from collections.abc import Callable
+from multiprocessing.connection import Connection
+from typing import Any, Protocol
+
+from upright.errors import UprightError
+
+Key = tuple[str, str]
+Word = tuple[Key, str, Any]
+
+PATIENCE = 600.0  # [s] after which a job is killed
+BRIEF = 60.0  # [s] the same for what the one clerk does
+MOST_ALONE = 2  # jobs at a time, since the loop has the first claim on the machine
+MODEST = 5  # of nice: behind the loop, without starving on a machine where others work
+MEMORY = 8 << 30  # [bytes] of addresses for one job: a hostile file must not take the machine
+
+
+class Desk(Protocol):
+    """Takes jobs by (session, name). What comes of them is told to the session by whoever owns the desk."""
+
+    def submit(self, key: Key, task: str, args: tuple[Any, ...], alone: bool = False) -> None: ...
+
+    def cancel(self, key: Key) -> None: ...
+
+
+class InlineDesk:
+    """A desk that does everything when it is asked to, for tests and scripts."""
+
+    def __init__(self) -> None:
+        self._asked: list[tuple[Key, str, tuple[Any, ...]]] = []
+
+    def submit(self, key: Key, task: str, args: tuple[Any, ...], alone: bool = False) -> None:  # noqa: ARG002
+        self._asked = [job for job in self._asked if job[0] != key] + [(key, task, args)]
+
+    def cancel(self, key: Key) -> None:
+        self._asked = [job for job in self._asked if job[0] != key]
+
+    def poll(self) -> list[Word]:
+        """Do all that was submitted, and say what came of it."""
+        asked, self._asked = self._asked, []
+        return [(key, *_done(task, args, _unwatched)) for key, task, args in asked]
+
+
+class ProcessDesk:
+    """A desk of processes; `poll` says what they have done since."""
+
+    def __init__(self) -> None:
+        self._quick: _Clerk | None = None
+        self._waiting: dict[Key, tuple[str, tuple[Any, ...]]] = {}
+        self._alone: dict[Key, _Clerk] = {}
+        self._queue: dict[Key, tuple[str, tuple[Any, ...]]] = {}
+
+    def submit(self, key: Key, task: str, args: tuple[Any, ...], alone: bool = False) -> None:
+        self.cancel(key)
+        (self._queue if alone else self._waiting)[key] = (task, args)
+
+    def cancel(self, key: Key) -> None:
+        self._waiting.pop(key, None)
+        self._queue.pop(key, None)
+        if key in self._alone:
+            self._alone.pop(key).kill()
+
+    def forget(self, session: str) -> None:
+        """Drop everything of a session that has ended."""
+        for key in [*self._waiting, *self._queue, *self._alone]:
+            if key[0] == session:
+                self.cancel(key)
+
+    def poll(self) -> list[Word]:
+        """What was done since, in order, without waiting; begins what can begin."""
+        words = self._polled(self._quick, BRIEF) if self._quick else []
+        for key, clerk in list(self._alone.items()):
+            words += self._polled(clerk, PATIENCE)
+            if clerk.idle:
+                self._alone.pop(key).kill()
+        self._begin()
+        return words
+
+    def close(self) -> None:
+        """Kill every clerk."""
+        for clerk in [*self._alone.values(), *([self._quick] if self._quick else [])]:
+            clerk.kill()
+        self._alone, self._quick = {}, None
+
+    def _begin(self) -> None:
+        if self._waiting and (self._quick is None or self._quick.idle):
+            self._quick = self._quick or _Clerk()
+            key = next(iter(self._waiting))
+            self._quick.give(key, *self._waiting.pop(key))
+        while self._queue and len(self._alone) < MOST_ALONE:
+            key = next(iter(self._queue))
+            self._alone[key] = _Clerk()
+            self._alone[key].give(key, *self._queue.pop(key))
+
+    def _polled(self, clerk: _Clerk, patience: float) -> list[Word]:
+        words = clerk.poll(patience)
+        if clerk.dead and clerk is self._quick:
+            self._quick = None
+        return words
+
+
+class _Clerk:
+    """One process that does one job at a time."""
+
+    def __init__(self) -> None:
+        context = multiprocessing.get_context("spawn")
+        self._pipe, theirs = context.Pipe()
+        self._process = context.Process(target=_work, args=(theirs,), daemon=True)
+        self._process.start()
+        theirs.close()
+        self.idle, self.dead, self._key, self._since = True, False, ("", ""), 0.0
+
+    def give(self, key: Key, task: str, args: tuple[Any, ...]) -> None:
+        self.idle, self._key, self._since = False, key, time.monotonic()
+        self._pipe.send((task, args))
+
+    def poll(self, patience: float) -> list[Word]:
+        words: list[Word] = []
+        try:
+            while not self.idle and self._pipe.poll():
+                status, result = self._pipe.recv()
+                words.append((self._key, status, result))
+                self.idle = status != "progress"
+        except (EOFError, OSError):
+            return [*words, self._gone("the process that computed it died, perhaps of too large a file")]
+        if not self.idle and time.monotonic() - self._since > patience:
+            return [*words, self._gone(f"it took longer than {patience:g} s and was stopped")]
+        return words
+
+    def _gone(self, why: str) -> Word:
+        self.kill()
+        self.idle = self.dead = True
+        return (self._key, "failed", f"{self._key[1]}: {why}")
+
+    def kill(self) -> None:
+        self._process.kill()
+        self._process.join(1.0)
+        self._pipe.close()
+
+
+def _unwatched(share: float) -> None:
+    """Nobody watches the `share` done."""
+
+
+def _work(pipe: Connection) -> None:
+    """The clerk's own loop: it ends when the pipe does."""
+
+    def report(share: float) -> None:
+        pipe.send(("progress", round(share, 3)))
+
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    _be_modest()
+    while True:
+        try:
+            task, args = pipe.recv()
+            status, result = _done(task, args, report)
+            pipe.send((status, result))
+        except (EOFError, OSError, KeyboardInterrupt):
+            return
+
+
+def _be_modest() -> None:
+    if hasattr(os, "nice"):
+        os.nice(MODEST)
+    try:
+        import resource
+    except ImportError:  # not on Windows
+        return
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, resource.getrlimit(resource.RLIMIT_AS)[1]))
+
+
+def _done(task: str, args: tuple[Any, ...], report: Callable[[float], None]) -> tuple[str, Any]:
+    from upright.lab.tasks import TASKS
+
+    try:
+        return "done", TASKS[task](report, *args)
+    except UprightError as error:
+        return "failed", str(error)
+    except Exception as error:  # whatever a file or a design did, the session goes on
+        return "failed", f"{task}: unexpected {type(error).__name__}: {str(error)[:200]}"

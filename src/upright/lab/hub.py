@@ -1,0 +1,237 @@
+"""Between browsers and stages: who watches which session, and what may pass."""
+
+from __future__ import annotations
+
+import asyncio
+import secrets
+import shutil
+import tempfile
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from upright.errors import UprightError
+from upright.lab.classroom import CLASS_SETUP, MOST_ALONE, MOST_STUDENTS, Door, NotAdmitted, Role, Scores
+from upright.lab.codec import InvalidMessage, decode, encode
+from upright.lab.mailbox import Mailbox
+from upright.lab.messages import VERSION, Ack, Board, Broadcast, Change, Hello, Refused, Said, Setup, Welcome
+from upright.lab.stage_process import StageLink, Words
+
+BURST, STEADY = 400.0, 200.0  # messages at once, and a second, from one client
+PATIENCE = 100  # messages that are none, after which a client is let go
+FORGOTTEN = 900.0  # [s] that a session is kept without anybody watching it
+
+
+@dataclass
+class Client:
+    """One page. `session` is empty until it has said hello; `closed` says why it was let go."""
+
+    key: str
+    box: Mailbox
+    session: str = ""
+    role: Role = "alone"
+    closed: str = ""
+    wrong: int = 0
+    _tokens: float = BURST
+    _since: float = field(default_factory=time.monotonic)
+
+    def may_speak(self, now: float) -> bool:
+        """Whether it keeps to the pace: a bucket of `BURST` that refills with `STEADY` a second."""
+        self._tokens = min(BURST, self._tokens + STEADY * (now - self._since)) - 1
+        self._since = now
+        return self._tokens >= 0
+
+
+@dataclass
+class Entry:
+    """A session, the stage on which it runs, its folder and its clients."""
+
+    stage: int
+    folder: Path
+    clients: dict[str, Client] = field(default_factory=dict[str, Client])
+    left: float = 0.0
+
+
+class Hub:
+    """All sessions and clients of one server. `stages` run the sessions; everything here runs on the event loop."""
+
+    def __init__(self, door: Door, stages: Sequence[StageLink]) -> None:
+        self.door, self.scores = door, Scores()
+        self.root = Path(tempfile.mkdtemp(prefix="upright-lab-"))
+        self.entries: dict[str, Entry] = {}
+        self.stats: asyncio.Queue[Any] = asyncio.Queue()
+        self._stages = list(stages)
+        self._setup = CLASS_SETUP if door.is_class else Setup()
+
+    def begin(self) -> None:
+        """Listen to the stages, from within the running event loop."""
+        loop = asyncio.get_running_loop()
+        for stage in self._stages:
+            stage.listen(loop, self._heard)
+
+    def close(self) -> None:
+        """Stop the stages and remove every session's folder."""
+        for stage in self._stages:
+            stage.close()
+        shutil.rmtree(self.root, ignore_errors=True)
+
+    def receive(self, client: Client, text: str) -> None:
+        """One message of a client. Whatever it is, nothing is raised and nobody else is troubled."""
+        if client.closed:
+            return
+        if not client.may_speak(time.monotonic()):
+            self._let_go(client, "too many messages; mend: wait a moment and reload the page")
+            return
+        try:
+            self._act(client, decode(text))
+        except (InvalidMessage, NotAdmitted) as error:
+            self._wrong(client, error)
+        except UprightError as error:
+            client.box.event(encode(Said("error", str(error))))
+
+    def leave(self, client: Client) -> None:
+        """The page is gone; its session is kept for a while."""
+        entry = self.entries.get(client.session)
+        if entry and entry.clients.pop(client.key, None):
+            entry.left = time.monotonic()
+            self._stages[entry.stage].say("watch", client.session, "", len(entry.clients))
+            if not entry.clients:
+                self.scores.here.discard(client.session)
+
+    def folder(self, session: str) -> Path | None:
+        """Where a session's files lie, None where there is no such session."""
+        entry = self.entries.get(session)
+        return entry.folder if entry else None
+
+    def pass_on(self, session: str, message: Any) -> None:
+        """A message to a session."""
+        if entry := self.entries.get(session):
+            self._stages[entry.stage].say("message", session, message)
+
+    def sweep(self) -> None:
+        """Forget sessions that nobody has watched for long."""
+        now = time.monotonic()
+        for name, entry in list(self.entries.items()):
+            if not entry.clients and now - entry.left > FORGOTTEN:
+                self._end(name)
+
+    def ask_stats(self) -> None:
+        """Have every stage put its figures into `stats`."""
+        for stage in self._stages:
+            stage.say("stats", "")
+
+    def _act(self, client: Client, message: Any) -> None:
+        if isinstance(message, Hello):
+            self._greet(client, message)
+        elif not client.session:
+            raise NotAdmitted("the first message must be Hello", mend="reload the page")
+        elif isinstance(message, Ack):
+            client.box.acknowledged()
+        elif isinstance(message, Broadcast):
+            self._broadcast(client, message)
+        elif isinstance(message, Change) and client.role == "student":
+            self.pass_on(client.session, Change(_light(message.setup)))
+        else:
+            self.pass_on(client.session, message)
+
+    def _greet(self, client: Client, hello: Hello) -> None:
+        if client.session:
+            raise InvalidMessage("a second Hello", expected="one")
+        if hello.version != VERSION:
+            raise NotAdmitted(
+                f"this page speaks version {hello.version}", expected=f"version {VERSION}", likely="an old page",
+                mend="reload the page (Ctrl+Shift+R), or restart upright lab",
+            )  # fmt: skip
+        client.role = self.door.role(hello)
+        known = hello.session in self.entries
+        client.session = hello.session if known else self._open(client.role, hello)
+        entry = self.entries[client.session]
+        entry.clients[client.key] = client
+        if client.role == "student":
+            self.scores.names[client.session] = hello.name.strip()[:40]
+            self.scores.here.add(client.session)
+        client.box.event(encode(Welcome(VERSION, client.session, client.role, f"files/{client.session}/")))
+        self._stages[entry.stage].say("watch", client.session, client.key, len(entry.clients))
+
+    def _open(self, role: Role, hello: Hello) -> str:
+        self._make_room(role)
+        name = secrets.token_hex(16)
+        folder = self.root / name
+        folder.mkdir(mode=0o700)
+        stage = min(range(len(self._stages)), key=lambda i: sum(e.stage == i for e in self.entries.values()))
+        setup = hello.setup or self._setup
+        if role == "student":
+            setup = _light(setup)
+        self.entries[name] = Entry(stage, folder)
+        self._stages[stage].say("open", name, str(folder), setup)
+        return name
+
+    def _make_room(self, role: Role) -> None:
+        idle = sorted((e.left, n) for n, e in self.entries.items() if not e.clients)
+        while self._full(role) and idle:
+            self._end(idle.pop(0)[1])
+        if self._full(role):
+            raise NotAdmitted("every place is taken", mend="close another page of the lab first")
+
+    def _full(self, role: Role) -> bool:
+        students = sum(name in self.scores.names for name in self.entries)
+        most = MOST_STUDENTS + 2 if self.door.is_class else MOST_ALONE
+        return len(self.entries) >= most or (role == "student" and students >= MOST_STUDENTS)
+
+    def _end(self, name: str) -> None:
+        entry = self.entries.pop(name)
+        self.scores.forget(name)
+        self._stages[entry.stage].say("close", name)
+        shutil.rmtree(entry.folder, ignore_errors=True)
+
+    def _broadcast(self, client: Client, message: Broadcast) -> None:
+        if client.role != "teacher":
+            raise InvalidMessage("a set-up for everyone", expected="it from the teacher alone")
+        self._setup = message.setup
+        for name in self.entries:
+            own = name == client.session
+            self.pass_on(name, Broadcast(message.setup if own else _light(message.setup)))
+
+    def _wrong(self, client: Client, error: UprightError) -> None:
+        client.wrong += 1
+        if isinstance(error, NotAdmitted) or client.wrong > PATIENCE:
+            self._let_go(client, str(error))
+        else:
+            client.box.event(encode(Said("error", str(error))))
+
+    def _let_go(self, client: Client, why: str) -> None:
+        client.closed = why
+        client.box.event(encode(Refused(why)))
+
+    def _heard(self, words: Words) -> None:
+        """What a stage has said, on the event loop."""
+        for kind, name, content in words:
+            entry = self.entries.get(name)
+            if kind == "snapshot" and entry:
+                for client in entry.clients.values():
+                    client.box.snapshot(content)
+            elif kind == "event" and entry:
+                for client in entry.clients.values():
+                    client.box.event(content)
+            elif kind == "welcome" and entry:
+                key, texts = content
+                for text in texts if key in entry.clients else ():
+                    entry.clients[key].box.event(text)
+            elif kind == "scores" and self.door.is_class:
+                self.scores.heard(content)
+                self._show(self.scores.board())
+            elif kind == "stats":
+                self.stats.put_nowait(content)
+
+    def _show(self, board: Board) -> None:
+        text = encode(board)
+        for entry in self.entries.values():
+            for client in entry.clients.values():
+                client.box.board(text)
+
+
+def _light(setup: Setup) -> Setup:
+    """A student's set-up: without the twin, which thirty of would be too heavy for the machine."""
+    return replace(setup, bodies=tuple(b for b in setup.bodies if b != "twin") or CLASS_SETUP.bodies)

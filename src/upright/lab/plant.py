@@ -1,0 +1,238 @@
+"""From a set-up to what runs: the robot that the controller knows, the one that stands there, kit and controller."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from upright.bodies import Body, Electronics, LinearBody, NonlinearBody, Sample
+from upright.bodies.body import REST
+from upright.control import CONTROLLERS, Controller, ControllerSpec, Estimated, StateFeedback, bryson, lqr, observed
+from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE
+from upright.errors import InvalidController, UnknownName
+from upright.lab.messages import FamilyInfo, Setup
+from upright.physics.dynamics import CALM, Disturbance, motor_gain
+from upright.physics.linear import linearise
+from upright.robots import PARAMETERS, Kit, Robot
+
+SLOW = {"pid", "hinf", "robust"}
+"""Families whose design takes longer than a few frames, so that it is made beside the loop."""
+
+FINE, COARSE = 0.002, 0.01
+"""[s] that one step of a body takes: alone, and in a class where thirty share a machine; a kit's times round to it."""
+
+
+@dataclass(frozen=True)
+class Plant:
+    """`nominal` is what the controller is designed for; `robot` is what stands there, with its payload."""
+
+    nominal: Robot
+    robot: Robot
+    kit: Kit
+
+
+def plant_of(setup: Setup) -> Plant:
+    """The robots and kit of a set-up; raises an `UprightError` for what cannot be."""
+    nominal = _nominal(setup)
+    return Plant(nominal, loaded(nominal, setup.payload, setup.payload_height), _kit(setup))
+
+
+def _nominal(setup: Setup) -> Robot:
+    strangers = [name for name in setup.numbers if name not in PARAMETERS]
+    if strangers:
+        raise UnknownName("parameter", strangers[0], PARAMETERS)
+    complete = setup.drive and len(setup.numbers) == len(PARAMETERS)
+    if complete:
+        numbers: dict[str, Any] = dict(setup.numbers)
+        return Robot(name=setup.robot, drive=setup.drive, kit=setup.kit, **numbers)
+    preset = _preset(setup.robot)
+    return preset.replace(**setup.numbers) if setup.numbers else preset
+
+
+@cache
+def _preset(name: str) -> Robot:
+    return Robot.preset(name)
+
+
+@cache
+def _kit_preset(name: str) -> Kit:
+    return Kit.preset(name)
+
+
+def loaded(robot: Robot, payload: float, height: float) -> Robot:
+    """The robot with a point mass [kg] on its body, `height` [m] above the axle (parallel axes)."""
+    if not payload:
+        return robot
+    mass = robot.body_mass + payload
+    centre = (robot.body_mass * robot.com_height + payload * height) / mass
+    moved = robot.body_mass * (centre - robot.com_height) ** 2 + payload * (height - centre) ** 2
+    return robot.replace(
+        body_mass=mass, com_height=centre, pitch_inertia=robot.pitch_inertia + moved,
+        roll_inertia=robot.roll_inertia + moved,
+    )  # fmt: skip
+
+
+def _kit(setup: Setup) -> Kit:
+    kit = _kit_preset(setup.kit)
+    scale = setup.noise
+    sensors = {
+        name: replace(s, quantum=s.quantum * scale, noise=s.noise * scale, bias=s.bias * scale)
+        for name, s in kit.sensors.items()
+    }
+    motor = replace(kit.motor, dead_zone=_own(setup.dead_zone, kit.motor.dead_zone))
+    battery = replace(kit.battery, voltage=max(_own(setup.voltage, kit.battery.voltage), 0.1))
+    return replace(kit, sensors=sensors, motor=motor, battery=battery, delay=_own(setup.delay, kit.delay))
+
+
+def _own(asked: float, own: float) -> float:
+    return own if asked < 0 else asked
+
+
+def design_part(setup: Setup) -> Setup:
+    """Only what a controller's design depends on."""
+    return replace(setup, bodies=("twin",), payload=0.0, payload_height=0.0, slope=0.0, grip=10.0, seed=0)
+
+
+class Off:
+    """No controller: both commands stay zero. It reads nothing."""
+
+    def __init__(self, period: float, unit: str) -> None:
+        self.spec = ControllerSpec("off", (), period, unit)
+
+    def reset(self) -> None:
+        """Nothing is remembered."""
+
+    def step(self, measurement: Any, reference: Any) -> tuple[float, float]:  # noqa: ARG002 (whatever they are)
+        return 0.0, 0.0
+
+    def estimate(self) -> tuple[float, ...]:
+        return ()
+
+    def applied(self, command: Any) -> None:
+        """Nothing was asked for."""
+
+    def to_json(self) -> dict[str, Any]:
+        return {"kind": "off", "period": self.spec.period, "command_unit": self.spec.command_unit}
+
+
+WEIGHTED = {"lqr", "lqr-complementary", "lqr-state", "lqg", "lqi", "mpc", "sliding", "robust"}
+
+
+def families() -> tuple[FamilyInfo, ...]:
+    """Every controller family of the page."""
+    names = [*CONTROLLERS, "gains", "off"]
+    return tuple(FamilyInfo(name, name in WEIGHTED, name == "lqr-state") for name in names)
+
+
+def design(setup: Setup, robot: Robot, kit: Kit) -> Controller:
+    """The set-up's controller for `robot`; raises an `UprightError` where it has none."""
+    dt, family = kit.period, setup.controller
+    if family == "off":
+        return Off(dt, robot.command_unit)
+    if family == "gains":
+        return _by_hand(setup, robot, kit)
+    sizes = _sizes(setup, robot)
+    if family not in WEIGHTED or sizes is None:
+        return CONTROLLERS[family](robot, kit, dt)
+    return _weighted(family, robot, kit, *sizes)
+
+
+def _sizes(setup: Setup, robot: Robot) -> tuple[list[float], float] | None:
+    if not setup.largest:
+        return None
+    default = (*LARGEST_STATE, LARGEST_COMMAND[robot.command_unit])
+    if len(setup.largest) != len(default):
+        raise InvalidController(f"{len(setup.largest)} largest deviations", expected=f"{len(default)}, or none")
+    return list(setup.largest[:6]), setup.largest[6]
+
+
+def _weighted(family: str, robot: Robot, kit: Kit, states: list[float], command: float) -> Controller:
+    from upright.control import lqg, lqi, mpc, robust, sliding
+    from upright.control.estimators import complementary
+    from upright.control.lqi import LARGEST_INTEGRAL
+
+    dt, Q, R = kit.period, bryson(states), bryson([command] * 2)
+    if family == "robust":
+        return robust(robot, kit, dt, largest=states, command=command)
+    if family == "lqi":
+        return lqi(robot, kit, dt, bryson([*states, LARGEST_INTEGRAL]), R)
+    if family in ("lqg", "mpc", "sliding"):
+        return {"lqg": lqg, "mpc": mpc, "sliding": sliding}[family](robot, kit, dt, Q, R)
+    gain = lqr(robot, dt, Q, R)
+    if family == "lqr-state":
+        return gain
+    return observed(gain, robot, kit) if family == "lqr" else Estimated(gain, complementary(robot, kit, dt))
+
+
+def _by_hand(setup: Setup, robot: Robot, kit: Kit) -> Controller:
+    feedback = StateFeedback.symmetric(setup.gains or (0.0,) * 6, kit.period, command_unit=robot.command_unit)
+    return feedback if kit.name == "ideal" else observed(feedback, robot, kit)
+
+
+def gain_of(controller: Controller) -> tuple[tuple[float, ...], ...]:
+    """The gain (2, 6) on the six states, of a controller that has one; nothing otherwise."""
+    inner = controller.controller if isinstance(controller, Estimated) else controller
+    design = getattr(inner, "design", None)
+    places = ((inner, "gain"), (getattr(design, "feedback", None), "gain"), (design, "gain"), (design, "K"))
+    gain = next((found for place, name in places if (found := getattr(place, name, None)) is not None), None)
+    if gain is None or np.ndim(gain) != 2 or np.shape(gain)[1] < 6:
+        return ()
+    return tuple(tuple(float(k) for k in row[:6]) for row in np.asarray(gain))
+
+
+class Tugged:
+    """`body` whose wheels can be pulled at the ends of the axle.
+
+    A horizontal force F there is that force on the axle and a moment ∓F W/2 about the vertical, which opposed commands
+    of F R/(2α) give exactly; the commands it reports are those it was given.
+    """
+
+    def __init__(self, body: Body) -> None:
+        self.body, self.spec = body, body.spec
+        self._turn = body.spec.robot.wheel_radius / (2 * motor_gain(body.spec.robot))
+        self.twist = 0.0
+
+    def tug(self, force: float) -> None:
+        """Pull the left end with `force` [N], or the right one with minus that, until told otherwise."""
+        self.twist = force * self._turn
+
+    def reset(self, start: Any = REST, seed: int = 0) -> Sample:
+        return self.body.reset(start, seed)
+
+    def step(self, command: Any, disturbance: Disturbance = CALM) -> Sample:
+        if not self.twist:
+            return self.body.step(command, disturbance)
+        found = self.body.step((command[0] + self.twist, command[1] - self.twist), disturbance)
+        return replace(found, applied=(float(command[0]), float(command[1])))
+
+    def close(self) -> None:
+        self.body.close()
+
+
+def body_of(name: str, plant: Plant, setup: Setup, period: float, calibrated: Robot | None = None) -> Tugged:
+    """The body of that name, not yet behind its electronics."""
+    if name == "twin":
+        return Tugged(_twin(plant.robot, setup.grip, period))
+    if name == "linear":
+        # The linear model is of what the controller knows: no payload, no other floor.
+        return Tugged(LinearBody(linearise(plant.nominal), plant.nominal, period))
+    robot = calibrated if name == "calibrated" and calibrated else plant.robot
+    return Tugged(NonlinearBody(robot, "published" if name == "published" else "complete", period))
+
+
+def _twin(robot: Robot, grip: float, period: float) -> Body:
+    from upright.bodies.twin import Twin
+
+    if period == FINE:
+        return Twin(robot, period, grip=grip)
+    return Twin(robot, period, timestep=0.0005, contact_time=0.001, grip=grip)
+
+
+def behind(body: Tugged, kit: Kit) -> Body:
+    """The body behind its kit's electronics, bare where the kit hides nothing."""
+    plain = kit.name == "ideal" and kit.delay == 0 and kit.motor.dead_zone == 0 and math.isinf(kit.battery.voltage)
+    return body if plain else Electronics(body, kit)

@@ -1,0 +1,94 @@
+"""What is being done to the robot at this moment: the mouse, pushes by name, tugs, and what came of each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from upright.experiment import Hold, Impulse, Push
+from upright.experiment.pushes import PushProgramme, combined
+from upright.lab.messages import Recovered, Strike
+from upright.physics.dynamics import Disturbance
+from upright.robots import Robot
+
+HOLD = 3.0  # [s] a hold of this length lets every preset come to rest against it
+KNOCK = 0.02  # [s] that an impulse takes
+TUG = 0.3  # [s] that a wheel is pulled
+
+UPRIGHT, STILL, CALM_FOR = 0.05, 0.4, 1.0
+"""A robot has recovered that leans less [rad] and turns less [rad/s] for so long [s]."""
+
+SHORT = 0.5  # [s] a longer push leans the robot against it: it is held, not struck
+
+
+@dataclass
+class Pushing:
+    """Active pushes of one session; `t` is the session's time [s]."""
+
+    force: float = 0.0
+    height: float = 0.0
+    _active: list[tuple[float, PushProgramme]] = field(default_factory=list[tuple[float, PushProgramme]])
+    _tug: tuple[float, float] = (0.0, 0.0)
+
+    def strike(self, strike: Strike, t: float) -> None:
+        """Begin a push by name at time `t`."""
+        size = strike.size
+        if strike.what in ("tug_left", "tug_right"):
+            self._tug = (t + TUG, size if strike.what == "tug_left" else -size)
+            self._active.append((t + TUG, Push(force=size, start=t, duration=TUG, height=0.0)))
+        elif strike.what == "impulse":
+            self._active.append((t + KNOCK, Impulse(impulse=size, at_time=t, duration=KNOCK)))
+        else:
+            self._active.append((t + HOLD, Hold(pitch=size, start=t, until=t + HOLD)))
+
+    def at(self, t: float, slope: float, robot: Robot) -> tuple[Disturbance, float]:
+        """What acts on the robot from `t` on, and the tug [N]."""
+        self._active = [(end, push) for end, push in self._active if t < end]
+        parts = [push for _, push in self._active]
+        felt = combined([*parts, Push(force=self.force, start=t, duration=1.0, height=self.height)], t, robot)
+        tug = self._tug[1] if t < self._tug[0] else 0.0
+        return felt._replace(slope=slope), tug
+
+    def clear(self) -> None:
+        """Let go of everything."""
+        self.force, self._active, self._tug = 0.0, [], (0.0, 0.0)
+
+
+@dataclass
+class Score:
+    """The largest push from which the robot came back. Pushes that last longer than `SHORT` do not count."""
+
+    best: float = 0.0
+    effort: float = 0.0  # [u² s] of the whole run
+    _impulse: float = 0.0
+    _lasted: float = 0.0
+    _calm: float = 0.0
+    _before: float = 0.0
+    _waiting: bool = False
+
+    def watch(
+        self, dt: float, force: float, state: list[float], applied: tuple[float, float], fallen: bool
+    ) -> Recovered | None:
+        """One period; the `Recovered` that it completes, or None."""
+        self.effort += (applied[0] ** 2 + applied[1] ** 2) * dt
+        if force:
+            self._pushed(dt, force)
+            return None
+        if not self._waiting:
+            return None
+        calm = abs(state[0]) < UPRIGHT and abs(state[1]) < STILL
+        self._calm = self._calm + dt if calm else 0.0
+        return self._ended(fallen) if fallen or self._calm >= CALM_FOR else None
+
+    def _pushed(self, dt: float, force: float) -> None:
+        if not self._waiting:
+            self._impulse, self._lasted, self._before = 0.0, 0.0, self.effort
+        self._waiting, self._calm = True, 0.0
+        self._impulse, self._lasted = self._impulse + abs(force) * dt, self._lasted + dt
+
+    def _ended(self, fallen: bool) -> Recovered | None:
+        self._waiting = False
+        if self._lasted > SHORT and not fallen:
+            return None
+        if not fallen:
+            self.best = max(self.best, self._impulse)
+        return Recovered(self._impulse, self.effort - self._before, self.best, fallen)

@@ -1,0 +1,98 @@
+"""Where the lab is served, to whom, and how it starts and ends."""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from upright.errors import UprightError
+from upright.lab.classroom import Door
+from upright.lab.codec import LARGEST
+from upright.lab.hub import Hub
+from upright.lab.recording import page_text
+from upright.lab.stage import Options
+from upright.lab.stage_process import StageProcess
+
+LOOPBACK = "127.0.0.1"
+PORT = 8765
+ALONE, CLASS = Options(rate=50.0), Options(rate=30.0, coarse=True, certified=False)
+CLASS_STAGES = 2  # processes among which thirty robots are shared
+
+
+@dataclass
+class Lab:
+    """What is served where: `host` and `port` are the stated address, `door` decides who comes in."""
+
+    host: str = LOOPBACK
+    port: int = PORT
+    door: Door = field(default_factory=Door)
+
+    @property
+    def url(self) -> str:
+        """The page's address, with the students' token in a class."""
+        return f"http://{self.host}:{self.port}/" + (f"#token={self.door.students}" if self.door.is_class else "")
+
+    @property
+    def teacher_url(self) -> str:
+        """The teacher's address."""
+        return f"http://{self.host}:{self.port}/#token={self.door.teacher}"
+
+    @property
+    def hosts(self) -> set[str]:
+        """What a browser may call this server: anything else is another site's name for it."""
+        names = {self.host} | ({LOOPBACK, "localhost", "[::1]"} if self.host == LOOPBACK else set())
+        return {f"{name}:{self.port}" for name in names} | (names if self.port == 80 else set())
+
+    def foreign(self, host: str | None, origin: str | None) -> bool:
+        """Whether a request comes from another site. Programs, which are no browsers, send no origin."""
+        return host not in self.hosts or (origin is not None and origin.removeprefix("http://") not in self.hosts)
+
+
+def listening(lab: Lab) -> socket.socket:
+    """A socket on the lab's address; port 0 takes any that is free and notes it. Raises an `UprightError`."""
+    made = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+    made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        made.bind((lab.host, lab.port))
+    except OSError as error:
+        made.close()
+        raise UprightError(
+            f"cannot serve on {lab.host}:{lab.port}: {error.strerror}", likely="another lab that runs there",
+            mend=f"--port {lab.port + 1}" if lab.port else "look at --host again",
+        ) from None  # fmt: skip
+    lab.port = made.getsockname()[1]
+    return made
+
+
+def serve(lab: Lab, sock: socket.socket, ready: Callable[[], None] | None = None) -> None:
+    """Serve until Ctrl-C; `ready` is called when pages are answered."""
+    page_text()  # a checkout without a built page is told so before anything runs
+    options, count = (CLASS, CLASS_STAGES) if lab.door.is_class else (ALONE, 1)
+    hub = Hub(lab.door, [StageProcess(options) for _ in range(count)])
+    try:
+        import uvicorn
+
+        from upright.lab.app import application
+
+        config = uvicorn.Config(
+            application(lab, hub), log_level="warning", access_log=False, ws_max_size=LARGEST, lifespan="on",
+            timeout_graceful_shutdown=1, server_header=False, ws_per_message_deflate=False,
+        )  # fmt: skip
+        server = uvicorn.Server(config)
+        if ready:
+            server.startup = _then(server.startup, ready)  # type: ignore[method-assign]
+        with contextlib.suppress(KeyboardInterrupt):  # Ctrl-C is how a lab ends
+            server.run(sockets=[sock])
+    finally:
+        hub.close()
+
+
+def _then(startup: Any, ready: Callable[[], None]) -> Any:
+    async def both(*args: Any, **options: Any) -> None:
+        await startup(*args, **options)
+        ready()
+
+    return both

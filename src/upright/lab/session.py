@@ -1,0 +1,372 @@
+"""A session: bodies side by side under controllers of their own, and everything a page can ask of them.
+
+It knows nothing of HTTP, of processes or of wall time: messages go in by `handle`, simulated time by `advance`, what a
+desk has done by `told`; snapshots and events come out. The same sequence of these gives the same robots, bit for bit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from upright.control import Controller
+from upright.errors import InvalidLog, InvalidScenario, UprightError
+from upright.lab import answers
+from upright.lab.desk import Desk
+from upright.lab.lane import Lane
+from upright.lab.messages import (
+    Analysed,
+    Broadcast,
+    Cancel,
+    Change,
+    Changed,
+    Drag,
+    History,
+    Lit,
+    Play,
+    Progress,
+    Said,
+    Save,
+    Scrub,
+    Setup,
+    Snapshot,
+    StandUp,
+    Start,
+    Steer,
+    Step,
+    Strike,
+    Uploaded,
+)  # fmt: skip
+from upright.lab.plant import FINE, SLOW, Off, Plant, behind, body_of, design, design_part, plant_of
+from upright.lab.pushing import Pushing, Score
+from upright.lab.ring import Ring
+from upright.physics.dynamics import CALM, Disturbance
+from upright.robots import Robot
+from upright.signals import Log
+
+KEPT = 60.0  # [s] that can be scrubbed back through
+LONGEST = 1.0  # [s] of simulated time in one go
+SHOWN = 0.04  # [s] between two rows of the history that a page gets when it comes
+_STATE = (4, 3, 3, 3, 4, 3)  # decimals of the six states that a page can draw
+_LANE = (*_STATE, 2, 2, 0)
+_FELT = (3, 4, 4, 3)
+
+
+class Session:
+    """One robot, its bodies and their controllers, from the set-up on.
+
+    `folder` is where files are made; `desk` does what takes longer than a frame, under `name`; `fine` [s] is a body's
+    period; `certified` says that the light follows every change. Raises an `UprightError` where the first set-up cannot
+    be.
+    """
+
+    def __init__(
+        self, setup: Setup, desk: Desk, folder: Path, *, name: str = "", fine: float = FINE, certified: bool = True
+    ) -> None:
+        self._desk, self.folder, self.name, self._fine, self._certified = desk, folder, name, fine, certified
+        self._events: list[Any] = []
+        self.paused, self.speed, self._back, self._owed = False, 1.0, 0.0, 0.0
+        self.calibrated: Robot | None = None
+        self._pushing, self.score = Pushing(), Score()
+        self._known: dict[type, Any] = {}
+        self._built = 0
+        self._n, self._periods, self._target, self._steer = 0, 0, np.zeros(6), (0.0, 0.0)
+        self.setup, self.plant = setup, plant_of(setup)
+        self._designed, self._busy = self._begin_design(setup, self.plant)
+        self._build((0.0,) * 6)
+
+    # What comes in
+
+    def handle(self, message: Any) -> None:
+        """Do what the message asks; what cannot be done is said as an event."""
+        try:
+            self._handlers()[type(message)](message)
+        except UprightError as error:
+            self._events.append(Said("error", str(error)))
+
+    def advance(self, seconds: float) -> None:
+        """Let `seconds` of simulated time pass, unless paused."""
+        if self.paused or not self.lanes:
+            return
+        self._owed = min(self._owed + seconds, LONGEST)
+        period = self.plant.kit.period
+        while self._owed >= period * (1 - 1e-9):
+            self._owed -= period
+            self._period()
+
+    def told(self, job: str, status: str, result: Any) -> None:
+        """The desk's word on a job: "progress", "done" or "failed"."""
+        if status == "progress":
+            self._events.append(Progress(job, result))  # type: ignore[arg-type]
+        elif status == "failed":
+            self._failed(job, str(result))
+        else:
+            found = answers.ANSWERS[job](self, result)
+            self._known |= {type(event): event for event in found if isinstance(event, Analysed | Lit)}
+            self._events += found
+
+    # What goes out
+
+    @property
+    def t(self) -> float:
+        """Simulated time [s]."""
+        return self._periods * self.plant.kit.period
+
+    def events(self) -> list[Any]:
+        """What happened since this was asked last, in order."""
+        happened, self._events = self._events, []
+        return happened
+
+    def moment(self) -> tuple[Any, ...]:
+        """What tells one snapshot from another: nothing new is worth sending while paused."""
+        return (self._periods, self._built, self.paused, self._back)
+
+    def snapshot(self) -> Snapshot:
+        """The moment shown: now, or while scrubbing the one asked for."""
+        period, lanes = self.plant.kit.period, len(self.lanes)
+        row = self._shown.back(round(self._back / period)).tolist()
+        self._n += 1
+        return self._moment(row, lanes, self._n)
+
+    def moments(self, every: float = 0.02) -> list[Snapshot]:
+        """All that is kept, oldest first, a snapshot each `every` seconds."""
+        stride = max(1, round(every / self.plant.kit.period))
+        return [self._moment(row, len(self.lanes), i) for i, row in enumerate(self._shown.rows(stride).tolist())]
+
+    def changed(self) -> Changed:
+        """The set-up as it is now."""
+        return answers.changed(self, bool(self._busy))
+
+    def history(self) -> History:
+        """What was recorded, thinned out, for a page that comes late."""
+        rows = self._shown.rows(max(1, round(SHOWN / self.plant.kit.period)))
+        wide = [[row[1 + 9 * i : 7 + 9 * i] for i in range(len(self.lanes))] for row in rows.tolist()]
+        states = [tuple(round(v, d) for x in row for v, d in zip(x, _STATE, strict=True)) for row in wide]
+        return History(tuple(round(t, 3) for t in rows[:, 0].tolist()), tuple(states))
+
+    def welcome(self) -> list[Any]:
+        """The events that tell a page that comes late what stands here."""
+        return [answers.catalogue(), *self.told_once(), self.history()]
+
+    def told_once(self) -> list[Any]:
+        """The set-up, its equations, and what was found of its loop so far."""
+        return [self.changed(), *answers.standing(self), *self._known.values()]
+
+    def logs(self) -> dict[str, Log]:
+        """The run of every body since the last change, at most the last minute; nothing before the first period."""
+        found = {lane.name: lane.log() for lane in self.lanes}
+        return {name: log for name, log in found.items() if log is not None}
+
+    def close(self) -> None:
+        """Free what the bodies hold."""
+        for lane in self.lanes:
+            lane.body.close()
+
+    # What happens inside
+
+    def _period(self) -> None:
+        dt, t = self.plant.kit.period, self.t
+        felt, tug = self._pushing.at(t, self.setup.slope, self.plant.robot)
+        self._steered(dt)
+        for lane in self.lanes:
+            stood = not lane.fallen
+            lane.step(self._target, felt, tug)
+            if stood and lane.fallen and lane.trouble:
+                self._events.append(Said("error", lane.trouble))
+        self._periods += 1
+        main = self.lanes[0]
+        ended = self.score.watch(dt, felt.force, main.state(), main.applied, main.fallen)
+        self._events += [ended] if ended else []
+        self._record(felt, tug)
+
+    def _steered(self, dt: float) -> None:
+        speed, rate = self._steer
+        rolling = speed / self.plant.nominal.wheel_radius
+        self._target = self._target + np.array([0.0, 0.0, rolling * dt, 0.0, rate * dt, 0.0])
+        self._target[3], self._target[5] = rolling, rate
+
+    def _record(self, felt: Disturbance, tug: float) -> None:
+        main = self.lanes[0]
+        row = [self.t]
+        for lane in self.lanes:
+            row += [*lane.state(), *lane.applied, float(lane.fallen)]
+        opinion = main.estimate() or [0.0] * 6
+        wanted = (self._target[2] + main.offset[2], self._target[4] + main.offset[4])
+        self._shown.append([*row, *opinion, *felt, tug, *wanted, main.saturated()])
+
+    def _moment(self, row: Sequence[float], lanes: int, n: int) -> Snapshot:
+        end = 1 + 9 * lanes
+        x = tuple(_round(row[1 + 9 * i : 10 + 9 * i], _LANE) for i in range(lanes))
+        estimate = _round(row[end : end + 6], _STATE) if self.lanes[0].controller.spec.estimates else ()
+        felt, wanted = _round(row[end + 6 : end + 10], _FELT), _round(row[end + 10 : end + 12], (3, 3))
+        at_limit = int(row[end + 12])
+        return Snapshot(n, round(row[0], 3), x, estimate, felt, wanted, at_limit, self.paused, round(self._back, 2))
+
+    def _build(self, start: Sequence[float], states: dict[str, list[float]] | None = None) -> None:
+        """New lanes, each from its own body's state where it had one."""
+        length = round(KEPT / self.plant.kit.period)
+        lanes: list[Lane] = []
+        for name in self._names():
+            inner = body_of(name, self.plant, self.setup, self._fine, self.calibrated)
+            body = behind(inner, self.plant.kit)
+            at = (states or {}).get(name, start)
+            lanes.append(Lane(name, inner, body, self._controller(), at, self.setup.seed, length))
+        self._replace(lanes, length)
+
+    def _names(self) -> tuple[str, ...]:
+        there = dict.fromkeys(self.setup.bodies)
+        names = tuple(name for name in there if name != "calibrated" or self.calibrated is not None)
+        if not names:
+            raise InvalidScenario("no body to stand there", expected="at least one of twin, nonlinear, linear")
+        return names
+
+    def _replace(self, lanes: list[Lane], length: int) -> None:
+        old = getattr(self, "lanes", [])
+        same = [lane.name for lane in lanes] == [lane.name for lane in old]
+        self.lanes = lanes
+        if not same or len(self._shown.back(0)) != 1 + 9 * len(lanes) + 13:
+            self._shown = Ring(length, 1 + 9 * len(lanes) + 13)
+        self._target, self._owed, self._back = np.zeros(6), 0.0, 0.0
+        self._built += 1
+        self._record(CALM, 0.0)
+
+    def _controller(self) -> Controller:
+        """A fresh instance for one lane, by copying what was designed."""
+        import copy
+
+        return copy.deepcopy(self._designed)
+
+    def _begin_design(self, setup: Setup, plant: Plant) -> tuple[Controller, str]:
+        """The controller at once, or nothing but gravity until the desk has it; its loop is analysed beside."""
+        slow = setup.controller in SLOW
+        controller = None if slow else design(setup, plant.nominal, plant.kit)
+        self._desk.submit((self.name, "design"), "design", (setup, slow))
+        standing = getattr(self, "_designed", None)
+        if controller is not None:
+            return controller, ""
+        same = standing is not None and plant.nominal == self.plant.nominal
+        return standing if same and standing is not None else self._meanwhile(setup, plant), setup.controller
+
+    def _meanwhile(self, setup: Setup, plant: Plant) -> Controller:
+        """What stands in for a controller that is still being designed."""
+        try:
+            return design(replace(setup, controller="lqg", largest=()), plant.nominal, plant.kit)
+        except UprightError:
+            return Off(plant.kit.period, plant.nominal.command_unit)
+
+    def designed(self, controller: Controller) -> None:
+        """Install what the desk has designed."""
+        self._designed, self._busy = controller, ""
+        self._build((0.0,) * 6, {lane.name: lane.state() for lane in self.lanes if not lane.fallen})
+
+    def follow(self) -> None:
+        """Have the certificate's light computed for the controller that was designed last."""
+        if self._certified:
+            self._desk.submit((self.name, "light"), "light", (self.setup,), alone=True)
+
+    def upload(self, name: str) -> Path:
+        """The uploaded file of that name, which lies in this session's folder and nowhere else."""
+        path = self.folder / Path(name).name
+        if not path.is_file():
+            raise InvalidLog(f"there is no file '{path.name[:60]}' here", mend="upload it again")
+        return path
+
+    def _handlers(self) -> dict[type, Callable[[Any], None]]:
+        """What to do with each kind of message."""
+        return {
+            Broadcast: self._broadcast, Cancel: self._cancel, Change: self._change, Drag: self._drag,
+            Play: self._play, Save: self._save, Scrub: self._scrub, StandUp: self._stand, Start: self._start,
+            Steer: self._steer_to, Step: self._step, Strike: self._strike, Uploaded: self._uploaded,
+        }  # fmt: skip
+
+    def _change(self, message: Change) -> None:
+        setup = message.setup
+        if replace(setup, slope=0.0) == replace(self.setup, slope=0.0):
+            self.setup = setup
+            self._events.append(self.changed())
+            return
+        plant = plant_of(setup)
+        before = (self.setup, self.plant, self._designed, self._busy)
+        main = self.lanes[0]
+        start = [0.0] * 6 if main.fallen else main.state()
+        states = {lane.name: lane.state() for lane in self.lanes if not lane.fallen}
+        same_robot = plant.nominal == self.plant.nominal
+        try:
+            redesign = design_part(setup) != design_part(self.setup) or not same_robot or plant.kit != self.plant.kit
+            if redesign:
+                self._designed, self._busy = self._begin_design(setup, plant)
+            self.setup, self.plant = setup, plant
+            self.calibrated = self.calibrated if same_robot else None
+            self._build(start if same_robot else [0.0] * 6, states if same_robot else {})
+        except UprightError:
+            self.setup, self.plant, self._designed, self._busy = before
+            self._events.append(self.changed())
+            raise
+        self._events += [self.changed(), *answers.standing(self)]
+        if redesign:
+            self._events.append(Lit("none", ()))
+            self._known.clear()
+
+    def _stand(self, message: StandUp) -> None:
+        self._pushing.clear()
+        self.score.effort = 0.0
+        self._build((message.pitch, 0.0, 0.0, 0.0, 0.0, 0.0))
+
+    def _broadcast(self, message: Broadcast) -> None:
+        self._change(Change(message.setup))
+        self._stand(StandUp(0.0))
+
+    def _drag(self, message: Drag) -> None:
+        self._pushing.force, self._pushing.height = message.force, message.height
+
+    def _strike(self, message: Strike) -> None:
+        if message.what in ("front", "back") and abs(message.size) > 1.0:
+            raise InvalidScenario(f"a hold at {message.size:g} rad", expected="at most 1 rad", likely="degrees")
+        self._pushing.strike(message, self.t)
+
+    def _steer_to(self, message: Steer) -> None:
+        self._steer = (message.speed, message.rate)
+
+    def _play(self, message: Play) -> None:
+        self.paused, self.speed = message.paused, message.speed
+        self._back = self._back if message.paused else 0.0
+
+    def _step(self, message: Step) -> None:
+        self.paused, self._back = True, 0.0
+        for _ in range(message.periods):
+            self._period()
+
+    def _scrub(self, message: Scrub) -> None:
+        self.paused, self._back = True, message.back
+
+    def _start(self, message: Start) -> None:
+        task, args = answers.task_of(self, message)
+        self._desk.submit((self.name, message.job), task, args, alone=True)
+        self._events.append(Progress(message.job, 0.0))
+
+    def _cancel(self, message: Cancel) -> None:
+        self._desk.cancel((self.name, message.job))
+        self._events += [Progress(message.job, 1.0), Said("info", f"{message.job}: stopped")]
+
+    def _save(self, message: Save) -> None:
+        task, args = answers.keeping(self, message.what)
+        self._desk.submit((self.name, f"keep {message.what}"), task, args)
+
+    def _uploaded(self, message: Uploaded) -> None:
+        if message.what == "robot":
+            self._desk.submit((self.name, "robot"), "robot", (message.path,), alone=True)
+        else:
+            self._start(Start("doctor", message.path))
+
+    def _failed(self, job: str, reason: str) -> None:
+        if job == "design":
+            self._busy = ""
+        self._events += [Said("error", reason), Progress(job, 1.0)]  # type: ignore[arg-type]
+
+
+def _round(values: Sequence[float], digits: Sequence[int]) -> tuple[float, ...]:
+    return tuple(round(v, d) for v, d in zip(values, digits, strict=True))

@@ -1,0 +1,187 @@
+"""What a desk can do: each takes a function that is told the share done, then its arguments."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+from upright.control import Controller
+from upright.errors import InvalidController, SpecMismatch
+from upright.lab.codec import encode
+from upright.lab.messages import Analysed, Found, Lit, Setup
+from upright.lab.plant import design as design_of
+from upright.lab.plant import design_part, gain_of, plant_of
+from upright.robots import Kit, Robot
+from upright.signals import Log
+
+Report = Callable[[float], None]
+
+QUICK = 300
+"""Robots behind the light that follows every change: without a fall they bound its chance to 1 %."""
+
+SHOWN_FREQUENCIES = 160
+
+REMEMBERED = 64
+"""Loops whose analysis is kept: a class begins with thirty that are alike."""
+
+_KNOWN: dict[str, tuple[Controller, Analysed]] = {}
+
+
+def design(report: Report, setup: Setup, wanted: bool) -> tuple[Controller | None, Analysed]:
+    """The controller where it is `wanted`, and what linear theory says of its loop."""
+    part = encode(design_part(setup))
+    if part not in _KNOWN:
+        plant = plant_of(setup)
+        controller = design_of(setup, plant.nominal, plant.kit)
+        report(0.3)
+        _KNOWN[part] = controller, analysed(controller, plant.nominal, plant.kit)
+    controller, found = _KNOWN[part]
+    if len(_KNOWN) > REMEMBERED:
+        _KNOWN.pop(next(iter(_KNOWN)))
+    return (controller if wanted else None), found
+
+
+def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
+    """Gains, margins, poles and the broken loop; only the gains where the controller is not linear."""
+    from upright.certify import margins, robot_loop
+    from upright.certify.analysis import INPUTS, broken, delay_margin
+
+    gain = gain_of(controller)
+    try:
+        loop = robot_loop(robot, controller, kit)
+    except (InvalidController, SpecMismatch) as error:
+        return Analysed(False, str(error).split(";")[0], gain, None, None, None, None, (), ())
+    poles = tuple((round(float(p.real), 5), round(float(p.imag), 5)) for p in loop.closed.poles)
+    if not loop.stable:
+        words = f"The loop is unstable: its largest pole is at |z| = {abs(loop.closed.poles[0]):.4f}."
+        return Analysed(False, words, gain, None, None, None, None, poles, _curve(broken, loop, INPUTS))
+    m = margins(loop.at_input, INPUTS["both motors"], "both motors")
+    delay = min(m.delay, delay_margin(robot, controller, kit))
+    return Analysed(
+        True, m.words(), gain, m.gain_low, _finite(m.gain_high), _finite(m.phase), _finite(delay), poles,
+        _curve(broken, loop, INPUTS),
+    )  # fmt: skip
+
+
+def _curve(broken: Any, loop: Any, inputs: Any) -> tuple[tuple[float, ...], ...]:
+    omega, L = broken(loop, inputs["both motors"], SHOWN_FREQUENCIES)
+    return tuple(tuple(float(f"{v:.4g}") for v in row) for row in (omega, L.real, L.imag))
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def light(report: Report, setup: Setup) -> Lit:  # noqa: ARG001 (it is over before a share could be shown)
+    """The light that follows a change, over fewer robots than a certificate."""
+    from upright.certify import certify
+
+    plant = plant_of(setup)
+    controller = design_of(setup, plant.nominal, plant.kit)
+    try:
+        found = certify(controller, plant.nominal, plant.kit, samples=QUICK, sweeps=False, threads=1)
+    except SpecMismatch as error:
+        return Lit("none", (str(error).split(";")[0],))
+    return Lit(found.light, found.reasons)  # type: ignore[arg-type]
+
+
+def certify(report: Report, setup: Setup) -> tuple[Lit, Found]:
+    """The whole certificate, as `upright certify` gives it."""
+    from upright.certify import certify as certified
+
+    plant = plant_of(setup)
+    report(0.1)
+    controller = design_of(setup, plant.nominal, plant.kit)
+    found = certified(controller, plant.nominal, plant.kit, threads=1)
+    rows = tuple(
+        (t.push, t.battery, f"{t.fell}/{t.runs}", f"{t.saturated:.0%}", f"{t.travel:.2f}", f"{t.peak:.3f}")
+        for t in found.trials
+    )
+    header = ("push", "battery", "fell", "saturated", "travel [m]", "peak [rad]")
+    title = f"{found.controller} on {found.robot}: {found.light}"
+    lit = Lit(found.light, found.reasons)  # type: ignore[arg-type]
+    return lit, Found("certify", title, "\n".join(found.reasons), header, rows, found.light != "red")
+
+
+def doctor(report: Report, source: Path | Log, robot: Robot) -> Found:
+    """What is wrong with a log."""
+    from upright.identify.doctor import doctor as examine
+
+    found = examine(source, robot=robot, progress=report)
+    rows = tuple((f.severity, f.code, f.channel, f.evidence, f.repair) for f in found.findings)
+    name = Path(found.source).name if found.source else "this run"
+    title = f"{name}: {found.rows} rows, {found.seconds:.1f} s, every {1e3 * found.period:.3g} ms"
+    text = "" if rows else "Nothing found: this log can be used as it is."
+    return Found("doctor", title, text, ("", "what", "channel", "evidence", "repair"), rows, found.healthy)
+
+
+def calibrate(report: Report, source: Path | Log, robot: Robot, kit: Kit) -> tuple[Robot, Found]:
+    """The robot's parameters from a log of raw sensors and commands."""
+    from upright.identify.calibrate import calibrate as learn
+    from upright.identify.raw import raw_log
+
+    log = source if isinstance(source, Log) else raw_log(source)
+    found = learn(_raw(log), robot, kit, progress=report)
+    estimates = (*found.parameters, *found.combinations)
+    rows = tuple((e.name, f"{e.value:.4g}", f"{e.low:.4g} … {e.high:.4g}", f"{e.prior:.4g}", e.unit, e.verdict)
+                 for e in estimates)  # fmt: skip
+    header = ("parameter", "value", "95 %", "prior", "unit", "what the log tells")
+    text = "\n".join((*found.notes, *found.unseen))
+    title = f"{robot.name} from {found.samples} samples"
+    return found.robot, Found("calibrate", title, text, header, rows, not found.check())
+
+
+def _raw(log: Log) -> Log:
+    """Sensors and commands alone: a calibration must not see the truth."""
+    seen = {n: x for n, x in log.channels.items() if n.startswith(("sensor/", "command/", "applied/"))}
+    return Log(log.t, seen, {n: u for n, u in log.units.items() if n in seen}, log.origin)
+
+
+def robot(report: Report, path: str) -> Robot:  # noqa: ARG001 (it is over at once)
+    """A robot file that was uploaded."""
+    from upright.robots.files import read_robot
+
+    return read_robot(path)
+
+
+def keep_log(report: Report, log: Log, path: Path) -> Path:  # noqa: ARG001
+    """The run as a file, by its suffix."""
+    return log.save(path)
+
+
+def keep_report(report: Report, logs: dict[str, Log], path: Path) -> Path:  # noqa: ARG001
+    """All bodies compared, as a page."""
+    from upright.comparison import compare
+    from upright.report import comparison_page
+
+    return comparison_page(compare(logs), path, title="From the lab: runs compared")
+
+
+def keep_controller(report: Report, setup: Setup, path: Path) -> Path:  # noqa: ARG001
+    """The controller as a file for `upright simulate` and `upright certify`."""
+    from upright.control import write_controller
+
+    plant = plant_of(setup)
+    return write_controller(design_of(setup, plant.nominal, plant.kit), path)
+
+
+def keep_robot(report: Report, which: Robot, path: Path) -> Path:  # noqa: ARG001
+    """The robot as a TOML file."""
+    return which.save(path)
+
+
+def keep_replay(report: Report, messages: Sequence[Any], path: Path) -> Path:  # noqa: ARG001
+    """The last minute as a page that replays it without a server."""
+    from upright.lab.recording import replay_page
+
+    return replay_page(messages, path)
+
+
+TASKS: dict[str, Callable[..., Any]] = {
+    "design": design, "light": light, "certify": certify, "doctor": doctor, "calibrate": calibrate, "robot": robot,
+    "keep csv": keep_log, "keep parquet": keep_log, "keep report": keep_report, "keep controller": keep_controller,
+    "keep robot": keep_robot, "keep replay": keep_replay,
+}  # fmt: skip
+"""By the name that a session submits them under."""

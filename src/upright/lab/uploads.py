@@ -1,0 +1,54 @@
+"""Files that a page sends: limited in size and number, under a safe name, in the session's own folder."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import AsyncIterator
+from pathlib import Path
+
+from upright.errors import UprightError
+
+LARGEST = 32 * 1024 * 1024
+"""Bytes of a file: an hour of raw sensors at 100 Hz is a third of it."""
+
+MOST_FILES = 20
+
+SUFFIXES = {
+    "log": {".csv", ".txt", ".log", ".tsv", ".dat", ".json", ".mat", ".parquet", ".mcap"},
+    "robot": {".toml"},
+}
+
+
+class UploadRefused(UprightError):
+    """A file that is too large, of a wrong kind, or one too many."""
+
+
+def safe_name(name: str, what: str) -> str:
+    """The last part of `name`, of letters, digits, dots and dashes; raises `UploadRefused` for a wrong kind."""
+    if what not in SUFFIXES:
+        raise UploadRefused(f"a file of kind '{what[:20]}'", expected="one of " + ", ".join(SUFFIXES))
+    last = re.sub(r"[^A-Za-z0-9._-]+", "_", name.replace("\\", "/").rpartition("/")[2]).lstrip("._-")[-60:]
+    stem, dot, suffix = last.rpartition(".")
+    if not (stem and dot) or f".{suffix.lower()}" not in SUFFIXES[what]:
+        raise UploadRefused(f"the file '{last}'", expected="one that ends in " + " ".join(sorted(SUFFIXES[what])))
+    return f"in-{stem}.{suffix.lower()}"
+
+
+async def receive(chunks: AsyncIterator[bytes], folder: Path, name: str, what: str) -> Path:
+    """Write what arrives into `folder`; nothing of a file that is refused stays there."""
+    target = folder / safe_name(name, what)
+    if len(list(folder.iterdir())) >= MOST_FILES and not target.exists():
+        raise UploadRefused(f"{MOST_FILES} files lie here already", mend="reload the page without its session")
+    unfinished = target.with_name(f".{target.name}.part")
+    size = 0
+    try:
+        with unfinished.open("wb") as stream:
+            async for chunk in chunks:
+                size += len(chunk)
+                if size > LARGEST:
+                    raise UploadRefused(f"{name[:60]} is larger than {LARGEST >> 20} MB", mend="cut it, or use the CLI")
+                stream.write(chunk)
+        unfinished.replace(target)
+    finally:
+        unfinished.unlink(missing_ok=True)
+    return target

@@ -1,0 +1,98 @@
+// Strip charts of the six states, every body in its colour and dash.
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+import { h, replace } from "./dom";
+import { ink, laneColour, laneDash } from "./palette";
+import { STATES, SYMBOLS, UNITS, store } from "./store";
+import { named, t } from "./texts";
+
+/** A chart of lines over time that follows its own width. */
+export class Strip {
+  root: HTMLElement;
+  private plot: uPlot;
+
+  constructor(title: string, unit: string, lines: { label: string; colour: string; dash: number[]; width?: number }[], height: number, floor: number) {
+    const colours = ink();
+    const axis = { stroke: colours.soft, grid: { stroke: colours.grid, width: 1 }, ticks: { show: false }, font: "11px system-ui, sans-serif" };
+    const box = h("div", { className: "plot", "aria-hidden": "true" });
+    box.style.minHeight = `${height}px`;
+    this.root = h("figure", { className: "strip", role: "group", "aria-label": `${title} [${unit}]` }, h("figcaption", {}, h("b", {}, title), h("span", {}, unit)), box);
+    this.plot = new uPlot(
+      {
+        width: 300, height, padding: [6, 8, 0, 0],
+        cursor: { show: false }, legend: { show: false },
+        scales: { x: { time: false }, y: { range: (_u, low, high) => around(low, high, floor) } },
+        axes: [
+          { ...axis, size: 20, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : `${+v.toFixed(1)} s`)), space: 70 },
+          { ...axis, size: 46, space: 24, values: (_u, ticks) => ticks.map((v) => String(+v.toPrecision(4)).replace("-", "−")) },
+        ],
+        series: [{}, ...lines.map((l) => ({ label: l.label, stroke: l.colour, width: l.width ?? 1.6, dash: l.dash, points: { show: false }, spanGaps: false }))],
+      },
+      [[], ...lines.map(() => [])] as uPlot.AlignedData,
+      box,
+    );
+    new ResizeObserver(() => this.fit(box)).observe(box);
+  }
+
+  private fit(box: HTMLElement): void {
+    if (box.clientWidth > 40) this.plot.setSize({ width: box.clientWidth, height: box.clientHeight });
+  }
+
+  show(t: number[], lines: number[][], from: number, to: number): void {
+    this.plot.batch(() => {
+      this.plot.setData([t, ...lines] as uPlot.AlignedData, false);
+      this.plot.setScale("x", { min: from, max: to });
+    });
+  }
+}
+
+function around(low: number, high: number, floor: number): [number, number] {
+  if (!Number.isFinite(low) || !Number.isFinite(high)) return [-floor, floor];
+  const middle = (low + high) / 2;
+  const half = Math.max(((high - low) / 2) * 1.1, floor);
+  return [middle - half, middle + half];
+}
+
+const FLOORS = [0.05, 0.3, 0.5, 1, 0.05, 0.2]; // half heights below which noise would fill the chart
+
+export class Charts {
+  root = h("section", { className: "charts", "aria-label": t("charts") });
+  private strips: Strip[] = [];
+  private legend = h("div", { className: "legend" });
+
+  constructor(private seconds: () => number) {}
+
+  /** New charts: other bodies, another language or theme. */
+  build(): void {
+    const bodies = store.changed?.bodies ?? [];
+    const lines = bodies.map((name) => ({ label: named(name), colour: laneColour(name), dash: laneDash(name) }));
+    this.strips = STATES.map((name, i) => new Strip(`${SYMBOLS[i]}  ${named(name)}`, UNITS[i], lines, 104, FLOORS[i]));
+    replace(this.legend, ...bodies.map((name) => legendEntry(name)));
+    replace(this.root, this.legend, h("div", { className: "strips" }, ...this.strips.map((strip) => strip.root)));
+  }
+
+  draw(): void {
+    const { t: time, x } = store.traces;
+    if (!time.length || x.length !== store.changed?.bodies.length) return;
+    const end = store.snapshot?.back ? store.snapshot.t : (time.at(-1) as number);
+    const start = end - this.seconds();
+    let first = time.length;
+    while (first > 0 && time[first - 1] >= start) first -= 1;
+    first = Math.max(0, first - 1);
+    const t = time.slice(first);
+    this.strips.forEach((strip, i) => strip.show(t, x.map((body) => body[i].slice(first)), start, end));
+  }
+}
+
+export function legendEntry(name: string): HTMLElement {
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  svg.setAttribute("width", "28");
+  svg.setAttribute("height", "10");
+  svg.setAttribute("aria-hidden", "true");
+  const line = document.createElementNS("http://www.w3.org/2000/svg", "line");
+  const set = { x1: "0", x2: "28", y1: "5", y2: "5", stroke: laneColour(name), "stroke-width": "2.5", "stroke-dasharray": laneDash(name).join(" ") };
+  for (const [key, value] of Object.entries(set)) line.setAttribute(key, value);
+  svg.append(line);
+  const title = name === "twin" ? t("twinNote") : "";
+  return h("span", { className: "key", title }, svg, named(name));
+}

@@ -1,0 +1,107 @@
+// Small helpers round the DOM; text goes in as text, never as markup.
+type Child = Node | string | null | undefined | false;
+type Props = Record<string, unknown>;
+
+/** An element with properties (`on…` are listeners, `aria-…` and `data-…` attributes) and children. */
+export function h<K extends keyof HTMLElementTagNameMap>(tag: K, props: Props = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(props)) {
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value as EventListener);
+    else if (name.includes("-") || name === "role" || name === "for" || name === "list") element.setAttribute(name, String(value));
+    else if (value !== undefined) (element as unknown as Props)[name] = value;
+  }
+  element.append(...children.filter((child): child is Node | string => Boolean(child)));
+  return element;
+}
+
+export function replace(parent: Element, ...children: Child[]): void {
+  parent.replaceChildren(...children.filter((child): child is Node | string => Boolean(child)));
+}
+
+export function button(text: string, act: () => void, props: Props = {}): HTMLButtonElement {
+  return h("button", { type: "button", onclick: act, ...props }, text);
+}
+
+let counter = 0;
+export function fresh(prefix: string): string {
+  counter += 1;
+  return `${prefix}-${counter}`;
+}
+
+/** A labelled slider that says its value with its unit, linear or logarithmic. */
+export interface Slider {
+  root: HTMLElement;
+  set(value: number): void;
+}
+
+export function slider(
+  label: string,
+  options: { low: number; high: number; step?: number; log?: boolean; show: (v: number) => string; key?: string },
+  act: (value: number) => void,
+): Slider {
+  const id = fresh("slider");
+  const to = (v: number) => (options.log ? Math.log(v) : v);
+  const from = (v: number) => (options.log ? Math.exp(v) : v);
+  const output = h("output", { "for": id });
+  const span = to(options.high) - to(options.low);
+  const input = h("input", {
+    type: "range", id, min: String(to(options.low)), max: String(to(options.high)),
+    step: String(options.step ?? span / 200), "data-key": options.key ?? "",
+  });
+  const say = (value: number) => {
+    output.textContent = options.show(value);
+    input.setAttribute("aria-valuetext", options.show(value));
+  };
+  input.addEventListener("input", () => {
+    const value = from(Number(input.value));
+    say(value);
+    act(value);
+  });
+  const set = (value: number) => {
+    if (document.activeElement !== input) input.value = String(to(Math.max(value, options.log ? options.low : -Infinity)));
+    say(value);
+  };
+  return { root: h("div", { className: "slider" }, h("label", { "for": id }, label), output, input), set };
+}
+
+export function select(label: string, choices: [string, string][], value: string, act: (v: string) => void, key = ""): HTMLElement {
+  const id = fresh("select");
+  const box = h(
+    "select",
+    { id, "data-key": key, onchange: () => act(box.value) },
+    ...choices.map(([v, text]) => h("option", { value: v, selected: v === value }, text)),
+  );
+  return h("div", { className: "choice" }, h("label", { "for": id }, label), box);
+}
+
+export function digits(value: number, count = 3): string {
+  if (!Number.isFinite(value)) return "∞";
+  return String(Number(value.toPrecision(count))).replace("-", "−").replace("e", "·10^");
+}
+
+export function table(header: string[], rows: string[][], className = ""): HTMLElement {
+  const head = header.length ? h("thead", {}, h("tr", {}, ...header.map((text) => h("th", { scope: "col" }, text)))) : null;
+  const body = h("tbody", {}, ...rows.map((row) => h("tr", {}, ...row.map((text) => h("td", {}, text)))));
+  return h("div", { className: "table", tabIndex: 0 }, h("table", { className }, head, body));
+}
+
+/** At most one call each `wait` ms, the last one always. */
+export function throttled<A extends unknown[]>(wait: number, act: (...args: A) => void): (...args: A) => void {
+  let timer = 0;
+  let last: A | null = null;
+  return (...args) => {
+    last = args;
+    if (timer) return;
+    act(...args);
+    last = null;
+    timer = window.setTimeout(function again() {
+      timer = 0;
+      if (last) {
+        const pending = last;
+        last = null;
+        act(...pending);
+        timer = window.setTimeout(again, wait);
+      }
+    }, wait);
+  };
+}

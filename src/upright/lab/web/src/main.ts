@@ -1,0 +1,393 @@
+// The page: puts its parts together, follows the session, and takes keys, mouse and gamepad.
+import { Charts } from "./charts";
+import { button, h, replace, select, slider, throttled } from "./dom";
+import { tokenIn } from "./link";
+import type { ServerMessage } from "./messages";
+import { Line } from "./net";
+import type { State } from "./net";
+import { certificate, ControllerPanel, IdentifyPanel, KeepPanel, KitPanel, latestLog, RobotPanel } from "./panels";
+import { Replay } from "./replay";
+import { Room } from "./scene";
+import { Flat } from "./flat";
+import type { Hand, Stage } from "./stage";
+import { See } from "./see";
+import { Steering } from "./steering";
+import { store } from "./store";
+import { board } from "./board";
+import "./style.css";
+import { LANGUAGES, choose, language, named, t, texts } from "./texts";
+import { Tour } from "./tour";
+
+const TABS = ["Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour", "Class"] as const;
+type Tab = (typeof TABS)[number];
+
+class Page {
+  private room: Stage = this.furnish();
+  private charts = new Charts(() => this.seconds);
+  private see = new See();
+  private controller = new ControllerPanel();
+  private robot = new RobotPanel();
+  private kit = new KitPanel();
+  private identify = new IdentifyPanel();
+  private keep = new KeepPanel(() => this.room.picture());
+  private tour = new Tour();
+  private classRoot = h("div", { className: "panel-body" });
+  private tab: Tab = "Controller";
+  private seconds = 10;
+  private knock = 0.05;
+  private speed = 1;
+  private scrub = h("input", { type: "range", min: "-60", max: "0", step: "0.02", value: "0", className: "scrub", "data-key": "scrub" });
+  private pauseButton = h("button", { type: "button", "data-key": "pause" });
+  private status = h("span", { className: "status", role: "status" });
+  private light = h("span", { className: "headlight" });
+  private force = h("div", { className: "force", "aria-hidden": "true" });
+  private fell = h("div", { className: "fell", role: "status" });
+  private toasts = h("div", { className: "toasts", role: "log", "aria-live": "polite" });
+  private spoken = h("p", { className: "hidden", "aria-live": "off" });
+  private tabs = h("div", { className: "tabs", role: "tablist" });
+  private panel = h("div", { className: "panel", role: "tabpanel", tabIndex: -1, id: "panel" });
+  private clock = h("span", { className: "clock" });
+  private state: State = "connecting";
+  private drawn = 0;
+  drawnFirst = false; // whether a robot has been seen
+  private plotted = 0;
+  private said = 0;
+  private shape = "";
+  private steering = new Steering();
+
+  constructor(private app: HTMLElement) {
+    this.theme(localStorage.getItem("theme") ?? "");
+    choose(localStorage.getItem("language") ?? (navigator.language.startsWith("es") ? "es" : "en"));
+    store.listen((message) => this.hear(message));
+    this.scrub.addEventListener("input", () => store.send({ kind: "Scrub", back: -Number(this.scrub.value) }));
+    this.room.element.addEventListener("keydown", (event) => this.look(event as KeyboardEvent));
+    window.addEventListener("keydown", (event) => this.key(event));
+    this.begin();
+  }
+
+  private begin(): void {
+    const recording = Replay.inPage();
+    const token = tokenIn(location.hash) || (sessionStorage.getItem("token") ?? "");
+    if (token) sessionStorage.setItem("token", token);
+    if (location.hash.includes("token=")) history.replaceState(null, "", location.pathname);
+    this.build();
+    if (recording) {
+      this.says("replaying");
+      new Replay(recording);
+      document.body.classList.add("replay");
+    } else if (token && !sessionStorage.getItem("name") && token.length < 12) {
+      this.join(token);
+    } else {
+      this.connect(token, sessionStorage.getItem("name") ?? "");
+    }
+    requestAnimationFrame((now) => this.frame(now));
+  }
+
+  private connect(token: string, name: string): void {
+    new Line({ token, name }, (state, reason) => this.says(state, reason));
+  }
+
+  /** In a class everybody has a name. */
+  private join(token: string): void {
+    const name = h("input", { type: "text", id: "name", maxLength: 40, required: true, autocomplete: "name" });
+    const dialog = h("dialog", { className: "join", "aria-label": t("joinTitle") },
+      h("form", { method: "dialog", onsubmit: (event: Event) => {
+        event.preventDefault();
+        if (!name.value.trim()) return;
+        sessionStorage.setItem("name", name.value.trim());
+        dialog.remove();
+        this.connect(token, name.value.trim());
+      } }, h("h2", {}, t("joinTitle")), h("label", { "for": "name" }, t("yourName")), name, h("button", { className: "main" }, t("enter"))));
+    this.app.append(dialog);
+    dialog.showModal();
+  }
+
+  private build(): void {
+    this.room.element.setAttribute("aria-label", t("scene"));
+    this.scrub.setAttribute("aria-label", t("back"));
+    const languages = Object.entries(LANGUAGES).map(([key, text]): [string, string] => [key, text.language]);
+    const header = h("header", {},
+      h("a", { className: "skip", href: "#panel", onclick: () => this.panel.focus() }, t("skip")),
+      h("h1", {}, h("span", { className: "mark", "aria-hidden": "true" }), t("title")),
+      this.light, h("span", { className: "grow" }), this.clock, this.status,
+      select("", languages, language(), (key) => this.speak(key), "language"),
+      button("◐", () => this.theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"), { "aria-label": t("theme"), title: t("theme"), "data-key": "theme" }),
+      button("?", () => this.help(), { "aria-label": t("help"), title: t("help"), "data-key": "help" }));
+    header.querySelector("select")?.setAttribute("aria-label", "Language / Idioma");
+    const scene = h("section", { className: "scene", "aria-label": t("scene") }, this.room.element, this.force, this.fell, h("p", { className: "hint" }, t("hint")), this.transport(), this.pushes());
+    replace(this.app, header, h("main", {}, scene, this.charts.root, this.panels()), this.toasts, this.spoken);
+    this.lamp();
+    if (store.changed) this.rebuild();
+  }
+
+  /** The room, or its side view in a browser without WebGL. */
+  private furnish(): Stage {
+    const push = throttled(33, (hand: Hand) => store.send({ kind: "Drag", force: hand.force, height: hand.height }));
+    const canvas = h("canvas", { className: "room", tabIndex: 0, role: "img" });
+    const able = document.createElement("canvas").getContext("webgl2");
+    able?.getExtension("WEBGL_lose_context")?.loseContext();
+    return able ? new Room(canvas, push) : new Flat(push);
+  }
+
+  private transport(): HTMLElement {
+    this.pauseButton.onclick = () => this.pause();
+    const speeds: [string, string][] = [["0.05", "1/20"], ["0.1", "1/10"], ["0.25", "1/4"], ["0.5", "1/2"], ["1", "1"]];
+    const speed = select(t("speed"), speeds, String(this.speed), (v) => {
+      this.speed = Number(v);
+      store.send({ kind: "Play", paused: store.snapshot?.paused ?? false, speed: this.speed });
+    }, "speed");
+    const step = button(t("step"), () => store.send({ kind: "Step", periods: 1 }), { "data-key": "step" });
+    return h("div", { className: "transport" }, this.pauseButton, step, speed, h("label", { className: "scrubbing" }, h("span", {}, t("back")), this.scrub));
+  }
+
+  private pushes(): HTMLElement {
+    const strike = (what: "front" | "back" | "impulse" | "tug_left" | "tug_right", size: number) => () => store.send({ kind: "Strike", what, size });
+    const weight = () => store.changed?.look.weight ?? 6;
+    const size = slider(t("size"), { low: 0.01, high: 0.5, log: true, show: (v) => t("newtons", { force: `${v.toFixed(2)}` }) + " s", key: "knock" }, (v) => (this.knock = v));
+    size.set(this.knock);
+    return h("div", { className: "pushes", role: "group", "aria-label": t("pushes") },
+      button(t("front"), strike("front", 0.1), { title: t("frontTip"), "data-key": "front" }),
+      button(t("backPush"), strike("back", -0.12), { title: t("backTip"), "data-key": "back" }),
+      button(t("impulse"), () => strike("impulse", this.knock)(), { "data-key": "impulse" }), size.root,
+      button(t("tugLeft"), () => strike("tug_left", 0.25 * weight())(), { "data-key": "tug_left" }),
+      button(t("tugRight"), () => strike("tug_right", 0.25 * weight())(), { "data-key": "tug_right" }),
+      button(t("tilt"), () => store.send({ kind: "StandUp", pitch: 0.1 }), { "data-key": "tilt" }),
+      button(t("standUp"), () => this.stand(), { "data-key": "stand", className: "main" }));
+  }
+
+  private panels(): HTMLElement {
+    const there = TABS.filter((tab) => tab !== "Class" || store.role !== "alone");
+    const labels: Record<Tab, string> = {
+      Controller: t("tabController"), Robot: t("tabRobot"), Kit: t("tabKit"), See: t("tabSee"), Identify: t("tabIdentify"),
+      Keep: t("tabKeep"), Tour: t("tabTour"), Class: t("tabClass"),
+    };
+    this.tabs.setAttribute("aria-label", t("tabs"));
+    replace(this.tabs, ...there.map((tab) => button(labels[tab], () => this.open(tab), {
+      role: "tab", id: `tab-${tab}`, "aria-selected": String(tab === this.tab), "aria-controls": "panel", tabIndex: tab === this.tab ? 0 : -1, "data-key": `tab-${tab}`,
+      onkeydown: (event: KeyboardEvent) => this.along(event, there, tab),
+    })));
+    return h("section", { className: "below" }, this.tabs, this.panel);
+  }
+
+  private along(event: KeyboardEvent, there: readonly Tab[], tab: Tab): void {
+    const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (!by) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const next = there[(there.indexOf(tab) + by + there.length) % there.length];
+    this.open(next);
+    document.getElementById(`tab-${next}`)?.focus();
+  }
+
+  private open(tab: Tab): void {
+    this.tab = tab;
+    for (const one of this.tabs.querySelectorAll<HTMLElement>("[role=tab]")) {
+      const chosen = one.id === `tab-${tab}`;
+      one.setAttribute("aria-selected", String(chosen));
+      one.tabIndex = chosen ? 0 : -1;
+    }
+    this.panel.setAttribute("aria-labelledby", `tab-${tab}`);
+    this.fill();
+  }
+
+  /** Build the panel of the open tab. */
+  private fill(): void {
+    if (!store.catalogue || !store.changed) return;
+    if (this.tab === "Class") replace(this.classRoot, ...board(store));
+    const built = { Controller: this.controller, Robot: this.robot, Kit: this.kit, See: this.see, Identify: this.identify, Keep: this.keep, Tour: this.tour }[this.tab as Exclude<Tab, "Class">];
+    built?.build();
+    replace(this.panel, built?.root ?? this.classRoot);
+  }
+
+  private rebuild(): void {
+    this.shape = "";
+    this.follow();
+    this.fill();
+    this.lamp();
+  }
+
+  /** The robots and charts that the session has now. */
+  private follow(): void {
+    const changed = store.changed;
+    if (!changed) return;
+    const shape = JSON.stringify([changed.bodies, changed.look]);
+    if (shape === this.shape) return;
+    this.shape = shape;
+    this.room.furnish(changed.look, changed.bodies);
+    this.charts.build();
+  }
+
+  private hear(message: ServerMessage): void {
+    switch (message.kind) {
+      case "Welcome": this.build(); break;
+      case "Catalogue": this.fill(); break;
+      case "Changed": {
+        const first = !this.panel.firstChild;
+        this.follow();
+        if (first) this.fill();
+        else this.update();
+        break;
+      }
+      case "Analysed": case "Lit": this.lamp(); this.update(); break;
+      case "Equations": if (this.tab === "See") this.see.show(); break;
+      case "Snapshot": this.transported(); break;
+      case "Progress": this.identify.progress(message.job, message.share); if (message.job === "certify") this.busy(message.share < 1); break;
+      case "Found": this.identify.found(); this.toast(message.title, message.ok ? "info" : "error"); if (latestLog && this.tab === "Identify") this.identify.build(); break;
+      case "Made": this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(t("made", { name: message.name }), "info"); break;
+      case "Said": this.toast(message.text, message.level); break;
+      case "Recovered": this.recovered(message.impulse, message.best, message.fell); break;
+      case "Board": if (this.tab === "Class") replace(this.classRoot, ...board(store)); break;
+    }
+  }
+
+  private update(): void {
+    if (this.tab === "See") this.see.show();
+    const open = { Controller: this.controller, Robot: this.robot, Kit: this.kit }[this.tab as "Controller" | "Robot" | "Kit"];
+    open?.update();
+  }
+
+  private lamp(): void {
+    const light = store.lit?.light ?? "none";
+    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, certificate()[1].textContent ?? ""));
+  }
+
+  private busy(on: boolean): void {
+    this.panel.querySelector("[data-key=certify]")?.toggleAttribute("aria-busy", on);
+  }
+
+  private recovered(impulse: number, best: number, fell: boolean): void {
+    const values = { impulse: impulse.toFixed(3), best: best.toFixed(3) };
+    this.toast(fell ? t("lostPush", values) : t("recovered", values), "info");
+  }
+
+  private transported(): void {
+    const s = store.snapshot;
+    if (!s) return;
+    const text = s.paused ? t("play") : t("pause");
+    if (this.pauseButton.textContent !== text) this.pauseButton.textContent = text;
+    if (document.activeElement !== this.scrub) this.scrub.value = String(-s.back);
+    this.clock.textContent = `${s.t.toFixed(1)} s`;
+    const fell = Boolean(s.x[0][8]);
+    if (fell !== Boolean(this.fell.textContent)) {
+      replace(this.fell, ...(fell ? [h("span", {}, t("fallen") + " "), button(t("standUp"), () => this.stand(), { className: "main" })] : []));
+    }
+    const force = s.f[0];
+    this.force.textContent = Math.abs(force) > 0.005 ? t("newtons", { force: force.toFixed(2).replace("-", "−") }) : "";
+  }
+
+  private stand(): void {
+    store.send({ kind: "StandUp", pitch: 0 });
+    store.send({ kind: "Play", paused: false, speed: this.speed });
+  }
+
+  private pause(): void {
+    store.send({ kind: "Play", paused: !store.snapshot?.paused, speed: this.speed });
+  }
+
+  private says(state: State, reason = ""): void {
+    this.state = state;
+    const words: Record<State, string> = { connecting: t("connecting"), connected: t("connected"), lost: t("lost"), refused: t("refused"), replaying: t("replaying") };
+    this.status.className = `status ${state}`;
+    this.status.textContent = words[state];
+    if (state !== "refused") return;
+    sessionStorage.removeItem("name");
+    replace(this.app, h("main", { className: "refused", role: "alert" }, h("h1", {}, t("refused")), h("p", {}, reason), button("↻", () => location.reload())));
+  }
+
+  private toast(text: string, level: "info" | "error"): void {
+    const toast = h("div", { className: `toast ${level}` }, h("span", {}, text), button("×", () => toast.remove(), { "aria-label": t("close") }));
+    this.toasts.append(toast);
+    while (this.toasts.children.length > 3) this.toasts.firstElementChild?.remove();
+    window.setTimeout(() => toast.remove(), level === "error" ? 15000 : 6000);
+  }
+
+  private speak(key: string): void {
+    choose(key);
+    localStorage.setItem("language", key);
+    this.build();
+    this.says(this.state);
+    this.fell.replaceChildren();
+  }
+
+  private theme(wanted: string): void {
+    const dark = wanted ? wanted === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
+    document.documentElement.dataset.theme = dark ? "dark" : "light";
+    if (wanted) localStorage.setItem("theme", wanted);
+    this.room.paint();
+    if (store.changed) this.charts.build();
+    if (this.panel.firstChild) this.fill();
+  }
+
+  private help(): void {
+    const rows = texts().keys.map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, what)));
+    const dialog = h("dialog", { className: "help", "aria-label": t("help"), onclose: () => dialog.remove() },
+      h("h2", {}, t("help")), h("table", {}, h("tbody", {}, ...rows)), button(t("close"), () => dialog.close(), { className: "main" }));
+    this.app.append(dialog);
+    dialog.showModal();
+  }
+
+  /** Keys of the whole page; what has the focus keeps its own. */
+  private key(event: KeyboardEvent): void {
+    const at = event.target as HTMLElement;
+    if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA|DIALOG)$/.test(at.tagName)) return;
+    if (event.key === " " && at.tagName === "BUTTON") return;
+    if (event.key === "?") this.help();
+    else if (event.key === " ") this.pause();
+    else if (event.key === ".") store.send({ kind: "Step", periods: 1 });
+    else if (event.key === "," || event.key === "/") store.send({ kind: "Scrub", back: Math.max(0, Math.min(60, (store.snapshot?.back ?? 0) + (event.key === "," ? 0.25 : -0.25))) });
+    else if (event.key === "s") this.stand();
+    else if (event.key === "k") store.send({ kind: "Strike", what: "impulse", size: this.knock });
+    else if (/^[1-8]$/.test(event.key) && document.getElementById(`tab-${TABS[Number(event.key) - 1]}`)) this.open(TABS[Number(event.key) - 1]);
+    else return;
+    event.preventDefault();
+  }
+
+  /** Keys of the room alone. */
+  private look(event: KeyboardEvent): void {
+    const turns: Record<string, [number, number]> = { "[": [-0.15, 0], "]": [0.15, 0], "{": [0, -0.1], "}": [0, 0.1] };
+    if (event.key in turns) this.room.turn(...turns[event.key]);
+    if (event.key === "+") this.room.zoom(0.9);
+    if (event.key === "-") this.room.zoom(1.1);
+  }
+
+  private frame(now: number): void {
+    if (store.snapshot) this.room.move(store.snapshot);
+    this.room.draw(now - this.drawn);
+    this.drawnFirst ||= store.snapshot !== null;
+    this.drawn = now;
+    if (now - this.plotted > 45) {
+      this.charts.draw();
+      if (this.tab === "See") this.see.draw();
+      this.plotted = now;
+    }
+    if (now - this.said > 2000) {
+      this.describe();
+      this.said = now;
+    }
+    this.steering.tick(now);
+    requestAnimationFrame((next) => this.frame(next));
+  }
+
+  /** The scene in words, for whoever does not see it. */
+  private describe(): void {
+    const [s, changed] = [store.snapshot, store.changed];
+    if (!s || !changed) return;
+    const body = named(changed.bodies[0]);
+    const way = (changed.look.wheel_radius * s.x[0][2] * 100).toFixed(0);
+    const words = s.x[0][8] ? t("fellNow", { body }) : t("sceneNow", { body, pitch: ((s.x[0][0] * 180) / Math.PI).toFixed(1), way });
+    this.spoken.textContent = words;
+    this.room.element.setAttribute("aria-label", `${t("scene")} ${words}`);
+  }
+
+  picture(): Promise<Blob | null> {
+    return this.room.picture();
+  }
+
+  /** For tests and curious people: where the robot is on the canvas. */
+  grasp(): { x: number; y: number } {
+    return this.room.grasp();
+  }
+}
+
+const page = new Page(document.getElementById("app") as HTMLElement);
+Object.assign(window, { upright: { store, page } });

@@ -1,0 +1,318 @@
+// Generated from src/upright/lab/messages.py by python -m upright.lab.typescript; do not edit.
+
+export const VERSION = 1;
+
+export type BodyName = "twin" | "nonlinear" | "linear" | "published" | "calibrated";
+
+export type Family = "lqg" | "lqr" | "lqr-complementary" | "lqr-state" | "lqi" | "pid" | "hinf" | "mpc" | "sliding" | "robust" | "gains" | "off";
+
+export type Job = "certify" | "doctor" | "calibrate" | "design";
+
+export type Keep = "csv" | "parquet" | "report" | "replay" | "controller" | "robot";
+
+export type Blow = "front" | "back" | "impulse" | "tug_left" | "tug_right";
+
+export interface Setup {
+  robot: string;
+  numbers: Record<string, number>;
+  drive: "" | "voltage" | "torque";
+  kit: string;
+  noise: number;
+  delay: number;
+  voltage: number;
+  dead_zone: number;
+  grip: number;
+  bodies: ("twin" | "nonlinear" | "linear" | "published" | "calibrated")[];
+  controller: "lqg" | "lqr" | "lqr-complementary" | "lqr-state" | "lqi" | "pid" | "hinf" | "mpc" | "sliding" | "robust" | "gains" | "off";
+  largest: number[];
+  gains: number[];
+  payload: number;
+  payload_height: number;
+  slope: number;
+  seed: number;
+}
+
+export interface Hello {
+  kind: "Hello";
+  version: number;
+  session: string;
+  token: string;
+  name: string;
+  setup: Setup | null;
+}
+
+export interface Ack {
+  kind: "Ack";
+  n: number;
+}
+
+export interface Change {
+  kind: "Change";
+  setup: Setup;
+}
+
+export interface Drag {
+  kind: "Drag";
+  force: number;
+  height: number;
+}
+
+export interface Strike {
+  kind: "Strike";
+  what: "front" | "back" | "impulse" | "tug_left" | "tug_right";
+  size: number;
+}
+
+export interface Steer {
+  kind: "Steer";
+  speed: number;
+  rate: number;
+}
+
+export interface Play {
+  kind: "Play";
+  paused: boolean;
+  speed: number;
+}
+
+export interface Step {
+  kind: "Step";
+  periods: number;
+}
+
+export interface Scrub {
+  kind: "Scrub";
+  back: number;
+}
+
+export interface StandUp {
+  kind: "StandUp";
+  pitch: number;
+}
+
+export interface Start {
+  kind: "Start";
+  job: "certify" | "doctor" | "calibrate" | "design";
+  file: string;
+}
+
+export interface Cancel {
+  kind: "Cancel";
+  job: "certify" | "doctor" | "calibrate" | "design";
+}
+
+export interface Save {
+  kind: "Save";
+  what: "csv" | "parquet" | "report" | "replay" | "controller" | "robot";
+}
+
+export interface Broadcast {
+  kind: "Broadcast";
+  setup: Setup;
+}
+
+export interface Uploaded {
+  what: "log" | "robot";
+  path: string;
+  name: string;
+}
+
+export interface FamilyInfo {
+  name: string;
+  weights: boolean;
+  truth: boolean;
+}
+
+export interface RobotInfo {
+  name: string;
+  title: string;
+  kit: string;
+  drive: string;
+  numbers: Record<string, number>;
+}
+
+export interface Catalogue {
+  kind: "Catalogue";
+  robots: RobotInfo[];
+  kits: string[];
+  families: FamilyInfo[];
+  units: Record<string, string>;
+  symbols: Record<string, string>;
+  largest: number[];
+  command: Record<string, number>;
+}
+
+export interface Welcome {
+  kind: "Welcome";
+  version: number;
+  session: string;
+  role: "alone" | "student" | "teacher";
+  files: string;
+}
+
+export interface Refused {
+  kind: "Refused";
+  reason: string;
+}
+
+export interface Look {
+  wheel_radius: number;
+  track: number;
+  body_height: number;
+  body_depth: number;
+  com_height: number;
+  payload: number;
+  payload_height: number;
+  command_unit: string;
+  limit: number | null;
+  weight: number;
+}
+
+export interface Changed {
+  kind: "Changed";
+  setup: Setup;
+  look: Look;
+  bodies: string[];
+  period: number;
+  controller: string;
+  truth: boolean;
+  kit: Record<string, number>;
+  busy: boolean;
+}
+
+export interface Analysed {
+  kind: "Analysed";
+  stable: boolean;
+  words: string;
+  gain: number[][];
+  gain_low: number | null;
+  gain_high: number | null;
+  phase: number | null;
+  delay: number | null;
+  poles: number[][];
+  L: number[][];
+}
+
+export interface Equations {
+  kind: "Equations";
+  inertias: number[];
+  alpha: number;
+  beta: number;
+  weight: number;
+  lever: number;
+  A: number[][];
+  B: number[][];
+  poles: number[][];
+}
+
+export interface Lit {
+  kind: "Lit";
+  light: "green" | "amber" | "red" | "none";
+  reasons: string[];
+}
+
+export interface Progress {
+  kind: "Progress";
+  job: "certify" | "doctor" | "calibrate" | "design";
+  share: number;
+}
+
+export interface Found {
+  kind: "Found";
+  job: "certify" | "doctor" | "calibrate" | "design";
+  title: string;
+  text: string;
+  header: string[];
+  rows: string[][];
+  ok: boolean;
+}
+
+export interface Made {
+  kind: "Made";
+  what: string;
+  name: string;
+  url: string;
+}
+
+export interface Said {
+  kind: "Said";
+  level: "info" | "error";
+  text: string;
+}
+
+export interface Recovered {
+  kind: "Recovered";
+  impulse: number;
+  effort: number;
+  best: number;
+  fell: boolean;
+}
+
+export interface History {
+  kind: "History";
+  t: number[];
+  rows: number[][];
+}
+
+export interface Snapshot {
+  kind: "Snapshot";
+  n: number;
+  t: number;
+  x: number[][];
+  e: number[];
+  f: number[];
+  r: number[];
+  s: number;
+  paused: boolean;
+  back: number;
+}
+
+export interface Student {
+  name: string;
+  pitch: number;
+  fallen: boolean;
+  best: number;
+  effort: number;
+  here: boolean;
+  controller: string;
+}
+
+export interface Board {
+  kind: "Board";
+  students: Student[];
+}
+
+export const DEFAULT_SETUP: Setup = {"robot": "nxtway-gs", "numbers": {}, "drive": "", "kit": "nxt", "noise": 1.0, "delay": -1.0, "voltage": -1.0, "dead_zone": -1.0, "grip": 10.0, "bodies": ["twin", "nonlinear", "linear"], "controller": "lqg", "largest": [], "gains": [], "payload": 0.0, "payload_height": 0.15, "slope": 0.0, "seed": 0};
+
+export type ClientMessage =
+  | Hello
+  | Ack
+  | Change
+  | Drag
+  | Strike
+  | Steer
+  | Play
+  | Step
+  | Scrub
+  | StandUp
+  | Start
+  | Cancel
+  | Save
+  | Broadcast;
+
+export type ServerMessage =
+  | Welcome
+  | Refused
+  | Changed
+  | Analysed
+  | Equations
+  | Lit
+  | Progress
+  | Found
+  | Made
+  | Said
+  | Recovered
+  | History
+  | Snapshot
+  | Board
+  | Catalogue;

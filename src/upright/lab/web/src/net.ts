@@ -1,0 +1,73 @@
+// The line to the session: it comes back by itself after a loss, with the set-up that stood there.
+import { VERSION } from "./messages";
+import type { ClientMessage, ServerMessage } from "./messages";
+import { fromLink } from "./link";
+import { store } from "./store";
+
+export type State = "connecting" | "connected" | "lost" | "refused" | "replaying";
+
+interface Credentials {
+  token: string;
+  name: string;
+}
+
+export class Line {
+  private socket: WebSocket | null = null;
+  private wait = 250;
+  private closed = false;
+  private first = true;
+
+  constructor(
+    private credentials: Credentials,
+    private say: (state: State, reason?: string) => void,
+  ) {
+    store.send = (message) => this.send(message);
+    this.open();
+  }
+
+  private send(message: ClientMessage): void {
+    if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(message));
+  }
+
+  private open(): void {
+    this.say(this.first ? "connecting" : "lost");
+    const address = new URL("ws", document.baseURI);
+    address.protocol = address.protocol.replace("http", "ws");
+    address.hash = "";
+    const socket = new WebSocket(address);
+    this.socket = socket;
+    socket.onopen = () => this.greet();
+    socket.onmessage = (event) => this.hear(JSON.parse(event.data as string) as ServerMessage);
+    socket.onclose = () => this.lost();
+  }
+
+  private greet(): void {
+    const linked = this.first ? fromLink(location.hash) : null;
+    this.send({
+      kind: "Hello", version: VERSION, session: linked ? "" : (sessionStorage.getItem("session") ?? ""),
+      token: this.credentials.token, name: this.credentials.name, setup: linked ?? (store.changed ? store.setup : null),
+    });
+  }
+
+  private hear(message: ServerMessage): void {
+    if (message.kind === "Snapshot") this.send({ kind: "Ack", n: message.n });
+    if (message.kind === "Welcome") {
+      sessionStorage.setItem("session", message.session);
+      this.wait = 250;
+      this.first = false;
+      this.say("connected");
+    }
+    if (message.kind === "Refused") {
+      this.closed = true;
+      this.say("refused", message.reason);
+    }
+    store.hear(message);
+  }
+
+  private lost(): void {
+    if (this.closed) return;
+    this.say("lost");
+    window.setTimeout(() => this.open(), this.wait);
+    this.wait = Math.min(this.wait * 1.6, 3000);
+  }
+}

@@ -1,0 +1,28 @@
+// Okabe and Ito's colours, which colour-blind people tell apart; dashes say the same once more.
+export const LANES = ["twin", "nonlinear", "linear", "calibrated", "published"];
+
+const LIGHT: Record<string, string> = {
+  twin: "#0072b2", nonlinear: "#d55e00", linear: "#00805c", calibrated: "#a0478a", published: "#6b6b00",
+};
+const DARK: Record<string, string> = {
+  twin: "#56b4e9", nonlinear: "#f2843c", linear: "#2fc79b", calibrated: "#dd93bd", published: "#c9c95a",
+};
+const DASHES: Record<string, number[]> = { nonlinear: [7, 4], linear: [2, 3], calibrated: [9, 3, 2, 3], published: [12, 5] };
+
+export function dark(): boolean {
+  return document.documentElement.dataset.theme === "dark";
+}
+
+export function laneColour(name: string): string {
+  return (dark() ? DARK : LIGHT)[name] ?? "#888888";
+}
+
+export function laneDash(name: string): number[] {
+  return DASHES[name] ?? [];
+}
+
+export function ink(): { text: string; soft: string; grid: string; paper: string; push: string } {
+  const style = getComputedStyle(document.documentElement);
+  const get = (name: string) => style.getPropertyValue(name).trim();
+  return { text: get("--ink"), soft: get("--soft"), grid: get("--grid"), paper: get("--card"), push: get("--push") };
+}

@@ -1,0 +1,338 @@
+// The panels below: controller, robot, kit, what was found, what is kept. Each builds itself from the store.
+import { button, digits, fresh, h, replace, select, slider, table, throttled } from "./dom";
+import type { Slider } from "./dom";
+import { toLink } from "./link";
+import type { BodyName, Family, Job, Keep, Setup } from "./messages";
+import { STATES, SYMBOLS, UNITS, store } from "./store";
+import { named, t } from "./texts";
+import { legendEntry } from "./charts";
+import { sentence } from "./see";
+
+const change = throttled(120, (part: Partial<Setup>) => store.change(part));
+let gathered: Partial<Setup> = {};
+/** Changes by sliders are gathered, so that none is lost between two messages. */
+function later(part: Partial<Setup>): void {
+  gathered = { ...gathered, ...part };
+  store.setup = { ...store.setup, ...part };
+  change(gathered);
+}
+
+abstract class Panel {
+  root = h("div", { className: "panel-body" });
+  abstract build(): void;
+  /** Follow what the session says without losing what has the focus. */
+  update(): void {}
+}
+
+export class ControllerPanel extends Panel {
+  private weights = h("div", { className: "sliders" });
+  private numbers = h("div", { className: "numbers" });
+  private light = h("div", { className: "light", role: "status" });
+  private sliders: Slider[] = [];
+  private shape = "";
+
+  build(): void {
+    this.shape = "";
+    const families = (store.catalogue?.families ?? []).map((f): [string, string] => [f.name, named(f.name)]);
+    const choice = select(t("family"), families, store.setup.controller, (v) => {
+      store.change({ controller: v as Family, gains: v === "gains" && !store.setup.gains.length ? this.present() : store.setup.gains });
+    }, "controller");
+    const certify = button(t("fullCertificate"), () => store.send({ kind: "Start", job: "certify", file: "" }), { "data-key": "certify" });
+    replace(
+      this.root,
+      h("div", { className: "column" }, choice, this.weights),
+      h("div", { className: "column" }, this.numbers),
+      h("div", { className: "column" }, this.light, certify),
+    );
+    this.update();
+  }
+
+  private present(): number[] {
+    return store.analysed?.gain[0]?.slice(0, 6) ?? [0, 0, 0, 0, 0, 0];
+  }
+
+  override update(): void {
+    const box = this.root.querySelector<HTMLSelectElement>("[data-key=controller]");
+    if (box && document.activeElement !== box) box.value = store.setup.controller;
+    const shape = `${store.setup.controller} ${store.changed?.look.command_unit}`;
+    if (shape !== this.shape) this.shapeWeights(shape);
+    this.sliders.forEach((s, i) => s.set(store.setup.controller === "gains" ? (store.setup.gains[i] ?? 0) : this.sizes()[i]));
+    replace(this.numbers, ...this.analysis());
+    replace(this.light, ...certificate());
+  }
+
+  private sizes(): number[] {
+    const unit = store.changed?.look.command_unit ?? "V";
+    const usual = [...(store.catalogue?.largest ?? []), store.catalogue?.command[unit] ?? 1];
+    return store.setup.largest.length === usual.length ? store.setup.largest : usual;
+  }
+
+  private shapeWeights(shape: string): void {
+    this.shape = shape;
+    const info = store.catalogue?.families.find((f) => f.name === store.setup.controller);
+    this.sliders = [];
+    if (store.setup.controller === "gains") {
+      this.sliders = SYMBOLS.map((symbol, i) => slider(`${symbol} → u`, { low: -150, high: 150, step: 0.05, show: (v) => digits(v, 4), key: `gain-${i}` }, (v) => {
+        const gains = [...(store.setup.gains.length ? store.setup.gains : [0, 0, 0, 0, 0, 0])];
+        gains[i] = v;
+        later({ gains });
+      }));
+      replace(this.weights, ...this.sliders.map((s) => s.root));
+    } else if (info?.weights) {
+      const usual = [...(store.catalogue?.largest ?? []), store.catalogue?.command[store.changed?.look.command_unit ?? "V"] ?? 1];
+      this.sliders = usual.map((size, i) => this.weight(size, i));
+      const reset = button(t("ownWeights"), () => store.change({ largest: [] }), { className: "quiet", "data-key": "own-weights" });
+      replace(this.weights, h("p", { className: "note" }, t("weights")), ...this.sliders.map((s) => s.root), reset);
+    } else {
+      replace(this.weights, h("p", { className: "note" }, t("noWeights")));
+    }
+  }
+
+  private weight(size: number, i: number): Slider {
+    const unit = i < 6 ? UNITS[i] : (store.changed?.look.command_unit ?? "V");
+    const label = i < 6 ? `${SYMBOLS[i]} ${named(STATES[i])}` : t("command");
+    return slider(label, { low: size / 10, high: size * 10, log: true, show: (v) => `${digits(v, 2)} ${unit}`, key: `weight-${i}` }, (v) => {
+      const largest = [...this.sizes()];
+      largest[i] = v;
+      later({ largest });
+    });
+  }
+
+  private analysis(): Node[] {
+    const a = store.analysed;
+    if (!a) return [h("p", { className: "note" }, store.setup.controller === "off" ? t("off") : t("designing"))];
+    const parts: Node[] = [];
+    if (a.gain.length) parts.push(h("h4", {}, t("gain")), table(SYMBOLS, [a.gain[0].map((v) => digits(v, 3))], "gains"));
+    const range = (low: number | null, high: number | null) => `${low === null ? "0" : digits(low, 2)} … ${high === null ? "∞" : digits(high, 3)}`;
+    const rows = [
+      [t("gainMargin"), range(a.gain_low, a.gain_high)],
+      [t("phaseMargin"), a.phase === null ? t("unlimited") : `${digits((a.phase * 180) / Math.PI, 2)}°`],
+      [t("delayMargin"), a.delay === null ? t("unlimited") : `${digits(a.delay * 1000, 3)} ms`],
+    ];
+    if (a.stable) parts.push(h("h4", {}, t("margins")), table([], rows, "margins"));
+    parts.push(h("p", { className: "note" }, sentence(a.words)));
+    return parts;
+  }
+}
+
+export function certificate(): Node[] {
+  const lit = store.lit;
+  const light = lit?.light ?? "none";
+  const words = light === "none" && lit?.reasons.length ? t("noCertificate") : t(light);
+  const lamp = h("span", { className: `lamp ${light}`, "aria-hidden": "true" });
+  return [
+    h("h4", {}, t("certificate")), h("p", { className: "lit" }, lamp, h("b", {}, words)),
+    ...(lit?.reasons ?? []).map((reason) => h("p", { className: "note" }, sentence(reason))),
+  ];
+}
+
+export class RobotPanel extends Panel {
+  private sliders: [keyof Setup, Slider][] = [];
+  private table = h("div", { className: "parameters" });
+  private shown = "";
+  private opened = false;
+
+  build(): void {
+    this.shown = "";
+    const robots = (store.catalogue?.robots ?? []).map((r): [string, string] => [r.name, r.name]);
+    if (!robots.some(([name]) => name === store.setup.robot)) robots.push([store.setup.robot, store.setup.robot]);
+    const preset = select(t("preset"), robots, store.setup.robot, (v) => this.choose(v), "robot");
+    this.sliders = [
+      ["payload", slider(t("payload"), { low: 0, high: this.weight(), step: 0.005, show: (v) => `${digits(v * 1000, 3)} g`, key: "payload" }, (v) => later({ payload: v }))],
+      ["payload_height", slider(t("payloadHeight"), { low: 0, high: 0.5, step: 0.005, show: (v) => `${digits(v * 100, 3)} cm`, key: "payload_height" }, (v) => later({ payload_height: v }))],
+      ["slope", slider(t("slope"), { low: -0.2, high: 0.2, step: 0.005, show: (v) => `${digits(v, 2)} rad`, key: "slope" }, (v) => later({ slope: v }))],
+      ["grip", slider(t("grip"), { low: 0.02, high: 10, log: true, show: (v) => digits(v, 2), key: "grip" }, (v) => later({ grip: v }))],
+    ];
+    const details = h("details", { open: this.opened, ontoggle: () => (this.opened = details.open) }, h("summary", {}, t("numbers")), h("p", { className: "note" }, t("numbersNote")), this.table);
+    replace(
+      this.root,
+      h("div", { className: "column" }, preset, h("p", { className: "note" }, this.title()), upload(t("openRobot"), ".toml", "robot"), this.bodies()),
+      h("div", { className: "column" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root))),
+      h("div", { className: "column full" }, details),
+    );
+    this.update();
+  }
+
+  private weight(): number {
+    return Math.max(0.3, ((store.changed?.look.weight ?? 6) / 9.81) * 0.6);
+  }
+
+  private title(): string {
+    return store.catalogue?.robots.find((r) => r.name === store.setup.robot)?.title ?? "";
+  }
+
+  private choose(name: string): void {
+    const info = store.catalogue?.robots.find((r) => r.name === name);
+    if (info) store.change({ robot: name, numbers: {}, drive: "", kit: info.kit, largest: [], gains: [], payload: 0, delay: -1, voltage: -1, dead_zone: -1 });
+  }
+
+  private bodies(): HTMLElement {
+    const names: BodyName[] = ["twin", "nonlinear", "linear", "published", ...(store.changed?.bodies.includes("calibrated") ? (["calibrated"] as BodyName[]) : [])];
+    const boxes = names.map((name) => {
+      const id = fresh("body");
+      const box = h("input", { type: "checkbox", id, checked: store.setup.bodies.includes(name), "data-key": `body-${name}`, onchange: () => {
+        const chosen = names.filter((n) => (n === name ? box.checked : store.setup.bodies.includes(n)));
+        if (chosen.length) store.change({ bodies: chosen });
+        else box.checked = true;
+      } });
+      return h("label", { "for": id, className: "check" }, box, legendEntry(name));
+    });
+    return h("fieldset", {}, h("legend", {}, t("bodies")), ...boxes);
+  }
+
+  override update(): void {
+    for (const [name, s] of this.sliders) s.set(store.setup[name] as number);
+    const shown = JSON.stringify([store.setup.robot, store.setup.numbers, store.changed?.bodies]);
+    if (shown === this.shown) return;
+    const again = this.shown !== "";
+    this.shown = shown;
+    if (again && !this.root.contains(document.activeElement)) this.build();
+    this.parameters();
+  }
+
+  private parameters(): void {
+    const base = store.catalogue?.robots.find((r) => r.name === store.setup.robot)?.numbers ?? {};
+    const values = { ...base, ...store.setup.numbers };
+    const rows = Object.entries(values).map(([name, value]) => {
+      const id = fresh("number");
+      const input = h("input", { type: "number", id, step: "any", value: String(value), "data-key": `number-${name}`, onchange: () => {
+        if (Number.isFinite(input.valueAsNumber)) store.change({ numbers: { ...store.setup.numbers, [name]: input.valueAsNumber } });
+      } });
+      const symbol = store.catalogue?.symbols[name] ?? "";
+      return h("div", { className: "parameter" }, h("label", { "for": id }, `${name.replaceAll("_", " ")} ${symbol}`), input, h("span", {}, store.catalogue?.units[name] ?? ""));
+    });
+    replace(this.table, ...rows, button(t("ownNumbers"), () => store.change({ numbers: {}, drive: "" }), { className: "quiet", "data-key": "own-numbers" }));
+  }
+}
+
+export class KitPanel extends Panel {
+  private sliders: [string, Slider][] = [];
+
+  build(): void {
+    const kits = (store.catalogue?.kits ?? []).map((name): [string, string] => [name, name === "ideal" ? t("ideal") : name]);
+    const choice = select(t("kit"), kits, store.setup.kit, (v) => store.change({ kit: v, delay: -1, voltage: -1, dead_zone: -1, noise: 1 }), "kit");
+    const unit = store.changed?.look.command_unit ?? "V";
+    this.sliders = [
+      ["noise", slider(t("noise"), { low: 0, high: 10, step: 0.1, show: (v) => `× ${digits(v, 2)}`, key: "noise" }, (v) => later({ noise: v }))],
+      ["delay", slider(t("delay"), { low: 0, high: 0.04, step: 0.002, show: (v) => `${digits(v * 1000, 2)} ms`, key: "delay" }, (v) => later({ delay: v }))],
+      ["voltage", slider(t("voltage"), { low: 1, high: 14, step: 0.1, show: (v) => (v > 0 ? `${digits(v, 3)} V` : t("unlimited")), key: "voltage" }, (v) => later({ voltage: v }))],
+      ["dead_zone", slider(t("deadZone"), { low: 0, high: unit === "V" ? 2 : 0.1, show: (v) => `${digits(v, 2)} ${unit}`, key: "dead_zone" }, (v) => later({ dead_zone: v }))],
+    ];
+    const own = button(t("ownKit"), () => store.change({ noise: 1, delay: -1, voltage: -1, dead_zone: -1 }), { className: "quiet", "data-key": "own-kit" });
+    replace(this.root, h("div", { className: "column" }, choice, own), h("div", { className: "column wide" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root))));
+    this.update();
+  }
+
+  override update(): void {
+    const kit = store.changed?.kit ?? {};
+    for (const [name, s] of this.sliders) s.set(name === "noise" ? store.setup.noise : kit[name]);
+    const box = this.root.querySelector<HTMLSelectElement>("[data-key=kit]");
+    if (box && document.activeElement !== box) box.value = store.setup.kit;
+  }
+}
+
+/** A file to be sent to the session's folder. */
+function upload(label: string, accept: string, what: "log" | "robot"): HTMLElement {
+  const id = fresh("file");
+  const input = h("input", { type: "file", id, accept, className: "file", "data-key": `open-${what}`, onchange: () => {
+    const file = input.files?.[0];
+    input.value = "";
+    if (file) void send(file, what);
+  } });
+  return h("div", { className: "upload" }, input, h("label", { "for": id, className: "button" }, label));
+}
+
+export let latestLog = "";
+
+async function send(file: File, what: "log" | "robot"): Promise<void> {
+  const address = `upload/${store.session}?what=${what}&name=${encodeURIComponent(file.name)}`;
+  store.hear({ kind: "Said", level: "info", text: t("uploaded", { name: file.name }) });
+  try {
+    const answer = await fetch(address, { method: "POST", body: file });
+    const said = (await answer.json()) as { name?: string; error?: string };
+    if (said.error) store.hear({ kind: "Said", level: "error", text: said.error });
+    else if (what === "log") latestLog = said.name ?? "";
+  } catch {
+    store.hear({ kind: "Said", level: "error", text: t("lost") });
+  }
+}
+
+export class IdentifyPanel extends Panel {
+  private bars = h("div", { className: "bars" });
+  private result = h("div", { className: "result", role: "region", "aria-live": "polite" });
+  private shares = new Map<Job, number>();
+  private source = "";
+
+  build(): void {
+    const choices: [string, string][] = [["", t("thisRun")]];
+    if (latestLog) choices.push([latestLog, latestLog.replace(/^in-/, "")]);
+    if (latestLog) this.source = latestLog;
+    const source = select(t("source"), choices, this.source, (v) => (this.source = v), "source");
+    const start = (job: Job) => store.send({ kind: "Start", job, file: this.source });
+    const row = h(
+      "div", { className: "row" },
+      button(t("doctor"), () => start("doctor"), { title: t("doctorTip"), "data-key": "doctor" }),
+      button(t("calibrate"), () => start("calibrate"), { title: t("calibrateTip"), "data-key": "calibrate" }),
+      button(t("compare"), () => store.send({ kind: "Save", what: "report" }), { title: t("compareTip"), "data-key": "compare" }),
+    );
+    const logs = ".csv,.txt,.log,.tsv,.dat,.json,.mat,.parquet,.mcap";
+    replace(
+      this.root,
+      h("div", { className: "column" }, source, upload(t("openLog"), logs, "log"), row, h("p", { className: "note" }, t("calibrateNote")), this.bars),
+      h("div", { className: "column wide" }, this.result),
+    );
+    this.found();
+  }
+
+  progress(job: Job, share: number): void {
+    if (share >= 1) this.shares.delete(job);
+    else this.shares.set(job, share);
+    const bars = [...this.shares].filter(([name]) => name !== "design").map(([name, done]) =>
+      h("div", { className: "bar" }, h("span", {}, named(name)), h("progress", { max: 1, value: done, "aria-label": named(name) }),
+        button(t("stop"), () => store.send({ kind: "Cancel", job: name }), { "data-key": `stop-${name}` })));
+    replace(this.bars, ...bars);
+  }
+
+  found(): void {
+    const f = store.found;
+    if (!f) return;
+    const text = f.text.split("\n").map((line) => h("p", { className: "note" }, line));
+    replace(this.result, h("h4", {}, f.title), ...text, f.rows.length ? table(f.header, f.rows) : null);
+  }
+}
+
+export class KeepPanel extends Panel {
+  private links = h("div", { className: "links", role: "status" });
+
+  constructor(private picture: () => Promise<Blob | null>) {
+    super();
+  }
+
+  build(): void {
+    const kinds: [Keep, string][] = [["csv", t("csv")], ["parquet", t("parquet")], ["report", t("report")], ["replay", t("replay")], ["controller", t("controllerFile")], ["robot", t("robotFile")]];
+    const buttons = kinds.map(([what, text]) => button(text, () => store.send({ kind: "Save", what }), { "data-key": `keep-${what}` }));
+    const picture = button(t("picture"), () => void this.photograph(), { "data-key": "picture" });
+    const link = button(t("link"), () => void this.copy(), { "data-key": "link" });
+    replace(this.root, h("div", { className: "column wide" }, h("p", { className: "note" }, t("keepNote")), h("div", { className: "row" }, ...buttons, picture, link), this.links));
+  }
+
+  private async photograph(): Promise<void> {
+    const blob = await this.picture();
+    if (blob) this.made(blob.type.includes("svg") ? "upright.svg" : "upright.png", URL.createObjectURL(blob));
+  }
+
+  private async copy(): Promise<void> {
+    const address = location.href.split("#")[0] + toLink(store.setup);
+    history.replaceState(null, "", address);
+    await navigator.clipboard?.writeText(address).catch(() => undefined);
+    const field = h("input", { readOnly: true, value: address, "aria-label": t("link"), className: "address" });
+    this.links.prepend(h("p", { className: "note" }, t("linkCopied"), field));
+    field.select();
+  }
+
+  made(name: string, url: string): void {
+    const link = h("a", { href: url, download: name }, t("made", { name }));
+    this.links.prepend(h("p", {}, link));
+    link.click();
+  }
+}

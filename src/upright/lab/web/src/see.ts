@@ -1,0 +1,168 @@
+// What can be looked at: the loop, the phase portrait, voltages, the estimate, and the equations with their numbers.
+import { Strip } from "./charts";
+import { digits, h, replace, select, table } from "./dom";
+import { ink, laneColour, laneDash } from "./palette";
+import { drawing } from "./plots";
+import { SYMBOLS, store } from "./store";
+import { t } from "./texts";
+
+type View = "loop" | "portrait" | "voltages" | "estimate" | "equations";
+const VIEWS: View[] = ["loop", "portrait", "voltages", "estimate", "equations"];
+const SECONDS = 8;
+const RATES = ["ψ̇", "ψ̈", "θ̇", "θ̈", "φ̇", "φ̈"];
+
+export class See {
+  root = h("div", { className: "see" });
+  private view: View = "loop";
+  private stage = h("div", { className: "stage" });
+  private strips: Strip[] = [];
+
+  build(): void {
+    const choices = VIEWS.map((view): [string, string] => [view, t(view)]);
+    const choice = select(t("tabSee"), choices, this.view, (view) => {
+      this.view = view as View;
+      this.show();
+    }, "view");
+    replace(this.root, choice, this.stage);
+    this.show();
+  }
+
+  /** What only changes when the session says so. */
+  show(): void {
+    this.strips = [];
+    if (this.view === "loop") replace(this.stage, ...this.loop());
+    else if (this.view === "equations") replace(this.stage, ...equations());
+    else if (this.view === "voltages") this.voltages();
+    else if (this.view === "estimate") this.estimate();
+    else this.portrait();
+  }
+
+  /** What moves. */
+  draw(): void {
+    if (this.view === "portrait") this.portrait();
+    if (!this.strips.length) return;
+    const traces = store.traces;
+    const end = traces.t.at(-1) ?? 0;
+    let first = traces.t.length;
+    while (first > 0 && traces.t[first - 1] >= end - SECONDS) first -= 1;
+    const time = traces.t.slice(first);
+    const cut = (line: number[]) => line.slice(first);
+    if (this.view === "estimate") {
+      this.strips[0].show(time, [cut(traces.x[0]?.[0] ?? []), cut(traces.estimate)], end - SECONDS, end);
+    } else {
+      const marks = [1, 2].map((bit, i) => cut(traces.saturated).map((s, k) => (s & bit ? traces.volts[i][first + k] : NaN)));
+      this.strips.forEach((strip, i) => strip.show(time, [cut(traces.volts[i]), marks[i]], end - SECONDS, end));
+    }
+  }
+
+  private voltages(): void {
+    const { text, push } = ink();
+    const unit = store.changed?.look.command_unit ?? "V";
+    this.strips = [t("leftMotor"), t("rightMotor")].map(
+      (side) => new Strip(side, unit, [{ label: side, colour: text, dash: [] }, { label: t("saturated"), colour: push, dash: [], width: 5 }], 150, 1),
+    );
+    const note = h("p", { className: "note" }, unit === "V" ? t("voltagesNote") : t("torquesNote"));
+    replace(this.stage, note, ...this.strips.map((s) => s.root));
+  }
+
+  private estimate(): void {
+    if (!store.snapshot?.e.length) {
+      replace(this.stage, h("p", { className: "note" }, t("noEstimate")));
+      return;
+    }
+    const { push } = ink();
+    const lines = [
+      { label: t("truth"), colour: laneColour(store.changed?.bodies[0] ?? "twin"), dash: [] },
+      { label: t("opinion"), colour: push, dash: [4, 3] },
+    ];
+    this.strips = [new Strip(`ψ: ${t("truth")} / ${t("opinion")}`, "rad", lines, 190, 0.02)];
+    replace(this.stage, h("p", { className: "note" }, t("estimateNote")), this.strips[0].root);
+  }
+
+  private portrait(): void {
+    const { t: time, x } = store.traces;
+    const start = (time.at(-1) ?? 0) - SECONDS;
+    let first = time.length;
+    while (first > 0 && time[first - 1] >= start) first -= 1;
+    const lines = x.map((body, i) => {
+      const name = store.changed?.bodies[i] ?? "";
+      return { x: body[0].slice(first), y: body[1].slice(first), colour: laneColour(name), dash: laneDash(name) };
+    });
+    const reach = (axis: "x" | "y", least: number) => Math.max(least, ...lines.map((l) => l[axis].reduce((m, v) => Math.max(m, Math.abs(v)), 0))) * 1.15;
+    const [a, b] = [reach("x", 0.05), reach("y", 0.4)];
+    const ends = lines.map((l) => ({ x: l.x.at(-1) ?? 0, y: l.y.at(-1) ?? 0, colour: l.colour }));
+    replace(this.stage, drawing({ title: t("portrait"), xLabel: `ψ ${t("pitch")} [rad]`, yLabel: "ψ̇ [rad/s]", lines, points: ends, x: [-a, a], y: [-b, b], square: true }));
+  }
+
+  private loop(): Node[] {
+    const found = store.analysed;
+    if (!found) return [h("p", { className: "note" }, t("designing"))];
+    const words = h("p", { className: "note" }, sentence(found.words));
+    const colour = laneColour("twin");
+    const drawings: Node[] = [words];
+    if (found.L.length === 3) drawings.push(...frequency(found.L, colour));
+    if (found.poles.length) drawings.push(poles(found.poles, colour));
+    return drawings;
+  }
+}
+
+function frequency([omega, re, im]: number[][], colour: string): Node[] {
+  const magnitude = omega.map((_, k) => 20 * Math.log10(Math.hypot(re[k], im[k])));
+  const phase = unwrapped(omega.map((_, k) => (Math.atan2(im[k], re[k]) * 180) / Math.PI));
+  const x: [number, number] = [omega[0], omega.at(-1) as number];
+  const range = (v: number[], pad: number): [number, number] => [Math.min(...v) - pad, Math.max(...v) + pad];
+  const bode = [
+    drawing({ title: t("bode"), xLabel: "ω [rad/s]", yLabel: "|L| [dB]", lines: [{ x: omega, y: magnitude, colour }], x, y: range(magnitude, 3), logX: true, marks: [{ y: 0 }] }),
+    drawing({ title: t("bode"), xLabel: "ω [rad/s]", yLabel: "∠L [°]", lines: [{ x: omega, y: phase, colour }], x, y: range(phase, 8), logX: true, marks: [{ y: -180 }] }),
+  ];
+  const mirrored = im.map((v) => -v);
+  const nyquist = drawing({
+    title: t("nyquist"), xLabel: "Re L", yLabel: "Im L", square: true, x: [-3.2, 1.6], y: [-2, 2], circle: true,
+    lines: [{ x: re, y: im, colour }, { x: re, y: mirrored, colour, dash: [4, 3] }], points: [{ x: -1, y: 0, colour: ink().push, cross: true }],
+  });
+  return [titled(t("bode"), ...bode), titled(t("nyquist"), nyquist)];
+}
+
+function poles(all: number[][], colour: string): HTMLElement {
+  const points = all.map(([x, y]) => ({ x, y, colour: Math.hypot(x, y) >= 1 ? ink().push : colour, cross: true }));
+  const reach = Math.max(1.15, ...all.map(([x, y]) => Math.max(Math.abs(x), Math.abs(y)) * 1.1));
+  const wide = reach * 1.2;
+  return titled(t("poles"), drawing({ title: t("poles"), xLabel: "Re z", yLabel: "Im z", points, x: [-wide, wide], y: [-reach, reach], square: true, circle: true }));
+}
+
+/** With a capital. */
+export function sentence(words: string): string {
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+function titled(title: string, ...drawings: Node[]): HTMLElement {
+  return h("figure", { className: "titled" }, h("figcaption", {}, title), ...drawings);
+}
+
+function unwrapped(phase: number[]): number[] {
+  let turn = 0;
+  return phase.map((v, k) => {
+    if (k) turn += Math.round((phase[k - 1] - v) / 360) * 360;
+    return v + turn;
+  }).map((v, _k, all) => v - Math.round((all[0] + 180) / 360) * 360);
+}
+
+function equations(): Node[] {
+  const e = store.equations;
+  if (!e) return [];
+  const [a11, a12, a22, a33] = e.inertias.map((v) => digits(v, 4));
+  const [alpha, beta, weight, lever] = [e.alpha, e.beta, e.weight, e.lever].map((v) => digits(v, 4));
+  const lines = [
+    `${a11} θ̈ + (${digits(e.lever, 4)} cos ψ − ${digits(e.lever - e.inertias[1], 3)}) ψ̈ − ${lever} ψ̇² sin ψ = ${alpha} (v_l + v_r) − 2·${beta} (θ̇ − ψ̇)`,
+    `${a12} θ̈ + ${a22} ψ̈ − ${weight} sin ψ = −${alpha} (v_l + v_r) + 2·${beta} (θ̇ − ψ̇)`,
+    `${a33} φ̈ = W/2R · ${alpha} (v_r − v_l) − …`,
+    `α = ${alpha}   β = ${beta}   M g L = ${weight} N m   M L R = ${lever} kg m²`,
+  ];
+  const matrix = (name: string, M: number[][]) => table([name, ...M[0].map((_, i) => (name === "A" ? SYMBOLS[i] : ["v_l", "v_r"][i]))], M.map((row, i) => [RATES[i], ...row.map((v) => digits(v, 4))]), "matrix");
+  const open = e.poles.map(([re, im]) => digits(re, 4) + (im ? ` ± ${digits(Math.abs(im), 3)}j` : "")).join(",  ");
+  return [
+    h("pre", { className: "equations", tabIndex: 0 }, lines.join("\n")),
+    h("p", {}, `${t("openPoles")}: ${open} 1/s`),
+    h("h4", {}, t("linearised")), matrix("A", e.A), matrix("B", e.B),
+  ];
+}

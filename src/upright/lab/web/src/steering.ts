@@ -1,0 +1,75 @@
+// Arrow keys and a gamepad's stick drive and turn; F and B push for as long as they are held.
+import { store } from "./store";
+
+const SPEED = 0.25; // [m/s]
+const RATE = 1.5; // [rad/s]
+const PUSH = 0.12; // weights of the robot
+const DEAD = 0.15; // of a stick
+
+export class Steering {
+  private held = new Set<string>();
+  private last = "";
+  private asked = 0;
+
+  constructor() {
+    window.addEventListener("keydown", (event) => this.down(event));
+    window.addEventListener("keyup", (event) => this.up(event));
+    window.addEventListener("blur", () => this.release());
+  }
+
+  private down(event: KeyboardEvent): void {
+    const at = event.target as HTMLElement;
+    if (event.repeat || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (/^(INPUT|SELECT|TEXTAREA)$/.test(at.tagName) || at.getAttribute("role") === "tab" || at.closest("dialog")) return;
+    if (!/^(Arrow(Up|Down|Left|Right)|f|b)$/.test(event.key)) return;
+    event.preventDefault();
+    this.held.add(event.key);
+    this.push();
+    this.steer(...this.keys());
+  }
+
+  private up(event: KeyboardEvent): void {
+    if (!this.held.delete(event.key)) return;
+    this.push();
+    this.steer(...this.keys());
+  }
+
+  private release(): void {
+    if (!this.held.size) return;
+    this.held.clear();
+    this.push();
+    this.steer(0, 0);
+  }
+
+  private keys(): [number, number] {
+    const key = (name: string) => (this.held.has(name) ? 1 : 0);
+    return [SPEED * (key("ArrowUp") - key("ArrowDown")), RATE * (key("ArrowLeft") - key("ArrowRight"))];
+  }
+
+  private pushing = false;
+
+  private push(): void {
+    const way = (this.held.has("b") ? 1 : 0) - (this.held.has("f") ? 1 : 0);
+    if (!way && !this.pushing) return;
+    this.pushing = way !== 0;
+    const look = store.changed?.look;
+    store.send({ kind: "Drag", force: way * PUSH * (look?.weight ?? 6), height: look?.com_height ?? 0.07 });
+  }
+
+  private steer(speed: number, rate: number): void {
+    const now = `${speed.toFixed(2)} ${rate.toFixed(2)}`;
+    if (now === this.last) return;
+    this.last = now;
+    store.send({ kind: "Steer", speed, rate });
+  }
+
+  /** Ask the gamepad, a few times a second. */
+  tick(now: number): void {
+    if (now - this.asked < 60) return;
+    this.asked = now;
+    const pad = navigator.getGamepads?.().find((p) => p?.connected);
+    if (!pad || this.held.size) return;
+    const live = (v: number) => (Math.abs(v) < DEAD ? 0 : v);
+    this.steer(-SPEED * live(pad.axes[1] ?? 0), -RATE * live(pad.axes[0] ?? 0));
+  }
+}

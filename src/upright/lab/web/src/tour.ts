@@ -1,0 +1,57 @@
+// The paper as a tour of eight steps: what to do, what to watch, and a question.
+import { button, h, replace } from "./dom";
+import { DEFAULT_SETUP } from "./messages";
+import type { Setup } from "./messages";
+import { store } from "./store";
+import { t, texts } from "./texts";
+
+interface Scene {
+  setup: Partial<Setup>;
+  lean: number;
+  strike?: "front" | "back";
+}
+
+const THREE: Setup["bodies"] = ["twin", "nonlinear", "linear"];
+const SCENES: Scene[] = [
+  { setup: { controller: "off", bodies: THREE }, lean: 0.02 },
+  { setup: { controller: "off", kit: "ideal", bodies: ["nonlinear", "linear"] }, lean: 0.03 },
+  { setup: { controller: "lqr", bodies: THREE }, lean: 0.1 },
+  { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "front" },
+  { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "back" },
+  { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "front" },
+  { setup: { controller: "lqr", bodies: THREE, payload: 0.12, payload_height: 0.2 }, lean: 0 },
+  { setup: { controller: "robust", bodies: THREE, payload: 0.12, payload_height: 0.2 }, lean: 0 },
+];
+
+export class Tour {
+  root = h("div", { className: "panel-body tour" });
+  private at = 0;
+
+  build(): void {
+    const step = texts().tour[this.at];
+    const part = (title: string, text: string) => h("div", { className: "hint-part" }, h("h4", {}, title), h("p", {}, text));
+    const move = (by: number) => () => {
+      this.at += by;
+      this.build();
+    };
+    replace(
+      this.root,
+      h("div", { className: "column wide" },
+        h("p", { className: "note" }, t("tourStep", { n: this.at + 1 })),
+        h("h3", {}, step.title),
+        h("div", { className: "hints" }, part(t("tourDo"), step.do), part(t("tourWatch"), step.watch), part(t("tourAsk"), step.ask)),
+        h("div", { className: "row" },
+          button(t("previous"), move(-1), { disabled: this.at === 0, "data-key": "tour-previous" }),
+          button(t("tourSet"), () => this.set(), { className: "main", "data-key": "tour-set" }),
+          button(t("next"), move(1), { disabled: this.at === SCENES.length - 1, "data-key": "tour-next" }))),
+    );
+  }
+
+  private set(): void {
+    const { setup, lean, strike } = SCENES[this.at];
+    store.change({ ...DEFAULT_SETUP, ...setup });
+    store.send({ kind: "Play", paused: false, speed: 1 });
+    store.send({ kind: "StandUp", pitch: lean });
+    if (strike) window.setTimeout(() => store.send({ kind: "Strike", what: strike, size: strike === "front" ? 0.1 : -0.12 }), 1000);
+  }
+}

@@ -1,0 +1,480 @@
+"""The lab's page in a real browser: pushed with the mouse, every control used, and nothing lost on the way."""
+
+from __future__ import annotations
+
+import re
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from upright.signals import Log
+
+pytestmark = [pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow]
+
+FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
+PATIENCE = 180.0  # [s] for a busy machine; nothing here is about speed
+
+
+class Lab:
+    """`upright lab` as a user starts it, which can be stopped and started again on its port."""
+
+    def __init__(self, *options: str) -> None:
+        self.options, self.port, self.said = options, 0, ""
+        self.start()
+
+    def start(self) -> None:
+        command = [
+            sys.executable,
+            "-m",
+            "upright.cli.main",
+            "lab",
+            "--port",
+            str(self.port),
+            "--no-browser",
+            *self.options,
+        ]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        assert self.process.stdout
+        self.said = self.process.stdout.readline()
+        if "--class" in self.options:
+            self.said += self.process.stdout.readline()
+        self.url = re.findall(r"http://\S+", self.said)[0]
+        self.port = int(re.findall(r":(\d+)/", self.url)[0])
+
+    def stop(self) -> None:
+        self.process.send_signal(signal.SIGINT)
+        self.process.communicate(timeout=30)
+
+
+@pytest.fixture(scope="module")
+def lab() -> Iterator[Lab]:
+    made = Lab()
+    yield made
+    made.stop()
+
+
+@pytest.fixture(scope="module")
+def driver() -> Iterator[Any]:
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as made:
+        yield made
+
+
+@pytest.fixture(scope="module")
+def chromium(driver: Any) -> Iterator[Any]:
+    """A browser without 3-D, as on some school machines: charts and buttons do everything but the picture."""
+    browser = driver.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox", "--disable-3d-apis"])
+    yield browser
+    browser.close()
+
+
+@pytest.fixture
+def seen(driver: Any, lab: Lab) -> Iterator[Any]:
+    """A page in a browser that draws the room, in software."""
+    browser = driver.chromium.launch(executable_path="/usr/bin/chromium", args=FLAGS)
+    yield from watched(browser, lab)
+    browser.close()
+
+
+@pytest.fixture
+def page(chromium: Any, lab: Lab) -> Iterator[Any]:
+    """A fresh page on the lab."""
+    yield from watched(chromium, lab)
+
+
+def watched(browser: Any, lab: Lab) -> Iterator[Any]:
+    """A page that has heard from its session; it may ask no other host and log no error."""
+    context = browser.new_context(viewport={"width": 900, "height": 640}, accept_downloads=True)
+    context.set_default_timeout(PATIENCE * 1000)
+    made = context.new_page()
+    asked, wrong = [], []
+    made.on("request", lambda request: asked.append(request.url))
+    made.on("pageerror", lambda error: wrong.append(str(error)))
+    made.on("console", lambda message: wrong.append(message.text) if message.type == "error" else None)
+    made.goto(lab.url)
+    ready(made)
+    yield made
+    context.close()
+    assert [url for url in asked if not url.startswith((lab.url, "data:", "blob:"))] == []
+    harmless = ("WebSocket", "ERR_CONNECTION", "WebGL")
+    assert [text for text in wrong if not any(word in text for word in harmless)] == []
+
+
+def until(page: Any, expression: str, wanted: Callable[[Any], bool] = bool) -> Any:
+    """What the expression gives once it is wanted; the page forbids `eval`, so it is asked again and again."""
+    end, found = time.monotonic() + PATIENCE, None
+    while time.monotonic() < end:
+        found = page.evaluate(expression)
+        if wanted(found):
+            return found
+        page.wait_for_timeout(30)
+    raise AssertionError(f"{expression} stayed {found}")
+
+
+def ready(page: Any) -> None:
+    until(page, "Boolean(window.upright?.store.snapshot && document.querySelector('#panel').firstChild)")
+
+
+def tab(page: Any, name: str) -> None:
+    page.click(f"#tab-{name}")
+
+
+def setup(page: Any) -> dict[str, Any]:
+    return page.evaluate("upright.store.setup")
+
+
+def test_a_mouse_drags_the_robot_and_it_leans_the_right_way(seen):
+    """The camera looks from the right side, so that forward is to the right: pulled there, ψ grows at first.
+
+    Paused and stepped with a key while the mouse holds the robot, so that a slow picture decides nothing.
+    """
+    for way in (1, -1):
+        seen.click("[data-key=stand]")
+        until(seen, "!upright.store.snapshot.paused")
+        seen.click("[data-key=pause]")
+        until(seen, "upright.store.snapshot.paused && Math.abs(upright.store.snapshot.x[0][0]) < 0.004")
+        box, at = seen.locator(".room").bounding_box(), seen.evaluate("upright.page.grasp()")
+        x, y = box["x"] + at["x"], box["y"] + at["y"]
+        before = seen.evaluate("upright.store.snapshot.x[0][0]")
+        seen.mouse.move(x, y)
+        seen.mouse.down()
+        for k in range(1, 6):
+            seen.mouse.move(x + way * 8 * k, y)
+        seen.wait_for_timeout(200)  # longer than the page gathers moves for
+        for _ in range(4):
+            seen.keyboard.press(".")
+        force = until(seen, "upright.store.snapshot.f[0]", lambda f, way=way: f * way > 0.05)
+        assert force * way < 0.81 * 0.6 * 9.81  # never more than 0.8 of its weight
+        until(seen, f"upright.store.snapshot.x[0][0] - {before}", lambda lean, way=way: lean * way > 0.003)
+        assert seen.inner_text(".force").endswith("N")
+        seen.mouse.up()
+        seen.wait_for_timeout(100)
+        seen.keyboard.press(".")
+        until(seen, "upright.store.snapshot.f[0] === 0")
+    assert _colours(seen) > 200  # a robot, its shadow and ghosts in a room: not an empty canvas
+
+
+def _colours(page: Any) -> int:
+    """How many colours the room is drawn with."""
+    return page.evaluate("""async () => {
+        const image = await createImageBitmap(await upright.page.picture());
+        const canvas = new OffscreenCanvas(image.width, image.height);
+        canvas.getContext('2d').drawImage(image, 0, 0);
+        const data = canvas.getContext('2d').getImageData(0, 0, image.width, image.height).data;
+        return new Set(new Uint32Array(data.buffer)).size;
+    }""")
+
+
+def test_the_side_view_of_a_browser_without_3d_can_be_pushed_too(page):
+    page.click("[data-key=pause]")
+    until(page, "upright.store.snapshot.paused")
+    box, at = page.locator(".flat").bounding_box(), page.evaluate("upright.page.grasp()")
+    x, y = box["x"] + at["x"], box["y"] + at["y"]
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x - 30, y)
+    page.wait_for_timeout(200)
+    page.keyboard.press(".")
+    until(page, "upright.store.snapshot.f[0] < -0.05")
+    page.mouse.up()
+
+
+def test_at_first_sight(page):
+    assert page.title() == "upright lab"
+    assert page.locator(".strip").count() == 6
+    units = page.locator(".strip figcaption span").all_inner_texts()
+    assert units == ["rad", "rad/s"] * 3
+    assert page.locator(".legend .key").all_inner_texts() == ["twin", "nonlinear", "linear"]
+    key = "[...document.querySelectorAll('.legend line')]"
+    lines = page.evaluate(key + ".map(l => [l.getAttribute('stroke'), l.getAttribute('stroke-dasharray')])")
+    assert len({colour for colour, _ in lines}) == len({dash for _, dash in lines}) == 3  # twice told apart
+    assert page.inner_text(".status") == "Live"
+    assert until(page, "upright.store.lit?.light", lambda light: light not in (None, "none")) == "green"
+    assert "green" in page.inner_text(".headlight")
+
+
+def test_every_control_of_the_page_is_used(page):
+    """Each is moved or pressed once; every set-up that comes of it runs, and what must follow does."""
+    used: set[str] = set()
+    for name in ("Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour"):
+        tab(page, name)
+        if name == "Robot":
+            page.click("summary")
+        used |= _work(page)
+    for family in ("gains", "off"):
+        tab(page, "Controller")
+        page.select_option("[data-key=controller]", family)
+        until(page, f"upright.store.changed.setup.controller === '{family}'")
+        used |= _work(page, "#panel ")
+    wanted = {
+        "controller",
+        "weight-0",
+        "gain-0",
+        "robot",
+        "payload",
+        "slope",
+        "grip",
+        "kit",
+        "noise",
+        "delay",
+        "voltage",
+    }
+    wanted |= {
+        "dead_zone",
+        "view",
+        "doctor",
+        "calibrate",
+        "compare",
+        "certify",
+        "pause",
+        "step",
+        "speed",
+        "scrub",
+        "front",
+    }
+    wanted |= {
+        "back",
+        "impulse",
+        "knock",
+        "tug_left",
+        "tug_right",
+        "tilt",
+        "stand",
+        "language",
+        "theme",
+        "help",
+        "link",
+    }
+    wanted |= {
+        "picture",
+        "keep-csv",
+        "keep-replay",
+        "keep-robot",
+        "tour-set",
+        "tour-next",
+        "body-published",
+        "number-gravity",
+    }
+    assert wanted <= used
+    before = page.evaluate("upright.store.snapshot.n")
+    page.click("[data-key=stand]")
+    until(page, f"upright.store.snapshot.n > {before} && !upright.store.snapshot.paused")
+
+
+def _work(page: Any, where: str = "") -> set[str]:
+    """Use every control that is seen, and return their keys."""
+    used: set[str] = set()
+    keys = page.evaluate(
+        f"[...document.querySelectorAll('{where}[data-key]')].filter(e => e.offsetParent).map(e => e.dataset.key)"
+    )
+    for key in keys:
+        target = page.locator(f"[data-key='{key}']").first
+        if not key or key.startswith(("tab-", "open-", "stop-")) or not target.is_visible() or not target.is_enabled():
+            continue
+        _use(page, target, key)
+        used.add(key)
+    return used
+
+
+def _use(page: Any, target: Any, key: str) -> None:
+    kind = target.evaluate("e => e.tagName + ' ' + (e.type ?? '')")
+    if kind == "INPUT range":
+        target.focus()
+        page.keyboard.press("ArrowLeft")
+    elif kind == "INPUT number":
+        target.fill(str(float(target.input_value()) * 1.001))
+        page.keyboard.press("Enter")
+    elif kind.startswith("SELECT"):
+        choices = target.evaluate("e => [...e.options].map(o => o.value)")
+        chosen = target.input_value()
+        for choice in [c for c in choices if c != chosen][: 4 if key == "view" else 1]:
+            target.select_option(choice)
+        target.select_option(chosen)
+    elif kind == "INPUT checkbox":
+        target.click()
+        target.click()
+    else:
+        target.click()
+        if key == "help":
+            page.keyboard.press("Escape")
+
+
+def test_sliders_and_choices_reach_the_session(page):
+    page.locator("[data-key=weight-0]").focus()
+    for _ in range(5):
+        page.keyboard.press("ArrowLeft")
+    until(page, "upright.store.changed.setup.largest[0]", lambda size: size is not None and size < 0.15)
+    until(
+        page, "upright.store.analysed?.gain[0]?.[0]", lambda gain: gain is not None and gain < -26.9
+    )  # stricter than usual
+    tab(page, "Robot")
+    page.locator("[data-key=payload]").focus()
+    page.keyboard.press("PageUp")
+    until(page, "upright.store.changed.look.payload > 0")
+    page.select_option("[data-key=robot]", "twipr")
+    until(page, "upright.store.changed.look.command_unit === 'N m'")
+    tab(page, "Kit")
+    page.select_option("[data-key=kit]", "ideal")
+    until(page, "upright.store.changed.setup.kit === 'ideal' && upright.store.changed.look.limit === null")
+
+
+def test_a_log_is_uploaded_and_a_report_downloaded(page, tmp_path):
+    page.click("[data-key=front]")
+    until(page, "upright.store.snapshot.t > 1.5")
+    tab(page, "Keep")
+    with page.expect_download() as fetched:
+        page.click("[data-key=keep-csv]")
+    fetched.value.save_as(tmp_path / "mine.csv")
+    log = Log.load(tmp_path / "mine.csv")
+    assert log.origin["body"]["kind"].startswith("twin")
+    tab(page, "Identify")
+    page.set_input_files("[data-key=open-log]", str(tmp_path / "mine.csv"))
+    until(page, "upright.store.found?.job === 'doctor'")
+    assert "in-mine.csv" in page.inner_text(".result")
+    with page.expect_download() as fetched:
+        page.click("[data-key=compare]")
+    report = Path(fetched.value.path()).read_text("utf-8")
+    assert all(body in report for body in ("twin", "nonlinear", "linear"))
+
+
+def test_a_recording_replays_without_a_server(page, chromium, tmp_path):
+    page.click("[data-key=impulse]")
+    until(page, "upright.store.snapshot.t > 1.5")
+    tab(page, "Keep")
+    with page.expect_download() as fetched:
+        page.click("[data-key=keep-replay]")
+    fetched.value.save_as(tmp_path / "replay.html")
+    alone = chromium.new_context(viewport={"width": 700, "height": 500}, offline=True).new_page()
+    wrong: list[str] = []
+    alone.on("pageerror", lambda error: wrong.append(str(error)))
+    alone.goto((tmp_path / "replay.html").as_uri())
+    until(alone, "upright.store.snapshot?.t > 0.3")
+    assert alone.inner_text(".status") == "Recording"
+    assert max(map(abs, alone.evaluate("upright.store.traces.x[0][0]"))) < 0.5
+    alone.click("[data-key=pause]")
+    until(alone, "upright.store.snapshot.paused")
+    assert wrong == []
+    alone.context.close()
+
+
+def test_a_reload_and_a_restart_of_the_server_are_survived(page, lab):
+    tab(page, "Controller")
+    page.select_option("[data-key=controller]", "lqi")
+    until(page, "upright.store.changed.setup.controller === 'lqi'")
+    t = until(page, "upright.store.snapshot.t", lambda t: t > 0.5)
+    page.reload()
+    ready(page)
+    assert page.evaluate("upright.store.snapshot.t") >= t
+    assert setup(page)["controller"] == "lqi"
+    lab.stop()
+    until(page, "document.querySelector('.status').textContent", lambda text: text.startswith("No connection"))
+    lab.start()
+    until(page, "document.querySelector('.status').textContent === 'Live'")
+    until(page, "upright.store.snapshot.t < 30")
+    assert setup(page)["controller"] == "lqi"
+
+
+def test_a_link_restores_the_whole_setup(page, chromium, lab):
+    page.evaluate("upright.store.change({controller: 'lqi', payload: 0.05, slope: 0.05, numbers: {body_mass: 0.65}})")
+    until(page, "upright.store.changed.setup.controller === 'lqi'")
+    tab(page, "Keep")
+    page.click("[data-key=link]")
+    address = page.input_value(".address")
+    other = chromium.new_context().new_page()
+    other.goto(address)
+    ready(other)
+    assert setup(other) == setup(page)
+    other.context.close()
+
+
+def test_the_keyboard_alone_does_it(page):
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.className") == "skip"
+    page.keyboard.press("Enter")
+    assert page.evaluate("document.activeElement.id") == "panel"
+    page.keyboard.press("Space")
+    until(page, "upright.store.snapshot.paused")
+    before = page.evaluate("upright.store.snapshot.t")
+    page.keyboard.press(".")
+    until(page, f"upright.store.snapshot.t > {before} + 0.009")
+    page.keyboard.press(",")
+    until(page, "upright.store.snapshot.back === 0.25")
+    page.keyboard.press("Space")
+    until(page, "!upright.store.snapshot.paused")
+    page.keyboard.down("ArrowUp")
+    until(page, "upright.store.snapshot.r[0]", lambda wanted: wanted > 1)  # the reference rolls forward
+    page.keyboard.up("ArrowUp")
+    page.keyboard.down("ArrowLeft")
+    until(page, "upright.store.snapshot.r[1]", lambda wanted: wanted > 0.2)  # and turns anticlockwise
+    page.keyboard.up("ArrowLeft")
+    page.keyboard.down("b")
+    until(page, "upright.store.snapshot.f[0] > 0.3")  # from behind is forward
+    page.keyboard.up("b")
+    until(page, "upright.store.snapshot.f[0] === 0")
+    page.keyboard.press("?")
+    assert page.locator("dialog.help").is_visible()
+    page.keyboard.press("Escape")
+    page.locator("#tab-Controller").focus()
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate("document.activeElement.id") == "tab-Robot"
+    assert page.locator("#tab-Robot").get_attribute("aria-selected") == "true"
+
+
+def test_everything_has_a_name_for_who_does_not_see_it(page):
+    nameless = """[...document.querySelectorAll('button, input, select, canvas, progress, [role=tab], [role=img]')]
+        .filter(e => e.offsetParent && !e.closest('[aria-hidden=true]')
+            && !(e.getAttribute('aria-label') || e.textContent.trim()
+            || [...(e.labels ?? [])].some(l => l.textContent.trim()))).map(e => e.outerHTML.slice(0, 80))"""
+    for name in ("Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour"):
+        tab(page, name)
+        assert page.evaluate(nameless) == []
+    until(page, "document.querySelector('.room').getAttribute('aria-label')", lambda text: "leans" in text)
+    page.select_option("[data-key=language]", "es")
+    assert page.evaluate("document.documentElement.lang") == "es"
+    assert page.inner_text("#tab-Controller") == "Controlador"
+    assert page.evaluate(nameless) == []
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_a_phone_shows_all_of_it_without_scrolling_sideways(chromium, lab, scheme):
+    context = chromium.new_context(viewport={"width": 360, "height": 720}, color_scheme=scheme, has_touch=True)
+    page = context.new_page()
+    page.goto(lab.url)
+    ready(page)
+    assert page.evaluate("document.documentElement.dataset.theme") == scheme
+    for name in ("Controller", "Robot", "See", "Identify", "Tour"):
+        tab(page, name)
+        assert page.evaluate("document.documentElement.scrollWidth") <= 360, name
+    context.close()
+
+
+def test_a_class_in_the_browser(chromium):
+    lab = Lab("--class", "--host", "127.0.0.2")
+    try:
+        students, teacher = re.findall(r"http://\S+", lab.said)
+        context = chromium.new_context(viewport={"width": 500, "height": 500})
+        ana = context.new_page()
+        ana.goto(students)
+        ana.fill("#name", "Ana")
+        ana.keyboard.press("Enter")
+        ready(ana)
+        assert ana.evaluate("upright.store.changed.bodies") == ["nonlinear", "linear"]
+        assert "token" not in ana.url  # a link that is passed on lets nobody in
+        front = chromium.new_context(viewport={"width": 500, "height": 500}).new_page()
+        front.goto(teacher)
+        ready(front)
+        tab(front, "Class")
+        until(front, "document.querySelector('.board tbody')?.textContent.includes('Ana')")
+        front.evaluate("upright.store.change({controller: 'lqi'})")
+        until(front, "upright.store.changed.setup.controller === 'lqi'")
+        front.click("[data-key=broadcast]")
+        until(ana, "upright.store.changed.setup.controller === 'lqi'")
+    finally:
+        lab.stop()

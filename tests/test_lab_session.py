@@ -1,0 +1,440 @@
+"""The lab's session: bodies side by side under pushes, without any server."""
+
+from __future__ import annotations
+
+import math
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from upright.bodies import Electronics, NonlinearBody
+from upright.control import lqg
+from upright.experiment import Hold, run
+from upright.lab.answers import catalogue
+from upright.lab.desk import InlineDesk, ProcessDesk
+from upright.lab.messages import (
+    Analysed,
+    Broadcast,
+    Change,
+    Changed,
+    Drag,
+    Found,
+    Lit,
+    Made,
+    Play,
+    Recovered,
+    Said,
+    Save,
+    Scrub,
+    Setup,
+    StandUp,
+    Start,
+    Steer,
+    Step,
+    Strike,
+    Uploaded,
+)  # fmt: skip
+from upright.lab.plant import COARSE, FINE, Tugged, loaded
+from upright.lab.ring import Ring
+from upright.lab.session import KEPT, Session
+from upright.physics.dynamics import Disturbance, derivative, mass_matrix
+from upright.physics.linear import unstable_pole
+from upright.robots import Kit, Robot
+from upright.signals import Log
+
+ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+MODEL = Setup(bodies=("nonlinear",))
+
+
+def a_session(tmp_path: Path, setup: Setup = MODEL, **options: object) -> tuple[Session, InlineDesk]:
+    """A session of coarse steps, as in a class, where a test does not ask for fine ones."""
+    desk = InlineDesk()
+    return Session(setup, desk, tmp_path, name="s", **({"fine": COARSE} | options)), desk  # type: ignore[arg-type]
+
+
+def attended(session: Session, desk: InlineDesk) -> list[object]:
+    """All that the session says once its desk has done everything."""
+    while words := desk.poll():
+        for (_, job), status, result in words:
+            session.told(job, status, result)
+    return session.events()
+
+
+def only(kind: type, events: list[object]) -> list:
+    return [event for event in events if isinstance(event, kind)]
+
+
+def test_a_session_is_the_loop_of_run(tmp_path):
+    """Pushed by name, the lab records bit for bit what `run` records of the same body, controller, push and seed."""
+    session, _ = a_session(tmp_path, replace(MODEL, seed=3), fine=FINE)
+    session.handle(Strike("front", 0.1))
+    for _ in range(50):
+        session.advance(0.04)
+    log = session.logs()["nonlinear"]
+    body = Electronics(NonlinearBody(ROBOT, period=FINE), KIT)
+    same = run(body, lqg(ROBOT, KIT, KIT.period), Hold(pitch=0.1, until=3.0), seconds=2.0, seed=3)
+    assert len(log) == len(same) == 200  # 2 s of 10 ms
+    for name in same.channels:
+        assert np.array_equal(log[name], same[name]), name
+
+
+def test_the_same_messages_give_the_same_robots(tmp_path):
+    def played() -> list[object]:
+        session, _ = a_session(tmp_path, Setup())
+        seen = []
+        for message in (
+            Drag(1.0, 0.07),
+            Drag(0.0, 0.0),
+            Steer(0.2, 0.5),
+            Change(Setup(controller="lqi")),
+            StandUp(0.05),
+        ):
+            session.handle(message)
+            session.advance(0.3)
+            seen.append(session.snapshot())
+        return seen
+
+    assert played() == played()
+
+
+@pytest.mark.parametrize("bodies", [("twin",), ("nonlinear",), ("linear",)])
+@pytest.mark.parametrize("force", [1.0, -1.0])
+def test_a_push_from_behind_leans_the_robot_forward_at_first(tmp_path, bodies, force):
+    session, _ = a_session(tmp_path, Setup(bodies=bodies))
+    session.handle(Drag(force, ROBOT.com_height))
+    session.advance(0.05)
+    pitch, wheel = session.snapshot().x[0][0], session.snapshot().x[0][2]
+    assert math.copysign(1, pitch) == force
+    assert abs(wheel) > 0
+
+
+def test_a_tug_is_a_force_at_one_end_of_the_axle(tmp_path):
+    """At rest without a controller: ψ̈ and θ̈ of that force at the axle, and φ̈ = −F W/2 over the yaw inertia."""
+    dt = 1e-5  # [s] the fastest pole is −270 1/s: rates are accelerations times dt to half of 2.7 permille
+    body = Tugged(NonlinearBody(ROBOT, period=dt))
+    body.tug(0.5)
+    found = body.step((0.0, 0.0), Disturbance(0.5, 0.0, 0.0))
+    _, pitch_acc, _, wheel_acc, _, _ = derivative((0.0,) * 6, (0.0, 0.0), ROBOT, Disturbance(0.5, 0.0, 0.0))
+    yaw_acc = -0.5 * ROBOT.track / 2 / mass_matrix(1.0, 0.0, ROBOT)[3]
+    assert found.values[[1, 3, 5]] / dt == pytest.approx([pitch_acc, wheel_acc, yaw_acc], rel=0.002)
+    assert found.applied == (0.0, 0.0)  # nobody commanded anything
+
+
+def test_the_two_wheels_are_tugged_alike(tmp_path):
+    turns = []
+    for what in ("tug_left", "tug_right"):
+        session, _ = a_session(tmp_path, replace(MODEL, controller="off", kit="ideal"))
+        session.handle(Strike(what, 0.5))
+        session.handle(Step(1))
+        turns.append(session.lanes[0].state()[5])
+    assert turns[0] == -turns[1] < 0  # pulled on its left it turns clockwise
+
+
+def test_a_payload_shifts_mass_and_inertia_by_the_parallel_axes():
+    heavier = loaded(ROBOT, 0.2, 0.3)
+    about_axle = ROBOT.pitch_inertia + ROBOT.body_mass * ROBOT.com_height**2 + 0.2 * 0.3**2
+    mass = heavier.body_mass * heavier.com_height
+    assert heavier.body_mass == pytest.approx(ROBOT.body_mass + 0.2)
+    assert mass == pytest.approx(ROBOT.body_mass * ROBOT.com_height + 0.2 * 0.3)
+    assert heavier.pitch_inertia + heavier.body_mass * heavier.com_height**2 == pytest.approx(about_axle)
+    assert loaded(ROBOT, 0.0, 0.3) is ROBOT
+
+
+def test_the_payload_is_unknown_to_controller_and_linear_model(tmp_path):
+    session, _ = a_session(tmp_path, Setup(bodies=("nonlinear", "linear"), payload=0.1))
+    plain, _ = a_session(tmp_path, Setup(bodies=("nonlinear", "linear")))
+    kinds = [lane.controller.to_json() for lane in (*session.lanes, *plain.lanes)]
+    assert all(kind == kinds[0] for kind in kinds)
+    assert session.lanes[1].body.spec.robot == ROBOT
+    assert session.lanes[0].body.spec.robot.body_mass == pytest.approx(ROBOT.body_mass + 0.1)
+
+
+@pytest.mark.parametrize("family", ["lqi", "lqr-complementary", "mpc", "sliding", "pid"])
+def test_the_controller_can_be_changed_while_it_stands(tmp_path, family):
+    """Far from where it was switched on, turned and rolling, it takes the new controller without falling or jumping."""
+    session, desk = a_session(tmp_path, certified=False)
+    session.handle(Steer(0.2, 1.0))
+    session.advance(1.0)
+    session.advance(1.0)
+    session.handle(Steer(0.0, 0.0))
+    session.advance(1.0)
+    before = session.snapshot().x[0]
+    session.handle(Change(replace(MODEL, controller=family)))
+    attended(session, desk)
+    after = session.snapshot().x[0]
+    assert before[2] > 5  # 0.4 m over a wheel of 0.04 m: ten radians, less what it is behind
+    assert after[:6] == before[:6]
+    for _ in range(3):
+        session.advance(1.0)
+        assert abs(session.lanes[0].state()[0]) < 0.3  # the paper's pushes lean it by 0.12
+    assert abs(session.lanes[0].state()[2] - before[2]) < 5
+
+
+def test_a_slow_design_is_made_beside_the_loop(tmp_path):
+    session, desk = a_session(tmp_path)
+    session.handle(Change(replace(MODEL, controller="pid")))
+    assert session.lanes[0].controller.spec.kind == "lqg"
+    assert only(Changed, session.events())[-1].busy
+    events = attended(session, desk)
+    assert session.lanes[0].controller.spec.kind == "pid"
+    assert not only(Changed, events)[-1].busy
+    assert only(Analysed, events)[-1].stable
+
+
+def test_weights_and_gains_reach_the_controller(tmp_path):
+    stricter = replace(MODEL, controller="lqr", largest=(0.05, 1.5, 4.0, 15.0, 0.5, 3.0, 4.0))
+    session, desk = a_session(tmp_path, stricter)
+    plain, other = a_session(tmp_path, replace(MODEL, controller="lqr"))
+    strict, usual = (only(Analysed, attended(*pair))[0].gain[0][0] for pair in ((session, desk), (plain, other)))
+    assert strict < usual < 0  # less lean is accepted, so more voltage answers it
+    by_hand = replace(MODEL, controller="gains", gains=(-27.0, -2.4, -0.46, -1.07, -4.7, -0.2))
+    hand, desk = a_session(tmp_path, by_hand)
+    assert only(Analysed, attended(hand, desk))[0].gain[0] == by_hand.gains
+
+
+def test_the_light_follows_and_a_spoilt_gain_is_red(tmp_path):
+    session, desk = a_session(tmp_path)
+    assert only(Lit, attended(session, desk))[-1].light == "green"
+    session.handle(Change(replace(MODEL, controller="gains", gains=(-3.0, 0.0, 0.0, 0.0, 0.0, 0.0))))
+    events = attended(session, desk)
+    assert [lit.light for lit in only(Lit, events)] == ["none", "red"]  # gravity alone asks for more than 3 V/rad
+    assert not only(Analysed, events)[-1].stable
+
+
+def test_without_a_controller_the_lean_doubles_as_the_unstable_pole_says(tmp_path):
+    """ψ of the falling mode grows as e^{λt}; the linear body in it leaves no other mode."""
+    from upright.physics.linear import linearise
+
+    session, _ = a_session(tmp_path, Setup(controller="off", kit="ideal", bodies=("linear",)))
+    poles, modes = np.linalg.eig(linearise(ROBOT).A)
+    mode = np.real(modes[:, np.argmax(poles.real)])
+    session._build((mode / mode[0] * 1e-3).tolist())
+    session.advance(math.log(2) / unstable_pole(ROBOT) - 1e-9)
+    periods = math.floor(math.log(2) / unstable_pole(ROBOT) / KIT.period)
+    assert session.lanes[0].state()[0] == pytest.approx(1e-3 * math.exp(unstable_pole(ROBOT) * periods * KIT.period))
+
+
+def test_a_fallen_robot_lies_still_until_it_is_stood_up(tmp_path):
+    session, _ = a_session(tmp_path, replace(MODEL, controller="off"))
+    session.handle(StandUp(0.3))
+    for _ in range(4):
+        session.advance(1.0)
+    lying = session.snapshot()
+    assert lying.x[0][8] == 1
+    assert lying.x[0][0] == pytest.approx(1.5)
+    session.advance(1.0)
+    assert session.snapshot().x == lying.x
+    session.handle(StandUp(0.0))
+    assert session.snapshot().x[0][8] == 0
+
+
+def test_pause_step_slow_motion_and_scrub(tmp_path):
+    session, _ = a_session(tmp_path)
+    session.handle(Strike("impulse", 0.05))
+    session.advance(1.0)
+    session.advance(0.5)
+    session.handle(Play(True))
+    session.advance(1.0)
+    assert session.t == pytest.approx(1.5)
+    session.handle(Step(3))
+    assert session.t == pytest.approx(1.53)
+    session.handle(Scrub(1.2))
+    seen = session.snapshot()
+    assert seen.t == pytest.approx(0.33)
+    assert seen.back == pytest.approx(1.2)
+    assert seen.x[0][0] == pytest.approx(session.logs()["nonlinear"]["truth/pitch"][33], abs=1e-4)  # four decimals
+    session.handle(Play(False, 0.25))
+    assert session.speed == 0.25
+    assert session.snapshot().t == pytest.approx(1.53)
+
+
+def test_the_last_minute_is_kept_and_no_more():
+    ring = Ring(100, 2)
+    with pytest.raises(IndexError):
+        ring.back(0)
+    for i in range(250):
+        ring.append([i, -i])
+    assert len(ring) == 100
+    assert ring.rows()[:, 0].tolist() == list(range(150, 250))
+    assert ring.rows(7)[-1, 0] == 249
+    assert [ring.back(k)[0] for k in (0, 5, 99, 1000)] == [249, 244, 150, 150]
+    assert KEPT == 60  # [s] as promised
+
+
+def test_driving_goes_where_it_is_told(tmp_path):
+    session, _ = a_session(tmp_path)
+    session.handle(Steer(0.2, 0.5))
+    for _ in range(4):
+        session.advance(1.0)
+    session.handle(Steer(0.0, 0.0))
+    for _ in range(4):
+        session.advance(1.0)
+    x = session.lanes[0].state()
+    assert x[2] * ROBOT.wheel_radius == pytest.approx(0.8, abs=0.08)  # 4 s of 0.2 m/s; lqg keeps no integral
+    assert x[4] == pytest.approx(2.0, abs=0.2)  # 4 s of 0.5 rad/s, anticlockwise
+
+
+def test_a_recovered_knock_is_scored_by_its_impulse(tmp_path):
+    session, _ = a_session(tmp_path)
+    session.handle(Strike("impulse", 0.06))
+    for _ in range(6):
+        session.advance(1.0)
+    (found,) = only(Recovered, session.events())
+    assert found.impulse == pytest.approx(0.06)  # as it was struck: nothing else pushed
+    assert not found.fell
+    assert found.best == found.impulse
+    session.handle(Strike("impulse", 3.0))  # far more than it stands
+    for _ in range(4):
+        session.advance(1.0)
+    (lost,) = only(Recovered, session.events())
+    assert lost.fell
+    assert lost.best == found.best
+
+
+def test_a_hold_is_no_knock(tmp_path):
+    session, _ = a_session(tmp_path)
+    session.handle(Strike("front", 0.1))
+    for _ in range(9):
+        session.advance(1.0)
+    assert not only(Recovered, session.events())
+    assert session.score.best == 0
+
+
+@pytest.mark.parametrize(
+    "setup",
+    [
+        replace(MODEL, robot="nobody"), replace(MODEL, kit="nokit"), replace(MODEL, numbers={"body_mass": -1.0}),
+        replace(MODEL, numbers={"mass": 1.0}), replace(MODEL, robot="twipr"), replace(MODEL, bodies=()),
+        replace(MODEL, largest=(1.0,)), replace(MODEL, controller="gains", gains=(1.0,)),
+        replace(MODEL, controller="lqr", largest=(0.0,) * 7), replace(MODEL, bodies=("calibrated",)),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_is_said_and_changes_nothing(tmp_path, setup):
+    """twipr is driven by torque, which the kit nxt does not give."""
+    session, _ = a_session(tmp_path)
+    session.events()
+    before = session.lanes
+    session.handle(Change(setup))
+    (said,) = only(Said, session.events())
+    assert said.level == "error"
+    assert "\n" not in said.text
+    assert session.setup == MODEL
+    assert session.lanes is before
+    session.advance(0.1)
+
+
+def test_files_of_the_run_can_be_read_again(tmp_path):
+    session, desk = a_session(tmp_path, Setup(bodies=("nonlinear", "linear")))
+    with pytest.raises(AssertionError):
+        assert session.logs()
+    session.handle(Strike("impulse", 0.05))
+    session.advance(1.0)
+    for what in ("csv", "parquet", "report", "controller", "robot"):
+        session.handle(Save(what))
+    names = {made.name for made in only(Made, attended(session, desk))}
+    assert names == {"run.csv", "run.parquet", "report.html", "controller.json", "robot.toml"}
+    assert Log.load(tmp_path / "run.parquet") == session.logs()["nonlinear"]
+    assert len(Log.load(tmp_path / "run.csv")) == 100
+    assert Robot.load(tmp_path / "robot.toml") == ROBOT
+    assert "linear" in (tmp_path / "report.html").read_text("utf-8")
+
+
+def test_the_doctor_examines_the_run_and_an_uploaded_file(tmp_path):
+    session, desk = a_session(tmp_path)
+    session.handle(Steer(0.2, 0.3))
+    for _ in range(5):
+        session.advance(1.0)
+    session.handle(Start("doctor"))
+    (found,) = only(Found, attended(session, desk))
+    assert found.job == "doctor"
+    session.handle(Save("csv"))
+    attended(session, desk)
+    (tmp_path / "run.csv").rename(tmp_path / "in-mine.csv")
+    session.handle(Uploaded("log", str(tmp_path / "in-mine.csv"), "in-mine.csv"))
+    (again,) = only(Found, attended(session, desk))
+    assert {row[1] for row in again.rows} == {row[1] for row in found.rows}
+    for path in ("../../etc/passwd", "/etc/passwd", "nothing.csv"):
+        session.handle(Start("doctor", path))
+        assert only(Said, attended(session, desk))[0].level == "error"
+
+
+def test_an_uploaded_robot_stands_there_with_its_numbers(tmp_path):
+    session, desk = a_session(tmp_path)
+    mine = ROBOT.replace(name="mine", body_mass=0.7)
+    mine.save(tmp_path / "in-mine.toml")
+    session.handle(Uploaded("robot", str(tmp_path / "in-mine.toml"), "in-mine.toml"))
+    attended(session, desk)
+    assert session.plant.nominal == mine
+    again, _ = a_session(tmp_path, session.setup)  # as a link would bring it back
+    assert again.plant.nominal == mine
+
+
+def test_a_calibrated_model_joins_as_a_further_trace(tmp_path):
+    session, _ = a_session(tmp_path)
+    learnt = ROBOT.replace(com_height=0.08)
+    session.told("calibrate", "done", (learnt, Found("calibrate", "", "", (), (), True)))
+    assert [lane.name for lane in session.lanes] == ["nonlinear", "calibrated"]
+    assert session.lanes[1].body.spec.robot == learnt
+
+
+def test_a_calibration_sees_no_truth(tmp_path):
+    from upright.lab.tasks import _raw
+
+    session, _ = a_session(tmp_path)
+    session.advance(1.0)
+    seen = _raw(session.logs()["nonlinear"])
+    assert not [name for name in seen.channels if name.startswith(("truth/", "estimate/", "push/"))]
+    assert "sensor/gyro" in seen
+
+
+def test_a_broadcast_stands_everybody_up(tmp_path):
+    session, _ = a_session(tmp_path, replace(MODEL, controller="off"))
+    session.handle(StandUp(0.5))
+    session.advance(1.0)
+    session.handle(Broadcast(MODEL))
+    assert session.lanes[0].state() == [0.0] * 6
+    assert session.setup == MODEL
+
+
+def test_every_preset_and_family_of_the_catalogue_can_be_chosen(tmp_path):
+    listed = catalogue()
+    session, _ = a_session(tmp_path)
+    for robot in listed.robots:
+        setup = replace(MODEL, robot=robot.name, kit=robot.kit)
+        session.handle(Change(setup))
+        session.advance(0.05)
+        assert session.setup == setup, robot.name
+    quick = [f.name for f in listed.families if f.name not in ("pid", "hinf", "robust")]
+    for family in quick:
+        session.handle(Change(replace(MODEL, controller=family)))
+        session.advance(0.05)
+        assert session.setup.controller == family
+    assert not only(Said, session.events())
+
+
+def test_a_job_in_a_process_reports_and_can_be_killed(tmp_path):
+    desk = ProcessDesk()
+    try:
+        desk.submit(("s", "design"), "design", (replace(MODEL, controller="lqr-state", kit="ideal"), True))
+        desk.submit(("s", "robust"), "design", (replace(MODEL, controller="robust"), True), alone=True)
+        words = []
+        while not any(key == ("s", "design") and status == "done" for key, status, _ in words):
+            words += desk.poll()
+            time.sleep(0.02)
+        controller, found = words[-1][2] if words[-1][1] == "done" else next(w[2] for w in words if w[1] == "done")
+        assert found.stable
+        assert controller.spec.kind == "lqr"
+        desk.cancel(("s", "robust"))
+        assert not [word for word in desk.poll() if word[0] == ("s", "robust")]
+        desk.submit(("s", "robot"), "robot", (str(tmp_path / "none.toml"),))
+        words = []
+        while not words:
+            words = desk.poll()
+            time.sleep(0.02)
+        assert words[0][1] == "failed"
+        assert "none.toml" in words[0][2]
+    finally:
+        desk.close()
