@@ -37,12 +37,14 @@ HEAVY = {
 AT_ONCE = {
     ("bodies/twin.py", "mujoco"), ("paper/derivation.py", "sympy"), ("paper/errata.py", "sympy"),
     ("fleet/trace.py", "sympy"), ("fleet/trace_print.py", "sympy"), ("fleet/trace_tangent.py", "sympy"),
-    ("fleet/cuda_loop.py", "numba"), ("identify/predictor.py", "numba"),
+    ("fleet/trace_motion.py", "sympy"),
+    ("fleet/cuda_loop.py", "numba"), ("identify/predictor.py", "numba"), ("lab/app.py", "fastapi"),
 }  # fmt: skip
 """Heavy packages that a module may import when it is loaded, because it is loaded only to use them."""
 
 SYMPY = {
     "paper/derivation.py", "paper/errata.py", "fleet/trace.py", "fleet/trace_print.py", "fleet/trace_tangent.py",
+    "fleet/trace_motion.py",
 }  # fmt: skip
 """Nothing else imports SymPy at all: it proves and traces, and is never needed at run time."""
 

@@ -15,8 +15,16 @@ from upright.cli.certify import certify
 from upright.cli.compare import compare
 from upright.cli.design import bench_controllers, design
 from upright.cli.doctor import doctor
+from upright.cli.excite import excite
+from upright.cli.firmware import firmware
 from upright.cli.fleet import basin, fleet, push_map, sweep
+from upright.cli.fly import fly
+from upright.cli.identify import identify
+from upright.cli.lab import lab
 from upright.cli.linearise import linearise
+from upright.cli.monitor import monitor
+from upright.cli.parity import parity
+from upright.cli.post_mortem import post_mortem
 from upright.cli.reproduce import reproduce
 from upright.cli.robots import robots
 from upright.cli.simulate import simulate
@@ -34,12 +42,20 @@ app.command()(linearise)
 app.command()(design)
 app.command()(certify)
 app.command("bench-controllers")(bench_controllers)
+app.command("post-mortem")(post_mortem)
 app.command()(doctor)
 app.command()(calibrate)
+app.command()(excite)
+app.command()(identify)
 app.command()(fleet)
 app.command("push-map")(push_map)
 app.command()(basin)
 app.command()(sweep)
+app.command()(firmware)
+app.command()(parity)
+app.command()(fly)
+app.command()(monitor)
+app.command()(lab)
 
 
 def _print_version(wanted: bool) -> None:
