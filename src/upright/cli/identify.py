@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -51,9 +51,7 @@ def identify(
     controller: Annotated[
         Path | None, typer.Option(help="Write the model's regulator as JSON, to simulate it.")
     ] = None,
-    page: Annotated[
-        Path | None, typer.Option("--report", help="Write a page that compares the methods: .html.")
-    ] = None,
+    report: Annotated[Path | None, typer.Option(help="Write a page that compares the methods: .html.")] = None,
     as_json: JsonOption = False,
 ) -> None:
     """Identify a linear model from a log, with intervals and the method's bias.
@@ -66,24 +64,15 @@ def identify(
     from upright.robots.files import find_kit, find_robot
 
     _ = method == ALL or find_identifier(method)
-    targets = {"output": output, "controller": controller, "report": page}
+    targets = {"output": output, "controller": controller, "report": report}
     for name, target in targets.items():
         _check_target(target, method, log, name)
     data = _read(log, mapping, start, until)
     source, parts = "states" if states else "sensors", find_kit(kit) if kit else None
-    study = study_of(
-        data,
-        find_robot(robot),
-        parts,
-        source=source,
-        delay=delay,
-        order=order,
-        held_out=held_out,
-        runs=repeats,
-        seed=seed,
-    )
+    choices: dict[str, Any] = {"delay": delay, "order": order, "held_out": held_out, "runs": repeats, "seed": seed}
+    study = study_of(data, find_robot(robot), parts, source=source, **choices)
     with progress("identifying") as show:
-        compared = identify_all(study, progress=show) if method == ALL or page else None
+        compared = identify_all(study, progress=show) if method == ALL or report else None
         found = fit(study, method) if method != ALL else None
     _write(study, found, compared, **targets)
     if as_json:
@@ -115,7 +104,7 @@ def _read(log: Path, mapping: str | None, start: float | None, until: float | No
 
 def _write(
     study: Study, found: Identified | None, compared: Comparison | None, output: Path | None, controller: Path | None,
-    page: Path | None,
+    report: Path | None,
 ) -> None:  # fmt: skip
     """Everything that was asked for; the regulator is designed first, so that its failure leaves no file."""
     if found and controller:
@@ -125,10 +114,10 @@ def _write(
         write_controller(regulator(study.samples, found.parts), controller)
     if found and output:
         found.save(output)
-    if compared and page:
+    if compared and report:
         from upright.report.identification import identification_page
 
-        identification_page(compared, page)
+        identification_page(compared, report)
 
 
 def _check_target(target: Path | None, method: str, log: Path, name: str) -> None:
