@@ -207,7 +207,8 @@ def flatness(repeats: int) -> None:
     costs: list[float] = []
     for n in (1_000, 10_000, 100_000, 1_000_000):
         batch = bare(n)
-        many = max(1, repeats // 4) if n > 100_000 else max(3, repeats)
+        # small batches are over before a processor has found its pace
+        many = max(1, repeats // 4) if n > 100_000 else max(3, repeats, 40_000 // n)
         job = {"kernel": lambda b=batch: simulate(b, seconds, threads=2) and None}
         t = best(job, many, time.process_time)
         costs.append(1e6 * t["kernel"] / n)
