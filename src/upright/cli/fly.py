@@ -53,7 +53,7 @@ def fly(
     _check(port, seconds, push)
     if output:
         check_folder(output)
-    facts = head(_text(program))
+    facts = head(options.program_text(program))
     robot, kit = find_robot(facts["robot"]), find_kit(facts["kit"])
     brain = find_controller(controller, robot, kit, kit.period)
     made = generate(brain, robot, kit, facts["target"]).program
@@ -74,13 +74,6 @@ def _check(port: str, seconds: float, push: list[str] | None) -> None:
         raise UprightError(f"--seconds {seconds:g}", expected="more than 0 and at most 600")
     if push and port != VIRTUAL:
         raise UprightError("a real robot is pushed by hand", expected=f"--push with --port {VIRTUAL} only")
-
-
-def _text(path: Path) -> str:
-    try:
-        return path.read_text(encoding="utf-8")
-    except UnicodeDecodeError:
-        raise InvalidController(f"{path} is no text", expected="a program by upright firmware") from None
 
 
 def _permit(path: Path | None, brain: Any, anyway: bool) -> str:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
-from upright.errors import InvalidScenario, UnknownName
+from upright.errors import InvalidController, InvalidScenario, UnknownName
 
 RobotOption = Annotated[str, typer.Option("--robot", "-r", help="A robot by name (see `upright robots`) or TOML file.")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for programs.")]
@@ -78,3 +79,11 @@ def push(text: str) -> Any:
     if kind.strip() not in kinds:
         raise UnknownName("push", kind.strip(), kinds)
     return programme(kinds[kind.strip()], rest, f"--push {kind.strip()}")
+
+
+def program_text(path: Path) -> str:
+    """A program that upright firmware wrote, refused with `InvalidController` where it is no text."""
+    try:
+        return path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise InvalidController(f"{path} is no text", expected="a program by upright firmware") from None

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.options import JsonOption
+from upright.cli.options import JsonOption, program_text
 from upright.cli.output import print_json, progress
 from upright.errors import InvalidController
 
@@ -40,7 +40,7 @@ def parity(
     from upright.firmware.execute import execute
     from upright.robots.files import find_kit, find_robot
 
-    text = _read(program)
+    text = program_text(program)
     facts = head(text)
     chosen, parts = find_robot(robot or facts["robot"]), find_kit(kit or facts["kit"])
     brain = find_controller(controller, chosen, parts, parts.period)
@@ -68,10 +68,3 @@ def parity(
         typer.echo(str(found) + ("" if current else "\n  the file is not what upright generates now: edited, or older"))
     if not found.passed:
         raise typer.Exit(NOT_EQUAL)
-
-
-def _read(path: Path) -> str:
-    try:
-        return path.read_text(encoding="utf-8")
-    except UnicodeDecodeError:
-        raise InvalidController(f"{path} is no text", expected="a program by upright firmware") from None
