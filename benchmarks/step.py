@@ -19,7 +19,7 @@ from upright.control import CONTROLLERS, Controller, make_controller
 from upright.experiment import Hold, run
 from upright.robots import Kit, Robot
 
-TARGETS = {"lqr-state": 1.0, "lqg": 1.5, "mpc": 20.0}  # [µs] medians
+TARGETS = {"lqr": 1.0, "lqr-state": 1.0, "lqg": 1.5, "mpc": 20.0}  # [µs] medians
 
 
 def main() -> None:

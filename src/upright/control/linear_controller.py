@@ -67,6 +67,7 @@ class LinearController:
         """One matrix from [p, a, x̂, y, r] to [p, u, x̂], with p = z − Ba a: the product needs no command but the last.
 
         It writes where the next step reads, u in the place of a, so that a command nobody corrects counts as applied.
+        A few numbers are copied through a memoryview in half the time that NumPy takes.
         """
         n, m, opinions = len(self.A), len(self.reads), len(self.S)
         states = np.vstack([self.A, self.C, self.S.reshape(opinions, n)])
@@ -77,8 +78,9 @@ class LinearController:
         self._memory = np.zeros((2, stacked.shape[1]))
         top, own = len(states), slice(n, n + 2)
         first, second = self._memory
+        view: Any = memoryview
         self._turns = [
-            (w, w[top : top + m], w[top + m :], other[:top], other[own], w[own], w[n + 2 : top])
+            (w, view(w[top : top + m]), view(w[top + m :]), other[:top], view(other[own]), view(w[own]), w[n + 2 : top])
             for w, other in ((first, second), (second, first))
         ]
 
@@ -88,12 +90,15 @@ class LinearController:
 
     def step(self, measurement: Array, reference: Array) -> tuple[float, float]:
         w, y, r, result, u, _, _ = self._now
-        y[:] = measurement
-        r[:] = reference
+        try:
+            y[:] = measurement
+            r[:] = reference
+        except (TypeError, ValueError):  # lists, whole numbers
+            y[:] = np.array(measurement, dtype=np.float64)
+            r[:] = np.array(reference, dtype=np.float64)
         self._dot(w, result)
         self._now, self._next = self._next, self._now
-        left, right = u.tolist()
-        return left, right
+        return u[0], u[1]
 
     def estimate(self) -> Sequence[float]:
         return self._now[6].tolist()
