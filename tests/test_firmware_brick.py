@@ -13,18 +13,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from upright.bodies.brick_link import BrickLost, BrickRefused, Connection
 from upright.control import CONTROLLERS
 from upright.errors import InvalidLog
 from upright.experiment import Hold
 from upright.firmware import generate
 from upright.firmware.brick import Hardware
-from upright.firmware.brick_log import read_brick_log
-from upright.firmware.connection import BrickLost, BrickRefused, Connection
 from upright.firmware.execute_nxc import compile_nxc
 from upright.firmware.executor import ExecutionFailed
 from upright.firmware.fly import Flight, FlightRefused, bring_home, fly
 from upright.firmware.lcp import VirtualBrick
 from upright.firmware.line import Line
+from upright.firmware.logs import read_brick_log
 from upright.firmware.program import Program
 from upright.firmware.rxe import InvalidProgram, read_rxe
 from upright.firmware.virtual_robot import VirtualFlight, virtual_flight
@@ -157,7 +157,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Program]:
 
 @pytest.fixture
 def virtual(made: tuple[Path, Program]) -> Iterator[VirtualFlight]:
-    with virtual_flight(made[1], ROBOT, KIT, [Hold(pitch=0.1, until=1.0)]) as found:
+    with virtual_flight(ROBOT, KIT, [Hold(pitch=0.1, until=1.0)]) as found:
         yield found
 
 
@@ -172,7 +172,7 @@ def test_a_flight_brings_its_log_home(made: tuple[Path, Program], virtual: Virtu
     assert log.origin["controller"]["hash"] == made[1].hash
     assert log.t[-1] == pytest.approx(4.0 - 1.0, abs=0.1)  # a second of it is the still start
     assert 0.05 < np.abs(pitch).max() < 0.3  # a hold at 0.1 rad, overshot by half
-    assert not virtual.robot.fallen
+    assert not virtual.robot.world.fallen
     assert motors_are_off(virtual)
 
 
@@ -249,7 +249,8 @@ HEAD = b"robot=nxtway-gs;kit=nxt;hash=00;period=0.01;every=1\r\n"
 def test_a_log_that_breaks_off_keeps_its_whole_rows() -> None:
     rows = b"".join(struct.pack("<7h", k, k, 1000, 0, 8000, 50, -50) for k in range(10))
     found = read_brick_log(HEAD + rows[:-5])
-    assert (len(found.log), found.left_over, found.ended) == (9, 9, "")
+    assert (len(found.log), found.ended) == (9, "")
+    assert found.flaws == ("the log breaks off in a row; its 9 whole rows are kept",)
     assert found.log["sensor/gyro"][0] == 1.0  # 1000 mrad/s
     assert found.log["applied/left"][0] == 4.0  # half of 8 V
     assert found.log["sensor/encoder_left"][3] == pytest.approx(math.radians(3))

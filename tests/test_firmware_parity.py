@@ -99,7 +99,9 @@ def check_log(said: list[str], rows: int, telemetry: int) -> None:
     assert len(data) == rows * 13 * 2
     assert kinds.count("T") == telemetry
     assert said[-1].startswith(f"E {rows}*")
-    log = read_lines(said)
+    found = read_lines(said)
+    assert found.flaws == ()
+    log = found.log
     assert len(log) == rows
     assert log.origin["controller"]["hash"] == controller_hash(frozen())
     # balancing for most of it, no encoder jumps by more than a wheel at 100 rad/s can turn in 10 ms
@@ -123,34 +125,38 @@ def test_a_program_that_falls_stops_its_motors_and_keeps_its_log(tmp_path: Path)
     while not statuses[-1]:
         statuses.append(executor.step(falling)["status"])
         assert len(statuses) < 100  # 300 °/s are 3 rad in half a second
-    check_log([*executor.said, *_rest(executor)], rows=len(statuses) - 1, telemetry=(len(statuses) - 1) // 10)
+    check_log(executor.finish(), rows=len(statuses) - 1, telemetry=(len(statuses) - 1) // 10)
     executor.close()
 
 
-def test_a_damaged_log_is_one_clear_error():
-    head = ["H robot=r;kit=k;hash=h;period=0.01;rows=1", "H first=0;late=0;status=1;offset=0.5"]
-    lines = [*head, "D 0 " + "01" * 13, "E 1"]
-    signed = [f"{line}*{binascii.crc_hqx(line.encode(), 0xFFFF):04X}" for line in lines]
-    assert len(read_lines(["hello", *signed])) == 1
-    for damage, why in ((signed[:-1], "no whole log"), ([*signed[:2], signed[3]], "rows arrived"),
-                        ([signed[0].replace("robot=r", "robot=s"), *signed[1:]], "CRC")):  # fmt: skip
-        with pytest.raises(InvalidLog, match=why):
-            read_lines(damage)
+def signed(*lines: str) -> list[str]:
+    """Lines with the CRC that the standard library computes."""
+    return [f"{line}*{binascii.crc_hqx(line.encode(), 0xFFFF):04X}" for line in lines]
 
 
-def test_the_rows_before_a_damaged_line_can_be_kept():
-    lines = ["H robot=r;kit=k;hash=h;period=0.01;rows=6", "H first=0;late=0;status=1;offset=0.5"]
-    lines += [f"D {row} " + "01" * 26 for row in (0, 4)] + ["E 6"]  # two rows a line; the one with 2 and 3 was lost
-    signed = [f"{line}*{binascii.crc_hqx(line.encode(), 0xFFFF):04X}" for line in lines]
-    assert len(read_lines(signed, partial=True)) == 2
-    with pytest.raises(InvalidLog, match="rows arrived"):
-        read_lines(signed)
+HEAD = ("H robot=r;kit=k;hash=h;period=0.01;rows=6", "H first=100;late=0;status=1;offset=0.5")
+ROWS = tuple(f"D {row} " + "01" * 26 for row in (0, 2, 4))  # two rows a line
 
 
-def _rest(executor: PythonExecutor) -> list[str]:
-    assert executor._process
-    assert executor._process.stdout
-    return [line.rstrip("\n") for line in executor._process.stdout if not line.startswith("\x02")]
+def test_every_whole_row_is_kept_at_its_time_and_what_is_lost_is_counted():
+    whole = signed(*HEAD, *ROWS, "E 6")
+    found = read_lines(["hello", *whole])
+    assert (len(found.log), found.ended, found.flaws) == (6, "fallen", ())
+    hit = [*whole[:3], whole[3].replace("0101", "0111", 1), *whole[4:]]  # the line with rows 2 and 3
+    found = read_lines(hit)
+    assert found.flaws == ("1 damaged lines were left out", "2 of 6 rows did not arrive")
+    assert found.log.t == pytest.approx([1.0, 1.01, 1.04, 1.05])
+    cut = read_lines(whole[:4])
+    assert (len(cut.log), cut.flaws) == (4, ("2 of 6 rows did not arrive",))
+
+
+@pytest.mark.parametrize(
+    "lines", [(), (*HEAD, "E 0"), (*ROWS, "E 6"), ("H nonsense", *ROWS), (*HEAD, "D x 01"), (*HEAD, "D 0 01")]
+)
+def test_what_is_no_log_is_one_line(lines):
+    with pytest.raises(InvalidLog) as caught:
+        read_lines(["its own words", *signed(*lines)])
+    assert "\n" not in str(caught.value)
 
 
 @pytest.mark.needs("arm-none-eabi-gcc", "module:unicorn", "module:elftools")

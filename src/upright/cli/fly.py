@@ -1,4 +1,4 @@
-"""`upright fly`: a program onto a brick, into balance, and its log home."""
+"""`upright fly`: a program onto a brick or a hub, into balance, and its log home."""
 
 from __future__ import annotations
 
@@ -16,15 +16,22 @@ if TYPE_CHECKING:
     from upright.firmware.fly import Flight
     from upright.firmware.program import Program
 
-VIRTUAL = "virtual"
+VIRTUAL, AIR = "virtual", "ble"
+LOST = 3
+"""Exit code of a flight whose line was lost: the program goes on without it."""
+PORTS = {"nxc": "usb, a device such as /dev/rfcomm0, or virtual", "pybricks": "ble, ble:NAME or virtual"}
+TWINS = {"nxc": "a virtual NXT brick with the twin round it", "pybricks": "a virtual hub with the twin round it"}
 
 
 def fly(
-    program: Annotated[Path, typer.Argument(help="What upright firmware wrote for the NXT: .nxc.")],
+    program: Annotated[Path, typer.Argument(help="What upright firmware wrote for nxc (.nxc) or pybricks (.py).")],
     controller: Annotated[str, typer.Argument(help="The controller.json it was made from.")],
     *,
     port: Annotated[
-        str, typer.Option(help="usb, a device such as /dev/rfcomm0, or virtual: a brick with the twin round it.")
+        str,
+        typer.Option(
+            help="An NXT at usb or at a device such as /dev/rfcomm0; a hub at ble or ble:NAME; virtual, a twin."
+        ),
     ] = VIRTUAL,
     certificate: Annotated[
         Path | None, typer.Option(help="What upright certify wrote; a red or foreign one is refused.")
@@ -39,41 +46,52 @@ def fly(
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the log: .parquet, .csv or .mcap.")
     ] = None,
-    fetch: Annotated[bool, typer.Option("--fetch", help="Drive nothing; bring home the log that is there.")] = False,
+    fetch: Annotated[
+        bool,
+        typer.Option("--fetch", help="Start nothing; bring home the log that is there (a hub's by stopping it)."),
+    ] = False,
     as_json: options.JsonOption = False,
 ) -> None:
-    """Upload a program to an NXT brick, start it, and fetch its log.
+    """Upload a program to an NXT brick or a Pybricks hub, start it, and fetch its log.
 
-    Shows robot, controller, certificate and hash, and asks. The motors are off when this ends, Ctrl-C included.
+    Shows robot, controller, certificate and hash, and asks. The motors are off when this ends, Ctrl-C included. Exit
+    code 3 where the robot was lost on the way.
     """
     from upright.control import find_controller
     from upright.firmware import generate, head
     from upright.robots.files import find_kit, find_robot
 
-    _check(port, seconds, push)
     if output:
         check_folder(output)
     facts = head(options.program_text(program))
+    _check(facts["target"], port, seconds, push, fetch)
     robot, kit = find_robot(facts["robot"]), find_kit(facts["kit"])
     brain = find_controller(controller, robot, kit, kit.period)
     made = generate(brain, robot, kit, facts["target"]).program
-    if facts["target"] != "nxc" or made.hash != facts["hash"]:
+    if made.hash != facts["hash"]:
         raise InvalidController(
-            f"{program} is a {facts['target']} program of {facts['hash'][:12]}", expected=f"nxc of {made.hash[:12]}",
-            mend="upright firmware CONTROLLER --target nxc",
+            f"{program} holds another controller ({facts['hash'][:12]})", expected=f"{made.hash[:12]}",
+            mend=f"upright firmware CONTROLLER --target {made.target}, or name the controller it was made from",
         )  # fmt: skip
     permit = "" if fetch else _permit(certificate, brain, anyway)
     _ask(made, port, permit, yes or fetch or as_json)
-    pushes = [options.push(text) for text in push or []]
-    flight = _home(made, port) if fetch else _flown(program, made, port, seconds, pushes, seed)
+    flight = _flown(program, made, port, seconds, [options.push(text) for text in push or []], seed, fetch)
     _say(flight, made, port, flight.log.log.save(output) if flight.log and output else None, as_json)
+    if flight.lost:
+        raise typer.Exit(LOST)
 
 
-def _check(port: str, seconds: float, push: list[str] | None) -> None:
+def _check(target: str, port: str, seconds: float, push: list[str] | None, fetch: bool) -> None:
+    if target not in PORTS:
+        raise UprightError(f"a program for {target} is not flown from here", expected=" or ".join(PORTS))
+    if port != VIRTUAL and (port.partition(":")[0] == AIR) != (target == "pybricks"):
+        raise UprightError(f"--port {port} for a {target} program", expected=PORTS[target])
     if not (math.isfinite(seconds) and 0 < seconds <= 600):
         raise UprightError(f"--seconds {seconds:g}", expected="more than 0 and at most 600")
     if push and port != VIRTUAL:
         raise UprightError("a real robot is pushed by hand", expected=f"--push with --port {VIRTUAL} only")
+    if fetch and port == VIRTUAL:
+        raise UprightError("a virtual brick keeps nothing", expected="--fetch with a real port")
 
 
 def _permit(path: Path | None, brain: Any, anyway: bool) -> str:
@@ -86,37 +104,42 @@ def _permit(path: Path | None, brain: Any, anyway: bool) -> str:
 def _ask(program: Program, port: str, permit: str, sure: bool) -> None:
     if sure:
         return
-    typer.echo(
-        f"robot       {program.robot} on {program.kit}, {'a twin' if port == VIRTUAL else 'at ' + port}", err=True
-    )
+    where = TWINS[program.target] if port == VIRTUAL else f"at {port}"
+    typer.echo(f"robot       {program.robot} on {program.kit}, {where}", err=True)
     typer.echo(f"controller  {program.kind} {program.hash[:12]}, every {program.period * 1e3:g} ms", err=True)
     typer.echo(f"certificate {permit}", err=True)
     typer.confirm("Hold it upright and still. Start?", abort=True, err=True)
 
 
-def _flown(source: Path, made: Program, port: str, seconds: float, pushes: list[Any], seed: int) -> Flight:
-    from upright.firmware.fly import fly as start
-    from upright.firmware.virtual_robot import virtual_flight
+def _flown(source: Path, made: Program, port: str, seconds: float, pushes: list[Any], seed: int, fetch: bool) -> Flight:
+    from upright.firmware.fly import fetch as fetch_nxt
+    from upright.firmware.fly import fly as fly_nxt
+    from upright.firmware.fly_hub import fetch_hub, fly_hub
+
+    hub = made.target == "pybricks"
+    if fetch:
+        return fetch_hub(made, port) if hub else fetch_nxt(made, port)
+    with progress("flying") as share:
+        if port == VIRTUAL:
+            return _twin(source, made, seconds, pushes, seed, share)
+        return (fly_hub if hub else fly_nxt)(source, made, port, seconds, share)
+
+
+def _twin(source: Path, made: Program, seconds: float, pushes: list[Any], seed: int, share: Any) -> Flight:
+    """The flight of a virtual brick or hub, whose time runs as fast as it can and not beyond the end."""
+    from upright.firmware.fly import fly as fly_nxt
+    from upright.firmware.fly_hub import fly_hub
+    from upright.firmware.virtual_robot import virtual_flight, virtual_hub
     from upright.robots.files import find_kit, find_robot
 
-    with progress("flying") as share:
-        if port != VIRTUAL:
-            return start(source, made, port, seconds, share)
-        with virtual_flight(made, find_robot(made.robot), find_kit(made.kit), pushes, seed=seed) as virtual:
-            virtual.line.until = seconds
-            return start(source, made, virtual.path, seconds, share, virtual.clock)
-
-
-def _home(made: Program, port: str) -> Flight:
-    from upright.firmware.connection import Connection
-    from upright.firmware.fly import Flight, bring_home
-
-    if port == VIRTUAL:
-        raise UprightError("a virtual brick keeps nothing", expected="--fetch with a real port")
-    flight = Flight()
-    with Connection(port) as brick:
-        bring_home(brick, made, flight)
-    return flight
+    robot, kit, where = find_robot(made.robot), find_kit(made.kit), TWINS[made.target]
+    if made.target == "pybricks":
+        with virtual_hub(robot, kit, pushes, seed=seed) as hub:
+            hub.until = seconds
+            return fly_hub(source, made, hub, seconds, share, lambda: hub.seconds, where=where)
+    with virtual_flight(robot, kit, pushes, seed=seed) as virtual:
+        virtual.line.until = seconds
+        return fly_nxt(source, made, virtual.path, seconds, share, virtual.clock, where)
 
 
 def _say(flight: Flight, made: Program, port: str, path: Path | None, as_json: bool) -> None:
@@ -127,7 +150,7 @@ def _say(flight: Flight, made: Program, port: str, path: Path | None, as_json: b
     if as_json:
         print_json(facts)
         return
-    where = "the twin in a virtual brick" if port == VIRTUAL else port
+    where = TWINS[made.target] if port == VIRTUAL else port
     if log:
         typer.echo(
             f"{made.robot} ({where}) balanced for {facts['seconds']:.1f} s; by its own opinion at most "

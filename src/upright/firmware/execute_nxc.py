@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 
 from upright.firmware.brick import Hardware
 from upright.firmware.executor import ExecutionFailed, Values, run_tool, tool
 from upright.firmware.program import Program
 from upright.firmware.rxe import Executable, read_rxe
+from upright.firmware.targets import BATTERY, ENCODERS
+from upright.firmware.targets import COMPASS as BEARING
 from upright.firmware.vm import Machine
 
 REST = 600  # what HiTechnic's gyro reads at rest, as the program takes it
-GYRO, LEFT, RIGHT = 0, 2, 1  # the ports in a generated program: S1, OUT_C, OUT_B
+GYRO, COMPASS, LEFT, RIGHT = 0, 1, 2, 1  # the ports in a generated program: S1, S2, OUT_C, OUT_B
+HEADING = 0x42  # HiTechnic's compass: half the heading [2 deg], and the odd degree in the register after it
 COST = 1  # [µs] an instruction takes here; how many there are in a period is what is reported
 LOOK = 100  # [µs] from one look at whether the program has come to rest to the next
 LONGEST = 1_000_000  # [µs] after which a program that does not rest has lost its way
@@ -34,6 +38,17 @@ def compiled(source: Path, folder: Path) -> tuple[Executable, dict[str, int]]:
     return read_rxe(made), _symbols(made.with_suffix(".sym").read_text("ascii", "replace"))
 
 
+def feel(hardware: Hardware, raw: Mapping[str, float]) -> None:
+    """Put `raw` readings, by channel, where a generated program looks for them."""
+    hardware.inputs[GYRO].raw = REST + round(raw["sensor/gyro"])
+    hardware.battery = round(raw[BATTERY])
+    for port, channel in zip((LEFT, RIGHT), ENCODERS, strict=True):
+        hardware.motors[port].count = round(raw[channel])
+    if BEARING in raw:
+        upper, lower = divmod(round(raw[BEARING]) % 360, 2)
+        hardware.registers[COMPASS] = {HEADING: upper, HEADING + 1: lower}
+
+
 class NxcExecutor:
     """A program of the brick in the brick's own machine, one period a step; `instructions` is the most in a period."""
 
@@ -50,7 +65,7 @@ class NxcExecutor:
         self._machine = Machine(self._executable, self.hardware, COST)
 
     def step(self, raw: Values) -> Values:
-        self._feel(raw)
+        feel(self.hardware, {channel: raw[name] for name, channel in self._program.channels.items()})
         calibrated, before = self._read("ready"), self._machine.executed
         self._until_it_rests()
         if not calibrated:
@@ -60,12 +75,6 @@ class NxcExecutor:
 
     def close(self) -> None:
         """Nothing is left behind."""
-
-    def _feel(self, raw: Values) -> None:
-        self.hardware.inputs[GYRO].raw = REST + round(raw["raw_gyro"])
-        self.hardware.battery = round(raw["raw_battery"])
-        for port, side in ((LEFT, "left"), (RIGHT, "right")):
-            self.hardware.motors[port].count = round(raw[f"raw_encoder_{side}"])
 
     def _until_it_rests(self) -> None:
         machine, began, naps = self._machine, self._machine.time, self._machine.naps

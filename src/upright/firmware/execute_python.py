@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import shutil
 import struct
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
 from typing import IO
@@ -21,63 +24,69 @@ MARK = "\x02"
 READINGS = ("raw_encoder_left", "raw_encoder_right", "raw_gyro", "raw_battery")
 
 
-class PythonExecutor:
-    """A program in a process of its own: a line of readings in, what the program printed and a line of results out.
+@dataclass(frozen=True)
+class Told:
+    """What a program came to until it next waited: its `clock`, both `duties` [%] (None until it first set them),
+    and its own `row` of results."""
 
-    With `compiled`, MicroPython runs the .mpy that `mpy-cross` makes of it. `said` holds the program's own lines, and
-    `pressed` is whether the brick's button is down.
-    """
+    clock: float
+    duties: tuple[float, float] | None
+    row: tuple[float, ...]
 
-    def __init__(self, source: Path, program: Program, compiled: bool = False) -> None:
-        self._program, self._names = program, program.results()
-        micro = program.target == "pybricks"
-        made = ".mpy by mpy-cross, " if compiled else ""
-        self.where = f"MicroPython ({made}floats of 64 bits; a hub's have 32)" if micro else "CPython"
-        self.numbers, self.pressed, self.said = "double", False, list[str]()
+
+class Script:
+    """A program in a process of its own among stand-ins for its brick's modules; `folder` is where it looks for itself,
+    as balance.py or balance.mpy. `said` holds its own lines, `absent` names ports with nothing in them."""
+
+    def __init__(self, target: str, absent: Sequence[str] = ()) -> None:
         self._folder = tempfile.TemporaryDirectory(prefix="upright-")
-        folder = Path(self._folder.name)
-        shim = (files("upright.firmware") / "shims" / f"{program.target}.shim").read_text("utf-8")
-        (folder / "start.py").write_text(shim, encoding="utf-8")
-        copy = folder / "balance.py"
-        shutil.copyfile(source, copy)
-        if compiled:
-            run_tool([tool("mpy-cross"), "-o", str(folder / "balance.mpy"), str(copy)], source.name)
-            copy.unlink()
-        self._command = [_interpreter(micro), "start.py"]
+        self.folder, self.said = Path(self._folder.name), list[str]()
+        shim = (files("upright.firmware") / "shims" / f"{target}.shim").read_text("utf-8")
+        (self.folder / "start.py").write_text(shim, encoding="utf-8")
+        self._command = [_interpreter(target == "pybricks"), "start.py", *absent]
         self._process: subprocess.Popen[str] | None = None
 
     def start(self) -> None:
-        self._stop()
+        self.stop()
         self._process = subprocess.Popen(
-            self._command, cwd=self._folder.name, text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+            self._command, cwd=self.folder, text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
         )  # fmt: skip
         self.said = []
 
-    def step(self, raw: Values) -> Values:
-        given, answers = self._pipes()
-        try:
-            given.write(struct.pack("<5d", *(raw[n] for n in READINGS), self.pressed).hex() + "\n")
-            given.flush()
-        except BrokenPipeError:
-            return self._lost()
-        for line in answers:
-            if line.startswith(MARK):
-                return self._results(bytes.fromhex(line[1:].strip()))
-            self.said.append(line.rstrip("\n"))
-        return self._lost()
+    def exchange(self, readings: Sequence[float], pressed: bool = False, typed: bytes = b"") -> Told | None:
+        """Give it `READINGS`, its button and what was typed; None where it has ended."""
+        return self._exchange(f"{struct.pack('<5d', *readings, pressed).hex()} {typed.hex()}")
 
-    def finish(self) -> list[str]:
-        """Press the button and return everything that the program has said, its log last."""
-        self.pressed = True
-        self.step(dict.fromkeys(READINGS, 0.0) | {"raw_battery": 8000.0})
-        self.said += [line.rstrip("\n") for line in self._pipes()[1]]
-        self.pressed = False
-        return self.said
+    def interrupt(self) -> Told | None:
+        """Ask it to stop, as the brick's system does: whatever it waits for raises `SystemExit`."""
+        return self._exchange("stop")
+
+    def stop(self) -> None:
+        if self._process is None:
+            return
+        self._process.kill()
+        self._process.communicate()
+        self._process = None
 
     def close(self) -> None:
-        self._stop()
+        self.stop()
         self._folder.cleanup()
+
+    def _exchange(self, line: str) -> Told | None:
+        given, answers = self._pipes()
+        try:
+            given.write(line + "\n")
+            given.flush()
+        except BrokenPipeError:
+            pass  # it has ended; what it said is still there
+        for answer in answers:
+            if answer.startswith(MARK):
+                packed = bytes.fromhex(answer[1:].strip())
+                clock, left, right, *row = struct.unpack(f"<{len(packed) // 8}d", packed)
+                return Told(clock, None if math.isnan(left + right) else (left, right), tuple(row))
+            self.said.append(answer.rstrip("\n"))
+        return None
 
     def _pipes(self) -> tuple[IO[str], IO[str]]:
         process = self._process
@@ -86,20 +95,46 @@ class PythonExecutor:
         assert process.stdout
         return process.stdin, process.stdout
 
-    def _results(self, packed: bytes) -> dict[str, float]:
-        if not packed:
-            return {}
-        return dict(zip(self._names, struct.unpack(f"<{len(self._names)}d", packed), strict=True))
 
-    def _lost(self) -> Values:
-        raise ExecutionFailed(f"the program ended: {self.said[-1] if self.said else 'it said nothing'}")
+class PythonExecutor:
+    """A program, one period a step. With `compiled`, MicroPython runs the .mpy that `mpy-cross` makes of it; `pressed`
+    is whether the brick's button is down."""
 
-    def _stop(self) -> None:
-        if self._process is None:
-            return
-        self._process.kill()
-        self._process.communicate()
-        self._process = None
+    def __init__(self, source: Path, program: Program, compiled: bool = False) -> None:
+        self._names, micro = program.results(), program.target == "pybricks"
+        made = ".mpy by mpy-cross, " if compiled else ""
+        self.where = f"MicroPython ({made}floats of 64 bits; a hub's have 32)" if micro else "CPython"
+        self.numbers, self.pressed = "double", False
+        self._script = Script(program.target)
+        copy = self._script.folder / "balance.py"
+        shutil.copyfile(source, copy)
+        if compiled:
+            run_tool([tool("mpy-cross"), "-o", str(copy.with_suffix(".mpy")), str(copy)], source.name)
+            copy.unlink()
+
+    @property
+    def said(self) -> list[str]:
+        """The program's own lines."""
+        return self._script.said
+
+    def start(self) -> None:
+        self._script.start()
+
+    def step(self, raw: Values) -> Values:
+        told = self._script.exchange([raw[name] for name in READINGS], self.pressed)
+        if told is None:
+            raise ExecutionFailed(f"the program ended: {self.said[-1] if self.said else 'it said nothing'}")
+        return dict(zip(self._names, told.row, strict=True)) if told.row else {}
+
+    def finish(self) -> list[str]:
+        """Press the button and return everything that the program has said, its log last."""
+        resting = [0.0, 0.0, 0.0, 8000.0]
+        while self._script.exchange(resting, pressed=True):
+            pass
+        return self.said
+
+    def close(self) -> None:
+        self._script.close()
 
 
 def _interpreter(micro: bool) -> str:

@@ -9,10 +9,10 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from upright.bodies.brick_link import GYRO_KIND, BrickLost, BrickRefused, Connection
 from upright.errors import UprightError
-from upright.firmware.brick_log import BrickLog, read_brick_log
-from upright.firmware.connection import GYRO_KIND, BrickLost, BrickRefused, Connection
 from upright.firmware.execute_nxc import GYRO, REST, compile_nxc
+from upright.firmware.logs import BRICK, ProgramLog, read_brick_log
 from upright.firmware.program import Program
 
 FIRMWARE = ([1, 28], [1, 29], [1, 31], [1, 32])
@@ -30,9 +30,11 @@ class FlightRefused(UprightError):
 
 @dataclass
 class Flight:
-    """What came of it: the `log` where there is one, and `notes`, a line for everything worth knowing."""
+    """What came of it: the `log` where there is one, whether the line was `lost`, and `notes`, a line for everything
+    worth knowing."""
 
-    log: BrickLog | None = None
+    log: ProgramLog | None = None
+    lost: bool = False
     notes: list[str] = field(default_factory=list[str])
 
 
@@ -43,12 +45,13 @@ def fly(
     seconds: float,
     progress: Callable[[float], None] | None = None,
     clock: Callable[[], float] = time.monotonic,
+    where: str = BRICK,
 ) -> Flight:
     """Compile the NXC in `source`, upload it to the brick at `port`, let it drive for `seconds` [s] or until it ends.
 
-    `clock` [s] tells how long that is. The program is stopped however this ends, Ctrl-C included; where the line is
-    lost it cannot be, and the notes say so. Raises `FlightRefused`, `BrickLost`, `BrickRefused`, `MissingTool` or
-    `ExecutionFailed` where nothing was driven.
+    `clock` [s] tells how long that is, `where` what the log says of its brick. The program is stopped however this
+    ends, Ctrl-C included; where the line is lost it cannot be, and the notes say so. Raises `FlightRefused`,
+    `BrickLost`, `BrickRefused`, `MissingTool` or `ExecutionFailed` where nothing was driven.
     """
     with tempfile.TemporaryDirectory(prefix="upright-") as folder:
         binary = compile_nxc(source, Path(folder)).read_bytes()
@@ -61,6 +64,7 @@ def fly(
         try:
             _watch(brick, began + seconds, progress, clock)
         except BrickLost as error:
+            flight.lost = True
             flight.notes.append(
                 f"{error}; the program goes on until then, its log stays on the brick: upright fly --fetch"
             )
@@ -68,6 +72,14 @@ def fly(
         finally:
             with suppress(BrickLost, BrickRefused):
                 _land(brick)
+        bring_home(brick, program, flight, where)
+    return flight
+
+
+def fetch(program: Program, port: str) -> Flight:
+    """Bring home the log that the brick at `port` keeps, and drive nothing."""
+    flight = Flight()
+    with Connection(port) as brick:
         bring_home(brick, program, flight)
     return flight
 
@@ -90,20 +102,23 @@ def ready(brick: Connection) -> None:
         )  # fmt: skip
 
 
-def bring_home(brick: Connection, program: Program | None, flight: Flight) -> None:
+def bring_home(brick: Connection, program: Program, flight: Flight, where: str = BRICK) -> None:
     """Fetch the log into `flight`; what is odd about it becomes a note."""
-    names = [name for name, _ in brick.ask("files") if name.endswith(".log")]
-    wanted = f"{program.robot}.log" if program else next(iter(names), "")
-    if wanted not in names:
+    wanted = f"{program.robot}.log"
+    if wanted not in [name for name, _ in brick.ask("files")]:
         flight.notes.append("the brick has no log: the program did not come to balance")
         return
-    flight.log = found = read_brick_log(brick.fetch(wanted))
-    if program and found.head["hash"] != program.hash:
+    keep(flight, read_brick_log(brick.fetch(wanted), where), program)
+
+
+def keep(flight: Flight, found: ProgramLog, program: Program) -> None:
+    """Put a log into `flight`, with a note for what is odd about it."""
+    flight.log = found
+    if found.head["hash"] != program.hash:
         flight.notes.append(
             f"the log is of another controller ({found.head['hash'][:12]}, not {program.hash[:12]}): an older flight's"
         )
-    if found.left_over:
-        flight.notes.append(f"the log breaks off in a row; its {len(found.log)} whole rows are kept")
+    flight.notes += found.flaws
     if found.ended not in ("", "balancing"):
         flight.notes.append(f"the program stopped by itself: {found.ended}")
 

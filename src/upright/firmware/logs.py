@@ -1,27 +1,53 @@
-"""The lines of a Pybricks or ev3dev program as a log: every line's CRC is checked, and no row may be missing."""
+"""The logs that programs leave: lines of a Pybricks or ev3dev program, a file in an NXT's flash, or telemetry alone."""
 
 from __future__ import annotations
 
 import binascii
 import struct
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from upright.errors import InvalidLog
 from upright.firmware.setup import STATUS
 from upright.firmware.targets import DEGREE
 from upright.signals import Log
 
+Array = NDArray[np.float64]
+
 ROW = "<hhhhHbbB"
 """Encoders [deg, modulo 32768], gyro [mrad/s], pitch [0.1 mrad], battery [mV], duties [%], status."""
+BRICK_ROW = 7  # integers of 16 bits: encoders, gyro, pitch, battery and duties in those units
+HUB, BRICK = "a hub", "an NXT brick"  # what a program runs on, as its log says it
+LINE_TURN, BRICK_TURN = 1 << 15, 1 << 16  # [deg] after which an encoder's field begins again
+TELEMETRY = ("period", "encoder_left", "encoder_right", "pitch", "duty_left", "duty_right", "battery")
+"""The numbers of a line T; encoders [deg], pitch [0.1 mrad], duties [%], battery [mV]."""
 
-TURN = 32768  # [deg] after which an encoder's field begins again
+
+@dataclass(frozen=True)
+class ProgramLog:
+    """The `log`, what its head says, how the program `ended` ("" where the log breaks off before it could say), and
+    `flaws`, a line for everything that is not whole."""
+
+    log: Log
+    head: dict[str, str]
+    ended: str
+    flaws: tuple[str, ...] = ()
 
 
-def checked_line(line: str) -> tuple[str, str]:
-    """Kind and text of a line `KIND text*CRC`; `InvalidLog` where the CRC (CCITT, start FFFF) does not fit."""
+@dataclass(frozen=True)
+class Line:
+    """A line `KIND text*CRC` of a program whose CRC fits."""
+
+    kind: str
+    text: str
+
+
+def checked_line(line: str) -> Line:
+    """The line, or `InvalidLog` where its CRC (CCITT, start FFFF) does not fit."""
     body, star, crc = line.strip().rpartition("*")
     kind, _, text = body.partition(" ")
     try:
@@ -31,80 +57,135 @@ def checked_line(line: str) -> tuple[str, str]:
     if not fits:
         raise InvalidLog(f"the line '{line.strip()[:40]}' is damaged: its CRC does not fit", likely="a lost chunk",
                          mend="fetch the log again")  # fmt: skip
-    return kind, text
+    return Line(kind, text)
 
 
-def read_lines(lines: Iterable[str], partial: bool = False) -> Log:
-    """The log that a program dumped after its run; lines of another kind and the program's own words are skipped.
+def is_signed(line: str) -> bool:
+    """Whether a line is meant to carry a CRC: T, H, D or E; anything else is the program's own words."""
+    return line[:2] in ("T ", "H ", "D ", "E ")
 
-    With `partial`, the rows before the first missing one are enough. Raises `InvalidLog` for a damaged line, missing
-    rows, or no log at all.
+
+def whole_lines(lines: Iterable[str]) -> tuple[list[Line], int]:
+    """The signed lines whose CRC fits, and how many were damaged."""
+    found, damaged = list[Line](), 0
+    for line in filter(is_signed, lines):
+        try:
+            found.append(checked_line(line))
+        except InvalidLog:
+            damaged += 1
+    return found, damaged
+
+
+def read_lines(lines: Iterable[str], known: Mapping[str, str] | None = None, where: str = HUB) -> ProgramLog:
+    """What a program said after its run. Damaged lines are left out and counted among the `flaws`, every whole row is
+    kept at its own time; `known` is what the head would say, for where it is lost.
+
+    Raises `InvalidLog` where not two rows came whole, or nothing says which controller's they are.
     """
-    facts: dict[str, str] = {}
-    data: dict[int, bytes] = {}
-    ended = None
-    for line in lines:
-        if line[:2] not in ("H ", "D ", "E "):
-            continue
-        kind, text = checked_line(line)
-        if kind == "H":
-            facts |= dict(part.split("=", 1) for part in text.split(";"))
-        elif kind == "D":
-            row, _, packed = text.partition(" ")
-            data[int(row)] = bytes.fromhex(packed)
-        else:
-            ended = int(text)
-    if partial and data:
-        ended = _unbroken(data)
-    if ended is None or not {"hash", "first"} <= facts.keys():
-        raise InvalidLog("this holds no whole log of a program", expected="its lines from H to E", likely="a cut end")
-    rows = struct.iter_unpack(ROW, _joined(data, ended))
-    return _log(np.array(list(rows), dtype=np.float64).reshape(-1, 8), facts)
+    try:
+        return _read_lines(lines, dict(known or {}), where)
+    except (ValueError, struct.error):
+        raise InvalidLog("these lines are no log of a balancing program", likely="another program wrote them") from None
 
 
-def _unbroken(data: dict[int, bytes]) -> int:
-    """Rows before the first that is missing; what comes after it is left out of `data`."""
-    size, count = struct.calcsize(ROW), 0
-    for row in sorted(data):
-        if row != count:
-            del data[row]
-        else:
-            count += len(data[row]) // size
-    return count
+def _read_lines(lines: Iterable[str], facts: dict[str, str], where: str) -> ProgramLog:
+    whole, damaged = whole_lines(lines)
+    for line in (line for line in whole if line.kind == "H"):
+        facts |= dict(part.split("=", 1) for part in line.text.split(";"))
+    rows = _rows(line.text for line in whole if line.kind == "D")
+    if not {"robot", "kit", "hash", "period"} <= facts.keys() or len(rows) < 2:
+        raise InvalidLog("this holds no log of a program", expected="its lines from H to E", likely="a cut end")
+    said = next((int(line.text) for line in whole if line.kind == "E"), int(facts.get("rows", 0)))
+    flaws = [f"{damaged} damaged lines were left out"] if damaged else []
+    flaws += [f"{said - len(rows)} of {said} rows did not arrive"] if said > len(rows) else []
+    flaws += [] if "first" in facts else ["when its first row was is not known"]
+    table = np.array([row for _, row in sorted(rows.items())], dtype=np.float64)
+    index = np.array(sorted(rows)) + int(facts.get("first", 0))
+    ended = STATUS[min(int(facts["status"]), len(STATUS) - 1)] if "status" in facts else ""
+    log = program_log(index, table[:, :7], facts, ended, LINE_TURN, where)
+    return ProgramLog(log, facts, ended, tuple(flaws))
 
 
-def _joined(data: dict[int, bytes], count: int) -> bytes:
-    size = struct.calcsize(ROW)
-    joined = b"".join(packed for _, packed in sorted(data.items()))
-    if len(joined) != count * size:
-        raise InvalidLog(f"{len(joined) // size} rows arrived", expected=f"{count}", mend="fetch the log again")
-    return joined
+def _rows(packed: Iterable[str]) -> dict[int, tuple[float, ...]]:
+    """Rows by number."""
+    found: dict[int, tuple[float, ...]] = {}
+    for text in packed:
+        first, _, data = text.partition(" ")
+        found |= dict(enumerate(struct.iter_unpack(ROW, bytes.fromhex(data)), int(first)))
+    return found
 
 
-def _log(rows: Any, facts: dict[str, str]) -> Log:
-    period, first = float(facts["period"]), int(facts["first"])
-    battery = rows[:, 4] / 1000
+def read_telemetry(lines: Iterable[str], known: Mapping[str, str], where: str = HUB) -> ProgramLog:
+    """What telemetry alone tells, where the log is lost; raises `InvalidLog` for less than two lines of it."""
+    whole, _ = whole_lines(lines)
+    rows = {int(v[0]): v[1:] for v in (line.text.split() for line in whole if line.kind == "T")}
+    if len(rows) < 2:
+        raise InvalidLog("no telemetry arrived", expected="two lines at least", likely="the line was lost at once")
+    number = np.array([[float(v) for v in row] for _, row in sorted(rows.items())])
+    left, right, pitch, duty_left, duty_right, battery = number.T
+    table = np.column_stack([left, right, np.full(len(left), np.nan), pitch, battery, duty_left, duty_right])
+    log = program_log(np.array(sorted(rows)), table, known, "", 0, where)
+    return ProgramLog(log, dict(known), "", ("telemetry alone: every tenth period, without the gyro",))
+
+
+def read_brick_log(data: bytes, where: str = BRICK) -> ProgramLog:
+    """What an NXC program left in the brick's flash: a line that says what it is, then rows of integers.
+
+    Raises `InvalidLog` where there is no head or not two rows.
+    """
+    text, found, rest = data.partition(b"\r\n")
+    head = dict(part.split("=", 1) for part in text.decode("ascii", "replace").split(";") if "=" in part)
+    if not found or not {"robot", "hash", "period", "every"} <= head.keys():
+        raise InvalidLog("this file of the brick is no log of a balancing program", likely="another program wrote it")
+    whole = len(rest) // (2 * BRICK_ROW)
+    table = np.frombuffer(rest, dtype="<i2", count=whole * BRICK_ROW).reshape(whole, BRICK_ROW).astype(np.float64)
+    ended = ""
+    if whole and table[-1, 4] == 0:  # a battery of 0 mV: the program's last words
+        ended, table = STATUS[min(max(int(table[-1, 0]), 0), len(STATUS) - 1)], table[:-1]
+    if len(table) < 2:
+        raise InvalidLog(
+            f"the log of the brick has {len(table)} rows", expected="two at least", likely="a fall at once"
+        )
+    broken = len(rest) - whole * 2 * BRICK_ROW
+    flaws = (f"the log breaks off in a row; its {len(table)} whole rows are kept",) if broken else ()
+    log = program_log(np.arange(len(table)) * int(head["every"]), table, head, ended, BRICK_TURN, where)
+    return ProgramLog(log, head, ended, flaws)
+
+
+def program_log(
+    index: Sequence[int] | Any, table: Array, head: Mapping[str, str], ended: str, turn: int, where: str
+) -> Log:
+    """The `table` (n, 7) of encoders [deg], gyro [mrad/s], pitch [0.1 mrad], battery [mV] and duties [%] as a log.
+
+    `index` (n,) says in which period each row was taken; encoders begin again after `turn` [deg], never where it is 0.
+    """
+    volts = table[:, 4] / 1000
     channels = {
-        "sensor/encoder_left": _unwrapped(rows[:, 0]) * DEGREE,
-        "sensor/encoder_right": _unwrapped(rows[:, 1]) * DEGREE,
-        "sensor/gyro": rows[:, 2] / 1000,
-        "estimate/pitch": rows[:, 3] / 10_000,
-        "sensor/battery": battery,
-        "applied/left": rows[:, 5] / 100 * battery,
-        "applied/right": rows[:, 6] / 100 * battery,
+        "sensor/encoder_left": _unwrapped(table[:, 0], turn) * DEGREE,
+        "sensor/encoder_right": _unwrapped(table[:, 1], turn) * DEGREE,
+        "sensor/gyro": table[:, 2] / 1000,
+        "sensor/battery": volts,
+        "estimate/pitch": table[:, 3] / 10_000,
+        "applied/left": table[:, 5] / 100 * volts,
+        "applied/right": table[:, 6] / 100 * volts,
     }
-    units = dict(zip(channels, ("rad", "rad", "rad/s", "rad", "V", "V", "V"), strict=True))
-    status = int(facts["status"])
+    channels = {name: values for name, values in channels.items() if not np.isnan(values).all()}
+    units = {name: "V" for name in channels if name.startswith("applied")}
+    period = float(head["period"])
+    outcome: dict[str, Any] = {"ended": ended or "the log breaks off"}
+    outcome |= {name: float(head[key]) for name, key in (("late", "late"), ("gyro_offset", "offset")) if key in head}
     origin = {
-        "robot": {"name": facts["robot"]},
-        "body": {"kind": "program", "kit": facts["kit"]},
-        "controller": {"hash": facts["hash"], "period": period},
-        "outcome": {"status": STATUS[status], "late": int(facts["late"]), "gyro_offset": float(facts["offset"])},
+        "robot": {"name": head["robot"]},
+        "body": {"kind": f"program on {where}", "kit": head.get("kit", "")},
+        "controller": {"hash": head["hash"], "period": period},
+        "outcome": outcome,
     }
-    return Log((first + np.arange(len(rows))) * period, channels, units, origin)
+    return Log(np.asarray(index) * period, channels, units, origin)
 
 
-def _unwrapped(degrees: Sequence[float]) -> Any:
-    """Encoder counts without the jumps of their 15 bits, beginning within half a turn of them from zero."""
-    counts = np.unwrap(np.asarray(degrees, dtype=np.float64), period=TURN)
-    return counts - TURN * np.round(counts[0] / TURN) if len(counts) else counts
+def _unwrapped(degrees: Array, turn: int) -> Array:
+    """Encoder counts without the jumps of their field, beginning within half a turn of it from zero."""
+    if not turn:
+        return degrees
+    counts = np.unwrap(degrees, period=turn)
+    return counts - turn * np.round(counts[0] / turn)

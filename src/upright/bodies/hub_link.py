@@ -1,0 +1,182 @@
+"""A Pybricks hub as seen from here: its program put there, started, heard and stopped, each in time or not at all.
+
+What speaks to the hub is pybricksdev (MIT), an optional extra that is loaded when a hub is first asked for.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import os
+from collections.abc import AsyncGenerator, Awaitable, Callable
+from contextlib import asynccontextmanager, suppress
+from pathlib import Path
+from typing import Any, Protocol, TypeVar
+
+from upright.errors import MissingTool, UprightError
+
+PATIENCE = 5.0  # [s] for an answer; a hub gives one in 0.1 s
+SEARCH = 10.0  # [s] to hear a hub that advertises
+UPLOAD = 60.0  # [s] for a program: 20 kB in pieces of 150 bytes, each acknowledged, take 15 s
+AIR = "ble"
+"""The port of the first hub that is heard; `ble:NAME` is one of that name or address."""
+
+T = TypeVar("T")
+
+
+class HubLost(UprightError):
+    """A hub that is not there, or that no longer answers."""
+
+
+class HubRefused(UprightError):
+    """A hub that answers, and will not."""
+
+
+class Peripheral(Protocol):
+    """A hub of which Bluetooth knows nothing: `client(lost)` is what bleak's client would be for it."""
+
+    name: str
+
+    def client(self, lost: Callable[[], None]) -> Any: ...
+
+
+class HubLink:
+    """A connected hub. `heard` holds the lines its program has printed since it began; `lost` whether the line is."""
+
+    def __init__(self, hub: Any, name: str, patience: float) -> None:
+        from pybricksdev.ble.pybricks import StatusFlag
+        from pybricksdev.connections import ConnectionState
+
+        self.name, self.patience, self.heard, self.lost = name, patience, list[str](), False
+        self._hub, self._flags, self._gone = hub, StatusFlag, ConnectionState.DISCONNECTED
+        self._rest, self._news = b"", asyncio.Event()
+        hub.stdout_observable.subscribe(self._hear)
+
+    def watch(self) -> None:
+        """From now on a broken line counts as lost."""
+        self._hub.connection_state_observable.subscribe(self._state)
+
+    @property
+    def running(self) -> bool:
+        """Whether a program runs, as the hub last said."""
+        return bool(self._hub.status_observable.value & self._flags.USER_PROGRAM_RUNNING)
+
+    @property
+    def flat(self) -> bool:
+        """Whether the hub warns of its battery."""
+        low = self._flags.BATTERY_LOW_VOLTAGE_WARNING | self._flags.BATTERY_LOW_VOLTAGE_SHUTDOWN
+        return bool(self._hub.status_observable.value & low)
+
+    async def upload(self, source: Path) -> None:
+        """Compile a program and put it into the hub's memory."""
+        if not self._hub._max_user_program_size:  # nothing public tells it
+            raise HubRefused(
+                f"the firmware {self._hub.fw_version} of {self.name} is too old", expected="Pybricks 3.2 or later",
+                mend="install it at code.pybricks.com",
+            )  # fmt: skip
+        await self._do(self._hub.download(str(source)), "take the program", UPLOAD)
+
+    async def start(self) -> None:
+        """Begin the program; what it prints from now on is in `heard`."""
+        self.heard, self._rest = [], b""
+        await self._do(self._hub.start_user_program(), "start")
+
+    async def stop(self) -> None:
+        """Ask the program to stop: it ends as after the hub's button, and says its last."""
+        await self._do(self._hub.stop_user_program(), "stop")
+
+    async def write(self, text: bytes) -> None:
+        """Type that to the program, in pieces a hub takes."""
+        await self._do(self._hub.write(text), "listen")
+
+    async def news(self, timeout: float) -> bool:
+        """Wait until the hub has said something, for `timeout` [s] at most; whether it has."""
+        self._news.clear()
+        with suppress(TimeoutError):
+            async with asyncio.timeout(timeout):
+                await self._news.wait()
+        return self._news.is_set()
+
+    def _hear(self, data: bytes) -> None:
+        *lines, self._rest = (self._rest + bytes(data)).replace(b"\r\n", b"\n").split(b"\n")
+        self.heard += [line.decode("utf-8", "replace") for line in lines]
+        self._news.set()
+
+    def _state(self, state: Any) -> None:
+        if state == self._gone:
+            self.lost = True
+            self._news.set()
+
+    async def _do(self, request: Awaitable[T], what: str, patience: float = 0.0) -> T:
+        return await _done(request, self.name, what, max(patience, self.patience))
+
+
+async def _done(request: Awaitable[T], name: str, what: str, patience: float) -> T:
+    """What the request gives; `HubLost` or `HubRefused` in one line where it gives nothing."""
+    from bleak.exc import BleakError
+    from pybricksdev.connections.pybricks import HubDisconnectError
+
+    try:
+        async with asyncio.timeout(patience):
+            return await request
+    except (HubDisconnectError, OSError, EOFError) as error:  # a time-out is an OSError
+        raise _lost(name, what, error) from None
+    except BleakError as error:
+        if "onnect" in str(error):
+            raise _lost(name, what, error) from None
+        raise HubRefused(f"{name} will not {what}: {error}", likely="another program runs on it") from None
+    except (RuntimeError, ValueError) as error:
+        raise HubRefused(f"{name} will not {what}: {error}", mend="install Pybricks at code.pybricks.com") from None
+
+
+def _lost(name: str, what: str, error: BaseException) -> HubLost:
+    said = f": {error}" if str(error) else ""
+    return HubLost(
+        f"{name} does not answer ({what}{said})", likely="it is out of reach, or off",
+        mend="come nearer and switch it on; its button stops the program",
+    )  # fmt: skip
+
+
+@asynccontextmanager
+async def linked(port: str | Peripheral, patience: float = PATIENCE) -> AsyncGenerator[HubLink]:
+    """The hub at `port` (ble, ble:NAME, or one that Bluetooth knows nothing of), for as long as the block lasts.
+
+    Raises `HubLost`, `HubRefused` or `MissingTool`.
+    """
+    hub, name = await _found(port)
+    link = HubLink(hub, name, patience)
+    await _done(hub.connect(), name, "connect", max(patience, SEARCH) if isinstance(port, str) else patience)
+    link.watch()
+    try:
+        yield link
+    finally:
+        with suppress(Exception):  # the line may be gone already, and then nothing is left to close
+            async with asyncio.timeout(patience):
+                await hub.disconnect()
+
+
+async def _found(port: str | Peripheral) -> tuple[Any, str]:
+    from importlib.util import find_spec
+
+    if find_spec("pybricksdev") is None:
+        raise MissingTool("pybricksdev is not installed", mend="pip install 'upright[pybricks]'")
+    os.environ.setdefault("TQDM_DISABLE", "1")  # pybricksdev draws a bar of its own, before it is loaded alone
+    from pybricksdev.ble import find_device
+    from pybricksdev.connections.pybricks import PybricksHub, PybricksHubBLE
+
+    if not isinstance(port, str):
+        hub: Any = PybricksHubBLE.__new__(PybricksHubBLE)  # all but its search for a Bluetooth device
+        PybricksHub.__init__(hub)
+        hub._device, hub._client = port, port.client(hub._handle_disconnect)
+        return hub, f"the hub {port.name}"
+    kind, _, name = port.partition(":")
+    if kind != AIR:
+        raise UprightError(f"there is no hub at '{port}'", expected=f"{AIR}, {AIR}:NAME or virtual")
+    wanted = f"hub {name}".strip()
+    try:
+        device = await _done(find_device(name or None, timeout=SEARCH), wanted, "be found", 2 * SEARCH)
+    except (HubLost, HubRefused):
+        raise HubLost(
+            f"no {wanted} was found in {SEARCH:g} s", likely="it is off, or this computer has no Bluetooth",
+            mend="switch both on; the hub must not be connected elsewhere",
+        ) from None  # fmt: skip
+    return PybricksHubBLE(device), f"the hub {device.name}"

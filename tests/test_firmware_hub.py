@@ -1,0 +1,320 @@
+"""The virtual Pybricks hub: pybricksdev drives it as it comes, MicroPython runs its program, faults are survived."""
+
+from __future__ import annotations
+
+import asyncio
+import shlex
+import shutil
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from upright.bodies.hub_link import HubLost, HubRefused, linked
+from upright.cli.fly import LOST
+from upright.cli.main import main
+from upright.control import CONTROLLERS
+from upright.errors import UprightError
+from upright.experiment import Hold
+from upright.firmware import generate
+from upright.firmware.fly import Flight, FlightRefused
+from upright.firmware.fly_hub import fetch_hub, fly_hub
+from upright.firmware.hub import COMMANDS, CommandRefused, VirtualHub
+from upright.firmware.program import Program
+from upright.firmware.virtual_robot import virtual_hub
+from upright.robots import Kit, Robot
+
+pytestmark = pytest.mark.needs("module:pybricksdev", "module:micropython_unix")
+
+ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("spike")
+PATIENCE = 0.3  # [s] for a hub in this very process
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Program]:
+    """A balancing program for a SPIKE Prime hub, as text and as what it was printed from."""
+    return program("lqg", tmp_path_factory.mktemp("pybricks"))
+
+
+def program(controller: str, folder: Path) -> tuple[Path, Program]:
+    firmware = generate(CONTROLLERS[controller](ROBOT, KIT, KIT.period), ROBOT, KIT, "pybricks")
+    source = folder / "balance.py"
+    source.write_text(firmware.text)
+    return source, firmware.program
+
+
+@pytest.fixture
+def hub() -> Iterator[VirtualHub]:
+    with virtual_hub(ROBOT, KIT, [Hold(pitch=0.1, until=1.0)]) as found:
+        yield found
+
+
+def flown(
+    made: tuple[Path, Program], hub: VirtualHub, seconds: float = 3.0, after: Callable[[float], object] | None = None
+) -> Flight:
+    """A flight whose clock is the hub's; `after` is told that clock [s] while it flies."""
+    hub.until = seconds
+    watch = (lambda _: after(hub.seconds)) if after else None
+    return fly_hub(*made, hub, seconds, watch, lambda: hub.seconds, patience=PATIENCE)
+
+
+def at_rest(hub: VirtualHub) -> bool:
+    return not hub.running and hub.duties == (0.0, 0.0)
+
+
+def test_a_flight_brings_its_stamped_log_home(made: tuple[Path, Program], hub: VirtualHub) -> None:
+    flight = flown(made, hub, 4.0)
+    assert flight.log is not None
+    assert (flight.notes, flight.lost, flight.log.ended) == ([], False, "balancing")
+    log = flight.log.log
+    assert log.origin["controller"]["hash"] == made[1].hash
+    assert log.origin["robot"]["name"] == ROBOT.name
+    assert log.t[-1] == pytest.approx(4.0 - 1.0, abs=0.05)  # a second of it is the still start
+    assert 0.05 < np.abs(log["estimate/pitch"]).max() < 0.3  # a hold at 0.1 rad, overshot by half
+    assert not hub.world.fallen
+    assert at_rest(hub)
+
+
+def test_a_hub_out_of_reach_keeps_its_telemetry_here_and_its_log_there(
+    made: tuple[Path, Program], hub: VirtualHub
+) -> None:
+    """It balances on; whoever comes back stops it and gets its log, and its button stops it as well."""
+    flight = flown(made, hub, 6.0, lambda now: now > 2.0 and hub.cut())
+    assert flight.lost
+    assert "does not answer" in flight.notes[0]
+    assert "--fetch" in flight.notes[0]
+    assert flight.log is not None
+    assert "sensor/gyro" not in flight.log.log  # telemetry has none
+    assert len(flight.log.log) >= 5  # every tenth of a second from the first to the second second
+    assert hub.running
+    later = fetch_hub(made[1], hub, patience=PATIENCE)
+    assert later.log is not None
+    assert len(later.log.log) > 90
+    assert at_rest(hub)
+    with pytest.raises(FlightRefused, match="no program runs"):
+        fetch_hub(made[1], hub, patience=PATIENCE)
+
+
+def test_its_button_stops_a_hub_out_of_reach(made: tuple[Path, Program], hub: VirtualHub) -> None:
+    flown(made, hub, 6.0, lambda now: now > 2.0 and hub.cut())
+    hub.press()
+    assert at_rest(hub)
+
+
+def test_a_silent_hub_is_given_up_and_what_it_said_is_kept(made: tuple[Path, Program], hub: VirtualHub) -> None:
+    flight = flown(made, hub, 60.0, lambda now: setattr(hub, "silent", now > 2.0))
+    assert flight.lost
+    assert "does not answer" in flight.notes[0]
+    assert flight.log is not None
+    with pytest.raises(HubLost, match="does not answer"):
+        flown(made, hub)
+    hub.press()
+    assert at_rest(hub)
+
+
+def test_a_torn_log_keeps_its_whole_rows(made: tuple[Path, Program], hub: VirtualHub) -> None:
+    pieces: list[bytes] = []
+
+    def torn(piece: bytes) -> bytes:  # nothing comes through after the fortieth piece of the log
+        pieces.extend([piece] if hub.seconds >= 3.0 else [])
+        return piece if len(pieces) < 40 else b""
+
+    hub.garbled = torn
+    flight = flown(made, hub)
+    assert flight.log is not None
+    assert 40 < len(flight.log.log) < 200
+    assert any("rows did not arrive" in note for note in flight.notes)
+    assert at_rest(hub)
+
+
+def test_damaged_lines_are_counted_and_the_others_kept(made: tuple[Path, Program], hub: VirtualHub) -> None:
+    """One character of every log line of rows 20 and 21, 120 and 121 is not what was sent."""
+    hub.garbled = lambda piece: piece.replace(b"D 20 ", b"D 21 ").replace(b"D 120 ", b"D 121 ")
+    flight = flown(made, hub)
+    assert flight.log is not None
+    log = flight.log.log
+    damaged = round((1.0 - len(log) / 201) * 201)  # [rows] of the 201 that two seconds make
+    assert damaged in (2, 4)  # a piece may end inside the number, and then the line stays whole
+    assert flight.notes == [f"{damaged // 2} damaged lines were left out", f"{damaged} of 201 rows did not arrive"]
+    assert np.diff(log.t).max() == pytest.approx(0.03)  # the others stand at their own times
+
+
+@pytest.mark.parametrize(
+    ("fault", "said"),
+    [
+        ({"battery": 6000.0}, "battery of the hub virtual is low"),
+        ({"protocol": "1.0.0"}, "Unsupported Pybricks protocol version"),
+        ({"protocol": "1.1.0", "firmware": "3.1.0"}, r"firmware 3\.1\.0 of the hub virtual is too old"),
+        ({"protocol": "2.0.0"}, "Unsupported Pybricks protocol version"),
+        ({"capable": 0}, "not compatible"),
+    ],
+)
+def test_a_hub_that_is_not_ready_is_not_driven(
+    made: tuple[Path, Program], hub: VirtualHub, fault: dict[str, object], said: str
+) -> None:
+    for name, value in fault.items():
+        setattr(hub, name, value)
+    with pytest.raises(UprightError, match=said) as caught:
+        flown(made, hub)
+    assert "\n" not in str(caught.value)
+    assert at_rest(hub)
+    assert not hub.world.released
+
+
+@pytest.mark.parametrize("port", ["A", "B"])
+def test_a_motor_in_another_port_is_said(made: tuple[Path, Program], port: str) -> None:
+    with virtual_hub(ROBOT, KIT, absent=[port]) as hub:
+        with pytest.raises(FlightRefused, match="not in the port where the program looks"):
+            flown(made, hub)
+        assert at_rest(hub)
+        assert not hub.world.released
+
+
+def test_the_program_itself_refuses_a_flat_battery(
+    made: tuple[Path, Program], hub: VirtualHub, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("upright.firmware.hub.LOW_BATTERY", 0)  # a hub that does not warn
+    hub.battery = 4000.0
+    with pytest.raises(FlightRefused, match="battery too low"):
+        flown(made, hub)
+    assert not hub.world.released
+
+
+def test_the_program_of_another_controller_is_noted(
+    made: tuple[Path, Program], hub: VirtualHub, tmp_path: Path
+) -> None:
+    flown(program("pid", tmp_path), hub, 6.0, lambda now: now > 2.0 and hub.cut())
+    with pytest.raises(FlightRefused, match="a program runs on the hub virtual already"):
+        flown(made, hub)
+    flight = fetch_hub(made[1], hub, patience=PATIENCE)
+    assert "another controller" in flight.notes[0]
+    assert flight.log is not None  # kept all the same
+    assert at_rest(hub)
+
+
+def test_ctrl_c_stops_the_motors_and_keeps_the_log(made: tuple[Path, Program], hub: VirtualHub) -> None:
+    pressed: list[float] = []
+
+    def press(now: float) -> None:
+        if now > 2.0 and not pressed:
+            pressed.append(now)
+            signal.raise_signal(signal.SIGINT)
+
+    flight = flown(made, hub, 60.0, press)
+    assert flight.notes == ["stopped by Ctrl-C"]
+    assert flight.log is not None
+    assert len(flight.log.log) > 90  # from the first second to the second
+    assert at_rest(hub)
+
+
+def test_a_program_that_goes_wrong_ends_with_its_motors_off(
+    made: tuple[Path, Program], hub: VirtualHub, tmp_path: Path
+) -> None:
+    source = tmp_path / "bad.py"
+    source.write_text(made[0].read_text().replace("count += 1\n", "count += 1 // (count < 50)\n"))
+    flight = flown((source, made[1]), hub)
+    assert flight.log is not None
+    assert len(flight.log.log) == 50  # the rows before it divides by zero
+    assert at_rest(hub)
+
+
+def test_a_hub_without_a_program_says_so(hub: VirtualHub) -> None:
+    async def start() -> None:
+        async with linked(hub, PATIENCE) as link:
+            await link.start()
+
+    with pytest.raises(HubRefused, match="will not start"):
+        asyncio.run(start())
+
+
+def test_hostile_commands_never_stop_the_hub(hub: VirtualHub) -> None:
+    rng = np.random.Generator(np.random.Philox(3))
+    for _ in range(3000):
+        data = bytearray(rng.bytes(int(rng.integers(0, 40))))
+        if data:
+            data[0] %= 8
+        with suppress(CommandRefused):
+            hub.write(COMMANDS, bytes(data))
+        hub.run(0.01)
+    assert len(hub.read("c5f50003-8280-46da-89f4-6d8051e4aeef")) == 10  # it still tells what it can
+
+
+def test_no_bluetooth_is_one_line(made: tuple[Path, Program], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("upright.bodies.hub_link.SEARCH", 0.2)
+    with pytest.raises(HubLost, match="no hub nowhere was found") as caught:
+        fly_hub(*made, "ble:nowhere", 3.0)
+    assert "\n" not in str(caught.value)
+
+
+def test_the_hub_s_library_is_loaded_when_a_hub_is_asked_for() -> None:
+    code = "import sys, upright.firmware.fly_hub, upright.cli.fly, upright.cli.monitor; "
+    code += "sys.exit(bool({'pybricksdev', 'bleak'} & sys.modules.keys()))"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with controller.json and balance.py, as the commands make them."""
+    folder = tmp_path_factory.mktemp("commands")
+    controller, source = folder / "controller.json", folder / "balance.py"
+    assert main(["design", "lqg", "--kit", "spike", "-o", str(controller)]) == 0
+    assert main(["firmware", str(controller), "--target", "pybricks", "--kit", "spike", "-o", str(source)]) == 0
+    return folder
+
+
+@pytest.fixture
+def designed(written: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(shutil.copytree(written, tmp_path / "here"))
+    return Path.cwd()
+
+
+def test_the_command_flies_a_hub_and_labels_the_twin(designed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    capsys.readouterr()
+    assert main(shlex.split("fly balance.py controller.json --yes --seconds 3 -o first.parquet")) == 0
+    said = capsys.readouterr().out
+    assert "a virtual hub with the twin round it" in said
+    from upright.signals import Log
+
+    assert "virtual hub" in Log.load(designed / "first.parquet").origin["body"]["kind"]
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [("--port usb", "expected ble, ble:NAME or virtual"), ("--fetch", "keeps nothing"), ("--seconds 0", "more than 0")],
+)
+def test_what_cannot_be_flown_is_one_line(
+    designed: Path, capsys: pytest.CaptureFixture[str], options: str, said: str
+) -> None:
+    assert main(shlex.split(f"fly balance.py controller.json --yes {options}")) != 0
+    error = capsys.readouterr().err
+    assert said in error
+    assert len(error.strip().splitlines()) == 1
+
+
+def test_the_exit_code_says_that_the_robot_was_lost(
+    designed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lost = Flight(lost=True, notes=["the hub does not answer"])
+    monkeypatch.setattr("upright.firmware.fly_hub.fly_hub", lambda *_, **__: lost)
+    assert main(shlex.split("fly balance.py controller.json --yes --port ble")) == LOST
+    assert "does not answer" in capsys.readouterr().out
+
+
+def test_monitor_follows_a_hub_at_a_pace_that_can_be_read(designed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    source = designed / "balance.py"
+    source.write_text(source.read_text().replace("TELEMETRY = 10 ", "TELEMETRY = 1 "))  # a hundred lines a second
+    capsys.readouterr()
+    assert main(shlex.split("monitor virtual --program balance.py --seconds 2 -o run.parquet")) == 0
+    lines = [line for line in capsys.readouterr().out.splitlines() if "pitch" in line]
+    assert 2 < len(lines) <= 30  # a second of a hundred at 20 Hz at most; the computer may be slow, never fast
+    assert Path("run.parquet").exists()
+
+
+def test_monitor_wants_to_know_what_a_virtual_hub_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["monitor", "virtual"]) != 0
+    assert "--program FILE" in capsys.readouterr().err
