@@ -1,0 +1,111 @@
+"""Before a robot drives: `upright fly` shows what it is about to do, asks, and refuses a red certificate."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import pytest
+
+from upright.cli.main import main
+from upright.control import controller_hash, read_controller
+from upright.firmware.fly import Flight
+
+KITS = {"nxc": ("nxt", "balance.nxc", "/dev/rfcomm0"), "pybricks": ("spike", "balance.py", "ble:Hub")}
+
+
+class Red:
+    """A certificate of a controller under which every robot fell."""
+
+    def refuses(self, controller: object = None) -> str:
+        return "red: 100 of 100 robots fell"
+
+
+@pytest.fixture(scope="module", params=KITS)
+def designed(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path, Path, str]:
+    """A target, its program and controller as the commands make them, and the port of a real robot."""
+    kit, name, port = KITS[request.param]
+    folder = tmp_path_factory.mktemp(request.param)
+    controller, program = folder / "controller.json", folder / name
+    assert main(["design", "lqg", "--kit", kit, "-o", str(controller)]) == 0
+    options = ["--target", request.param, "--kit", kit, "-o", str(program)]
+    assert main(["firmware", str(controller), *options]) == 0
+    return request.param, program, controller, port
+
+
+@pytest.fixture
+def flown(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The ports that were flown at: nothing is, in these tests."""
+    ports = list[str]()
+
+    def pretend(source: Path, program: object, port: str, *rest: object) -> Flight:
+        ports.append(port)
+        return Flight()
+
+    monkeypatch.setattr("upright.firmware.fly.fly", pretend)
+    monkeypatch.setattr("upright.firmware.fly_hub.fly_hub", pretend)
+    return ports
+
+
+def fly(designed: tuple[str, Path, Path, str], *options: str) -> int:
+    _, program, controller, port = designed
+    return main(["fly", str(program), str(controller), "--port", port, *options])
+
+
+@pytest.mark.parametrize(("answer", "flights"), [("n\n", 0), ("", 0), ("y\n", 1)])
+def test_it_shows_what_it_is_about_to_do_and_asks(
+    designed: tuple[str, Path, Path, str],
+    flown: list[str],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    answer: str,
+    flights: int,
+) -> None:
+    monkeypatch.setattr("sys.stdin", io.StringIO(answer))
+    code = fly(designed)
+    said = capsys.readouterr().err
+    assert (code == 0, len(flown)) == (bool(flights), flights)
+    kit = KITS[designed[0]][0]
+    assert f"robot       nxtway-gs on {kit}, at {designed[3]}" in said
+    assert f"controller  lqg {controller_hash(read_controller(designed[2]))[:12]}" in said
+    assert "certificate not certified" in said
+
+
+def test_a_red_certificate_is_refused_unless_somebody_insists(
+    designed: tuple[str, Path, Path, str],
+    flown: list[str],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr("upright.certify.read_certificate", lambda path: Red())
+    assert fly(designed, "--certificate", "red.json", "--yes") != 0
+    said = capsys.readouterr().err
+    assert "may not drive this robot: red: 100 of 100 robots fell" in said
+    assert len(said.strip().splitlines()) == 1
+    assert not flown
+    assert fly(designed, "--certificate", "red.json", "--yes", "--anyway") == 0
+    assert flown == [designed[3]]
+
+
+def test_a_program_of_another_controller_is_refused(
+    designed: tuple[str, Path, Path, str], flown: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    target, program, _, port = designed
+    other = tmp_path / "other.json"
+    assert main(["design", "pid", "--kit", KITS[target][0], "-o", str(other)]) == 0
+    capsys.readouterr()
+    assert fly((target, program, other, port), "--yes") != 0
+    assert "holds another controller" in capsys.readouterr().err
+    assert not flown
+
+
+@pytest.mark.parametrize("options", [("--push", "hold:0.1"), ("--seconds", "inf"), ("--seconds", "601")])
+def test_what_cannot_be_flown_is_one_line(
+    designed: tuple[str, Path, Path, str],
+    flown: list[str],
+    capsys: pytest.CaptureFixture[str],
+    options: tuple[str, str],
+) -> None:
+    assert fly(designed, "--yes", *options) != 0
+    assert len(capsys.readouterr().err.strip().splitlines()) == 1
+    assert not flown
