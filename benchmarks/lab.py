@@ -1,7 +1,8 @@
 """What the lab costs: bytes and CPU of a client, a class of thirty, time to answer and to the first picture, memory.
 
-Run: python benchmarks/lab.py [--seconds N] [--picture] [--hour]. Clients run in a process of their own; ticks are timed
-by the stages themselves. `--picture` needs Chromium and Playwright; `--hour` simulates an hour, which takes minutes.
+Run: python benchmarks/lab.py [--seconds N] [--picture], or one of [--wall MINUTES] [--hour] alone. Clients run in a
+process of their own; ticks are timed by the stages themselves. `--picture` needs Chromium and Playwright; `--wall`
+watches one client for so long; `--hour` simulates an hour as fast as it goes, which takes minutes.
 """
 
 from __future__ import annotations
@@ -42,6 +43,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seconds", type=float, default=20.0)
     parser.add_argument("--picture", action="store_true")
+    parser.add_argument("--wall", type=float, metavar="MINUTES")
     parser.add_argument("--hour", action="store_true")
     parser.add_argument("--clients", nargs=3, help=argparse.SUPPRESS)
     options = parser.parse_args()
@@ -50,13 +52,21 @@ def main() -> None:
         print(json.dumps(asyncio.run(watched(address, token, int(count), options.seconds))))
         return
     print(_machine())
+    if options.hour:
+        hour()
+    if options.wall:
+        measured("one client, three bodies, 50 Hz", Door(), ALONE, 1, 1, 60 * options.wall + 8)
+    if not (options.hour or options.wall):
+        usual(options)
+
+
+def usual(options: argparse.Namespace) -> None:
+    """The measurements that take a minute."""
     print(f"{'upright lab answers':<44}{answered():>9.2f} s      (bar 2)")
     measured("one client, three bodies, 50 Hz", Door(), ALONE, 1, 1, options.seconds)
     measured("thirty students, 30 Hz", Door("students", "teacher"), CLASS, CLASS_STAGES, STUDENTS, options.seconds)
     if options.picture:
         print(f"{'first picture after the page is asked for':<44}{pictured():>9.2f} s      (bar 1.5)")
-    if options.hour:
-        hour()
 
 
 def answered(repeats: int = 3) -> float:
@@ -198,20 +208,24 @@ def pictured(repeats: int = 3) -> float:
 
 
 def hour() -> None:
-    """Memory of a session after ten minutes and after an hour of simulated time."""
+    """Memory of a session of three bodies, minute by minute, over an hour of simulated time."""
     from upright.lab.session import Session
 
-    session = Session(Setup(bodies=("nonlinear", "linear")), InlineDesk(), Path(tempfile.mkdtemp()), fine=0.005)
+    session = Session(Setup(), InlineDesk(), Path(tempfile.mkdtemp()))
     sizes: list[float] = []
-    for second in range(3600):
+    began = time.process_time()
+    for second in range(3601):
+        if second % 60 == 0:
+            sizes.append(psutil.Process().memory_info().rss / 1e6)
         if second % 10 == 0:
             session.handle(Strike("impulse", 0.05))
         session.advance(1.0)
         session.events()
-        session.snapshot()
-        if second in (600, 3599):
-            sizes.append(psutil.Process().memory_info().rss / 1e6)
-    print(f"\nmemory after ten minutes {sizes[0]:.1f} MB, after an hour {sizes[1]:.1f} MB of simulated time")
+        encode(session.snapshot())
+    early, late = sizes[2:31], sizes[31:]
+    print(f"\nan hour of simulated time in {time.process_time() - began:.0f} s of CPU")
+    print(f"{'  memory after 2, 30 and 60 minutes':<44}{sizes[2]:.2f}, {sizes[30]:.2f}, {sizes[60]:.2f} MB")
+    print(f"{'  largest in the second half, above the first':<44}{max(late) - max(early):.2f} MB      (bar: flat)")
 
 
 def _machine() -> str:

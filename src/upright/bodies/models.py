@@ -33,7 +33,7 @@ class NonlinearBody:
         self.spec = BodySpec(f"{model} nonlinear model", robot, CHANNELS, checked_period(period), robot.command_unit)
         self._model = model
         fastest = max(abs(linearise(robot, model=model).poles()))
-        self._substeps = max(1, math.ceil(fastest * period / _STIFF))
+        self.substeps = max(1, math.ceil(fastest * period / _STIFF))
         self.reset()
 
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (nothing here is random)
@@ -43,12 +43,12 @@ class NonlinearBody:
 
     def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
         u = checked(command, 2, "command")
-        robot, model, h = self.spec.robot, self._model, self.spec.period / self._substeps
+        robot, model, h = self.spec.robot, self._model, self.spec.period / self.substeps
 
         def f(x: Sequence[float]) -> tuple[float, ...]:
             return derivative(x, u, robot, disturbance, math, model)
 
-        for _ in range(self._substeps):
+        for _ in range(self.substeps):
             self._x = rk4_step(f, self._x, h)
         self._steps += 1
         return self._sample(u, disturbance)

@@ -42,6 +42,8 @@ class Pushing:
 
     def at(self, t: float, slope: float, robot: Robot) -> tuple[Disturbance, float]:
         """What acts on the robot from `t` on, and the tug [N]."""
+        if not self._active and not self.force:
+            return Disturbance(slope=slope), 0.0
         self._active = [(end, push) for end, push in self._active if t < end]
         parts = [push for _, push in self._active]
         felt = combined([*parts, Push(force=self.force, start=t, duration=1.0, height=self.height)], t, robot)

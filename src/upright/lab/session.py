@@ -186,8 +186,8 @@ class Session:
     def _steered(self, dt: float) -> None:
         speed, rate = self._steer
         rolling = speed / self.plant.nominal.wheel_radius
-        self._target = self._target + np.array([0.0, 0.0, rolling * dt, 0.0, rate * dt, 0.0])
-        self._target[3], self._target[5] = rolling, rate
+        _, _, wheel, _, yaw, _ = self._target.tolist()
+        self._target = np.array([0.0, 0.0, wheel + rolling * dt, rolling, yaw + rate * dt, rate])
 
     def _record(self, felt: Disturbance, tug: float) -> None:
         main = self.lanes[0]

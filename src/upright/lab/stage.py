@@ -146,7 +146,8 @@ def perform(pipe: Connection, options: Options) -> None:
             due += period
             _listen(pipe, stage, due)
             now = time.monotonic()
-            pipe.send(stage.tick(now, due))
+            if words := stage.tick(now, due):
+                pipe.send(words)
             due = due if now - due < BEHIND else now
     stage.close()
 
