@@ -1,7 +1,7 @@
 """Whether the post-mortem is right: robots that fell for a planted reason, and robots that did not fall.
 
-    python benchmarks/postmortem.py                       # 30 runs of each cause, 60 without a fall; some 15 minutes
-    python benchmarks/postmortem.py --first 9000 --count 5
+    python benchmarks/postmortem.py                       # 30 runs of each cause, 60 without a fall
+    python benchmarks/postmortem.py --first-seed 9100 --runs 10 --results told.jsonl   # a part; again for the next one
 
 The truth is the twin behind its kit, drawn from a share of the spreads of the robot's sources, under a controller that
 was designed for the nominal one. From a random moment on one thing changes. A run counts where it falls after that, and
@@ -12,6 +12,7 @@ the controller's file or not; it sees neither the truth nor what the motors real
 from __future__ import annotations
 
 import argparse
+import json
 import math
 import os
 import pickle
@@ -19,7 +20,7 @@ import time
 from collections import Counter, deque
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -35,6 +36,7 @@ from upright.certify.certificate import uncertainty
 from upright.control import Controller, make_controller
 from upright.control.mpc import largest_command
 from upright.control.uncertain import draw
+from upright.errors import UprightError
 from upright.experiment import Drive, Impulse, Push, run
 from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Kit, Robot
@@ -54,8 +56,12 @@ LEAST_KNOWN = 0.05
 """No parameter is farther off than by this share of itself (one standard deviation)."""
 
 AFTER = 5.0  # [s] within which the planted change must have made it fall
-TRIES = 40
+TRIES = 200
 SEED = 1000
+
+
+class NoFall(Exception):
+    """No run of a seed falls for its cause."""
 
 
 @dataclass(frozen=True)
@@ -286,7 +292,7 @@ def planted(cause: str, seed: int) -> Planted:
         if not _run(true, kit, robot, design, *plain, end["seconds"] + 1.0, seed)[1]["fell"]:
             real = _as_real(log, skipped, rng)
             return Planted(cause, fault, robot, design, end["seconds"], real, _controller(robot, design))
-    raise RuntimeError(f"no run falls by {cause} with seed {seed}")
+    raise NoFall(f"none of {TRIES} runs falls by {cause} alone")
 
 
 def _sizes(nominal: Robot) -> dict[str, float]:
@@ -328,30 +334,67 @@ def made(cause: str, seed: int, folder: Path | None) -> Planted:
 
 @dataclass(frozen=True)
 class Told:
-    """What was planted and what was said, without and with the controller's file."""
+    """What was planted and what was said, without and with the controller's file; `trouble` says why there is no
+    verdict."""
 
-    case: Planted
+    cause: str
     seed: int
-    without: str
-    with_file: str
-    seconds: float
+    robot: str = ""
+    design: str = ""
+    way: str = ""
+    size: float = 0.0
+    onset: float = 0.0
+    fell_at: float = 0.0
+    without: str = ""
+    with_file: str = ""
+    seconds: float = 0.0
+    trouble: str = ""
+
+    def __str__(self) -> str:
+        if self.trouble:
+            return f"{self.seed} {self.cause}: {self.trouble}"
+        return (
+            f"{self.seed} {self.robot} {self.design} {self.cause}/{self.way} {self.size:.3g} from {self.onset:.2f} "
+            f"to {self.fell_at:.2f} s: {self.without}; with the file {self.with_file}"
+        )
 
 
 def judged(work: tuple[str, int, str]) -> Told:
     """One case, made and examined twice."""
+    cause, seed, folder = work
+    try:
+        case = made(cause, seed, Path(folder) if folder else None)
+    except NoFall as error:
+        return Told(cause, seed, trouble=str(error))
+    told = Told(
+        cause, seed, case.robot, case.design, case.fault.way, case.fault.size, case.fault.onset,
+        case.fell_at if math.isfinite(case.fell_at) else 0.0,
+    )  # fmt: skip
+    try:
+        return _examined(case, told)
+    except UprightError as error:
+        return replace(told, trouble=f"{type(error).__name__}: {error}")
+
+
+def _examined(case: Planted, told: Told) -> Told:
     from upright.certify.postmortem.evidence import gathered
     from upright.certify.postmortem.verdict import ranked
 
-    cause, seed, folder = work
-    case = made(cause, seed, Path(folder) if folder else None)
     nominal = Robot.preset(case.robot)
     kit = Kit.preset(nominal.kit)
-    began = time.perf_counter()
+    began = time.process_time()
     seen = gathered(case.log, nominal, kit, case.controller, lambda _: None)
-    seconds = time.perf_counter() - began
+    seconds = time.process_time() - began
     said = [ranked(evidence) for evidence in (replace(seen, law=None, stable=None), seen)]
-    plain, told = (causes[0].name if causes else NO_FALL for causes in said)
-    return Told(case, seed, plain, told, seconds)
+    plain, with_file = (causes[0].name if causes else NO_FALL for causes in said)
+    return replace(told, without=plain, with_file=with_file, seconds=seconds)
+
+
+def known(path: Path | None) -> dict[tuple[str, int], Told]:
+    """The cases that an earlier call has written."""
+    lines = path.read_text().splitlines() if path and path.exists() else []
+    told = [Told(**json.loads(line)) for line in lines]
+    return {(t.cause, t.seed): t for t in told}
 
 
 def confusion(rows: Sequence[tuple[str, str]]) -> str:
@@ -366,39 +409,51 @@ def confusion(rows: Sequence[tuple[str, str]]) -> str:
 
 def share(told: Sequence[Told], which: str) -> str:
     """How many causes were named rightly."""
-    right = sum(t.case.cause == getattr(t, which) for t in told)
+    right = sum(t.cause == getattr(t, which) for t in told)
     return f"{right} of {len(told)} ({100 * right / max(len(told), 1):.1f} %)"
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--count", type=int, default=30, help="runs of each cause")
-    parser.add_argument("--first", type=int, default=SEED, help="first seed; the final figures' are 9000 and more")
+    parser.add_argument("--runs", type=int, default=30, help="runs of each cause; twice as many without a fall")
+    parser.add_argument("--first-seed", type=int, default=SEED, help="the final figures' are 9100 and more")
     parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--results", type=Path, help="a file of lines to which verdicts are added; none is made twice")
     parser.add_argument("--keep", default="", help="a folder in which the planted runs are kept")
     parser.add_argument("--causes", nargs="*", default=[*CAUSES, NO_FALL])
     options = parser.parse_args()
     work = [
-        (cause, options.first + i, options.keep)
+        (cause, options.first_seed + i, options.keep)
+        for i in range(2 * options.runs)
         for cause in options.causes
-        for i in range(2 * options.count if cause == NO_FALL else options.count)
+        if i < options.runs or cause == NO_FALL
     ]
-    began = time.time()
+    found = known(options.results)
+    new = [one for one in work if one[:2] not in found]
     with ProcessPoolExecutor(options.workers) as pool:
-        told = list(pool.map(judged, work, chunksize=4))
+        for done, told in enumerate(pool.map(judged, new), 1):
+            found[told.cause, told.seed] = told
+            if options.results:
+                with options.results.open("a") as file:
+                    file.write(json.dumps(asdict(told)) + "\n")
+            word = "right" if told.without == told.cause else "WRONG"
+            print(f"{done}/{len(new)} {word} {told}", flush=True)
+    report(list(found.values()))
+
+
+def report(told: Sequence[Told]) -> None:
+    """Shares and confusion of all cases; those without a verdict count as wrong, those without a run do not count."""
+    runs = sorted((t for t in told if t.robot), key=lambda t: ([*CAUSES, NO_FALL].index(t.cause), t.seed))
+    fell = [t for t in runs if t.cause != NO_FALL]
     for which, name in (("without", "from the data alone"), ("with_file", "with the controller's file")):
-        fell = [t for t in told if t.case.cause != NO_FALL]
         print(f"\n{name}: {share(fell, which)} of those that fell")
-        print(confusion([(t.case.cause, getattr(t, which)) for t in told]))
+        print(confusion([(t.cause, getattr(t, which) or "no verdict") for t in runs]))
         for robot in ROBOTS:
-            print(f"  {robot:<12} {share([t for t in fell if t.case.robot == robot], which)}")
-        for t in fell:
-            if getattr(t, which) != t.case.cause:
-                f = t.case.fault
-                print(f"    {t.seed} {t.case.robot} {t.case.design} {f.cause}/{f.way} {f.size:.3g}"
-                      f" from {f.onset:.2f} to {t.case.fell_at:.2f} s: {getattr(t, which)}")  # fmt: skip
-    slowest = max(t.seconds for t in told)
-    print(f"\n{len(told)} runs in {time.time() - began:.0f} s; the slowest post-mortem took {slowest:.2f} s")
+            print(f"  {robot:<12} {share([t for t in fell if t.robot == robot], which)}")
+    print("\nwrong:", *(t for t in runs if t.cause not in (t.without, t.with_file)), sep="\n  ")
+    print("without a run:", *(t for t in told if not t.robot), sep="\n  ")
+    print(f"post-mortem: median {np.median([t.seconds for t in runs]):.1f} s of processor time, "
+          f"{max(t.seconds for t in runs):.1f} s at most")  # fmt: skip
 
 
 if __name__ == "__main__":

@@ -16,11 +16,14 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "benchmarks"))
 
 import postmortem as bench
 
+from upright.bodies import Electronics
 from upright.bodies.twin import Twin
 from upright.certify.postmortem import PostMortem, post_mortem
+from upright.certify.postmortem.path import track
 from upright.certify.postmortem.verdict import CANNOT_TELL, CAUSES, NO_FALL
 from upright.cli.main import main
 from upright.control import LinearController, make_controller, write_controller
+from upright.control.delay import RAW
 from upright.errors import InvalidLog, InvalidRobot
 from upright.experiment import Drive, Impulse, Push, run
 from upright.report.postmortem import page_of
@@ -98,6 +101,36 @@ def test_planted_cause_is_named_from_the_data_alone(cause: str) -> None:
 def test_lost_rows_are_dropped_samples() -> None:
     found = post_mortem(logged("dropped samples", "lost", 0.6), NXT, KIT)
     assert found.verdict == "dropped samples", str(found)
+
+
+def left_alone(command: float) -> Log:
+    """An NXT robot that got one command [V] all through its fall."""
+    kit = Kit.preset("nxt")
+    none = np.zeros((0, 0))
+    still = LinearController(none, none, none, none, none, np.zeros((2, 3)), np.zeros((2, 6)), RAW, kit.period)
+    body = Electronics(Twin(NXT), kit)
+    log = run(body, still, [Impulse(impulse=1e-4, at_time=1.0, duration=0.02)], seconds=6.0, seed=2)
+    assert log.origin["outcome"]["fell"]
+    names = [n for n in log.channels if n.startswith("sensor/")]
+    constant = {f"command/{side}": np.full(len(log), command) for side in ("left", "right")}
+    return Log(log.t, {n: log[n] for n in names} | constant)
+
+
+def test_a_loop_that_did_not_run_is_judged() -> None:
+    found = post_mortem(left_alone(0.0), NXT, KIT)
+    assert found.verdict == "dropped samples", str(found)
+    assert "no command changed" in found.causes[0].evidence
+    assert not found.missing
+
+
+def test_the_robot_as_it_should_be_leaves_its_dead_time_to_no_fault() -> None:
+    # 53 ms of dead time are five periods and a part, all of them the kit's: the innovations of a standing robot are
+    # those of its noise, and the filter is not surprised by more than half again (χ² with some hundreds of readings)
+    twipr, kit = Robot.preset("twipr"), Kit.preset("twipr")
+    log = logged(bench.NO_FALL, robot="twipr", seconds=3.0)
+    found = track(log, twipr, kit)
+    use = (found.row >= 0) & np.isfinite(found.s) & (found.then > 1.0)
+    assert np.mean(found.e[use] ** 2 / found.s[use]) < 1.5
 
 
 def test_changed_gain_is_told_to_its_number_with_the_file() -> None:

@@ -16,7 +16,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.errors import DesignFailed
+from upright.errors import DesignFailed, InvalidLog
 from upright.identify.calibration import Calibration
 from upright.identify.electronics import electronics_of
 from upright.identify.fitting import Normal, Path, Problem, gauss_newton, objective
@@ -101,6 +101,8 @@ def prepared(
 ) -> tuple[Problem, dict[str, float]]:
     """The problem at its prior, and each sensor's variance as its kit has it."""
     late = max([kit.delay, *(kit.delay + s.delay for s in kit.sensors.values())])
+    if any(_idle(log) for log in logs):
+        raise InvalidLog("the commands never change", expected="motors at work", likely="a log of a robot switched off")
     recordings = tuple(record(log, robot, skip=late + 0.02, held_out=held_out) for log in logs)
     sensors = dict.fromkeys(s for r in recordings for s in r.sensors)
     delays = {s: _dead_time(kit, logs) + _delay(kit, s) for s in sensors}
@@ -110,6 +112,12 @@ def prepared(
     parameters = parameters_of(robot, delays, known, electronics_of(robot, kit, logs))
     problem = Problem(recordings, robot, parameters, delays, noise | process(recordings, robot, ANNEALED[0]))
     return problem, limits
+
+
+def _idle(log: Log) -> bool:
+    """Whether nothing was ever commanded but one and the same."""
+    prefix = commanded(log)
+    return bool(prefix) and not any(np.ptp(log[f"{prefix}/{side}"]) for side in ("left", "right"))
 
 
 def _dead_time(kit: Kit, logs: Sequence[Log]) -> float:
@@ -128,7 +136,7 @@ def process(recordings: Sequence[Recording], robot: Robot, share: float) -> dict
     rms = np.sqrt(np.mean([np.mean(r.commands**2) for r in recordings]))
     push = share * robot.body_mass / 0.6
     return {
-        "motor": float(np.log((share * rms) ** 2 * NOISE_TIME)),
+        "motor": float(np.log((share * max(rms, 1e-9)) ** 2 * NOISE_TIME)),
         "push": float(np.log(push**2 * NOISE_TIME)),
         "gyro_bias": float(np.log(BIAS_WALK)),
     }

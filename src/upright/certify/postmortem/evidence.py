@@ -25,7 +25,7 @@ from upright.certify.postmortem.fall import (
 from upright.certify.postmortem.faults import Bank, bank
 from upright.certify.postmortem.fits import Fit, Pushed, fits
 from upright.certify.postmortem.law import Law, by_file, references
-from upright.certify.postmortem.mend import Window, dropped, mended, sharpened
+from upright.certify.postmortem.mend import Window, dropped, mended, searched, sharpened
 from upright.certify.postmortem.path import Track, tangent, track
 from upright.control import Controller
 from upright.errors import SpecMismatch
@@ -93,10 +93,11 @@ def _plain(value: float) -> float | None:
 
 @dataclass(frozen=True, eq=False)
 class Evidence:
-    """What was found. `fits` are the hypotheses, the likeliest first, `none` the one of pushes alone with `shoves`,
-    each with the lean [rad] that it is worth, `lean_limit` the lean that no motor brings back. `law` is the recorded
-    commands against the file's. `lost` is the share of periods without a row in the last second, and before it.
-    `saturated` is the share of the last excursion with motors at their limit, `pegged` that of the last second.
+    """What was found. `fits` are the hypotheses, the likeliest first, `none` the one of pushes alone. A push is worth
+    `tilt` [rad] of lean for each N s, and for each N s and m of height; `lean_limit` is the lean that no motor brings
+    back. `law` is the recorded commands against the file's. `lost` is the share of periods without a row in the last
+    second, and before it. `saturated` is the share of the last excursion with motors at their limit, `pegged` that of
+    the last second; `stuck` says that no command changed in the last seconds.
     """
 
     found: Track
@@ -105,7 +106,7 @@ class Evidence:
     misfit: float
     fits: tuple[Fit, ...]
     none: Fit | None
-    shoves: tuple[tuple[Pushed, float], ...]
+    tilt: tuple[float, float]
     lean_limit: float
     law: Law | None
     stable: bool | None
@@ -116,10 +117,15 @@ class Evidence:
     driven: bool
     saturated: float
     pegged: float
+    stuck: bool
     swings: float
     help: float
     battery: tuple[float, float]
     notes: tuple[str, ...]
+
+    def worth(self, push: Pushed) -> float:
+        """The lean [rad] that a push gives the robot."""
+        return (self.tilt[0] + push.height * self.tilt[1]) * push.impulse
 
 
 def gathered(
@@ -135,11 +141,13 @@ def gathered(
     first = _bank(found, window)
     show(0.4)
     all_fits = fits(first)
+    if _unexplained(all_fits, first):
+        all_fits += searched(found, window)
     if fallen is None:
         fallen = _seen_at_last(found, all_fits)
         if fallen is None:
             return _nothing(found, window.usual)
-    all_fits = sharpened(found, _worth_it(all_fits, first), window, first)
+    all_fits = sharpened(found, all_fits, window, first)
     frozen = frozen_rows(found)
     recent = (log.t > fallen.at - 1.5) & (log.t <= fallen.at)
     if frozen[recent].sum() >= 2:
@@ -170,7 +178,7 @@ def _lost(found: Track, window: Window) -> bool:
 
 def _seen_at_last(found: Track, all_fits: Sequence[Fit]) -> Fall | None:
     """The fall that shows itself where the likeliest fault is taken out of the log."""
-    for fit in (f for f in all_fits[:4] if f.fault in ("bias", "late")):
+    for fit in (f for f in all_fits if f.fault in ("bias", "late")):
         freed = mended(found, fit)
         seen = fall(freed) if freed is not None else None
         if seen is not None:
@@ -179,19 +187,17 @@ def _seen_at_last(found: Track, all_fits: Sequence[Fit]) -> Fall | None:
     return Fall(float(found.then[-1]), 1 if last > 0 else -1) if abs(last) > TIPPING else None
 
 
-def _worth_it(all_fits: Sequence[Fit], first: Bank) -> list[Fit]:
-    """The fits; where next to nothing is left to explain they are not sharpened but left out."""
+def _unexplained(all_fits: Sequence[Fit], first: Bank) -> bool:
+    """Whether anything is left to explain that pushes do not."""
     none = next(f for f in all_fits if f.fault == "none")
-    return (
-        [none] if none.left < 1.5 * first.scale and max(f.score for f in all_fits) < none.score + 5 else list(all_fits)
-    )
+    return none.left > 1.5 * first.scale or max(f.score for f in all_fits) > none.score + 5
 
 
 def _nothing(found: Track, usual: float) -> Evidence:
     nan = math.nan
     return Evidence(
-        found, None, usual, nan, (), None, (), nan, None, None, (nan, nan), nan, nan, nan, False, nan, nan, nan, nan,
-        (nan, nan), (),
+        found, None, usual, nan, (), None, (nan, nan), nan, None, None, (nan, nan), nan, nan, nan, False, nan, nan,
+        False, nan, nan, (nan, nan), (),
     )  # fmt: skip
 
 
@@ -202,20 +208,22 @@ def _evidence(
     moved, most = motion(found), limit(found.robot, found.kit, found.asked)
     mode, model = falling(robot), linearise(robot)
     none = next(f for f in all_fits if f.fault == "none")
-    shoves = tuple((p, float(mode.w @ (model.E[:, 0] + p.height * model.E[:, 1])) * p.impulse) for p in none.pushes)
+    tilt = float(mode.w @ model.E[:, 0]), float(mode.w @ model.E[:, 1])
     law, stable, notes = _law(found, controller, end)
     demand, at = _demand(log, robot, end)
     share, swings, helped = _excursion(moved, mode.w, end)
     late = (moved.t > end - 1.0) & (moved.t <= end)
     pegged = float((np.abs(moved.command[late]) > 0.95).mean())
+    stuck = not np.ptp(found.asked[(log.t > end - EXCURSION) & (log.t <= end)], axis=0).any()
     if window.usual > FOREIGN:
         notes = (*notes, _foreign(window.usual))
     top = motor_gain(robot) * most / motor_damping(robot) * robot.wheel_radius if motor_damping(robot) else math.inf
     return Evidence(
-        found, fallen, window.usual, float(np.mean(first.y**2)), tuple(all_fits), none, shoves,
+        found, fallen, window.usual, float(np.mean(first.y**2)), tuple(all_fits), none, tilt,
         abs(mode.b) * most / mode.pole, law, stable,
         (lost_rows(log, found.kit.period, end - 1, end), lost_rows(log, found.kit.period, log.t[0], end - 1)),
-        demand, at, top, bool(np.ptp(references(log)) > 0), share, pegged, swings, helped, _battery(log, end), notes,
+        demand, at, top, bool(np.ptp(references(log)) > 0), share, pegged, stuck, swings, helped, _battery(log, end),
+        notes,
     )  # fmt: skip
 
 
@@ -275,11 +283,13 @@ def _excursion(moved: Motion, w: Array, end: float) -> tuple[float, float, float
         start -= 1
     rows = np.arange(start, len(xi))
     rows = rows[np.abs(xi[rows]) > 0.1 * np.abs(xi[rows]).max()]
+    late = inside & (moved.t > end - EXCURSION)
+    swings = float((np.diff(np.sign(moved.command[late])) != 0).sum()) / EXCURSION
+    if not len(rows):
+        return math.nan, swings, math.nan
     full = np.abs(moved.command[rows]) > 0.98
     free = rows[~full]
     helped = float(np.median(moved.help[free] / np.maximum(moved.reserve[free], 1e-6))) if len(free) >= 4 else math.nan
-    late = inside & (moved.t > end - EXCURSION)
-    swings = float((np.diff(np.sign(moved.command[late])) != 0).sum()) / EXCURSION
     return float(full.mean()), swings, helped
 
 

@@ -8,25 +8,22 @@ wrong proves no fault by that, and with a penalty for each free number (Schwarz 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.certify.certificate import uncertainty
-from upright.certify.postmortem.path import Tangent, Track, answer, carried, driven, misfits
+from upright.certify.postmortem.path import Tangent, Track, answer, carried, misfits
 from upright.certify.postmortem.slip import slipping
 from upright.robots import Robot
 
 Array = NDArray[np.float64]
 
 GRID = 0.06  # [s] between onsets that are tried first
-FINE = 0.03  # [s] between edges of pushes, and twice between refined onsets of other faults
+FINE = 0.03  # [s] between edges of pushes
 LENGTHS = (1, 2, 3, 5, 7, 10)  # of pushes, in those
 YOUNGEST = 0.12  # [s] before the lean is `LEANING`; what comes later is too late to be a cause
-DELAYS = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0)  # periods
-SHARES = (0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7)  # of the battery's voltage
 GRIPS = (0.003, 0.006, 0.01, 0.015, 0.02, 0.025, 0.03, 0.04, 0.05, 0.06, 0.08, 0.1, 0.15, 0.2)
 HEIGHTS = (0.0, 1.0, 2.0)  # of a push, over that of the centre of mass
 SHOWN = (
@@ -76,20 +73,6 @@ def bank(found: Track, flow: Tangent, use: NDArray[np.bool_], usual: float) -> B
     onsets = np.arange(float(found.then[0]), float(last), GRID)
     shared = (found, flow, use)
     columns = [*biases(*shared, np.arange(found.then[0], last, found.log.period)), *_loads(*shared, onsets)]
-    columns += _refined(
-        y,
-        basis,
-        [_weak(*shared, onsets[::2], weak, SHARES) for weak in (True, False)],
-        lambda c, t: _weak(*shared, t, c.way == "pwm", _near(SHARES, c.size)),
-        found.log.period,
-    )
-    columns += _refined(
-        y,
-        basis,
-        [_late(*shared, onsets[::2], DELAYS)],
-        lambda c, t: _late(*shared, t, _near(DELAYS, c.size)),
-        found.log.period,
-    )
     columns += _slips(*shared, onsets)
     pulses = _pulses(*shared, np.arange(found.then[0], last, FINE))
     return _bank(y, found.then[use], basis, usual, columns, pulses)
@@ -116,25 +99,6 @@ def unknown(found: Track, flow: Tangent, use: NDArray[np.bool_]) -> Array:
     known = spreads(found.robot)
     wrong = carried(found, flow, misfits(found, known))[use]
     return np.linalg.qr(np.vstack([wrong, np.eye(len(known))]))[0]
-
-
-def _refined(
-    y: Array, basis: Array, families: list[list[Column]], again: Callable[[Column, Array], list[Column]], step: float
-) -> list[Column]:
-    """Each family's columns, with more of them round its best."""
-    found: list[Column] = []
-    for family in families:
-        best = min(family, key=lambda c: float(((y + beside(basis, c.values)) ** 2).sum()))
-        near = np.asarray(best.onset + step * np.arange(-12, 13, 2), dtype=np.float64)
-        found += [*family, *again(best, near)]
-    return found
-
-
-def _near(grid: tuple[float, ...], size: float) -> tuple[float, ...]:
-    """Sizes round one of the grid, up to its neighbours."""
-    i = grid.index(size)
-    low, high = grid[max(i - 1, 0)], grid[min(i + 1, len(grid) - 1)]
-    return tuple(np.unique(np.concatenate([np.linspace(low, size, 4), np.linspace(size, high, 4)])).tolist())
 
 
 def spreads(robot: Robot) -> dict[str, float]:
@@ -194,56 +158,6 @@ def biases(found: Track, flow: Tangent, use: NDArray[np.bool_], onsets: Array) -
         said = answer(found, flow, none, shift * gyro)[use]
         columns += [Column("bias", way, t, 0.0, said[:, i], True) for i, t in enumerate(onsets)]
     return columns
-
-
-def _weak(
-    found: Track, flow: Tangent, use: NDArray[np.bool_], onsets: Array, weak: bool, shares: Sequence[float]
-) -> list[Column]:
-    """A battery that gives less: to every command (`weak`), or to large ones only."""
-    unit = found.robot.command_unit
-    full = driven(found.asked, found.kit, unit)
-    columns: list[Column] = []
-    for share in shares:
-        lost = driven(found.asked, found.kit, unit, share, weak=weak) - full
-        what = ("weak", "pwm" if weak else "limit", share)
-        columns += _commanded(found, flow, use, onsets, lost, what, 0.0)
-    return columns
-
-
-def _late(found: Track, flow: Tangent, use: NDArray[np.bool_], onsets: Array, delays: Sequence[float]) -> list[Column]:
-    """Commands that arrive later by so many periods; readings that do cannot be told from them."""
-    sent = driven(found.asked, found.kit, found.robot.command_unit)
-    columns: list[Column] = []
-    for periods in delays:
-        delay = periods * found.log.period
-        columns += _commanded(found, flow, use, onsets, sent, ("late", "", periods), delay)
-    return columns
-
-
-def _commanded(
-    found: Track, flow: Tangent, use: NDArray[np.bool_], onsets: Array, commands: Array, what: tuple[str, str, float],
-    delay: float,
-) -> list[Column]:  # fmt: skip
-    """Other commands, or the same ones later, from each onset on."""
-    now = held(found, commands, 0.0)
-    error = held(found, commands, delay) - now if delay else now
-    entered = np.zeros((len(found.then), 4, len(onsets)))
-    entered[:, :2] = error[:, :, None] * _steps(found, onsets)[:, None, :]
-    said = answer(found, flow, entered, np.zeros((len(found.then), len(onsets))))[use]
-    fault, way, size = what
-    return [Column(fault, way, t, size, said[:, i], False) for i, t in enumerate(onsets)]
-
-
-def held(found: Track, commands: Array, delay: float) -> Array:
-    """The mean over each span of commands (samples, 2) that come `delay` [s] late (events, 2)."""
-    t = found.log.t
-    whole = np.vstack([np.zeros((1, 2)), np.cumsum(commands[:-1] * np.diff(t)[:, None], axis=0)])
-    stop = found.then - delay
-    start = stop - found.spans
-    area = [np.interp(stop, t, w) - np.interp(start, t, w) for w in whole.T]
-    last = (stop >= t[-1])[:, None] * commands[-1]
-    mean = np.column_stack(area) / np.maximum(found.spans, 1e-12)[:, None]
-    return np.where(found.spans[:, None] > 1e-9, np.where(stop[:, None] >= t[-1], last, mean), 0.0)
 
 
 def _slips(found: Track, flow: Tangent, use: NDArray[np.bool_], onsets: Array) -> list[Column]:

@@ -17,6 +17,9 @@ SHOWN = 3.0  # standard deviations of a reading
 PULSES = 3
 """Pushes that may come beside a fault."""
 
+SEPARATE = 0.1
+"""Seconds between two pushes: several at once, up and down, would follow whatever is wrong with the model."""
+
 SUDDEN = {"step": 0.12, "ramp": 0.4}  # [s] after an offset's onset in which it shows itself
 
 
@@ -89,9 +92,11 @@ def with_pushes(
         spent = 2
     first = against or given
     best, pushes = _score(first, y, spent), list[Pushed]()
+    free = np.ones(len(given.pulses), dtype=np.bool_)
+    starts, stops = (np.array([getattr(p, edge) for p in given.pulses]) for edge in ("onset", "stop"))
     for _ in range(PULSES):
         dots = given.matrix.T @ y
-        i = int(np.argmax(dots**2 / given.squares))
+        i = int(np.argmax(np.where(free, dots**2 / given.squares, 0.0)))
         size = -float(dots[i] / given.squares[i])
         after = y + size * given.matrix[:, i]
         score = _score(first, after, spent + 3)
@@ -101,6 +106,7 @@ def with_pushes(
         impulse = size * (pulse.stop - pulse.onset)
         pushes.append(Pushed(float(pulse.onset), float(pulse.stop), impulse, pulse.size, score - best))
         y, best, spent = after, score, spent + 3
+        free &= (starts > pulse.stop + SEPARATE) | (stops < pulse.onset - SEPARATE)
     left = float(y @ y) / len(y)
     share = 1 - left / max(float(first.y @ first.y) / len(first.y), 1e-12)
     if column is None:

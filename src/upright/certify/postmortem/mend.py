@@ -10,17 +10,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.certify.postmortem.fall import before, without
-from upright.certify.postmortem.faults import Bank, plain_bank
+from upright.certify.postmortem.faults import YOUNGEST, Bank, plain_bank
 from upright.certify.postmortem.fits import Fit, bias_left, with_pushes
 from upright.certify.postmortem.path import Track, driven, tangent, track
 from upright.signals import Log
 
 Array = NDArray[np.float64]
 GYRO = "sensor/gyro"
-FREED = ("bias", "weak", "late")
-"""Faults that a log can be freed of."""
 FAR, MOST = 150.0, 4
-"""Nats behind the likeliest from which a hypothesis is not looked at again, and how many are at most."""
+"""Nats behind the likeliest from which a gyro's offset is not looked at again, and how many are at most."""
+
+DRIVEN = ("weak", "late")
+"""Faults of the commands, which are not small where the robot falls: they are searched by the filter itself."""
+
+SHARES = (0.05, 0.15, 0.3, 0.5, 0.7)  # of the battery's voltage that are tried first
+DELAYS = (1.0, 2.0, 3.5, 5.0, 7.0, 10.0)  # periods
+APART = 0.4  # [s] between onsets that are tried first
+WARM = 2.0  # [s] that the filter has to find the robot before the part of the log that is judged
+HALVED = 4
+"""Times that the steps in size and onset are halved round the best."""
 
 ROUNDS = 2
 """Most times that the size of a gyro's offset is found again on the log freed of it."""
@@ -29,18 +37,21 @@ ROUNDS = 2
 def mended(found: Track, fit: Fit) -> Track | None:
     """The track of the log without the fault; None for a fault that no log can be freed of."""
     log, kit, robot = found.log, found.kit, found.robot
+    if fit.fault in DRIVEN:
+        return track(log, robot, kit, _sent(found, fit.fault, fit.way, fit.onset, fit.size))
     if fit.fault == "bias":
         later = log.t - fit.onset
         shift = fit.size * np.where(later >= 0, 1.0 if fit.way == "step" else later, 0.0)
         return track(Log(log.t, {**log.channels, GYRO: log[GYRO] - shift}, log.units, log.origin), robot, kit)
-    if fit.fault not in ("weak", "late"):
-        return None
-    usual = driven(found.asked, kit, robot.command_unit)
-    if fit.fault == "weak":
-        other = driven(found.asked, kit, robot.command_unit, fit.size, weak=fit.way == "pwm")
-    else:
-        other = _later(usual, fit.size)
-    return track(log, robot, kit, np.where((log.t >= fit.onset)[:, None], other, usual))
+    return None
+
+
+def _sent(found: Track, fault: str, way: str, onset: float, size: float) -> Array:
+    """The commands at the motors (samples, 2) with a fault of them from `onset` [s] on."""
+    kit, unit = found.kit, found.robot.command_unit
+    usual = driven(found.asked, kit, unit)
+    other = _later(usual, size) if fault == "late" else driven(found.asked, kit, unit, size, weak=way == "pwm")
+    return np.where((found.log.t >= onset)[:, None], other, usual)
 
 
 def _later(commands: Array, periods: float) -> Array:
@@ -66,6 +77,36 @@ class Window:
         part = before(found, self.end, self.seconds)
         use = (part.row >= 0) & np.isfinite(part.s)
         return plain_bank(part, tangent(part), use, self.usual)
+
+
+def searched(found: Track, window: Window) -> list[Fit]:
+    """A weak battery of either kind and later commands, each of the size and onset at which the filter is surprised
+    least; their scores are not yet exact."""
+    recent = track(found.log.between(window.end - window.seconds - WARM, math.inf), found.robot, found.kit)
+    ways = (("weak", "pwm", SHARES), ("weak", "limit", SHARES), ("late", "", DELAYS))
+    return [_searched(recent, window, *way) for way in ways]
+
+
+def _searched(recent: Track, window: Window, fault: str, way: str, sizes: tuple[float, ...]) -> Fit:
+    """By a grid in size and onset, then by steps that are halved; sizes move by factors."""
+
+    def surprise(onset: float, size: float) -> float:
+        freed = track(recent.log, recent.robot, recent.kit, _sent(recent, fault, way, onset, size))
+        if freed.then[-1] < recent.then[-1] - 0.1:
+            return math.inf
+        part = before(freed, window.end, window.seconds)
+        use = (part.row >= 0) & np.isfinite(part.s)
+        return float((part.e[use] ** 2 / part.s[use]).sum())
+
+    onsets = np.arange(window.end - window.seconds, window.end - YOUNGEST, APART).tolist()
+    least, onset, size = min((surprise(t, x), t, x) for t in onsets for x in sizes)
+    step, factor = APART / 2, math.sqrt(sizes[1] / sizes[0])
+    for _ in range(HALVED):
+        near = [(onset + i * step, size * factor**j) for i, j in ((-1, 0), (1, 0), (0, -1), (0, 1))]
+        tried = min((surprise(t, x), t, x) for t, x in near if fault == "late" or x < 1)
+        least, onset, size = min(tried, (least, onset, size))
+        step, factor = step / 2, math.sqrt(factor)
+    return Fit(fault, way, -math.inf, math.nan, onset, size, (), math.nan)
 
 
 def exact(found: Track, fit: Fit, window: Window, against: Bank) -> Fit:
@@ -102,6 +143,7 @@ def dropped(found: Track, frozen: NDArray[np.bool_], window: Window, against: Ba
 
 def sharpened(found: Track, fits: Sequence[Fit], window: Window, against: Bank) -> list[Fit]:
     """All fits, the likeliest of each fault that a log can be freed of by their exact score, the likeliest first."""
-    worth = [fit for fit in fits if fit.fault in FREED and fit.score > fits[0].score - FAR][:MOST]
+    biases = [fit for fit in fits if fit.fault == "bias" and fit.score > fits[0].score - FAR][:MOST]
+    worth = [*biases, *(fit for fit in fits if fit.fault in DRIVEN)]
     rest = [fit for fit in fits if not any(fit is one for one in worth)]
     return sorted([*(exact(found, fit, window, against) for fit in worth), *rest], key=lambda f: -f.score)

@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 
 from upright.bodies.electronics import drive
 from upright.errors import InvalidLog
-from upright.identify.calibrate import prepared, process
+from upright.identify.calibrate import NOISE_TIME, process
 from upright.identify.fitting import Path, Problem
-from upright.identify.recording import Recording, reading_matrix
-from upright.physics.dynamics import Disturbance, derivative
+from upright.identify.recording import SENSOR, first_noise, reading_matrix, record
+from upright.physics.dynamics import Disturbance, derivative, motor_gain
 from upright.physics.integrate import rk4_step
 from upright.physics.linear import linearise
 from upright.robots import Kit, Robot
@@ -32,6 +32,10 @@ Whole = NDArray[np.int64]
 
 FREEDOM = 0.03
 """Process noise, as a share of the commands and of 1 N for 0.6 kg: what a robot known from its sources needs."""
+
+DRY = 0.1
+"""The same as a share of the dry friction, which its sources know to a fifth and which no revolution of a wheel has
+twice."""
 
 INPUTS = ("left", "right", "force", "moment")
 """What can enter between two events: command errors of both motors, a force at the axle [N], a moment [N m]."""
@@ -99,15 +103,29 @@ def track(log: Log, robot: Robot, kit: Kit, sent: Array | None = None) -> Track:
     asked = np.column_stack([log[n] for n in names])
     if sent is None:
         sent = driven(asked, kit, robot.command_unit)
-    channels = {n: v for n, v in log.channels.items() if not n.startswith(("applied/", "truth/", "command/"))}
-    channels |= {"applied/left": sent[:, 0], "applied/right": sent[:, 1]}
-    channels = {n: _inside(v, kit, n) for n, v in channels.items()}
-    problem, _ = prepared([Log(log.t, channels)], robot, kit, (), 0.0)
-    problem = replace(problem, noise=dict(problem.noise) | process(problem.recordings, robot, FREEDOM))
-    recording = problem.recordings[0]
-    z = np.zeros(len(problem.parameters))
-    path = problem.filtered(recording, z, keep=True)
-    return _in_order(problem, recording, path, log, asked, kit)
+    others = {n: v for n, v in log.channels.items() if not n.startswith(("applied/", "truth/", "command/"))}
+    channels = {n: _inside(v, kit, n) for n, v in others.items()} | dict(zip(names, sent.T, strict=True))
+    problem = _problem(Log(log.t, channels), robot, kit, _dead_time(names[0], kit))
+    path = problem.filtered(problem.recordings[0], np.zeros(0), keep=True)
+    return _in_order(problem, path, log, asked, kit)
+
+
+def _dead_time(name: str, kit: Kit) -> float:
+    """From a command in the channel `name` to the motor [s]; what was applied had waited its whole periods before."""
+    waited = 0 if name.startswith("command/") else math.floor(kit.delay / kit.period + 1e-9)
+    return kit.delay - waited * kit.period + kit.jitter / 2
+
+
+def _problem(log: Log, robot: Robot, kit: Kit, dead: float) -> Problem:
+    """The nominal robot on the log, with nothing to estimate."""
+    late = {name: sensor.delay for name, sensor in kit.sensors.items() if name in SENSOR}
+    recording = record(log, robot, skip=kit.delay + max(late.values(), default=0.0) + 0.02, held_out=0.0)
+    delays = {s: dead + max((d for n, d in late.items() if SENSOR[n] == s), default=0.0) for s in recording.sensors}
+    noise = {s: math.log(variance) for s, variance in first_noise(recording, kit).items()}
+    noise |= process((recording,), robot, FREEDOM)
+    dry = DRY * robot.coulomb_friction / motor_gain(robot)
+    noise["motor"] = math.log(math.exp(noise["motor"]) + dry**2 * NOISE_TIME)
+    return Problem((recording,), robot, (), delays, noise)
 
 
 def _inside(values: Array, kit: Kit, name: str) -> Array:
@@ -118,8 +136,8 @@ def _inside(values: Array, kit: Kit, name: str) -> Array:
     return np.where(np.abs(values) < 0.98 * sensor.range, values, np.nan)
 
 
-def _in_order(problem: Problem, recording: Recording, path: Path, log: Log, asked: Array, kit: Kit) -> Track:
-    z = np.zeros(len(problem.parameters))
+def _in_order(problem: Problem, path: Path, log: Log, asked: Array, kit: Kit) -> Track:
+    recording, z = problem.recordings[0], np.zeros(0)
     order = problem.order(recording, z)
     late = problem.own_delays(recording, z)
     then = (recording.when - late)[order]
@@ -135,6 +153,7 @@ def _in_order(problem: Problem, recording: Recording, path: Path, log: Log, aske
     reads = reading_matrix(recording.rows, len(recording.first), turn)[:, :, 0]
     sample = np.searchsorted(log.t, recording.when[order] - 1e-9)
     lost = ~np.isfinite(after).all(axis=1) | ((row >= 0) & ~np.isfinite(path.e[order]))
+    lost[int((row >= 0).argmax()) :] |= ~after[int((row >= 0).argmax()) :].any(axis=1)  # the filter stopped at a topple
     keep = slice(0, int(lost.argmax()) if lost.any() else len(order))
     return Track(
         problem.robot, kit, log, asked, recording.rows, then[keep], row[keep], sample[keep],

@@ -164,14 +164,13 @@ def _unwatched(share: float) -> None:
 def lacking(log: Log) -> tuple[str, ...]:
     """What a log lacks of commands, gyro and encoders, without which no motion is told."""
 
-    def moves(name: str) -> bool:
-        return (
-            name in log
-            and bool(np.isfinite(log[name]).any())
-            and float(np.nanmax(log[name]) - np.nanmin(log[name])) > 0
-        )
+    def says(name: str) -> bool:
+        return name in log and bool(np.isfinite(log[name]).any())
 
-    commands = any(moves(f"{prefix}/{side}") for prefix in ("command", "applied") for side in ("left", "right"))
+    def moves(name: str) -> bool:
+        return says(name) and float(np.nanmax(log[name]) - np.nanmin(log[name])) > 0
+
+    commands = any(all(says(f"{prefix}/{side}") for side in ("left", "right")) for prefix in ("command", "applied"))
     found = [] if commands else ["commands (command/left and command/right)"]
     found += [] if moves("sensor/gyro") else ["a gyro (sensor/gyro)"]
     return tuple(found + ([] if any(moves(n) for pair in RATES.items() for n in pair) else ["encoders"]))

@@ -9,7 +9,7 @@ to the next.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from upright.certify.postmortem.evidence import EXCURSION, FOREIGN, Evidence
@@ -24,6 +24,9 @@ CAUSES = (SATURATION, BIAS, DROPPED, SLIP, BATTERY, PUSH, DELAY, LOW, HIGH)
 NAMES = {"bias": BIAS, "weak": BATTERY, "late": DELAY, "slip": SLIP, "dropped": DROPPED}
 SURE, SHARP = 15.0, 3.0
 """Nats by which a fault must explain more than pushes alone to be as likely as not, and how sharply."""
+
+EXPLAINED = 0.55
+"""Share of what pushes alone leave of the innovations' squares that a fault may leave at most."""
 
 TEMPER = 6.0
 """Nats that count as one between two faults: what is wrong with the model is shared by neighbouring rows."""
@@ -105,6 +108,17 @@ def _logistic(x: float) -> float:
     return 1 / (1 + math.exp(-min(max(x, -50.0), 50.0)))
 
 
+def _stuck(seen: Evidence) -> Answers:
+    """Whether the motors got one and the same command all through the fall."""
+    if not seen.stuck:
+        return []
+    name, why = (
+        (SATURATION, "the motors stood at their limit") if seen.pegged > 0.95 else (DROPPED, "the loop did not run")
+    )
+    said = f"no command changed in the last {EXCURSION:g} s, while the robot fell: {why}"
+    return [(0.98, _Said(name, _since(seen), said))]
+
+
 def _changed_law(seen: Evidence) -> Answers:
     """Whether the recorded commands are the file's law times a number."""
     law = seen.law
@@ -131,13 +145,21 @@ def _changed_robot(seen: Evidence) -> Answers:
     if not best:
         return []
     top = max(fit.score for fit in best.values())
-    whole = _logistic((top - usual - SURE) / SHARP)
     weights = {name: math.exp(max((fit.score - top) / TEMPER, -50.0)) for name, fit in best.items()}
     total = sum(weights.values())
     return [
-        (whole * weights[name] / total, _Said(NAMES[name], fit.onset, _of_fit(seen, fit, usual)))
+        (weights[name] / total * _holds(seen, fit, usual), _Said(NAMES[name], fit.onset, _of_fit(seen, fit, usual)))
         for name, fit in best.items()
     ]
+
+
+def _holds(seen: Evidence, fit: Fit, usual: float) -> float:
+    """How likely a fault is a cause at all: it explains more than pushes alone by far, and most of what those leave;
+    wheels that slip under a push that topples by itself are none."""
+    assert seen.none is not None
+    most = _logistic((EXPLAINED - fit.left / seen.none.left) / 0.05)
+    alone = 1 - _toppled(seen, fit.pushes)[0] if fit.fault == "slip" else 1.0
+    return _logistic((fit.score - usual - SURE) / SHARP) * most * alone
 
 
 def _possible(fit: Fit) -> bool:
@@ -158,15 +180,21 @@ def _lost(seen: Evidence) -> Answers:
 
 def _shoved(seen: Evidence) -> Answers:
     """Whether a push in the last excursion is worth a lean that topples."""
+    assert seen.none is not None
+    chance, whole, push = _toppled(seen, seen.none.pushes)
+    return [(0.97 * chance, _Said(PUSH, push.start, _of_push(seen, push, whole)))] if push else []
+
+
+def _toppled(seen: Evidence, pushes: Sequence[Pushed]) -> tuple[float, float, Pushed | None]:
+    """How likely such pushes topple in the last excursion, the lean [rad] that they are worth, and the largest."""
     assert seen.fall is not None
-    limit = min(SHOVE, SHOVE_OF_REACH * seen.lean_limit)
-    late = [(push, lean) for push, lean in seen.shoves if push.start > seen.fall.at - EXCURSION]
+    late = [push for push in pushes if push.start > seen.fall.at - EXCURSION]
     if not late:
-        return []
-    push, lean = max(late, key=lambda pair: abs(pair[1]))
-    whole = abs(sum(worth for _, worth in late if worth * lean > 0))
-    chance = _logistic((whole / limit - 1) / 0.1) * _logistic((push.score - 8) / 2)
-    return [(0.97 * chance, _Said(PUSH, push.start, _of_push(seen, push, whole)))]
+        return 0.0, 0.0, None
+    push = max(late, key=lambda p: abs(seen.worth(p)))
+    whole = abs(sum(worth for p in late if (worth := seen.worth(p)) * seen.worth(push) > 0))
+    limit = min(SHOVE, SHOVE_OF_REACH * seen.lean_limit)
+    return _logistic((whole / limit - 1) / 0.1) * _logistic((push.score - 8) / 2), whole, push
 
 
 def _steady_load(seen: Evidence) -> Answers:
@@ -216,7 +244,7 @@ def _weak_or_wild(seen: Evidence) -> Answers:
 
 
 QUESTIONS: tuple[Callable[[Evidence], Answers], ...] = (
-    _changed_law, _lost, _changed_robot, _shoved, _steady_load, _demanded, _weak_or_wild,
+    _stuck, _changed_law, _lost, _changed_robot, _shoved, _steady_load, _demanded, _weak_or_wild,
 )  # fmt: skip
 
 
