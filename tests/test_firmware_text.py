@@ -13,7 +13,7 @@ import pytest
 
 from firmware_cases import EV3, GOLDEN, NXT, ROBOT, SPIKE, designed, frozen, written
 from upright.atomic import write_json
-from upright.certify.certificate import Certificate, LinearMargins, clopper_pearson, judge
+from upright.certify.certificate import Certificate, LinearMargins, judge
 from upright.certify.checks import Trial
 from upright.cli.main import USER_ERROR, main
 from upright.control import LinearController, controller_hash, write_controller
@@ -24,6 +24,7 @@ from upright.firmware.print_c import CPrinter
 from upright.firmware.print_nxc import NxcPrinter
 from upright.firmware.program import Kind, Sum
 from upright.firmware.setup import FALLEN, TOO_FAR
+from upright.fleet.results import largest_share
 from upright.robots import Kit, Robot
 
 PROGRAMS = {
@@ -267,7 +268,7 @@ def red_certificate() -> Certificate:
     linear = LinearMargins(0.9, 0.5, 2.0, 0.01)
     light, reasons = judge(100, 100, linear, trials, 0.01)
     facts = (ROBOT.name, NXT.name, "lqg", controller_hash(frozen()), 0.01, 0, 100, 100)
-    return Certificate(light, reasons, clopper_pearson(100, 100), *facts, linear, trials)
+    return Certificate(light, reasons, largest_share(100, 100), *facts, linear, trials)
 
 
 def test_a_red_certificate_is_refused_unless_somebody_insists(tmp_path: Path, capsys, monkeypatch):

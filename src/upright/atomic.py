@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import uuid
 from collections.abc import Callable
@@ -49,6 +50,11 @@ def json_text(data: Any) -> str:
 def write_json(target: str | Path, data: Any) -> Path:
     """Write JSON, whole or not at all."""
     return write_text(target, json_text(data) + "\n")
+
+
+def finite(value: Any) -> Any:
+    """The value, or None for a number that JSON does not have: NaN and infinity."""
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def _fill(stream: BinaryIO, text: str) -> None:

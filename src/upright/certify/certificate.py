@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.atomic import finite
 from upright.certify.agreement import AMBER, RED, Agreement, agreement, disagreements
 from upright.certify.analysis import INPUTS, delay_margin
 from upright.certify.checks import Course, Progress, Swept, Trial, driver, later, slower, trials
@@ -25,7 +26,7 @@ from upright.certify.margins import margins
 from upright.control.controller import Controller, controller_hash
 from upright.control.uncertain import draw, spreads
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
-from upright.fleet.results import clopper_pearson as interval
+from upright.fleet.results import largest_share
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -93,7 +94,7 @@ class Certificate:
 
     def check(self) -> tuple[str, ...]:
         """What does not follow from this certificate's own numbers; nothing where it may be trusted."""
-        bound = clopper_pearson(self.fell, self.samples)
+        bound = largest_share(self.fell, self.samples, CONFIDENCE)
         light, reasons = judge(self.samples, self.fell, self.linear, self.trials, self.period, self.agreement)
         wrong = [f"the bound is {self.bound:g}, not {bound:g}"] if not math.isclose(bound, self.bound) else []
         wrong += [f"the light is {self.light}, not {light}"] if light != self.light else []
@@ -113,7 +114,7 @@ class Certificate:
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is unlimited."""
-        linear = {k: _finite(v) for k, v in asdict(self.linear).items()} if self.linear else None
+        linear = {k: finite(v) for k, v in asdict(self.linear).items()} if self.linear else None
         numbers = asdict(self) | {"linear": linear}
         return {"file": KIND, "version": VERSION} | numbers
 
@@ -171,7 +172,7 @@ def certify(
     light, reasons = judge(len(family), count, linear, found, period, seen)
     late, slow = (f(course) if sweeps else () for f in (later, slower))
     return Certificate(
-        light, reasons, clopper_pearson(count, len(family)), robot.name, kit.name, controller.spec.kind,
+        light, reasons, largest_share(count, len(family), CONFIDENCE), robot.name, kit.name, controller.spec.kind,
         controller_hash(controller), period, seed, len(family), count, linear, found, late, slow, seen,
     )  # fmt: skip
 
@@ -189,11 +190,6 @@ def read_certificate(path: str | Path) -> Certificate:
 def uncertainty(robot: Robot) -> dict[str, float]:
     """One standard deviation of each number not known of the robot."""
     return spreads(robot)
-
-
-def clopper_pearson(fell: int, samples: int, confidence: float = CONFIDENCE) -> float:
-    """What the chance of a fall stays below: p with P(no more than `fell` of `samples` | p) = 1 − `confidence`."""
-    return interval(fell, samples, 2 * confidence - 1).high  # one-sided: all of what is left stands above
 
 
 def linear_margins(controller: Controller, robot: Robot, kit: Kit) -> LinearMargins | None:
@@ -224,7 +220,7 @@ def judge(
     thin = _thin(linear, period) if linear else []
     if amber := disagreements(seen, AMBER) + thin + _laborious(found):
         return AMBER, tuple(amber[:2])
-    chance = _per_cent(clopper_pearson(fell, samples))
+    chance = _per_cent(largest_share(fell, samples, CONFIDENCE))
     said = f"{fell} of {samples} robots fell: the chance is below {chance}"
     if linear is None:
         return GREEN, (said, "its linear margins are not known")
@@ -233,7 +229,7 @@ def judge(
 
 
 def _falls(samples: int, fell: int, found: Sequence[Trial]) -> list[str]:
-    bound = clopper_pearson(fell, samples)
+    bound = largest_share(fell, samples, CONFIDENCE)
     if bound <= MOST_FALLS:
         return []
     worst = max(found, key=lambda t: t.fell)
@@ -289,10 +285,6 @@ def _check_family(family: Sequence[Robot], robot: Robot) -> None:
 def _per_cent(share: float) -> str:
     """Two significant digits."""
     return f"{100 * share:.2g} %" if share < 0.1 else f"{100 * share:.0f} %"
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None
 
 
 def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from upright.atomic import finite
 from upright.control.state_space import Complex, StateSpace
 from upright.errors import InvalidModel
 
@@ -66,7 +67,7 @@ class Margins:
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is unlimited."""
-        return {key: _finite(value) for key, value in asdict(self).items()}
+        return {key: finite(value) for key, value in asdict(self).items()}
 
 
 def disk_gain(alpha: float) -> tuple[float, float]:
@@ -181,7 +182,3 @@ def disk_margin(loop: StateSpace, skew: float = 0.0) -> float:
 
     coarse = grid[:: max(1, len(grid) // 600)]
     return 1 / peak(mu, coarse)
-
-
-def _finite(value: Any) -> Any:
-    return value if isinstance(value, str) or math.isfinite(value) else None

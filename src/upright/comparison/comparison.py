@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from upright.atomic import finite
 from upright.bodies.body import FALLEN
 from upright.comparison import metrics
 from upright.errors import InvalidLog, UnknownName
@@ -91,9 +92,9 @@ class Comparison:
         }
 
     def _log_json(self, label: str) -> dict[str, Any]:
-        numbers = {name: _plain(value) for name, value in dataclasses.asdict(self.metrics[label]).items()}
-        fits = {name: _plain(value) for name, value in self.fits.get(label, {}).items()}
-        where = {"kind": self.kinds[label], "source": self.sources[label], "release": _plain(self.releases[label])}
+        numbers = {name: finite(value) for name, value in dataclasses.asdict(self.metrics[label]).items()}
+        fits = {name: finite(value) for name, value in self.fits.get(label, {}).items()}
+        where = {"kind": self.kinds[label], "source": self.sources[label], "release": finite(self.releases[label])}
         return where | {"metrics": numbers, "fit": fits}
 
     def __str__(self) -> str:
@@ -275,10 +276,6 @@ def _fit(anchor: Log, log: Log, mine: Mapping[str, str], other: Mapping[str, str
         )
     t = anchor.t[keep]
     return {name: metrics.nrmse_fit(anchor[mine[name]][keep], np.interp(t, log.t, log[other[name]])) for name in mine}
-
-
-def _plain(value: float | bool) -> float | bool | None:
-    return value if isinstance(value, bool) or math.isfinite(value) else None
 
 
 def _cell(value: float | bool) -> str:

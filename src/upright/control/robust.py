@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.atomic import finite
 from upright.control.delay import SampledRobot, sampled
 from upright.control.family import Family, Plane, family, halves, plane, sides
 from upright.control.filtering import RECOVERED, Disturbed, Filter, kalman_filter
@@ -112,7 +113,7 @@ class Robust:
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is infinite."""
         costs = {"own": self.own, "plain": self.plain, "inequalities": self.inequalities}
-        said = {name: _finite(asdict(c)) if c else None for name, c in costs.items()}
+        said = {name: {k: finite(v) for k, v in asdict(c).items()} if c else None for name, c in costs.items()}
         return {"method": self.method, "k": self.k.tolist(), **said, "words": self.words()}
 
 
@@ -256,7 +257,3 @@ def _both(task: _Task, k: Array) -> Array:
     """K (2, 6 + earlier commands): `k` on the pitch plane, plain LQR on the heading."""
     out, into = halves([*STATE_NAMES, *sides(task.seen.history)], -1.0)
     return np.tile(k @ task.gather, (2, 1)) + task.regulator() @ task.seen.ahead @ out @ into
-
-
-def _finite(numbers: dict[str, Any]) -> dict[str, Any]:
-    return {k: None if isinstance(v, float) and not math.isfinite(v) else v for k, v in numbers.items()}

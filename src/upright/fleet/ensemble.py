@@ -128,7 +128,7 @@ class Ensemble:
         }  # fmt: skip
         return {
             "robot": {"name": family.robot.name, "drive": family.robot.drive, **family.robot.numbers()},
-            "kit": _finite(kit),
+            "kit": _limited(kit),
             "vary": described(family),
             "controller": {**controller.to_json(), "hash": controller_hash(controller)},
             "scenario": scenario,
@@ -206,12 +206,12 @@ def _ramp(reference: Any) -> list[float]:
 
 
 def _said(part: Any) -> dict[str, Any]:
-    return {"kind": type(part).__name__, **_finite(asdict(part))}
+    return {"kind": type(part).__name__, **_limited(asdict(part))}
 
 
-def _finite(data: Any) -> Any:
+def _limited(data: Any) -> Any:
     """The same without infinities, which JSON does not have and which here mean: no limit."""
     if isinstance(data, dict):
         entries = cast(dict[str, Any], data).items()
-        return {k: _finite(v) for k, v in entries if not (isinstance(v, float) and not math.isfinite(v))}
+        return {k: _limited(v) for k, v in entries if not (isinstance(v, float) and not math.isfinite(v))}
     return data

@@ -46,6 +46,11 @@ def clopper_pearson(count: int, n: int, confidence: float = 0.95) -> Interval:
     return Interval(count / n, low, high)
 
 
+def largest_share(count: int, n: int, confidence: float = 0.95) -> float:
+    """What the true share stays below: p with P(no more than `count` of `n` | p) = 1 − `confidence`."""
+    return clopper_pearson(count, n, 2 * confidence - 1).high  # one-sided: all of what is left stands above
+
+
 @dataclass(frozen=True)
 class Summary:
     """A fleet in short: of `n` robots `fell` fell, the chance of it with its 95 % interval, and of each outcome of

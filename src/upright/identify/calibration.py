@@ -3,7 +3,6 @@ checked. A `Calibration` can check itself, print itself and be written as JSON."
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -11,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.atomic import finite
 from upright.errors import InvalidRobot
 from upright.robots import Robot
 
@@ -146,7 +146,7 @@ class Calibration:
         from dataclasses import asdict
 
         def plain(items: Sequence[Any]) -> list[dict[str, Any]]:
-            return [{k: _finite(v) for k, v in asdict(item).items()} for item in items]
+            return [{k: finite(v) for k, v in asdict(item).items()} for item in items]
 
         return {
             "robot": {"name": self.robot.name, "drive": self.robot.drive, **self.robot.numbers()},
@@ -155,8 +155,8 @@ class Calibration:
             "delays": plain(self.delays), "electronics": plain(self.electronics),
             "names": list(self.names), "covariance": self.covariance.tolist(), "noise": dict(self.noise),
             "whiteness": [{**d, "white": w.white} for d, w in zip(plain(self.whiteness), self.whiteness, strict=True)],
-            "fits": {k: {n: _finite(v) for n, v in row.items()} for k, row in self.fits.items()},
-            "segments": {k: _finite(v) for k, v in self.segments.items()}, "closed_loop": dict(self.closed_loop),
+            "fits": {k: {n: finite(v) for n, v in row.items()} for k, row in self.fits.items()},
+            "segments": {k: finite(v) for k, v in self.segments.items()}, "closed_loop": dict(self.closed_loop),
             "temper": self.temper, "samples": self.samples, "seconds": self.seconds, "sources": list(self.sources),
             "notes": list(self.notes), "unseen": list(self.unseen), "wrong": list(self.check()),
         }  # fmt: skip
@@ -171,7 +171,3 @@ class Calibration:
 def _line(e: Estimate) -> str:
     mark = "  contradicts its prior" if e.surprising else ""
     return f"  {e.name:<18} {e.value:>11.5g} [{e.low:.4g}, {e.high:.4g}] {e.unit:<10} {e.verdict}{mark}"
-
-
-def _finite(value: Any) -> Any:
-    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from upright.atomic import finite
 from upright.control import Controller
 from upright.errors import InvalidController, SpecMismatch
 from upright.lab.codec import encode
@@ -60,7 +60,7 @@ def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
     m = margins(loop.at_input, INPUTS["both motors"], "both motors")
     delay = min(m.delay, delay_margin(robot, controller, kit))
     return Analysed(
-        True, m.words(), gain, m.gain_low, _finite(m.gain_high), _finite(m.phase), _finite(delay), poles,
+        True, m.words(), gain, m.gain_low, finite(m.gain_high), finite(m.phase), finite(delay), poles,
         _curve(broken, loop, INPUTS),
     )  # fmt: skip
 
@@ -68,10 +68,6 @@ def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
 def _curve(broken: Any, loop: Any, inputs: Any) -> tuple[tuple[float, ...], ...]:
     omega, L = broken(loop, inputs["both motors"], SHOWN_FREQUENCIES)
     return tuple(tuple(float(f"{v:.4g}") for v in row) for row in (omega, L.real, L.imag))
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None
 
 
 def light(report: Report, setup: Setup) -> Lit:  # noqa: ARG001 (it is over before a share could be shown)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.atomic import finite
 from upright.certify.postmortem.fall import (
     Fall,
     Motion,
@@ -71,7 +72,7 @@ class Series:
     def to_json(self) -> dict[str, Any]:
         """As lists, to six digits."""
         data = {f.name: getattr(self, f.name) for f in fields(self)}
-        return {k: _rounded(v) if isinstance(v, np.ndarray) else _plain(v) for k, v in data.items()}
+        return {k: _rounded(v) if isinstance(v, np.ndarray) else finite(v) for k, v in data.items()}
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Series:
@@ -85,10 +86,6 @@ class Series:
 
 def _rounded(values: Array) -> list[float | None]:
     return [float(f"{v:.6g}") if math.isfinite(v) else None for v in values.tolist()]
-
-
-def _plain(value: float) -> float | None:
-    return value if math.isfinite(value) else None
 
 
 @dataclass(frozen=True, eq=False)

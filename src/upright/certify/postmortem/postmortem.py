@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.atomic import finite
 from upright.certify.postmortem.evidence import Evidence, Series, gathered, series_of
 from upright.certify.postmortem.verdict import CANNOT_TELL, NO_FALL, Cause, ranked
 from upright.control import Controller, controller_hash
@@ -71,8 +72,8 @@ class PostMortem:
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is not known."""
-        numbers = {k: _finite(v) for k, v in asdict(self).items() if k not in ("causes", "series")}
-        causes = [{k: _finite(v) for k, v in asdict(cause).items()} for cause in self.causes]
+        numbers = {k: finite(v) for k, v in asdict(self).items() if k not in ("causes", "series")}
+        causes = [{k: finite(v) for k, v in asdict(cause).items()} for cause in self.causes]
         return {"file": KIND, "version": VERSION} | numbers | {"causes": causes, "series": self.series.to_json()}
 
     @classmethod
@@ -211,10 +212,6 @@ def kit_of(log: Log, robot: Robot) -> Kit:
 def _cause(data: dict[str, Any]) -> Cause:
     given: dict[str, Any] = data | {"onset": _number(data["onset"])}
     return Cause(**given)
-
-
-def _finite(value: Any) -> Any:
-    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def _number(value: float | None) -> float:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.atomic import finite
 from upright.identify.linear.coordinates import PHYSICAL, PartModel
 from upright.identify.linear.order import Order
 from upright.identify.linear.study import Pole
@@ -59,7 +60,7 @@ class Identified:
     def to_json(self) -> dict[str, Any]:
         """The model as `LinearModel.from_json` reads it, and beside it method, pole, lateness, orders and fits."""
         deviations = {"A": _plain(self.a_deviation), "B": _plain(self.b_deviation)}
-        fits = {h: {n: _known(v) for n, v in row.items()} for h, row in self.fits.items()}
+        fits = {h: {n: finite(v) for n, v in row.items()} for h, row in self.fits.items()}
         return {
             **self.model.to_json(), "method": self.method, "source": self.source, "samples": self.samples,
             "unstable_pole": self.pole.to_json(), "deviations": deviations, "late": dict(self.late),
@@ -124,8 +125,4 @@ def physical_names(parts: Sequence[PartModel]) -> tuple[str, ...]:
 
 
 def _plain(values: Array) -> list[list[float | None]]:
-    return [[_known(v) for v in row] for row in values.tolist()]
-
-
-def _known(value: float) -> float | None:
-    return value if np.isfinite(value) else None
+    return [[finite(v) for v in row] for row in values.tolist()]
