@@ -13,9 +13,10 @@ from upright.robots import Battery, Kit, Motor, Robot, Sensor, kit_names
 NXT = Robot.preset("nxtway-gs")
 LEAN = (0.05, 0.0, 0.1, 0.0, 0.2, 0.0)
 KITS = ("bare", *kit_names())
+SIMULATED = [name for name in BODIES if not make_body(name, NXT).spec.real]  # hardware: test_hardware_bodies.py
 
 
-@pytest.fixture(params=[(name, kit) for name in BODIES for kit in KITS], ids="-".join)
+@pytest.fixture(params=[(name, kit) for name in SIMULATED for kit in KITS], ids="-".join)
 def body(request):
     name, kit = request.param
     parts = None if kit == "bare" else Kit.preset(kit)

@@ -22,11 +22,25 @@ def _twin(robot: Robot) -> Body:
     return Twin(robot)
 
 
+def _nxt(robot: Robot) -> Body:
+    from upright.bodies.nxt_body import NxtBody
+
+    return NxtBody(robot)
+
+
+def _pybricks(robot: Robot) -> Body:
+    from upright.bodies.pybricks_body import PybricksBody
+
+    return PybricksBody(robot)
+
+
 BODIES: dict[str, Callable[[Robot], Body]] = {
     "twin": _twin,
     "nonlinear": NonlinearBody,
     "published": lambda robot: NonlinearBody(robot, "published"),
     "linear": lambda robot: LinearBody(linearise(robot), robot),
+    "nxt": _nxt,
+    "pybricks": _pybricks,
 }
 
 

@@ -15,6 +15,8 @@ from typing import Any
 from upright.errors import MissingTool, UprightError
 
 PATIENCE = 10.0  # [s] for an answer; a file of 30 kB takes 3 s over Bluetooth
+REST = 600  # what HiTechnic's gyro reads at rest, as programs take it
+GYRO, COMPASS, LEFT, RIGHT = 0, 1, 2, 1  # the ports: S1, S2, OUT_C, OUT_B, as in generated programs
 GYRO_KIND = 6  # the sensor type that HiTechnic's gyro is read with: active, as a light sensor
 
 

@@ -27,6 +27,10 @@ class Electronics:
 
     def __init__(self, body: Body, kit: Kit) -> None:
         inner = body.spec
+        if inner.real:
+            raise SpecMismatch(
+                f"a {inner.kind} has electronics of its own", expected="a model or the twin", mend="upright fly"
+            )
         have = {signal.name: i for i, signal in enumerate(inner.channels)}
         missing = sorted(set(kit.sensors) - have.keys() - {BATTERY})
         if missing:

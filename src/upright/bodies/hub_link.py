@@ -50,6 +50,7 @@ class HubLink:
         self._hub, self._flags, self._gone = hub, StatusFlag, ConnectionState.DISCONNECTED
         self._rest, self._news = b"", asyncio.Event()
         hub.stdout_observable.subscribe(self._hear)
+        hub.status_observable.subscribe(self._changed)
 
     def watch(self) -> None:
         """From now on a broken line counts as lost."""
@@ -89,7 +90,7 @@ class HubLink:
         await self._do(self._hub.write(text), "listen")
 
     async def news(self, timeout: float) -> bool:
-        """Wait until the hub has said something, for `timeout` [s] at most; whether it has."""
+        """Wait until the hub has said something, or how it is, for `timeout` [s] at most; whether it has."""
         self._news.clear()
         with suppress(TimeoutError):
             async with asyncio.timeout(timeout):
@@ -99,6 +100,10 @@ class HubLink:
     def _hear(self, data: bytes) -> None:
         *lines, self._rest = (self._rest + bytes(data)).replace(b"\r\n", b"\n").split(b"\n")
         self.heard += [line.decode("utf-8", "replace") for line in lines]
+        self._news.set()
+
+    def _changed(self, flags: Any) -> None:
+        del flags
         self._news.set()
 
     def _state(self, state: Any) -> None:

@@ -68,6 +68,33 @@ def sensor(brick: Any, port: int, kind: int) -> int:
     return int(brick.get_input_values(where)[5])
 
 
+def drive(brick: Any, ports: list[int], powers: list[int]) -> None:
+    """Give motors their duty [%], which they keep until they get another."""
+    from nxt.motor import Mode, Port, RegulationMode, RunState  # pyright: ignore[reportMissingImports]
+
+    for port, power in zip(ports, powers, strict=True):
+        state = RunState.RUNNING if power else RunState.IDLE
+        brick.set_output_state(Port(port), power, Mode.ON | Mode.BRAKE, RegulationMode.IDLE, 0, state, 0)
+
+
+def release(brick: Any, ports: list[int]) -> None:
+    """Switch motors off, and count their turning from here."""
+    from nxt.motor import Mode, Port, RegulationMode, RunState  # pyright: ignore[reportMissingImports]
+
+    for port in ports:
+        brick.set_output_state(Port(port), 0, Mode(0), RegulationMode.IDLE, 0, RunState.IDLE, 0)
+        brick.reset_motor_position(Port(port), False)
+
+
+def look(brick: Any, motors: list[int], gyro: int) -> list[int]:
+    """The turning of motors [deg] since `release`, what the converter of an input reads, and the battery [mV]."""
+    from nxt.motor import Port  # pyright: ignore[reportMissingImports]
+    from nxt.sensor import Port as Input  # pyright: ignore[reportMissingImports]
+
+    turned = [int(brick.get_output_state(Port(port))[-1]) for port in motors]
+    return [*turned, int(brick.get_input_values(Input(gyro))[5]), int(brick.get_battery_level())]
+
+
 def battery(brick: Any) -> int:
     """The battery [mV]."""
     return int(brick.get_battery_level())
@@ -89,7 +116,7 @@ def start(brick: Any, name: str) -> None:
 
 
 REQUESTS: dict[str, Callable[..., Any]] = {
-    f.__name__: f for f in (upload, fetch, running, start, stop, sensor, battery, firmware, files)
+    f.__name__: f for f in (upload, fetch, running, start, stop, sensor, drive, release, look, battery, firmware, files)
 }
 """Name of a request → what does it with the brick."""
 

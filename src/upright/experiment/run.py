@@ -99,6 +99,12 @@ def fit(spec: BodySpec, controller: Controller) -> tuple[list[int], int]:
         raise SpecMismatch(
             f"the controller commands {wants.command_unit}", expected=f"{spec.command_unit}, the body's unit"
         )
+    if not spec.settable and wants.period < spec.period * (1 - 1e-9):
+        raise SpecMismatch(
+            f"the {wants.kind} commands {1 / wants.period:.4g} times a second, and a {spec.kind} answers "
+            f"{1 / spec.period:.4g} times", expected=f"a period of {spec.period:g} s or a multiple of it",
+            mend="let the robot run it by itself: upright firmware, upright fly",
+        )  # fmt: skip
     stride = round(wants.period / spec.period)
     if stride < 1 or not math.isclose(stride * spec.period, wants.period, rel_tol=1e-9):
         raise SpecMismatch(

@@ -6,6 +6,7 @@ import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
+from upright.bodies.brick_link import COMPASS, GYRO, LEFT, REST, RIGHT
 from upright.firmware.brick import Hardware
 from upright.firmware.executor import ExecutionFailed, Values, run_tool, tool
 from upright.firmware.program import Program
@@ -14,8 +15,6 @@ from upright.firmware.targets import BATTERY, ENCODERS
 from upright.firmware.targets import COMPASS as BEARING
 from upright.firmware.vm import Machine
 
-REST = 600  # what HiTechnic's gyro reads at rest, as the program takes it
-GYRO, COMPASS, LEFT, RIGHT = 0, 1, 2, 1  # the ports in a generated program: S1, S2, OUT_C, OUT_B
 HEADING = 0x42  # HiTechnic's compass: half the heading [2 deg], and the odd degree in the register after it
 COST = 1  # [µs] an instruction takes here; how many there are in a period is what is reported
 LOOK = 100  # [µs] from one look at whether the program has come to rest to the next

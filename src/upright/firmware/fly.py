@@ -9,9 +9,9 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from upright.bodies.brick_link import GYRO_KIND, BrickLost, BrickRefused, Connection
+from upright.bodies.brick_link import GYRO, GYRO_KIND, REST, BrickLost, BrickRefused, Connection
 from upright.errors import UprightError
-from upright.firmware.execute_nxc import GYRO, REST, compile_nxc
+from upright.firmware.execute_nxc import compile_nxc
 from upright.firmware.logs import BRICK, ProgramLog, read_brick_log
 from upright.firmware.program import Program
 

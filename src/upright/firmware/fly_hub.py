@@ -101,11 +101,11 @@ async def _flown(
 async def _watch(
     hub: HubLink, end: float, progress: Callable[[float], None] | None, clock: Callable[[], float]
 ) -> None:
-    """Until `end`, the program's own, or the line's: a hub that is silent for as long as it is waited for is lost."""
+    """Until `end`, the program's own, or the line's: a hub that spoke and falls silent for its patience is lost."""
     began, heard, silent = clock(), 0, 0.0
     while (now := clock()) < end and not hub.lost and silent < hub.patience:
         if not await hub.news(LOOK):
-            silent += LOOK
+            silent += LOOK if heard else 0.0  # it says nothing while it waits to be held still
         elif not hub.running:
             return
         if len(hub.heard) > heard:

@@ -30,7 +30,7 @@ BATTERY_LOW, RUNNING = 1 << 0, 1 << 6  # status flags
 STATUS, OUTPUT = 0, 1  # events
 LOW_BATTERY = 6800  # [mV] below which a Prime hub warns (guess)
 ASKED = 100  # times a program is asked to stop before it is ended
-SLICE = 0.02  # [s] of the hub's time between two looks at the line
+SLICE = 0.005  # [s] of the hub's time between two looks at the line
 
 
 class Refused(IntEnum):

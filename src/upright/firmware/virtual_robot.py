@@ -6,9 +6,10 @@ from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 
+from upright.bodies.brick_link import LEFT, RIGHT
 from upright.experiment.pushes import PushProgramme
 from upright.firmware.brick import Hardware
-from upright.firmware.execute_nxc import LEFT, RIGHT, feel
+from upright.firmware.execute_nxc import feel
 from upright.firmware.hub import VirtualHub
 from upright.firmware.lcp import VirtualBrick
 from upright.firmware.line import Line

@@ -1,0 +1,85 @@
+"""An NXT that is commanded from here: slow, so that it can be supervised and measured, but not balanced."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+
+from upright.bodies.body import REST, Sample, checked
+from upright.bodies.brick_link import GYRO, GYRO_KIND, LEFT, RIGHT, BrickLost, BrickRefused, Connection
+from upright.bodies.remote import STILL, Reading, as_sample, at_rest, duty, remote_spec, unpushed
+from upright.physics.dynamics import CALM, Disturbance
+from upright.robots import Robot
+
+PERIOD = 0.1  # [s]: six telegrams a step, of 10 to 15 ms each over the cable
+FRESH = 9.6  # [V] of six fresh cells
+MOTORS = [LEFT, RIGHT]
+
+
+class NxtBody:
+    """`robot` on an NXT at `port` (usb, or a device such as /dev/rfcomm0), its gyro in input 1, motors at C and B.
+
+    Every `PERIOD` both motors get a duty and are read: far too slow for balancing, good for measuring motors and
+    sensors on a robot that lies or hangs. There is no truth, it cannot be put into a state, and nothing tells whether
+    it has fallen. Where the cable comes out, motors keep their last duty: only the brick itself can stop them then.
+    `late` counts steps that took longer than their period.
+
+    It connects at the first `reset`, for a second of which it must be still. `wait(seconds)` is how a virtual brick
+    lets time pass; without it time passes by itself. Raises `SpecMismatch`, and like `Connection`.
+    """
+
+    def __init__(self, robot: Robot, port: str = "usb", *, wait: Callable[[float], None] | None = None) -> None:
+        kind = "NXT over a cable" if wait is None else "virtual NXT with the twin round it, over a cable"
+        self.spec = remote_spec(kind, robot, PERIOD, FRESH, real=wait is None)
+        self.late, self._port, self._wait, self._brick = 0, port, wait, None
+        self._steps, self._offset, self._battery, self._tick = 0, 0.0, 0.0, 0.0
+
+    def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (hardware makes its own noise)
+        at_rest(start, self.spec.kind)
+        brick = self._connected()
+        brick.ask("release", ports=MOTORS)
+        brick.ask("sensor", port=GYRO, kind=GYRO_KIND)
+        self._steps, self.late, self._offset, self._tick = 0, 0, 0.0, time.monotonic()
+        seen = [self._look() for _ in range(STILL)]
+        self._offset = sum(reading.gyro for reading in seen) / STILL
+        self._battery, self._tick = seen[-1].battery, time.monotonic()
+        return as_sample(0.0, seen[-1], self._offset, (0.0, 0.0))
+
+    def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
+        duties = [duty(volts, self._battery) for volts in checked(command, 2, "command")]
+        unpushed(disturbance, self.spec.kind)
+        self._connected().ask("drive", ports=MOTORS, powers=duties)
+        self._pass()
+        reading = self._look()
+        self._steps, self._battery = self._steps + 1, reading.battery
+        return as_sample(self._steps * PERIOD, reading, self._offset, duties)
+
+    def close(self) -> None:
+        """Switch the motors off, and let go of the brick."""
+        brick, self._brick = self._brick, None
+        if brick is not None:
+            with suppress(BrickLost, BrickRefused):
+                brick.ask("release", ports=MOTORS)
+                brick.ask("battery")  # an answer says that what came before it has arrived
+            brick.close()
+
+    def _connected(self) -> Connection:
+        if self._brick is None:
+            self._brick = Connection(self._port)
+        return self._brick
+
+    def _look(self) -> Reading:
+        left, right, gyro, battery = self._connected().ask("look", motors=MOTORS, gyro=GYRO)
+        return Reading(left, right, gyro, battery / 1000)
+
+    def _pass(self) -> None:
+        """Wait for the end of the period."""
+        if self._wait:
+            self._wait(PERIOD)
+            return
+        self._tick += PERIOD
+        rest = self._tick - time.monotonic()
+        if rest < 0:
+            self.late, self._tick = self.late + 1, time.monotonic()
+        time.sleep(max(0.0, rest))

@@ -1,0 +1,128 @@
+"""A Pybricks hub that is commanded from here: twenty times a second, too slow for balancing."""
+
+from __future__ import annotations
+
+import asyncio
+import binascii
+import tempfile
+from collections.abc import Sequence
+from contextlib import AsyncExitStack, suppress
+from importlib.resources import files
+from pathlib import Path
+
+from upright.bodies.body import REST, Sample, checked
+from upright.bodies.hub_link import HubLink, HubLost, HubRefused, Peripheral, linked
+from upright.bodies.remote import STILL, Reading, as_sample, at_rest, duty, remote_spec, unpushed
+from upright.physics.dynamics import CALM, Disturbance
+from upright.robots import Robot
+
+PERIOD = 0.05  # [s] as `remote.micropython` has it: a line to a hub and back takes 20 to 40 ms over Bluetooth
+FRESH = 8.4  # [V] of two full lithium cells
+
+
+class PybricksBody:
+    """`robot` on a Pybricks hub at `port`: ble, ble:NAME, or a virtual one. The hub runs a small program that takes
+    duties as lines, reads its sensors every `PERIOD`, and stops its motors when it has heard nothing for half a second.
+
+    Far too slow for balancing, good for measuring motors and sensors on a robot that lies or hangs. There is no truth,
+    it cannot be put into a state, and nothing tells whether it has fallen. `program` is that program where the robot is
+    built differently. `late` counts readings that came while nobody had asked. It connects at the first `reset`, for a
+    second of which it must be still. Raises `SpecMismatch`, and like `linked`.
+    """
+
+    def __init__(self, robot: Robot, port: str | Peripheral = "ble", *, program: Path | None = None) -> None:
+        real = isinstance(port, str)
+        kind = "Pybricks hub over Bluetooth" if real else "virtual Pybricks hub with the twin round it"
+        self.spec = remote_spec(kind, robot, PERIOD, FRESH, real)
+        self.late, self._port, self._program = 0, port, program
+        self._runner, self._stack, self._hub = asyncio.Runner(), AsyncExitStack(), None
+        self._tick, self._began, self._offset, self._battery = 0, 0, 0.0, 0.0
+
+    def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (hardware makes its own noise)
+        at_rest(start, self.spec.kind)
+        return self._runner.run(self._reset())
+
+    def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
+        duties = [duty(volts, self._battery) for volts in checked(command, 2, "command")]
+        unpushed(disturbance, self.spec.kind)
+        return self._runner.run(self._step(duties))
+
+    def close(self) -> None:
+        """End the program, motors first, and let go of the hub."""
+        self._runner.run(self._close())
+
+    async def _reset(self) -> Sample:
+        hub = self._hub or await self._connected()
+        if hub.running:
+            await self._ended(hub)
+        await hub.start()
+        self._tick, self.late = 0, 0
+        seen = [(await self._next(hub))[0] for _ in range(STILL)]
+        self._offset = sum(reading.gyro for reading in seen) / STILL
+        self._battery, self._began, self.late = seen[-1].battery, self._tick, 0
+        return as_sample(0.0, seen[-1], self._offset, (0, 0))
+
+    async def _step(self, duties: Sequence[int]) -> Sample:
+        hub = self._hub or await self._connected()
+        order = f"{duties[0]} {duties[1]}".encode()
+        await hub.write(order + b"*%04X\n" % binascii.crc_hqx(order, 0xFFFF))
+        self._newest(hub)  # what was read before the hub had heard
+        reading, really = await self._next(hub)
+        self._battery = reading.battery
+        return as_sample((self._tick - self._began) * PERIOD, reading, self._offset, really)
+
+    async def _connected(self) -> HubLink:
+        hub = await self._stack.enter_async_context(linked(self._port))
+        with tempfile.TemporaryDirectory(prefix="upright-") as folder:
+            source = Path(folder) / "remote.py"
+            text = self._program or (files("upright.bodies") / "remote.micropython")
+            source.write_text(text.read_text(encoding="utf-8"), encoding="utf-8")
+            if hub.running:
+                await self._ended(hub)
+            await hub.upload(source)
+        self._hub = hub
+        return hub
+
+    async def _next(self, hub: HubLink) -> tuple[Reading, tuple[int, int]]:
+        """The newest whole reading, once there is one, and the duties it was taken under."""
+        while True:
+            if row := self._newest(hub):
+                left, right, gyro, battery, *duties = row
+                return Reading(left, right, gyro / 1000, battery / 1000), (duties[0], duties[1])
+            if hub.lost or not await hub.news(hub.patience):
+                raise HubLost(f"{hub.name} does not answer", likely="it is out of reach, or off", mend="come nearer")
+            if not hub.running:
+                raise HubRefused(f"the program on {hub.name} ended: {' '.join(hub.heard[-1:]) or 'it said nothing'}")
+
+    def _newest(self, hub: HubLink) -> list[int]:
+        """The numbers of the newest whole reading that has come, nothing where none has; the older ones are late."""
+        lines, hub.heard = hub.heard, []
+        rows = [row for row in map(_row, lines) if row]
+        if not rows:
+            hub.heard = [line for line in lines if line]  # its last words, perhaps
+            return []
+        tick, *values = rows[-1]
+        self.late, self._tick = self.late + tick - self._tick - 1, tick
+        return values
+
+    async def _ended(self, hub: HubLink) -> None:
+        await hub.stop()
+        while hub.running and not hub.lost:
+            await hub.news(hub.patience)
+
+    async def _close(self) -> None:
+        hub, self._hub = self._hub, None
+        if hub:
+            with suppress(HubLost, HubRefused):
+                await self._ended(hub)
+        await self._stack.aclose()
+
+
+def _row(line: str) -> list[int]:
+    """The numbers of a whole line of readings, nothing for any other."""
+    text, _, crc = line.rpartition("*")
+    try:
+        whole = text.startswith("R ") and int(crc, 16) == binascii.crc_hqx(text.encode(), 0xFFFF)
+        return [int(word) for word in text.split()[1:]] if whole else []
+    except ValueError:
+        return []
