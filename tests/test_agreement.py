@@ -36,6 +36,7 @@ from upright.control.uncertain import draw, spreads
 from upright.errors import InvalidController, InvalidLog, NotPermitted, SpecMismatch
 from upright.experiment import Hold, run
 from upright.fleet.kernel_batch import Gains
+from upright.identify.calibration import HELD, Calibration
 from upright.physics.dynamics import CALM
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -237,6 +238,18 @@ def test_a_calibration_hands_on_its_posterior_and_longer_dead_times() -> None:
     # 30 ms from command to gyro, of which the kit's own dead time and half its jitter are the command's
     assert found.kit.sensors["sensor/gyro"].delay == pytest.approx(0.03 - KIT.delay - KIT.jitter / 2)
     assert found.kit.sensors["sensor/encoder_left"] == KIT.sensors["sensor/encoder_left"]
+
+
+def test_a_calibrated_robots_file_says_how_its_errors_go_together() -> None:
+    # what is held at its prior was not found with the others, and a dead time is no number of a robot
+    estimates = tuple(SimpleNamespace(name=n, verdict=v) for n, v in (("track", "visible"), ("body_mass", HELD),
+                                                                      ("com_height", "visible")))  # fmt: skip
+    names, root = ("track", "delay/gyro", "body_mass", "com_height"), np.random.default_rng(0).normal(size=(4, 4))
+    calibration: Any = SimpleNamespace(
+        names=names, parameters=estimates, correlation=np.corrcoef(root @ root.T), robot=ROBOT
+    )
+    robot = Calibration.known_robot(calibration)
+    assert dict(robot.correlation) == {("com_height", "track"): pytest.approx(np.corrcoef(root @ root.T)[3, 0])}
 
 
 def test_command_calibrates_the_log_first(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 import tomllib
 from importlib import resources
@@ -178,6 +179,30 @@ def test_a_robot_written_and_read_again_is_the_same_with_the_same_sources(name: 
     again = Robot.load(robot.save(tmp_path / "robot.toml"))
     assert again == robot
     assert dict(again.provenance) == dict(robot.provenance)
+
+
+def test_correlations_are_written_and_read_again_and_go_with_a_number_that_is_changed(tmp_path: Path) -> None:
+    pairs = {("com_height", "body_mass"): -0.1 / 3, ("track", "body_mass"): 0.5, ("track", "com_height"): 1.0}
+    robot = dataclasses.replace(Robot.preset("nxtway-gs"), correlation=pairs)
+    assert dict(Robot.load(robot.save(tmp_path / "robot.toml")).correlation) == pairs
+    assert dict(robot.replace(track=0.15).correlation) == {("com_height", "body_mass"): -0.1 / 3}
+
+
+@pytest.mark.parametrize(
+    ("lines", "word"),
+    [
+        ("[correlation.track]\nbody_mass = 1.5", "from −1 to 1"),
+        ("[correlation.track]\ntrack = 0.5", "two names"),
+        ("[correlation.track]\nbody_mas = 0.5", "did you mean 'correlation.track.body_mass'"),
+        ("[correlation.trak]\nbody_mass = 0.5", "did you mean 'correlation.track'"),
+        ("[correlation]\ntrack = 0.5", "a table"),
+    ],
+)
+def test_wrong_correlations_are_named(lines: str, word: str, tmp_path: Path) -> None:
+    path = Robot.preset("nxtway-gs").save(tmp_path / "robot.toml")
+    path.write_text(path.read_text(encoding="utf-8") + "\n" + lines + "\n", encoding="utf-8")
+    with pytest.raises(InvalidRobot, match=word):
+        read_robot(path)
 
 
 def test_names_and_sources_survive_quotes_backslashes_and_line_breaks(tmp_path: Path) -> None:

@@ -1,5 +1,6 @@
 """One controller for many robots: its inequalities, its costs by other routes, and what it says of itself."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -169,6 +170,16 @@ def test_a_covariance_correlates_the_draws():
     robots = draw(NXT, 200, sizes=sizes, covariance=covariance)
     pairs = np.array([[r.body_mass, r.com_height] for r in robots])
     assert np.corrcoef(pairs.T)[0, 1] == pytest.approx(1.0, abs=1e-9)
+
+
+def test_a_robots_own_correlations_are_drawn():
+    # ρ = 0.9 of 500 draws cut at two deviations: the sample's own error is (1 − ρ²)/√500 = 0.01; the rest, which is
+    # named in no pair, stays independent, to 1/√500 = 0.045
+    robot = replace(NXT, correlation={("com_height", "body_mass"): 0.9})
+    pairs = np.array([[r.body_mass, r.com_height, r.track] for r in draw(robot, 500)])
+    found = np.corrcoef(pairs.T)
+    assert found[0, 1] == pytest.approx(0.9, abs=0.03)
+    assert abs(found[0, 2]) < 0.15
 
 
 def test_what_cannot_be_is_refused():

@@ -271,7 +271,7 @@ def _family(
 ) -> list[Robot]:
     if covariance is not None and sizes is None:
         raise InvalidScenario("a covariance without names", expected="sizes with its parameters, in its order")
-    return draw(robot, samples, seed, uncertainty(robot) if sizes is None else sizes, covariance)
+    return draw(robot, samples, seed, sizes, covariance)
 
 
 def _check_family(family: Sequence[Robot], robot: Robot) -> None:

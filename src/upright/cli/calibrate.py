@@ -60,7 +60,7 @@ def calibrate(
             data, find_robot(robot), find_kit(kit) if kit else None, known=known or (), held_out=held_out, progress=show
         )
     if output:
-        found.robot.save(output)
+        found.known_robot().save(output)
     if save:
         write_json(save, found.to_json())
     if page:

@@ -41,7 +41,8 @@ def draw(
     robot: Robot, count: int, seed: int = 0, sizes: Mapping[str, float] | None = None, covariance: Array | None = None
 ) -> list[Robot]:
     """`count` robots round `robot`: normal in the parameters named by `sizes` (None: the preset's `spreads`), cut at
-    `FARTHEST` deviations. `covariance` (n, n) in the order of `sizes` replaces their squares.
+    `FARTHEST` deviations, and correlated as `robot.correlation` says. `covariance` (n, n) in the order of `sizes`
+    replaces their squares.
 
     What no robot can be (`InvalidRobot`) is drawn again. Raises `DesignFailed` where nearly nothing can be.
     """
@@ -50,7 +51,8 @@ def draw(
         if name not in PARAMETERS:
             raise UnknownName("parameter", name, PARAMETERS)
     rng = np.random.Generator(np.random.Philox(seed))
-    root = np.diag(list(chosen.values())) if covariance is None else _root(covariance, len(chosen))
+    joint = _joint(robot, chosen) if sizes is None and robot.correlation else covariance
+    root = np.diag(list(chosen.values())) if joint is None else _root(joint, len(chosen))
     centre = np.array([getattr(robot, name) for name in chosen])
     found: list[Robot] = []
     for _ in range(50 * count + 50):
@@ -65,6 +67,17 @@ def draw(
         f"of {50 * count} draws only {len(found)} are robots", expected="spreads well below the values",
         mend="name smaller spreads",
     )  # fmt: skip
+
+
+def _joint(robot: Robot, sizes: Mapping[str, float]) -> Array:
+    """The covariance of the parameters of `sizes` by the robot's own correlations."""
+    place = {name: i for i, name in enumerate(sizes)}
+    whole = np.eye(len(sizes))
+    for (first, second), value in robot.correlation.items():
+        if first in place and second in place:
+            whole[place[first], place[second]] = whole[place[second], place[first]] = value
+    deviations = np.array(list(sizes.values()))
+    return whole * np.outer(deviations, deviations)
 
 
 def _root(covariance: Array, size: int) -> Array:

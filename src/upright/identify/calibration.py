@@ -3,6 +3,7 @@ checked. A `Calibration` can check itself, print itself and be written as JSON."
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -141,12 +142,19 @@ class Calibration:
         spread = np.sqrt(np.diag(self.covariance))
         return self.covariance / np.outer(spread, spread)
 
+    def known_robot(self) -> Robot:
+        """The robot with its posterior: beside each number's deviation, how the errors of each two go together."""
+        fitted = [e.name for e in self.parameters if e.verdict != HELD]
+        rows, rho = [self.names.index(name) for name in fitted], self.correlation
+        pairs = {(b, a): float(rho[j, i]) for n, (a, i) in enumerate(zip(fitted, rows, strict=True))
+                 for b, j in zip(fitted[n + 1 :], rows[n + 1 :], strict=True)}  # fmt: skip
+        return dataclasses.replace(self.robot, correlation=pairs)
+
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; what is not finite is null."""
-        from dataclasses import asdict
 
         def plain(items: Sequence[Any]) -> list[dict[str, Any]]:
-            return [{k: finite(v) for k, v in asdict(item).items()} for item in items]
+            return [{k: finite(v) for k, v in dataclasses.asdict(item).items()} for item in items]
 
         return {
             "robot": {"name": self.robot.name, "drive": self.robot.drive, **self.robot.numbers()},

@@ -94,7 +94,14 @@ def write_robot(robot: Robot, path: str | Path) -> Path:
     head = [f"{key} = {_quoted(getattr(robot, key))}" for key in ("name", "title", "drive", "kit")]
     idle = set(_ELECTRICAL) - robot.provenance.keys() if robot.drive == "torque" else set[str]()
     tables = [_written(name, robot) for name in PARAMETERS if name not in idle]
-    return write_text(path, "\n".join(head) + "\n" + "".join(tables))
+    return write_text(path, "\n".join(head) + "\n" + "".join(tables) + _pairs(robot))
+
+
+def _pairs(robot: Robot) -> str:
+    """A table of each parameter's correlations with others."""
+    firsts = dict.fromkeys(first for first, _ in robot.correlation)
+    rows = {f: [f"{b} = {r!r}" for (a, b), r in robot.correlation.items() if a == f] for f in firsts}
+    return "".join(f"\n[correlation.{first}]\n" + "\n".join(lines) + "\n" for first, lines in rows.items())
 
 
 def _written(name: str, robot: Robot) -> str:
@@ -154,9 +161,9 @@ def _parse(text: str, where: str) -> Table:
 
 
 def _robot(table: Table, where: str) -> Robot:
-    _no_strangers(table, {"name", "title", "drive", "kit", *PARAMETERS}, where)
+    _no_strangers(table, {"name", "title", "drive", "kit", "correlation", *PARAMETERS}, where)
     words = {key: _word(table, key, where) for key in ("name", "drive", "kit", "title") if key in table}
-    required = {f.name for f in dataclasses.fields(Robot) if f.default is dataclasses.MISSING} - {"provenance"}
+    required = {f.name for f in dataclasses.fields(Robot) if f.default is f.default_factory is dataclasses.MISSING}
     missing = sorted(required - table.keys())
     if missing:
         unit = PARAMETERS[missing[0]][0] if missing[0] in PARAMETERS else ""
@@ -166,7 +173,26 @@ def _robot(table: Table, where: str) -> Robot:
     numbers = {name: _number(table[name], name, (PARAMETERS[name][0],), where) for name in given}
     sources = {name: _provenance(table[name], name, where) for name in given}
     provenance = {name: source for name, source in sources.items() if source is not None}
-    return Robot(**cast(dict[str, Any], words), **cast(dict[str, Any], numbers), provenance=provenance)
+    pairs = _correlation(_subtable(table, "correlation", where), where)
+    return Robot(
+        **cast(dict[str, Any], words), **cast(dict[str, Any], numbers), provenance=provenance, correlation=pairs
+    )
+
+
+def _correlation(table: Table, where: str) -> dict[tuple[str, str], float]:
+    """What `[correlation.one] other = 0.3` says of pairs of parameters."""
+    pairs: dict[tuple[str, str], float] = {}
+    for first in table:
+        _no_strangers(table, PARAMETERS, where, "correlation.")
+        row = _subtable(table, first, where)
+        _no_strangers(row, PARAMETERS, where, f"correlation.{first}.")
+        for second, value in row.items():
+            if not _is_number(value) or not -1 <= value <= 1 or first == second:
+                raise InvalidRobot(
+                    f"{where}: correlation.{first}.{second} is {value!r}", expected="a number from −1 to 1 of two names"
+                )
+            pairs[first, second] = float(value)
+    return pairs
 
 
 def _kit(table: Table, where: str) -> Kit:

@@ -33,7 +33,8 @@ class Robot:
     `pitch_inertia`, `yaw_inertia` and `roll_inertia` are the body's about its centre of mass; the yaw and
     roll inertias include the two wheels' small inertias about their own diameters. With `drive="torque"`
     the command is each motor's torque [N m] on its wheel and the electrical numbers are not used.
-    `coulomb_friction` acts between body and wheel, smoothed over `stiction_rate`.
+    `coulomb_friction` acts between body and wheel, smoothed over `stiction_rate`. `correlation` says of pairs of
+    parameters how their errors go together, as a calibration finds them (1: one is as much too large as the other).
 
     Raises `InvalidRobot` for a robot that cannot exist or that has nothing to balance.
     """
@@ -64,6 +65,7 @@ class Robot:
     drive: str = "voltage"
     kit: str = "ideal"
     provenance: Mapping[str, Provenance] = field(default_factory=dict, compare=False, repr=False)
+    correlation: Mapping[tuple[str, str], float] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         _check_numbers(self)
@@ -94,7 +96,8 @@ class Robot:
     def replace(self, **changes: Any) -> Robot:
         """The same robot with some parameters changed, checked again; what is changed loses its source."""
         kept = {name: source for name, source in self.provenance.items() if name not in changes}
-        return dataclasses.replace(self, **({"provenance": kept} | changes))
+        pairs = {pair: value for pair, value in self.correlation.items() if not changes.keys() & set(pair)}
+        return dataclasses.replace(self, **({"provenance": kept, "correlation": pairs} | changes))
 
     @property
     def command_unit(self) -> str:
