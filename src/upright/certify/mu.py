@@ -3,8 +3,8 @@
 The robot every period is taken as affine in its parameters, M(δ) = M₀ + Σ δᵢ Mᵢ with M = [A B; C D] and |δᵢ| ≤ 1 at the
 ends of each interval (central differences; what that leaves out is measured). With Mᵢ = Lᵢ Rᵢ of its rank, the loop
 holds for every δ in the box if μ of the transfer from w = δ z to z stays below one on the unit circle (Packard and
-Doyle 1993). Upper bound: SLICOT's AB13MD, where a parameter of rank one is a real scalar and another counts as a full
-complex block, which is larger than what it can do. Lower bound: the smallest box whose corner is unstable.
+Doyle 1993). Upper bound: `scaling`, where each parameter is a repeated real number. Lower bound: the smallest box whose
+corner is unstable, among random corners and those that the slope of the largest pole leads to.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from upright.certify.loop import Loop, commanded
 from upright.certify.margins import SLOWEST
+from upright.certify.scaling import Block, Scaling, balanced, best_scaling, checked_blocks
 from upright.control.controller import Controller
 from upright.control.delay import sampled
 from upright.control.near_rest import near_rest
@@ -28,14 +29,12 @@ from upright.errors import InvalidModel, InvalidRobot
 from upright.robots import Kit, Robot
 
 Array = NDArray[np.float64]
-Block = tuple[int, bool]
-"""Size of one block of Δ, and whether it is real."""
-
-POINTS = 150
+POINTS = 100
 _SMALL = 1e-6  # a parameter that moves no entry of M by more than this share of the largest move does not count
 _RANK = 1e-3  # singular values below this share of a parameter's largest are left out
-_REFINED = 2  # frequencies at which the quick bound is replaced by SLICOT's
+_REFINED = 30  # frequencies at which the quick bound is replaced by the best, at most
 _CORNERS = 200
+_CLIMBS = 8  # times that the corner is corrected by the slope at its own edge of stability, at most
 _FAR = 64.0  # the largest multiple of the box that is looked into
 
 
@@ -70,19 +69,9 @@ class Mu:
 
 
 def upper_bound(matrix: Complex, blocks: Sequence[Block]) -> float:
-    """μ̄ of a square complex matrix for Δ of these diagonal blocks (Fan, Tits and Doyle 1991, in SLICOT's AB13MD).
-
-    Raises `InvalidModel` for blocks that do not fit, or a real one that is not scalar.
-    """
-    if sum(size for size, _ in blocks) != len(matrix) or any(real and size > 1 for size, real in blocks):
-        raise InvalidModel(
-            f"blocks {list(blocks)} for a matrix of {len(matrix)}", expected="sizes that add up, real ones 1"
-        )
-    if not np.abs(matrix).max(initial=0.0) > 0:
-        return 0.0
-    from slycot import ab13md
-
-    return float(ab13md(matrix, [size for size, _ in blocks], [1 if real else 2 for _, real in blocks])[0])
+    """μ̄ of a square complex matrix for Δ of these diagonal blocks; raises `InvalidModel` for blocks that do not fit."""
+    checked_blocks(len(matrix), blocks)
+    return float(best_scaling(matrix, blocks).bounds(matrix[None])[0]) if np.abs(matrix).max(initial=0.0) > 0 else 0.0
 
 
 def parameter_mu(
@@ -107,34 +96,24 @@ def parameter_mu(
     if not Loop(nominal, K).stable:
         return Mu(math.inf, math.inf, 0.0, ranks, {}, curvature)
     N = _uncertain(nominal, K, list(factors.values()))
-    blocks = [(rank, rank == 1) for rank in ranks.values()]
-    grid = np.geomspace(SLOWEST, math.pi / linear.period, points)
-    upper, at = _peak(N.response(grid), blocks)
+    blocks = [(rank, True) for rank in ranks.values()]
     lower, signs = _lower(nominal, K, slopes)
+    fastest = math.pi / linear.period
+    crossing = _crossing(nominal, K, slopes, signs, lower) if lower else 0.0
+    grid = np.array([0.0, *np.geomspace(SLOWEST, fastest, points), crossing])  # μ of real numbers may jump at z = ±1
+    upper, at = _peak(N.response(grid), blocks)
     worst = {name: getattr(robot, name) + sign * chosen[name] / lower for name, sign in signs.items()} if lower else {}
     return Mu(lower, max(upper, lower), float(grid[at]), ranks, worst, curvature)
 
 
-def scaled_bound(matrices: Complex, blocks: Sequence[Block]) -> Array:
-    """σ_max(D M D⁻¹) of each of the matrices (k, n, n), D a number for each block, by Osborne's iteration."""
-    edges = np.cumsum([0, *(size for size, _ in blocks)])[:-1]
-    power = np.add.reduceat(np.add.reduceat(np.abs(matrices) ** 2, edges, axis=1), edges, axis=2)
-    power[:, range(len(blocks)), range(len(blocks))] = 0.0
-    d = np.ones(power.shape[:2])
-    for _ in range(30):
-        for i in range(len(blocks)):
-            out, into = (power[:, i] / d**2).sum(axis=1), (power[:, :, i] * d**2).sum(axis=1)
-            d[:, i] = np.where((out > 0) & (into > 0), (into / np.where(out > 0, out, 1.0)) ** 0.25, d[:, i])
-    wide = np.repeat(d, [size for size, _ in blocks], axis=1)
-    return np.linalg.norm(wide[:, :, None] * matrices / wide[:, None, :], 2, axis=(1, 2))
-
-
 def _peak(matrices: Complex, blocks: Sequence[Block]) -> tuple[float, int]:
-    """The largest bound over all frequencies and where; the largest quick ones are refined first."""
-    bounds, refined = scaled_bound(matrices, blocks), set[int]()
+    """The largest bound over all frequencies and where. The largest is refined until it has been; what a scaling proves
+    at one frequency it is tried for at all."""
+    bounds, refined = balanced(matrices, blocks)[0], dict[int, Scaling]()
     while (at := int(np.argmax(bounds))) not in refined and len(refined) < _REFINED:
-        bounds[at] = min(bounds[at], upper_bound(matrices[at], blocks))
-        refined.add(at)
+        near = min(refined, key=lambda i: abs(i - at), default=None)
+        refined[at] = best_scaling(matrices[at], blocks, refined[near] if near is not None else None)
+        bounds = np.minimum(bounds, refined[at].bounds(matrices))
     return float(bounds[at]), at
 
 
@@ -196,23 +175,47 @@ def _lower(P: StateSpace, K: StateSpace, slopes: Mapping[str, Array]) -> tuple[f
     rng = np.random.Generator(np.random.Philox(0))
     signs = rng.choice([-1.0, 1.0], size=(_CORNERS, len(names)))
     closer, best = _FAR, np.zeros(len(names))
-    for corner in [*signs, *_ascent(P, K, stack)]:
-        if _unstable(P, K, np.tensordot(corner, stack, 1), closer):
-            low, high = 0.0, closer
-            for _ in range(24):
-                middle = (low + high) / 2
-                low, high = (low, middle) if _unstable(P, K, np.tensordot(corner, stack, 1), middle) else (middle, high)
-            closer, best = high, corner
+    for corner in [*signs, *_uphill(P, K, stack, np.zeros(len(names)))]:
+        closer, best = _nearer(P, K, stack, corner, closer, best)
+    for _ in range(_CLIMBS):
+        before = closer
+        for corner in _uphill(P, K, stack, closer * best):
+            closer, best = _nearer(P, K, stack, corner, closer, best)
+        if closer > before * (1 - 1e-3):
+            break
     found = bool(best.any())
     return (1 / closer, dict(zip(names, best.tolist(), strict=True))) if found else (0.0, {})
 
 
-def _ascent(P: StateSpace, K: StateSpace, stack: Array) -> list[Array]:
-    """The corner towards which the spectral radius grows, and its opposite: one step of the sign of its gradient."""
-    step = 1e-3
-    ends = [[_radius(P, K, sign * step * slope) for sign in (1.0, -1.0)] for slope in stack]
+def _nearer(
+    P: StateSpace, K: StateSpace, stack: Array, corner: Array, closer: float, best: Array
+) -> tuple[float, Array]:  # fmt: skip
+    """The size at which a corner turns unstable, and the corner, where that is below `closer`."""
+    move = np.tensordot(corner, stack, 1)
+    if not _unstable(P, K, move, closer):
+        return closer, best
+    low, high = 0.0, closer
+    for _ in range(24):
+        middle = (low + high) / 2
+        low, high = (low, middle) if _unstable(P, K, move, middle) else (middle, high)
+    return high, corner
+
+
+def _uphill(P: StateSpace, K: StateSpace, stack: Array, here: Array) -> list[Array]:
+    """The corner towards which the spectral radius grows from `here` (parameters,), and its opposite."""
+    at, step = np.tensordot(here, stack, 1), 1e-3
+    ends = [[_radius(P, K, at + sign * step * slope) for sign in (1.0, -1.0)] for slope in stack]
     uphill = np.array([1.0 if up >= down else -1.0 for up, down in ends])
     return [uphill, -uphill]
+
+
+def _crossing(
+    P: StateSpace, K: StateSpace, slopes: Mapping[str, Array], signs: Mapping[str, float], lower: float
+) -> float:
+    """The frequency [rad/s] at which the worst corner's pole leaves the unit circle."""
+    move = sum(signs[name] / lower * slope for name, slope in slopes.items())
+    poles = _poles(P, K, np.asarray(move))
+    return float(abs(np.angle(poles[np.argmax(np.abs(poles))])) / (P.dt or 1.0))
 
 
 def _unstable(P: StateSpace, K: StateSpace, move: Array, size: float) -> bool:
@@ -220,7 +223,11 @@ def _unstable(P: StateSpace, K: StateSpace, move: Array, size: float) -> bool:
 
 
 def _radius(P: StateSpace, K: StateSpace, move: Array) -> float:
+    return float(np.abs(_poles(P, K, move)).max())
+
+
+def _poles(P: StateSpace, K: StateSpace, move: Array) -> Complex:
     n = len(P.A)
     A, B, C = P.A + move[:n, :n], P.B + move[:n, n:], P.C + move[n:, :n]
     closed = np.block([[A + B @ K.D @ C, B @ K.C], [K.B @ C, K.A]])
-    return float(np.abs(np.linalg.eigvals(closed)).max())
+    return np.linalg.eigvals(closed).astype(complex)
