@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
+
+import numpy as np
 
 from upright.control import LinearController, make_controller, read_controller
 from upright.control.controller import Controller
@@ -20,6 +23,18 @@ def frozen() -> LinearController:
     controller = read_controller(GOLDEN / "controller.json")
     assert isinstance(controller, LinearController)
     return controller
+
+
+def steering(gain: float = 2.0) -> LinearController:
+    """The frozen design that also steers against what the compass reads, by `gain` [V/rad] on either side."""
+    plain, heading = (
+        frozen(),
+        np.array([[gain], [-gain]]),
+    )  # anticlockwise is positive: then the right wheel is too fast
+    return replace(
+        plain, By=np.pad(plain.By, ((0, 0), (0, 1))), Dy=np.hstack([plain.Dy, heading]), S=np.zeros((0, 0)),
+        Sy=np.zeros((0, 0)), reads=(*plain.reads, "sensor/compass"), kind="lqg with compass",
+    )  # fmt: skip
 
 
 @cache

@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from firmware_cases import steering, written
 from upright.bodies.brick_link import BrickLost, BrickRefused, Connection
 from upright.control import CONTROLLERS
 from upright.errors import InvalidLog
@@ -27,6 +28,7 @@ from upright.firmware.line import Line
 from upright.firmware.logs import read_brick_log
 from upright.firmware.program import Program
 from upright.firmware.rxe import InvalidProgram, read_rxe
+from upright.firmware.targets import COMPASS
 from upright.firmware.virtual_robot import VirtualFlight, virtual_flight
 from upright.firmware.vm import Machine
 from upright.robots import Kit, Robot
@@ -174,6 +176,26 @@ def test_a_flight_brings_its_log_home(made: tuple[Path, Program], virtual: Virtu
     assert 0.05 < np.abs(pitch).max() < 0.3  # a hold at 0.1 rad, overshot by half
     assert not virtual.robot.world.fallen
     assert motors_are_off(virtual)
+
+
+@pytest.mark.slow
+@pytest.mark.needs("module:nxt")
+@pytest.mark.parametrize("gain", [0.0, 2.0])
+def test_the_compass_steers_the_robot(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, gain: float) -> None:
+    """North moves by 40° while it stands, as beside a magnet; a robot that steers by the compass turns after it."""
+    source, made = written(tmp_path, "nxc", controller=steering(gain))
+    with virtual_flight(ROBOT, KIT) as found:
+        world, truly = found.robot.world, found.robot.world.raw
+        bent = lambda: {**(raw := truly()), COMPASS: (raw[COMPASS] + 40 * (found.clock() > 1.5)) % 360}  # noqa: E731
+        monkeypatch.setattr(world, "raw", bent)
+        found.line.until = 4.0
+        flight = fly(source, made.program, found.path, 4.0, clock=found.clock)
+        assert flight.notes == []
+        assert not world.fallen
+        if gain:
+            assert world.yaw > 0.1  # the compass says 40° clockwise, so it turns anticlockwise until encoders hold it
+        else:
+            assert abs(world.yaw) < 0.02
 
 
 @pytest.mark.needs("module:nxt")

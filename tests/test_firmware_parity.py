@@ -10,14 +10,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from firmware_cases import NXT, ROBOT, SPIKE, designed, frozen, written
+from firmware_cases import NXT, ROBOT, SPIKE, designed, frozen, steering, written
 from upright.control import controller_hash
+from upright.control.controller import Controller
 from upright.errors import InvalidLog, MissingTool
 from upright.experiment import Drive, Turn
-from upright.firmware import Parity, parity
+from upright.firmware import Firmware, Parity, parity
 from upright.firmware.execute import execute
 from upright.firmware.execute_arm import ArmExecutor, cycles
 from upright.firmware.execute_avr import FLASH, MEMORY, AvrExecutor
+from upright.firmware.execute_nxc import NxcExecutor
 from upright.firmware.execute_python import PythonExecutor
 from upright.firmware.executor import HostExecutor, run_tool, tool
 from upright.firmware.logs import read_lines
@@ -213,6 +215,43 @@ def test_fixed_point_on_an_atmega328p_is_the_host_s_to_the_bit(tmp_path: Path):
         one, other = (chip.step(raw) for chip in chips)
         assert one == other
     assert one  # by then it balances
+
+
+@pytest.fixture(scope="module")
+def compass(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Firmware, Controller]:
+    """A program for the NXT whose controller reads the compass beside the encoders and the gyro."""
+    controller = steering()
+    return *written(tmp_path_factory.mktemp("compass"), "nxc", controller=controller), controller
+
+
+@pytest.mark.slow
+@pytest.mark.needs("nbc")
+def test_nxc_in_the_brick_s_machine_with_its_compass(compass):
+    source, made, controller = compass
+    executor = NxcExecutor(source, made.program)
+    passed(parity(executor, controller, made.program, ROBOT, NXT))
+    # at least an instruction a product; at the 5 µs of the virtual brick still well within 10 ms
+    assert made.program.operations() < executor.instructions < 2000
+
+
+@pytest.mark.needs("nbc")
+def test_a_compass_that_passes_north_is_followed(compass):
+    """The program knows how far it has turned, not where north is: 20° are the same across 0 and elsewhere."""
+    source, made, _ = compass
+
+    def turned(start: int) -> list[float]:
+        executor = NxcExecutor(source, made.program)
+        executor.start()
+        for raw in Readings(made.program, NXT).still(100):  # the second in which it calibrates
+            executor.step({**raw, "raw_compass": float(start)})
+        resting = {"raw_encoder_left": 0.0, "raw_encoder_right": 0.0, "raw_gyro": 0.0, "raw_battery": 8000.0}
+        steps = [executor.step({**resting, "raw_compass": float((start + k // 2) % 360)}) for k in range(40)]
+        return [step["command_left"] - step["command_right"] for step in steps]
+
+    across, elsewhere = turned(350), turned(90)
+    assert across == elsewhere
+    # clockwise by 19°, at 2 V/rad on either side: the right wheel gets more, and the memory takes some of it back
+    assert -2 * 2.0 * np.deg2rad(19) <= across[-1] < -2.0 * np.deg2rad(19)
 
 
 @pytest.mark.needs("nbc")

@@ -44,9 +44,9 @@ class World:
         self.released = self.fallen = False
 
     @property
-    def pitch(self) -> float:
-        """The true pitch [rad]."""
-        return float(self._now.values[self._names.index("truth/pitch")])
+    def yaw(self) -> float:
+        """The true heading [rad]."""
+        return float(self._now.values[self._names.index("truth/yaw")])
 
     def step(self, duties: Sequence[float], driven: bool) -> None:
         """One period under both `duties` [%]; `driven` lets the robot go for good."""
