@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import math
 import re
 import signal
 import subprocess
@@ -13,11 +15,14 @@ from typing import Any
 
 import pytest
 
+from upright.physics.dynamics import accelerations
+from upright.robots import Robot
 from upright.signals import Log
 
 pytestmark = [pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow]
 
 FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
+WEB = Path(__file__).resolve().parents[1] / "src" / "upright" / "lab" / "web"
 PATIENCE = 180.0  # [s] for a busy machine; nothing here is about speed
 
 
@@ -440,6 +445,158 @@ def test_everything_has_a_name_for_who_does_not_see_it(page):
     assert page.evaluate("document.documentElement.lang") == "es"
     assert page.inner_text("#tab-Controller") == "Controlador"
     assert page.evaluate(nameless) == []
+
+
+def test_the_accessibility_tree_names_everything(page):
+    """As a screen reader is told it, by the browser itself."""
+    spoken = {"button", "checkbox", "combobox", "slider", "spinbutton", "textbox", "tab", "tablist", "image", "img"}
+    spoken |= {"progressbar", "dialog", "region", "tabpanel", "link", "figure"}
+    session = page.context.new_cdp_session(page)
+    for name in ("Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour"):
+        tab(page, name)
+        nodes = [node for node in session.send("Accessibility.getFullAXTree")["nodes"] if not node["ignored"]]
+        named = [(n["role"]["value"], n.get("name", {}).get("value", "").strip()) for n in nodes if "role" in n]
+        assert [role for role, text in named if role in spoken and not text] == [], name
+        assert {"tabpanel", "slider", "button", "combobox"} <= {role for role, _ in named}
+
+
+PADS = "window.pad = {connected: true, axes: [0, 0]}; navigator.getGamepads = () => [null, window.pad];"
+
+
+def test_a_gamepad_drives_and_lets_go(chromium, lab):
+    """Stick forward (-1) rolls forward, left (-1) turns anticlockwise; a stick at rest or unplugged does neither."""
+    context = chromium.new_context()
+    context.add_init_script(PADS)
+    page = context.new_page()
+    page.goto(lab.url)
+    ready(page)
+    wanted = "upright.store.snapshot.r"
+
+    def rests() -> bool:
+        before, t = page.evaluate(wanted), page.evaluate("upright.store.snapshot.t")
+        until(page, f"upright.store.snapshot.t > {t} + 0.3")
+        return page.evaluate(wanted) == before
+
+    page.evaluate("pad.axes = [0, -1]")
+    until(page, wanted + "[0] > 0.5")
+    page.evaluate("pad.axes = [-1, 0.1]")  # hardly off the middle: no stick rests there exactly
+    until(page, wanted + "[1] > 0.2")
+    page.evaluate("pad.axes = [0.1, -0.1]")
+    assert any(rests() for _ in range(10))
+    page.evaluate("pad.axes = [0, 1]")
+    before = page.evaluate(wanted + "[0]")
+    until(page, wanted + f"[0] < {before} - 0.5")
+    page.evaluate("window.pad = null")
+    assert any(rests() for _ in range(10))
+    context.close()
+
+
+def test_a_calibration_joins_as_the_fourth_trace(page):
+    """Recorded, examined, calibrated and compared with nothing but the page."""
+    page.click("[data-key=stand]")
+    for key in ("ArrowUp", "ArrowLeft", "ArrowDown", "ArrowRight"):
+        t = page.evaluate("upright.store.snapshot.t")
+        page.keyboard.down(key)
+        page.keyboard.press("k")
+        until(page, f"upright.store.snapshot.t > {t} + 1.5")
+        page.keyboard.up(key)
+    page.keyboard.press("Space")
+    until(page, "upright.store.snapshot.paused")
+    tab(page, "Identify")
+    page.click("[data-key=doctor]")
+    until(page, "upright.store.found?.job === 'doctor'")
+    page.click("[data-key=calibrate]")
+    bar = page.locator("progress[aria-label=Calibrate]")
+    bar.wait_for()
+    until(page, "document.querySelector('progress')?.value ?? 1", lambda share: share > 0)
+    until(page, "upright.store.changed.bodies.length === 4")
+    assert page.evaluate("upright.store.changed.bodies[3]") == "calibrated"
+    assert page.evaluate("upright.store.found.job") == "calibrate"
+    assert page.locator(".result tbody tr").count() > 3
+    assert page.locator(".legend .key").all_inner_texts()[3] == "calibrated"
+    bar.wait_for(state="detached")
+    page.keyboard.press("Space")
+    until(page, "upright.store.traces.x[3]?.[0].length > 20")
+    with page.expect_download() as fetched:
+        page.click("[data-key=compare]")
+    assert "calibrated" in Path(fetched.value.path()).read_text("utf-8")
+
+
+TOUR = ("off", "off", "lqr", "lqg", "lqg", "lqg", "lqr", "robust")
+"""Controllers of the eight steps: none twice, then what the paper does, a payload that breaks it, and what mends it."""
+
+
+@pytest.mark.parametrize("language", ["en", "es"])
+def test_the_tour_is_walked_by_keys_and_by_buttons(page, language):
+    """In English by keys alone, in Spanish by buttons: eight steps, each with what to do, to watch and to ask."""
+    texts = json.loads((WEB / "src" / "texts" / f"{language}.json").read_text("utf-8"))
+    page.select_option("[data-key=language]", language)
+    assert page.evaluate("document.activeElement.dataset.key") == "language"  # the focus outlives the new words
+    if language == "en":
+        page.evaluate("document.activeElement.blur()")
+        page.keyboard.press("n")
+    else:
+        tab(page, "Tour")
+    for step, controller in zip(texts["tour"], TOUR, strict=True):
+        assert page.inner_text(".tour h3") == step["title"]
+        assert page.locator(".tour .hint-part p").all_inner_texts() == [step["do"], step["watch"], step["ask"]]
+        if language == "en":
+            page.keyboard.press("Enter")  # the button that sets up has the focus
+        else:
+            page.click("[data-key=tour-set]")
+        until(page, f"upright.store.changed.setup.controller === '{controller}' && !upright.store.snapshot.paused")
+        page.keyboard.press("n") if language == "en" else page.locator("[data-key=tour-next]").click(force=True)
+    assert page.inner_text(".tour h3") == texts["tour"][7]["title"]  # there is no ninth
+    assert page.evaluate("upright.store.changed.setup.payload") > 0
+    page.keyboard.press("p")
+    assert page.inner_text(".tour h3") == texts["tour"][6]["title"]
+
+
+def test_the_equations_with_their_numbers_are_those_of_the_dynamics(page):
+    """Both sides of each, with the accelerations of `physics.dynamics`; numbers are shown to two digits and more."""
+    page.evaluate("upright.store.change({numbers: {coulomb_friction: 0, wheel_friction: 0}})")
+    until(page, "upright.store.changed.setup.numbers.coulomb_friction === 0")
+    tab(page, "See")
+    page.select_option("[data-key=view]", "equations")
+    lines = page.inner_text(".equations").splitlines()[:3]
+    robot = Robot.preset("nxtway-gs").replace(coulomb_friction=0.0, wheel_friction=0.0)
+    x, u = (0.3, 0.7, 0.0, 5.0, 0.0, 1.1), (2.0, 3.0)
+    pitch_acc, wheel_acc, yaw_acc = accelerations(x, u, robot)
+    values = {"ψ̈": pitch_acc, "θ̈": wheel_acc, "φ̈": yaw_acc, "ψ̇": x[1], "θ̇": x[3], "φ̇": x[5], "ψ": x[0]}
+    for line in lines:
+        for symbol, value in values.items():
+            line = line.replace(symbol, f"({value!r})")  # noqa: PLW2901
+        for sign, python in (("·", "*"), ("²", "**2"), ("−", "-"), ("v_l", "2.0"), ("v_r", "3.0")):
+            line = line.replace(sign, python)  # noqa: PLW2901
+        line = re.sub(r"(sin|cos)(\*\*2)? \((.*?)\)", r"(\1(\3))\2", line)  # noqa: PLW2901
+        line = re.sub(r"(?<=[\w)]) +(?=[\w(])", "*", line)  # noqa: PLW2901
+        left, right = (eval(side, {"sin": math.sin, "cos": math.cos}) for side in line.split("="))
+        assert left == pytest.approx(right, rel=0.01), line
+
+
+def test_nothing_moves_for_who_asked_for_less_motion(chromium, lab):
+    for wish, moves in (("reduce", False), ("no-preference", True)):
+        page = chromium.new_context(reduced_motion=wish).new_page()
+        page.goto(lab.url)
+        ready(page)
+        style = page.evaluate("getComputedStyle(document.querySelector('[data-key=pause]')).transitionDuration")
+        assert (style != "0s") == moves
+        page.context.close()
+
+
+@pytest.mark.parametrize("size", [(390, 844), (1440, 900), (1920, 1080), (2560, 1440)])
+def test_from_phone_to_wall_nothing_is_cut_off(page, size):
+    """No panel is wider than the screen, no button narrower than its text; on a wall type is half as large again."""
+    page.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
+    cut = "[...document.querySelectorAll('button, label, th, .strip figcaption')].filter(e => e.offsetParent)"
+    cut += ".filter(e => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).display !== 'inline')"
+    for name in ("Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour"):
+        tab(page, name)
+        assert page.evaluate("document.documentElement.scrollWidth") <= size[0], name
+        assert page.evaluate(cut + ".map(e => e.textContent)") == [], name
+    assert page.evaluate("parseFloat(getComputedStyle(document.documentElement).fontSize)") == {
+        390: 16, 1440: 16, 1920: pytest.approx(17.92), 2560: 24,
+    }[size[0]]  # fmt: skip
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

@@ -27,7 +27,7 @@ from upright.lab.messages import (
     Welcome,
 )  # fmt: skip
 from upright.lab.plant import families
-from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
+from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain, yaw_swing
 from upright.physics.linear import linearise
 from upright.robots import PARAMETERS, Robot, kit_names, preset_names
 
@@ -80,7 +80,9 @@ def standing(session: Session) -> list[Any]:
     lever = robot.body_mass * robot.com_height * robot.wheel_radius
     inertias = tuple(float(a) for a in mass_matrix(1.0, 0.0, robot))
     alpha, beta = float(motor_gain(robot)), float(motor_damping(robot))
-    return [Equations(inertias, alpha, beta, weight, lever, _rows(model.A), _rows(model.B), poles)]
+    swing, half_track = float(yaw_swing(robot, "complete")), robot.track / (2 * robot.wheel_radius)
+    numbers = (inertias, alpha, beta, weight, lever, swing, half_track)
+    return [Equations(*numbers, _rows(model.A), _rows(model.B), poles)]
 
 
 def _rows(matrix: Any) -> tuple[tuple[float, ...], ...]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
-VERSION = 1
+VERSION = 2
 """Raised whenever a message changes; a page of another version is refused with a sentence that says what to do."""
 
 LONGEST_TEXT = 200
@@ -265,7 +265,7 @@ class Changed:
 class Analysed:
     """The present loop: `gain` (2, 6) where it has one, margins, closed-loop poles, and L broken at both motors.
 
-    `L` holds ω [rad/s], Re and Im in three rows. A and B are the model's, continuous; `inertias` a11, a12, a22, a33.
+    `L` holds ω [rad/s], Re and Im in three rows.
     """
 
     stable: bool
@@ -281,13 +281,16 @@ class Analysed:
 
 @dataclass(frozen=True)
 class Equations:
-    """The numbers of the present model: mass matrix, α, β, M g L, and the linear model about upright."""
+    """The numbers of the present model: upright a11, a12, a22, a33, α, β, M g L, M L R, what a lean adds to a33, W/2R,
+    and the linear model about upright."""
 
     inertias: tuple[float, ...]
     alpha: float
     beta: float
     weight: float
     lever: float
+    swing: float
+    half_track: float
     A: tuple[tuple[float, ...], ...]
     B: tuple[tuple[float, ...], ...]
     poles: tuple[tuple[float, ...], ...]

@@ -23,7 +23,9 @@ if TYPE_CHECKING:
     from upright.lab.session import Session
 
 BEHIND = 0.25  # [s] of schedule that are given up where the machine cannot keep it
-HURRIED = 0.2  # [s] that are made good in one tick: a machine that is too slow lags, but it does not stutter
+HURRIED = 0.2  # [s] that are run in one tick: a machine that is too slow lags, but it does not stutter
+HASTE = 2.0  # times wall time, at most, while a session makes good what a busy machine kept from it
+FORGIVEN = 5.0  # [s] beyond which a session makes nothing good: the machine has slept
 REMEMBERED = 6000  # ticks whose lateness is kept, to be asked for
 SCORED = 0.25  # [s] between two boards
 
@@ -39,10 +41,11 @@ class Options:
 
 @dataclass
 class _Seat:
-    """A session, the wall time up to which it was run, and how many pages watch it."""
+    """A session, the wall time up to which it was run, that of its last tick, and how many pages watch it."""
 
     session: Session
     at: float
+    seen: float
     watched: int = 0
     shown: tuple[Any, ...] = ()
 
@@ -99,7 +102,7 @@ class Stage:
         except UprightError as error:
             self._out.append(("event", name, encode(Said("error", str(error)))))
             session = Session(Setup(bodies=setup.bodies or ("nonlinear",)), self._desk, Path(folder), **options)
-        self._seats[name] = _Seat(session, now)
+        self._seats[name] = _Seat(session, now, now)
 
     def _to_session(self, kind: str, name: str, rest: list[Any], now: float) -> None:
         seat = self._seats[name]
@@ -116,10 +119,12 @@ class Stage:
             self._seats.pop(name).session.close()
 
     def _run(self, name: str, seat: _Seat, now: float) -> None:
-        session = seat.session
-        if seat.watched:
-            session.advance(min(now - seat.at, HURRIED) * session.speed)
-        seat.at = now
+        session, since = seat.session, now - seat.seen
+        seat.seen = now
+        seat.at = max(seat.at, now - FORGIVEN) if seat.watched else now
+        span = min(now - seat.at, HASTE * since, HURRIED)
+        seat.at += span
+        session.advance(span * session.speed)
         self._out += [("event", name, encode(event)) for event in session.events()]
         if seat.watched and (moment := session.moment()) != seat.shown:
             seat.shown = moment

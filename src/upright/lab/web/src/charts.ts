@@ -13,9 +13,10 @@ export class Strip {
 
   constructor(title: string, unit: string, lines: { label: string; colour: string; dash: number[]; width?: number }[], height: number, floor: number) {
     const colours = ink();
-    const axis = { stroke: colours.soft, grid: { stroke: colours.grid, width: 1 }, ticks: { show: false }, font: "11px system-ui, sans-serif" };
+    const scale = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16; // larger on a wall
+    const axis = { stroke: colours.soft, grid: { stroke: colours.grid, width: 1 }, ticks: { show: false }, font: `${11 * scale}px system-ui, sans-serif` };
     const box = h("div", { className: "plot", "aria-hidden": "true" });
-    box.style.minHeight = `${height}px`;
+    box.style.minHeight = `${height / 16}rem`;
     this.root = h("figure", { className: "strip", role: "group", "aria-label": `${title} [${unit}]` }, h("figcaption", {}, h("b", {}, title), h("span", {}, unit)), box);
     this.plot = new uPlot(
       {
@@ -23,8 +24,8 @@ export class Strip {
         cursor: { show: false }, legend: { show: false },
         scales: { x: { time: false }, y: { range: (_u, low, high) => around(low, high, floor) } },
         axes: [
-          { ...axis, size: 20, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : `${+v.toFixed(1)} s`)), space: 70 },
-          { ...axis, size: 46, space: 24, values: (_u, ticks) => ticks.map((v) => String(+v.toPrecision(4)).replace("-", "−")) },
+          { ...axis, size: 20 * scale, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : `${+v.toFixed(1)} s`)), space: 70 * scale },
+          { ...axis, size: 46 * scale, space: 24 * scale, values: (_u, ticks) => ticks.map((v) => String(+v.toPrecision(4)).replace("-", "−")) },
         ],
         series: [{}, ...lines.map((l) => ({ label: l.label, stroke: l.colour, width: l.width ?? 1.6, dash: l.dash, points: { show: false }, spanGaps: false }))],
       },
@@ -46,7 +47,7 @@ export class Strip {
   }
 }
 
-function around(low: number, high: number, floor: number): [number, number] {
+export function around(low: number, high: number, floor: number): [number, number] {
   if (!Number.isFinite(low) || !Number.isFinite(high)) return [-floor, floor];
   const middle = (low + high) / 2;
   const half = Math.max(((high - low) / 2) * 1.1, floor);

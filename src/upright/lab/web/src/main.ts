@@ -307,6 +307,7 @@ class Page {
     this.build();
     this.says(this.state);
     this.fell.replaceChildren();
+    this.app.querySelector<HTMLElement>("[data-key=language]")?.focus();
   }
 
   private theme(wanted: string): void {
@@ -336,10 +337,18 @@ class Page {
     else if (event.key === ".") store.send({ kind: "Step", periods: 1 });
     else if (event.key === "," || event.key === "/") store.send({ kind: "Scrub", back: Math.max(0, Math.min(60, (store.snapshot?.back ?? 0) + (event.key === "," ? 0.25 : -0.25))) });
     else if (event.key === "s") this.stand();
+    else if (event.key === "n" || event.key === "p") this.toured(event.key === "n" ? 1 : -1);
     else if (event.key === "k") store.send({ kind: "Strike", what: "impulse", size: this.knock });
     else if (/^[1-8]$/.test(event.key) && document.getElementById(`tab-${TABS[Number(event.key) - 1]}`)) this.open(TABS[Number(event.key) - 1]);
     else return;
     event.preventDefault();
+  }
+
+  /** Open the tour, or go on or back in it. */
+  private toured(by: number): void {
+    const open = this.tab === "Tour";
+    if (!open) this.open("Tour");
+    this.tour.move(open ? by : 0);
   }
 
   /** Keys of the room alone. */

@@ -1,6 +1,6 @@
 // Generated from src/upright/lab/messages.py by python -m upright.lab.typescript; do not edit.
 
-export const VERSION = 1;
+export const VERSION = 2;
 
 export type BodyName = "twin" | "nonlinear" | "linear" | "published" | "calibrated";
 
@@ -200,6 +200,8 @@ export interface Equations {
   beta: number;
   weight: number;
   lever: number;
+  swing: number;
+  half_track: number;
   A: number[][];
   B: number[][];
   poles: number[][];

@@ -146,8 +146,9 @@ export class RobotPanel extends Panel {
     const details = h("details", { open: this.opened, ontoggle: () => (this.opened = details.open) }, h("summary", {}, t("numbers")), h("p", { className: "note" }, t("numbersNote")), this.table);
     replace(
       this.root,
-      h("div", { className: "column" }, preset, h("p", { className: "note" }, this.title()), upload(t("openRobot"), ".toml", "robot"), this.bodies()),
+      h("div", { className: "column" }, preset, h("p", { className: "note" }, this.title()), upload(t("openRobot"), ".toml", "robot")),
       h("div", { className: "column" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root))),
+      h("div", { className: "column" }, this.bodies()),
       h("div", { className: "column full" }, details),
     );
     this.update();

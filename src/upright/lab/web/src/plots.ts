@@ -25,7 +25,7 @@ export interface Drawing {
 }
 
 const W = 420;
-const PAD = { left: 52, right: 10, top: 8, bottom: 34 };
+const PAD = { left: 58, right: 10, top: 8, bottom: 34 };
 
 export function drawing(d: Drawing): SVGSVGElement {
   const height = d.square ? W * 0.82 : 190;
@@ -50,7 +50,7 @@ export function drawing(d: Drawing): SVGSVGElement {
   }
   svg.append(text(d.xLabel, PAD.left + inX / 2, height - 4, "middle", colours.soft));
   const side = text(d.yLabel, 0, 0, "middle", colours.soft);
-  side.setAttribute("transform", `translate(12 ${PAD.top + inY / 2}) rotate(-90)`);
+  side.setAttribute("transform", `translate(9 ${PAD.top + inY / 2}) rotate(-90)`);
   svg.append(side);
   const inside = node("g", { "clip-path": `url(#${clip})` });
   svg.append(inside);

@@ -1,10 +1,10 @@
 // What can be looked at: the loop, the phase portrait, voltages, the estimate, and the equations with their numbers.
-import { Strip } from "./charts";
+import { Strip, around } from "./charts";
 import { digits, h, replace, select, table } from "./dom";
 import { ink, laneColour, laneDash } from "./palette";
 import { drawing } from "./plots";
-import { SYMBOLS, store } from "./store";
-import { t } from "./texts";
+import { STATES, SYMBOLS, store } from "./store";
+import { named, t } from "./texts";
 
 type View = "loop" | "portrait" | "voltages" | "estimate" | "equations";
 const VIEWS: View[] = ["loop", "portrait", "voltages", "estimate", "equations"];
@@ -84,14 +84,21 @@ export class See {
     const start = (time.at(-1) ?? 0) - SECONDS;
     let first = time.length;
     while (first > 0 && time[first - 1] >= start) first -= 1;
-    const lines = x.map((body, i) => {
-      const name = store.changed?.bodies[i] ?? "";
-      return { x: body[0].slice(first), y: body[1].slice(first), colour: laneColour(name), dash: laneDash(name) };
-    });
-    const reach = (axis: "x" | "y", least: number) => Math.max(least, ...lines.map((l) => l[axis].reduce((m, v) => Math.max(m, Math.abs(v)), 0))) * 1.15;
-    const [a, b] = [reach("x", 0.05), reach("y", 0.4)];
-    const ends = lines.map((l) => ({ x: l.x.at(-1) ?? 0, y: l.y.at(-1) ?? 0, colour: l.colour }));
-    replace(this.stage, drawing({ title: t("portrait"), xLabel: `ψ ${t("pitch")} [rad]`, yLabel: "ψ̇ [rad/s]", lines, points: ends, x: [-a, a], y: [-b, b], square: true }));
+    const plane = (state: number, least: [number, number]) => {
+      const lines = x.map((body, i) => {
+        const name = store.changed?.bodies[i] ?? "";
+        return { x: body[state].slice(first), y: body[state + 1].slice(first), colour: laneColour(name), dash: laneDash(name) };
+      });
+      const span = (axis: "x" | "y", floor: number): [number, number] => {
+        const all = lines.flatMap((l) => l[axis]);
+        const [low, high] = [all.reduce((m, v) => Math.min(m, v), Infinity), all.reduce((m, v) => Math.max(m, v), -Infinity)];
+        return around(low, high, floor);
+      };
+      const ends = lines.map((l) => ({ x: l.x.at(-1) ?? 0, y: l.y.at(-1) ?? 0, colour: l.colour }));
+      const label = named(STATES[state]);
+      return titled(label, drawing({ title: `${t("portrait")}: ${label}`, xLabel: `${SYMBOLS[state]} [rad]`, yLabel: `${SYMBOLS[state + 1]} [rad/s]`, lines, points: ends, x: span("x", least[0]), y: span("y", least[1]), square: true }));
+    };
+    replace(this.stage, plane(0, [0.03, 0.4]), plane(2, [0.5, 1]), plane(4, [0.05, 0.2]));
   }
 
   private loop(): Node[] {
@@ -150,18 +157,22 @@ function unwrapped(phase: number[]): number[] {
 function equations(): Node[] {
   const e = store.equations;
   if (!e) return [];
-  const [a11, a12, a22, a33] = e.inertias.map((v) => digits(v, 4));
+  const [a11, , a22, a33] = e.inertias.map((v) => digits(v, 4));
   const [alpha, beta, weight, lever] = [e.alpha, e.beta, e.weight, e.lever].map((v) => digits(v, 4));
+  const [swing, half] = [digits(e.swing, 4), digits(e.half_track, 4)];
+  const a12 = `(${lever} cos ψ − ${digits(e.lever - e.inertias[1], 3)})`;
+  const [volts, slip] = [`${alpha} (v_l + v_r)`, `2·${beta} (θ̇ − ψ̇)`];
   const lines = [
-    `${a11} θ̈ + (${digits(e.lever, 4)} cos ψ − ${digits(e.lever - e.inertias[1], 3)}) ψ̈ − ${lever} ψ̇² sin ψ = ${alpha} (v_l + v_r) − 2·${beta} (θ̇ − ψ̇)`,
-    `${a12} θ̈ + ${a22} ψ̈ − ${weight} sin ψ = −${alpha} (v_l + v_r) + 2·${beta} (θ̇ − ψ̇)`,
-    `${a33} φ̈ = W/2R · ${alpha} (v_r − v_l) − …`,
-    `α = ${alpha}   β = ${beta}   M g L = ${weight} N m   M L R = ${lever} kg m²`,
+    `${a11} θ̈ + ${a12} ψ̈ = ${volts} − ${slip} + ${lever} (ψ̇² + φ̇²) sin ψ`,
+    `${a12} θ̈ + ${a22} ψ̈ = −${volts} + ${slip} + (${weight} + ${swing} φ̇² cos ψ) sin ψ`,
+    `(${a33} + ${swing} sin² ψ) φ̈ = ${half}·${alpha} (v_r − v_l) − 2·${half}²·${beta} φ̇ − (2·${swing} ψ̇ cos ψ + ${lever} θ̇) φ̇ sin ψ`,
+    `α = ${alpha}   β = ${beta}   M g L = ${weight} N m   M L R = ${lever} kg m²   W/2R = ${half}`,
   ];
   const matrix = (name: string, M: number[][]) => table([name, ...M[0].map((_, i) => (name === "A" ? SYMBOLS[i] : ["v_l", "v_r"][i]))], M.map((row, i) => [RATES[i], ...row.map((v) => digits(v, 4))]), "matrix");
   const open = e.poles.map(([re, im]) => digits(re, 4) + (im ? ` ± ${digits(Math.abs(im), 3)}j` : "")).join(",  ");
   return [
     h("pre", { className: "equations", tabIndex: 0 }, lines.join("\n")),
+    h("p", { className: "note" }, t("equationsNote")),
     h("p", {}, `${t("openPoles")}: ${open} 1/s`),
     h("h4", {}, t("linearised")), matrix("A", e.A), matrix("B", e.B),
   ];

@@ -10,6 +10,7 @@ export class Steering {
   private held = new Set<string>();
   private last = "";
   private asked = 0;
+  private padded = false; // whether a gamepad is what drives
 
   constructor() {
     window.addEventListener("keydown", (event) => this.down(event));
@@ -68,8 +69,12 @@ export class Steering {
     if (now - this.asked < 60) return;
     this.asked = now;
     const pad = navigator.getGamepads?.().find((p) => p?.connected);
-    if (!pad || this.held.size) return;
-    const live = (v: number) => (Math.abs(v) < DEAD ? 0 : v);
-    this.steer(-SPEED * live(pad.axes[1] ?? 0), -RATE * live(pad.axes[0] ?? 0));
+    if (this.held.size || (!pad && !this.padded)) return;
+    this.padded = Boolean(pad); // one that was unplugged lets go
+    const live = (axis: number) => {
+      const v = pad?.axes[axis] ?? 0;
+      return Math.abs(v) < DEAD ? 0 : -v;
+    };
+    this.steer(SPEED * live(1), RATE * live(0));
   }
 }

@@ -30,10 +30,6 @@ export class Tour {
   build(): void {
     const step = texts().tour[this.at];
     const part = (title: string, text: string) => h("div", { className: "hint-part" }, h("h4", {}, title), h("p", {}, text));
-    const move = (by: number) => () => {
-      this.at += by;
-      this.build();
-    };
     replace(
       this.root,
       h("div", { className: "column wide" },
@@ -41,10 +37,18 @@ export class Tour {
         h("h3", {}, step.title),
         h("div", { className: "hints" }, part(t("tourDo"), step.do), part(t("tourWatch"), step.watch), part(t("tourAsk"), step.ask)),
         h("div", { className: "row" },
-          button(t("previous"), move(-1), { disabled: this.at === 0, "data-key": "tour-previous" }),
+          button(t("previous"), () => this.move(-1, "previous"), { disabled: this.at === 0, "data-key": "tour-previous" }),
           button(t("tourSet"), () => this.set(), { className: "main", "data-key": "tour-set" }),
-          button(t("next"), move(1), { disabled: this.at === SCENES.length - 1, "data-key": "tour-next" }))),
+          button(t("next"), () => this.move(1, "next"), { disabled: this.at === SCENES.length - 1, "data-key": "tour-next" }))),
     );
+  }
+
+  /** Go on or back, and give the focus to the button that was used, or to what sets the step up. */
+  move(by: number, used = "set"): void {
+    this.at = Math.min(Math.max(this.at + by, 0), SCENES.length - 1);
+    this.build();
+    const key = (name: string) => this.root.querySelector<HTMLButtonElement>(`[data-key=tour-${name}]:enabled`);
+    (key(used) ?? key("set"))?.focus();
   }
 
   private set(): void {
