@@ -155,11 +155,17 @@ def _changed_robot(seen: Evidence) -> Answers:
 
 def _holds(seen: Evidence, fit: Fit, usual: float) -> float:
     """How likely a fault is a cause at all: it explains more than pushes alone by far, and most of what those leave;
-    wheels that slip under a push that topples by itself are none."""
+    a slip beside a push that topples by itself and explains more is none."""
+    more = fit.score - usual
+    chance, _, push = _toppled(seen, fit.pushes)
+    pushed = chance * _logistic((push.score - more) / TEMPER) if push and fit.fault == "slip" else 0.0
+    return _logistic((more - SURE) / SHARP) * _enough(seen, fit) * (1 - pushed)
+
+
+def _enough(seen: Evidence, fit: Fit) -> float:
+    """Whether it leaves little enough of what pushes alone leave."""
     assert seen.none is not None
-    most = _logistic((EXPLAINED - fit.left / seen.none.left) / 0.05)
-    alone = 1 - _toppled(seen, fit.pushes)[0] if fit.fault == "slip" else 1.0
-    return _logistic((fit.score - usual - SURE) / SHARP) * most * alone
+    return _logistic((EXPLAINED - fit.left / seen.none.left) / 0.05)
 
 
 def _possible(fit: Fit) -> bool:
@@ -204,7 +210,7 @@ def _steady_load(seen: Evidence) -> Answers:
     if not loads:
         return []
     fit = max(loads, key=lambda f: f.score)
-    chance = 0.95 * _logistic((fit.score - max(seen.none.score, 0.0) - SURE) / SHARP)
+    chance = 0.95 * _logistic((fit.score - max(seen.none.score, 0.0) - SURE) / SHARP) * _enough(seen, fit)
     said = f"a steady force of {fit.size:+.2g} N at the axle since t = {fit.onset:.2f} s, such as a slope or a rope, "
     said += f"explains {_percent(fit.share)} of what the model does not foresee"
     name = SATURATION if seen.saturated > 0.3 else PUSH
