@@ -19,14 +19,14 @@ def commands() -> list[str]:
 
 
 @pytest.mark.slow
-@pytest.mark.needs("nbc", "module:nxt", "module:micropython_unix")
+@pytest.mark.needs("nbc", "module:nxt", "module:micropython_unix", "module:pybricksdev")
 def test_every_command_of_the_tutorial_works(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    assert len(commands()) >= 12
+    assert len(commands()) >= 18
     for command in commands():
         code = main(shlex.split(command)[1:])
         assert code == 0, f"{command}: {capsys.readouterr().err}"
-    for made in ("certificate.html", "mine.html", "report.html", "mine.toml", "first.parquet", "balance.py"):
+    for made in ("certificate.html", "mine.html", "report.html", "mine.toml", "first.parquet", "spike.parquet"):
         assert Path(made).exists()
