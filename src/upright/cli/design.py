@@ -109,7 +109,8 @@ def bench_controllers(
     """All controllers under the same pushes, in one table.
 
     Each holds the robot on its kit's sensors through both pushes of Herrera et al. (2015): held at 0.1 rad and at
-    −0.12 rad, and released. Linear ones also meet 200 robots drawn from the spreads of this one's sources.
+    −0.12 rad, and released; and is knocked ever harder, from the same side, for the largest impulse that it recovers
+    from. Linear ones also meet 200 robots drawn from the spreads of this one's sources. Takes a minute.
     """
     from upright.comparison.bench import bench_controllers as bench
     from upright.comparison.bench import bench_json
@@ -128,14 +129,26 @@ def bench_controllers(
         "travel [rad]",
         "effort",
         "saturated",
+        "largest knock [N s]",
         "of 200 drawn fall",
         "holds",
     )
     cells = [
-        (r.controller, r.push, r.peak, r.settling, r.travel, r.effort, r.saturated, _share(r.spread), r.outcome)
+        (
+            r.controller,
+            r.push,
+            r.peak,
+            r.settling,
+            r.travel,
+            r.effort,
+            r.saturated,
+            r.impulse,
+            _share(r.spread),
+            r.outcome,
+        )
         for r in rows
     ]
-    print_table(header, [[_cell(value) for value in row] for row in cells], header[2:8])
+    print_table(header, [[_cell(value) for value in row] for row in cells], header[2:9])
 
 
 def _found(robot: str, kit: str | None) -> tuple[Robot, Kit]:

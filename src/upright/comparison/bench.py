@@ -2,25 +2,34 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from upright.bodies import Electronics, make_body
+from upright.bodies import Body, Electronics, make_body
 from upright.certify.checks import Course, driver, watched
 from upright.comparison.comparison import compare
-from upright.control import make_controller
+from upright.control import Controller, make_controller
 from upright.control.uncertain import draw
 from upright.errors import UprightError
-from upright.experiment import Hold, run
+from upright.experiment import Hold, Impulse, run
+from upright.fleet.pushmap import CEILING, FLOOR, largest
 from upright.robots import Kit, Robot
+
+Array = NDArray[np.float64]
 
 METHODS = ("lqr", "lqi", "lqg", "pid", "hinf", "mpc", "sliding", "robust")
 PUSHES = {"front": 0.1, "back": -0.12}
 """Pitch [rad] at which each push holds the robot (Herrera et al. 2015, section 3.2)."""
 UNTIL, SECONDS = 3.0, 7.0  # [s]
+STRUCK, KNOCK, WATCHED = 1.0, 0.02, 3.0  # [s] when a knock comes, how long it is, and how long it is watched
+GUESS = 0.3  # [m/s] of the whole robot: what most controllers survive about
+TOLERANCE = 0.03
+"""Relative: readings of a degree make the last few per cent a matter of chance."""
 DRAWN = 200
 """Robots over the spreads: a share of one in a hundred is seen."""
 
@@ -30,8 +39,10 @@ class BenchRow:
     """One controller under one push; numbers are None where there was nothing to run.
 
     `outcome` is "yes", "fell at … s" or why there is no design; `peak` [rad], `settling` to 5 % [s], `travel` of the
-    wheels [rad], `effort` [V² s or (N m)² s], `saturated` share [1]. `spread` is the share of `DRAWN` robots over the
-    spreads of this one's sources that fall under the same push, in the nonlinear model; only of linear controllers.
+    wheels [rad], `effort` [V² s or (N m)² s], `saturated` share [1]. `impulse` [N s] is the largest knock of
+    `KNOCK` at the centre of mass from that side after which the robot still stands `WATCHED` later, to `TOLERANCE`.
+    `spread` is the share of `DRAWN` robots over the spreads of this one's sources that fall under the same push, in the
+    nonlinear model; only of linear controllers.
     """
 
     controller: str
@@ -42,6 +53,7 @@ class BenchRow:
     travel: float | None = None
     effort: float | None = None
     saturated: float | None = None
+    impulse: float | None = None
     spread: float | None = None
 
     @property
@@ -56,20 +68,24 @@ def bench_controllers(
     seed: int = 1,
     methods: Sequence[str] = METHODS,
     progress: Callable[[float], None] = lambda _share: None,
+    knocks: bool = True,
 ) -> tuple[BenchRow, ...]:
-    """Each of `methods` on the sensors of `kit` through both pushes of the paper, held until 3 s and released.
+    """Each of `methods` on the sensors of `kit` through both pushes of the paper, held until 3 s and released; with
+    `knocks` also the largest impulse that each recovers from, which takes ten runs a row.
 
     A method that has no design for this robot gets a row that says why.
     """
     rows, drawn = list[BenchRow](), draw(robot, DRAWN, seed)
-    for done, method in enumerate(methods):
-        rows += [bench_one(method, side, robot, kit, body, seed, drawn) for side in PUSHES]
-        progress((done + 1) / len(methods))
+    for method in methods:
+        for side in PUSHES:
+            rows.append(bench_one(method, side, robot, kit, body, seed, drawn, knocks))
+            progress(len(rows) / (len(methods) * len(PUSHES)))
     return tuple(rows)
 
 
 def bench_one(
-    method: str, side: str, robot: Robot, kit: Kit, body: str, seed: int, drawn: Sequence[Robot]
+    method: str, side: str, robot: Robot, kit: Kit, body: str, seed: int, drawn: Sequence[Robot],
+    knocks: bool = True,
 ) -> BenchRow:  # fmt: skip
     """One controller under one push, of `robot` and of the `drawn` ones."""
     push = f"{side}, {PUSHES[side]:+.2f} rad".replace("-", "−")
@@ -79,6 +95,7 @@ def bench_one(
         return BenchRow(method, push, f"no design: {str(error).split(';')[0]}")
     plant = Electronics(make_body(body, robot), kit)
     log = run(plant, controller, Hold(pitch=PUSHES[side], until=UNTIL), seconds=SECONDS, seed=seed)
+    impulse = largest_knock(plant, controller, math.copysign(1.0, PUSHES[side]), seed) if knocks else None
     plant.close()
     numbers = compare({body: log}).to_json()["logs"]
     found = next(iter(numbers.values()))["metrics"]
@@ -87,7 +104,21 @@ def bench_one(
     spread = _spread(Course(driver(controller, robot, kit), robot, drawn, kit, seed), side)
     names = {"peak": "pitch_peak", "settling": "settling_5", "travel": "wheel_travel"}
     numbers = {n: found[names.get(n, n)] for n in ("peak", "settling", "travel", "effort", "saturated")}
-    return BenchRow(method, push, said, **numbers, spread=spread)
+    return BenchRow(method, push, said, **numbers, impulse=impulse, spread=spread)
+
+
+def largest_knock(plant: Body, controller: Controller, way: float, seed: int) -> float:
+    """The largest impulse [N s] from one side that the robot recovers from (`BenchRow`); 0 where it never does."""
+    robot = plant.spec.robot
+    mass = robot.body_mass + 2 * robot.wheel_mass
+
+    def stands(sizes: Array, _: Any) -> NDArray[np.bool_]:
+        knock = Impulse(impulse=way * float(sizes[0]), at_time=STRUCK, duration=KNOCK)
+        log = run(plant, controller, knock, seconds=STRUCK + KNOCK + WATCHED, seed=seed)
+        return np.array([not log.origin["outcome"]["fell"]])
+
+    found = largest(stands, [GUESS * mass], CEILING * mass, FLOOR * mass, TOLERANCE, 2.0)
+    return float(found[0])
 
 
 def _spread(course: Course, side: str) -> float | None:

@@ -13,7 +13,7 @@ METHODS = ("lqr", "lqi", "lqg", "pid", "hinf", "mpc", "sliding")
 
 def chapter(robot: Robot, kit: Kit, progress: Progress = silent) -> Finding:
     """Seven kinds of controllers on the twin of `robot` with its kit's sensors, held and released as in chapter 5."""
-    rows = bench_controllers(robot, kit, methods=METHODS, progress=progress)
+    rows = bench_controllers(robot, kit, methods=METHODS, progress=progress, knocks=False)
     held = [name for name in METHODS if all(row.holds for row in rows if row.controller == name)]
     least = min((row for row in rows if row.holds), key=lambda row: row.travel or 0.0)
     summary = (
