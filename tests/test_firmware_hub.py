@@ -24,7 +24,9 @@ from upright.experiment import Hold
 from upright.firmware import generate
 from upright.firmware.fly import Flight, FlightRefused
 from upright.firmware.fly_hub import fetch_hub, fly_hub
+from upright.firmware.follow import follow
 from upright.firmware.hub import COMMANDS, CommandRefused, VirtualHub
+from upright.firmware.logs import read_lines
 from upright.firmware.program import Program
 from upright.firmware.virtual_robot import virtual_hub
 from upright.robots import Kit, Robot
@@ -175,6 +177,26 @@ def test_a_motor_in_another_port_is_said(made: tuple[Path, Program], port: str) 
         assert not hub.world.released
 
 
+def test_a_gyro_in_another_port_is_said(tmp_path: Path) -> None:
+    kit = Kit.preset("ev3")  # whose gyro has a cable; a hub's is built in
+    firmware = generate(CONTROLLERS["lqg"](ROBOT, kit, kit.period), ROBOT, kit, "pybricks", hub="ev3")
+    source = tmp_path / "balance.py"
+    source.write_text(firmware.text)
+    with virtual_hub(ROBOT, kit, absent=["S2"]) as hub:
+        with pytest.raises(FlightRefused, match="not in the port where the program looks"):
+            flown((source, firmware.program), hub)
+        assert at_rest(hub)
+        assert not hub.world.released
+
+
+def test_text_that_does_not_compile_is_one_line(made: tuple[Path, Program], hub: VirtualHub, tmp_path: Path) -> None:
+    source = tmp_path / "bad.py"
+    source.write_text("def (:")
+    with pytest.raises(HubRefused, match=r"bad\.py does not compile: SyntaxError") as caught:
+        flown((source, made[1]), hub)
+    assert "\n" not in str(caught.value)
+
+
 def test_the_program_itself_refuses_a_flat_battery(
     made: tuple[Path, Program], hub: VirtualHub, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -313,6 +335,35 @@ def test_monitor_follows_a_hub_at_a_pace_that_can_be_read(designed: Path, capsys
     lines = [line for line in capsys.readouterr().out.splitlines() if "pitch" in line]
     assert 2 < len(lines) <= 30  # a second of a hundred at 20 Hz at most; the computer may be slow, never fast
     assert Path("run.parquet").exists()
+
+
+def test_a_hub_is_followed_from_its_button_to_its_end(made: tuple[Path, Program], hub: VirtualHub) -> None:
+    async def put() -> None:
+        async with linked(hub, PATIENCE) as link:
+            await link.upload(made[0])
+
+    asyncio.run(put())
+    looks, lines = list[float](), list[str]()
+
+    def clock() -> float:
+        """A clock that stands, and somebody who presses the button at the second look and again two seconds later."""
+        looks.append(hub.seconds)
+        if len(looks) == 2:
+            hub.begin()
+        elif hub.seconds > 2.0:
+            hub.stop()
+        return 0.0
+
+    follow(hub, lines.append, clock=clock, patience=PATIENCE)
+    assert len(read_lines(lines).log) > 90  # from the first second to the second
+    assert at_rest(hub)
+
+
+def test_following_a_hub_out_of_reach_ends_in_one_line(made: tuple[Path, Program], hub: VirtualHub) -> None:
+    with pytest.raises(HubLost, match="does not answer"):
+        follow(hub, lambda line: hub.cut(), made[0], 5.0, lambda: hub.seconds, patience=PATIENCE)
+    hub.press()
+    assert at_rest(hub)
 
 
 def test_monitor_wants_to_know_what_a_virtual_hub_runs(capsys: pytest.CaptureFixture[str]) -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import asyncio
 import os
+import subprocess
 from collections.abc import AsyncGenerator, Awaitable, Callable
 from contextlib import asynccontextmanager, suppress
 from pathlib import Path
@@ -51,6 +52,7 @@ class HubLink:
         self._rest, self._news = b"", asyncio.Event()
         hub.stdout_observable.subscribe(self._hear)
         hub.status_observable.subscribe(self._changed)
+        self.reported = False  # until the hub itself says how it is
 
     def watch(self) -> None:
         """From now on a broken line counts as lost."""
@@ -74,7 +76,11 @@ class HubLink:
                 f"the firmware {self._hub.fw_version} of {self.name} is too old", expected="Pybricks 3.2 or later",
                 mend="install it at code.pybricks.com",
             )  # fmt: skip
-        await self._do(self._hub.download(str(source)), "take the program", UPLOAD)
+        try:
+            await self._do(self._hub.download(str(source)), "take the program", UPLOAD)
+        except subprocess.CalledProcessError as error:
+            said = (error.stderr or b"no reason given").decode("utf-8", "replace").strip().splitlines()[-1]
+            raise HubRefused(f"{source.name} does not compile: {said}", likely="an edit by hand") from None
 
     async def start(self) -> None:
         """Begin the program; what it prints from now on is in `heard`."""
@@ -104,6 +110,7 @@ class HubLink:
 
     def _changed(self, flags: Any) -> None:
         del flags
+        self.reported = True
         self._news.set()
 
     def _state(self, state: Any) -> None:
@@ -152,6 +159,8 @@ async def linked(port: str | Peripheral, patience: float = PATIENCE) -> AsyncGen
     await _done(hub.connect(), name, "connect", max(patience, SEARCH) if isinstance(port, str) else patience)
     link.watch()
     try:
+        if not link.reported:
+            await link.news(patience)
         yield link
     finally:
         with suppress(Exception):  # the line may be gone already, and then nothing is left to close

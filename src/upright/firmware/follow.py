@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import time
 from collections.abc import Callable
-from contextlib import suppress
 from pathlib import Path
 
 from upright.bodies.hub_link import PATIENCE, HubLink, HubLost, Peripheral, linked
@@ -38,8 +37,7 @@ def follow(
                 await hub.stop()
                 await _listen(hub, hear, float("inf"), clock)
 
-    with suppress(asyncio.CancelledError):
-        asyncio.run(followed())
+    asyncio.run(followed())
 
 
 async def _listen(hub: HubLink, hear: Callable[[str], None], end: float, clock: Callable[[], float]) -> None:

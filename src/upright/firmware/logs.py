@@ -39,14 +39,14 @@ class ProgramLog:
 
 
 @dataclass(frozen=True)
-class Line:
+class SignedLine:
     """A line `KIND text*CRC` of a program whose CRC fits."""
 
     kind: str
     text: str
 
 
-def checked_line(line: str) -> Line:
+def checked_line(line: str) -> SignedLine:
     """The line, or `InvalidLog` where its CRC (CCITT, start FFFF) does not fit."""
     body, star, crc = line.strip().rpartition("*")
     kind, _, text = body.partition(" ")
@@ -57,7 +57,7 @@ def checked_line(line: str) -> Line:
     if not fits:
         raise InvalidLog(f"the line '{line.strip()[:40]}' is damaged: its CRC does not fit", likely="a lost chunk",
                          mend="fetch the log again")  # fmt: skip
-    return Line(kind, text)
+    return SignedLine(kind, text)
 
 
 def is_signed(line: str) -> bool:
@@ -65,9 +65,9 @@ def is_signed(line: str) -> bool:
     return line[:2] in ("T ", "H ", "D ", "E ")
 
 
-def whole_lines(lines: Iterable[str]) -> tuple[list[Line], int]:
+def whole_lines(lines: Iterable[str]) -> tuple[list[SignedLine], int]:
     """The signed lines whose CRC fits, and how many were damaged."""
-    found, damaged = list[Line](), 0
+    found, damaged = list[SignedLine](), 0
     for line in filter(is_signed, lines):
         try:
             found.append(checked_line(line))
