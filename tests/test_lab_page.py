@@ -500,7 +500,7 @@ def test_a_calibration_joins_as_the_fourth_trace(page):
         page.keyboard.press("k")
         until(page, f"upright.store.snapshot.t > {t} + 1.5")
         page.keyboard.up(key)
-    page.keyboard.press("Space")
+    page.click("[data-key=pause]")
     until(page, "upright.store.snapshot.paused")
     tab(page, "Identify")
     page.click("[data-key=doctor]")
@@ -515,11 +515,24 @@ def test_a_calibration_joins_as_the_fourth_trace(page):
     assert page.locator(".result tbody tr").count() > 3
     assert page.locator(".legend .key").all_inner_texts()[3] == "calibrated"
     bar.wait_for(state="detached")
-    page.keyboard.press("Space")
+    page.click("[data-key=pause]")
     until(page, "upright.store.traces.x[3]?.[0].length > 20")
     with page.expect_download() as fetched:
         page.click("[data-key=compare]")
     assert "calibrated" in Path(fetched.value.path()).read_text("utf-8")
+
+
+def test_a_job_is_stopped_and_a_robot_opened(page, tmp_path):
+    until(page, "upright.store.snapshot.t > 1")
+    tab(page, "Identify")
+    page.click("[data-key=calibrate]")
+    page.click("[data-key=stop-calibrate]")
+    page.locator("[data-key=stop-calibrate]").wait_for(state="detached")
+    Robot.preset("nxtway-gs").replace(name="mine", body_mass=0.7).save(tmp_path / "mine.toml")
+    tab(page, "Robot")
+    page.set_input_files("[data-key=open-robot]", str(tmp_path / "mine.toml"))
+    until(page, "upright.store.changed.setup.numbers.body_mass === 0.7")
+    assert page.input_value("[data-key=robot]") == "mine"
 
 
 TOUR = ("off", "off", "lqr", "lqg", "lqg", "lqg", "lqr", "robust")
@@ -631,6 +644,7 @@ def test_a_class_in_the_browser(chromium):
         until(front, "document.querySelector('.board tbody')?.textContent.includes('Ana')")
         front.evaluate("upright.store.change({controller: 'lqi'})")
         until(front, "upright.store.changed.setup.controller === 'lqi'")
+        assert "when it is asked for" in until(front, "upright.store.lit?.reasons.join() ?? ''")
         front.click("[data-key=broadcast]")
         until(ana, "upright.store.changed.setup.controller === 'lqi'")
     finally:

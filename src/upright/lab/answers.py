@@ -132,7 +132,7 @@ def _designed(session: Session, result: Any) -> list[Any]:
             return [Said("error", str(error))]
         events.append(session.changed())
     if isinstance(found, Analysed):
-        session.follow()
+        events += session.follow()
     return events
 
 

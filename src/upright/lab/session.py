@@ -263,10 +263,12 @@ class Session:
         self._designed, self._busy = controller, ""
         self._build((0.0,) * 6, {lane.name: lane.state() for lane in self.lanes if not lane.fallen})
 
-    def follow(self) -> None:
-        """Have the certificate's light computed for the controller that was designed last."""
-        if self._certified:
-            self._desk.submit((self.name, "light"), "light", (self.setup,), alone=True)
+    def follow(self) -> list[Any]:
+        """Have the certificate's light computed for the controller that was designed last, or say that it is not."""
+        if not self._certified:
+            return [Lit("none", ("in a class the light is computed when it is asked for",))]
+        self._desk.submit((self.name, "light"), "light", (self.setup,), alone=True)
+        return []
 
     def upload(self, name: str) -> Path:
         """The uploaded file of that name, which lies in this session's folder and nowhere else."""

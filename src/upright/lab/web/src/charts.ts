@@ -27,7 +27,7 @@ export class Strip {
           { ...axis, size: 20 * scale, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : `${+v.toFixed(1)} s`)), space: 70 * scale },
           { ...axis, size: 46 * scale, space: 24 * scale, values: (_u, ticks) => ticks.map((v) => String(+v.toPrecision(4)).replace("-", "−")) },
         ],
-        series: [{}, ...lines.map((l) => ({ label: l.label, stroke: l.colour, width: l.width ?? 1.6, dash: l.dash, points: { show: false }, spanGaps: false }))],
+        series: [{}, ...lines.map((l) => ({ label: l.label, stroke: l.colour, width: (l.width ?? 1.6) * scale, dash: l.dash, points: { show: false }, spanGaps: false }))],
       },
       [[], ...lines.map(() => [])] as uPlot.AlignedData,
       box,
