@@ -20,7 +20,7 @@ from upright.errors import InvalidLog
 from upright.experiment import Hold
 from upright.firmware import generate
 from upright.firmware.brick import Hardware
-from upright.firmware.execute_nxc import compile_nxc
+from upright.firmware.execute_nxc import compile_nxc, feel
 from upright.firmware.executor import ExecutionFailed
 from upright.firmware.fly import Flight, FlightRefused, bring_home, fly
 from upright.firmware.lcp import VirtualBrick
@@ -137,6 +137,26 @@ def test_nxt_python_as_it_comes_keeps_files_and_runs_programs(tmp_path: Path) ->
             found.fetch("nothing.txt")
         with pytest.raises(BrickRefused, match="start"):
             found.ask("start", name="nothing.rxe")
+
+
+READ_COMPASS = """
+import sys, nxt.locator, nxt.sensor, nxt.sensor.hitechnic
+brick = nxt.locator.find(config=None, backends=["devfile"], filename=sys.argv[1])
+print(nxt.sensor.hitechnic.Compass(brick, nxt.sensor.Port.S2, False).get_heading())
+"""
+
+
+@pytest.mark.needs("module:nxt")
+@pytest.mark.parametrize("heading", [0, 1, 258, 359])
+def test_nxt_python_s_own_compass_reads_the_virtual_one(heading: int) -> None:
+    """What HiTechnic's registers hold is taken from nxt-python here, and not from this project."""
+    brick = VirtualBrick()
+    resting = {"sensor/encoder_left": 0.0, "sensor/encoder_right": 0.0, "sensor/gyro": 0.0, "sensor/battery": 8000.0}
+    feel(brick.hardware, resting | {COMPASS: float(heading)})
+    with Line(brick) as line:
+        command = [sys.executable, "-c", READ_COMPASS, line.path]
+        said = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+    assert said.stdout.strip() == str(heading), said.stderr
 
 
 def test_hostile_telegrams_never_stop_the_brick() -> None:

@@ -34,7 +34,7 @@ from upright.robots import Kit, Robot
 pytestmark = pytest.mark.needs("module:pybricksdev", "module:micropython_unix")
 
 ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("spike")
-PATIENCE = 0.3  # [s] for a hub in this very process
+PATIENCE = 0.6  # [s] for a hub in this very process
 
 
 @pytest.fixture(scope="module")

@@ -185,6 +185,12 @@ class Hardware:
                 elif item == FLAGS and value & (RESET_TACHO | RESET_BLOCK | RESET_ROTATION):
                     motor.zero = motor.count
 
+    def ask(self, port: int, message: bytes, count: int) -> None:
+        """A message to a digital sensor: its address and a register; `asked` holds what it will answer."""
+        registers = self.registers.get(port, {})
+        first = message[1] if len(message) > 1 else 0
+        self.asked[port] = bytes(registers.get(first + i, 0) for i in range(count))
+
     def call(self, number: int, arguments: list[Any]) -> None:
         """A system call: `arguments` are the members of its cluster, results among them."""
         if number not in CALLS:
@@ -240,10 +246,7 @@ def _button(brick: Hardware, a: list[Any]) -> None:
 
 
 def _ask_sensor(brick: Hardware, a: list[Any]) -> None:
-    """A telegram to a digital sensor: its address and a register; the answer is fetched by `_sensor_says`."""
-    registers = brick.registers.get(a[1], {})
-    first = a[2][1] if len(a[2]) > 1 else 0
-    brick.asked[a[1]] = bytes(registers.get(first + i, 0) for i in range(a[3]))
+    brick.ask(a[1], bytes(a[2]), a[3])
     a[0] = OK
 
 

@@ -16,8 +16,10 @@ from upright.firmware.rxe import InvalidProgram, read_rxe
 from upright.firmware.vm import Machine
 
 REPLY, QUIET = 0x02, 0x80  # the type of a reply; the bit of a type that wants none
-NO_PROGRAM, UNKNOWN, BAD_DATA, NOT_FOUND, BROKEN, SHORT = 0xEC, 0xBE, 0xC0, 0x87, 0xE5, 0xBF
-"""Statuses: no program runs, unknown command, value out of range, no such file, program error, telegram too short."""
+NO_PROGRAM, UNKNOWN, BAD_DATA, NOT_FOUND, BROKEN, SHORT, NO_SENSOR = 0xEC, 0xBE, 0xC0, 0x87, 0xE5, 0xBF, 0xDD
+"""Statuses: no program runs, unknown command, value out of range, no such file, program error, telegram too short,
+nothing on the bus of a digital sensor."""
+ANSWER = 16  # bytes that a digital sensor's answer takes
 
 FIRMWARE = (28, 1)  # minor and major version
 PROTOCOL = (124, 1)
@@ -203,6 +205,23 @@ def _get_input(brick: VirtualBrick, data: bytes) -> Answer:
     return OK, struct.pack("<BBBBBHHhh", data[0], 1, 0, kind, mode, raw, raw, raw, raw)
 
 
+def _ask_sensor(brick: VirtualBrick, data: bytes) -> Answer:
+    port, size, count = struct.unpack_from("<BBB", data)
+    if port not in brick.hardware.registers:
+        return NO_SENSOR, b""
+    brick.hardware.ask(port, data[3 : 3 + size], min(count, ANSWER))
+    return OK, b""
+
+
+def _sensor_ready(brick: VirtualBrick, data: bytes) -> Answer:
+    return OK, bytes([len(brick.hardware.asked.get(data[0], b""))])
+
+
+def _sensor_says(brick: VirtualBrick, data: bytes) -> Answer:
+    said = brick.hardware.asked.pop(data[0], b"")
+    return OK, bytes([len(said)]) + said.ljust(ANSWER, b"\0")
+
+
 def _reset_motor(brick: VirtualBrick, data: bytes) -> Answer:
     brick.hardware.set_output((data[0],), [(0, 0x08)])
     return OK, b""
@@ -229,6 +248,6 @@ COMMANDS: Mapping[tuple[int, int], Callable[[VirtualBrick, bytes], Answer]] = {
     (1, 0x8B): _open_write, (1, 0x9B): _device_info, (0, 0x00): _start, (0, 0x01): _stop, (0, 0x03): _accepted,
     (0, 0x04): _set_output, (0, 0x05): _set_input, (0, 0x06): _get_output, (0, 0x07): _get_input,
     (0, 0x0A): _reset_motor, (0, 0x0B): _battery, (0, 0x0C): _accepted, (0, 0x0D): _keep_alive,
-    (0, 0x11): _program_name,
+    (0, 0x0E): _sensor_ready, (0, 0x0F): _ask_sensor, (0, 0x10): _sensor_says, (0, 0x11): _program_name,
 }  # fmt: skip
 """(1 for a system command, 0 for a direct one; its number) → what answers it."""
