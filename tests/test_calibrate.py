@@ -20,7 +20,7 @@ from upright.experiment import run
 from upright.identify.calibrate import calibrate, prepared
 from upright.identify.calibration import HELD, VISIBLE, Calibration
 from upright.identify.fitting import normal_equations, objective
-from upright.identify.parameters import parameters_of, roll_inertia, with_values
+from upright.identify.parameters import ROLL_SHARE, parameters_of, with_values
 from upright.identify.recording import record
 from upright.physics.dynamics import derivative
 from upright.physics.linear import unstable_pole
@@ -100,7 +100,7 @@ def test_slopes_at_fixed_gains_are_those_of_the_innovations() -> None:
 
     there = recording.kind >= 0
     for i, p in enumerate(problem.parameters):
-        unit, far = np.eye(len(z))[i], 0.01 if p.name in ("com_height", "pitch_inertia", "torque_constant") else 0.002
+        unit, far = np.eye(len(z))[i], 0.01 if p.name in ("com_height", "pitch_inertia", "torque_constant") else 0.001
         low = max(-far, p.least)  # a friction below zero is none
         secant = (errors(z + (low + 2 * far) * unit) - errors(z + low * unit)) / (2 * far)
         used = there & np.isfinite(path.s)
@@ -228,10 +228,11 @@ def test_intervals_and_covariance_agree() -> None:
 
 def test_inertias_stay_those_of_a_rigid_body() -> None:
     """Any two principal inertias leave room for a third between their difference and their sum."""
-    for pitch, yaw in ((1e-4, 5e-3), (5e-3, 1e-4), (1e-3, 1e-3)):
-        robot = with_values(PRIOR, {"pitch_inertia": pitch, "yaw_inertia": yaw})  # refused by Robot if it were none
+    for pitch, yaw, share in ((1e-4, 5e-3, 0.5), (5e-3, 1e-4, 0.0), (1e-3, 1e-3, 1.0)):
+        values = {"pitch_inertia": pitch, "yaw_inertia": yaw, ROLL_SHARE: share}
+        robot = with_values(PRIOR, values)  # refused by Robot if it were none
         assert abs(pitch - yaw) < robot.roll_inertia < pitch + yaw
-    assert roll_inertia(PRIOR, PRIOR) == pytest.approx(PRIOR.roll_inertia)
+    assert with_values(PRIOR, {}).roll_inertia == pytest.approx(PRIOR.roll_inertia)
 
 
 def test_coordinates_are_the_priors() -> None:

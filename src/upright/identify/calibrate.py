@@ -9,8 +9,10 @@ filter that trusts its model little foretells the next sample well whatever the 
 from __future__ import annotations
 
 import math
+import os
 import time
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import numpy as np
@@ -19,7 +21,8 @@ from numpy.typing import NDArray
 from upright.errors import DesignFailed, InvalidLog
 from upright.identify.calibration import Calibration
 from upright.identify.electronics import electronics_of
-from upright.identify.fitting import Normal, Path, Problem, gauss_newton, objective
+from upright.identify.fitting import Normal, Path, Problem, objective
+from upright.identify.gauss_newton import gauss_newton
 from upright.identify.informativity import INERTIAL, too_quiet
 from upright.identify.noise import Bounds, learn_noise
 from upright.identify.parameters import parameters_of
@@ -29,6 +32,7 @@ from upright.signals import Log
 
 Array = NDArray[np.float64]
 Progress = Callable[[float], None]
+Fit = tuple[Problem, Array, Normal, Sequence[Path]]
 
 ANNEALED = (0.3, 0.1, 0.03)
 """Process noise of the first fits, as a share of the commands: large noise makes a short-sighted filter that holds on
@@ -207,23 +211,25 @@ def _lost() -> DesignFailed:
     )  # fmt: skip
 
 
-def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> tuple[Problem, Array, Normal, Sequence[Path]]:
+def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fit:
     """Parameters and noise of greatest likelihood; where the innovations show that the model is not right, the noise
     that sees farthest, and a weight of the readings that their correlation leaves them."""
     from upright.identify.validate import score, worst_correlation
 
     calm = _with_process(problem, FREEDOM / 10)
     start = calm if np.isfinite(objective(calm, z)[0]) else problem
-    best = _settled(start, z, _bounds(problem, limits, FREEDOM))
+    rough = _settled(start, z, _bounds(problem, limits, FREEDOM))
+    best = _polished(rough, _bounds(problem, limits, FREEDOM))
     if worst_correlation(*best) < WHITE:
         return best
-    ranked = [(score(best[0], best[1]), best)]
-    for share, most in TRIED:
-        fit = _settled(best[0], best[1], _bounds(problem, limits, share, most))
-        if np.isfinite(fit[2].objective):
-            ranked.append((score(fit[0], fit[1]), fit))
-    best = max(ranked, key=lambda r: r[0])[1]
-    return _tempered(*best)
+
+    def tried(trial: tuple[float, float]) -> tuple[float, Fit]:
+        fit = _settled(rough[0], rough[1], _bounds(problem, limits, *trial))
+        return (score(fit[0], fit[1]) if np.isfinite(fit[2].objective) else -np.inf), fit
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        ranked = [(score(rough[0], rough[1]), rough), *pool.map(tried, TRIED)]
+    return _tempered(*max(ranked, key=lambda r: r[0])[1])
 
 
 def _bounds(problem: Problem, limits: Mapping[str, float], share: float, most: float = 1e6) -> Bounds:
@@ -232,7 +238,7 @@ def _bounds(problem: Problem, limits: Mapping[str, float], share: float, most: f
     return {**_sensor_bounds(limits, most), **free}
 
 
-def _settled(problem: Problem, z: Array, bounds: Bounds) -> tuple[Problem, Array, Normal, Sequence[Path]]:
+def _settled(problem: Problem, z: Array, bounds: Bounds) -> Fit:
     """Noise and parameters in turn, until the noise of the sensors stays."""
     inside = {n: float(np.clip(problem.noise[n], np.log(low), np.log(high))) for n, (low, high) in bounds.items()}
     within = replace(problem, noise={**problem.noise, **inside})
@@ -247,12 +253,18 @@ def _settled(problem: Problem, z: Array, bounds: Bounds) -> tuple[Problem, Array
     return problem, z, normal, paths
 
 
-def _tempered(
-    problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]
-) -> tuple[Problem, Array, Normal, Sequence[Path]]:
-    """The same fit with readings that count as little as their scores' correlation says, against the prior."""
+def _polished(fit: Fit, bounds: Bounds) -> Fit:
+    """The same in fine steps."""
+    problem = learn_noise(replace(fit[0], fine=True), fit[1], bounds, iterations=2)
+    return (problem, *gauss_newton(problem, fit[1], iterations=10))
+
+
+def _tempered(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> Fit:
+    """The same fit in fine steps, with readings that count as little as their scores' correlation says, against the
+    prior."""
     from upright.identify.informativity import independent_share
 
+    problem = replace(problem, fine=True)
     for _ in range(2):
         share = independent_share(problem, normal, paths)
         problem = replace(problem, temper=share)

@@ -1,4 +1,4 @@
-"""Maximum likelihood of raw readings: Gauss–Newton on whitened innovations.
+"""The likelihood of raw readings: whitened innovations, and how they follow the parameters.
 
 The filter's gains are held while the parameters move: at the truth the innovations are white, so that they are
 uncorrelated with their own derivative at fixed gains, and the estimate stays consistent (Ljung 1999, section 9.2).
@@ -6,15 +6,16 @@ uncorrelated with their own derivative at fixed gains, and the estimate stays co
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.fleet.generated import CONSTANTS, constants
 from upright.identify.electronics import driven
-from upright.identify.parameters import Parameter, columns, rows_of
+from upright.identify.parameters import Parameter, columns
 from upright.identify.recording import SENSOR, Recording, reading_matrix
 from upright.physics.linear import linearise
 from upright.robots import PARAMETERS, Robot
@@ -25,7 +26,12 @@ PROCESS = ("motor", "push", "gyro_bias")
 STIFF = 0.7  # largest |pole| h of a Runge–Kutta step: an error of 0.1 % of the fastest, dying mode
 ROLLING = 0.004  # [s] longest step: within one a wheel's rate is taken for straight where dry friction stops it
 SLIDING = 0.001  # [s] the same for a robot known to have dry friction: its error is 0.03 % of the friction then
-NUDGE = 1e-3  # of the prior's deviation: central differences at 1e-7 of the parameter, rounding 1e-10
+NUDGE = 1e-4  # of the prior's deviation: central differences are right to 1e-8, and rounding stays below
+DRIVEN, DELAYS = CONSTANTS, CONSTANTS + 3
+"""Where among the coefficients begins what drives the robot, and where the dead times."""
+TURN, DRY, ZONE = 0, 7, DRIVEN + 2
+FELT = (0, 3, 4, 5, 7, 8, 9, 10, 11, 14, 15, 16, 19, 20, 21, 22)
+"""Of the constants of the equations of motion those that a level floor shows; the rest belong to slopes and pushes."""
 OUTLIER = 4.0  # deviations beyond which an innovation counts linearly (Huber 1964)
 
 
@@ -63,12 +69,13 @@ class Problem:
     noise: Mapping[str, float]
     held: frozenset[str] = frozenset()
     temper: float = 1.0
+    fine: bool = False
     longest: float = field(init=False)
     _shapes: tuple[Array, Array] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         fastest, shapes = _linear(self.robot)
-        most = SLIDING if self.robot.coulomb_friction else ROLLING
+        most = SLIDING if self.fine and self.robot.coulomb_friction else ROLLING
         object.__setattr__(self, "longest", min(most, STIFF / max(1.0, fastest)))
         object.__setattr__(self, "_shapes", shapes)
 
@@ -85,17 +92,31 @@ class Problem:
                 late[p.name.removeprefix("delay/")] = p.value(z[i])
         return late
 
+    def coefficients(self, z: Array) -> Array:
+        """What the predictor is made of (coefficients, lanes), for the lanes of z (parameters, lanes): the constants of
+        the equations of motion, what drives them, and the dead time of each sensor."""
+        numbers = columns(self.robot, self.parameters, z)
+        c = constants([getattr(numbers, name) for name in PARAMETERS], 1.0)
+        return np.concatenate([np.array(np.broadcast_arrays(*c)), driven(self.parameters, z), [*self.late(z).values()]])
+
+    def by_parameter(self, z: Array) -> tuple[Array, Array]:
+        """The coefficients (coefficients,) at z (parameters,), and their slopes (coefficients, parameters)."""
+        n = len(z)
+        lanes = np.repeat(z[:, None], 2 * n + 1, axis=1)
+        lanes[np.arange(n), np.arange(n)] += NUDGE
+        lanes[np.arange(n), n + np.arange(n)] -= NUDGE
+        q = self.coefficients(lanes)
+        return q[:, -1], (q[:, :n] - q[:, n:-1]) / (2 * NUDGE)
+
+    def built(self, recording: Recording, q: Array) -> tuple[Array, Array, Array]:
+        """Reading matrix, delays of the rows, and constants with what drives them, of the coefficients q."""
+        late = dict(zip(self.delays, q[DELAYS:], strict=True))
+        delays = np.array([late[SENSOR[row]] for row in recording.rows])
+        return reading_matrix(recording.rows, len(recording.first), q[TURN]), delays, q[:DELAYS]
+
     def lanes(self, recording: Recording, z: Array) -> tuple[Array, Array, Array]:
         """Reading matrix, delays of the rows, and the kernel's constants with what drives it, for the lanes of z."""
-        from upright.fleet.generated import constants
-
-        numbers = columns(self.robot, self.parameters, z)
-        late = self.late(z)
-        delays = np.array([late[SENSOR[row]] for row in recording.rows])
-        turn = numbers.track / (2 * numbers.wheel_radius)
-        reads = reading_matrix(recording.rows, len(recording.first), turn)
-        c = constants([getattr(numbers, name) for name in PARAMETERS], 1.0)
-        return reads, delays, np.concatenate([np.array(np.broadcast_arrays(*c)), driven(self.parameters, z)])
+        return self.built(recording, self.coefficients(z))
 
     def own_delays(self, recording: Recording, z: Array) -> Array:
         """Dead time [s] of each event (events,): zero for commands."""
@@ -136,53 +157,65 @@ class Problem:
             Q[7, 7] = 1e-10
         return Q
 
-    def slopes(self, recording: Recording, z: Array, gains: Array) -> Array:
-        """∂e/∂z (events, parameters) at fixed gains, by lanes a nudge either side, or two above a bound."""
+    def felt_slopes(self, recording: Recording, q: Array, unit: Array, gains: Array, rows: Sequence[int]) -> Array:
+        """∂e/∂q (events, rows) of those `rows` of the coefficients q, each in its `unit`, at fixed gains: by lanes a
+        nudge either side, or two above zero for what may not be negative."""
         from upright.identify.predictor import LANES, innovations
 
-        order, half = self.order(recording, z), LANES // 2
-        low = np.maximum(z - NUDGE, [p.least for p in self.parameters])
+        order, half = recording.order(dict(zip(self.delays, q[DELAYS:].tolist(), strict=True))), LANES // 2
+        low = q - NUDGE * unit
+        low[[DRY, ZONE]] = np.maximum(low[[DRY, ZONE]], 0.0)
         found: list[Array] = []
-        for start in range(0, len(z), half):
-            part = np.arange(start, min(start + half, len(z)))
-            lanes = np.repeat(z[:, None], 2 * len(part), axis=1)
-            lanes[part, np.arange(len(part))] = low[part] + 2 * NUDGE
-            lanes[part, len(part) + np.arange(len(part))] = low[part]
-            first = np.repeat(recording.first[:, None], lanes.shape[1], axis=1)
-            reads, delays, constants = self.lanes(recording, lanes)
+        for start in range(0, len(rows), half):
+            part = list(rows[start : start + half])
+            count = len(part)
+            lanes = np.repeat(q[:, None], 2 * count, axis=1)
+            lanes[part, np.arange(count)] = low[part] + 2 * NUDGE * unit[part]
+            lanes[part, count + np.arange(count)] = low[part]
+            reads, delays, constants = self.built(recording, lanes)
             e = innovations(
                 order, recording.kind, recording.when, recording.value, recording.commands, reads, delays, constants,
-                first, gains, self.longest,
+                np.repeat(recording.first[:, None], 2 * count, axis=1), gains, self.longest,
             )  # fmt: skip
-            found.append((e[:, : len(part)] - e[:, len(part) :]) / (2 * NUDGE))
+            found.append((e[:, :count] - e[:, count:]) / (2 * NUDGE))
         return np.concatenate(found, axis=1)
 
-    def coefficient_slopes(self, recording: Recording, z: Array, gains: Array) -> Array:
-        """∂e/∂log c (events, coefficients) of the coefficients of the equations of motion, at fixed gains."""
-        from upright.fleet.generated import CONSTANTS
-        from upright.identify.predictor import innovations
+    def slopes(self, recording: Recording, z: Array, gains: Array) -> Array:
+        """∂e/∂z (events, parameters) at fixed gains."""
+        q, C = self.by_parameter(z)
+        unit, rows = units(C)
+        return self.felt_slopes(recording, q, unit, gains, rows) @ (C[rows] / unit[rows, None])
 
-        reads, delays, constants = self.lanes(recording, np.repeat(z[:, None], 2 * CONSTANTS, axis=1))
-        k = np.arange(CONSTANTS)
-        constants[k, k] *= 1 + NUDGE
-        constants[k, CONSTANTS + k] *= 1 - NUDGE
-        e = innovations(
-            self.order(recording, z), recording.kind, recording.when, recording.value, recording.commands, reads,
-            delays, constants, np.repeat(recording.first[:, None], 2 * CONSTANTS, axis=1), gains, self.longest,
-        )  # fmt: skip
-        return (e[:, :CONSTANTS] - e[:, CONSTANTS:]) / (2 * NUDGE)
+
+def units(C: Array) -> tuple[Array, list[int]]:
+    """How far the prior lets each coefficient be off (coefficients,), from its slopes C (coefficients, parameters), and
+    the rows of those that move and are felt."""
+    unit = np.sqrt((C**2).sum(axis=1))
+    return unit, [i for i in (*FELT, *range(DRIVEN, len(C))) if unit[i] > 0]
 
 
 @dataclass(frozen=True, eq=False)
 class Normal:
     """What Gauss–Newton needs at z: objective −log posterior (up to a constant), gradient and Hessian, and by event the
-    whitened innovations and their slopes (of the fitted events that are readings)."""
+    whitened innovations and their slopes (of the fitted events that are readings).
+
+    The slopes are those by the coefficients, `felt` (events, rows) in `unit`, times the coefficients' own: so what the
+    equations cannot tell apart, the Hessian cannot either.
+    """
 
     objective: float
     gradient: Array
     hessian: Array
     whitened: Array
     slopes: Array
+    felt: Array
+    rows: list[int]
+    unit: Array
+
+    @property
+    def weight(self) -> Array:
+        """How much each innovation counts: one, and less beyond `OUTLIER`."""
+        return np.minimum(1.0, OUTLIER / np.maximum(np.abs(self.whitened), 1e-12))
 
 
 def fitted_readings(recording: Recording, path: Path) -> NDArray[np.bool_]:
@@ -207,55 +240,20 @@ def objective(problem: Problem, z: Array) -> tuple[float, list[Path]]:
 
 def normal_equations(problem: Problem, z: Array, paths: Sequence[Path], value: float) -> Normal:
     """Gradient and Gauss–Newton Hessian of the objective at fixed gains."""
-    gradient, hessian = z.copy(), np.eye(len(z))
+    q, C = problem.by_parameter(z)
+    unit, rows = units(C)
     whites: list[Array] = []
-    slopes: list[Array] = []
+    parts: list[Array] = []
     for recording, path in zip(problem.recordings, paths, strict=True):
         use = fitted_readings(recording, path)
-        raw = problem.slopes(recording, z, path.gains)[use] / np.sqrt(path.s[use])[:, None]
-        r = path.e[use] / np.sqrt(path.s[use])
-        J = np.where(np.isfinite(raw), raw, 0.0)
-        weight = np.minimum(1.0, OUTLIER / np.maximum(np.abs(r), 1e-12))
-        gradient += problem.temper * (J.T @ (weight * r))
-        hessian += problem.temper * (J.T @ (weight[:, None] * J))
-        whites.append(r)
-        slopes.append(J)
-    return Normal(value, gradient, hessian, np.concatenate(whites), np.concatenate(slopes))
-
-
-def gauss_newton(
-    problem: Problem, z: Array, *, iterations: int, tolerance: float = 0.02, progress: Callable[[], None] | None = None
-) -> tuple[Array, Normal, list[Path]]:
-    """z that makes the objective least, with damping after Marquardt (1963) and bounds by projection; stops when a
-    step is less than `tolerance` of every parameter's posterior deviation."""
-    least = np.array([p.least for p in problem.parameters])
-    value, paths = objective(problem, z)
-    normal = normal_equations(problem, z, paths, value)
-    damping = 1e-3
-    for _ in range(iterations):
-        if progress:
-            progress()
-        for _ in range(8):
-            new, spread = _step(z, normal, damping, least, problem.active)
-            now, candidate = objective(problem, new)
-            if now < value + 1e-2 or (not np.isfinite(value) and np.isfinite(now)):
-                break
-            damping *= 10
-        else:
-            break
-        small = np.abs((new - z) / spread).max() < tolerance
-        z, value, paths, damping = new, now, candidate, damping / 5
-        normal = normal_equations(problem, z, paths, value)
-        if small:
-            break
-    return z, normal, paths
-
-
-def _step(z: Array, normal: Normal, damping: float, least: Array, active: NDArray[np.bool_]) -> tuple[Array, Array]:
-    """The damped step of the active parameters, those that press against their bound left out, and the deviations."""
-    free = active & ~((z <= least + 1e-9) & (normal.gradient > 0))
-    H = normal.hessian + damping * np.diag(np.diag(normal.hessian))
-    step = np.zeros_like(z)
-    step[free] = -np.linalg.solve(H[np.ix_(rows_of(free), rows_of(free))], normal.gradient[free])
-    step *= min(1.0, 3.0 / max(np.abs(step).max(), 1e-12))  # at most three prior deviations at once
-    return np.maximum(z + step, least), np.sqrt(np.diag(np.linalg.inv(normal.hessian)))
+        deviation = np.sqrt(path.s[use])
+        felt = problem.felt_slopes(recording, q, unit, path.gains, rows)[use] / deviation[:, None]
+        whites.append(path.e[use] / deviation)
+        parts.append(np.where(np.isfinite(felt), felt, 0.0))
+    r, felt = np.concatenate(whites), np.concatenate(parts)
+    by_parameter = C[rows] / unit[rows, None]
+    J = felt @ by_parameter
+    weight = np.minimum(1.0, OUTLIER / np.maximum(np.abs(r), 1e-12))
+    gradient = z + problem.temper * (J.T @ (weight * r))
+    hessian = np.eye(len(z)) + problem.temper * by_parameter.T @ (felt.T @ (weight[:, None] * felt)) @ by_parameter
+    return Normal(value, gradient, hessian, r, J, felt, rows, unit)

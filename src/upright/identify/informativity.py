@@ -11,13 +11,13 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.identify.fitting import OUTLIER, Normal, Path, Problem, fitted_readings
-from upright.identify.parameters import rows_of
+from upright.identify.fitting import DRIVEN, Normal, Path, Problem, fitted_readings
+from upright.identify.parameters import ROLL_SHARE, rows_of
 from upright.identify.recording import SENSOR, Recording
 
 Array = NDArray[np.float64]
 
-INERTIAL = ("com_height", "pitch_inertia", "yaw_inertia", "rotor_inertia", "wheel_inertia", "roll_inertia")
+INERTIAL = ("com_height", "pitch_inertia", "yaw_inertia", "rotor_inertia", "wheel_inertia", ROLL_SHARE)
 QUIET = 4.0
 """Root mean square of the pitch rate, in steps of its gyro, below which no inertia is given: the errors of the readings
 then are no longer small beside the motion, and what the fit calls an inertia is partly their image."""
@@ -51,8 +51,7 @@ def scores(problem: Problem, normal: Normal, paths: Sequence[Path]) -> list[Arra
     """For each recording the gradient's parts (periods, parameters), summed over the readings of a period."""
     found: list[Array] = []
     start = 0
-    weight = np.minimum(1.0, OUTLIER / np.maximum(np.abs(normal.whitened), 1e-12))
-    each = (weight * normal.whitened)[:, None] * normal.slopes
+    each = (normal.weight * normal.whitened)[:, None] * normal.slopes
     for recording, path in zip(problem.recordings, paths, strict=True):
         use = fitted_readings(recording, path)
         period = np.round((recording.when[use] - recording.when[0]) / recording.period).astype(np.int64)
@@ -113,19 +112,13 @@ def posterior(problem: Problem, normal: Normal, paths: Sequence[Path]) -> Array:
     return total
 
 
-def equation_error(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> Array:
+def equation_error(problem: Problem, z: Array, normal: Normal) -> Array:
     """Covariance of z (n, n) that remains however long the log: each coefficient of the equations of motion is right to
     `EXACT` only, and the fit makes up for it (considered parameters, Schmidt 1966)."""
-    rows, start = rows_of(problem.active), 0
-    cross = np.zeros((len(z), 0))
-    for recording, path in zip(problem.recordings, paths, strict=True):
-        use = fitted_readings(recording, path)
-        own = slice(start, start + int(use.sum()))
-        slopes = problem.coefficient_slopes(recording, z, path.gains)[use] / np.sqrt(path.s[use])[:, None]
-        weight = np.minimum(1.0, OUTLIER / np.maximum(np.abs(normal.whitened[own]), 1e-12))
-        part = normal.slopes[own].T @ (weight[:, None] * np.nan_to_num(slopes))
-        cross = part + (cross if cross.size else 0.0)
-        start = own.stop
+    rows = rows_of(problem.active)
+    inner = [i for i, row in enumerate(normal.rows) if row < DRIVEN]
+    relative = problem.coefficients(z[:, None])[normal.rows, 0] / normal.unit[normal.rows]
+    cross = normal.slopes.T @ (normal.weight[:, None] * normal.felt[:, inner]) * relative[inner]
     shift = EXACT * problem.temper * np.linalg.solve(normal.hessian[np.ix_(rows, rows)], cross[rows])
     total = np.zeros((len(z), len(z)))
     total[np.ix_(rows, rows)] = shift @ shift.T

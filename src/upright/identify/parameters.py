@@ -1,8 +1,9 @@
 """What a calibration estimates: the robot's numbers and the dead times, in coordinates of the prior.
 
 Every parameter p is a function of one number z that the prior takes for standard normal: p = p₀ exp(z σ/p₀) for what
-must be positive, p = p₀ + z σ for what may be zero or negative. So z = 0 is what was known before, |z| = 1 one standard
-deviation away, and the information of a log about z is in units of the prior's.
+must be positive, p = p₀ + z σ for what may be zero or negative, and likewise the logarithm of the odds of a share. So
+z = 0 is what was known before, |z| = 1 one standard deviation away, and the information of a log about z is in units of
+the prior's.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import dataclasses
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,8 +30,10 @@ MAY_BE_ZERO = ("rotor_inertia", "back_emf", "motor_friction", "wheel_friction", 
 ELECTRICAL = ("motor_resistance", "back_emf", "torque_constant")
 NEVER = ("gear_ratio", "stiction_rate", "body_depth", "body_height", "roll_inertia")
 """What no log is asked: a convention, a smoothing (the predictor's friction is dry), two measures for drawing,
-and an inertia that only a robot which turns while it leans shows; it follows the other two so that a rigid body
-remains (see `with_values`)."""
+and the roll inertia, in whose place stands `ROLL_SHARE`."""
+
+ROLL_SHARE = "roll_share"
+"""Where the roll inertia lies between |J_ψ − J_φ| and J_ψ + J_φ, its least and its largest in a rigid body."""
 
 DELAY_SPREAD = 0.02  # [s] one standard deviation of a dead time, about two periods: kits say little of theirs
 SENSORS = ("encoder", "gyro", "compass")
@@ -38,33 +41,40 @@ SENSORS = ("encoder", "gyro", "compass")
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number to estimate: its `prior`, the prior's `spread` (one standard deviation) and whether z acts on its
-    logarithm. `lower` bounds it; `guess` says that nobody measured the prior."""
+    """A number to estimate: its `prior`, the prior's `spread` (one standard deviation) and whether z acts on it, on its
+    logarithm, or on that of its odds. `lower` bounds it; `guess` says that nobody measured the prior."""
 
     name: str
     unit: str
     prior: float
     spread: float
-    logarithmic: bool
+    scale: Literal["linear", "logarithm", "odds"]
     lower: float = -math.inf
     guess: bool = False
 
     def value(self, z: Any) -> Any:
         """The parameter at the coordinate z."""
-        if self.logarithmic:
-            return self.prior * np.exp(np.asarray(z) * (self.spread / self.prior))
-        return self.prior + np.asarray(z) * self.spread
+        moved = np.asarray(z) * self.spread
+        if self.scale == "logarithm":
+            return self.prior * np.exp(moved / self.prior)
+        if self.scale == "odds":
+            against = (1 / self.prior - 1) * np.exp(-moved / (self.prior * (1 - self.prior)))
+            return 1 / (1 + against)
+        return self.prior + moved
 
     def coordinate(self, value: float) -> float:
         """The inverse of `value`."""
-        if self.logarithmic:
+        if self.scale == "logarithm":
             return math.log(value / self.prior) * self.prior / self.spread
+        if self.scale == "odds":
+            ratio = value / (1 - value) * (1 / self.prior - 1)
+            return math.log(ratio) * self.prior * (1 - self.prior) / self.spread
         return (value - self.prior) / self.spread
 
     @property
     def least(self) -> float:
         """The smallest z allowed."""
-        return -math.inf if self.logarithmic else (self.lower - self.prior) / self.spread
+        return (self.lower - self.prior) / self.spread if self.scale == "linear" else -math.inf
 
 
 def parameters_of(
@@ -77,8 +87,9 @@ def parameters_of(
     """
     names = [n for n in PARAMETERS if n not in NEVER and not (robot.drive == "torque" and n in ELECTRICAL)]
     physical = [_physical(robot, name) for name in names]
-    late = [Parameter(f"delay/{name}", "s", d, DELAY_SPREAD, False, -DELAY_SPREAD) for name, d in delays.items()]
-    every = [p for p in (*physical, *others, *late) if p.spread > 0]
+    late = [Parameter(f"delay/{name}", "s", d, DELAY_SPREAD, "linear", -DELAY_SPREAD) for name, d in delays.items()]
+    known = [ROLL_SHARE if name == "roll_inertia" else name for name in known]
+    every = [p for p in (*physical, _roll_share(robot), *others, *late) if p.spread > 0]
     for name in known:
         if name not in (p.name for p in every):
             raise UnknownName("parameter", name, [p.name for p in every])
@@ -91,8 +102,22 @@ def _physical(robot: Robot, name: str) -> Parameter:
     spread = None if source is None else source.spread
     guess = spread is None
     if name in MAY_BE_ZERO:
-        return Parameter(name, unit, value, _scale(robot, name) if spread is None else spread, False, 0.0, guess)
-    return Parameter(name, unit, value, GUESS * value if spread is None else spread, True, 0.0, guess)
+        return Parameter(name, unit, value, _scale(robot, name) if spread is None else spread, "linear", 0.0, guess)
+    return Parameter(name, unit, value, GUESS * value if spread is None else spread, "logarithm", 0.0, guess)
+
+
+def _roll_share(robot: Robot) -> Parameter:
+    low, high = _rigid(robot.pitch_inertia, robot.yaw_inertia)
+    share = min(max((robot.roll_inertia - low) / (high - low), 0.02), 0.98)
+    source = robot.provenance.get("roll_inertia")
+    guess = source is None or source.spread is None
+    spread = share * (1 - share) if source is None or source.spread is None else source.spread / (high - low)
+    return Parameter(ROLL_SHARE, "1", share, spread, "odds", 0.0, guess)
+
+
+def _rigid(pitch: Any, yaw: Any) -> tuple[Any, Any]:
+    """Between which roll inertias a body is rigid."""
+    return np.abs(pitch - yaw), pitch + yaw
 
 
 def _scale(robot: Robot, name: str) -> float:
@@ -109,18 +134,17 @@ def _scale(robot: Robot, name: str) -> float:
 
 
 def with_values(robot: Robot, values: Mapping[str, float]) -> Robot:
-    """`robot` with new numbers, its roll inertia kept where it stood between the bounds |J_ψ − J_φ| and J_ψ + J_φ."""
+    """`robot` with new numbers, its roll inertia where `ROLL_SHARE` says between its bounds, or where it stood."""
     physical = {name: value for name, value in values.items() if name in PARAMETERS}
     changed = _Numbers(**(robot.numbers() | physical))
-    return robot.replace(**physical, roll_inertia=float(roll_inertia(robot, changed)))
+    share = min(max(values.get(ROLL_SHARE, _roll_share(robot).prior), 0.02), 0.98)
+    return robot.replace(**physical, roll_inertia=float(roll_inertia(changed, share)))
 
 
-def roll_inertia(robot: Robot, p: Any) -> Any:
-    """J_ρ of parameters `p` (numbers or arrays): as far between its bounds as `robot`'s own."""
-    low, high = abs(robot.pitch_inertia - robot.yaw_inertia), robot.pitch_inertia + robot.yaw_inertia
-    share = min(max((robot.roll_inertia - low) / (high - low), 0.02), 0.98)
-    least = np.abs(p.pitch_inertia - p.yaw_inertia)
-    return least + share * (p.pitch_inertia + p.yaw_inertia - least)
+def roll_inertia(p: Any, share: Any) -> Any:
+    """J_ρ of parameters `p` (numbers or arrays), at this `share` of the way between its bounds."""
+    low, high = _rigid(p.pitch_inertia, p.yaw_inertia)
+    return low + share * (high - low)
 
 
 _Numbers: Any = dataclasses.make_dataclass("_Numbers", list(PARAMETERS), frozen=True)
@@ -128,10 +152,11 @@ _Numbers: Any = dataclasses.make_dataclass("_Numbers", list(PARAMETERS), frozen=
 
 def columns(robot: Robot, parameters: Sequence[Parameter], z: Array) -> Any:
     """The robot's numbers as arrays over the lanes of `z` (parameters, lanes), with the fields of `Robot`."""
-    values = {p.name: p.value(z[i]) for i, p in enumerate(parameters) if p.name in PARAMETERS}
-    full = {name: np.full(z.shape[1], value) for name, value in robot.numbers().items()}
-    changed = _Numbers(**(full | values))
-    return dataclasses.replace(changed, roll_inertia=roll_inertia(robot, changed))
+    values = {p.name: p.value(z[i]) for i, p in enumerate(parameters)}
+    full = {name: values.get(name, np.full(z.shape[1], value)) for name, value in robot.numbers().items()}
+    changed = _Numbers(**full)
+    share = values.get(ROLL_SHARE, _roll_share(robot).prior)
+    return dataclasses.replace(changed, roll_inertia=roll_inertia(changed, share))
 
 
 def rows_of(mask: NDArray[np.bool_]) -> list[int]:

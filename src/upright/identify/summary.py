@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from upright.identify.calibration import BOUND, HELD, PRIOR, SURPRISE, VISIBLE, 
 from upright.identify.electronics import MEANING
 from upright.identify.fitting import NUDGE, Normal, Path, Problem
 from upright.identify.informativity import equation_error, posterior, unseen_directions
-from upright.identify.parameters import Parameter, columns, with_values
+from upright.identify.parameters import ROLL_SHARE, Parameter, columns, with_values
 from upright.identify.validate import segments, steps_ahead, whiteness
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.physics.linear import unstable_pole
@@ -28,6 +29,7 @@ FINEST_TIME = 0.01  # of a period: no dead time is claimed to be known better, s
 NORMAL = 1.96  # deviations that hold 95 % of a normal distribution
 
 COMBINATIONS: dict[str, tuple[str, Callable[[Any], Any]]] = {
+    "roll_inertia": ("kg m²", lambda p: p.roll_inertia),
     "motor_gain": ("N m/V", motor_gain),
     "motor_damping": ("N m s/rad", motor_damping),
     "a11": ("kg m²", lambda p: mass_matrix(1.0, 0.0, p)[0]),
@@ -37,27 +39,28 @@ COMBINATIONS: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "a22/a11": ("1", lambda p: mass_matrix(1.0, 0.0, p)[2] / mass_matrix(1.0, 0.0, p)[0]),
     "weight_moment/a22": ("1/s²", lambda p: p.gravity * p.body_mass * p.com_height / mass_matrix(1.0, 0.0, p)[2]),
 }
-"""What enters the motion: the coefficients of the equations, and two ratios of them."""
+"""The number that follows from others, then what enters the motion: its coefficients, and two ratios of them."""
 
 
 def summarised(
     problem: Problem, z: Array, normal: Normal, paths: Sequence[Path], logs: Sequence[Log], reason: str, began: float
 ) -> Calibration:
     """Everything said of a fit."""
-    C = posterior(problem, normal, paths) + equation_error(problem, z, normal, paths) + _floor(problem)
+    C = posterior(problem, normal, paths) + equation_error(problem, z, normal) + _floor(problem)
     spread = np.sqrt(np.diag(C))
     every = [
         _estimate(p, float(z[i]), float(spread[i]), p.name in problem.held) for i, p in enumerate(problem.parameters)
     ]
-    parameters = tuple(e for e in every if e.name in PARAMETERS)
+    combined = _combined(problem, z, C)
+    names, covariance = _in_units(problem, z, C)
+    found = {e.name: e for e in every} | ({"roll_inertia": _roll_inertia(problem, combined[0])})
+    parameters = tuple(found[name] for name in names if name in PARAMETERS)
     sources = tuple(str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log"))) for log in logs)
-    robot = _calibrated(problem, every, sources)
-    slopes = np.array([_slope(p, float(z[i])) for i, p in enumerate(problem.parameters)])
+    robot = _calibrated(problem, z, parameters, sources)
     fits, free = _checks(problem, z)
     return Calibration(
-        robot, problem.robot, parameters, _combined(problem, z, C), _delays(problem, z, C, every),
-        tuple(p.name for p in problem.parameters), slopes[:, None] * C * slopes[None, :],
-        {name: math.exp(0.5 * value) for name, value in problem.noise.items()},
+        robot, problem.robot, parameters, combined[1:], _delays(problem, z, C, every),
+        names, covariance, {name: math.exp(0.5 * value) for name, value in problem.noise.items()},
         tuple(w for r, path in zip(problem.recordings, paths, strict=True) for w in whiteness(r, path)),
         fits, free, problem.temper, int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
         time.perf_counter() - began, sources, tuple(_notes(problem, every, free, reason)),
@@ -78,40 +81,59 @@ def _estimate(p: Parameter, z: float, spread: float, held: bool) -> Estimate:
     return Estimate(p.name, p.unit, float(p.value(z)), low, high, p.prior, p.spread, verdict, z, spread, p.guess)
 
 
-def _slope(p: Parameter, z: float) -> float:
-    return float((p.value(z + NUDGE) - p.value(z - NUDGE)) / (2 * NUDGE))
+def _in_units(problem: Problem, z: Array, C: Array) -> tuple[tuple[str, ...], Array]:
+    """Names and covariance (n, n) of what was fitted, with the roll inertia in place of its share."""
+    lanes = _around(z)
+    roll = columns(problem.robot, problem.parameters, lanes).roll_inertia
+    values = {p.name: p.value(lanes[i]) for i, p in enumerate(problem.parameters)}
+    if ROLL_SHARE in values:
+        values = {
+            ("roll_inertia" if n == ROLL_SHARE else n): (roll if n == ROLL_SHARE else v) for n, v in values.items()
+        }
+    slopes = np.array([_gradient(v) for v in values.values()])
+    return tuple(values), slopes @ C @ slopes.T
 
 
-def _calibrated(problem: Problem, every: Sequence[Estimate], sources: Sequence[str]) -> Robot:
-    """The robot with its new numbers, each with where it comes from and its deviation."""
-    moved = {e.name: e for e in every if e.name in PARAMETERS and e.verdict != HELD}
-    robot = with_values(problem.robot, {name: e.value for name, e in moved.items()})
-    origin = ", ".join(dict.fromkeys(sources))
-    said = {n: Provenance(f"calibrated from {origin}; {e.verdict}", e.spread) for n, e in moved.items()}
-    old = problem.robot.provenance
-    kept = {name: source for name, source in old.items() if name not in said}
-    follows = old.get("roll_inertia")
-    kept["roll_inertia"] = Provenance("follows the pitch and yaw inertias", follows.spread if follows else None)
-    return robot.replace(provenance={**kept, **said}, name=problem.robot.name)
-
-
-def _combined(problem: Problem, z: Array, C: Array) -> tuple[Estimate, ...]:
-    """Each combination by its logarithm's gradient, with the prior's own deviation beside it."""
+def _around(z: Array) -> Array:
+    """Lanes (n, 2n + 1) a nudge above z in each parameter, then a nudge below, then z."""
     n = len(z)
     lanes = np.repeat(z[:, None], 2 * n + 1, axis=1)
     lanes[np.arange(n), np.arange(n)] += NUDGE
     lanes[np.arange(n), n + np.arange(n)] -= NUDGE
-    numbers, prior = (
-        columns(problem.robot, problem.parameters, lanes),
-        columns(problem.robot, problem.parameters, 0 * lanes),
-    )
+    return lanes
+
+
+def _gradient(values: Array) -> Array:
+    """By z (n,), of the values of those lanes."""
+    n = (len(values) - 1) // 2
+    return (values[:n] - values[n : 2 * n]) / (2 * NUDGE)
+
+
+def _roll_inertia(problem: Problem, roll: Estimate) -> Estimate:
+    """The combination as the parameter that it is."""
+    verdict = HELD if ROLL_SHARE in problem.held else roll.verdict
+    return replace(roll, low=max(roll.low, 0.0), verdict=verdict)
+
+
+def _calibrated(problem: Problem, z: Array, every: Sequence[Estimate], sources: Sequence[str]) -> Robot:
+    """The robot with its new numbers, each with where it comes from and its deviation."""
+    origin = ", ".join(dict.fromkeys(sources))
+    said = {n.name: Provenance(f"calibrated from {origin}; {n.verdict}", n.spread) for n in every if n.verdict != HELD}
+    robot = _robot_at(problem, z)
+    return robot.replace(provenance={**problem.robot.provenance, **said}, name=problem.robot.name)
+
+
+def _combined(problem: Problem, z: Array, C: Array) -> tuple[Estimate, ...]:
+    """Each combination by its logarithm's gradient, with the prior's own deviation beside it."""
+    lanes = _around(z)
+    numbers, prior = (columns(problem.robot, problem.parameters, at) for at in (lanes, 0 * lanes))
     found: list[Estimate] = []
     for name, (unit, formula) in COMBINATIONS.items():
         if problem.robot.drive == "torque" and name == "motor_gain":
             continue
-        values = np.broadcast_to(formula(numbers), 2 * n + 1)
+        values = np.broadcast_to(formula(numbers), lanes.shape[1])
         found.append(_combination(name, unit, values, float(np.atleast_1d(formula(prior))[0]), C))
-    poles = np.array([rolling_pole(_robot_at(problem, lanes[:, i])) for i in range(2 * n + 1)])
+    poles = np.array([rolling_pole(_robot_at(problem, lanes[:, i])) for i in range(lanes.shape[1])])
     found.append(_combination("unstable_pole", "1/s", poles, rolling_pole(problem.robot), C))
     return tuple(found)
 
@@ -128,8 +150,7 @@ def _robot_at(problem: Problem, z: Array) -> Robot:
 
 
 def _combination(name: str, unit: str, values: Array, prior: float, C: Array) -> Estimate:
-    n = (len(values) - 1) // 2
-    gradient = (values[:n] - values[n : 2 * n]) / (2 * NUDGE)
+    gradient = _gradient(values)
     spread, before = float(np.sqrt(gradient @ C @ gradient)), float(np.linalg.norm(gradient))
     value = float(values[-1])
     shrink = spread / max(before, 1e-300)
