@@ -350,27 +350,34 @@ def test_ev3way_has_a_late_gyro(shared: Path) -> None:
     assert 0.44 < found["back_emf"].value < 0.52
 
 
+@cache
+def of_twipr(path: Path) -> Calibration:
+    from upright.identify.raw import raw_log
+
+    return calibrate(raw_log(path), Robot.preset("twipr"))
+
+
+@pytest.mark.xdist_group("twipr")  # one calibration serves both
 @pytest.mark.needs("shared/data/twipr")
 def test_twipr_is_foretold_for_half_a_second(shared: Path) -> None:
     """Dead times of its README: 53 ms to the gyro and 73 ms to the wheels, by half a step; R² near that of a model made
     for this robot (0.9986 and 0.997)."""
-    from upright.identify.raw import raw_log
-
-    found = calibrate(raw_log(shared / "data/twipr/run1.csv"), Robot.preset("twipr"))
+    found = of_twipr(shared / "data/twipr/run1.csv")
     assert found["delay/gyro"].value == pytest.approx(0.053, abs=0.005)
     assert found["delay/encoder"].value == pytest.approx(0.073, abs=0.005)
     assert found.segments["sensor/gyro"] > 0.99
     assert found.segments["mean encoder_rate"] > 0.99
 
 
+@pytest.mark.xdist_group("twipr")  # one calibration serves both
 @pytest.mark.needs("shared/data/twipr")
 def test_the_whole_loop_of_twipr_runs_freely_for_ten_seconds(shared: Path) -> None:
     """From the excitation and the law of its README alone; a model made for it reaches 0.92 and 0.67 to 0.93."""
     from upright.identify.closed_loop import Law, closed_loop
     from upright.identify.raw import raw_log
 
-    log = raw_log(shared / "data/twipr/run1.csv")
+    path = shared / "data/twipr/run1.csv"
     law = Law(wheel_speed=0.020, pitch=0.040, pitch_rate=0.006, yaw_rate=0.007)
-    fits = closed_loop(calibrate(log, Robot.preset("twipr")), log, law)
+    fits = closed_loop(of_twipr(path), raw_log(path), law)
     assert fits["pitch"] > 0.9
     assert fits["wheel rate"] > 0.8
