@@ -299,9 +299,10 @@ def _use(page: Any, target: Any, key: str) -> None:
     elif kind.startswith("SELECT"):
         choices = target.evaluate("e => [...e.options].map(o => o.value)")
         chosen = target.input_value()
-        for choice in [c for c in choices if c != chosen][: 4 if key == "view" else 1]:
+        for choice in [*[c for c in choices if c != chosen][: 4 if key == "view" else 1], chosen]:
             target.select_option(choice)
-        target.select_option(chosen)
+            if key == "controller":  # what else there is to use follows it
+                until(page, f"upright.store.changed.setup.controller === '{choice}'")
     elif kind == "INPUT checkbox":
         target.click()
         target.click()
