@@ -200,7 +200,7 @@ export class RobotPanel extends Panel {
         if (Number.isFinite(input.valueAsNumber)) store.change({ numbers: { ...store.setup.numbers, [name]: input.valueAsNumber } });
       } });
       const symbol = store.catalogue?.symbols[name] ?? "";
-      return h("div", { className: "parameter" }, h("label", { "for": id }, `${name.replaceAll("_", " ")} ${symbol}`), input, h("span", {}, store.catalogue?.units[name] ?? ""));
+      return h("div", { className: "parameter" }, h("label", { "for": id }, `${name.replaceAll("_", " ")} ${symbol}`), input, h("span", {}, (store.catalogue?.units[name] ?? "").replace(/^1$/, "")));
     });
     replace(this.table, ...rows, button(t("ownNumbers"), () => store.change({ numbers: {}, drive: "" }), { className: "quiet", "data-key": "own-numbers" }));
   }
