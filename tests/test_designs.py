@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, LinearBody, NonlinearBody
+from upright.bodies.twin import Twin
 from upright.certify import delay_margin
 from upright.control import (
     CONTROLLERS,
@@ -36,6 +37,7 @@ from upright.control.observed import observed
 from upright.control.observer import steady
 from upright.control.reach import largest_pitch, static_pitch
 from upright.control.sliding import chattering
+from upright.control.standup import Lift, StandUp, lift
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UprightError
 from upright.experiment import Drive, Hold, Impulse, Turn, run
 from upright.physics.dynamics import accelerations
@@ -512,6 +514,47 @@ def test_full_voltage_lifts_the_nonlinear_robot_from_just_that_far(preset):
                 pitch = body.step((7.0, 7.0)).values[0]
         lifted.append(pitch <= 0)
     assert lifted == [True, False]
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_twipr_stands_up_from_lying_on_the_twins_floor(side):
+    # 1.83 rad: where its body lies when nothing drives it; the plan knows no floor, sensors or slip. Controllers
+    # bring it back from some 0.3 rad (docs/add-a-controller.md), so below that it stands
+    robot, kit = Robot.preset("twipr"), Kit.preset("twipr")
+    plan = lift(robot, kit, side * 1.83)
+    assert plan.check() < 1
+    assert np.abs(plan.commands).max() <= 0.5  # [N m] what its board gives (its kit's source)
+    controller = StandUp(plan, lqg(robot, kit), kit)
+    body = Electronics(Twin(robot), kit)
+    log = run(body, controller, start=(side * 1.83, 0, 0, 0, 0, 0), seconds=8, seed=1)
+    assert abs(log["truth/pitch"][0]) > 1.8
+    assert not log.origin["outcome"]["fell"]
+    assert np.abs(log["truth/pitch"][log.t > 2]).max() < 0.3
+    body.close()
+
+
+def test_a_robot_whose_motors_do_not_reach_says_so_in_numbers():
+    for preset in preset_names():
+        if preset == "twipr":
+            continue
+        robot = Robot.preset(preset)
+        with pytest.raises(DesignFailed, match=r"from at most 0\.[2-6]\d rad.*m/s nothing is left"):
+            lift(robot, Kit.preset(robot.kit), 1.7)
+    with pytest.raises(DesignFailed, match="between 0 and π"):
+        lift(NXT, KIT, 0.0)
+    other, volts = Lift(Robot.preset("twipr"), 1.0, 0.01, np.zeros(6), (0.0, 0.0, 0.0)), lqg(NXT, KIT)
+    with pytest.raises(DesignFailed, match="the same of both"):
+        StandUp(other, volts, KIT)
+
+
+def test_a_robot_that_lies_has_not_fallen_until_it_stood():
+    # without motors it lies for all of the run; one that starts upright ends at its fall
+    still = StateFeedback(np.zeros((2, 6)), 0.01)
+    lies = run(Twin(NXT), still, start=(1.7, 0, 0, 0, 0, 0), seconds=1)
+    falls = run(Twin(NXT), still, start=(0.3, 0, 0, 0, 0, 0), seconds=3)
+    assert len(lies) == 100
+    assert len(falls) < 300
+    assert falls.origin["outcome"]["fell"]
 
 
 def test_statics_of_the_largest_lean():

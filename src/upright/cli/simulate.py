@@ -52,6 +52,9 @@ def simulate(
         Path | None, typer.Option(help="Add the excitation of a plan by `upright excite` to the commands.")
     ] = None,
     start: Annotated[str, typer.Option(help="First state, such as pitch=0.05; zero where not said.")] = "",
+    lying: Annotated[
+        float | None, typer.Option(metavar="RAD", help="Lie at this pitch first, and stand up where the motors can.")
+    ] = None,
     seconds: Annotated[float, typer.Option("--seconds", "-s", help="How long [s].")] = 10.0,
     seed: Annotated[int, typer.Option(help="Seed of all noise.")] = 0,
     output: Annotated[
@@ -74,6 +77,8 @@ def simulate(
     chosen = find_robot(robot)
     plant, brain = _fitted(chosen, body=body, kit=kit or chosen.kit, controller=controller, gains=gains, period=period)
     brain = _excited(brain, excite) if excite else brain
+    if lying is not None:
+        brain, first = _standing_up(brain, chosen, kit or chosen.kit, lying), [lying, *[0.0] * 5]
     with progress("simulating") as share:
         log = run(plant, brain, pushes, reference=references, seconds=seconds, seed=seed, start=first, progress=share)
     plant.close()
@@ -108,6 +113,15 @@ def _excited(controller: Controller, path: Path) -> Controller:
     if controller_hash(controller) != plan.hash:
         typer.echo(f"{path} was checked with another {plan.controller}: its limits are not those of this run", err=True)
     return plan.excited(controller)
+
+
+def _standing_up(controller: Controller, robot: Robot, kit: str, pitch: float) -> Controller:
+    """The controller behind a lift from that pitch."""
+    from upright.control.standup import StandUp, lift
+    from upright.robots.files import find_kit
+
+    parts = find_kit(kit)
+    return StandUp(lift(robot, parts, pitch, controller.spec.period), controller, parts)
 
 
 def _state_feedback(gains: str, robot: Robot, kit: Kit | None, dt: float) -> Controller:

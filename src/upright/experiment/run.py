@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from upright.atomic import finite
 from upright.bodies.body import REST, Body, BodySpec, Sample
 from upright.control.controller import Controller, controller_hash
 from upright.control.permit import Permit, permitted
@@ -36,7 +37,8 @@ def run(
     certificate: Permit | None = None,
     anyway: bool = False,
 ) -> Log:
-    """Run `body` under `controller` for `seconds`, or until it falls, and return the log.
+    """Run `body` under `controller` for `seconds`, or until it falls, and return the log. A robot that lies at the
+    `start` cannot fall before it has stood up.
 
     One row for each of the controller's periods: what the body read at that time, the command decided on it, and the
     command that was really applied from then on. `push` and `reference` are one programme or several that add up;
@@ -53,6 +55,7 @@ def run(
     permit = {"certificate": permitted(controller, certificate, anyway)} if body.spec.real else {}
     controller.reset()
     now = body.reset(start, seed)
+    stood = not now.fallen
     rows: list[list[float]] = []
     count = round(seconds / controller.spec.period)
     for k in range(count):
@@ -63,7 +66,8 @@ def run(
         now = _hold(body, command, pushes, stride, now)
         controller.applied(now.applied)
         rows.append([*row, *now.applied, *felt, *target.tolist(), *controller.estimate()])
-        if now.fallen:
+        stood = stood or not now.fallen
+        if now.fallen and stood:
             break
         if progress and k % 50 == 0:
             progress(k / count)
@@ -144,7 +148,7 @@ def as_log(rows: ArrayLike, spec: BodySpec, controller: Controller, scenario: di
     table = np.array(rows)
     origin = {
         "robot": {"name": spec.robot.name, "drive": spec.robot.drive, **spec.robot.numbers()},
-        "body": {"kind": spec.kind, "real": spec.real, "period": spec.period, "limit": _finite(spec.limit)},
+        "body": {"kind": spec.kind, "real": spec.real, "period": spec.period, "limit": finite(spec.limit)},
         "controller": {**controller.to_json(), "hash": controller_hash(controller)},
         "scenario": scenario,
         "outcome": {"fell": end.fallen, "seconds": end.t},
@@ -153,7 +157,3 @@ def as_log(rows: ArrayLike, spec: BodySpec, controller: Controller, scenario: di
     channels = {signal.name: table[:, i] for i, signal in enumerate(signals)}
     units = {signal.name: signal.unit for signal in signals}
     return Log(np.arange(len(table)) * controller.spec.period, channels, units, origin)
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None

@@ -1,0 +1,165 @@
+"""Standing up from lying: a planned command lifts the body, then another controller takes over.
+
+A lying robot is held by the floor until its motors act, and its state is known: at rest, at the pitch at which it lies.
+So the lift can be planned on the nonlinear model: a command of `PARTS` steps that ends upright and at rest, by least
+squares in the commands (single shooting), the shortest that the motors can give, since what the model errs grows with
+time. The wheels run away forwards under a body that leans forwards: the reaction lifts it, and stops it as they brake.
+What is left over is for the controller that takes over.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import ceil
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.control.controller import Controller
+from upright.control.mpc import largest_command
+from upright.control.reach import largest_pitch, static_pitch
+from upright.errors import DesignFailed
+from upright.physics.dynamics import CALM, derivative, motor_damping, motor_gain
+from upright.physics.integrate import rk4_step
+from upright.physics.linear import linearise
+from upright.robots import Kit, Robot
+
+Array = NDArray[np.float64]
+
+PARTS = 6
+LONGEST = 0.6  # [s] a longer lift lets what the model errs grow more than e⁴-fold on any robot here
+KEPT = 0.1  # share of the largest command that the plan leaves to the kit's sag and noise
+UPRIGHT = (
+    0.02,
+    0.1,
+    1.0,
+)  # [rad, rad/s, rad/s] pitch, its rate and the wheels' at the end: a tenth of what a push does
+_EASE = 0.03  # weight of the commands beside the end
+
+
+@dataclass(frozen=True, eq=False)
+class Lift:
+    """`commands` (n,) for both motors, every `period` [s], from `pitch` [rad], and where they `end`: pitch, its rate
+    and the wheels' rate [rad, rad/s, rad/s]."""
+
+    robot: Robot
+    pitch: float
+    period: float
+    commands: Array
+    end: tuple[float, float, float]
+
+    def check(self) -> float:
+        """The largest of where it ends over what counts as upright, computed anew: below one is well."""
+        end = _ends(self.robot, self.pitch, self.period, self.commands[None])[0]
+        return float((np.abs(end) / UPRIGHT).max())
+
+
+def lift(robot: Robot, kit: Kit, pitch: float, dt: float | None = None) -> Lift:
+    """The shortest lift from rest at `pitch` [rad]; `DesignFailed` says in numbers why there is none."""
+    period = kit.period if dt is None else dt
+    most, reach = (1 - KEPT) * largest_command(robot, kit), largest_pitch(robot, kit)
+    if not 0 < abs(pitch) < np.pi:
+        raise DesignFailed(f"a lift from {pitch:g} rad", expected="a pitch between 0 and π, of either sign")
+    if abs(pitch) > 1.1 * reach:  # exact for linear robots, and 1 to 5 % too large for the presets
+        raise DesignFailed(_why(robot, kit, pitch, reach), mend="stronger motors, or a prop that holds it higher")
+    lengths = range(2, int(LONGEST / (PARTS * period)) + 1)
+    for n in lengths:
+        plan = _planned(robot, pitch, period, n, most)
+        if plan.check() < 1:
+            return plan
+    raise DesignFailed(
+        f"no command up to {most:.3g} {robot.command_unit} lifts {robot.name} from {pitch:g} rad within {LONGEST:g} s",
+        mend="stronger motors, or a prop that holds it higher",
+    )
+
+
+def _why(robot: Robot, kit: Kit, pitch: float, reach: float) -> str:
+    most = largest_command(robot, kit)
+    said = (
+        f"{robot.name} cannot stand up from {pitch:g} rad: {most:.3g} {robot.command_unit} bring it back from at most "
+    )
+    said += f"{reach:.2f} rad"
+    if damping := motor_damping(robot):
+        top = motor_gain(robot) * most / damping * robot.wheel_radius
+        said += (
+            f"; standing still they hold it up to {static_pitch(robot, kit):.2f} rad, but the wheels run away, and at "
+        )
+        said += f"{top:.2f} m/s nothing is left against gravity"
+    return said
+
+
+def _planned(robot: Robot, pitch: float, period: float, each: int, most: float) -> Lift:
+    """The lift of `PARTS` commands that hold for `each` periods."""
+    from scipy.optimize import least_squares
+
+    def errors(shares: Array) -> Array:
+        ends = _ends(robot, pitch, period, np.repeat(most * shares, each, axis=1))
+        return np.hstack([ends / UPRIGHT, _EASE * shares])
+
+    def one(shares: Array) -> Array:
+        return errors(shares[None])[0]
+
+    def slopes(shares: Array) -> Array:
+        nudge = 1e-5 * np.eye(PARTS)
+        return ((errors(shares + nudge) - errors(shares - nudge)) / 2e-5).T
+
+    first = np.sign(pitch) * np.array([0.8, 0.5, -0.2, -0.6, -0.2, 0.2])
+    jacobian: Any = slopes
+    found: Any = least_squares(one, first, jacobian, bounds=(-1, 1), max_nfev=40)
+    commands = np.repeat(most * found.x, each)
+    end = _ends(robot, pitch, period, commands[None])[0]
+    return Lift(robot, pitch, period, commands, (float(end[0]), float(end[1]), float(end[2])))
+
+
+def _ends(robot: Robot, pitch: float, period: float, commands: Array) -> Array:
+    """Pitch, its rate and the wheels' rate (lanes, 3) after commands (lanes, n), from rest."""
+    fastest = float(np.abs(linearise(robot).poles()).max())
+    steps = max(2, ceil(fastest * period / 0.7))
+    zero = np.zeros(len(commands))
+    x: tuple[Any, ...] = (zero + pitch, *([zero] * 5))
+    for u in commands.T:
+        for _ in range(steps):
+            x = rk4_step(lambda s, u=u: derivative(s, (u, u), robot, CALM, np), x, period / steps)
+    return np.column_stack([x[0], x[1], x[3]])
+
+
+class StandUp:
+    """`lift`, then `controller` from where the robot stands then: its encoders count from there.
+
+    Between them nothing is commanded for the kit's dead time, so that no command is on its way when it takes over.
+    """
+
+    def __init__(self, plan: Lift, controller: Controller, kit: Kit) -> None:
+        self.plan, self.controller, self.spec = plan, controller, controller.spec
+        if self.spec.period != plan.period or self.spec.command_unit != plan.robot.command_unit:
+            raise DesignFailed(
+                f"a lift every {plan.period:g} s in {plan.robot.command_unit} before a controller every "
+                f"{self.spec.period:g} s in {self.spec.command_unit}", expected="the same of both",
+            )  # fmt: skip
+        self._moves = np.array([("encoder" in n and "rate" not in n) or n == "truth/wheel" for n in self.spec.reads])
+        self._commands = [*plan.commands.tolist(), *[0.0] * ceil(kit.delay / plan.period - 1e-9)]
+        self.reset()
+
+    def reset(self) -> None:
+        self.controller.reset()
+        self._k, self._from = 0, np.zeros(len(self.spec.reads))
+
+    def step(self, measurement: Array, reference: Array) -> tuple[float, float]:
+        self._k += 1
+        if self._k <= len(self._commands):
+            return self._commands[self._k - 1], self._commands[self._k - 1]
+        if self._k == len(self._commands) + 1:
+            self._from = np.where(self._moves, measurement, 0.0)
+        return self.controller.step(measurement - self._from, reference)
+
+    def estimate(self) -> Sequence[float]:
+        return self.controller.estimate() if self._k > len(self._commands) else [0.0] * 6 * self.spec.estimates
+
+    def applied(self, command: Sequence[float]) -> None:
+        if self._k > len(self._commands):
+            self.controller.applied(command)
+
+    def to_json(self) -> dict[str, Any]:
+        return {"kind": "stand up", "commands": self._commands, "controller": self.controller.to_json()}
