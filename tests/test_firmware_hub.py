@@ -134,6 +134,27 @@ def test_a_torn_log_keeps_its_whole_rows(made: tuple[Path, Program], hub: Virtua
     assert at_rest(hub)
 
 
+def test_a_hub_lost_while_it_tells_its_log_leaves_what_it_told(
+    made: tuple[Path, Program], hub: VirtualHub, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told, flush = list[float](), hub.flush
+
+    def breaking() -> bool:
+        told.extend([] if hub.running or hub.seconds < 3.0 else [hub.seconds])
+        if len(told) > 8:  # of the 13 times five pieces that two seconds of log take
+            hub.cut()
+        return flush()
+
+    monkeypatch.setattr(hub, "flush", breaking)
+    flight = flown(made, hub)
+    assert flight.lost
+    assert flight.log is not None
+    assert 80 < len(flight.log.log) < 200
+    assert "was lost while it told its log" in flight.notes[0]
+    assert any("rows did not arrive" in note for note in flight.notes)
+    assert at_rest(hub)
+
+
 def test_damaged_lines_are_counted_and_the_others_kept(made: tuple[Path, Program], hub: VirtualHub) -> None:
     """One character of every log line of rows 20 and 21, 120 and 121 is not what was sent."""
     hub.garbled = lambda piece: piece.replace(b"D 20 ", b"D 21 ").replace(b"D 120 ", b"D 121 ")

@@ -50,9 +50,10 @@ class HubLink:
         self.name, self.patience, self.heard, self.lost = name, patience, list[str](), False
         self._hub, self._flags, self._gone = hub, StatusFlag, ConnectionState.DISCONNECTED
         self._rest, self._news = b"", asyncio.Event()
+        self._begun = False
         hub.stdout_observable.subscribe(self._hear)
         hub.status_observable.subscribe(self._changed)
-        self.reported = False  # until the hub itself says how it is
+        self.reported = False  # until the hub itself says how it is, which that first call was not
 
     def watch(self) -> None:
         """From now on a broken line counts as lost."""
@@ -84,8 +85,10 @@ class HubLink:
 
     async def start(self) -> None:
         """Begin the program; what it prints from now on is in `heard`."""
-        self.heard, self._rest = [], b""
+        self.heard, self._rest, self._begun = [], b"", False
         await self._do(self._hub.start_user_program(), "start")
+        while not self._begun and await self.news(self.patience):
+            pass  # what it prints may come before its status
 
     async def stop(self) -> None:
         """Ask the program to stop: it ends as after the hub's button, and says its last."""
@@ -109,8 +112,7 @@ class HubLink:
         self._news.set()
 
     def _changed(self, flags: Any) -> None:
-        del flags
-        self.reported = True
+        self.reported, self._begun = True, self._begun or bool(flags & self._flags.USER_PROGRAM_RUNNING)
         self._news.set()
 
     def _state(self, state: Any) -> None:

@@ -81,16 +81,18 @@ async def _flown(
     clock: Callable[[], float],
     where: str,
 ) -> Flight:
-    flight = Flight()
+    flight, stopped = Flight(), False
     try:
         await _watch(hub, end, progress, clock)
     except asyncio.CancelledError:  # Ctrl-C: the program is stopped, and what it then tells is kept
         flight.notes.append("stopped by Ctrl-C")
     finally:
         with suppress(HubLost, HubRefused):
-            await _land(hub)
+            stopped = await _land(hub)
     flight.lost = hub.lost or hub.running
-    if flight.lost:
+    if flight.lost and stopped:
+        flight.notes.append(f"{hub.name} was lost while it told its log; its program was stopped before")
+    elif flight.lost:
         flight.notes.append(
             f"{hub.name} does not answer: the program goes on until its button stops it; for its log come nearer and "
             "upright fly --fetch before that"
@@ -114,17 +116,22 @@ async def _watch(
             progress((now - began) / (end - began))
 
 
-async def _land(hub: HubLink) -> None:
-    """Stop the program, and wait until it has said its last."""
+async def _land(hub: HubLink) -> bool:
+    """Stop the program, and wait until it has said its last; whether the hub heard that it is to stop."""
     if hub.lost:
-        return
+        return False
     if hub.running:
         await hub.stop()
-    left = DUMP
-    while left > 0 and not hub.lost and not _told(hub):
-        if not await hub.news(QUIET) and not hub.running:
-            return
-        left -= QUIET if hub.running else 0.0
+    loop, quiet = asyncio.get_running_loop(), 0.0
+    end = loop.time() + DUMP
+    while loop.time() < end and quiet < hub.patience and not hub.lost and not _told(hub):
+        if await hub.news(QUIET):
+            quiet = 0.0
+        elif not hub.running:
+            break
+        else:
+            quiet += QUIET
+    return True
 
 
 def _told(hub: HubLink) -> bool:

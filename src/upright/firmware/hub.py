@@ -9,6 +9,7 @@ from __future__ import annotations
 import asyncio
 import math
 import struct
+from collections import deque
 from collections.abc import Callable, Sequence
 from enum import IntEnum
 from typing import Any
@@ -29,6 +30,7 @@ MPY6 = 0b110  # capabilities: programs of several files, in MicroPython's format
 BATTERY_LOW, RUNNING = 1 << 0, 1 << 6  # status flags
 STATUS, OUTPUT = 0, 1  # events
 LOW_BATTERY = 6800  # [mV] below which a Prime hub warns (guess)
+AT_ONCE = 5  # notes that go over the air at once; while more wait the program does, as on a hub
 ASKED = 100  # times a program is asked to stop before it is ended
 SLICE = 0.005  # [s] of the hub's time between two looks at the line
 
@@ -64,6 +66,7 @@ class VirtualHub:
         self.garbled: Callable[[bytes], bytes] = bytes
         self.notify: Callable[[bytes], None] | None = None
         self._lost: Callable[[], None] | None = None
+        self._notes = deque[bytes]()  # on their way to whoever listens
         self._memory, self._size, self._typed, self._stopped = bytearray(MEMORY), 0, b"", False
         self._script, self._asked = Script("pybricks", absent), 0
         self.running, self.seconds, self._told, self._said = False, 0.0, 0.0, 0
@@ -103,13 +106,14 @@ class VirtualHub:
     def cut(self) -> None:
         """Take the hub out of reach of whoever is connected; its program goes on."""
         self.notify, lost, self._lost = None, self._lost, None
+        self._notes.clear()
         if lost:
             lost()
 
     def client(self, lost: Callable[[], None]) -> HubClient:
         """What bleak's client would be for this hub."""
         self._lost = lost
-        return HubClient(self, lost)
+        return HubClient(self)
 
     def report(self) -> None:
         """Tell whoever listens how the hub is."""
@@ -173,8 +177,16 @@ class VirtualHub:
             self._send(bytes([OUTPUT]) + self.garbled(said[at : at + LONGEST_NOTE]))
 
     def _send(self, note: bytes) -> None:
-        if self.notify and not self.silent:
-            self.notify(note)
+        if self.notify:
+            self._notes.append(note)
+
+    def flush(self) -> bool:
+        """Let the next notes go over the air, as many as go at once; whether some are left."""
+        for _ in range(min(AT_ONCE, len(self._notes))):
+            note = self._notes.popleft()
+            if self.notify and not self.silent:
+                self.notify(note)
+        return bool(self._notes)
 
     def stop(self, _: bytes = b"") -> None:
         """Ask the program to stop; it does so when it next waits."""
@@ -228,8 +240,8 @@ def unpacked(program: bytes) -> dict[str, bytes]:
 class HubClient:
     """A hub as bleak's client shows one: the same calls, and while it is connected the hub's time goes on."""
 
-    def __init__(self, hub: VirtualHub, lost: Callable[[], None]) -> None:
-        self._hub, self._lost = hub, lost
+    def __init__(self, hub: VirtualHub) -> None:
+        self._hub = hub
         self._life: asyncio.Task[None] | None = None
 
     async def connect(self) -> None:
@@ -239,8 +251,7 @@ class HubClient:
     async def disconnect(self) -> None:
         if self._life:
             self._life.cancel()
-        self._hub.notify = None
-        self._lost()
+        self._hub.cut()
 
     async def read_gatt_char(self, uuid: str) -> bytearray:
         await self._answered()
@@ -274,7 +285,8 @@ class HubClient:
         loop = asyncio.get_running_loop()
         while True:
             began = loop.time()
-            self._hub.run(SLICE)
+            if not self._hub.flush():
+                self._hub.run(SLICE)
             idle = not self._hub.running or self._hub.seconds >= self._hub.until
             pace = SLICE / self._hub.speed if self._hub.speed else 0.0
             await asyncio.sleep(SLICE / 10 if idle else max(0.0, pace - loop.time() + began))
