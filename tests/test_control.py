@@ -1,5 +1,7 @@
 """Regulator, feedback and estimators against python-control, SLICOT and planted truths."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -18,6 +20,7 @@ from upright.control import (
 )
 from upright.control.controller import Controller
 from upright.control.estimators import measurement_matrix
+from upright.control.lqr import riccati, riccati_residual
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UnknownName
 from upright.experiment import Hold, run
 from upright.physics.linear import linearise
@@ -33,6 +36,17 @@ def test_lqr_equals_python_control(name):
     gain, cost, _ = control.dlqr(design.model.A, design.model.B, design.Q, design.R, method="scipy")
     assert np.allclose(design.gain, gain, rtol=1e-8)
     assert np.allclose(design.cost, cost, rtol=1e-8, atol=1e-8 * np.abs(cost).max())
+
+
+def test_riccati_equation_of_the_textbook_has_its_published_solution():
+    # Benner, Laub and Mehrmann (1995), DAREX, example 1.1: P = (1 + √5)/2 Q, poles (3 − √5)/2 and −1/2; Q has rank one
+    A, B = np.array([[4.0, 3.0], [-4.5, -3.5]]), np.array([[1.0], [-1.0]])
+    Q = np.array([[9.0, 6.0], [6.0, 4.0]])
+    cost, gain = riccati(SimpleNamespace(A=A, B=B), Q, np.eye(1))
+    assert cost == pytest.approx((1 + np.sqrt(5)) / 2 * Q, rel=1e-9)
+    assert np.sort(np.linalg.eigvals(A - B @ gain)) == pytest.approx([-0.5, (3 - np.sqrt(5)) / 2], rel=1e-9)
+    assert riccati_residual(A, B, Q, np.eye(1), cost) < 1e-12
+    assert riccati_residual(A, B, Q, np.eye(1), cost * 1.01) > 1e-3
 
 
 def test_lqr_equals_slicot():

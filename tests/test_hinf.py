@@ -1,4 +1,4 @@
-"""H∞ designs: the measured norm against γ, SLICOT's own norm, textbook optima, and every preset on raw sensors."""
+"""H∞ designs: the measured norm against γ, SLICOT's own norm, and every preset on raw sensors."""
 
 import numpy as np
 import pytest
