@@ -263,10 +263,8 @@ class Changed:
 
 @dataclass(frozen=True)
 class Analysed:
-    """The present loop: `gain` (2, 6) where it has one, margins, closed-loop poles, and L broken at both motors.
-
-    `L` holds ω [rad/s], Re and Im in three rows.
-    """
+    """The present loop: `gain` (2, 6) where it has one, margins, closed-loop poles, and `L` broken at both motors: ω
+    [rad/s], Re and Im in three rows."""
 
     stable: bool
     words: str
