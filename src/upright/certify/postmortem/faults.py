@@ -95,10 +95,15 @@ def _bank(y: Array, then: Array, basis: Array, usual: float, columns: list[Colum
 
 
 def unknown(found: Track, flow: Tangent, use: NDArray[np.bool_]) -> Array:
-    """An orthonormal basis of what parameters that differ within their spreads do, below it one row for each."""
+    """An orthonormal basis of what parameters that differ within their spreads do, below it one row for each.
+
+    A row weighs as much as the innovations are larger than they should be: beside noise of that scale no parameter is
+    known worse than its spread says.
+    """
     known = spreads(found.robot)
     wrong = carried(found, flow, misfits(found, known))[use]
-    return np.linalg.qr(np.vstack([wrong, np.eye(len(known))]))[0]
+    scale = max(1.0, float(np.sqrt(np.mean(found.e[use] ** 2 / found.s[use]))))
+    return np.linalg.qr(np.vstack([wrong, scale * np.eye(len(known))]))[0]
 
 
 def spreads(robot: Robot) -> dict[str, float]:

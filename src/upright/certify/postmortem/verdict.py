@@ -25,8 +25,9 @@ NAMES = {"bias": BIAS, "weak": BATTERY, "late": DELAY, "slip": SLIP, "dropped": 
 SURE, SHARP = 15.0, 3.0
 """Nats by which a fault must explain more than pushes alone to be as likely as not, and how sharply."""
 
-EXPLAINED = 0.55
-"""Share of what pushes alone leave of the innovations' squares that a fault may leave at most."""
+EXPLAINED, LIKE_A_PUSH = 0.55, 0.47
+"""Share of what pushes alone leave of the innovations' squares that a fault may leave at most, and a slip beside a push
+that topples."""
 
 TEMPER = 6.0
 """Nats that count as one between two faults: what is wrong with the model is shared by neighbouring rows."""
@@ -155,17 +156,19 @@ def _changed_robot(seen: Evidence) -> Answers:
 
 def _holds(seen: Evidence, fit: Fit, usual: float) -> float:
     """How likely a fault is a cause at all: it explains more than pushes alone by far, and most of what those leave;
-    a slip beside a push that topples by itself and explains more is none."""
-    more = fit.score - usual
-    chance, _, push = _toppled(seen, fit.pushes)
-    pushed = chance * _logistic((push.score - more) / TEMPER) if push and fit.fault == "slip" else 0.0
-    return _logistic((more - SURE) / SHARP) * _enough(seen, fit) * (1 - pushed)
-
-
-def _enough(seen: Evidence, fit: Fit) -> float:
-    """Whether it leaves little enough of what pushes alone leave."""
+    a slip, which looks much like a push, has to leave less where a push would topple by itself."""
     assert seen.none is not None
-    return _logistic((EXPLAINED - fit.left / seen.none.left) / 0.05)
+    sure = _logistic((fit.score - usual - SURE) / SHARP) * _enough(seen, fit, EXPLAINED)
+    if fit.fault != "slip":
+        return sure
+    toppled = _toppled(seen, seen.none.pushes)[0]
+    return sure * (1 - toppled * (1 - _enough(seen, fit, LIKE_A_PUSH)))
+
+
+def _enough(seen: Evidence, fit: Fit, most: float) -> float:
+    """Whether it leaves at most such a share of what pushes alone leave."""
+    assert seen.none is not None
+    return _logistic((most - fit.left / seen.none.left) / 0.04)
 
 
 def _possible(fit: Fit) -> bool:
@@ -210,7 +213,7 @@ def _steady_load(seen: Evidence) -> Answers:
     if not loads:
         return []
     fit = max(loads, key=lambda f: f.score)
-    chance = 0.95 * _logistic((fit.score - max(seen.none.score, 0.0) - SURE) / SHARP) * _enough(seen, fit)
+    chance = 0.95 * _logistic((fit.score - max(seen.none.score, 0.0) - SURE) / SHARP) * _enough(seen, fit, EXPLAINED)
     said = f"a steady force of {fit.size:+.2g} N at the axle since t = {fit.onset:.2f} s, such as a slope or a rope, "
     said += f"explains {_percent(fit.share)} of what the model does not foresee"
     name = SATURATION if seen.saturated > 0.3 else PUSH
