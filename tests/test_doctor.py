@@ -10,10 +10,15 @@ from types import ModuleType
 import numpy as np
 import pytest
 
+from upright.bodies import Electronics
+from upright.bodies.twin import Twin
+from upright.control import lqg
 from upright.errors import InvalidLog
+from upright.experiment import Hold, run
 from upright.identify.doctor import Diagnosis, doctor
 from upright.identify.mapping import Mapping, Source
 from upright.identify.readers import Table, read_table
+from upright.robots import Kit, Robot
 from upright.signals import Log
 
 
@@ -236,3 +241,13 @@ def test_the_command_library_never_writes_over_the_log(tmp_path: Path) -> None:
         command.doctor(path, fix=path)
     command.doctor(path, fix=tmp_path / "fixed.parquet")
     assert Log.load(tmp_path / "fixed.parquet").origin["repaired"] == []
+
+
+def test_a_slow_motion_tells_no_lag_and_a_quiet_gyro_no_range() -> None:
+    """A robot held and let go rolls so slowly that any lag fits its commands; one at rest reads only −1, 0 and 1 step
+    of its gyro. Neither is a fault."""
+    robot, spike, ev3 = Robot.preset("nxtway-gs"), Kit.preset("spike"), Kit.preset("ev3")
+    held = run(Electronics(Twin(robot), spike), lqg(robot, spike), [Hold(pitch=0.1, until=3.0)], seconds=9.0)
+    assert "samples/controller" not in doctor(bench.stripped(held)).codes()
+    still = run(Electronics(Twin(robot), ev3), lqg(robot, ev3), seconds=10.0)
+    assert "saturation" not in doctor(bench.stripped(still)).codes()

@@ -56,11 +56,13 @@ class Motion:
 
 @dataclass(frozen=True)
 class Fit:
-    """Coefficients of a regression, its R² on the rows kept, and the lag [s] of the first regressor's channel."""
+    """Coefficients of a regression, its R² on the rows kept, the lag [s] of the first regressor's channel, and how
+    `sharp` that is: what is left unexplained two rows off it, over what is left at it."""
 
     values: tuple[float, ...]
     r2: float
     lag: float = 0.0
+    sharp: float = 1.0
 
 
 def motion(record: Record) -> Motion | None:
@@ -155,7 +157,9 @@ def lagged(
     i = int(np.argmax(shares))
     part = _vertex(shares, i)
     values, r2, _ = _regress(target[rows], design(int(shifts[i])), positive)
-    return Fit(tuple(values.tolist()), r2, float((shifts[i] + part) * m.period))
+    left_over = 1 - shares[[j for j in (i - 2, i, i + 2) if 0 <= j < len(shares)]]
+    sharp = float(np.sort(left_over)[1] / max(1 - shares[i], 1e-12))
+    return Fit(tuple(values.tolist()), r2, float((shifts[i] + part) * m.period), sharp)
 
 
 def _share(y: Array, X: Array, positive: bool) -> float:

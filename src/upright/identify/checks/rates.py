@@ -14,6 +14,7 @@ _GRAINS = 3.0  # a surprise of less than so many steps of the command is the dri
 
 
 _LAW = 0.98  # R² of the motor equation from which its lag is known to a few hundredths of a row
+_SHARP = 2.0  # how sharp the lag must be: a slow motion fits any
 _EARLY = 0.05  # rows by which the wheels may seem to answer before a command that was held
 
 
@@ -34,7 +35,7 @@ def _too_early(m: Motion) -> list[Finding]:
         law = pendulum(m, m.wheel)
         lag = law.lag if law.r2 > 0.6 else 0.0
     fit = motor(m, mean, m.left, m.right, m.gyro, lag)
-    if fit.r2 < _LAW or fit.lag > -_EARLY * m.period:
+    if fit.r2 < _LAW or fit.sharp < _SHARP or fit.lag > -_EARLY * m.period:
         return []
     said = f"the wheels answer {-fit.lag * 1e3:.1f} ms before the command, were it held for {m.period * 1e3:.3g} ms "
     said += f"(motor equation, R² {fit.r2:.3f}): the motors got other commands between the rows"

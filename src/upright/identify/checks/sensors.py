@@ -84,6 +84,9 @@ def _equal_steps(x: Array) -> tuple[int, float, int]:
     return int((steps == 0).sum()), near / 4, int(moving.sum())
 
 
+_LEVELS = 10.0  # steps of a gyro below which its largest reading is only a common one
+
+
 def saturation(record: Record) -> list[Finding]:
     """Commands and gyro that pile up at their largest value."""
     found: list[Finding] = []
@@ -91,7 +94,8 @@ def saturation(record: Record) -> list[Finding]:
     for names in groups:
         seen = [np.concatenate([of(record, name) for name in names]) for of in (Record.__getitem__, _of_battery)]
         share, longest = max(_piled(values) for values in seen)
-        if share > 0:
+        few = names[0] == GYRO and np.nanmax(np.abs(record[GYRO])) < _LEVELS * grain_of(record[GYRO])
+        if share > 0 and not few:
             limit = "gyro's range" if names[0] == GYRO else "largest command"
             top = f"{float(np.abs(record[names[0]]).max()):.4g} {record.units.get(names[0], '')}".rstrip()
             said = f"{share:.1%} of the rows stand at the {limit}, {top}, up to {longest} in a row"

@@ -36,7 +36,8 @@ def problem_of(
     log: Log, robot: Robot, kit: Kit, known: Sequence[str] = (), noise: Mapping[str, float] | None = None
 ) -> Problem:
     """The calibration of `robot` from `log`, at its prior, with its `noise` (log-variances), which is else learnt."""
-    problem, limits = prepared([log], robot, kit, known, HELD_OUT)
+    found, limits = prepared([log], robot, kit, known, HELD_OUT)
+    problem = replace(found, fine=True)
     if noise is not None:
         given = replace(problem, noise=dict(noise))
         if np.isfinite(_misfit(given)):
