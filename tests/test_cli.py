@@ -272,6 +272,14 @@ def test_simulate_tells_a_fall(capsys: pytest.CaptureFixture[str]) -> None:
     assert capsys.readouterr().out.startswith("fell at ")
 
 
+def test_a_robot_that_cannot_stand_up_says_why_in_one_line(capsys: pytest.CaptureFixture[str]) -> None:
+    for call, word in (("--lying 1.6", "from at most 0.62 rad"), ("--lying 1.6 --start pitch=0.1", "both --start")):
+        assert main(["simulate", "--robot", "nxtway-gs", *call.split()]) == 2
+        said = capsys.readouterr().err.strip()
+        assert word in said
+        assert len(said.splitlines()) == 1
+
+
 def test_a_push_reads_like_its_class(files: Path, capsys: pytest.CaptureFixture[str]) -> None:
     pushed = "--push hold:0.05,until=0.1 --push force:0.1,start=0.1 --slope 0.01 --turn 0.5"
     assert main(f"simulate --kit ideal --seconds 0.2 {pushed} --json".split()) == 0

@@ -52,9 +52,7 @@ def simulate(
         Path | None, typer.Option(help="Add the excitation of a plan by `upright excite` to the commands.")
     ] = None,
     start: Annotated[str, typer.Option(help="First state, such as pitch=0.05; zero where not said.")] = "",
-    lying: Annotated[
-        float | None, typer.Option(metavar="RAD", help="Lie at this pitch first, and stand up where the motors can.")
-    ] = None,
+    lying: Annotated[float | None, typer.Option(metavar="RAD", help="Lie at this pitch, then stand up.")] = None,
     seconds: Annotated[float, typer.Option("--seconds", "-s", help="How long [s].")] = 10.0,
     seed: Annotated[int, typer.Option(help="Seed of all noise.")] = 0,
     output: Annotated[
@@ -78,7 +76,7 @@ def simulate(
     plant, brain = _fitted(chosen, body=body, kit=kit or chosen.kit, controller=controller, gains=gains, period=period)
     brain = _excited(brain, excite) if excite else brain
     if lying is not None:
-        brain, first = _standing_up(brain, chosen, kit or chosen.kit, lying), [lying, *[0.0] * 5]
+        brain, first = _standing_up(brain, chosen, kit or chosen.kit, lying, start), [lying, *[0.0] * 5]
     with progress("simulating") as share:
         log = run(plant, brain, pushes, reference=references, seconds=seconds, seed=seed, start=first, progress=share)
     plant.close()
@@ -115,8 +113,10 @@ def _excited(controller: Controller, path: Path) -> Controller:
     return plan.excited(controller)
 
 
-def _standing_up(controller: Controller, robot: Robot, kit: str, pitch: float) -> Controller:
+def _standing_up(controller: Controller, robot: Robot, kit: str, pitch: float, start: str) -> Controller:
     """The controller behind a lift from that pitch."""
+    if start:
+        raise InvalidController("both --start and --lying", expected="one of them: a lift begins at rest")
     from upright.control.standup import StandUp, lift
     from upright.robots.files import find_kit
 
