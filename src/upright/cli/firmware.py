@@ -31,6 +31,10 @@ def firmware(
     ] = "",
     hub: Annotated[str, typer.Option(help="What pybricks runs on: prime, technic, ev3 or nxt.")] = "prime",
     reference: Annotated[bool, typer.Option("--reference", help="c: the wanted state as further inputs.")] = False,
+    seconds: Annotated[
+        int | None,
+        typer.Option("--seconds", "-s", help="When it stops by itself, whatever happens [s]; 0: never (default: 60)."),
+    ] = None,
     certificate: Annotated[
         Path | None, typer.Option(help="What upright certify wrote; a red or foreign one is refused.")
     ] = None,
@@ -53,7 +57,7 @@ def firmware(
     chosen = find_robot(robot)
     parts = find_kit(kit or chosen.kit)
     brain = find_controller(controller, chosen, parts, parts.period)
-    made = generate(brain, chosen, parts, target, number=number, hub=hub, reference=reference)
+    made = generate(brain, chosen, parts, target, number=number, hub=hub, reference=reference, seconds=seconds)
     warning = _refused(certificate, brain, anyway)
     written = made.write(output) if output else []
     if as_json:

@@ -15,11 +15,14 @@ from upright.errors import InvalidController, UprightError
 if TYPE_CHECKING:
     from upright.firmware.fly import Flight
     from upright.firmware.program import Program
+    from upright.robots import Robot
 
 VIRTUAL, AIR = "virtual", "ble"
 LOST = 3
 """Exit code of a flight whose line was lost: the program goes on without it."""
 PORTS = {"nxc": "usb, a device such as /dev/rfcomm0, or virtual", "pybricks": "ble, ble:NAME or virtual"}
+BRICKS = {"nxc": "nxt", "prime": "spike", "technic": "technic", "ev3": "ev3", "nxt": "nxt"}
+"""Target or hub of a program → the name of its brick."""
 TWINS = {"nxc": "a virtual NXT brick with the twin round it", "pybricks": "a virtual hub with the twin round it"}
 
 
@@ -27,6 +30,12 @@ def fly(
     program: Annotated[Path, typer.Argument(help="What upright firmware wrote for nxc (.nxc) or pybricks (.py).")],
     controller: Annotated[str, typer.Argument(help="The controller.json it was made from.")],
     *,
+    robot: Annotated[
+        str | None,
+        typer.Option(
+            "--robot", "-r", help="What it must be made for: a robot by name or TOML file, or nxt, spike or ev3."
+        ),
+    ] = None,
     port: Annotated[
         str,
         typer.Option(
@@ -58,16 +67,18 @@ def fly(
     code 3 where the robot was lost on the way.
     """
     from upright.control import find_controller
-    from upright.firmware import generate, head
-    from upright.robots.files import find_kit, find_robot
+    from upright.firmware import generate, head, longest_run
+    from upright.robots.files import find_kit
 
     if output:
         check_folder(output)
-    facts = head(options.program_text(program))
+    text = options.program_text(program)
+    facts = head(text)
     _check(facts["target"], port, seconds, push, fetch)
-    robot, kit = find_robot(facts["robot"]), find_kit(facts["kit"])
-    brain = find_controller(controller, robot, kit, kit.period)
-    made = generate(brain, robot, kit, facts["target"]).program
+    _in_time(program, seconds, longest_run(text))
+    chosen, kit = _meant(robot, program, facts), find_kit(facts["kit"])
+    brain = find_controller(controller, chosen, kit, kit.period)
+    made = generate(brain, chosen, kit, facts["target"]).program
     if made.hash != facts["hash"]:
         raise InvalidController(
             f"{program} holds another controller ({facts['hash'][:12]})", expected=f"{made.hash[:12]}",
@@ -75,7 +86,7 @@ def fly(
         )  # fmt: skip
     permit = "" if fetch else _permit(certificate, brain, anyway)
     _ask(made, port, permit, yes or fetch or as_json)
-    flight = _flown(program, made, port, seconds, [options.push(text) for text in push or []], seed, fetch)
+    flight = _flown(program, made, chosen, port, seconds, [options.push(p) for p in push or []], seed, fetch)
     _say(flight, made, port, flight.log.log.save(output) if flight.log and output else None, as_json)
     if flight.lost:
         raise typer.Exit(LOST)
@@ -92,6 +103,32 @@ def _check(target: str, port: str, seconds: float, push: list[str] | None, fetch
         raise UprightError("a real robot is pushed by hand", expected=f"--push with --port {VIRTUAL} only")
     if fetch and port == VIRTUAL:
         raise UprightError("a virtual brick keeps nothing", expected="--fetch with a real port")
+
+
+def _in_time(program: Path, seconds: float, longest: int) -> None:
+    if longest and seconds > longest:
+        raise UprightError(
+            f"--seconds {seconds:g}: {program} stops by itself after {longest} s", expected=f"at most {longest}",
+            mend=f"upright firmware --seconds {math.ceil(seconds)} makes one that drives longer",
+        )  # fmt: skip
+
+
+def _meant(name: str | None, program: Path, facts: dict[str, str]) -> Robot:
+    """The robot of that name, where the program was made for it; for a brick's name or none the program's own."""
+    from upright.robots.files import find_robot
+
+    brick = BRICKS[facts.get("hub", facts["target"])]
+    if name is None or name in BRICKS.values():
+        found, meant = find_robot(facts["robot"]), name in (None, brick)
+    else:
+        found = find_robot(name)
+        meant = found.name == facts["robot"]
+    if not meant:
+        raise UprightError(
+            f"{program} was made for {facts['robot']} on the brick {brick}", expected=f"a program for {name}",
+            mend="upright firmware makes one",
+        )  # fmt: skip
+    return found
 
 
 def _permit(path: Path | None, brain: Any, anyway: bool) -> str:
@@ -111,7 +148,9 @@ def _ask(program: Program, port: str, permit: str, sure: bool) -> None:
     typer.confirm("Hold it upright and still. Start?", abort=True, err=True)
 
 
-def _flown(source: Path, made: Program, port: str, seconds: float, pushes: list[Any], seed: int, fetch: bool) -> Flight:
+def _flown(
+    source: Path, made: Program, robot: Robot, port: str, seconds: float, pushes: list[Any], seed: int, fetch: bool
+) -> Flight:
     from upright.firmware.fly import fetch as fetch_nxt
     from upright.firmware.fly import fly as fly_nxt
     from upright.firmware.fly_hub import fetch_hub, fly_hub
@@ -121,18 +160,20 @@ def _flown(source: Path, made: Program, port: str, seconds: float, pushes: list[
         return fetch_hub(made, port) if hub else fetch_nxt(made, port)
     with progress("flying") as share:
         if port == VIRTUAL:
-            return _twin(source, made, seconds, pushes, seed, share)
+            return _twin(source, made, robot, seconds, pushes, seed, share)
         return (fly_hub if hub else fly_nxt)(source, made, port, seconds, share)
 
 
-def _twin(source: Path, made: Program, seconds: float, pushes: list[Any], seed: int, share: Any) -> Flight:
+def _twin(
+    source: Path, made: Program, robot: Robot, seconds: float, pushes: list[Any], seed: int, share: Any
+) -> Flight:
     """The flight of a virtual brick or hub, whose time runs as fast as it can and not beyond the end."""
     from upright.firmware.fly import fly as fly_nxt
     from upright.firmware.fly_hub import fly_hub
     from upright.firmware.virtual_robot import virtual_flight, virtual_hub
-    from upright.robots.files import find_kit, find_robot
+    from upright.robots.files import find_kit
 
-    robot, kit, where = find_robot(made.robot), find_kit(made.kit), TWINS[made.target]
+    kit, where = find_kit(made.kit), TWINS[made.target]
     if made.target == "pybricks":
         with virtual_hub(robot, kit, pushes, seed=seed) as hub:
             hub.until = seconds

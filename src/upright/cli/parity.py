@@ -35,9 +35,10 @@ def parity(
     design's. Exit code 3 where they differ or the robot falls.
     """
     from upright.control import controller_hash, find_controller
-    from upright.firmware import generate, head
+    from upright.firmware import generate, head, longest_run
     from upright.firmware import parity as compare
     from upright.firmware.execute import execute
+    from upright.firmware.parity import SECONDS
     from upright.robots.files import find_kit, find_robot
 
     text = program_text(program)
@@ -49,9 +50,15 @@ def parity(
             f"{program} holds another controller ({facts['hash'][:12]})", expected=f"{controller_hash(brain)[:12]}",
             mend="generate the program anew, or name the controller it was made from",
         )  # fmt: skip
+    longest = longest_run(text)
+    if 0 < longest <= SECONDS:
+        raise InvalidController(
+            f"{program} stops by itself after {longest} s", expected=f"more than the {SECONDS:g} s of this test",
+            mend="test the same controller with upright firmware --seconds 60",
+        )  # fmt: skip
     made = generate(
         brain, chosen, parts, facts["target"], number=facts["number"], hub=facts.get("hub", "prime"),
-        reference="reference" in facts,
+        reference="reference" in facts, seconds=longest,
     )  # fmt: skip
     executor = execute(program, made.program, made.number, chip)
     try:

@@ -4,6 +4,7 @@ from upright.firmware.balance import trace as trace
 from upright.firmware.generate import Firmware as Firmware
 from upright.firmware.generate import generate as generate
 from upright.firmware.generate import head as head
+from upright.firmware.generate import longest_run as longest_run
 from upright.firmware.interpret import Interpreter as Interpreter
 from upright.firmware.parity import Parity as Parity
 from upright.firmware.parity import parity as parity

@@ -12,6 +12,7 @@ from pathlib import Path
 from upright.bodies.brick_link import GYRO, GYRO_KIND, REST, BrickLost, BrickRefused, Connection
 from upright.errors import UprightError
 from upright.firmware.execute_nxc import compile_nxc
+from upright.firmware.generate import longest_run
 from upright.firmware.logs import BRICK, ProgramLog, read_brick_log
 from upright.firmware.program import Program
 
@@ -65,9 +66,7 @@ def fly(
             _watch(brick, began + seconds, progress, clock)
         except BrickLost as error:
             flight.lost = True
-            flight.notes.append(
-                f"{error}; the program goes on until then, its log stays on the brick: upright fly --fetch"
-            )
+            flight.notes.append(f"{error}; {alone(source)}, its log stays on the brick: upright fly --fetch")
             return flight
         finally:
             with suppress(BrickLost, BrickRefused):
@@ -106,7 +105,7 @@ def bring_home(brick: Connection, program: Program, flight: Flight, where: str =
     """Fetch the log into `flight`; what is odd about it becomes a note."""
     wanted = f"{program.robot}.log"
     if wanted not in [name for name, _ in brick.ask("files")]:
-        flight.notes.append("the brick has no log: the program did not come to balance")
+        flight.notes.append("the brick has no log: the program did not come to balance, or the flash was full")
         return
     keep(flight, read_brick_log(brick.fetch(wanted), where), program)
 
@@ -121,6 +120,12 @@ def keep(flight: Flight, found: ProgramLog, program: Program) -> None:
     flight.notes += found.flaws
     if found.ended not in ("", "balancing"):
         flight.notes.append(f"the program stopped by itself: {found.ended}")
+
+
+def alone(source: Path) -> str:
+    """What becomes of a program that nobody reaches."""
+    longest = longest_run(source.read_text("utf-8"))
+    return f"its program stops after {longest} s at most" if longest else "its program goes on until its button"
 
 
 def _watch(brick: Connection, end: float, progress: Callable[[float], None] | None, clock: Callable[[], float]) -> None:

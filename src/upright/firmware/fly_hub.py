@@ -10,7 +10,7 @@ from pathlib import Path
 
 from upright.bodies.hub_link import PATIENCE, HubLink, HubLost, HubRefused, Peripheral, linked
 from upright.errors import InvalidLog
-from upright.firmware.fly import Flight, FlightRefused, keep
+from upright.firmware.fly import Flight, FlightRefused, alone, keep
 from upright.firmware.logs import HUB, is_signed, read_lines, read_telemetry
 from upright.firmware.program import Program
 
@@ -44,7 +44,8 @@ def fly_hub(
             ready(hub)
             await hub.upload(source)
             await hub.start()
-            return await _flown(hub, program, clock() + seconds, progress, clock, where)
+            flight = await _flown(hub, clock() + seconds, progress, clock, alone(source))
+            return _kept(hub, program, flight, where)
 
     return asyncio.run(flight())
 
@@ -75,11 +76,10 @@ def ready(hub: HubLink) -> None:
 
 async def _flown(
     hub: HubLink,
-    program: Program,
     end: float,
     progress: Callable[[float], None] | None,
     clock: Callable[[], float],
-    where: str,
+    alone: str,
 ) -> Flight:
     flight, stopped = Flight(), False
     try:
@@ -94,10 +94,9 @@ async def _flown(
         flight.notes.append(f"{hub.name} was lost while it told its log; its program was stopped before")
     elif flight.lost:
         flight.notes.append(
-            f"{hub.name} does not answer: the program goes on until its button stops it; for its log come nearer and "
-            "upright fly --fetch before that"
+            f"{hub.name} does not answer: {alone} and keeps its log until its button; come nearer: upright fly --fetch"
         )
-    return _kept(hub, program, flight, where)
+    return flight
 
 
 async def _watch(
@@ -110,6 +109,8 @@ async def _watch(
             silent += LOOK if heard else 0.0  # it says nothing while it waits to be held still
         elif not hub.running:
             return
+        if any(line.startswith("S ") for line in hub.heard[heard:]):
+            return  # it has stopped by itself, and waits to be asked for its log
         if len(hub.heard) > heard:
             heard, silent = len(hub.heard), 0.0
         if progress:

@@ -18,12 +18,14 @@ from upright.firmware.print_fixed import FixedPrinter
 from upright.firmware.print_nxc import NxcPrinter
 from upright.firmware.print_python import PythonPrinter
 from upright.firmware.program import Kind, Program
-from upright.firmware.setup import STATUS
+from upright.firmware.setup import STATUS, TIME_IS_OVER
 from upright.firmware.targets import find_target
 from upright.robots import Kit, Robot
 
 LONGEST_HEAD = 40  # lines in which the head of a program is looked for
-NXT_ROWS = 4000  # periods that an NXT keeps: 56 kB of the 130 kB that its firmware leaves
+NXT_ROWS = 6000  # periods that an NXT keeps at most: 84 kB of the 130 kB that its firmware leaves
+SECONDS = 60  # [s] of the longest run: three times a usual flight, and an NXT's log holds all of it
+LONGEST = 3600  # [s] that can be asked for
 
 GYROS = {
     "prime": "GYRO_SIGN * hub.imu.angular_velocity(AXIS)",
@@ -69,11 +71,13 @@ def generate(
     number: str = "",
     hub: str = "prime",
     reference: bool = False,
+    seconds: int | None = None,
 ) -> Firmware:
     """The program of `controller` for `robot` on `kit` as text for `target`.
 
     `number` is float, double or fixed where the target has a choice (C: float; `fixed` proves its ranges); `hub` says
-    what pybricks runs on; `reference` adds the wanted state as inputs of a C program. Raises like `trace`, and
+    what pybricks runs on; `reference` adds the wanted state as inputs of a C program. After `seconds` [s] (`SECONDS`;
+    0: never) a program stops its motors; C has no loop that could. Raises like `trace`, `InvalidController`, and
     `UnknownName` for what a target does not offer.
     """
     place = find_target(target)
@@ -84,13 +88,22 @@ def generate(
         raise UnknownName("hub", hub, GYROS)
     if reference and not place.numeric:
         raise InvalidController(f"a program for {target} only stands", expected="target c for one with a reference")
+    longest = _longest(seconds, target)
     program = trace(controller, robot, kit, target, reference=reference)
     _check_period(program, place.suffix)
     finest = quantum(program, fractions(program)) if arithmetic == "fixed" else None
-    facts = {**_facts(program, arithmetic, finest), "hub": hub}
+    facts = {**_facts(program, arithmetic, finest), "hub": hub, "seconds": longest}
     more = ([f"hub: {hub}"] if target == "pybricks" else []) + (["reference: yes"] if reference else [])
     facts["head"] = [*facts["head"], *more]
     return Firmware(program, arithmetic, TEXTS[target](program, facts), finest)
+
+
+def _longest(seconds: int | None, target: str) -> int:
+    if seconds and target == "c":
+        raise InvalidController("a program in C has no loop of its own", expected=f"no longest run of {seconds} s")
+    if seconds is not None and not 0 <= seconds <= LONGEST:
+        raise InvalidController(f"a longest run of {seconds} s", expected=f"0 (no end) to {LONGEST}")
+    return SECONDS if seconds is None else seconds
 
 
 def _check_period(program: Program, suffix: str) -> None:
@@ -113,8 +126,8 @@ def _facts(program: Program, number: str, finest: float | None) -> dict[str, Any
         "number": number,
         "period_ms": f"{program.period * 1e3:g}",
         "period_us": round(program.period * 1e6),
-        "statuses": ", ".join(f"{i} {said}" for i, said in enumerate(STATUS)),
-        "status_names": STATUS,
+        "time_is_over": TIME_IS_OVER,
+        "statuses": ", ".join(f"{i} {said}" for i, said in enumerate(STATUS[:TIME_IS_OVER])),
     }
 
 
@@ -148,7 +161,9 @@ def _python(program: Program, facts: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _nxc(program: Program, facts: Mapping[str, Any]) -> dict[str, str]:
-    parts = {**facts, "rows": NXT_ROWS, "printer": NxcPrinter(program), "compass": "raw_compass" in program.variables}
+    run = round(facts["seconds"] / program.period) or NXT_ROWS
+    parts = {**facts, "rows": min(run, NXT_ROWS), "printer": NxcPrinter(program)}
+    parts["compass"] = "raw_compass" in program.variables
     return {".nxc": render("balance.nxc", parts)}
 
 
@@ -185,3 +200,9 @@ def head(text: str) -> dict[str, str]:
             f"this is no program by upright: its head says no {missing[0]}", mend="generate it with upright firmware"
         )
     return facts
+
+
+def longest_run(text: str) -> int:
+    """After how many seconds a program stops by itself, as its first constants say; 0 for one that does not."""
+    found = re.search(r"^(?:#define )?SECONDS\b[ =]+(\d+)", text, re.MULTILINE)
+    return int(found[1]) if found else 0

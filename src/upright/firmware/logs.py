@@ -61,8 +61,8 @@ def checked_line(line: str) -> SignedLine:
 
 
 def is_signed(line: str) -> bool:
-    """Whether a line is meant to carry a CRC: T, H, D or E; anything else is the program's own words."""
-    return line[:2] in ("T ", "H ", "D ", "E ")
+    """Whether a line is meant to carry a CRC: T, S, H, D or E; anything else is the program's own words."""
+    return line[:2] in ("T ", "S ", "H ", "D ", "E ")
 
 
 def whole_lines(lines: Iterable[str]) -> tuple[list[SignedLine], int]:

@@ -9,9 +9,9 @@ from upright.firmware.law import Law
 from upright.firmware.targets import COMPASS, ENCODERS, Driver, Raw, Target
 from upright.robots import Kit
 
-BALANCING, FALLEN, STUCK, TOO_FAR, FLAT_BATTERY = range(5)
-STATUS = ("balancing", "fallen", "motors at their limit", "too far away", "battery too low")
-"""What the program's `status` says; anything but zero stops the motors."""
+BALANCING, FALLEN, STUCK, TOO_FAR, FLAT_BATTERY, TIME_IS_OVER = range(6)
+STATUS = ("balancing", "fallen", "motors at their limit", "too far away", "battery too low", "time is over")
+"""What the program's `status` says; anything but zero stops the motors. The last is the loop's own."""
 
 FALL_PITCH = 0.8  # [rad] from which no robot here has the torque to come back
 STUCK_TIME = 1.0  # [s] both motors at full duty, as when the robot lies or a wheel is held

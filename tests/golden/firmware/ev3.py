@@ -10,8 +10,11 @@
 # number: float
 #
 # A balancing program for ev3dev with python-ev3dev2. Hold the robot upright and still until the lights turn green, then
-# let go. It stops by itself when it has fallen, and with any button of the brick.
+# let go. It stops by itself when it has fallen, after SECONDS, when its terminal hangs up, and with any button of the
+# brick.
 # Lines it prints: T telemetry, then after the run H what it was, D the log's rows, E their number.
+import signal
+import sys
 import time
 from struct import pack_into
 
@@ -24,6 +27,8 @@ from ev3dev2.sensor.lego import GyroSensor
 # How this robot is built: change these where yours differs.
 LEFT, RIGHT = OUTPUT_D, OUTPUT_A
 GYRO_SIGN = 1
+
+SECONDS = 60  # [s] the longest run, whatever becomes of the computer; 0 for no end
 
 PERIOD = 0.01  # [s]
 ROWS = 6000  # periods that the log keeps
@@ -135,6 +140,7 @@ def main():
     left.position = right.position = 0
     left.run_direct(duty_cycle_sp=0)
     right.run_direct(duty_cycle_sp=0)
+    begun = time.monotonic()
     try:
         while not status:
             raw_encoder_left = left.position
@@ -207,6 +213,8 @@ def main():
             w9 = next_w9
             stuck = stuck_kept
             status = int(status)
+            if SECONDS and not status and time.monotonic() - begun >= SECONDS:
+                status = 5
             row[:] = [pitch, command_left, command_right, duty_left, applied_left, duty_right, applied_right, status]
             pack_into(
                 "<hhhhHbbB", log, count % ROWS * SIZE, raw_encoder_left & 32767, raw_encoder_right & 32767,
@@ -229,4 +237,6 @@ def main():
         dump(log, count, late, status, gyro_offset)
 
 
+for end in (signal.SIGHUP, signal.SIGTERM):  # else Python would leave, and the motors go on
+    signal.signal(end, lambda *_: sys.exit())
 main()

@@ -94,6 +94,7 @@ void upright_update(upright_state *s, const upright_input *in, upright_output *o
 #define MPU 0x68
 #define GYRO_REGISTER 0x45 /* GYRO_YOUT_H: the axis along the axle */
 #define GYRO_SIGN 1
+#define SECONDS 60UL /* the longest run [s], whatever becomes of the computer; 0 for no end */
 #define TELEMETRY 10 /* periods from one line to the next */
 
 static float limit(float x, float low, float high)
@@ -297,6 +298,14 @@ static void telemetry()
     send(line);
 }
 
+/* With the motors off there is time to wait for the port. */
+static void last_words()
+{
+    char line[16] = "E";
+    put(line, (long)results.status);
+    send(line);
+}
+
 static void read_sensors()
 {
     noInterrupts();
@@ -349,12 +358,15 @@ void loop()
         upright_command(&memory, &readings, &results);
         drive(results.duty_left, results.duty_right);
         upright_update(&memory, &readings, &results);
+        count++;
+        if (SECONDS && results.status == 0 && count >= SECONDS * 1000000 / UPRIGHT_PERIOD_US)
+            results.status = 5;
         if (results.status != 0 || digitalRead(BUTTON) == LOW) {
             drive(0, 0);
             phase = STOPPED;
             digitalWrite(LED_BUILTIN, LOW);
+            last_words();
         }
-        count++;
         telemetry();
     } else
         drive(0, 0);

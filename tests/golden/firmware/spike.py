@@ -10,8 +10,9 @@
 # hub: prime
 #
 # A balancing program for Pybricks. Hold the robot upright and still until the light turns green, then let go.
-# It stops by itself when it has fallen, and with the hub's button. Floats on a hub have 32 bits.
-# Lines it sends: T telemetry, then after the run H what it was, D the log's rows, E their number.
+# It stops by itself when it has fallen, after SECONDS, and with the hub's button. Floats on a hub have 32 bits.
+# Stopped by itself it keeps its log until the button or the computer asks for it.
+# Lines it sends: T telemetry, S why it stopped by itself, then after the run H what it was, D the log's rows, E their number.
 from pybricks.hubs import PrimeHub as Hub
 from pybricks.parameters import Axis, Color, Direction, Port
 from pybricks.pupdevices import Motor
@@ -23,6 +24,8 @@ LEFT = (Port.A, Direction.COUNTERCLOCKWISE)
 RIGHT = (Port.B, Direction.CLOCKWISE)
 AXIS = Axis.Y  # round which a positive rate leans the robot forward
 GYRO_SIGN = 1
+
+SECONDS = 60  # [s] the longest run, whatever becomes of the computer; 0 for no end
 
 PERIOD = 10  # [ms]
 ROWS = 1000  # periods that the log keeps
@@ -126,6 +129,7 @@ def main():
     hub.light.on(Color.GREEN)
     left.reset_angle(0)
     right.reset_angle(0)
+    begun = watch.time()
     try:
         while not status:
             raw_encoder_left = left.angle()
@@ -198,6 +202,8 @@ def main():
             w9 = next_w9
             stuck = stuck_kept
             status = int(status)
+            if SECONDS and not status and watch.time() - begun >= SECONDS * 1000:
+                status = 5
             row[:] = [pitch, command_left, command_right, duty_left, applied_left, duty_right, applied_right, status]
             pack_into(
                 "<hhhhHbbB", log, count % ROWS * SIZE, raw_encoder_left & 32767, raw_encoder_right & 32767,
@@ -221,7 +227,13 @@ def main():
         left.stop()
         right.stop()
         hub.light.on(Color.RED)
-        dump(log, count, late, status, gyro_offset)
+        try:
+            if status:
+                send("S", "%d" % status)
+            while status and not hub.buttons.pressed():
+                wait(PERIOD)
+        finally:
+            dump(log, count, late, status, gyro_offset)
 
 
 main()
