@@ -219,18 +219,32 @@ def test_the_compass_steers_the_robot(tmp_path: Path, monkeypatch: pytest.Monkey
 
 
 @pytest.mark.needs("module:nxt")
-def test_a_pulled_cable_is_said_and_the_log_stays(made: tuple[Path, Program], virtual: VirtualFlight) -> None:
-    """The brick balances on without a cable; its button ends that, and the next connection brings the log."""
-    flight = fly(*made, virtual.path, 30.0, pull_after(virtual, 2.0), virtual.clock)
+def test_a_pulled_cable_ends_with_the_motors_off_and_a_whole_log(tmp_path: Path, virtual: VirtualFlight) -> None:
+    """Nobody touches the brick: its longest run ends it, and the next connection brings everything."""
+    source, made = written(tmp_path, "nxc", seconds=3)
+    virtual.line.until = 2.5
+    flight = fly(source, made.program, virtual.path, 3.0, pull_after(virtual, 2.0), virtual.clock)
+    assert flight.lost
     assert "does not answer" in flight.notes[0]
+    assert "stops after 3 s at most" in flight.notes[0]
     assert "--fetch" in flight.notes[0]
+    assert not motors_are_off(virtual)
+    virtual.line.until = math.inf
+    goes_on(virtual)
+    assert motors_are_off(virtual)
+    later = fetched(virtual, made.program)
+    assert later.log is not None
+    assert (later.log.ended, later.log.flaws) == ("time is over", ())
+    assert later.log.log.t == pytest.approx(0.01 * np.arange(len(later.log.log)))
+    assert len(later.log.log) in (300, 301)  # 3 s of 10 ms, and one more where the clock was read before its end
+
+
+@pytest.mark.needs("module:nxt")
+def test_its_button_ends_a_run_without_a_cable(made: tuple[Path, Program], virtual: VirtualFlight) -> None:
+    fly(*made, virtual.path, 30.0, pull_after(virtual, 2.0), virtual.clock)
     press_button(virtual)
     assert motors_are_off(virtual)
-    later = Flight()
-    with Line(virtual.brick) as line, Connection(line.path) as brick:
-        bring_home(brick, made[1], later)
-    assert later.log is not None
-    assert len(later.log.log) > 20
+    assert fetched(virtual, made[1]).log is not None
 
 
 @pytest.mark.needs("module:nxt")
@@ -352,8 +366,21 @@ def pull_after(virtual: VirtualFlight, seconds: float) -> object:
     return progress
 
 
+def fetched(virtual: VirtualFlight, made: Program) -> Flight:
+    """What a new connection to that brick brings home."""
+    flight = Flight()
+    with Line(virtual.brick) as line, Connection(line.path) as brick:
+        bring_home(brick, made, flight)
+    return flight
+
+
 def press_button(virtual: VirtualFlight) -> None:
-    """The orange one in the middle; the brick goes on by itself until its program has seen it."""
+    """The orange one in the middle."""
     virtual.brick.hardware.buttons.add(3)
+    goes_on(virtual)
+
+
+def goes_on(virtual: VirtualFlight) -> None:
+    """Until the brick's program has ended by itself."""
     while virtual.brick.machine is not None:
         time.sleep(0.01)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import math
 import shlex
 import shutil
 import signal
@@ -43,8 +44,8 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Program]:
     return program("lqg", tmp_path_factory.mktemp("pybricks"))
 
 
-def program(controller: str, folder: Path) -> tuple[Path, Program]:
-    firmware = generate(CONTROLLERS[controller](ROBOT, KIT, KIT.period), ROBOT, KIT, "pybricks")
+def program(controller: str, folder: Path, seconds: int | None = None) -> tuple[Path, Program]:
+    firmware = generate(CONTROLLERS[controller](ROBOT, KIT, KIT.period), ROBOT, KIT, "pybricks", seconds=seconds)
     source = folder / "balance.py"
     source.write_text(firmware.text)
     return source, firmware.program
@@ -100,6 +101,43 @@ def test_a_hub_out_of_reach_keeps_its_telemetry_here_and_its_log_there(
     assert at_rest(hub)
     with pytest.raises(FlightRefused, match="no program runs"):
         fetch_hub(made[1], hub, patience=PATIENCE)
+
+
+def test_a_hub_out_of_reach_stops_by_itself_and_keeps_its_whole_log(hub: VirtualHub, tmp_path: Path) -> None:
+    """Nobody touches the hub: its longest run ends it, and whoever comes back gets everything."""
+    made = program("lqg", tmp_path, seconds=3)
+    flight = flown(made, hub, 3.0, lambda now: now > 2.0 and hub.cut())
+    assert flight.lost
+    assert "stops after 3 s at most and keeps its log" in flight.notes[0]
+    hub.until = math.inf
+    hub.run(2.0)  # the still start took one second, and one is over
+    assert hub.duties == (0.0, 0.0)
+    later = fetch_hub(made[1], hub, patience=PATIENCE)
+    assert later.notes == ["the program stopped by itself: time is over"]
+    assert later.log is not None
+    assert later.log.log.t == pytest.approx(0.01 * np.arange(len(later.log.log)))
+    assert len(later.log.log) in (300, 301)  # 3 s of 10 ms, and one more where the clock was read before its end
+    assert at_rest(hub)
+
+
+@pytest.mark.parametrize("connected", [True, False])
+def test_a_hub_that_falls_keeps_its_log_until_somebody_comes(
+    made: tuple[Path, Program], tmp_path: Path, connected: bool
+) -> None:
+    """Its left motor is told to run the other way, so that it falls at once."""
+    source = tmp_path / "balance.py"
+    source.write_text(made[0].read_text().replace("left.dc(duty_left)", "left.dc(-duty_left)"))
+    with virtual_hub(ROBOT, KIT, [Hold(pitch=0.1, until=1.0)]) as hub:
+        flight = flown((source, made[1]), hub, 9.0, lambda now: not connected and now > 1.1 and hub.cut())
+        if not connected:
+            hub.run(9.0)
+            assert hub.duties == (0.0, 0.0)
+            flight = fetch_hub(made[1], hub, patience=PATIENCE)
+        assert any("stopped by itself: " in note for note in flight.notes)
+        assert flight.log is not None
+        assert flight.log.ended == "fallen"
+        assert flight.log.log.t[0] == 0.0
+        assert at_rest(hub)
 
 
 def test_its_button_stops_a_hub_out_of_reach(made: tuple[Path, Program], hub: VirtualHub) -> None:

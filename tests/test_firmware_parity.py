@@ -5,23 +5,25 @@ from __future__ import annotations
 import binascii
 import re
 import shutil
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from firmware_cases import NXT, ROBOT, SPIKE, designed, frozen, steering, written
+from upright.bodies.brick_link import LEFT, RIGHT
 from upright.control import controller_hash
 from upright.control.controller import Controller
 from upright.errors import InvalidLog, MissingTool
 from upright.experiment import Drive, Turn
-from upright.firmware import Firmware, Parity, parity
+from upright.firmware import Firmware, Parity, longest_run, parity
 from upright.firmware.execute import execute
 from upright.firmware.execute_arm import ArmExecutor, cycles
 from upright.firmware.execute_avr import FLASH, MEMORY, AvrExecutor
 from upright.firmware.execute_nxc import NxcExecutor
 from upright.firmware.execute_python import PythonExecutor
-from upright.firmware.executor import HostExecutor, run_tool, tool
+from upright.firmware.executor import ExecutionFailed, Executor, HostExecutor, run_tool, tool
 from upright.firmware.logs import read_lines
 from upright.firmware.parity import SECONDS, TOLERANCE, Readings, calibrated
 
@@ -129,6 +131,58 @@ def test_a_program_that_falls_stops_its_motors_and_keeps_its_log(tmp_path: Path)
         assert len(statuses) < 100  # 300 °/s are 3 rad in half a second
     check_log(executor.finish(), rows=len(statuses) - 1, telemetry=(len(statuses) - 1) // 10)
     executor.close()
+
+
+def duties_now(executor: Executor) -> list[float]:
+    """What both motors get at this moment, as the brick's own parts have it."""
+    if isinstance(executor, NxcExecutor):
+        return [executor.hardware.motors[port].duty for port in (LEFT, RIGHT)]
+    if isinstance(executor, AvrExecutor):
+        return executor.pwm()
+    assert isinstance(executor, PythonExecutor)
+    return list(executor.duties)
+
+
+LOOPS = [
+    pytest.param("nxc", NXT, marks=pytest.mark.needs("nbc")),
+    pytest.param("pybricks", SPIKE, marks=pytest.mark.needs("module:micropython_unix")),
+    pytest.param("ev3dev", NXT),
+    pytest.param("arduino", NXT, marks=pytest.mark.needs("avr-gcc", "simavr", "module:elftools")),
+]
+
+
+@pytest.mark.parametrize(("target", "kit"), LOOPS)
+@pytest.mark.parametrize("seconds", [1, 0])
+def test_a_longest_run_ends_with_the_motors_off(tmp_path: Path, target, kit, seconds):
+    """The robot rolls and does not fall, so that the clock alone can end it; without a limit it goes on."""
+    source, made = written(tmp_path, target, kit, seconds=seconds)
+    executor, readings = execute(source, made.program, made.number, ""), Readings(made.program, kit)
+    calibrated(executor, readings, 0.01)
+    still, driven = readings.raw({}, readings.offset), list[bool]()
+    while len(driven) < 120:
+        rolled = {f"raw_encoder_{side}": float(len(driven) // 3) for side in ("left", "right")}
+        if executor.step(still | rolled)["status"]:
+            break
+        driven.append(any(duties_now(executor)))
+    if not seconds:
+        assert len(driven) == 120
+        assert driven[-1]
+    else:
+        assert len(driven) in (99, 100)  # a second of 10 ms, and the clock is read before or after the last
+        assert driven[-1]
+        with suppress(ExecutionFailed):  # an NXT shows its last words for longer than a period may take
+            executor.step(still)  # after the wait for the end of the last period
+        assert not any(duties_now(executor))
+    executor.close()
+
+
+def test_whoever_changes_the_longest_run_is_understood(tmp_path: Path):
+    for target, kit in (("nxc", NXT), ("pybricks", SPIKE), ("ev3dev", NXT), ("arduino", NXT)):
+        source, _ = written(tmp_path, target, kit)
+        text = source.read_text("utf-8")
+        assert longest_run(text) == 60  # as the command's help says it
+        assert longest_run(re.sub(r"(SECONDS\b[ =]+)60", r"\g<1>7", text, count=1)) == 7
+    assert longest_run(written(tmp_path, "c")[0].read_text("utf-8")) == 0
 
 
 def signed(*lines: str) -> list[str]:

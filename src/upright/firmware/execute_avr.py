@@ -17,6 +17,7 @@ from upright.firmware.program import Program
 CLOCK = 16e6  # [Hz]
 FLASH, MEMORY = 32_256, 2048  # [bytes] beside the boot loader of an Uno
 RESET, CALIBRATE, BALANCE = 1, 2, 3
+LEFT_PWM = 5  # the pin of the sketch; the right one's is the next
 HEADER = Path("/usr/include/simavr/sim_avr.h")
 
 
@@ -89,6 +90,11 @@ class AvrExecutor:
             return {}
         self.worst = max(self.worst, self._go(BALANCE))
         return self._results()
+
+    def pwm(self) -> list[float]:
+        """What both motors of a sketch get now, of 255 and without a sign."""
+        self._say(b"R", self._symbols["stub_pwm"] + 2 * LEFT_PWM, struct.pack("<I", 4))
+        return list(struct.unpack("<2h", self._hear(4)))
 
     def close(self) -> None:
         self._stop()

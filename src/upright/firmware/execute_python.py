@@ -98,13 +98,13 @@ class Script:
 
 class PythonExecutor:
     """A program, one period a step. With `compiled`, MicroPython runs the .mpy that `mpy-cross` makes of it; `pressed`
-    is whether the brick's button is down."""
+    is whether the brick's button is down, `duties` [%] what its motors got last."""
 
     def __init__(self, source: Path, program: Program, compiled: bool = False) -> None:
         self._names, micro = program.results(), program.target == "pybricks"
         made = ".mpy by mpy-cross, " if compiled else ""
         self.where = f"MicroPython ({made}floats of 64 bits; a hub's have 32)" if micro else "CPython"
-        self.numbers, self.pressed = "double", False
+        self.numbers, self.pressed, self.duties = "double", False, (0.0, 0.0)
         self._script = Script(program.target)
         copy = self._script.folder / "balance.py"
         shutil.copyfile(source, copy)
@@ -124,6 +124,7 @@ class PythonExecutor:
         told = self._script.exchange([raw[name] for name in READINGS], self.pressed)
         if told is None:
             raise ExecutionFailed(f"the program ended: {self.said[-1] if self.said else 'it said nothing'}")
+        self.duties = told.duties or (0.0, 0.0)
         return dict(zip(self._names, told.row, strict=True)) if told.row else {}
 
     def finish(self) -> list[str]:

@@ -63,15 +63,15 @@ def fly(
         began = clock()
         brick.ask("start", name=name)
         try:
-            _watch(brick, began + seconds, progress, clock)
+            try:
+                _watch(brick, began + seconds, progress, clock)
+            finally:
+                with suppress(BrickLost, BrickRefused):
+                    _land(brick)
+            bring_home(brick, program, flight, where)
         except BrickLost as error:
             flight.lost = True
             flight.notes.append(f"{error}; {alone(source)}, its log stays on the brick: upright fly --fetch")
-            return flight
-        finally:
-            with suppress(BrickLost, BrickRefused):
-                _land(brick)
-        bring_home(brick, program, flight, where)
     return flight
 
 

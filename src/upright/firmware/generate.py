@@ -92,7 +92,7 @@ def generate(
     program = trace(controller, robot, kit, target, reference=reference)
     _check_period(program, place.suffix)
     finest = quantum(program, fractions(program)) if arithmetic == "fixed" else None
-    facts = {**_facts(program, arithmetic, finest), "hub": hub, "seconds": longest}
+    facts: dict[str, Any] = {**_facts(program, arithmetic, finest), "hub": hub, "seconds": longest}
     more = ([f"hub: {hub}"] if target == "pybricks" else []) + (["reference: yes"] if reference else [])
     facts["head"] = [*facts["head"], *more]
     return Firmware(program, arithmetic, TEXTS[target](program, facts), finest)

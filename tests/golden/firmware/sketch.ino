@@ -359,7 +359,7 @@ void loop()
         drive(results.duty_left, results.duty_right);
         upright_update(&memory, &readings, &results);
         count++;
-        if (SECONDS && results.status == 0 && count >= SECONDS * 1000000 / UPRIGHT_PERIOD_US)
+        if (results.status == 0 && count == SECONDS * 1000000 / UPRIGHT_PERIOD_US)
             results.status = 5;
         if (results.status != 0 || digitalRead(BUTTON) == LOW) {
             drive(0, 0);
