@@ -76,8 +76,8 @@ def truth(name: str, true: Robot) -> dict[str, float]:
     """What a calibration of that twin ought to find: its numbers, its kit's dead times, and two equal motors.
 
     A log says what was really applied, period by period: of the kit's dead time the whole periods are in it already.
-    The twin rounds its jitter to whole milliseconds. MuJoCo moves positions by the rates of the end of its time step, so
-    that they are half a step (0.125 ms) ahead of these.
+    The twin rounds its jitter to whole milliseconds. MuJoCo moves positions by the rates of the end of its time step,
+    so that they are half a step (0.125 ms) ahead of these.
     """
     kit = Kit.preset(Robot.preset(name).kit)
     late = kit.delay % kit.period + round(kit.jitter / 0.001) * 0.001 / 2

@@ -221,7 +221,7 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fit:
     rough = _settled(start, z, _bounds(problem, limits, FREEDOM))
     best = _polished(rough, _bounds(problem, limits, FREEDOM))
     if worst_correlation(*best) < WHITE:
-        return best
+        return _tempered(*best)
 
     def tried(trial: tuple[float, float]) -> tuple[float, Fit]:
         fit = _settled(rough[0], rough[1], _bounds(problem, limits, *trial))

@@ -1,9 +1,8 @@
 """What a calibration estimates: the robot's numbers and the dead times, in coordinates of the prior.
 
 Every parameter p is a function of one number z that the prior takes for standard normal: p = p₀ exp(z σ/p₀) for what
-must be positive, p = p₀ + z σ for what may be zero or negative, and likewise the logarithm of the odds of a share. So
-z = 0 is what was known before, |z| = 1 one standard deviation away, and the information of a log about z is in units of
-the prior's.
+must be positive, p = p₀ + z σ for what may be zero or negative. So z = 0 is what was known before, |z| = 1 one standard
+deviation away, and the information of a log about z is in units of the prior's.
 """
 
 from __future__ import annotations
@@ -34,6 +33,8 @@ and the roll inertia, in whose place stands `ROLL_SHARE`."""
 
 ROLL_SHARE = "roll_share"
 """Where the roll inertia lies between |J_ψ − J_φ| and J_ψ + J_φ, its least and its largest in a rigid body."""
+ANYWHERE = 1 / math.sqrt(12)
+"""Deviation of a share that may be anything from 0 to 1."""
 
 DELAY_SPREAD = 0.02  # [s] one standard deviation of a dead time, about two periods: kits say little of theirs
 SENSORS = ("encoder", "gyro", "compass")
@@ -41,34 +42,27 @@ SENSORS = ("encoder", "gyro", "compass")
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number to estimate: its `prior`, the prior's `spread` (one standard deviation) and whether z acts on it, on its
-    logarithm, or on that of its odds. `lower` bounds it; `guess` says that nobody measured the prior."""
+    """A number to estimate: its `prior`, the prior's `spread` (one standard deviation) and whether z acts on it or on
+    its logarithm. `lower` bounds it; `guess` says that nobody measured the prior."""
 
     name: str
     unit: str
     prior: float
     spread: float
-    scale: Literal["linear", "logarithm", "odds"]
+    scale: Literal["linear", "logarithm"]
     lower: float = -math.inf
     guess: bool = False
 
     def value(self, z: Any) -> Any:
         """The parameter at the coordinate z."""
-        moved = np.asarray(z) * self.spread
         if self.scale == "logarithm":
-            return self.prior * np.exp(moved / self.prior)
-        if self.scale == "odds":
-            against = (1 / self.prior - 1) * np.exp(-moved / (self.prior * (1 - self.prior)))
-            return 1 / (1 + against)
-        return self.prior + moved
+            return self.prior * np.exp(np.asarray(z) * (self.spread / self.prior))
+        return self.prior + np.asarray(z) * self.spread
 
     def coordinate(self, value: float) -> float:
         """The inverse of `value`."""
         if self.scale == "logarithm":
             return math.log(value / self.prior) * self.prior / self.spread
-        if self.scale == "odds":
-            ratio = value / (1 - value) * (1 / self.prior - 1)
-            return math.log(ratio) * self.prior * (1 - self.prior) / self.spread
         return (value - self.prior) / self.spread
 
     @property
@@ -111,8 +105,8 @@ def _roll_share(robot: Robot) -> Parameter:
     share = min(max((robot.roll_inertia - low) / (high - low), 0.02), 0.98)
     source = robot.provenance.get("roll_inertia")
     guess = source is None or source.spread is None
-    spread = share * (1 - share) if source is None or source.spread is None else source.spread / (high - low)
-    return Parameter(ROLL_SHARE, "1", share, spread, "odds", 0.0, guess)
+    spread = ANYWHERE if source is None or source.spread is None else min(source.spread / (high - low), ANYWHERE)
+    return Parameter(ROLL_SHARE, "1", share, spread, "linear", 0.0, guess)
 
 
 def _rigid(pitch: Any, yaw: Any) -> tuple[Any, Any]:
