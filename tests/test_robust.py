@@ -18,7 +18,7 @@ from upright.control.observer import observer
 from upright.control.robust import Costs, Robust, robust
 from upright.control.uncertain import FARTHEST, draw, spreads
 from upright.errors import DesignFailed, UnknownName
-from upright.experiment import Hold, run
+from upright.experiment import Drive, Hold, Turn, run
 from upright.physics.linear import linearise
 from upright.robots import Kit, Provenance, Robot
 from upright.signals import STATE_NAMES
@@ -137,6 +137,15 @@ def test_it_stabilises_robots_that_it_has_not_seen():
 def test_it_holds_the_papers_pushes_on_raw_sensors(pitch):
     log = run(Electronics(NonlinearBody(NXT, period=0.002), KIT), design(), Hold(pitch=pitch, until=3), seconds=6)
     assert not log.origin["outcome"]["fell"]
+
+
+def test_it_drives_turns_and_stops():
+    goal = [Drive(speed=0.15, start=0.5, until=3), Turn(rate=0.8, start=1, until=2.5)]
+    log = run(Electronics(NonlinearBody(NXT, period=0.002), KIT), design(), reference=goal, seconds=8)
+    assert not log.origin["outcome"]["fell"]
+    last = {name: log[f"truth/{name}"][-1] - log[f"reference/{name}"][-1] for name in ("wheel", "yaw")}
+    assert abs(last["wheel"]) < 0.5  # [rad] 2 cm: it has no integral, and rests where the gyro's bias leans it
+    assert abs(last["yaw"]) < 0.05
 
 
 def test_dead_time_is_part_of_the_design():
