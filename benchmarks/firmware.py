@@ -4,7 +4,7 @@ Run: python benchmarks/firmware.py [--controller NAME ...] [--robot NAME] [--kit
 through both of the paper's pushes for 20 s; the row is its most expensive period, beside 10 ms. Cycles are counted, so
 that the figures do not depend on this machine: on the ARM7TDMI from the code that ran, at most what the manual allows
 and with memory that never waits; on the ATmega328P by simavr. The bus that brings the readings is not in them. The NXT
-runs NXC as bytecode: there the instructions are those of its virtual machine.
+runs NXC as bytecode: the instructions are those of its virtual machine, and the time an estimate, at `COST` each.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from upright.control import CONTROLLERS, make_controller
 from upright.errors import UprightError
 from upright.firmware import execute_arm, execute_avr, generate, parity
 from upright.firmware.execute import execute
+from upright.firmware.virtual_robot import COST
 from upright.robots import Kit, Robot
 
 ROWS: tuple[tuple[str, str, str], ...] = (
@@ -79,8 +80,9 @@ def on_avr(executor: Any, period: float) -> str:
     return f"{'':>14}{executor.worst:>9}{time * 1e3:>7.3f} ms{time / period:>11.1%}{sizes}"
 
 
-def on_nxt(executor: Any, period: float) -> str:  # noqa: ARG001 (how long its machine takes for one is not known here)
-    return f"{executor.instructions:>14}{'':>9}{'':>10}{'':>11}{'':>8}{'':>6}"
+def on_nxt(executor: Any, period: float) -> str:
+    time = executor.instructions * COST * 1e-6
+    return f"{executor.instructions:>14}{'':>9}{time * 1e3:>6.1f}~ms{time / period:>11.0%}{'':>8}{'':>6}"
 
 
 COSTS: dict[str, Callable[[Any, float], str]] = {"arm7": on_arm, "avr": on_avr, "nxt": on_nxt}

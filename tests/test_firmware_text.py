@@ -244,6 +244,10 @@ def test_the_command_writes_what_it_says(tmp_path: Path, capsys, monkeypatch):
         ("firmware mpc -t c", "not a fixed sum"),
         ("firmware controller.json -t c -o there/balance.c", "no folder"),
         ("firmware controller.json -t c --certificate controller.json", "no certificate"),
+        ("firmware controller.json -t c --seconds 9", "no loop of its own"),
+        ("firmware controller.json -t nxc --seconds 3601", "0 (no end) to 3600"),
+        ("firmware controller.json -t nxc --seconds -1", "0 (no end) to 3600"),
+        ("parity short.py controller.json", "stops by itself after 20 s"),
         ("parity controller.json controller.json", "no program by upright"),
         ("parity balance.py other.json", "another controller"),
         ("parity balance.py controller.json --chip avr", "no chip for ev3dev"),
@@ -253,6 +257,7 @@ def test_every_mistake_is_one_line(tmp_path: Path, capsys, monkeypatch, argument
     monkeypatch.chdir(tmp_path)
     write_controller(frozen(), "controller.json")
     write_controller(replace(frozen(), kind="lqg by another name"), "other.json")
+    written(tmp_path, "ev3dev", EV3, seconds=20)[0].rename("short.py")
     written(tmp_path, "ev3dev", EV3)
     before = sorted(path.name for path in tmp_path.iterdir())
     assert main(arguments.split()) == USER_ERROR

@@ -10,6 +10,8 @@ import pytest
 from upright.cli.main import main
 from upright.control import controller_hash, read_controller
 from upright.firmware.fly import Flight
+from upright.robots import Robot
+from upright.robots.files import write_robot
 
 KITS = {"nxc": ("nxt", "balance.nxc", "/dev/rfcomm0"), "pybricks": ("spike", "balance.py", "ble:Hub")}
 
@@ -99,7 +101,56 @@ def test_a_program_of_another_controller_is_refused(
     assert not flown
 
 
-@pytest.mark.parametrize("options", [("--push", "hold:0.1"), ("--seconds", "inf"), ("--seconds", "601")])
+def test_it_may_be_said_for_which_robot_or_brick_it_is(
+    designed: tuple[str, Path, Path, str], flown: list[str], tmp_path: Path
+) -> None:
+    brick = {"nxc": "nxt", "pybricks": "spike"}[designed[0]]
+    own = write_robot(Robot.preset("nxtway-gs"), tmp_path / "mine.toml")
+    for name in (brick, "nxtway-gs", str(own)):
+        assert fly(designed, "--robot", name, "--yes") == 0
+    assert flown == [designed[3]] * 3
+
+
+def test_a_program_for_another_robot_or_brick_is_refused(
+    designed: tuple[str, Path, Path, str], flown: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    brick, other = {"nxc": ("nxt", "spike"), "pybricks": ("spike", "nxt")}[designed[0]]
+    for name in (other, "ev3way"):
+        assert fly(designed, "--robot", name, "--yes") != 0
+        said = capsys.readouterr().err
+        assert f"was made for nxtway-gs on the brick {brick}; expected a program for {name}" in said
+        assert len(said.strip().splitlines()) == 1
+    assert not flown
+
+
+def test_a_flight_longer_than_its_program_drives_is_refused(
+    designed: tuple[str, Path, Path, str], flown: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    target, program, controller, port = designed
+    short = tmp_path / program.name
+    options = ["--target", target, "--kit", KITS[target][0], "-o", str(short), "--seconds", "9"]
+    assert main(["firmware", str(controller), *options]) == 0
+    capsys.readouterr()
+    assert fly((target, short, controller, port), "--yes", "--seconds", "10") != 0
+    assert (
+        "stops by itself after 9 s; expected at most 9; mend: upright firmware --seconds 10" in capsys.readouterr().err
+    )
+    assert fly((target, short, controller, port), "--yes", "--seconds", "9") == 0
+    assert flown == [port]
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ("--push", "hold:0.1"),
+        ("--seconds", "inf"),
+        ("--seconds", "601"),
+        ("--seconds", "61"),  # the program stops after 60
+        ("--robot", "ev3"),
+        ("--robot", "ev3way"),
+        ("--robot", "nobody"),
+    ],
+)
 def test_what_cannot_be_flown_is_one_line(
     designed: tuple[str, Path, Path, str],
     flown: list[str],

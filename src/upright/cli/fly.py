@@ -13,6 +13,7 @@ from upright.cli.output import check_folder, print_json, progress
 from upright.errors import InvalidController, UprightError
 
 if TYPE_CHECKING:
+    from upright.control import Controller
     from upright.firmware.fly import Flight
     from upright.firmware.program import Program
     from upright.robots import Robot
@@ -66,24 +67,15 @@ def fly(
     Shows robot, controller, certificate and hash, and asks. The motors are off when this ends, Ctrl-C included. Exit
     code 3 where the robot was lost on the way.
     """
-    from upright.control import find_controller
-    from upright.firmware import generate, head, longest_run
-    from upright.robots.files import find_kit
+    from upright.firmware import head, longest_run
 
     if output:
         check_folder(output)
-    text = options.program_text(program)
-    facts = head(text)
+    facts = head(text := options.program_text(program))
     _check(facts["target"], port, seconds, push, fetch)
     _in_time(program, seconds, longest_run(text))
-    chosen, kit = _meant(robot, program, facts), find_kit(facts["kit"])
-    brain = find_controller(controller, chosen, kit, kit.period)
-    made = generate(brain, chosen, kit, facts["target"]).program
-    if made.hash != facts["hash"]:
-        raise InvalidController(
-            f"{program} holds another controller ({facts['hash'][:12]})", expected=f"{made.hash[:12]}",
-            mend=f"upright firmware CONTROLLER --target {made.target}, or name the controller it was made from",
-        )  # fmt: skip
+    chosen = _meant(robot, program, facts)
+    brain, made = _made(program, controller, chosen, facts)
     permit = "" if fetch else _permit(certificate, brain, anyway)
     _ask(made, port, permit, yes or fetch or as_json)
     flight = _flown(program, made, chosen, port, seconds, [options.push(p) for p in push or []], seed, fetch)
@@ -129,6 +121,23 @@ def _meant(name: str | None, program: Path, facts: dict[str, str]) -> Robot:
             mend="upright firmware makes one",
         )  # fmt: skip
     return found
+
+
+def _made(source: Path, controller: str, robot: Robot, facts: dict[str, str]) -> tuple[Controller, Program]:
+    """The controller, and the program that is made of it, which `source` has to hold."""
+    from upright.control import find_controller
+    from upright.firmware import generate
+    from upright.robots.files import find_kit
+
+    kit = find_kit(facts["kit"])
+    brain = find_controller(controller, robot, kit, kit.period)
+    made = generate(brain, robot, kit, facts["target"]).program
+    if made.hash != facts["hash"]:
+        raise InvalidController(
+            f"{source} holds another controller ({facts['hash'][:12]})", expected=f"{made.hash[:12]}",
+            mend=f"upright firmware CONTROLLER --target {made.target}, or name the controller it was made from",
+        )  # fmt: skip
+    return brain, made
 
 
 def _permit(path: Path | None, brain: Any, anyway: bool) -> str:
