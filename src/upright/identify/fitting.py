@@ -17,6 +17,7 @@ from upright.fleet.generated import CONSTANTS, constants
 from upright.identify.electronics import driven
 from upright.identify.parameters import Parameter, columns
 from upright.identify.recording import SENSOR, Recording, reading_matrix
+from upright.identify.side_by_side import CORES, side_by_side
 from upright.physics.linear import linearise
 from upright.robots import PARAMETERS, Robot
 
@@ -162,12 +163,11 @@ class Problem:
         nudge either side, or two above zero for what may not be negative."""
         from upright.identify.predictor import LANES, innovations
 
-        order, half = recording.order(dict(zip(self.delays, q[DELAYS:].tolist(), strict=True))), LANES // 2
+        order = recording.order(dict(zip(self.delays, q[DELAYS:].tolist(), strict=True)))
         low = q - NUDGE * unit
         low[[DRY, ZONE]] = np.maximum(low[[DRY, ZONE]], 0.0)
-        found: list[Array] = []
-        for start in range(0, len(rows), half):
-            part = list(rows[start : start + half])
+
+        def of(part: NDArray[np.int64]) -> Array:
             count = len(part)
             lanes = np.repeat(q[:, None], 2 * count, axis=1)
             lanes[part, np.arange(count)] = low[part] + 2 * NUDGE * unit[part]
@@ -177,8 +177,10 @@ class Problem:
                 order, recording.kind, recording.when, recording.value, recording.commands, reads, delays, constants,
                 np.repeat(recording.first[:, None], 2 * count, axis=1), gains, self.longest,
             )  # fmt: skip
-            found.append((e[:, :count] - e[:, count:]) / (2 * NUDGE))
-        return np.concatenate(found, axis=1)
+            return (e[:, :count] - e[:, count:]) / (2 * NUDGE)
+
+        parts = min(len(rows), max(CORES, -(-2 * len(rows) // LANES)))
+        return np.concatenate(side_by_side(of, np.array_split(np.array(rows), parts)), axis=1)
 
     def slopes(self, recording: Recording, z: Array, gains: Array) -> Array:
         """∂e/∂z (events, parameters) at fixed gains."""

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from upright.identify.fitting import OUTLIER, Problem
 from upright.identify.parameters import rows_of
+from upright.identify.side_by_side import side_by_side
 
 Array = NDArray[np.float64]
 ENOUGH = 1000
@@ -79,14 +80,12 @@ def _robust(e: Array, s: Array) -> tuple[Array, Array]:
 def _noise_score(problem: Problem, z: Array, names: Sequence[str], eta: Array) -> tuple[float, Array, Array]:
     """Objective, its gradient and Fisher's information for the log-variances."""
     step = 0.05
-    e, s = _likelihood_parts(_with_noise(problem, names, eta), z)
+    (e, s), *moved = side_by_side(
+        lambda at: _likelihood_parts(_with_noise(problem, names, at), z), [eta, *(eta + step * np.eye(len(eta)))]
+    )
     loss, weight = _robust(e, s)
-    dlog, de = np.empty((len(e), len(eta))), np.empty((len(e), len(eta)))
-    for j in range(len(eta)):
-        moved = eta.copy()
-        moved[j] += step
-        e1, s1 = _likelihood_parts(_with_noise(problem, names, moved), z)
-        dlog[:, j], de[:, j] = (np.log(s1) - np.log(s)) / step, (e1 - e) / step
+    dlog = np.column_stack([(np.log(s1) - np.log(s)) / step for _, s1 in moved])
+    de = np.column_stack([(e1 - e) / step for e1, _ in moved])
     gradient = (0.5 * (1 - weight * e**2 / s)) @ dlog + (weight * e / s) @ de
     hessian = 0.5 * dlog.T @ dlog + de.T @ (de / s[:, None])
     return 0.5 * float((loss + np.log(s)).sum()), gradient, hessian
