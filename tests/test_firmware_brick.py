@@ -22,7 +22,7 @@ from upright.firmware import generate
 from upright.firmware.brick import Hardware
 from upright.firmware.execute_nxc import compile_nxc, feel
 from upright.firmware.executor import ExecutionFailed
-from upright.firmware.fly import Flight, FlightRefused, bring_home, fly
+from upright.firmware.fly import Flight, FlightRefused, bring_home, fetch, fly
 from upright.firmware.lcp import VirtualBrick
 from upright.firmware.line import Line
 from upright.firmware.logs import read_brick_log
@@ -237,6 +237,24 @@ def test_a_pulled_cable_ends_with_the_motors_off_and_a_whole_log(tmp_path: Path,
     assert (later.log.ended, later.log.flaws) == ("time is over", ())
     assert later.log.log.t == pytest.approx(0.01 * np.arange(len(later.log.log)))
     assert len(later.log.log) in (300, 301)  # 3 s of 10 ms, and one more where the clock was read before its end
+
+
+@pytest.mark.needs("module:nxt")
+def test_who_fetches_the_log_of_a_program_that_still_runs_stops_it(
+    made: tuple[Path, Program], virtual: VirtualFlight, tmp_path: Path
+) -> None:
+    virtual.line.until = 2.0
+    with Connection(virtual.path) as brick:
+        brick.upload("balance.rxe", compile_nxc(made[0], tmp_path).read_bytes())
+        brick.ask("start", name="balance.rxe")
+        while virtual.clock() < virtual.line.until:
+            time.sleep(0.01)
+    assert not motors_are_off(virtual)
+    found = fetch(made[1], virtual.path)
+    assert motors_are_off(virtual)
+    assert found.notes == ["the program still ran; it was stopped"]
+    assert found.log is not None
+    assert found.log.log.t[-1] == pytest.approx(1.0, abs=0.05)  # of the two seconds one is the still start
 
 
 @pytest.mark.needs("module:nxt")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import binascii
 import re
 import shutil
+import signal
 from contextlib import suppress
 from pathlib import Path
 
@@ -183,6 +184,23 @@ def test_whoever_changes_the_longest_run_is_understood(tmp_path: Path):
         assert longest_run(text) == 60  # as the command's help says it
         assert longest_run(re.sub(r"(SECONDS\b[ =]+)60", r"\g<1>7", text, count=1)) == 7
     assert longest_run(written(tmp_path, "c")[0].read_text("utf-8")) == 0
+
+
+@pytest.mark.parametrize("said", [signal.SIGHUP, signal.SIGTERM])
+def test_an_ev3dev_program_whose_terminal_hangs_up_stops_its_motors(tmp_path: Path, said):
+    source, made = written(tmp_path, "ev3dev")
+    executor, readings = PythonExecutor(source, made.program), Readings(made.program, NXT)
+    calibrated(executor, readings, 0.01)
+    leaning = readings.raw({}, readings.offset) | {"raw_encoder_left": 20.0}
+    executor.step(readings.raw({}, readings.offset))
+    for _ in range(9):
+        executor.step(leaning)
+    assert any(executor.duties)
+    executor.signal(said)
+    executor.step(leaning)
+    assert not any(executor.duties)
+    assert read_lines(executor.finish()).ended == "balancing"
+    executor.close()
 
 
 def signed(*lines: str) -> list[str]:

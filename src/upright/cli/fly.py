@@ -58,7 +58,7 @@ def fly(
     ] = None,
     fetch: Annotated[
         bool,
-        typer.Option("--fetch", help="Start nothing; bring home the log that is there (a hub's by stopping it)."),
+        typer.Option("--fetch", help="Start nothing; stop what runs, and bring home the log that is there."),
     ] = False,
     as_json: options.JsonOption = False,
 ) -> None:

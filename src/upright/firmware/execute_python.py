@@ -62,6 +62,11 @@ class Script:
         """Ask it to stop, as the brick's system does: whatever it waits for raises `SystemExit`."""
         return self._exchange("stop")
 
+    def signal(self, number: int) -> None:
+        """Send the process a signal of the system."""
+        assert self._process, "start() comes first"
+        self._process.send_signal(number)
+
     def stop(self) -> None:
         if self._process is None:
             return
@@ -126,6 +131,10 @@ class PythonExecutor:
             raise ExecutionFailed(f"the program ended: {self.said[-1] if self.said else 'it said nothing'}")
         self.duties = told.duties or (0.0, 0.0)
         return dict(zip(self._names, told.row, strict=True)) if told.row else {}
+
+    def signal(self, number: int) -> None:
+        """Send the program a signal of the system, as a terminal that hangs up does."""
+        self._script.signal(number)
 
     def finish(self) -> list[str]:
         """Press the button and return everything that the program has said, its log last."""

@@ -76,9 +76,12 @@ def fly(
 
 
 def fetch(program: Program, port: str) -> Flight:
-    """Bring home the log that the brick at `port` keeps, and drive nothing."""
+    """Bring home the log that the brick at `port` keeps; a program that still runs there is stopped first."""
     flight = Flight()
     with Connection(port) as brick:
+        if brick.ask("running"):
+            _land(brick)
+            flight.notes.append("the program still ran; it was stopped")
         bring_home(brick, program, flight)
     return flight
 
