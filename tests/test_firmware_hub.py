@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import binascii
 import math
 import shlex
 import shutil
@@ -394,6 +395,17 @@ def test_monitor_follows_a_hub_at_a_pace_that_can_be_read(designed: Path, capsys
     lines = [line for line in capsys.readouterr().out.splitlines() if "pitch" in line]
     assert 2 < len(lines) <= 30  # a second of a hundred at 20 Hz at most; the computer may be slow, never fast
     assert Path("run.parquet").exists()
+
+
+def test_monitor_says_why_a_program_stopped_by_itself(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    said = tmp_path / "said.txt"
+    said.write_text("".join(f"S {n}*{binascii.crc_hqx(b'S %d' % n, 0xFFFF):04X}\n" for n in (1, 5)))
+    assert main(["monitor", str(said)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.partition(": ")[2] for line in lines if "by itself" in line] == [
+        "fallen; its button gives its log",
+        "time is over; its button gives its log",
+    ]
 
 
 def test_a_hub_is_followed_from_its_button_to_its_end(made: tuple[Path, Program], hub: VirtualHub) -> None:

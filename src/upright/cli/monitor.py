@@ -71,7 +71,7 @@ class Shown:
         self._pause, self._next = 1 / fastest, 0.0
 
     def hear(self, line: str) -> None:
-        from upright.firmware.logs import checked_line, is_signed
+        from upright.firmware.logs import checked_line, is_signed, status_said
 
         if not is_signed(line):
             typer.echo(line.rstrip("\n"))
@@ -81,7 +81,9 @@ class Shown:
         except InvalidLog:
             self.damaged += 1
             return
-        if found.kind != "T":
+        if found.kind == "S":
+            typer.echo(f"the program stopped by itself: {status_said(found.text)}; its button gives its log")
+        elif found.kind != "T":
             self.kept.append(line)
         elif (now := time.monotonic()) >= self._next:
             self._next = now + self._pause

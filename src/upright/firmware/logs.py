@@ -60,6 +60,11 @@ def checked_line(line: str) -> SignedLine:
     return SignedLine(kind, text)
 
 
+def status_said(number: str | float) -> str:
+    """What a status stands for; one that is not known is the last."""
+    return STATUS[min(max(int(number), 0), len(STATUS) - 1)]
+
+
 def is_signed(line: str) -> bool:
     """Whether a line is meant to carry a CRC: T, S, H, D or E; anything else is the program's own words."""
     return line[:2] in ("T ", "S ", "H ", "D ", "E ")
@@ -101,7 +106,7 @@ def _read_lines(lines: Iterable[str], facts: dict[str, str], where: str) -> Prog
     flaws += [] if "first" in facts else ["when its first row was is not known"]
     table = np.array([row for _, row in sorted(rows.items())], dtype=np.float64)
     index = np.array(sorted(rows)) + int(facts.get("first", 0))
-    ended = STATUS[min(int(facts["status"]), len(STATUS) - 1)] if "status" in facts else ""
+    ended = status_said(facts["status"]) if "status" in facts else ""
     log = program_log(index, table[:, :7], facts, ended, LINE_TURN, where)
     return ProgramLog(log, facts, ended, tuple(flaws))
 
@@ -141,7 +146,7 @@ def read_brick_log(data: bytes, where: str = BRICK) -> ProgramLog:
     table = np.frombuffer(rest, dtype="<i2", count=whole * BRICK_ROW).reshape(whole, BRICK_ROW).astype(np.float64)
     ended = ""
     if whole and table[-1, 4] == 0:  # a battery of 0 mV: the program's last words
-        ended, table = STATUS[min(max(int(table[-1, 0]), 0), len(STATUS) - 1)], table[:-1]
+        ended, table = status_said(table[-1, 0]), table[:-1]
     if len(table) < 2:
         raise InvalidLog(
             f"the log of the brick has {len(table)} rows", expected="two at least", likely="a fall at once"
