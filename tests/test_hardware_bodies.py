@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import struct
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -11,7 +12,7 @@ import numpy as np
 import pytest
 
 from upright.bodies import BODIES, Body, Electronics, make_body
-from upright.bodies.brick_link import BrickLost
+from upright.bodies.brick_link import LEFT, RIGHT, BrickLost
 from upright.bodies.hub_link import HubLost
 from upright.bodies.nxt_body import NxtBody
 from upright.bodies.pybricks_body import PybricksBody
@@ -19,6 +20,8 @@ from upright.cli.main import main
 from upright.control import CONTROLLERS, ControllerSpec
 from upright.errors import InvalidScenario, NotPermitted, SpecMismatch
 from upright.experiment import Hold, run
+from upright.firmware.lcp import VirtualBrick
+from upright.firmware.line import Line
 from upright.firmware.virtual_robot import virtual_flight, virtual_hub
 from upright.firmware.world import World
 from upright.physics.dynamics import Disturbance
@@ -180,6 +183,117 @@ def test_a_slow_measurement_gives_a_log(robot: tuple[Body, World, Any]) -> None:
     assert len(log) == round(1.0 / slow.period)
     assert log.origin["body"]["kind"] == body.spec.kind
     assert np.ptp(log["sensor/encoder_left"]) > 0
+
+
+class Bench:
+    """A virtual brick on the bench, its motors free or `blocked`: they turn by 980 °/s on 8 V at once (a back EMF of
+    0.468 V s/rad: Watanabe 2007). `least` is the smallest duty [%] either had in a millisecond."""
+
+    def __init__(self) -> None:
+        self.brick, self.blocked, self.least, self._angles = VirtualBrick(), False, 100, [0.0, 0.0, 0.0]
+        self.brick.hardware.inputs[0].raw = 600
+
+    def wait(self, seconds: float) -> None:
+        for _ in range(round(1000 * seconds)):
+            self.least = min([self.least, *self.duties()])
+            for i, motor in enumerate(self.brick.hardware.motors):
+                self._angles[i] += 0 if self.blocked else 0.0098 * motor.duty
+                motor.count = round(self._angles[i])
+            self.brick.hardware.tick(1)
+
+    def duties(self) -> list[int]:
+        return [abs(self.brick.hardware.motors[port].duty) for port in (LEFT, RIGHT)]
+
+    def turned(self) -> list[int]:
+        return [self.brick.hardware.motors[port].count for port in (LEFT, RIGHT)]
+
+
+@pytest.mark.needs("module:nxt")
+@pytest.mark.parametrize("volts", [(6.0, -6.0), (0.4, 0.4), (0.1, -8.0)])
+def test_an_nxt_that_hears_nothing_stops_motors_that_turn(volts: tuple[float, float]) -> None:
+    """After half a second, or 10° where that is more; 1 % fades in a millisecond, in 50 ms on average at full duty."""
+    bench = Bench()
+    with Line(bench.brick) as line:
+        body = NxtBody(ROBOT, line.path, wait=bench.wait)
+        body.reset()
+        for _ in range(30):  # orders in time renew it, without a gap: the ends do not add up either
+            body.step(volts)
+        assert all(bench.duties())
+        before = bench.turned()
+        line.cut()
+    bench.wait(1.3)
+    assert bench.duties() == [0, 0]
+    for u, a, b in zip(volts, before, bench.turned(), strict=True):
+        half_second = 0.5 * 980 * abs(u) / 8
+        assert 0 < (b - a) * math.copysign(1, u) <= max(half_second, 10) * 1.05 + 980 * 0.05 * abs(u) / 8 + 1
+    with pytest.raises(BrickLost):
+        body.step(volts)
+    body.close()
+
+
+@pytest.mark.needs("module:nxt")
+def test_orders_in_time_drive_an_nxt_without_a_gap() -> None:
+    bench = Bench()
+    with Line(bench.brick) as line:
+        body = NxtBody(ROBOT, line.path, wait=bench.wait)
+        body.reset()
+        for volts in (4.0, 8.0, -8.0, -0.8, 0.8, 4.0):  # less, more, the other way
+            bench.least = 100
+            for _ in range(20):
+                body.step((volts, volts))
+            assert bench.least == round(100 * abs(volts) / 8)
+        body.step((0.0, 0.0))
+        assert bench.duties() == [0, 0]
+        body.close()
+
+
+@pytest.mark.needs("module:nxt")
+def test_a_blocked_motor_of_an_nxt_keeps_its_duty_and_stops_once_it_is_free() -> None:
+    bench = Bench()
+    with Line(bench.brick) as line:
+        body = NxtBody(ROBOT, line.path, wait=bench.wait)
+        body.reset()
+        bench.blocked = True
+        for _ in range(60):
+            body.step((2.0, 2.0))
+        line.cut()
+    bench.wait(5.0)
+    assert bench.duties() == [25, 25]
+    bench.blocked = False
+    bench.wait(1.1)  # twice its half second, as the ends of blocked orders creep on, and 25 ms
+    assert bench.duties() == [0, 0]
+    body.close()
+
+
+def test_the_virtual_brick_takes_a_tacho_limit_as_lego_s_firmware_does() -> None:
+    """A limit counts from where the last one ended, and from the motor after an order without one (d_output.c)."""
+    brick = VirtualBrick()
+    motor = brick.hardware.motors[0]
+
+    def order(power: int, limit: int) -> None:
+        brick.telegram(struct.pack("<BBBbBBbBI", 0x80, 4, 0, power, 3, 0, 0, 0x20, limit))
+
+    def stops_at() -> int:
+        while motor.state:
+            motor.count += 1 if motor.power > 0 else -1
+            brick.hardware.tick(1)
+        return motor.count
+
+    order(50, 100)
+    order(50, 100)
+    assert stops_at() == 200  # they add up
+    assert motor.duty == 50  # and fades by 1 % a millisecond
+    brick.hardware.tick(30)
+    assert motor.duty == 20
+    brick.hardware.tick(30)
+    assert motor.duty == 0
+    motor.count = 500  # turned by hand
+    order(50, 100)
+    assert stops_at() == 501  # the end is behind it: at once
+    order(-50, 0)
+    brick.hardware.tick(1)  # its end goes along
+    order(-50, 100)
+    assert stops_at() == 401
 
 
 @pytest.mark.needs("module:pybricksdev", "module:micropython_unix")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from dataclasses import dataclass
 
 from upright.bodies.body import REST, Sample, checked
 from upright.bodies.brick_link import GYRO, GYRO_KIND, LEFT, RIGHT, BrickLost, BrickRefused, Connection
@@ -16,14 +17,51 @@ PERIOD = 0.1  # [s]: six telegrams a step, of 10 to 15 ms each over the cable
 FRESH = 9.6  # [V] of six fresh cells
 MOTORS = [LEFT, RIGHT]
 
+REACH = 5
+"""[° per % of duty] a motor may turn without a new order: 0.5 s, five periods, at its no-load speed of 980 °/s on 8 V
+(a back EMF of 0.468 V s/rad: Watanabe 2007)."""
+LEAST_REACH = 10  # [°] a motor may always turn
+
+
+@dataclass
+class Leash:
+    """Where the brick will stop a motor by itself: at `end` [°], None as long as that is not known.
+
+    The brick adds every limit to the end of the one before, so that an order is given what its end lies short of."""
+
+    end: int | None = None
+
+    def order(self, power: int, at: int) -> tuple[int, bool]:
+        """(limit [°], whether it must begin afresh) for a motor that is to get `power` [%] and stands `at` [°]."""
+        if not power:
+            return 0, False  # nothing to stop, and it leaves the end where it is
+        way, reach = (1 if power > 0 else -1), self._reach(power)
+        if self.end is None or (more := reach - way * (self.end - at)) < -reach:
+            return reach, True  # an end too far ahead cannot be called back
+        self.end += way * max(1, more)  # a limit of 0 would be none
+        return max(1, more), False
+
+    def begin(self, power: int, at: int) -> None:
+        """A fresh order was taken `at` [°]."""
+        self.end = at + (1 if power > 0 else -1) * self._reach(power)
+
+    @staticmethod
+    def _reach(power: int) -> int:
+        return max(LEAST_REACH, REACH * abs(power))
+
 
 class NxtBody:
     """`robot` on an NXT at `port` (usb, or a device such as /dev/rfcomm0), its gyro in input 1, motors at C and B.
 
     Every `PERIOD` both motors get a duty and are read: far too slow for balancing, good for measuring motors and
     sensors on a robot that lies or hangs. There is no truth, it cannot be put into a state, and nothing tells whether
-    it has fallen. Where the cable comes out, motors keep their last duty: only the brick itself can stop them then.
-    `late` counts steps that took longer than their period.
+    it has fallen. `late` counts steps that took longer than their period.
+
+    Where no order comes, as when the cable is out, the brick stops each motor by itself: an order holds until the motor
+    has turned by `REACH` times its duty or `LEAST_REACH`, at most twice that, and then the motor coasts. A motor that
+    is blocked, or too weak to turn, keeps its duty: no program runs there that could tell. The first order after a
+    `reset`, and one with much less duty than the one before, is without a limit until the brick has answered once
+    (some milliseconds, over Bluetooth some tens).
 
     It connects at the first `reset`, for a second of which it must be still. `wait(seconds)` is how a virtual brick
     lets time pass; without it time passes by itself. Raises `SpecMismatch`, and like `Connection`.
@@ -34,6 +72,7 @@ class NxtBody:
         self.spec = remote_spec(kind, robot, PERIOD, FRESH, real=wait is None)
         self.late, self._port, self._wait, self._brick = 0, port, wait, None
         self._steps, self._offset, self._battery, self._tick = 0, 0.0, 0.0, 0.0
+        self._leashes, self._turned = [Leash() for _ in MOTORS], [0 for _ in MOTORS]
 
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (hardware makes its own noise)
         at_rest(start, self.spec.kind)
@@ -41,6 +80,7 @@ class NxtBody:
         brick.ask("release", ports=MOTORS)
         brick.ask("sensor", port=GYRO, kind=GYRO_KIND)
         self._steps, self.late, self._offset, self._tick = 0, 0, 0.0, time.monotonic()
+        self._leashes = [Leash() for _ in MOTORS]
         seen = [self._look() for _ in range(STILL)]
         self._offset = sum(reading.gyro for reading in seen) / STILL
         self._battery, self._tick = seen[-1].battery, time.monotonic()
@@ -49,7 +89,7 @@ class NxtBody:
     def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
         duties = [duty(volts, self._battery) for volts in checked(command, 2, "command")]
         unpushed(disturbance, self.spec.kind)
-        self._connected().ask("drive", ports=MOTORS, powers=duties)
+        self._drive(duties)
         self._pass()
         reading = self._look()
         self._steps, self._battery = self._steps + 1, reading.battery
@@ -69,13 +109,23 @@ class NxtBody:
             self._brick = Connection(self._port)
         return self._brick
 
+    def _drive(self, duties: Sequence[int]) -> None:
+        orders = [leash.order(d, at) for leash, d, at in zip(self._leashes, duties, self._turned, strict=True)]
+        limits, fresh = [limit for limit, _ in orders], [new for _, new in orders]
+        begun = self._connected().ask("drive", ports=MOTORS, powers=duties, limits=limits, fresh=fresh)
+        for leash, power, new, at in zip(self._leashes, duties, fresh, begun, strict=True):
+            if new:
+                leash.begin(power, at)
+
     def _look(self) -> Reading:
         left, right, gyro, battery = self._connected().ask("look", motors=MOTORS, gyro=GYRO)
+        self._turned = [left, right]
         return Reading(left, right, gyro, battery / 1000)
 
     def _pass(self) -> None:
         """Wait for the end of the period."""
         if self._wait:
+            self._connected().ask("battery")  # an answer says that the orders have arrived: no time passes before
             self._wait(PERIOD)
             return
         self._tick += PERIOD

@@ -68,13 +68,25 @@ def sensor(brick: Any, port: int, kind: int) -> int:
     return int(brick.get_input_values(where)[5])
 
 
-def drive(brick: Any, ports: list[int], powers: list[int]) -> None:
-    """Give motors their duty [%], which they keep until they get another."""
+def drive(brick: Any, ports: list[int], powers: list[int], limits: list[int], fresh: list[bool]) -> list[int]:
+    """Give motors their duty [%], which they keep until they have turned by their limit [deg] (0: for ever).
+
+    A brick adds a limit to where the last one ended; a `fresh` motor first runs without one, which makes it begin where
+    the motor is. Returns how far each fresh motor had turned there [deg], and 0 of the others.
+    """
     from nxt.motor import Mode, Port, RegulationMode, RunState  # pyright: ignore[reportMissingImports]
 
-    for port, power in zip(ports, powers, strict=True):
-        state = RunState.RUNNING if power else RunState.IDLE
-        brick.set_output_state(Port(port), power, Mode.ON | Mode.BRAKE, RegulationMode.IDLE, 0, state, 0)
+    def order(i: int, limit: int) -> None:
+        how = Mode.ON | Mode.BRAKE, RegulationMode.IDLE, 0, RunState.RUNNING
+        brick.set_output_state(Port(ports[i]), powers[i], *how, limit)
+
+    for i, new in enumerate(fresh):
+        order(i, 0 if new else limits[i])
+    turned = [int(brick.get_output_state(Port(port))[-1]) if new else 0 for port, new in zip(ports, fresh, strict=True)]
+    for i, new in enumerate(fresh):
+        if new:  # the answer above says that the order without a limit has been taken
+            order(i, limits[i])
+    return turned
 
 
 def release(brick: Any, ports: list[int]) -> None:
@@ -105,8 +117,13 @@ def firmware(brick: Any) -> list[int]:
     return [int(part) for part in brick.get_firmware_version()[1]]
 
 
+def free(brick: Any) -> int:
+    """The largest file [B] that the brick still has room for."""
+    return int(brick.get_device_info()[-1])
+
+
 def files(brick: Any) -> list[list[Any]]:
-    """Name and size of every file."""
+    """Name and size of every file, the size that it was opened for."""
     return [list(found) for found in brick.find_files("*.*")]
 
 
@@ -116,7 +133,8 @@ def start(brick: Any, name: str) -> None:
 
 
 REQUESTS: dict[str, Callable[..., Any]] = {
-    f.__name__: f for f in (upload, fetch, running, start, stop, sensor, drive, release, look, battery, firmware, files)
+    f.__name__: f
+    for f in (upload, fetch, running, start, stop, sensor, drive, release, look, battery, firmware, free, files)
 }
 """Name of a request → what does it with the brick."""
 

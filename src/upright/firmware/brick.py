@@ -39,18 +39,48 @@ class Port:
 
 @dataclass
 class Motor:
-    """An output: `power` [%] while it is on, and the `count` [°] of its encoder; resets only move `zero`."""
+    """An output: `power` [%] while it is on, and the `count` [°] of its encoder; resets only move `zero`.
+
+    Its tacho limit is that of LEGO's published firmware for unregulated motors (d_output.c: dOutputSetTachoLimit,
+    dOutputTachoLimitControl, dOutputMotorIdleControl), which looks at it every millisecond in the run state "running".
+    A limit moves the `end` of the turn on, from the last end and not from where the motor is; without one (0) the end
+    goes along with the motor. At the end the run state falls to idle, and the duty to nothing by 1 % a millisecond
+    (`fading`), with the motor left to coast. Left out: regulated and synchronised motors, and that an order to be
+    idle fades as well; here it acts at once.
+    """
 
     mode: int = 0
     power: int = 0
     state: int = 0
     count: int = 0
     zero: int = 0
+    limit: int = 0
+    end: int = 0
+    fading: int = 0
+
+    @property
+    def running(self) -> bool:
+        return bool(self.mode & MOTOR_ON and self.state & RUNNING)
 
     @property
     def duty(self) -> int:
-        """What the motor gets [%]: nothing unless it is on and running."""
-        return self.power if self.mode & MOTOR_ON and self.state & RUNNING else 0
+        """What the motor gets [%]: nothing unless it is on and running, but for what is left after its limit."""
+        return self.power if self.running else self.fading
+
+    def turn(self, limit: int) -> None:
+        """Take an order's tacho limit [°], after its power."""
+        self.limit = limit
+        self.end += limit if self.power > 0 else -limit
+
+    def tick(self, milliseconds: int) -> None:
+        """What the firmware does meanwhile."""
+        if not self.running:
+            left = max(0, abs(self.fading) - milliseconds)
+            self.fading = left if self.fading > 0 else -left
+        elif self.power and not self.limit:
+            self.end = self.count
+        elif self.power and (self.count - self.end) * self.power >= 0:
+            self.state, self.fading = 0, self.power
 
 
 @dataclass
@@ -153,8 +183,13 @@ class Hardware:
     def stop(self) -> None:
         """What the firmware does when a program ends, however it ends: motors off, files closed."""
         for motor in self.motors:
-            motor.mode = motor.power = motor.state = 0
+            motor.mode = motor.power = motor.state = motor.limit = motor.fading = 0
         self.flash.close_all()
+
+    def tick(self, milliseconds: int) -> None:
+        """Let the firmware look at its motors."""
+        for motor in self.motors:
+            motor.tick(milliseconds)
 
     def get_input(self, port: int, item: int) -> int:
         found = self._port(port)
@@ -171,6 +206,7 @@ class Hardware:
         motor = self._motor(port)
         turned = motor.count - motor.zero
         values = {OUT_MODE: motor.mode, POWER: motor.power, ACTUAL: motor.duty, RUN_STATE: motor.state}
+        values |= {TACHO_LIMIT: motor.limit}
         return turned if item in (TACHO, BLOCK_TACHO, ROTATION) else values.get(item, 0)
 
     def set_output(self, ports: Sequence[int], settings: Sequence[tuple[int, int]]) -> None:
@@ -181,7 +217,7 @@ class Hardware:
                 elif item == OUT_MODE:
                     motor.mode = value
                 elif item == RUN_STATE:
-                    motor.state = value
+                    motor.state, motor.fading = value, 0
                 elif item == FLAGS and value & (RESET_TACHO | RESET_BLOCK | RESET_ROTATION):
                     motor.zero = motor.count
 

@@ -50,6 +50,7 @@ class VirtualBrick:
         """The reply to one telegram; nothing where none is wanted."""
         if self.silent or len(data) < 2:
             return b""
+        self.hardware.tick(1)  # the firmware takes one telegram in a round of a millisecond
         command = COMMANDS.get((data[0] & 1, data[1]))
         try:
             status, results = (UNKNOWN, b"") if command is None else command(self, data[2:])
@@ -149,8 +150,8 @@ def _found(brick: VirtualBrick, handle: int) -> Answer:
     names = brick.searches.get(handle, [])
     if not names:
         return NOT_FOUND, bytes([handle]) + bytes(24)
-    name = names.pop(0)
-    return OK, bytes([handle]) + _padded(name) + struct.pack("<I", len(brick.hardware.flash.files[name]))
+    name = names.pop(0)  # with the size it was opened for, as d_loader.c (dLoaderFindNext) has it
+    return OK, bytes([handle]) + _padded(name) + struct.pack("<I", brick.hardware.flash.sizes[name])
 
 
 def _version(brick: VirtualBrick, data: bytes) -> Answer:
@@ -182,16 +183,18 @@ def _program_name(brick: VirtualBrick, data: bytes) -> Answer:
 
 def _set_output(brick: VirtualBrick, data: bytes) -> Answer:
     port, power, mode, regulation, turn, state, limit = struct.unpack_from("<BbBBbBI", data)
-    del regulation, turn, limit
+    del regulation, turn
     ports = range(3) if port == 0xFF else (port,)
     brick.hardware.set_output(ports, [(2, power), (1, mode), (6, state)])
+    for number in ports:
+        brick.hardware.motors[number].turn(limit)
     return OK, b""
 
 
 def _get_output(brick: VirtualBrick, data: bytes) -> Answer:
     port, hardware = data[0], brick.hardware
-    power, mode, state, turned = (hardware.get_output(port, item) for item in (2, 1, 6, 4))
-    return OK, struct.pack("<BbBBbBIiii", port, power, mode, 0, 0, state, 0, turned, turned, turned)
+    power, mode, state, limit, turned = (hardware.get_output(port, item) for item in (2, 1, 6, 5, 4))
+    return OK, struct.pack("<BbBBbBIiii", port, power, mode, 0, 0, state, limit, turned, turned, turned)
 
 
 def _set_input(brick: VirtualBrick, data: bytes) -> Answer:

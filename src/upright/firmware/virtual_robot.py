@@ -38,6 +38,7 @@ class VirtualRobot:
             duties = (motors[LEFT].duty, motors[RIGHT].duty)
             self.world.step(duties, any(motor.mode for motor in motors))
             feel(self._hardware, self.world.raw())
+            self._hardware.tick(self._period // 1000)
 
     def wait(self, seconds: float) -> None:
         """Let that time [s] pass while the brick runs no program."""
