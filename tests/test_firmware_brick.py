@@ -297,6 +297,28 @@ def test_what_is_not_ready_is_not_driven(
     assert motors_are_off(virtual)
 
 
+@pytest.mark.needs("module:nxt")
+def test_a_log_that_does_not_fit_is_said_before_the_start(tmp_path: Path, virtual: VirtualFlight) -> None:
+    """60 s are 6000 rows of 7 integers and a head; the mend fits, and what the last log takes counts as free."""
+    source, made = written(tmp_path, "nxc", seconds=60)
+    flash = virtual.brick.hardware.flash
+    program = len(compile_nxc(source, tmp_path).read_bytes())
+    flash.capacity = 50_000 + program
+    flash.create("music.rso", 10_000)
+    with pytest.raises(FlightRefused, match=r"6000 rows, 84200 bytes, and the brick has 40000 free") as caught:
+        fly(source, made.program, virtual.path, 1.0, clock=virtual.clock)
+    assert "\n" not in str(caught.value)
+    assert "upright firmware --seconds 28" in str(caught.value)  # 28 s · 100 rows/s · 14 bytes + 200 = 39400
+    assert virtual.brick.machine is None
+    assert motors_are_off(virtual)
+    flash.create(f"{ROBOT.name}.log", 39_400)
+    with pytest.raises(FlightRefused, match="40000 free"):
+        fly(source, made.program, virtual.path, 1.0, clock=virtual.clock)
+    shorter, made = written(tmp_path, "nxc", seconds=28)
+    virtual.line.until = 1.5
+    assert fly(shorter, made.program, virtual.path, 1.5, clock=virtual.clock).log is not None
+
+
 def test_a_brick_that_is_not_there_is_one_line() -> None:
     with pytest.raises(BrickLost, match=r"no brick at /dev/nothing") as caught:
         Connection("/dev/nothing")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
 import time
 from collections.abc import Callable
@@ -13,7 +14,7 @@ from upright.bodies.brick_link import GYRO, GYRO_KIND, REST, BrickLost, BrickRef
 from upright.errors import UprightError
 from upright.firmware.execute_nxc import compile_nxc
 from upright.firmware.generate import longest_run
-from upright.firmware.logs import BRICK, ProgramLog, read_brick_log
+from upright.firmware.logs import BRICK, BRICK_ROW, ProgramLog, read_brick_log
 from upright.firmware.program import Program
 
 FIRMWARE = ([1, 28], [1, 29], [1, 31], [1, 32])
@@ -21,6 +22,7 @@ FIRMWARE = ([1, 28], [1, 29], [1, 31], [1, 32])
 
 LEAST_BATTERY = 6000  # [mV] below which six cells hardly turn the motors
 GYRO_MARGIN = 150  # a resting gyro reads 600 within this; 1023 is an empty port
+LOG_HEAD = 200  # bytes of a log that are no rows, as the program opens it
 LOOK = 0.2  # [s] from one look at the program to the next
 STOPS = 3  # times that stopping is tried
 
@@ -60,6 +62,7 @@ def fly(
     with Connection(port) as brick:
         ready(brick)
         brick.upload(name, binary)
+        room(brick, source.read_text("utf-8"), program.period)
         began = clock()
         brick.ask("start", name=name)
         try:
@@ -102,6 +105,24 @@ def ready(brick: Connection) -> None:
             f"input {GYRO + 1} reads {reads}", expected=f"{REST} or so from a gyro at rest",
             likely="the gyro is in another port, or the robot moves", mend=f"put it into port {GYRO + 1}, hold still",
         )  # fmt: skip
+
+
+def room(brick: Connection, text: str, period: float) -> None:
+    """Refuse a brick whose flash has no room for the log that the program `text` opens; what a log of that name takes
+    counts as free, since the program deletes it."""
+    opened = re.search(r'CreateFile\("(.+)", (\d+),', text)
+    if opened is None:
+        return
+    name, needs, row = opened[1], int(opened[2]), 2 * BRICK_ROW
+    free = brick.ask("free") + sum(taken for found, taken in brick.ask("files") if found == name)
+    if free >= needs:
+        return
+    seconds = int((free - LOG_HEAD) // row * period)
+    shorter = f", or make one that drives shorter: upright firmware --seconds {seconds}" if seconds > 0 else ""
+    raise FlightRefused(
+        f"the program's log needs {(needs - LOG_HEAD) // row} rows, {needs} bytes, and the brick has {free} free",
+        likely="other files fill its flash", mend=f"delete files on it{shorter}",
+    )  # fmt: skip
 
 
 def bring_home(brick: Connection, program: Program, flight: Flight, where: str = BRICK) -> None:
