@@ -22,6 +22,7 @@ from upright.identify.calibration import HELD, VISIBLE, Calibration
 from upright.identify.fitting import normal_equations, objective
 from upright.identify.parameters import ROLL_SHARE, parameters_of, with_values
 from upright.identify.recording import record
+from upright.identify.side_by_side import side_by_side
 from upright.physics.dynamics import derivative
 from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Robot
@@ -381,3 +382,16 @@ def test_the_whole_loop_of_twipr_runs_freely_for_ten_seconds(shared: Path) -> No
     fits = closed_loop(of_twipr(path), raw_log(path), law)
     assert fits["pitch"] > 0.9
     assert fits["wheel rate"] > 0.8
+
+
+def _doubled() -> list[int]:
+    return side_by_side(lambda n: 2 * n, range(4))
+
+
+def test_a_forked_process_has_threads_of_its_own() -> None:
+    """Threads do not follow into a fork: work handed to them there would wait for ever."""
+    import multiprocessing
+
+    assert _doubled() == [0, 2, 4, 6]
+    with multiprocessing.get_context("fork").Pool(1) as pool:
+        assert pool.apply_async(_doubled).get(timeout=60) == [0, 2, 4, 6]
