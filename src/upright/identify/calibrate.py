@@ -45,6 +45,7 @@ TRIED = ((0.003, 1.0), (0.03, 16.0), (0.03, 1e6), (0.1, 256.0), (0.3, 1e6))
 """(share, largest sensor variance over the kit's) tried where innovations are not white: the one wins under which the
 robot simulated freely follows the log farthest."""
 
+SAME = 0.02  # by which a weight of the readings may change without another fit
 WHITE = 0.15
 """Autocorrelation of innovations below which the model is taken for right."""
 
@@ -254,8 +255,11 @@ def _settled(problem: Problem, z: Array, bounds: Bounds) -> Fit:
 
 
 def _polished(fit: Fit, bounds: Bounds) -> Fit:
-    """The same in fine steps."""
-    problem = learn_noise(replace(fit[0], fine=True), fit[1], bounds, iterations=2)
+    """The same in fine steps, where these are finer."""
+    fine = replace(fit[0], fine=True)
+    if fine.longest == fit[0].longest:
+        return fit
+    problem = learn_noise(fine, fit[1], bounds, iterations=2)
     return (problem, *gauss_newton(problem, fit[1], iterations=10))
 
 
@@ -264,9 +268,11 @@ def _tempered(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path])
     prior."""
     from upright.identify.informativity import independent_share
 
-    problem = replace(problem, fine=True)
+    longest, problem = problem.longest, replace(problem, fine=True)
     for _ in range(2):
         share = independent_share(problem, normal, paths)
-        problem = replace(problem, temper=share)
+        if abs(share / problem.temper - 1) < SAME and problem.longest == longest:
+            break
+        problem, longest = replace(problem, temper=share), problem.longest
         z, normal, paths = gauss_newton(problem, z, iterations=10)
     return problem, z, normal, paths
