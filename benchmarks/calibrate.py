@@ -28,6 +28,7 @@ from upright.experiment import run
 from upright.identify.calibrate import annealed, calibrate, prepared, refined
 from upright.identify.calibration import VISIBLE
 from upright.identify.fitting import Problem
+from upright.identify.gauss_newton import gauss_newton
 from upright.identify.recording import SENSOR
 from upright.identify.summary import rolling_pole
 from upright.physics.dynamics import derivative
@@ -168,6 +169,8 @@ def scipy_time(problem: Problem, limits: dict[str, float], whole: bool) -> None:
     from upright.identify.predictor import innovations
 
     settled, z, _, _ = refined(*annealed(problem, limits), limits)
+    same, _ = best_of(5, lambda: gauss_newton(settled, np.zeros(len(z)), iterations=20))
+    print(f"its one fit at known noise from the prior, as SciPy's below: {same:.3f} s")
     recording = settled.recordings[0]
     path = settled.filtered(recording, z)
     use = (recording.kind >= 0) & np.isfinite(path.s)
@@ -200,7 +203,8 @@ def scipy_time(problem: Problem, limits: dict[str, float], whole: bool) -> None:
 
         start = time.perf_counter()
         found = least_squares(slow, np.zeros(len(z)), bounds=bounds, diff_step=1e-4)
-        print(f"the whole of it over solve_ivp, run: {time.perf_counter() - start:.0f} s, {found.nfev} steps")
+        took = time.perf_counter() - start
+        print(f"the whole of it over solve_ivp, run: {took:.0f} s, {found.nfev} steps: {took / same:.0f} times as long")
 
 
 def solve_ivp_pass(problem: Problem, z: np.ndarray, gains: np.ndarray) -> np.ndarray:
