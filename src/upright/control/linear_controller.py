@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any, Protocol
@@ -93,9 +94,9 @@ class LinearController:
         try:
             y[:] = measurement
             r[:] = reference
-        except (TypeError, ValueError):  # lists, whole numbers
-            y[:] = np.array(measurement, dtype=np.float64)
-            r[:] = np.array(reference, dtype=np.float64)
+        except (TypeError, ValueError):  # lists, whole numbers, and arrays whose byte order is spelled out
+            y[:] = array("d", measurement)
+            r[:] = array("d", reference)
         self._dot(w, result)
         self._now, self._next = self._next, self._now
         return u[0], u[1]
