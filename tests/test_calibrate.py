@@ -342,12 +342,14 @@ def test_balanc3r_is_too_quiet_for_an_inertia(shared: Path) -> None:
 
 @pytest.mark.needs("shared/data/ev3way")
 def test_ev3way_has_a_late_gyro(shared: Path) -> None:
-    """22 ms by its README; back-EMF between 0.44 and 0.52 V s/rad."""
+    """22 ms by its README; 20 ms after the encoders, where the doctor's pendulum law fits best, a route of its own;
+    back-EMF between 0.44 and 0.52 V s/rad."""
     from upright.identify.raw import raw_log
 
     log = raw_log(shared / "data/ev3way/tilt_000.csv").between(0.0, 7.4)
     found = calibrate(log, Robot.preset("ev3way"))
-    assert found["delay/gyro−encoder"].value == pytest.approx(0.022, abs=0.004)
+    assert found["delay/gyro"].value == pytest.approx(0.022, abs=0.004)
+    assert found["delay/gyro−encoder"].low < 0.020 < found["delay/gyro−encoder"].high
     assert 0.44 < found["back_emf"].value < 0.52
 
 

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from upright.errors import DesignFailed, InvalidLog
 from upright.identify.calibration import Calibration
 from upright.identify.electronics import electronics_of
-from upright.identify.fitting import Normal, Path, Problem, objective
+from upright.identify.fitting import Normal, Path, Problem, normal_equations, objective
 from upright.identify.gauss_newton import gauss_newton
 from upright.identify.informativity import INERTIAL, too_quiet
 from upright.identify.noise import Bounds, learn_noise
@@ -44,6 +44,9 @@ FREEDOM = 0.015
 TRIED = ((0.003, 1.0), (0.03, 16.0), (0.03, 1e6), (0.1, 256.0), (0.3, 1e6))
 """(share, largest sensor variance over the kit's) tried where innovations are not white: the one wins under which the
 robot simulated freely follows the log farthest."""
+
+MUCH, FARTHER = 0.1, 0.02
+"""Weight of the readings below which a prior may outweigh them, and how much of R² it may then cost."""
 
 SAME = 0.02  # by which a weight of the readings may change without another fit
 WHITE = 0.15
@@ -265,14 +268,18 @@ def _polished(fit: Fit, bounds: Bounds) -> Fit:
 
 def _tempered(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> Fit:
     """The same fit in fine steps, with readings that count as little as their scores' correlation says, against the
-    prior."""
+    prior. Where the prior then draws the fit away from what foretells the log, the fit stays and only widens."""
     from upright.identify.informativity import independent_share
+    from upright.identify.validate import score
 
-    longest, problem = problem.longest, replace(problem, fine=True)
+    longest, problem, first = problem.longest, replace(problem, fine=True), z
     for _ in range(2):
         share = independent_share(problem, normal, paths)
         if abs(share / problem.temper - 1) < SAME and problem.longest == longest:
             break
         problem, longest = replace(problem, temper=share), problem.longest
         z, normal, paths = gauss_newton(problem, z, iterations=10)
+    if problem.temper < MUCH and score(problem, z) < score(problem, first) - FARTHER:
+        value, paths = objective(problem, first)
+        return problem, first, normal_equations(problem, first, paths, value), paths
     return problem, z, normal, paths
