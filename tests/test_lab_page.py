@@ -453,6 +453,7 @@ def test_the_accessibility_tree_names_everything(page):
     spoken = {"button", "checkbox", "combobox", "slider", "spinbutton", "textbox", "tab", "tablist", "image", "img"}
     spoken |= {"progressbar", "dialog", "region", "tabpanel", "link", "figure"}
     session = page.context.new_cdp_session(page)
+    until(page, "!!upright.store.analysed")  # See then has its drawings
     for name in ("Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour"):
         tab(page, name)
         nodes = [node for node in session.send("Accessibility.getFullAXTree")["nodes"] if not node["ignored"]]

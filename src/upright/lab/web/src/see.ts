@@ -143,7 +143,7 @@ export function sentence(words: string): string {
 }
 
 function titled(title: string, ...drawings: Node[]): HTMLElement {
-  return h("figure", { className: "titled" }, h("figcaption", {}, title), ...drawings);
+  return h("figure", { className: "titled", "aria-label": title }, h("figcaption", {}, title), ...drawings);
 }
 
 function unwrapped(phase: number[]): number[] {
