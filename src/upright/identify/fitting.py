@@ -102,12 +102,8 @@ class Problem:
 
     def by_parameter(self, z: Array) -> tuple[Array, Array]:
         """The coefficients (coefficients,) at z (parameters,), and their slopes (coefficients, parameters)."""
-        n = len(z)
-        lanes = np.repeat(z[:, None], 2 * n + 1, axis=1)
-        lanes[np.arange(n), np.arange(n)] += NUDGE
-        lanes[np.arange(n), n + np.arange(n)] -= NUDGE
-        q = self.coefficients(lanes)
-        return q[:, -1], (q[:, :n] - q[:, n:-1]) / (2 * NUDGE)
+        q = self.coefficients(around(z))
+        return q[:, -1], slopes_of(q)
 
     def built(self, recording: Recording, q: Array) -> tuple[Array, Array, Array]:
         """Reading matrix, delays of the rows, and constants with what drives them, of the coefficients q."""
@@ -189,6 +185,21 @@ class Problem:
         return self.felt_slopes(recording, q, unit, gains, rows) @ (C[rows] / unit[rows, None])
 
 
+def around(z: Array) -> Array:
+    """Lanes (n, 2n + 1) a nudge above z (n,) in each parameter, then a nudge below, then z."""
+    n = len(z)
+    lanes = np.repeat(z[:, None], 2 * n + 1, axis=1)
+    lanes[np.arange(n), np.arange(n)] += NUDGE
+    lanes[np.arange(n), n + np.arange(n)] -= NUDGE
+    return lanes
+
+
+def slopes_of(values: Array) -> Array:
+    """By z (..., n), of what the lanes of `around` give (..., 2n + 1)."""
+    n = (values.shape[-1] - 1) // 2
+    return (values[..., :n] - values[..., n:-1]) / (2 * NUDGE)
+
+
 def units(C: Array) -> tuple[Array, list[int]]:
     """How far the prior lets each coefficient be off (coefficients,), from its slopes C (coefficients, parameters), and
     the rows of those that move and are felt."""
@@ -216,8 +227,13 @@ class Normal:
 
     @property
     def weight(self) -> Array:
-        """How much each innovation counts: one, and less beyond `OUTLIER`."""
-        return np.minimum(1.0, OUTLIER / np.maximum(np.abs(self.whitened), 1e-12))
+        """How much each innovation counts."""
+        return huber_weight(self.whitened)
+
+
+def huber_weight(whitened: Array) -> Array:
+    """One, and less beyond `OUTLIER`."""
+    return np.minimum(1.0, OUTLIER / np.maximum(np.abs(whitened), 1e-12))
 
 
 def fitted_readings(recording: Recording, path: Path) -> NDArray[np.bool_]:
@@ -255,7 +271,7 @@ def normal_equations(problem: Problem, z: Array, paths: Sequence[Path], value: f
     r, felt = np.concatenate(whites), np.concatenate(parts)
     by_parameter = C[rows] / unit[rows, None]
     J = felt @ by_parameter
-    weight = np.minimum(1.0, OUTLIER / np.maximum(np.abs(r), 1e-12))
+    weight = huber_weight(r)
     gradient = z + problem.temper * (J.T @ (weight * r))
     hessian = np.eye(len(z)) + problem.temper * by_parameter.T @ (felt.T @ (weight[:, None] * felt)) @ by_parameter
     return Normal(value, gradient, hessian, r, J, felt, rows, unit)

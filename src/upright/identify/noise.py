@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.identify.fitting import OUTLIER, Problem
+from upright.identify.fitting import OUTLIER, Problem, huber_weight
 from upright.identify.parameters import rows_of
 from upright.identify.side_by_side import side_by_side
 
@@ -73,8 +73,7 @@ def _noise_objective(problem: Problem, z: Array, names: Sequence[str], eta: Arra
 def _robust(e: Array, s: Array) -> tuple[Array, Array]:
     """Huber's loss, twice, and the weight that belongs to it."""
     r2 = e**2 / s
-    weight = np.minimum(1.0, OUTLIER / np.sqrt(np.maximum(r2, 1e-12)))
-    return np.where(r2 > OUTLIER**2, 2 * OUTLIER * np.sqrt(r2) - OUTLIER**2, r2), weight
+    return np.where(r2 > OUTLIER**2, 2 * OUTLIER * np.sqrt(r2) - OUTLIER**2, r2), huber_weight(np.sqrt(r2))
 
 
 def _noise_score(problem: Problem, z: Array, names: Sequence[str], eta: Array) -> tuple[float, Array, Array]:

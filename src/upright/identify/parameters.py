@@ -149,7 +149,7 @@ def columns(robot: Robot, parameters: Sequence[Parameter], z: Array) -> Any:
     values = {p.name: p.value(z[i]) for i, p in enumerate(parameters)}
     full = {name: values.get(name, np.full(z.shape[1], value)) for name, value in robot.numbers().items()}
     changed = _Numbers(**full)
-    share = values.get(ROLL_SHARE, _roll_share(robot).prior)
+    share = values[ROLL_SHARE] if ROLL_SHARE in values else _roll_share(robot).prior
     return dataclasses.replace(changed, roll_inertia=roll_inertia(changed, share))
 
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from upright.identify.calibration import BOUND, HELD, PRIOR, SURPRISE, VISIBLE, Calibration, Estimate
 from upright.identify.electronics import MEANING
-from upright.identify.fitting import NUDGE, Normal, Path, Problem
+from upright.identify.fitting import Normal, Path, Problem, around, slopes_of
 from upright.identify.informativity import equation_error, posterior, unseen_directions
 from upright.identify.parameters import ROLL_SHARE, Parameter, columns, with_values
 from upright.identify.validate import segments, steps_ahead, whiteness
@@ -83,30 +83,15 @@ def _estimate(p: Parameter, z: float, spread: float, held: bool) -> Estimate:
 
 def _in_units(problem: Problem, z: Array, C: Array) -> tuple[tuple[str, ...], Array]:
     """Names and covariance (n, n) of what was fitted, with the roll inertia in place of its share."""
-    lanes = _around(z)
+    lanes = around(z)
     roll = columns(problem.robot, problem.parameters, lanes).roll_inertia
     values = {p.name: p.value(lanes[i]) for i, p in enumerate(problem.parameters)}
     if ROLL_SHARE in values:
         values = {
             ("roll_inertia" if n == ROLL_SHARE else n): (roll if n == ROLL_SHARE else v) for n, v in values.items()
         }
-    slopes = np.array([_gradient(v) for v in values.values()])
+    slopes = np.array([slopes_of(v) for v in values.values()])
     return tuple(values), slopes @ C @ slopes.T
-
-
-def _around(z: Array) -> Array:
-    """Lanes (n, 2n + 1) a nudge above z in each parameter, then a nudge below, then z."""
-    n = len(z)
-    lanes = np.repeat(z[:, None], 2 * n + 1, axis=1)
-    lanes[np.arange(n), np.arange(n)] += NUDGE
-    lanes[np.arange(n), n + np.arange(n)] -= NUDGE
-    return lanes
-
-
-def _gradient(values: Array) -> Array:
-    """By z (n,), of the values of those lanes."""
-    n = (len(values) - 1) // 2
-    return (values[:n] - values[n : 2 * n]) / (2 * NUDGE)
 
 
 def _roll_inertia(problem: Problem, roll: Estimate) -> Estimate:
@@ -125,7 +110,7 @@ def _calibrated(problem: Problem, z: Array, every: Sequence[Estimate], sources: 
 
 def _combined(problem: Problem, z: Array, C: Array) -> tuple[Estimate, ...]:
     """Each combination by its logarithm's gradient, with the prior's own deviation beside it."""
-    lanes = _around(z)
+    lanes = around(z)
     numbers, prior = (columns(problem.robot, problem.parameters, at) for at in (lanes, 0 * lanes))
     found: list[Estimate] = []
     for name, (unit, formula) in COMBINATIONS.items():
@@ -150,7 +135,7 @@ def _robot_at(problem: Problem, z: Array) -> Robot:
 
 
 def _combination(name: str, unit: str, values: Array, prior: float, C: Array) -> Estimate:
-    gradient = _gradient(values)
+    gradient = slopes_of(values)
     spread, before = float(np.sqrt(gradient @ C @ gradient)), float(np.linalg.norm(gradient))
     value = float(values[-1])
     shrink = spread / max(before, 1e-300)
