@@ -343,7 +343,7 @@ def test_a_log_is_uploaded_and_a_report_downloaded(page, tmp_path):
     tab(page, "Identify")
     page.set_input_files("[data-key=open-log]", str(tmp_path / "mine.csv"))
     until(page, "upright.store.found?.job === 'doctor'")
-    assert "in-mine.csv" in page.inner_text(".result")
+    until(page, "document.querySelector('.result')?.textContent.includes('in-mine.csv')")
     with page.expect_download() as fetched:
         page.click("[data-key=compare]")
     report = Path(fetched.value.path()).read_text("utf-8")
@@ -396,7 +396,7 @@ def test_a_link_restores_the_whole_setup(page, chromium, lab):
     other = chromium.new_context().new_page()
     other.goto(address)
     ready(other)
-    assert setup(other) == setup(page)
+    until(other, "upright.store.setup", lambda restored: restored == setup(page))
     other.context.close()
 
 
@@ -513,9 +513,9 @@ def test_a_calibration_joins_as_the_fourth_trace(page):
     until(page, "document.querySelector('progress')?.value ?? 1", lambda share: share > 0)
     until(page, "upright.store.changed.bodies.length === 4")
     assert page.evaluate("upright.store.changed.bodies[3]") == "calibrated"
-    assert page.evaluate("upright.store.found.job") == "calibrate"
-    assert page.locator(".result tbody tr").count() > 3
-    assert page.locator(".legend .key").all_inner_texts()[3] == "calibrated"
+    until(page, "upright.store.found.job === 'calibrate'")  # told after the trace has joined
+    until(page, "document.querySelectorAll('.result tbody tr').length > 3")
+    until(page, "document.querySelectorAll('.legend .key')[3]?.textContent === 'calibrated'")
     bar.wait_for(state="detached")
     page.click("[data-key=pause]")
     until(page, "upright.store.traces.x[3]?.[0].length > 20")
@@ -534,7 +534,7 @@ def test_a_job_is_stopped_and_a_robot_opened(page, tmp_path):
     tab(page, "Robot")
     page.set_input_files("[data-key=open-robot]", str(tmp_path / "mine.toml"))
     until(page, "upright.store.changed.setup.numbers.body_mass === 0.7")
-    assert page.input_value("[data-key=robot]") == "mine"
+    until(page, "document.querySelector('[data-key=robot]').value === 'mine'")
 
 
 TOUR = ("off", "off", "lqr", "lqg", "lqg", "lqg", "lqr", "robust")
