@@ -107,14 +107,26 @@ def _say(plan: ExcitationPlan) -> None:
         f"below {checked.bound:.2%}.\n95 % of them: saturated for at most {checked.saturated:.1%} of the time, at most "
         f"{checked.travel:.2f} m from the start, pitch at most {checked.peak:.2f} rad.\n"
     )
-    header = ("parameter", "unit", "value", "± before", "± after", "± by a dither", "± by one held 40 ms")
+    header = (
+        "parameter",
+        "unit",
+        "value",
+        "± before",
+        "± after",
+        "± by a dither",
+        "± by one held 40 ms",
+        "± by 100 runs",
+    )
     rows = [_row(p) for p in plan.predicted]
     print_table(header, rows, numbers=header[2:])
-    typer.echo("\n± is half of the 95 % interval. Both dithers are random binary ones of the same energy.")
+    typer.echo(
+        "\n± is half of the 95 % interval. Both dithers are random binary ones of the same energy.\n"
+        "What is left after 100 runs comes from the spreads of other numbers: measure those, and name them --known."
+    )
     for note in plan.notes:
         typer.echo(f"- {note}")
 
 
 def _row(p: Predicted) -> tuple[str, ...]:
-    halves = (f"{width / 2:.3g}" for width in (p.before, p.after, p.dither, p.held))
+    halves = (f"{width / 2:.3g}" for width in (p.before, p.after, p.dither, p.held, p.least))
     return p.name, p.unit, f"{p.value:.4g}", *halves

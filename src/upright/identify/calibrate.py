@@ -243,14 +243,14 @@ def _bounds(problem: Problem, limits: Mapping[str, float], share: float, most: f
 
 
 def _settled(problem: Problem, z: Array, bounds: Bounds) -> Fit:
-    """Noise and parameters in turn, until the noise of the sensors stays."""
+    """Parameters and noise in turn, until the noise of the sensors stays. Parameters first: noise that is learnt at
+    wrong ones explains what they leave, and then hides from the next fit that they are wrong."""
     inside = {n: float(np.clip(problem.noise[n], np.log(low), np.log(high))) for n, (low, high) in bounds.items()}
     within = replace(problem, noise={**problem.noise, **inside})
     problem = within if np.isfinite(objective(within, z)[0]) else problem
     for turn in range(6):
-        before = problem.noise
-        problem = learn_noise(problem, z, bounds, iterations=3 if turn else 5)
-        z, normal, paths = gauss_newton(problem, z, iterations=5, tolerance=0.05)
+        z, _, _ = gauss_newton(problem, z, iterations=5, tolerance=0.05)
+        before, problem = problem.noise, learn_noise(problem, z, bounds, iterations=3 if turn else 5)
         if max(abs(problem.noise[n] - before[n]) for n in bounds if n in problem.delays) < 0.05:
             break
     z, normal, paths = gauss_newton(problem, z, iterations=8)

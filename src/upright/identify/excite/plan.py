@@ -71,7 +71,8 @@ class Checked:
 @dataclass(frozen=True)
 class Predicted:
     """A parameter's `value`, and the widths of its 95 % interval in its `unit`: `before`, `after` the plan, and after a
-    random binary dither of the plan's energy, drawn anew in every period (`dither`) or `held` for 40 ms."""
+    random binary dither of the plan's energy, drawn anew in every period (`dither`) or `held` for 40 ms; and the `least`,
+    after a hundred such runs: that is left by the spreads of other numbers, which are to be measured then."""
 
     name: str
     unit: str
@@ -80,6 +81,7 @@ class Predicted:
     after: float
     dither: float
     held: float
+    least: float
 
 
 @dataclass(frozen=True)
@@ -197,7 +199,7 @@ class ExcitationPlan:
         lines += [
             f"{c.fell} of {c.samples} robots fell with it {self.margin:g} times as large: the chance of it is below "
             f"{c.bound:.2%}; saturated {c.saturated:.1%}, travel {c.travel:.2f} m, pitch up to {c.peak:.2f} rad", "",
-            f"{'95 % interval of':<20}{'before':>12}{'after':>12}{'dither':>12}{'held 40 ms':>12}",
+            f"{'95 % interval of':<20}{'before':>12}{'after':>12}{'dither':>12}{'held 40 ms':>12}{'100 runs':>12}",
         ]  # fmt: skip
         lines += [_row(p) for p in self.predicted if p.after < SEEN * p.before]
         return "\n".join([*lines, *self.notes])
@@ -220,7 +222,7 @@ def read_plan(path: str | Path) -> ExcitationPlan:
 
 
 def _row(p: Predicted) -> str:
-    half = (f"{'±' + format(width / 2, '.3g'):>12}" for width in (p.before, p.after, p.dither, p.held))
+    half = (f"{'±' + format(width / 2, '.3g'):>12}" for width in (p.before, p.after, p.dither, p.held, p.least))
     return f"{p.name:<20}" + "".join(half) + f"  {p.unit}"
 
 

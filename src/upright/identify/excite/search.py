@@ -12,7 +12,7 @@ from upright.control.excited import random_binary
 from upright.errors import DesignFailed, InvalidScenario, UnknownName
 from upright.fleet.kernel_batch import NAMES, FleetResult, parameters_of
 from upright.fleet.vary import Family
-from upright.identify.excite.information import added, best_shares, fisher, problem_of, score, shrunk
+from upright.identify.excite.information import added, best_shares, fisher, left, problem_of, score
 from upright.identify.excite.loop import APPLIED, Loop, stacked
 from upright.identify.excite.plan import Checked, ExcitationPlan, Limits, Predicted, Tried
 from upright.identify.excite.signals import mixture, signals
@@ -37,6 +37,8 @@ SMALLER, TRIES = 0.85, 12  # how much smaller, and how often, a plan is made tha
 COMBINED = "combination"
 HELD = 4  # periods for which the second dither is held, as in benchmarks/calibrate.py
 PER_CENT = 95
+MANY = 100
+"""Runs after which what is left of an interval is what no run of this kind takes away: the other numbers' spreads."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,14 +159,14 @@ class Search:
         loop = self.loop
         energy = float(loop.energies(excitation[None])[0])
         (log,) = self._logs(excitation[None])
-        after = shrunk(self._told_alone(log))
-        dither, held = (shrunk(self._dither(energy, hold)) for hold in (1, HELD))
+        after, least = (left(self._alone(log), runs) for runs in (1, MANY))
+        dither, held = (self._dither(energy, hold) for hold in (1, HELD))
         shares = {name: share / sum(way.shares.values()) for name, share in way.shares.items()}
         return ExcitationPlan(
             loop.robot.name, loop.kit.name, loop.controller.spec.kind, loop.hash, loop.gains.period,
             loop.gains.command_unit, loop.hold, way.name, shares, excitation, energy,
             float((excitation**2).sum() * loop.hold * loop.gains.period), self.focus, self.limits, MARGIN, checked,
-            self._predicted(after, dither, held), tuple(Tried(w.name, w.energy, float(np.exp(w.score))) for w in tried),
+            self._predicted(after, dither, held, least), tuple(Tried(w.name, w.energy, float(np.exp(w.score))) for w in tried),
             loop.seed, self._notes(log, after),
         )  # fmt: skip
 
@@ -184,9 +186,9 @@ class Search:
         """Information (n, n) of a log of the nominal robot."""
         return fisher(problem_of(log, self.loop.robot, self.loop.kit, self.known, self.noise))
 
-    def _told_alone(self, log: Log) -> Array:
-        """The same with the noise that a calibration would find in that log."""
-        return fisher(problem_of(log, self.loop.robot, self.loop.kit, self.known))
+    def _alone(self, log: Log) -> Problem:
+        """The calibration of the nominal robot from a log, with the noise that it would find in it."""
+        return problem_of(log, self.loop.robot, self.loop.kit, self.known)
 
     def _nothing(self) -> Array:
         return np.zeros((1, 1, 2))
@@ -246,20 +248,21 @@ class Search:
         return Way(name, shares, excitation, float(self.loop.energies(excitation[None])[0]), value)
 
     def _dither(self, energy: float, hold: int) -> Array:
-        """What a random binary dither of that energy tells, drawn anew every `hold` periods."""
+        """What a random binary dither of that energy, drawn anew every `hold` periods, leaves of the intervals."""
         rows = -(-self.loop.periods // hold)
         shape = self.loop.scaled(
             random_binary(rows, 1.0, self.loop.seed + 1)[None] * _most(self.loop) / 8, energy, hold
         )
         logs = self.loop.logs(self.loop.run(shape, record=True, hold=hold))
-        return self._told_alone(logs[0]) if logs else np.zeros_like(self.at_rest)
+        return left(self._alone(logs[0])) if logs else np.ones(len(self.weights))
 
-    def _predicted(self, after: Array, dither: Array, held: Array) -> tuple[Predicted, ...]:
+    def _predicted(self, *several: Array) -> tuple[Predicted, ...]:
+        """Widths of the intervals, from shares (n,) that are left of them."""
         found: list[Predicted] = []
         for i, p in enumerate(self.problem.parameters):
             widths = [
                 float(p.value(NORMAL * s) - p.value(max(-NORMAL * s, p.least)))
-                for s in (1.0, after[i], dither[i], held[i])
+                for s in (1.0, *(share[i] for share in several))
             ]
             found.append(Predicted(p.name, p.unit, p.prior, *widths))
         return tuple(found)
