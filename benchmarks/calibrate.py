@@ -146,7 +146,7 @@ def timing(whole: bool) -> None:
     log = twin_log("nxtway-gs", drawn(robot, 0), 0)
     log = Log(log.t, {n: v for n, v in log.channels.items() if n != "sensor/compass"}, log.units)
     every, _ = prepared([log], robot, kit, (), 0.0)
-    known = [p.name for p in every.parameters if p.name not in EIGHT]
+    known = [p.name for p in every.asked if p.name not in EIGHT]
     problem, limits = prepared([log], robot, kit, known, 0.0)
 
     def ours() -> None:
@@ -156,7 +156,7 @@ def timing(whole: bool) -> None:
     ours()
     print(f"first call, with compiling or loading what was compiled: {time.perf_counter() - start:.1f} s")
     clock, busy = best_of(5, ours)
-    print(f"optimisation, {len(log)} samples, {len(problem.parameters)} parameters: {clock:.3f} s, "
+    print(f"optimisation, {len(log)} samples, {len(problem.asked)} parameters: {clock:.3f} s, "
           f"{busy:.3f} s of processors (best of 5)")  # fmt: skip
     scipy_time(problem, limits, whole)
 

@@ -14,6 +14,7 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +22,7 @@ from numpy.typing import NDArray
 from upright.errors import DesignFailed, InvalidLog
 from upright.identify.calibration import Calibration
 from upright.identify.electronics import electronics_of
-from upright.identify.fitting import Normal, Path, Problem, normal_equations, objective
+from upright.identify.fitting import EQUATIONS, Normal, Path, Problem, normal_equations, objective
 from upright.identify.gauss_newton import gauss_newton
 from upright.identify.informativity import INERTIAL, too_quiet
 from upright.identify.noise import Bounds, learn_noise
@@ -44,6 +45,9 @@ FREEDOM = 0.015
 TRIED = ((0.003, 1.0), (0.03, 16.0), (0.03, 1e6), (0.1, 256.0), (0.3, 1e6))
 """(share, largest sensor variance over the kit's) tried where innovations are not white: the one wins under which the
 robot simulated freely follows the log farthest."""
+
+LATER = (-0.5, 0.5, 1.0)
+"""Periods by which the gyro is later where the best of these is fitted again: a dead time has optima a period apart."""
 
 MUCH, FARTHER = 0.1, 0.02
 """Weight of the readings below which a prior may outweigh them, and how much of R² it may then cost."""
@@ -118,7 +122,8 @@ def prepared(
     limits = {s: max(v[s] for v in variances if s in v) for s in sensors}
     noise = {s: float(np.log(v)) for s, v in limits.items()}
     parameters = parameters_of(robot, delays, known, electronics_of(robot, kit, logs))
-    problem = Problem(recordings, robot, parameters, delays, noise | process(recordings, robot, ANNEALED[0]))
+    every = (*parameters, *EQUATIONS)
+    problem = Problem(recordings, robot, every, delays, noise | process(recordings, robot, ANNEALED[0]))
     return problem, limits
 
 
@@ -218,7 +223,7 @@ def _lost() -> DesignFailed:
 def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fit:
     """Parameters and noise of greatest likelihood; where the innovations show that the model is not right, the noise
     that sees farthest, and a weight of the readings that their correlation leaves them."""
-    from upright.identify.validate import score, worst_correlation
+    from upright.identify.validate import worst_correlation
 
     calm = _with_process(problem, FREEDOM / 10)
     start = calm if np.isfinite(objective(calm, z)[0]) else problem
@@ -227,13 +232,29 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fit:
     if worst_correlation(*best) < WHITE:
         return _tempered(*best)
 
-    def tried(trial: tuple[float, float]) -> tuple[float, Fit]:
-        fit = _settled(rough[0], rough[1], _bounds(problem, limits, *trial))
-        return (score(fit[0], fit[1]) if np.isfinite(fit[2].objective) else -np.inf), fit
+    def tried(trial: tuple[float, float]) -> Fit:
+        return _settled(rough[0], rough[1], _bounds(problem, limits, *trial))
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        ranked = [(score(rough[0], rough[1]), rough), *pool.map(tried, TRIED)]
-    return _tempered(*max(ranked, key=lambda r: r[0])[1])
+        best = _farthest([rough, *pool.map(tried, TRIED)])
+        best = _farthest([best, *pool.map(lambda start: _later(best[0], *start), product((best[1], z), LATER))])
+    return _tempered(*best)
+
+
+def _farthest(fits: Sequence[Fit]) -> Fit:
+    """The fit whose robot follows the log farthest when it is simulated freely."""
+    from upright.identify.validate import score
+
+    return max(fits, key=lambda fit: score(fit[0], fit[1]) if np.isfinite(fit[2].objective) else -np.inf)
+
+
+def _later(problem: Problem, z: Array, periods: float) -> Fit:
+    """The fit that comes of z with its gyro so many periods later."""
+    for i, p in enumerate(problem.parameters):
+        if p.name == "delay/gyro":
+            z = z.copy()
+            z[i] = max(p.coordinate(float(p.value(z[i])) + periods * problem.recordings[0].period), p.least)
+    return (problem, *gauss_newton(problem, z, iterations=10))
 
 
 def _bounds(problem: Problem, limits: Mapping[str, float], share: float, most: float = 1e6) -> Bounds:

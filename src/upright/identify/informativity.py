@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.identify.fitting import DRIVEN, Normal, Path, Problem, fitted_readings
+from upright.identify.fitting import Normal, Path, Problem, fitted_readings
 from upright.identify.parameters import ROLL_SHARE, rows_of
 from upright.identify.recording import SENSOR, Recording
 
@@ -21,10 +21,6 @@ INERTIAL = ("com_height", "pitch_inertia", "yaw_inertia", "rotor_inertia", "whee
 QUIET = 4.0
 """Root mean square of the pitch rate, in steps of its gyro, below which no inertia is given: the errors of the readings
 then are no longer small beside the motion, and what the fit calls an inertia is partly their image."""
-
-EXACT = 7e-4
-"""How right the equations are (root mean square): with the same numbers they and MuJoCo, whose contacts yield a little,
-differ by 0.04 % in pitch and 0.07 % in the wheel rate (docs/twin.md), and no real robot is nearer to either."""
 
 WINDOW = 1.0  # [s] beyond which innovations are taken to be independent: many times the time in which a robot falls
 
@@ -112,24 +108,11 @@ def posterior(problem: Problem, normal: Normal, paths: Sequence[Path]) -> Array:
     return total
 
 
-def equation_error(problem: Problem, z: Array, normal: Normal) -> Array:
-    """Covariance of z (n, n) that remains however long the log: each coefficient of the equations of motion is right to
-    `EXACT` only, and the fit makes up for it (considered parameters, Schmidt 1966)."""
-    rows = rows_of(problem.active)
-    inner = [i for i, row in enumerate(normal.rows) if row < DRIVEN]
-    relative = problem.coefficients(z[:, None])[normal.rows, 0] / normal.unit[normal.rows]
-    cross = normal.slopes.T @ (normal.weight[:, None] * normal.felt[:, inner]) * relative[inner]
-    shift = EXACT * problem.temper * np.linalg.solve(normal.hessian[np.ix_(rows, rows)], cross[rows])
-    total = np.zeros((len(z), len(z)))
-    total[np.ix_(rows, rows)] = shift @ shift.T
-    return total
-
-
 def unseen_directions(problem: Problem, normal: Normal) -> list[str]:
     """Sentences on the directions of the parameters that the log does not fix, though each alone might seem fixed."""
-    H = information(problem, normal)
-    names = [p.name for p in problem.parameters]
-    values, directions = np.linalg.eigh(H)
+    names = [p.name for p in problem.asked]
+    C = np.linalg.inv(np.eye(len(problem.parameters)) + information(problem, normal))[: len(names), : len(names)]
+    values, directions = np.linalg.eigh(np.linalg.inv(C) - np.eye(len(names)))
     said: list[str] = []
     for value, v in zip(values, directions.T, strict=True):
         if value >= 1.0:

@@ -83,7 +83,8 @@ def _noise_score(problem: Problem, z: Array, names: Sequence[str], eta: Array) -
         lambda at: _likelihood_parts(_with_noise(problem, names, at), z), [eta, *(eta + step * np.eye(len(eta)))]
     )
     loss, weight = _robust(e, s)
-    dlog = np.column_stack([(np.log(s1) - np.log(s)) / step for _, s1 in moved])
+    with np.errstate(invalid="ignore"):  # a filter that lost the robot has no variance, and its step is not taken
+        dlog = np.column_stack([(np.log(s1) - np.log(s)) / step for _, s1 in moved])
     de = np.column_stack([(e1 - e) / step for e1, _ in moved])
     gradient = (0.5 * (1 - weight * e**2 / s)) @ dlog + (weight * e / s) @ de
     hessian = 0.5 * dlog.T @ dlog + de.T @ (de / s[:, None])

@@ -145,10 +145,10 @@ _Numbers: Any = dataclasses.make_dataclass("_Numbers", list(PARAMETERS), frozen=
 
 
 def columns(robot: Robot, parameters: Sequence[Parameter], z: Array) -> Any:
-    """The robot's numbers as arrays over the lanes of `z` (parameters, lanes), with the fields of `Robot`."""
+    """The robot's numbers, with the fields of `Robot`: arrays over the lanes of `z` (parameters, lanes) where they are
+    parameters."""
     values = {p.name: p.value(z[i]) for i, p in enumerate(parameters)}
-    full = {name: values.get(name, np.full(z.shape[1], value)) for name, value in robot.numbers().items()}
-    changed = _Numbers(**full)
+    changed = _Numbers(**{name: values.get(name, value) for name, value in robot.numbers().items()})
     share = values[ROLL_SHARE] if ROLL_SHARE in values else _roll_share(robot).prior
     return dataclasses.replace(changed, roll_inertia=roll_inertia(changed, share))
 

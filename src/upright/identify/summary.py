@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from upright.identify.calibration import BOUND, HELD, PRIOR, SURPRISE, VISIBLE, Calibration, Estimate
 from upright.identify.electronics import MEANING
 from upright.identify.fitting import Normal, Path, Problem, around, slopes_of
-from upright.identify.informativity import equation_error, posterior, unseen_directions
+from upright.identify.informativity import posterior, unseen_directions
 from upright.identify.parameters import ROLL_SHARE, Parameter, columns, with_values
 from upright.identify.validate import segments, steps_ahead, whiteness
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
@@ -46,11 +46,9 @@ def summarised(
     problem: Problem, z: Array, normal: Normal, paths: Sequence[Path], logs: Sequence[Log], reason: str, began: float
 ) -> Calibration:
     """Everything said of a fit."""
-    C = posterior(problem, normal, paths) + equation_error(problem, z, normal) + _floor(problem)
+    C = posterior(problem, normal, paths) + _floor(problem)
     spread = np.sqrt(np.diag(C))
-    every = [
-        _estimate(p, float(z[i]), float(spread[i]), p.name in problem.held) for i, p in enumerate(problem.parameters)
-    ]
+    every = [_estimate(p, float(z[i]), float(spread[i]), p.name in problem.held) for i, p in enumerate(problem.asked)]
     combined = _combined(problem, z, C)
     names, covariance = _in_units(problem, z, C)
     found = {e.name: e for e in every} | ({"roll_inertia": _roll_inertia(problem, combined[0])})
@@ -84,8 +82,8 @@ def _estimate(p: Parameter, z: float, spread: float, held: bool) -> Estimate:
 def _in_units(problem: Problem, z: Array, C: Array) -> tuple[tuple[str, ...], Array]:
     """Names and covariance (n, n) of what was fitted, with the roll inertia in place of its share."""
     lanes = around(z)
-    roll = columns(problem.robot, problem.parameters, lanes).roll_inertia
-    values = {p.name: p.value(lanes[i]) for i, p in enumerate(problem.parameters)}
+    roll = np.broadcast_to(columns(problem.robot, problem.asked, lanes).roll_inertia, lanes.shape[1])
+    values = {p.name: p.value(lanes[i]) for i, p in enumerate(problem.asked)}
     if ROLL_SHARE in values:
         values = {
             ("roll_inertia" if n == ROLL_SHARE else n): (roll if n == ROLL_SHARE else v) for n, v in values.items()
@@ -111,7 +109,7 @@ def _calibrated(problem: Problem, z: Array, every: Sequence[Estimate], sources: 
 def _combined(problem: Problem, z: Array, C: Array) -> tuple[Estimate, ...]:
     """Each combination by its logarithm's gradient, with the prior's own deviation beside it."""
     lanes = around(z)
-    numbers, prior = (columns(problem.robot, problem.parameters, at) for at in (lanes, 0 * lanes))
+    numbers, prior = (columns(problem.robot, problem.asked, at) for at in (lanes, 0 * lanes))
     found: list[Estimate] = []
     for name, (unit, formula) in COMBINATIONS.items():
         if problem.robot.drive == "torque" and name == "motor_gain":
@@ -130,7 +128,7 @@ def rolling_pole(robot: Robot) -> float:
 
 
 def _robot_at(problem: Problem, z: Array) -> Robot:
-    values = {p.name: float(p.value(z[i])) for i, p in enumerate(problem.parameters)}
+    values = {p.name: float(p.value(z[i])) for i, p in enumerate(problem.asked)}
     return with_values(problem.robot, {n: max(v, 0.0) for n, v in values.items()})
 
 
@@ -149,7 +147,7 @@ def _combination(name: str, unit: str, values: Array, prior: float, C: Array) ->
 def _delays(problem: Problem, z: Array, C: Array, every: Sequence[Estimate]) -> tuple[Estimate, ...]:
     """Dead times from the command to each sensor, and how much later than the encoders the gyro is."""
     found = [e for e in every if e.name.startswith("delay/")]
-    index = {p.name: i for i, p in enumerate(problem.parameters)}
+    index = {p.name: i for i, p in enumerate(problem.asked)}
     if {"delay/gyro", "delay/encoder"} <= index.keys():
         i, j = index["delay/gyro"], index["delay/encoder"]
         p, q = problem.parameters[i], problem.parameters[j]

@@ -40,8 +40,8 @@ _WHAT = (
 _TOLD = (
     "Predicted from Fisher's information of the predictor that calibrates, along a run of the nonlinear model with the "
     "kit's faults; they hold as far as the model is right. Both dithers are random binary ones of the same energy: one "
-    "is drawn anew in every period, one held for 40 ms. What is left after a hundred such runs comes from the spreads of "
-    "the other numbers: those are to be measured."
+    "is drawn anew in every period, one held for 40 ms. What a hundred such runs leave "
+    "comes from the spreads of other numbers: those are to be measured."
 )
 _TRIED = (
     "Every way as large as the limits allow. Intervals shrink to the stated share of what they were, in the geometric "

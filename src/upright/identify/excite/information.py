@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from upright.identify.calibrate import FREEDOM, prepared, process
 from upright.identify.fitting import Problem, normal_equations, objective
-from upright.identify.informativity import equation_error
 from upright.identify.noise import Bounds, learn_noise
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -80,17 +79,6 @@ def fisher(problem: Problem) -> Array:
         return np.zeros((len(z), len(z)))
     J = normal_equations(problem, z, paths, value).slopes
     return J.T @ J
-
-
-def left(problem: Problem, runs: float = 1.0) -> Array:
-    """What is left (n,) of each parameter's interval after as many `runs` as this, and what the equations themselves
-    leave however many they are; 1 is nothing gained."""
-    many, z = replace(problem, temper=runs), np.zeros(len(problem.parameters))
-    value, paths = objective(many, z)
-    if not np.isfinite(value):
-        return np.ones(len(z))
-    normal = normal_equations(many, z, paths, value)
-    return np.sqrt(np.diag(np.linalg.inv(normal.hessian) + equation_error(many, z, normal)))
 
 
 def shrunk(M: Array) -> Array:

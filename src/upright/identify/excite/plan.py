@@ -70,9 +70,9 @@ class Checked:
 
 @dataclass(frozen=True)
 class Predicted:
-    """A parameter's `value`, and the widths of its 95 % interval in its `unit`: `before`, `after` the plan, and after a
-    random binary dither of the plan's energy, drawn anew in every period (`dither`) or `held` for 40 ms; and the `least`,
-    after a hundred such runs: that is left by the spreads of other numbers, which are to be measured then."""
+    """A parameter's `value`, and the widths of its 95 % interval in its `unit`: `before`, `after` the plan, after a
+    random binary dither of the plan's energy, drawn anew in every period (`dither`) or `held` for 40 ms, and the
+    `least`, after a hundred such runs: what the spreads of other numbers leave, which are to be measured then."""
 
     name: str
     unit: str

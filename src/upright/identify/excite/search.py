@@ -12,7 +12,7 @@ from upright.control.excited import random_binary
 from upright.errors import DesignFailed, InvalidScenario, UnknownName
 from upright.fleet.kernel_batch import NAMES, FleetResult, parameters_of
 from upright.fleet.vary import Family
-from upright.identify.excite.information import added, best_shares, fisher, left, problem_of, score
+from upright.identify.excite.information import added, best_shares, fisher, problem_of, score, shrunk
 from upright.identify.excite.loop import APPLIED, Loop, stacked
 from upright.identify.excite.plan import Checked, ExcitationPlan, Limits, Predicted, Tried
 from upright.identify.excite.signals import mixture, signals
@@ -97,12 +97,12 @@ class Search:
         (log,) = self._logs(largest[None])
         self.problem = problem_of(log, self.loop.robot, self.loop.kit, self.known)
         self.noise = self.problem.noise
-        names = [p.name for p in self.problem.parameters]
+        names = [p.name for p in self.problem.asked]
         for name in self.focus:
             if name not in names:
                 raise UnknownName("parameter to focus on", name, names)
         wanted = self.focus or [name for name in names if name in PARAMETERS]
-        self.weights = np.array([float(name in wanted) for name in names])
+        self.weights = np.array([float(p.name in wanted) for p in self.problem.parameters])
         self.at_rest = self._at_rest()
         self.size = float(self.loop.energies(largest[None])[0])
 
@@ -159,15 +159,16 @@ class Search:
         loop = self.loop
         energy = float(loop.energies(excitation[None])[0])
         (log,) = self._logs(excitation[None])
-        after, least = (left(self._alone(log), runs) for runs in (1, MANY))
-        dither, held = (self._dither(energy, hold) for hold in (1, HELD))
+        told = self._told_alone(log)
+        after, least = shrunk(told), shrunk(MANY * told)
+        dither, held = (shrunk(self._dither(energy, hold)) for hold in (1, HELD))
         shares = {name: share / sum(way.shares.values()) for name, share in way.shares.items()}
         return ExcitationPlan(
             loop.robot.name, loop.kit.name, loop.controller.spec.kind, loop.hash, loop.gains.period,
             loop.gains.command_unit, loop.hold, way.name, shares, excitation, energy,
             float((excitation**2).sum() * loop.hold * loop.gains.period), self.focus, self.limits, MARGIN, checked,
-            self._predicted(after, dither, held, least), tuple(Tried(w.name, w.energy, float(np.exp(w.score))) for w in tried),
-            loop.seed, self._notes(log, after),
+            self._predicted(after, dither, held, least),
+            tuple(Tried(w.name, w.energy, float(np.exp(w.score))) for w in tried), loop.seed, self._notes(log, after),
         )  # fmt: skip
 
     def largest(self, shape: Array) -> Array:
@@ -186,9 +187,9 @@ class Search:
         """Information (n, n) of a log of the nominal robot."""
         return fisher(problem_of(log, self.loop.robot, self.loop.kit, self.known, self.noise))
 
-    def _alone(self, log: Log) -> Problem:
-        """The calibration of the nominal robot from a log, with the noise that it would find in it."""
-        return problem_of(log, self.loop.robot, self.loop.kit, self.known)
+    def _told_alone(self, log: Log) -> Array:
+        """The same with the noise that a calibration would find in that log."""
+        return fisher(problem_of(log, self.loop.robot, self.loop.kit, self.known))
 
     def _nothing(self) -> Array:
         return np.zeros((1, 1, 2))
@@ -248,18 +249,18 @@ class Search:
         return Way(name, shares, excitation, float(self.loop.energies(excitation[None])[0]), value)
 
     def _dither(self, energy: float, hold: int) -> Array:
-        """What a random binary dither of that energy, drawn anew every `hold` periods, leaves of the intervals."""
+        """What a random binary dither of that energy tells, drawn anew every `hold` periods."""
         rows = -(-self.loop.periods // hold)
         shape = self.loop.scaled(
             random_binary(rows, 1.0, self.loop.seed + 1)[None] * _most(self.loop) / 8, energy, hold
         )
         logs = self.loop.logs(self.loop.run(shape, record=True, hold=hold))
-        return left(self._alone(logs[0])) if logs else np.ones(len(self.weights))
+        return self._told_alone(logs[0]) if logs else np.zeros_like(self.at_rest)
 
     def _predicted(self, *several: Array) -> tuple[Predicted, ...]:
         """Widths of the intervals, from shares (n,) that are left of them."""
         found: list[Predicted] = []
-        for i, p in enumerate(self.problem.parameters):
+        for i, p in enumerate(self.problem.asked):
             widths = [
                 float(p.value(NORMAL * s) - p.value(max(-NORMAL * s, p.least)))
                 for s in (1.0, *(share[i] for share in several))
@@ -268,7 +269,7 @@ class Search:
         return tuple(found)
 
     def _notes(self, log: Log, after: Array) -> tuple[str, ...]:
-        names = [p.name for p in self.problem.parameters]
+        names = [p.name for p in self.problem.asked]
         notes = [too_quiet(problem_of(log, self.loop.robot, self.loop.kit, self.known, self.noise))]
         blind = [n for n in self.focus if after[names.index(n)] > 0.9]
         notes += [f"No run of this kind tells much of {', '.join(blind)}."] if blind else []
