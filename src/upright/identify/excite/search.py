@@ -31,6 +31,7 @@ MARGIN = 1.1
 FEWEST = 100  # robots that stand, below which nothing can be said of falls
 LEAST_STANDING = 0.5  # of the robots drawn: if fewer stand, the controller does not hold this robot
 SWAY = 0.5  # [rad] beyond this a robot that nothing excites does not stand, but is about to fall
+LEAST_LOUD = 0.7  # of a plan ought still to move the robot enough for a calibration to give inertias
 SEARCHED = 32  # robots with which a size is searched; the final check takes all
 COARSE, FINE = 2.0 ** np.arange(-4.0, 3.0), 2.0 ** (np.arange(4) / 4)
 SMALLER, TRIES = 0.85, 12  # how much smaller, and how often, a plan is made that does not keep the limits
@@ -135,10 +136,15 @@ class Search:
                 if shares
             ]
             way = min(several, key=lambda w: w.score)
-            if way.score > tried[0].score + np.log(enough):
+            if way.score > tried[0].score + np.log(enough) or not self._loud(way):
                 break
             best = way
         return best
+
+    def _loud(self, way: Way) -> bool:
+        """Whether even a part of it moves the nominal robot enough to tell an inertia: another may move less."""
+        logs = self._logs(LEAST_LOUD * way.excitation[None])
+        return bool(logs) and not too_quiet(problem_of(logs[0], self.loop.robot, self.loop.kit, self.known, self.noise))
 
     def settled(self, way: Way) -> tuple[Array, Checked]:
         """The excitation as large as all robots allow, and what was measured of them."""
