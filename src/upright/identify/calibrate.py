@@ -237,7 +237,8 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fit:
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         best = _farthest([rough, *pool.map(tried, TRIED)])
-        best = _farthest([best, *pool.map(lambda start: _later(best[0], *start), product((best[1], z), LATER))])
+        starts = product([best[0]], [best[1], z], LATER)
+        best = _farthest([best, *pool.map(lambda start: _later(*start), starts)])
     return _tempered(*best)
 
 
