@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from upright.identify.calibrate import FREEDOM, prepared, process
 from upright.identify.fitting import Problem, normal_equations, objective
+from upright.identify.informativity import too_quiet
 from upright.identify.noise import Bounds, learn_noise
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -48,6 +49,11 @@ def problem_of(
         if _misfit(found) < FOLLOWED:
             return found
     return found
+
+
+def quiet(log: Log, robot: Robot, kit: Kit, known: Sequence[str] = ()) -> str:
+    """Why `calibrate` would give no inertia from that log, in words; '' where it would."""
+    return too_quiet(prepared([log], robot, kit, known, HELD_OUT)[0])
 
 
 def _learnt(problem: Problem, limits: Mapping[str, float], share: float) -> Problem:

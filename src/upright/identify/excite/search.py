@@ -12,12 +12,11 @@ from upright.control.excited import random_binary
 from upright.errors import DesignFailed, InvalidScenario, UnknownName
 from upright.fleet.kernel_batch import NAMES, FleetResult, parameters_of
 from upright.fleet.vary import Family
-from upright.identify.excite.information import added, best_shares, fisher, problem_of, score, shrunk
+from upright.identify.excite.information import added, best_shares, fisher, problem_of, quiet, score, shrunk
 from upright.identify.excite.loop import APPLIED, Loop, stacked
 from upright.identify.excite.plan import Checked, ExcitationPlan, Limits, Predicted, Tried
 from upright.identify.excite.signals import mixture, signals
 from upright.identify.fitting import Problem
-from upright.identify.informativity import too_quiet
 from upright.identify.summary import NORMAL
 from upright.robots import PARAMETERS
 from upright.signals import Log
@@ -144,7 +143,7 @@ class Search:
     def _loud(self, way: Way) -> bool:
         """Whether even a part of it moves the nominal robot enough to tell an inertia: another may move less."""
         logs = self._logs(LEAST_LOUD * way.excitation[None])
-        return bool(logs) and not too_quiet(problem_of(logs[0], self.loop.robot, self.loop.kit, self.known, self.noise))
+        return bool(logs) and not quiet(logs[0], self.loop.robot, self.loop.kit, self.known)
 
     def settled(self, way: Way) -> tuple[Array, Checked]:
         """The excitation as large as all robots allow, and what was measured of them."""
@@ -276,7 +275,7 @@ class Search:
 
     def _notes(self, log: Log, after: Array) -> tuple[str, ...]:
         names = [p.name for p in self.problem.asked]
-        notes = [too_quiet(problem_of(log, self.loop.robot, self.loop.kit, self.known, self.noise))]
+        notes = [quiet(log, self.loop.robot, self.loop.kit, self.known)]
         blind = [n for n in self.focus if after[names.index(n)] > 0.9]
         notes += [f"No run of this kind tells much of {', '.join(blind)}."] if blind else []
         if self.dropped:
