@@ -14,6 +14,7 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import partial
 from itertools import product
 
 import numpy as np
@@ -22,7 +23,7 @@ from numpy.typing import NDArray
 from upright.errors import DesignFailed, InvalidLog
 from upright.identify.calibration import Calibration
 from upright.identify.electronics import electronics_of
-from upright.identify.fitting import EQUATIONS, Normal, Path, Problem, normal_equations, objective
+from upright.identify.fitting import EQUATIONS, JITTER, Normal, Path, Problem, normal_equations, objective
 from upright.identify.gauss_newton import gauss_newton
 from upright.identify.informativity import INERTIAL, too_quiet
 from upright.identify.noise import Bounds, learn_noise
@@ -121,6 +122,7 @@ def prepared(
     variances = [first_noise(r, kit) for r in recordings]
     limits = {s: max(v[s] for v in variances if s in v) for s in sensors}
     noise = {s: float(np.log(v)) for s, v in limits.items()}
+    noise |= {JITTER: math.log(kit.jitter**2 / 12)} if kit.jitter else {}
     parameters = parameters_of(robot, delays, known, electronics_of(robot, kit, logs))
     every = (*parameters, *EQUATIONS)
     problem = Problem(recordings, robot, every, delays, noise | process(recordings, robot, ANNEALED[0]))
@@ -237,8 +239,8 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fit:
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         best = _farthest([rough, *pool.map(tried, TRIED)])
-        starts = product([best[0]], [best[1], z], LATER)
-        best = _farthest([best, *pool.map(lambda start: _later(*start), starts)])
+        starts = zip(*product((best[1], z), LATER), strict=True)
+        best = _farthest([best, *pool.map(partial(_later, best[0]), *starts)])
     return _tempered(*best)
 
 

@@ -24,6 +24,9 @@ from upright.robots import PARAMETERS, Robot
 Array = NDArray[np.float64]
 
 PROCESS = ("motor", "push", "gyro_bias")
+JITTER = "jitter"
+"""Of the moments at which commands arrive, uniformly late by up to the kit's jitter: a variance [s²] that is not
+learnt."""
 STIFF = 0.7  # largest |pole| h of a Runge–Kutta step: an error of 0.1 % of the fastest, dying mode
 ROLLING = 0.004  # [s] longest step: within one a wheel's rate is taken for straight where dry friction stops it
 SLIDING = 0.001  # [s] the same for a robot known to have dry friction: its error is 0.03 % of the friction then
@@ -152,8 +155,8 @@ class Problem:
         e, s = kalman_path(
             order, recording.kind, recording.when, recording.value, recording.commands,
             np.ascontiguousarray(reads[:, :, 0]), np.ascontiguousarray(delays[:, 0]),
-            np.repeat(constants, WIDE, axis=1), recording.first, recording.P0, self.process(size), R,
-            self.longest, gains, states,
+            np.repeat(constants, WIDE, axis=1), recording.first, recording.P0, self.process(size),
+            np.exp(self.noise.get(JITTER, -np.inf)), R, self.longest, gains, states,
         )  # fmt: skip
         return Path(e, s, gains, states)
 

@@ -29,6 +29,7 @@ inlined: Any = partial(_compile, error_model="numpy", forceinline=True, no_cpyth
 STATES = 6
 MOVED = (0, 1, 3, 5)
 """The states on which the motion depends: pitch and the three rates."""
+RATES = (1, 3, 5)
 
 WIDE = 8
 """Lanes of the filter: the state and four neighbours; eight are moved faster than five."""
@@ -301,15 +302,27 @@ def _spread(P: Any, phi: Any, Q: Any, h: Any, scratch: Any) -> None:
 
 
 @njit
-def kalman_path(
+def _arrives(w: Any, x: Any, u: Any, new: Any) -> Any:
+    """Puts the new command into `u`, and returns by how much ψ̇, θ̇ and φ̇ lag for each second that it is late."""
+    zone = w[(DRIVE + 2) * ROW]
+    before = _acc(w, 0, w[DRIVE * ROW] * _through(u[0], zone), w[(DRIVE + 1) * ROW] * _through(u[1], zone),
+                  x[0], x[1], x[3], x[5])  # fmt: skip
+    u[:] = new
+    after = _acc(w, 0, w[DRIVE * ROW] * _through(u[0], zone), w[(DRIVE + 1) * ROW] * _through(u[1], zone),
+                 x[0], x[1], x[3], x[5])  # fmt: skip
+    return after[0] - before[0], after[1] - before[1], after[2] - before[2]
+
+
+@njit
+def kalman_path(  # noqa: PLR0912 (the inner loop, unrolled by hand over what a state holds)
     order: Any, kind: Any, when: Any, value: Any, commands: Any, reads: Any, delays: Any, c: Any, first: Any, P0: Any,
-    Q: Any, noise: Any, longest: Any, gains: Any, states: Any,
+    Q: Any, jitter: Any, noise: Any, longest: Any, gains: Any, states: Any,
 ) -> Any:  # fmt: skip
     """The extended Kalman filter along one log: innovations e (events,) and their variances s (events,).
 
     `c` (constants, WIDE) are the robot's, in every lane. Fills `gains` (events, states) and, where it has rows,
-    `states` (events, states) after each event. `Q` is the covariance of the process noise per second, `noise` the
-    variance of each sensor row.
+    `states` (events, states) after each event. `Q` is the covariance of the process noise per second, `jitter` the
+    variance [s²] of the moments at which commands arrive, `noise` that of each sensor row.
     """
     size = len(first)
     x, P, u = first.copy(), P0.copy(), commands[0].copy()
@@ -328,7 +341,10 @@ def kalman_path(
         if not abs(x[0]) < TOPPLED:
             return e, s
         if row < 0:
-            u[:] = commands[int(value[event])]
+            late = _arrives(w, x, u, commands[int(value[event])])
+            for i in range(len(RATES)):
+                for j in range(len(RATES)):
+                    P[RATES[i], RATES[j]] += jitter * late[i] * late[j]
         else:
             error, variance = value[event], noise[row]
             for i in range(size):
