@@ -15,7 +15,6 @@ from upright.errors import InvalidController
 
 if TYPE_CHECKING:
     from upright.control import Controller
-    from upright.identify.excite.plan import ExcitationPlan
     from upright.robots import Kit, Robot
     from upright.signals import Log
 
@@ -56,9 +55,7 @@ def simulate(
     ] = None,
     start: Annotated[str, typer.Option(help="First state, such as pitch=0.05; zero where not said.")] = "",
     lying: Annotated[float | None, typer.Option(metavar="RAD", help="Lie at this pitch, then stand up.")] = None,
-    seconds: Annotated[
-        float | None, typer.Option("--seconds", "-s", help="How long [s] (default: 10, or as long as the plan).")
-    ] = None,
+    seconds: Annotated[float | None, typer.Option("--seconds", "-s", help="How long [s] (10, or as the plan).")] = None,
     seed: Annotated[int, typer.Option(help="Seed of all noise.")] = 0,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the log: .parquet, .csv or .mcap.")
@@ -79,9 +76,8 @@ def simulate(
         check_folder(output)
     chosen = find_robot(robot)
     plant, brain = _fitted(chosen, body=body, kit=kit or chosen.kit, controller=controller, gains=gains, period=period)
-    plan = _plan_for(brain, excite) if excite else None
-    brain = plan.excited(brain) if plan else brain
-    lasts = (plan.seconds if plan else SECONDS) if seconds is None else seconds
+    brain, planned = _excited(brain, excite) if excite else (brain, SECONDS)
+    lasts = planned if seconds is None else seconds
     if lying is not None:
         brain, first = _standing_up(brain, chosen, kit or chosen.kit, lying, start), [lying, *[0.0] * 5]
     with progress("simulating") as share:
@@ -109,15 +105,15 @@ def _fitted(
     return plant, find_controller(controller or ("lqr-state" if ideal else "lqg"), robot, parts, dt)
 
 
-def _plan_for(controller: Controller, path: Path) -> ExcitationPlan:
-    """A plan from its file; says where it was made with another controller than this."""
+def _excited(controller: Controller, path: Path) -> tuple[Controller, float]:
+    """The controller with a plan's excitation, and how long this lasts [s]; says where it was made with another one."""
     from upright.control import controller_hash
     from upright.identify.excite.plan import read_plan
 
     plan = read_plan(path)
     if controller_hash(controller) != plan.hash:
         typer.echo(f"{path} was checked with another {plan.controller}: its limits are not those of this run", err=True)
-    return plan
+    return plan.excited(controller), plan.seconds
 
 
 def _standing_up(controller: Controller, robot: Robot, kit: str, pitch: float, start: str) -> Controller:
