@@ -107,16 +107,8 @@ def _say(plan: ExcitationPlan) -> None:
         f"below {checked.bound:.2%}.\n95 % of them: saturated for at most {checked.saturated:.1%} of the time, at most "
         f"{checked.travel:.2f} m from the start, pitch at most {checked.peak:.2f} rad.\n"
     )
-    header = (
-        "parameter",
-        "unit",
-        "value",
-        "± before",
-        "± after",
-        "± by a dither",
-        "± by one held 40 ms",
-        "± by 100 runs",
-    )
+    kinds = ("before", "after", "by a dither", "by one held 40 ms", "by 100 runs")
+    header = ("parameter", "unit", "value", *(f"± {kind}" for kind in kinds))
     rows = [_row(p) for p in plan.predicted]
     print_table(header, rows, numbers=header[2:])
     typer.echo(

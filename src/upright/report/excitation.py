@@ -125,21 +125,13 @@ def _widths(plan: ExcitationPlan) -> Figure:
 
 
 def _table(plan: ExcitationPlan) -> Table:
-    header = ["parameter", "value", "before", "after", "dither", "held 40 ms", "100 runs", "after / dither"]
+    header = ["parameter", "before", "after", "dither", "held 40 ms", "100 runs", "after / dither"]
     return Table(header, [_row(p) for p in plan.predicted], "Half widths of 95 % intervals", 3)
 
 
 def _row(p: Predicted) -> list[Cell]:
-    return [
-        f"{p.name} [{p.unit}]",
-        p.value,
-        p.before / 2,
-        p.after / 2,
-        p.dither / 2,
-        p.held / 2,
-        p.least / 2,
-        p.after / p.dither,
-    ]
+    widths = (p.before, p.after, p.dither, p.held, p.least)
+    return [f"{p.name} [{p.unit}]", *(width / 2 for width in widths), p.after / p.dither]
 
 
 def _checked_words(plan: ExcitationPlan) -> str:
