@@ -19,7 +19,7 @@ from upright.fleet.results import largest_share
 Array = NDArray[np.float64]
 
 CONFIDENCE = 0.95
-KIND, VERSION = "upright excitation", 1
+KIND, VERSION = "upright excitation", 2
 
 
 @dataclass(frozen=True)
