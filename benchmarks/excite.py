@@ -59,8 +59,7 @@ def robots(name: str, count: int, seed: int, known: tuple[str, ...] = ()) -> lis
     """Drawn robots, but for what is `known`, that stand unexcited and that are rigid bodies in the twin."""
     robot = Robot.preset(name)
     kit = Kit.preset(robot.kit)
-    family = Family(robot, kit, tuple(s for s in own_spreads(robot) if s.name not in known))
-    drawn = family.draw(seed, np.arange(4 * count + 20))
+    drawn = Family(robot, kit, own_spreads(robot, known)).draw(seed, np.arange(4 * count + 20))
     loop = Loop(robot, kit, make_controller("lqg", robot, kit, kit.period), SECONDS, seed)
     result = loop.run(np.zeros((1, 1, 2)), parameters_of(robot, drawn), hold=loop.periods)
     stands = np.flatnonzero(~result.fell & (result.peak[:, 0] < SWAY))

@@ -202,11 +202,14 @@ def spread(text: str, robot: Robot, kit: Kit | None = None) -> tuple[Spread, ...
     return (Spread(name, "uniform", value - half, value + half),)
 
 
-def own_spreads(robot: Robot) -> tuple[Spread, ...]:
-    """Every parameter normal with the spread of its source, guesses by a fifth (see `control.uncertain.spreads`)."""
+def own_spreads(robot: Robot, known: Sequence[str] = ()) -> tuple[Spread, ...]:
+    """Every parameter that is not `known` normal with the spread of its source, guesses by a fifth (see
+    `control.uncertain.spreads`)."""
     from upright.control.uncertain import spreads
 
-    sizes = {name: size for name, size in spreads(robot).items() if name != "gear_ratio"}  # teeth are counted
+    sizes = {
+        name: size for name, size in spreads(robot).items() if name not in ("gear_ratio", *known)
+    }  # teeth are counted
     return tuple(Spread(name, "normal", getattr(robot, name), size) for name, size in sizes.items())
 
 
