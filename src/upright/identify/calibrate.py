@@ -54,6 +54,7 @@ MUCH, FARTHER = 0.1, 0.02
 """Weight of the readings below which a prior may outweigh them, and how much of R² it may then cost."""
 
 SAME = 0.02  # by which a weight of the readings may change without another fit
+STILL = 0.05  # by which the logarithm of a variance may change without another fit
 WHITE = 0.15
 """Autocorrelation of innovations below which the model is taken for right."""
 
@@ -162,6 +163,7 @@ def _with_process(problem: Problem, share: float) -> Problem:
 
 
 def _sensor_bounds(limits: Mapping[str, float], most: float = 1e6) -> dict[str, tuple[float, float]]:
+    """Between which variances a sensor's noise is learnt, of those that its kit has."""
     return {name: (variance / 4, variance * most) for name, variance in limits.items()}
 
 
@@ -273,12 +275,14 @@ def _settled(problem: Problem, z: Array, bounds: Bounds) -> Fit:
     within = replace(problem, noise={**problem.noise, **inside})
     problem = within if np.isfinite(objective(within, z)[0]) else problem
     for turn in range(6):
-        z, _, _ = gauss_newton(problem, z, iterations=5, tolerance=0.05)
-        before, problem = problem.noise, learn_noise(problem, z, bounds, iterations=3 if turn else 5)
-        if max(abs(problem.noise[n] - before[n]) for n in bounds if n in problem.delays) < 0.05:
+        z, normal, paths = gauss_newton(problem, z, iterations=5)
+        before, problem = problem, learn_noise(problem, z, bounds, iterations=3 if turn else 5)
+        changed = {n: abs(problem.noise[n] - before.noise[n]) for n in bounds}
+        if max(changed.values()) < STILL:
+            return before, z, normal, paths
+        if max(changed[n] for n in problem.delays) < STILL:
             break
-    z, normal, paths = gauss_newton(problem, z, iterations=8)
-    return problem, z, normal, paths
+    return (problem, *gauss_newton(problem, z, iterations=8))
 
 
 def _polished(fit: Fit, bounds: Bounds) -> Fit:

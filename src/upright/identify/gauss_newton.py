@@ -16,6 +16,7 @@ from upright.identify.parameters import rows_of
 Array = NDArray[np.float64]
 
 FIRST_DAMPING = 1e-6  # of the coefficients' own information
+TRIES = 5  # dampings of one iteration, at most
 FAR = 3.0  # deviations of the prior that a parameter moves at most in one iteration
 INNER, ENOUGH = 25, 1e-5  # iterations along the coefficients' curves, and the gain in log-likelihood that ends them
 
@@ -29,19 +30,19 @@ def gauss_newton(
     normal = normal_equations(problem, z, paths, value)
     damping = FIRST_DAMPING
     for _ in range(iterations):
-        for _ in range(8):
-            new = _foreseen(problem, z, normal, damping)
-            now, candidate = objective(problem, new)
-            if now < value + 1e-2 or (not np.isfinite(value) and np.isfinite(now)):
-                break
-            damping = max(30 * damping, 1e-3)
-        else:
-            break
         spread = np.sqrt(np.diag(np.linalg.inv(normal.hessian)))
-        small = np.abs((new - z) / spread).max() < tolerance
-        z, value, paths, damping = new, now, candidate, damping / 30
-        normal = normal_equations(problem, z, paths, value)
-        if small:
+        for _ in range(TRIES):
+            new = _foreseen(problem, z, normal, damping)
+            small = np.abs((new - z) / spread).max() < tolerance
+            now, candidate = objective(problem, new)
+            lower = now < value + 1e-2 or (not np.isfinite(value) and np.isfinite(now))
+            damping = damping / 30 if lower else max(30 * damping, 1e-3)
+            if lower or small:
+                break
+        if lower:
+            z, value, paths = new, now, candidate
+            normal = normal_equations(problem, z, paths, value)
+        if small or not lower:
             break
     return z, normal, paths
 
@@ -59,14 +60,13 @@ def _foreseen(problem: Problem, z: Array, normal: Normal, damping: float) -> Arr
     A = information + damping * np.diag(np.diag(information))
     q0 = problem.coefficients(z[:, None])[rows, 0] / unit
 
-    def model(y: Array) -> float:
-        d = problem.coefficients(y[:, None])[rows, 0] / unit - q0
-        return float(g @ d + 0.5 * d @ A @ d + 0.5 * y @ y)
-
-    y, value, brake = z, model(z), 1e-9
-    for _ in range(INNER):
+    def model(y: Array) -> tuple[float, Array, Array]:
         q, C = problem.by_parameter(y)
         d, slopes = q[rows] / unit - q0, C[rows] / unit[:, None]
+        return float(g @ d + 0.5 * d @ A @ d + 0.5 * y @ y), d, slopes
+
+    y, (value, d, slopes), brake = z, model(z), 1e-9
+    for _ in range(INNER):
         gradient = slopes.T @ (g + A @ d) + y
         H = slopes.T @ A @ slopes + np.eye(len(z))
         free = rows_of(problem.active & ~((y <= least + 1e-9) & (gradient > 0)))
@@ -74,13 +74,13 @@ def _foreseen(problem: Problem, z: Array, normal: Normal, damping: float) -> Arr
             step = np.zeros_like(y)
             step[free] = -np.linalg.solve((H + brake * np.diag(np.diag(H)))[np.ix_(free, free)], gradient[free])
             new = np.clip(y + step, least, z + FAR)
-            lower = model(new)
+            lower, *there = model(new)
             if lower < value:
                 break
             brake = max(10 * brake, 1e-6)
         else:
             break
-        gained, y, value, brake = value - lower, new, lower, brake / 10
+        gained, y, value, brake, (d, slopes) = value - lower, new, lower, brake / 10, there
         if gained < ENOUGH:
             break
     return y

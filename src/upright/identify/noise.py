@@ -15,6 +15,7 @@ from upright.identify.side_by_side import side_by_side
 Array = NDArray[np.float64]
 ENOUGH = 1000
 """Samples from which the noise is learnt: its variances then are known to 5 %, which no parameter notices."""
+GAIN = 0.1  # in log-likelihood, below which a step is the last: a noise that does not matter has no end of its own
 
 Bounds = Mapping[str, tuple[float, float]]
 
@@ -41,7 +42,7 @@ def learn_noise(problem: Problem, z: Array, bounds: Bounds, *, iterations: int =
             damping = 10 * damping
         else:
             break
-        small = np.abs(new - eta).max() < 0.05
+        small = np.abs(new - eta).max() < 0.05 or value - now < GAIN
         eta, damping = new, damping / 5
         if small:
             break

@@ -8,7 +8,7 @@ A-optimality with weights that follow the widths.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 from upright.identify.calibrate import FREEDOM, prepared, process
 from upright.identify.fitting import Problem, normal_equations, objective
 from upright.identify.informativity import too_quiet
-from upright.identify.noise import Bounds, learn_noise
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -27,53 +26,25 @@ HELD_OUT = 0.25
 """Last share of a log that `calibrate` keeps back by default, and that tells nothing."""
 
 SHARES = (FREEDOM / 10, FREEDOM, 0.1, 0.3)
-"""Process noise, as a share of the commands, tried in turn until the filter follows the log: more than `FREEDOM` only
-where kernel and predictor differ, as in their dry friction."""
+"""Process noise, as a share of the commands: what twins of the equations' own robot show (contacts that yield, dry
+friction that is not quite theirs), so that slow motion tells less than a perfect model would have it; and more, where
+the filter would lose the robot otherwise, since kernel and predictor differ in their dry friction."""
 
-FOLLOWED = 1.5  # rms of the whitened innovations up to which a log is followed
 
-
-def problem_of(
-    log: Log, robot: Robot, kit: Kit, known: Sequence[str] = (), noise: Mapping[str, float] | None = None
-) -> Problem:
-    """The calibration of `robot` from `log`, at its prior, with its `noise` (log-variances), which is else learnt."""
-    found, limits = prepared([log], robot, kit, known, HELD_OUT)
+def problem_of(log: Log, robot: Robot, kit: Kit, known: Sequence[str] = ()) -> Problem:
+    """The calibration of `robot` from `log` at its prior, with the noise of the kit's sensors and the least of `SHARES`
+    with which the filter keeps the robot."""
+    found, _ = prepared([log], robot, kit, known, HELD_OUT)
     problem = replace(found, fine=True)
-    if noise is not None:
-        given = replace(problem, noise=dict(noise))
-        if np.isfinite(_misfit(given)):
-            return given
-    found = problem
-    for share in SHARES:
-        found = _learnt(problem, limits, share)
-        if _misfit(found) < FOLLOWED:
-            return found
-    return found
+    several = (
+        replace(problem, noise={**problem.noise, **process(problem.recordings, robot, share)}) for share in SHARES
+    )
+    return next((p for p in several if np.isfinite(objective(p, np.zeros(len(p.parameters)))[0])), problem)
 
 
 def quiet(log: Log, robot: Robot, kit: Kit, known: Sequence[str] = ()) -> str:
     """Why `calibrate` would give no inertia from that log, in words; '' where it would."""
     return too_quiet(prepared([log], robot, kit, known, HELD_OUT)[0])
-
-
-def _learnt(problem: Problem, limits: Mapping[str, float], share: float) -> Problem:
-    """With the noise of the log, that of the process up to `share`, from a tenth of that where the filter bears it."""
-    low, high = (process(problem.recordings, problem.robot, part) for part in (share / 10, share))
-    bounds: Bounds = {name: (variance / 4, variance * 1e6) for name, variance in limits.items()}
-    free = {name: (float(np.exp(low[name])), float(np.exp(high[name]))) for name in ("motor", "push")}
-    start = replace(problem, noise={**problem.noise, **high})
-    if not np.isfinite(_misfit(start)):
-        return start
-    return learn_noise(start, np.zeros(len(problem.parameters)), {**bounds, **free}, iterations=5)
-
-
-def _misfit(problem: Problem) -> float:
-    """Root mean square of the whitened innovations at the prior; inf where the filter loses the robot."""
-    value, paths = objective(problem, np.zeros(len(problem.parameters)))
-    if not np.isfinite(value):
-        return np.inf
-    parts = [path.e / np.sqrt(path.s) for path in paths]
-    return float(np.sqrt(np.nanmean(np.concatenate(parts) ** 2)))
 
 
 def fisher(problem: Problem) -> Array:

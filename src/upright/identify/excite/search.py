@@ -63,7 +63,6 @@ class Search:
     focus: tuple[str, ...]
     stand: Array = field(init=False)
     dropped: int = field(init=False)
-    noise: Mapping[str, float] = field(init=False)
     problem: Problem = field(init=False)
     weights: Array = field(init=False)
     made: Mapping[str, Mapping[str, Array]] = field(init=False)
@@ -93,11 +92,10 @@ class Search:
             )
 
     def begin(self) -> None:
-        """What is to be estimated, the noise that a calibration would find, and what a run without excitation tells."""
+        """What is to be estimated, and what a run without excitation tells."""
         largest = self.largest(random_binary(self.loop.rows, 1.0, self.loop.seed))
         (log,) = self._logs(largest[None])
         self.problem = problem_of(log, self.loop.robot, self.loop.kit, self.known)
-        self.noise = self.problem.noise
         names = [p.name for p in self.problem.asked]
         for name in self.focus:
             if name not in names:
@@ -165,7 +163,7 @@ class Search:
         loop = self.loop
         energy = float(loop.energies(excitation[None])[0])
         (log,) = self._logs(excitation[None])
-        told = self._told_alone(log)
+        told = self.told(log)
         after, least = shrunk(told), shrunk(MANY * told)
         dither, held = (shrunk(self._dither(energy, hold)) for hold in (1, HELD))
         shares = {name: share / sum(way.shares.values()) for name, share in way.shares.items()}
@@ -191,10 +189,6 @@ class Search:
 
     def told(self, log: Log) -> Array:
         """Information (n, n) of a log of the nominal robot."""
-        return fisher(problem_of(log, self.loop.robot, self.loop.kit, self.known, self.noise))
-
-    def _told_alone(self, log: Log) -> Array:
-        """The same with the noise that a calibration would find in that log."""
         return fisher(problem_of(log, self.loop.robot, self.loop.kit, self.known))
 
     def _nothing(self) -> Array:
@@ -261,7 +255,7 @@ class Search:
             random_binary(rows, 1.0, self.loop.seed + 1)[None] * _most(self.loop) / 8, energy, hold
         )
         logs = self.loop.logs(self.loop.run(shape, record=True, hold=hold))
-        return self._told_alone(logs[0]) if logs else np.zeros_like(self.at_rest)
+        return self.told(logs[0]) if logs else np.zeros_like(self.at_rest)
 
     def _predicted(self, *several: Array) -> tuple[Predicted, ...]:
         """Widths of the intervals, from shares (n,) that are left of them."""
