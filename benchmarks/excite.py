@@ -7,8 +7,10 @@ Energy is ∫ u_l² + u_r² dt of what the motors of the nominal robot get by an
 that a slow turn, most of whose added voltage the controller takes back, and a dither are measured alike.
 
 A run fixes few combinations of the robot's numbers, and each number no better than its partners are known. So every
-preset comes twice: as its file has it, and with what scales, calipers and an ohmmeter tell taken for exact (`--known`).
-Where even a hundred such runs would not halve the dither's interval, the table says that no run could.
+preset comes thrice: as its file has it; with what scales, calipers and an ohmmeter tell taken for exact (`--known`);
+and as the next run of a robot that was calibrated once, from a dither as loud as the first plan, planned with its
+posterior and its own regulator (`--posterior`), which is louder where drawn robots would have fallen. Where even a
+hundred such runs would not halve the dither's interval, the table says that no run could.
 
 Robots are drawn from the spreads of the preset's file. Those that do not stand unexcited are left out: of the drawn
 ones the kernel tells which, and a twin that falls with the plan is tried again without it. Twins are MuJoCo in the
@@ -18,6 +20,7 @@ kit's electronics; plan, controller and calibration know the preset alone.
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import platform
 import time
@@ -25,6 +28,8 @@ from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from importlib.metadata import version
 from itertools import islice, product
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
@@ -38,7 +43,7 @@ from upright.errors import UprightError
 from upright.experiment import run
 from upright.fleet.kernel_batch import parameters_of
 from upright.fleet.results import clopper_pearson
-from upright.fleet.vary import Family, own_spreads
+from upright.fleet.vary import Family, own_spreads, read_posterior
 from upright.identify.calibrate import calibrate
 from upright.identify.calibration import VISIBLE, Calibration
 from upright.identify.excite import excite
@@ -52,6 +57,9 @@ PRESETS = ("nxtway-gs", "ev3way", "twipr")
 SECONDS = 20.0
 MEASURED = ("wheel_mass", "body_mass", "wheel_radius", "track", "motor_resistance")
 """What scales, calipers and an ohmmeter tell, of those that the robot has."""
+KINDS = {"plan": 0, "dither": 1, "held 40 ms": 4}
+"""How each log was excited, and for how many periods a value of a dither is held."""
+Found = dict[str, Calibration | None]
 UNSEEN = 1000  # added to the seed: robots and noise that the plan was not made with
 
 
@@ -76,17 +84,17 @@ def possible(robot: Robot) -> bool:
     return True
 
 
-def twin_log(name: str, sequence: np.ndarray, true: Robot, seed: int) -> Log:
-    """A twin of `true` under the preset's controller with `sequence` (n, 2) added."""
-    robot = Robot.preset(name)
+def twin_log(name: str, sequence: np.ndarray, true: Robot, seed: int, learnt: Robot | None = None) -> Log:
+    """A twin of `true` under the controller of the preset, or of what was `learnt`, with `sequence` (n, 2) added."""
+    robot = learnt or Robot.preset(name)
     kit = Kit.preset(robot.kit)
     controller = Excited(make_controller("lqg", robot, kit, kit.period), sequence)
     return run(Electronics(Twin(true), kit), controller, seconds=SECONDS, seed=seed)
 
 
-def dither(name: str, energy: float, seed: int, hold: int) -> np.ndarray:
-    """A random binary dither (n, 2) of that energy."""
-    robot = Robot.preset(name)
+def dither(name: str, energy: float, seed: int, hold: int, learnt: Robot | None = None) -> np.ndarray:
+    """A random binary dither (n, 2) of that energy, at the preset or at what was `learnt`."""
+    robot = learnt or Robot.preset(name)
     kit = Kit.preset(robot.kit)
     loop = Loop(robot, kit, make_controller("lqg", robot, kit, kit.period), SECONDS, seed)
     first = 1.0 if loop.gains.command_unit == "V" else 0.02
@@ -94,16 +102,44 @@ def dither(name: str, energy: float, seed: int, hold: int) -> np.ndarray:
     return np.repeat(loop.scaled(rows[None], energy, hold)[0], hold, axis=0)
 
 
-def learnt(job: tuple[str, np.ndarray, Robot, int, tuple[str, ...]]) -> Calibration | None:
+Job = tuple[str, np.ndarray, Robot, int, tuple[str, ...]]
+
+
+def calibrated(job: Job, learnt: Robot | None = None) -> Calibration | None:
     """What a calibration makes of a twin's log; None where it fell or nothing follows the log."""
     name, sequence, true, seed, known = job
-    log = twin_log(name, sequence, true, seed)
+    log = twin_log(name, sequence, true, seed, learnt)
     if log.origin["outcome"]["fell"]:
         return None
     try:
         return calibrate(log, Robot.preset(name), known=known)
     except UprightError:
         return None
+
+
+def next_run(name: str, energy: float, job: tuple[int, Robot]) -> tuple[ExcitationPlan, Found] | None:
+    """A plan made with what a dither of that `energy` told of a twin, and what its log and dithers' tell; None where
+    the first log tells nothing or no plan can be made."""
+    seed, true = job
+    first = calibrated((name, dither(name, energy, seed, 1), true, seed, ()))
+    if first is None:
+        return None
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / "first.json"
+        file.write_text(json.dumps(first.to_json()), encoding="utf-8")
+        posterior = read_posterior(file)
+    try:
+        plan = excite(first.robot, seconds=SECONDS, posterior=posterior)
+    except UprightError:
+        return None
+    later = UNSEEN + seed
+    return plan, {
+        kind: calibrated(
+            (name, dither(name, plan.energy, later, hold, first.robot) if hold else plan.sequence, true, later, ()),
+            first.robot,
+        )
+        for kind, hold in KINDS.items()
+    }
 
 
 def fell(name: str, sequence: np.ndarray, job: tuple[int, Robot]) -> tuple[bool, bool]:
@@ -116,26 +152,43 @@ def fell(name: str, sequence: np.ndarray, job: tuple[int, Robot]) -> tuple[bool,
 def widths(plan: ExcitationPlan, name: str, seeds: int, known: tuple[str, ...], pool: ProcessPoolExecutor) -> None:
     """Median ratios of interval widths from the plan's logs to those from dithers of its energy."""
     true = robots(name, seeds, UNSEEN, known)
-    kinds = {"plan": 0, "dither": 1, "held 40 ms": 4}
     jobs = [
         (name, dither(name, plan.energy, UNSEEN + i, hold) if hold else plan.sequence, robot, UNSEEN + i, known)
-        for hold in kinds.values()
+        for hold in KINDS.values()
         for i, robot in enumerate(true)
     ]
-    found = list(pool.map(learnt, jobs))
-    by_kind = {kind: found[i * seeds : (i + 1) * seeds] for i, kind in enumerate(kinds)}
+    found = list(pool.map(calibrated, jobs))
+    by_kind = {kind: found[i * seeds : (i + 1) * seeds] for i, kind in enumerate(KINDS)}
+    table([plan], by_kind)
+
+
+def next_runs(plan: ExcitationPlan, name: str, seeds: int, pool: ProcessPoolExecutor) -> None:
+    """The same for the next run of each robot, after a first one with a dither of this plan's energy."""
+    true = list(enumerate(robots(name, seeds, UNSEEN), UNSEEN))
+    found = [f for f in pool.map(partial(next_run, name, plan.energy), true) if f]
+    print(f"\n{name}, calibrated once: {len(found)} of {seeds} plans could be made")
+    if found:
+        louder = np.median([later.energy for later, _ in found]) / plan.energy
+        print(f"  energy {louder:.2g} times the first plan's (median)")
+        table([later for later, _ in found], {kind: [c[kind] for _, c in found] for kind in KINDS})
+
+
+def table(plans: list[ExcitationPlan], by_kind: dict[str, list[Calibration | None]]) -> None:
+    """Every parameter's interval widths by plan and dithers."""
     lost = {kind: sum(c is None for c in several) for kind, several in by_kind.items()}
     print(
-        f"  interval widths from calibrations of twin logs, medians over {seeds} robots; fell or not followed: {lost}"
+        f"  interval widths from calibrations of twin logs, medians over {len(by_kind['plan'])} robots; "
+        f"fell or not followed: {lost}"
     )
     columns = (("visible in", 11), ("plan/dither", 13), ("plan/held", 11), ("100/dither", 12), ("± plan", 12))
     head = f"  {'parameter':<20}" + "".join(f"{text:>{size}}" for text, size in (*columns, ("± dither", 12)))
     print(f"{head}  bar (at most half of the dither's)")
     in_all = [c.to_json() for several in by_kind.values() for c in several if c]
     there = {e["name"] for e in (*in_all[0]["parameters"], *in_all[0]["delays"])} if in_all else set()
-    for p in plan.predicted:
+    for i, p in enumerate(plans[0].predicted):
         if p.name in there:
-            row(p.name, p.least / p.dither, by_kind)
+            least = (plan.predicted[i].least / plan.predicted[i].dither for plan in plans)
+            row(p.name, float(np.median(list(least))), by_kind)
 
 
 def row(name: str, least: float, by_kind: dict[str, list[Calibration | None]]) -> None:
@@ -194,6 +247,8 @@ def main() -> None:
             print(f"  energy {plan.energy:.3g} ({plan.unit})² s, of the excitation alone {plan.added:.3g}", flush=True)
             if asked.seeds:
                 widths(plan, name, asked.seeds, known, pool)
+            if asked.seeds and measured:
+                next_runs(plans[name], name, asked.seeds, pool)
         for name, plan in plans.items() if asked.runs else ():
             falls(plan, name, asked.runs, pool)
 

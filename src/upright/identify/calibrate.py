@@ -23,12 +23,13 @@ from numpy.typing import NDArray
 from upright.errors import DesignFailed, InvalidLog
 from upright.identify.calibration import Calibration
 from upright.identify.electronics import electronics_of
-from upright.identify.fitting import EQUATIONS, JITTER, Normal, Path, Problem, normal_equations, objective
+from upright.identify.fitting import EQUATIONS, JITTER, STICKING, Normal, Path, Problem, normal_equations, objective
 from upright.identify.gauss_newton import gauss_newton
 from upright.identify.informativity import INERTIAL, too_quiet
 from upright.identify.noise import Bounds, learn_noise
-from upright.identify.parameters import parameters_of
+from upright.identify.parameters import most_friction, parameters_of
 from upright.identify.recording import SENSOR, Recording, commanded, first_noise, head, record
+from upright.physics.dynamics import motor_gain
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -66,9 +67,10 @@ PLAUSIBLE = 9.0
 """Sensors no noisier than this over their kit's variance show that the prior's own dead times are near enough."""
 
 NOISE_TIME = 0.01  # [s] the period for which shares of the commands are meant
+UNSURE = 0.01  # share of the friction that may well be there, with which its noise begins where none is known
 BIAS_WALK = 1e-7  # [(rad/s)²/s] the gyro's bias, a few hundredths of a degree a second each second
 LEAST = 1e-6  # smallest process noise, of the largest
-EARLY, ENOUGH = 6.0, 10.0  # [s] of each log that decide between starts, and on which noise is taken away
+EARLY = 6.0  # [s] of each log that decide between starts, and on which noise is taken away
 
 
 def calibrate(
@@ -148,13 +150,13 @@ def _delay(kit: Kit, sensor: str) -> float:
 
 
 def process(recordings: Sequence[Recording], robot: Robot, share: float) -> dict[str, float]:
-    """Log-variances a second of process noise: `share` of the commands, and of 1 N for a robot of 0.6 kg."""
+    """Log-variances a second of process noise: `share` of the commands, and of 1 N for a robot of 0.6 kg; and while a
+    wheel sticks, the friction that holds it, or where none is known, little of what may well be there."""
     rms = np.sqrt(np.mean([np.mean(r.commands**2) for r in recordings]))
-    push = share * robot.body_mass / 0.6
-    return {
-        "motor": float(np.log((share * max(rms, 1e-9)) ** 2 * NOISE_TIME)),
-        "push": float(np.log(push**2 * NOISE_TIME)),
-        "gyro_bias": float(np.log(BIAS_WALK)),
+    dry = (robot.coulomb_friction or UNSURE * most_friction(robot)) / motor_gain(robot)
+    sizes = {"motor": share * max(rms, 1e-9), "push": share * robot.body_mass / 0.6, STICKING: max(dry, 1e-9)}
+    return {name: float(np.log(size**2 * NOISE_TIME)) for name, size in sizes.items()} | {
+        "gyro_bias": float(np.log(BIAS_WALK))
     }
 
 
@@ -171,13 +173,13 @@ def annealed(problem: Problem, limits: Mapping[str, float]) -> tuple[Problem, Ar
     """From the best of several starts, with less and less process noise, as long as the filter keeps the robot: on the
     beginning of the logs, since only the way down is sought, and on the whole where that does not follow the rest."""
     z = _best_start(problem, limits)
-    early, found = _less_noise(replace(problem, recordings=_beginnings(problem, ENOUGH)), z, limits)
+    early, found = _less_noise(replace(problem, recordings=_beginnings(problem)), z, limits)
     fitted = replace(early, recordings=problem.recordings)
     return (fitted, found) if np.isfinite(objective(fitted, found)[0]) else _less_noise(problem, z, limits)
 
 
-def _beginnings(problem: Problem, seconds: float) -> tuple[Recording, ...]:
-    return tuple(head(r, seconds) for r in problem.recordings)
+def _beginnings(problem: Problem) -> tuple[Recording, ...]:
+    return tuple(head(r, EARLY) for r in problem.recordings)
 
 
 def _less_noise(problem: Problem, z: Array, limits: Mapping[str, float]) -> tuple[Problem, Array]:
@@ -196,7 +198,7 @@ def _less_noise(problem: Problem, z: Array, limits: Mapping[str, float]) -> tupl
 
 def _best_start(problem: Problem, limits: Mapping[str, float]) -> Array:
     """The prior with its dead times, or with longer ones, whichever explains the beginning of the logs best."""
-    early = replace(problem, recordings=_beginnings(problem, EARLY))
+    early = replace(problem, recordings=_beginnings(problem))
     tries: list[tuple[float, Array]] = []
     for all_later, gyro_later, heavier in STARTS:
         z = np.zeros(len(problem.parameters))
@@ -263,8 +265,9 @@ def _later(problem: Problem, z: Array, periods: float) -> Fit:
 
 
 def _bounds(problem: Problem, limits: Mapping[str, float], share: float, most: float = 1e6) -> Bounds:
-    top = process(problem.recordings, problem.robot, share)
-    free = {name: (float(np.exp(top[name])) * LEAST, float(np.exp(top[name]))) for name in ("motor", "push")}
+    top, dry = process(problem.recordings, problem.robot, share), most_friction(problem.robot)
+    top[STICKING] = max(top[STICKING], math.log((dry / motor_gain(problem.robot)) ** 2 * NOISE_TIME + 1e-30))
+    free = {name: (math.exp(value) * LEAST, math.exp(value)) for name, value in top.items() if name != "gyro_bias"}
     return {**_sensor_bounds(limits, most), **free}
 
 

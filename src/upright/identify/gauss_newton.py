@@ -16,7 +16,8 @@ from upright.identify.parameters import rows_of
 Array = NDArray[np.float64]
 
 FIRST_DAMPING = 1e-6  # of the coefficients' own information
-TRIES = 5  # dampings of one iteration, at most
+SHORT = 10.0  # tolerances: a step that gains nothing is not shortened below
+HEAVY = 1e6  # damping beyond which no step is tried
 FAR = 3.0  # deviations of the prior that a parameter moves at most in one iteration
 INNER, ENOUGH = 25, 1e-5  # iterations along the coefficients' curves, and the gain in log-likelihood that ends them
 
@@ -31,18 +32,17 @@ def gauss_newton(
     damping = FIRST_DAMPING
     for _ in range(iterations):
         spread = np.sqrt(np.diag(np.linalg.inv(normal.hessian)))
-        for _ in range(TRIES):
+        lower, length, new, now, candidate = False, np.inf, z, value, paths
+        while not lower and length > SHORT * tolerance and damping < HEAVY:
             new = _foreseen(problem, z, normal, damping)
-            small = np.abs((new - z) / spread).max() < tolerance
+            length = np.abs((new - z) / spread).max()
             now, candidate = objective(problem, new)
             lower = now < value + 1e-2 or (not np.isfinite(value) and np.isfinite(now))
             damping = damping / 30 if lower else max(30 * damping, 1e-3)
-            if lower or small:
-                break
         if lower:
             z, value, paths = new, now, candidate
             normal = normal_equations(problem, z, paths, value)
-        if small or not lower:
+        if length < tolerance or not lower:
             break
     return z, normal, paths
 

@@ -127,6 +127,12 @@ def _scale(robot: Robot, name: str) -> float:
     return max(scale.get(name, drag), getattr(robot, name))
 
 
+def most_friction(robot: Robot) -> float:
+    """Dry friction of a wheel [N m] as large as it may well be: its prior, or the prior's spread."""
+    p = _physical(robot, "coulomb_friction")
+    return max(p.prior, p.spread)
+
+
 def with_values(robot: Robot, values: Mapping[str, float]) -> Robot:
     """`robot` with new numbers, its roll inertia where `ROLL_SHARE` says between its bounds, or where it stood."""
     physical = {name: value for name, value in values.items() if name in PARAMETERS}

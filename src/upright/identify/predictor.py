@@ -40,10 +40,11 @@ LANES = 64
 ROW, SPAN, CONSTANT = LANES, STATES, STATES + 1
 DRIVE = CONSTANT + CONSTANTS
 DRY, STOPS, LEFT, RIGHT, OLD = DRIVE + 3, DRIVE + 4, DRIVE + 5, DRIVE + 6, DRIVE + 7
+STUCK = OLD + STATES
 """A block is one array of rows, `ROW` apart, of one number for each lane: the states, the time to move, the robot's
 constants, what drives it (factors of both motors, dead zone), its dry friction as a command, whether a wheel stops, the
-commands that arrive, and the states before the step. One array and a fixed distance let the compiler take several lanes
-at once."""
+commands that arrive, the states before the step, and whether a wheel has stopped. One array and a fixed distance let
+the compiler take several lanes at once."""
 
 SWEEPS = 20  # of Gauss and Seidel over both wheels, at most: each halves the error at least
 PASSES = 3  # in which the answer to friction, known to a few hundredths, is corrected, at most
@@ -111,6 +112,7 @@ def _advance(w: Any, count: Any, steps: Any) -> None:
     for i in range(count):
         if w[STOPS * ROW + i] < 0:
             _stop(w, i, w[SPAN * ROW + i] / steps)
+            w[STUCK * ROW + i] = 1.0
 
 
 @njit
@@ -202,7 +204,7 @@ def _move(w: Any, count: Any, u: Any, start: Any, stop: Any, longest: Any) -> No
 @njit
 def _block(c: Any) -> Any:
     """The block of lanes with constants c (constants, lanes), their states zero."""
-    w = np.zeros((OLD + STATES) * ROW)
+    w = np.zeros((STUCK + 1) * ROW)
     for j in range(c.shape[0]):
         for i in range(c.shape[1]):
             w[(CONSTANT + j) * ROW + i] = c[j, i]
@@ -267,6 +269,7 @@ def _flow(w: Any, x: Any, u: Any, start: Any, stop: Any, longest: Any, phi: Any,
             w[j * ROW + i] = x[j]
     for i in range(4):
         w[MOVED[i] * ROW + 1 + i] += _NUDGE
+    w[STUCK * ROW] = 0.0
     _move(w, times.shape[1], u, times[0], times[1], longest)
     for j in range(STATES):
         base = w[j * ROW]
@@ -321,8 +324,9 @@ def kalman_path(  # noqa: PLR0912 (the inner loop, unrolled by hand over what a 
     """The extended Kalman filter along one log: innovations e (events,) and their variances s (events,).
 
     `c` (constants, WIDE) are the robot's, in every lane. Fills `gains` (events, states) and, where it has rows,
-    `states` (events, states) after each event. `Q` is the covariance of the process noise per second, `jitter` the
-    variance [s²] of the moments at which commands arrive, `noise` that of each sensor row.
+    `states` (events, states) after each event. `Q` (2, states, states) is the covariance of the process noise per
+    second while both wheels move, and while one sticks or turns back; `jitter` the variance [s²] of the moments at
+    which commands arrive; `noise` that of each sensor row.
     """
     size = len(first)
     x, P, u = first.copy(), P0.copy(), commands[0].copy()
@@ -336,7 +340,7 @@ def kalman_path(  # noqa: PLR0912 (the inner loop, unrolled by hand over what a 
         now = max(now, then) if now == -np.inf else now
         if then - now > 1e-12:
             _flow(w, x, u, now, then, longest, phi, times)
-            _spread(P, phi, Q, then - now, scratch)
+            _spread(P, phi, Q[int(w[STUCK * ROW])], then - now, scratch)
             now = then
         if not abs(x[0]) < TOPPLED:
             return e, s

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from upright.bodies.electronics import drive
 from upright.errors import InvalidLog
 from upright.identify.calibrate import NOISE_TIME, process
-from upright.identify.fitting import Path, Problem
+from upright.identify.fitting import STICKING, Path, Problem
 from upright.identify.recording import SENSOR, first_noise, reading_matrix, record
 from upright.physics.dynamics import Disturbance, derivative, motor_gain
 from upright.physics.integrate import rk4_step
@@ -122,7 +122,7 @@ def _problem(log: Log, robot: Robot, kit: Kit, dead: float) -> Problem:
     recording = record(log, robot, skip=kit.delay + max(late.values(), default=0.0) + 0.02, held_out=0.0)
     delays = {s: dead + max((d for n, d in late.items() if SENSOR[n] == s), default=0.0) for s in recording.sensors}
     noise = {s: math.log(variance) for s, variance in first_noise(recording, kit).items()}
-    noise |= process((recording,), robot, FREEDOM)
+    noise |= process((recording,), robot, FREEDOM) | {STICKING: -math.inf}  # the motors' noise below holds it
     dry = DRY * robot.coulomb_friction / motor_gain(robot)
     noise["motor"] = math.log(math.exp(noise["motor"]) + dry**2 * NOISE_TIME)
     return Problem((recording,), robot, (), delays, noise)
