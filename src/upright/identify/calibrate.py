@@ -283,8 +283,6 @@ def _settled(problem: Problem, z: Array, bounds: Bounds) -> Fit:
         changed = {n: abs(problem.noise[n] - before.noise[n]) for n in bounds}
         if max(changed.values()) < STILL:
             return before, z, normal, paths
-        if max(changed[n] for n in problem.delays) < STILL:
-            break
     return (problem, *gauss_newton(problem, z, iterations=8))
 
 
