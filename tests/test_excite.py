@@ -97,7 +97,7 @@ def test_information_is_that_of_the_closed_form() -> None:
     noise = 1e-4
     log, told = turning(noise)
     quiet = {"encoder": np.log(noise), "gyro": np.log(noise), "motor": -60.0, "push": -60.0, "gyro_bias": -60.0}
-    problem = problem_of(log, NXT, Kit(name="none"), noise=quiet)
+    problem = dataclasses.replace(problem_of(log, NXT, Kit(name="none")), noise=quiet)
     row = [p.name for p in problem.parameters].index("yaw_inertia")
     assert fisher(problem)[row, row] == pytest.approx(told, rel=0.01)
 
