@@ -39,14 +39,14 @@ DRIVEN, DELAYS = CONSTANTS, CONSTANTS + 3
 TURN, DRY, ZONE = 0, 7, DRIVEN + 2
 FELT = (0, 3, 4, 5, 7, 8, 9, 10, 11, 14, 15, 16, 19, 20, 21, 22)
 """Of the constants of the equations of motion those that a level floor shows; the rest belong to slopes and pushes."""
+EXACT = 7e-4
+"""How right the equations are (root mean square): with the same numbers they and MuJoCo, whose contacts yield a little,
+differ by 0.04 % in pitch and 0.07 % in the wheel rate (docs/twin.md), and no real robot is nearer to either."""
 COUPLING, INERTIA = 20, 21
-"""Of these what couples pitch and wheels at any pitch, which without rotors is nothing: it is off by a share of the
-geometric mean of both inertias; and the inertia in pitch, both over that of the wheels."""
-EXACT = 2e-3
-"""How right the equations are. With the same numbers they and MuJoCo, whose contacts yield a little, differ by 0.04 %
-in pitch and 0.07 % in the wheel rate (root mean square, docs/twin.md); and where wheels with dry friction turn back,
-which MuJoCo knows to half a time step, by what 0.1 % of all that rolls would do. So twice that; no real robot is nearer
-to either."""
+"""Among the constants what couples pitch and wheels at any pitch, and the inertia in pitch, both over the wheels'."""
+TURNED = 1.5e-3
+"""How right the coupling is, of the geometric mean of both inertias: where wheels with dry friction turn back, which
+MuJoCo knows to half a time step, both differ by what a rotor of 0.1 % of all that rolls would do."""
 EQUATION = "equation/"
 EQUATIONS = tuple(Parameter(f"{EQUATION}{i}", "1", 0.0, EXACT, "linear") for i in FELT)
 """By what share each constant of the equations is off: estimated beside the parameters, and never told."""
@@ -122,7 +122,7 @@ class Problem:
             row[:] = value
         if len(z) > len(self.asked):
             size = c[list(FELT)]
-            size[FELT.index(COUPLING)] = np.sqrt(c[INERTIA])
+            size[FELT.index(COUPLING)] = TURNED / EXACT * np.sqrt(c[INERTIA])
             c[list(FELT)] += EXACT * size * z[len(self.asked) :]
         return np.concatenate([c, driven(self.asked, z), [*self.late(z).values()]])
 

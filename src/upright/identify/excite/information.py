@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.identify.calibrate import FREEDOM, prepared, process
-from upright.identify.fitting import Problem, normal_equations, objective
+from upright.identify.fitting import STICKING, Problem, normal_equations, objective
 from upright.identify.informativity import too_quiet
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -30,16 +30,22 @@ SHARES = (FREEDOM / 10, FREEDOM, 0.1, 0.3)
 friction that is not quite theirs), so that slow motion tells less than a perfect model would have it; and more, where
 the filter would lose the robot otherwise, since kernel and predictor differ in their dry friction."""
 
+LOOSE = 0.03
+"""Noise while a wheel sticks, as a share of the friction that holds it: what twins show."""
+
 
 def problem_of(log: Log, robot: Robot, kit: Kit, known: Sequence[str] = ()) -> Problem:
     """The calibration of `robot` from `log` at its prior, with the noise of the kit's sensors and the least of `SHARES`
     with which the filter keeps the robot."""
     found, _ = prepared([log], robot, kit, known, HELD_OUT)
     problem = replace(found, fine=True)
-    several = (
-        replace(problem, noise={**problem.noise, **process(problem.recordings, robot, share)}) for share in SHARES
-    )
+    several = (replace(problem, noise=problem.noise | _process(problem, share)) for share in SHARES)
     return next((p for p in several if np.isfinite(objective(p, np.zeros(len(p.parameters)))[0])), problem)
+
+
+def _process(problem: Problem, share: float) -> dict[str, float]:
+    noise = process(problem.recordings, problem.robot, share)
+    return noise | {STICKING: noise[STICKING] + 2 * np.log(LOOSE)}
 
 
 def quiet(log: Log, robot: Robot, kit: Kit, known: Sequence[str] = ()) -> str:
