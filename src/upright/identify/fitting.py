@@ -45,8 +45,8 @@ differ by 0.04 % in pitch and 0.07 % in the wheel rate (docs/twin.md), and no re
 COUPLING, INERTIA = 20, 21
 """Among the constants what couples pitch and wheels at any pitch, and the inertia in pitch, both over the wheels'."""
 TURNED = 1.5e-3
-"""How right the coupling is, of the geometric mean of both inertias: where wheels with dry friction turn back, which
-MuJoCo knows to half a time step, both differ by what a rotor of 0.1 % of all that rolls would do."""
+"""How right the coupling is where there is dry friction, of the geometric mean of both inertias: wheels that turn back,
+which MuJoCo does at the end of a time step, differ by what a rotor of 0.1 % of all that rolls would do."""
 EQUATION = "equation/"
 EQUATIONS = tuple(Parameter(f"{EQUATION}{i}", "1", 0.0, EXACT, "linear") for i in FELT)
 """By what share each constant of the equations is off: estimated beside the parameters, and never told."""
@@ -122,7 +122,8 @@ class Problem:
             row[:] = value
         if len(z) > len(self.asked):
             size = c[list(FELT)]
-            size[FELT.index(COUPLING)] = TURNED / EXACT * np.sqrt(c[INERTIA])
+            if self.robot.coulomb_friction:
+                size[FELT.index(COUPLING)] = TURNED / EXACT * np.sqrt(c[INERTIA])
             c[list(FELT)] += EXACT * size * z[len(self.asked) :]
         return np.concatenate([c, driven(self.asked, z), [*self.late(z).values()]])
 
