@@ -39,7 +39,7 @@ def problem_of(log: Log, robot: Robot, kit: Kit, known: Sequence[str] = ()) -> P
     with which the filter keeps the robot."""
     found, _ = prepared([log], robot, kit, known, HELD_OUT)
     problem = replace(found, fine=True)
-    several = (replace(problem, noise=problem.noise | _process(problem, share)) for share in SHARES)
+    several = (replace(problem, noise={**problem.noise, **_process(problem, share)}) for share in SHARES)
     return next((p for p in several if np.isfinite(objective(p, np.zeros(len(p.parameters)))[0])), problem)
 
 
