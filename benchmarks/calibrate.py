@@ -18,6 +18,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from importlib.metadata import version
 
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command `upright` does
+
 import numpy as np
 
 from upright.bodies import Electronics

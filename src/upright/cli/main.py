@@ -82,6 +82,7 @@ def start(
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code: 0, or 2 for what the user can mend, 1 for a bug, 130 for Ctrl-C."""
     arguments = sys.argv[1:] if argv is None else list(argv)
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices here are small: more threads only wait for each other
     try:
         code = get_command(app).main(arguments, prog_name="upright", standalone_mode=False)
     except (KeyboardInterrupt, typer.Abort):
