@@ -24,16 +24,16 @@ import numpy as np
 
 from upright.bodies import Electronics
 from upright.bodies.twin import Twin
+from upright.calibrate.calibrate import annealed, calibrate, prepared, refined
+from upright.calibrate.calibration import VISIBLE
+from upright.calibrate.fitting import Problem
+from upright.calibrate.gauss_newton import gauss_newton
+from upright.calibrate.summary import rolling_pole
 from upright.control import Estimated, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError
 from upright.experiment import run
-from upright.identify.calibrate import annealed, calibrate, prepared, refined
-from upright.identify.calibration import VISIBLE
-from upright.identify.fitting import Problem
-from upright.identify.gauss_newton import gauss_newton
-from upright.identify.recording import SENSOR
-from upright.identify.summary import rolling_pole
+from upright.logs.recording import SENSOR
 from upright.physics.dynamics import derivative
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.signals import Log
@@ -169,7 +169,7 @@ def scipy_time(problem: Problem, limits: dict[str, float], whole: bool) -> None:
     residuals, which are the same numbers; the product is what the whole would take. With `whole` it is run."""
     from scipy.optimize import least_squares
 
-    from upright.identify.predictor import innovations
+    from upright.calibrate.predictor import innovations
 
     found, z, _, _ = refined(*annealed(problem, limits), limits)
     settled, z = replace(found, parameters=found.asked), z[: len(found.asked)]  # those that are told, for both alike
@@ -217,7 +217,7 @@ def solve_ivp_pass(problem: Problem, z: np.ndarray, gains: np.ndarray) -> np.nda
     """The innovations with SciPy's integrator between events."""
     from scipy.integrate import solve_ivp
 
-    from upright.identify.parameters import with_values
+    from upright.calibrate.parameters import with_values
 
     recording = problem.recordings[0]
     robot = with_values(problem.robot, {p.name: float(p.value(z[i])) for i, p in enumerate(problem.parameters)})

@@ -29,8 +29,8 @@ from upright.control import LinearController, as_linear, lqg, make_controller
 from upright.control.uncertain import draw
 from upright.errors import DesignFailed, InvalidRobot
 from upright.fleet.ensemble import tables
-from upright.fleet.kernel import simulate
-from upright.fleet.kernel_batch import FleetBatch, parameters_of
+from upright.kernel.batch import FleetBatch, parameters_of
+from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
 from upright.robots.files import find_kit
 

@@ -23,10 +23,10 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.control import Estimated, bryson, complementary, kalman, lqr
 from upright.control.excited import Excited, random_binary
+from upright.doctor.doctor import Diagnosis, doctor
 from upright.errors import UprightError
 from upright.experiment import Drive, Push, Turn, run
-from upright.identify.doctor import Diagnosis, doctor
-from upright.identify.readers import Table
+from upright.logs.readers import Table
 from upright.robots import Kit, Robot
 from upright.signals import Log
 

@@ -37,19 +37,19 @@ import numpy as np
 
 from upright.bodies import Electronics
 from upright.bodies.twin import Twin
+from upright.calibrate.calibrate import calibrate
+from upright.calibrate.calibration import VISIBLE, Calibration
 from upright.control import make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError
+from upright.excite import excite
+from upright.excite.loop import Loop
+from upright.excite.plan import ExcitationPlan
+from upright.excite.search import SWAY
 from upright.experiment import run
-from upright.fleet.kernel_batch import parameters_of
 from upright.fleet.results import clopper_pearson
 from upright.fleet.vary import Family, own_spreads, read_posterior
-from upright.identify.calibrate import calibrate
-from upright.identify.calibration import VISIBLE, Calibration
-from upright.identify.excite import excite
-from upright.identify.excite.loop import Loop
-from upright.identify.excite.plan import ExcitationPlan
-from upright.identify.excite.search import SWAY
+from upright.kernel.batch import parameters_of
 from upright.robots import Kit, Robot
 from upright.signals import Log
 

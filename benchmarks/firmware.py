@@ -15,11 +15,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from upright.bricks.virtual_robot import COST
 from upright.control import CONTROLLERS, make_controller
 from upright.errors import UprightError
-from upright.firmware import execute_arm, execute_avr, generate, parity
-from upright.firmware.execute import execute
-from upright.firmware.virtual_robot import COST
+from upright.firmware import generate
+from upright.parity import execute_arm, execute_avr, parity
+from upright.parity.execute import execute
 from upright.robots import Kit, Robot
 
 ROWS: tuple[tuple[str, str, str], ...] = (

@@ -35,14 +35,14 @@ import numpy as np
 from upright.bodies import NonlinearBody
 from upright.control import Estimated, kalman, lqr
 from upright.experiment import Push, run
-from upright.fleet.cuda import why_not
 from upright.fleet.ensemble import Ensemble
-from upright.fleet.kernel import simulate
-from upright.fleet.kernel_batch import FleetBatch, parameters_of
-from upright.fleet.kernel_pack import constants
-from upright.fleet.pushmap import PushGrid, push_map
+from upright.fleet.push_map import PushGrid, push_map
 from upright.fleet.sweep import find_controller
 from upright.fleet.vary import Family, own_spreads
+from upright.kernel.batch import FleetBatch, parameters_of
+from upright.kernel.cuda import why_not
+from upright.kernel.pack import constants
+from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
 
 HERE = Path(__file__).parent
@@ -262,8 +262,8 @@ def memory() -> None:
 def first_call() -> None:
     code = (
         "import time, numpy, scipy.linalg; from upright.robots import Robot; from upright.control import lqr; r = Robot.preset('nxtway-gs');"
-        "k = lqr(r); t = time.perf_counter(); from upright.fleet.kernel import simulate;"
-        "from upright.fleet.kernel_batch import FleetBatch, parameters_of;"
+        "k = lqr(r); t = time.perf_counter(); from upright.kernel.simulate import simulate;"
+        "from upright.kernel.batch import FleetBatch, parameters_of;"
         "simulate(FleetBatch(parameters=parameters_of(r), controller=k), 1.0); print(time.perf_counter() - t)"
     )
     with tempfile.TemporaryDirectory() as folder:

@@ -27,8 +27,8 @@ from upright.control.delay import rolling
 from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError
 from upright.experiment import run
-from upright.identify.linear.judge import judge_of, tried
-from upright.identify.linear.side_by_side import identify, study_of
+from upright.identify.identify import identify, study_of
+from upright.identify.judge import judge_of, tried
 from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log

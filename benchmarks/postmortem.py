@@ -377,8 +377,8 @@ def judged(work: tuple[str, int, str]) -> Told:
 
 
 def _examined(case: Planted, told: Told) -> Told:
-    from upright.certify.postmortem.evidence import gathered
-    from upright.certify.postmortem.verdict import ranked
+    from upright.diagnose.evidence import gathered
+    from upright.diagnose.verdict import ranked
 
     nominal = Robot.preset(case.robot)
     kit = Kit.preset(nominal.kit)

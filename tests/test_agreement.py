@@ -15,6 +15,7 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import Sample
+from upright.calibrate.calibration import HELD, Calibration
 from upright.certify.agreement import Agreement, agreement
 from upright.certify.certificate import (
     AMBER,
@@ -35,8 +36,7 @@ from upright.control.permit import permitted
 from upright.control.uncertain import draw, spreads
 from upright.errors import InvalidController, InvalidLog, NotPermitted, SpecMismatch
 from upright.experiment import Hold, run
-from upright.fleet.kernel_batch import Gains
-from upright.identify.calibration import HELD, Calibration
+from upright.kernel.batch import Gains
 from upright.physics.dynamics import CALM
 from upright.robots import Kit, Robot
 from upright.signals import Log

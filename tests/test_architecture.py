@@ -19,10 +19,11 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 SOURCE = CHECKOUT / "src" / "upright"
 
 ROOMS = (
-    "errors", "atomic", "signals", "robots", "physics", "bodies", "control", "experiment", "fleet", "identify",
-    "certify", "comparison", "report", "paper", "firmware", "lab", "cli",
+    "errors", "atomic", "signals", "robots", "physics", "compiled", "links", "bodies", "control", "logs", "doctor",
+    "experiment", "kernel", "calibrate", "fleet", "firmware", "bricks", "parity", "excite", "identify", "certify",
+    "diagnose", "flight", "comparison", "report", "paper", "lab", "cli",
 )  # fmt: skip
-"""From the ground up. Fleet stands below identify and certify, which run many robots at once."""
+"""From the ground up."""
 
 STRANGERS = {("control", "bodies")}
 """Rooms that do not know each other although the order would allow it: a controller must not see inside a body."""
@@ -36,15 +37,15 @@ HEAVY = {
 }  # fmt: skip
 AT_ONCE = {
     ("bodies/twin.py", "mujoco"), ("paper/derivation.py", "sympy"), ("paper/errata.py", "sympy"),
-    ("fleet/trace.py", "sympy"), ("fleet/trace_print.py", "sympy"), ("fleet/trace_tangent.py", "sympy"),
-    ("fleet/trace_motion.py", "sympy"),
-    ("fleet/cuda_loop.py", "numba"), ("identify/predictor.py", "numba"), ("lab/app.py", "fastapi"),
+    ("compiled/trace.py", "sympy"), ("compiled/trace_print.py", "sympy"), ("compiled/trace_tangent.py", "sympy"),
+    ("compiled/trace_motion.py", "sympy"),
+    ("kernel/cuda_loop.py", "numba"), ("calibrate/predictor.py", "numba"), ("lab/app.py", "fastapi"),
 }  # fmt: skip
 """Heavy packages that a module may import when it is loaded, because it is loaded only to use them."""
 
 SYMPY = {
-    "paper/derivation.py", "paper/errata.py", "fleet/trace.py", "fleet/trace_print.py", "fleet/trace_tangent.py",
-    "fleet/trace_motion.py",
+    "paper/derivation.py", "paper/errata.py", "compiled/trace.py", "compiled/trace_print.py",
+    "compiled/trace_tangent.py", "compiled/trace_motion.py",
 }  # fmt: skip
 """Nothing else imports SymPy at all: it proves and traces, and is never needed at run time."""
 

@@ -13,16 +13,16 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
+from upright.calibrate.calibrate import calibrate, prepared
+from upright.calibrate.calibration import HELD, VISIBLE, Calibration
+from upright.calibrate.fitting import DRIVEN, FELT, normal_equations, objective
+from upright.calibrate.parameters import ROLL_SHARE, parameters_of, with_values
+from upright.calibrate.threads import side_by_side
 from upright.control import Estimated, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import run
-from upright.identify.calibrate import calibrate, prepared
-from upright.identify.calibration import HELD, VISIBLE, Calibration
-from upright.identify.fitting import DRIVEN, FELT, normal_equations, objective
-from upright.identify.parameters import ROLL_SHARE, parameters_of, with_values
-from upright.identify.recording import record
-from upright.identify.side_by_side import side_by_side
+from upright.logs.recording import record
 from upright.physics.dynamics import derivative
 from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Robot
@@ -52,7 +52,7 @@ def test_the_predictor_integrates_the_equations_of_physics() -> None:
     """A free simulation by the predictor is that of `physics.dynamics` under SciPy's integrator of order eight."""
     from scipy.integrate import solve_ivp
 
-    from upright.identify.predictor import innovations
+    from upright.calibrate.predictor import innovations
 
     log = twin_log()
     problem, _ = prepared([log], PRIOR, NXT, (), 0.0)
@@ -84,7 +84,7 @@ def test_the_predictor_integrates_the_equations_of_physics() -> None:
 
 def test_slopes_at_fixed_gains_are_those_of_the_innovations() -> None:
     """The Jacobian's columns agree with a secant over a step a hundred times longer, to what its curvature leaves."""
-    from upright.identify.predictor import innovations
+    from upright.calibrate.predictor import innovations
 
     problem, _ = prepared([twin_log(5.0)], PRIOR, NXT, (), 0.0)
     recording, z = problem.recordings[0], np.zeros(len(problem.parameters))
@@ -123,7 +123,7 @@ def test_constants_that_no_level_floor_shows_do_nothing() -> None:
 def test_slopes_are_the_forward_sensitivities_of_the_dynamics() -> None:
     """At zero gains the predictor simulates freely, and its differences are the exact tangents that the fleet's kernel
     traces from `physics.dynamics`: two routes that share no code but the equations."""
-    from upright.fleet.sensitivity import simulate_with_sensitivities
+    from upright.kernel.sensitivity import simulate_with_sensitivities
 
     prompt = {name: replace(sensor, delay=0.0) for name, sensor in NXT.sensors.items()}
     log = twin_log(5.0)
@@ -374,7 +374,7 @@ def test_a_weaker_motor_is_found() -> None:
 @pytest.mark.needs("shared/data/ev3-balanc3r")
 def test_balanc3r_is_too_quiet_for_an_inertia(shared: Path) -> None:
     """Its README says so: standing still, the pitch rate moves by three degrees a second of a gyro of one."""
-    from upright.identify.raw import raw_log
+    from upright.logs.raw import raw_log
 
     found = calibrate(raw_log(shared / "data/ev3-balanc3r/datalog.json.txt"), Robot.preset("ev3way"))
     held = {e.name for e in found.parameters if e.verdict == HELD}
@@ -385,7 +385,7 @@ def test_balanc3r_is_too_quiet_for_an_inertia(shared: Path) -> None:
 def test_ev3way_has_a_late_gyro(shared: Path) -> None:
     """22 ms by its README; 20 ms after the encoders, where the doctor's pendulum law fits best, a route of its own;
     back-EMF between 0.44 and 0.52 V s/rad."""
-    from upright.identify.raw import raw_log
+    from upright.logs.raw import raw_log
 
     log = raw_log(shared / "data/ev3way/tilt_000.csv").between(0.0, 7.4)
     found = calibrate(log, Robot.preset("ev3way"))
@@ -397,7 +397,7 @@ def test_ev3way_has_a_late_gyro(shared: Path) -> None:
 
 @cache
 def of_twipr(path: Path) -> Calibration:
-    from upright.identify.raw import raw_log
+    from upright.logs.raw import raw_log
 
     return calibrate(raw_log(path), Robot.preset("twipr"))
 
@@ -418,8 +418,8 @@ def test_twipr_is_foretold_for_half_a_second(shared: Path) -> None:
 @pytest.mark.needs("shared/data/twipr")
 def test_the_whole_loop_of_twipr_runs_freely_for_ten_seconds(shared: Path) -> None:
     """From the excitation and the law of its README alone; a model made for it reaches 0.92 and 0.67 to 0.93."""
-    from upright.identify.closed_loop import Law, closed_loop
-    from upright.identify.raw import raw_log
+    from upright.calibrate.closed_loop import Law, closed_loop
+    from upright.logs.raw import raw_log
 
     path = shared / "data/twipr/run1.csv"
     law = Law(wheel_speed=0.020, pitch=0.040, pitch_rate=0.006, yaw_rate=0.007)

@@ -13,11 +13,11 @@ import pytest
 from upright.bodies import Electronics
 from upright.bodies.twin import Twin
 from upright.control import lqg
+from upright.doctor.doctor import Diagnosis, doctor
 from upright.errors import InvalidLog
 from upright.experiment import Hold, run
-from upright.identify.doctor import Diagnosis, doctor
-from upright.identify.mapping import Mapping, Source
-from upright.identify.readers import Table, read_table
+from upright.logs.mapping import Mapping, Source
+from upright.logs.readers import Table, read_table
 from upright.robots import Kit, Robot
 from upright.signals import Log
 

@@ -11,18 +11,18 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
+from upright.calibrate.calibrate import calibrate
 from upright.cli.main import main
 from upright.control import Estimated, StateFeedback, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import DesignFailed, InvalidScenario, SpecMismatch, UnknownName
+from upright.excite import excite
+from upright.excite.information import HELD_OUT, best_shares, fisher, problem_of, shrunk
+from upright.excite.loop import Loop, perfect
+from upright.excite.plan import ExcitationPlan, Limits, read_plan
+from upright.excite.signals import band, signals, unit
 from upright.experiment import run
 from upright.fleet.results import clopper_pearson
-from upright.identify.calibrate import calibrate
-from upright.identify.excite import excite
-from upright.identify.excite.information import HELD_OUT, best_shares, fisher, problem_of, shrunk
-from upright.identify.excite.loop import Loop, perfect
-from upright.identify.excite.plan import ExcitationPlan, Limits, read_plan
-from upright.identify.excite.signals import band, signals, unit
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.report.excitation import page_of
 from upright.robots import Kit, Robot
@@ -243,7 +243,7 @@ def test_the_page_shows_the_excitation_and_what_it_tells() -> None:
 
 def test_the_command_plans_runs_and_says_so(tmp_path: Path, monkeypatch, capsys) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("upright.identify.excite.excite", lambda *_, **__: plan())
+    monkeypatch.setattr("upright.excite.excite", lambda *_, **__: plan())
     assert main(["excite", "-o", "plan.json", "--report", "plan.html"]) == 0
     said = capsys.readouterr().out
     assert "wrote plan.json" in said
@@ -259,7 +259,7 @@ def test_a_design_that_is_stopped_leaves_nothing(tmp_path: Path, monkeypatch, ca
         raise KeyboardInterrupt
 
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("upright.identify.excite.excite", stop)
+    monkeypatch.setattr("upright.excite.excite", stop)
     assert main(["excite", "-o", "plan.json"]) == 130
     assert "stopped" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []

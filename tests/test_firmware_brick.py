@@ -14,23 +14,23 @@ import numpy as np
 import pytest
 
 from firmware_cases import steering, written
-from upright.bodies.brick_link import BrickLost, BrickRefused, Connection
+from upright.bricks.brick import Hardware, feel
+from upright.bricks.lcp import VirtualBrick
+from upright.bricks.line import Line
+from upright.bricks.rxe import InvalidProgram, read_rxe
+from upright.bricks.virtual_robot import VirtualFlight, virtual_flight
+from upright.bricks.vm import Machine
+from upright.compiled.program import Program
 from upright.control import CONTROLLERS
 from upright.errors import InvalidLog
 from upright.experiment import Hold
 from upright.firmware import generate
-from upright.firmware.brick import Hardware
-from upright.firmware.execute_nxc import compile_nxc, feel
-from upright.firmware.executor import ExecutionFailed
-from upright.firmware.fly import Flight, FlightRefused, bring_home, fetch, fly
-from upright.firmware.lcp import VirtualBrick
-from upright.firmware.line import Line
-from upright.firmware.logs import read_brick_log
-from upright.firmware.program import Program
-from upright.firmware.rxe import InvalidProgram, read_rxe
 from upright.firmware.targets import COMPASS
-from upright.firmware.virtual_robot import VirtualFlight, virtual_flight
-from upright.firmware.vm import Machine
+from upright.firmware.tools import ExecutionFailed
+from upright.flight.fly import Flight, FlightRefused, bring_home, fetch, fly
+from upright.flight.program_logs import read_brick_log
+from upright.links.nxt import BrickLost, BrickRefused, Connection
+from upright.parity.execute_nxc import compile_nxc
 from upright.robots import Kit, Robot
 
 pytestmark = pytest.mark.needs("nbc")
@@ -290,7 +290,7 @@ def test_what_is_not_ready_is_not_driven(
     elif fault == "unplugged":
         hardware.inputs[0].raw = 1023
     else:
-        monkeypatch.setattr("upright.firmware.lcp.FIRMWARE", (5, 1))
+        monkeypatch.setattr("upright.bricks.lcp.FIRMWARE", (5, 1))
     with pytest.raises(FlightRefused, match=said):
         fly(*made, virtual.path, 3.0, clock=virtual.clock)
     assert virtual.brick.machine is None
@@ -388,7 +388,7 @@ def test_text_that_does_not_compile_is_one_line(tmp_path: Path, made: tuple[Path
 
 
 def test_the_library_under_the_gpl_is_loaded_by_its_own_process_only() -> None:
-    code = "import sys, upright.firmware.fly, upright.cli.fly; sys.exit('nxt' in sys.modules)"
+    code = "import sys, upright.flight.fly, upright.cli.fly; sys.exit('nxt' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 

@@ -17,20 +17,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from upright.bodies.hub_link import HubLost, HubRefused, linked
+from upright.bricks.hub import COMMANDS, CommandRefused, VirtualHub
+from upright.bricks.virtual_robot import virtual_hub
 from upright.cli.fly import LOST
 from upright.cli.main import main
+from upright.compiled.program import Program
 from upright.control import CONTROLLERS
 from upright.errors import UprightError
 from upright.experiment import Hold
 from upright.firmware import generate
-from upright.firmware.fly import Flight, FlightRefused
-from upright.firmware.fly_hub import fetch_hub, fly_hub
-from upright.firmware.follow import follow
-from upright.firmware.hub import COMMANDS, CommandRefused, VirtualHub
-from upright.firmware.logs import read_lines
-from upright.firmware.program import Program
-from upright.firmware.virtual_robot import virtual_hub
+from upright.flight.fly import Flight, FlightRefused
+from upright.flight.fly_hub import fetch_hub, fly_hub
+from upright.flight.follow import follow
+from upright.flight.program_logs import read_lines
+from upright.links.pybricks import HubLost, HubRefused, linked
 from upright.robots import Kit, Robot
 
 pytestmark = pytest.mark.needs("module:pybricksdev", "module:micropython_unix")
@@ -260,7 +260,7 @@ def test_text_that_does_not_compile_is_one_line(made: tuple[Path, Program], hub:
 def test_the_program_itself_refuses_a_flat_battery(
     made: tuple[Path, Program], hub: VirtualHub, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("upright.firmware.hub.LOW_BATTERY", 0)  # a hub that does not warn
+    monkeypatch.setattr("upright.bricks.hub.LOW_BATTERY", 0)  # a hub that does not warn
     hub.battery = 4000.0
     with pytest.raises(FlightRefused, match="battery too low"):
         flown(made, hub)
@@ -327,14 +327,14 @@ def test_hostile_commands_never_stop_the_hub(hub: VirtualHub) -> None:
 
 
 def test_no_bluetooth_is_one_line(made: tuple[Path, Program], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("upright.bodies.hub_link.SEARCH", 0.2)
+    monkeypatch.setattr("upright.links.pybricks.SEARCH", 0.2)
     with pytest.raises(HubLost, match="no hub nowhere was found") as caught:
         fly_hub(*made, "ble:nowhere", 3.0)
     assert "\n" not in str(caught.value)
 
 
 def test_the_hub_s_library_is_loaded_when_a_hub_is_asked_for() -> None:
-    code = "import sys, upright.firmware.fly_hub, upright.cli.fly, upright.cli.monitor; "
+    code = "import sys, upright.flight.fly_hub, upright.cli.fly, upright.cli.monitor; "
     code += "sys.exit(bool({'pybricksdev', 'bleak'} & sys.modules.keys()))"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
@@ -382,7 +382,7 @@ def test_the_exit_code_says_that_the_robot_was_lost(
     designed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     lost = Flight(lost=True, notes=["the hub does not answer"])
-    monkeypatch.setattr("upright.firmware.fly_hub.fly_hub", lambda *_, **__: lost)
+    monkeypatch.setattr("upright.flight.fly_hub.fly_hub", lambda *_, **__: lost)
     assert main(shlex.split("fly balance.py controller.json --yes --port ble")) == LOST
     assert "does not answer" in capsys.readouterr().out
 

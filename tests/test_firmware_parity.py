@@ -13,20 +13,22 @@ import numpy as np
 import pytest
 
 from firmware_cases import NXT, ROBOT, SPIKE, designed, frozen, steering, written
-from upright.bodies.brick_link import LEFT, RIGHT
 from upright.control import controller_hash
 from upright.control.controller import Controller
 from upright.errors import InvalidLog, MissingTool
 from upright.experiment import Drive, Turn
-from upright.firmware import Firmware, Parity, longest_run, parity
-from upright.firmware.execute import execute
-from upright.firmware.execute_arm import ArmExecutor, cycles
-from upright.firmware.execute_avr import FLASH, MEMORY, AvrExecutor
-from upright.firmware.execute_nxc import NxcExecutor
-from upright.firmware.execute_python import PythonExecutor
-from upright.firmware.executor import ExecutionFailed, Executor, HostExecutor, run_tool, tool
-from upright.firmware.logs import read_lines
-from upright.firmware.parity import SECONDS, TOLERANCE, Readings, calibrated
+from upright.firmware import Firmware, longest_run
+from upright.firmware.tools import ExecutionFailed, run_tool, tool
+from upright.flight.program_logs import read_lines
+from upright.links.nxt import LEFT, RIGHT
+from upright.parity import Parity, parity
+from upright.parity.execute import execute
+from upright.parity.execute_arm import ArmExecutor, cycles
+from upright.parity.execute_avr import FLASH, MEMORY, AvrExecutor
+from upright.parity.execute_nxc import NxcExecutor
+from upright.parity.execute_python import PythonExecutor
+from upright.parity.executor import Executor, HostExecutor
+from upright.parity.parity import SECONDS, TOLERANCE, Readings, calibrated
 
 STEPS = round(SECONDS / 0.01)
 TRAPS = ("-fsanitize=undefined", "-fsanitize-undefined-trap-on-error")

@@ -16,13 +16,14 @@ from upright.atomic import write_json
 from upright.certify.certificate import Certificate, LinearMargins, judge
 from upright.certify.checks import Trial
 from upright.cli.main import USER_ERROR, main
+from upright.compiled.fixed import fractions, scaled
+from upright.compiled.interpret import Interpreter
+from upright.compiled.print_c import CPrinter
+from upright.compiled.print_nxc import NxcPrinter
+from upright.compiled.program import Kind, Sum
 from upright.control import LinearController, controller_hash, write_controller
 from upright.errors import InvalidController, SpecMismatch, UnknownName
-from upright.firmware import TARGETS, Interpreter, generate, head, trace
-from upright.firmware.fixed import fractions, scaled
-from upright.firmware.print_c import CPrinter
-from upright.firmware.print_nxc import NxcPrinter
-from upright.firmware.program import Kind, Sum
+from upright.firmware import TARGETS, generate, head, trace
 from upright.firmware.setup import FALLEN, TOO_FAR
 from upright.fleet.results import largest_share
 from upright.robots import Kit, Robot

@@ -20,10 +20,10 @@ from upright.experiment import Drive, Hold, Impulse, Push, Slope, run
 from upright.experiment.pushes import combined
 from upright.fleet.basin import Axis, basin
 from upright.fleet.ensemble import Ensemble, tables
-from upright.fleet.kernel_batch import parameters_of
-from upright.fleet.pushmap import PushGrid, largest, push_map
+from upright.fleet.push_map import PushGrid, largest, push_map
 from upright.fleet.results import clopper_pearson, labelled, load, origin_of, save, summarise
 from upright.fleet.vary import BLOCK, Family, Posterior, Spread, own_spreads, read_posterior, spread, with_number
+from upright.kernel.batch import parameters_of
 from upright.report.fleet import CIVIDIS, MapFigure, basin_figure, fleet_page, map_page, push_map_figures, shade
 from upright.robots import PARAMETERS, Kit, Robot
 

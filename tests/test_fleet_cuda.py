@@ -8,8 +8,8 @@ import pytest
 
 from upright.control import lqr
 from upright.errors import MissingTool, SpecMismatch
-from upright.fleet.cuda import simulate_cuda, why_not
-from upright.fleet.kernel_batch import FleetBatch, parameters_of
+from upright.kernel.batch import FleetBatch, parameters_of
+from upright.kernel.cuda import simulate_cuda, why_not
 from upright.robots import Kit, Robot
 
 NXT = Robot.preset("nxtway-gs")
@@ -17,9 +17,9 @@ NXT = Robot.preset("nxtway-gs")
 SCRIPT = """
 import numpy as np
 from upright.control import lqr
-from upright.fleet.cuda import simulate_cuda
-from upright.fleet.kernel import simulate
-from upright.fleet.kernel_batch import FleetBatch, parameters_of
+from upright.kernel.cuda import simulate_cuda
+from upright.kernel.simulate import simulate
+from upright.kernel.batch import FleetBatch, parameters_of
 from upright.robots import Robot
 
 robot = Robot.preset("nxtway-gs")
@@ -60,7 +60,7 @@ def test_on_a_card_it_equals_the_processor_s_kernel_and_elsewhere_it_says_why_no
 
 
 def test_what_it_cannot_do_is_refused(monkeypatch):
-    monkeypatch.setattr("upright.fleet.cuda.why_not", lambda: "")
+    monkeypatch.setattr("upright.kernel.cuda.why_not", lambda: "")
     batch = FleetBatch(parameters=parameters_of(NXT), controller=lqr(NXT), kit=Kit.preset("nxt"))
     with pytest.raises(SpecMismatch, match="delay or jitter"):
         simulate_cuda(batch, 0.1)

@@ -8,13 +8,14 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
+from upright.compiled import lane_math, random
 from upright.control import Estimated, kalman, lqr
 from upright.control.linear_controller import LinearController
 from upright.errors import InvalidScenario, SpecMismatch, UnknownName
 from upright.experiment import Drive, Push, Slope, Turn, run
-from upright.fleet import kernel_math, kernel_store, random
-from upright.fleet.kernel import simulate
-from upright.fleet.kernel_batch import FleetBatch, parameters_of
+from upright.kernel import store
+from upright.kernel.batch import FleetBatch, parameters_of
+from upright.kernel.simulate import simulate
 from upright.robots import Battery, Kit, Motor, Robot, Sensor
 from upright.signals import STATE_NAMES
 
@@ -178,7 +179,7 @@ def test_a_robot_does_not_get_what_only_its_company_needs():
 
 def test_a_batch_cut_into_pieces_is_the_same_bits(monkeypatch):
     whole = simulate(FleetBatch(**fleet()), 0.5, record=10, threads=1)
-    monkeypatch.setattr("upright.fleet.kernel.PIECE", 80)  # 200 robots in pieces of one block
+    monkeypatch.setattr("upright.kernel.simulate.PIECE", 80)  # 200 robots in pieces of one block
     pieces = simulate(FleetBatch(**fleet()), 0.5, record=10, threads=2)
     for name in ("final", "lived", "peak", "effort", "trace"):
         assert np.array_equal(getattr(whole, name), getattr(pieces, name), equal_nan=True)
@@ -284,13 +285,13 @@ def test_the_counter_gives_the_published_words():
 def sines(x, wide):
     out = np.empty((2, len(x)), x.dtype)
     for i in range(len(x)):
-        out[0, i], out[1, i] = kernel_math.sincos_any(x[i]) if wide else kernel_math.sincos(x[i])
+        out[0, i], out[1, i] = lane_math.sincos_any(x[i]) if wide else lane_math.sincos(x[i])
     return out
 
 
-@pytest.mark.parametrize(("dtype", "bound"), [(np.float64, 1.3e-15), (np.float32, 1.8e-7)])  # as kernel_math states
+@pytest.mark.parametrize(("dtype", "bound"), [(np.float64, 1.3e-15), (np.float32, 1.8e-7)])  # as lane_math states
 def test_sine_and_cosine_keep_to_their_stated_error(dtype, bound):
-    near = np.linspace(-kernel_math.REACH, kernel_math.REACH, 200_001).astype(dtype)
+    near = np.linspace(-lane_math.REACH, lane_math.REACH, 200_001).astype(dtype)
     far = np.linspace(-200.0, 200.0, 200_001).astype(dtype)
     for x, wide in ((near, False), (far, True)):
         exact = x.astype(np.longdouble)
@@ -319,12 +320,12 @@ def test_normal_numbers_are_normal_and_independent():
 def test_machine_code_is_kept_and_found_again(tmp_path, monkeypatch):
     monkeypatch.setenv("UPRIGHT_CACHE", str(tmp_path))
     arguments = ("*float32", "int64", "float32", "float32")
-    kernel_store._address_of.cache_clear()
-    kernel_store.address_of("generated_motion", "advance_smooth", arguments)
+    store._address_of.cache_clear()
+    store.address_of("compiled.generated_motion", "advance_smooth", arguments)
     (kept,) = tmp_path.iterdir()
-    monkeypatch.setattr(kernel_store, "_compiled", None)  # a second compilation would fail
-    kernel_store._address_of.cache_clear()
-    assert kernel_store.address_of("generated_motion", "advance_smooth", arguments)
+    monkeypatch.setattr(store, "_compiled", None)  # a second compilation would fail
+    store._address_of.cache_clear()
+    assert store.address_of("compiled.generated_motion", "advance_smooth", arguments)
     assert list(tmp_path.iterdir()) == [kept]
 
 

@@ -8,8 +8,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from upright.fleet import generated, sensitivity
-from upright.fleet.trace import sources
+from upright.compiled import generated
+from upright.compiled.trace import sources
+from upright.kernel import sensitivity
 from upright.physics.dynamics import Disturbance, derivative
 from upright.robots import Robot
 from upright.robots.robot import PARAMETERS
@@ -26,7 +27,7 @@ ROUNDING = 1e-13  # a few hundred operations on doubles
 def test_the_generated_files_are_current():
     for name, text in sources().items():
         assert Path(generated.__file__).with_name(name).read_text("utf-8") == text, (
-            f"run python -m upright.fleet.trace: {name}"
+            f"run python -m upright.compiled.trace: {name}"
         )
 
 

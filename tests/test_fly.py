@@ -9,7 +9,7 @@ import pytest
 
 from upright.cli.main import main
 from upright.control import controller_hash, read_controller
-from upright.firmware.fly import Flight
+from upright.flight.fly import Flight
 from upright.robots import Robot
 from upright.robots.files import write_robot
 
@@ -44,8 +44,8 @@ def flown(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         ports.append(port)
         return Flight()
 
-    monkeypatch.setattr("upright.firmware.fly.fly", pretend)
-    monkeypatch.setattr("upright.firmware.fly_hub.fly_hub", pretend)
+    monkeypatch.setattr("upright.flight.fly.fly", pretend)
+    monkeypatch.setattr("upright.flight.fly_hub.fly_hub", pretend)
     return ports
 
 

@@ -12,18 +12,18 @@ import numpy as np
 import pytest
 
 from upright.bodies import BODIES, Body, Electronics, make_body
-from upright.bodies.brick_link import LEFT, RIGHT, BrickLost
-from upright.bodies.hub_link import HubLost
 from upright.bodies.nxt_body import NxtBody
 from upright.bodies.pybricks_body import PybricksBody
+from upright.bricks.lcp import VirtualBrick
+from upright.bricks.line import Line
+from upright.bricks.virtual_robot import virtual_flight, virtual_hub
+from upright.bricks.world import World
 from upright.cli.main import main
 from upright.control import CONTROLLERS, ControllerSpec
 from upright.errors import InvalidScenario, NotPermitted, SpecMismatch
 from upright.experiment import Hold, run
-from upright.firmware.lcp import VirtualBrick
-from upright.firmware.line import Line
-from upright.firmware.virtual_robot import virtual_flight, virtual_hub
-from upright.firmware.world import World
+from upright.links.nxt import LEFT, RIGHT, BrickLost
+from upright.links.pybricks import HubLost
 from upright.physics.dynamics import Disturbance
 from upright.robots import Kit, Robot
 

@@ -20,16 +20,16 @@ from upright.control import Estimated, kalman, lqr, make_controller, read_contro
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidLog, InvalidModel, UnknownName, UprightError
 from upright.experiment import run
-from upright.identify.linear.arx import first_answer, past_window, regression, split
-from upright.identify.linear.coordinates import physical
-from upright.identify.linear.joint import Law, law, noise_free
-from upright.identify.linear.methods import IDENTIFIERS
-from upright.identify.linear.order import choose_order
-from upright.identify.linear.rebuilt import _errors, rebuilt
-from upright.identify.linear.samples import Part, samples
-from upright.identify.linear.side_by_side import Comparison, identify, identify_all, study_of
-from upright.identify.linear.study import Study
-from upright.identify.raw import raw_log
+from upright.identify.arx import first_answer, past_window, regression, split
+from upright.identify.coordinates import physical
+from upright.identify.identify import Comparison, identify, identify_all, study_of
+from upright.identify.joint import Law, law, noise_free
+from upright.identify.methods import IDENTIFIERS
+from upright.identify.order import choose_order
+from upright.identify.rebuilt import _errors, rebuilt
+from upright.identify.samples import Part, samples
+from upright.identify.study import Study
+from upright.logs.raw import raw_log
 from upright.physics.linear import LinearModel, linearise, unstable_pole
 from upright.report.identification import page_of
 from upright.robots import Kit, Robot, Sensor

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from upright.errors import InvalidLog, UnknownName
-from upright.identify.mapping import Mapping, Source, apply, channels_of, mappings, propose
-from upright.identify.readers import Table, read_table
+from upright.logs.mapping import Mapping, Source, apply, channels_of, mappings, propose
+from upright.logs.readers import Table, read_table
 from upright.signals import Log
 
 T = np.array([0.0, 0.01, 0.02, 0.03])

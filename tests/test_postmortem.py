@@ -18,12 +18,12 @@ import postmortem as bench
 
 from upright.bodies import Electronics
 from upright.bodies.twin import Twin
-from upright.certify.postmortem import PostMortem, post_mortem
-from upright.certify.postmortem.path import track
-from upright.certify.postmortem.verdict import CANNOT_TELL, CAUSES, NO_FALL
 from upright.cli.main import main
 from upright.control import LinearController, make_controller, write_controller
 from upright.control.delay import RAW
+from upright.diagnose import PostMortem, post_mortem
+from upright.diagnose.path import track
+from upright.diagnose.verdict import CANNOT_TELL, CAUSES, NO_FALL
 from upright.errors import InvalidLog, InvalidRobot
 from upright.experiment import Drive, Impulse, Push, run
 from upright.report.postmortem import page_of

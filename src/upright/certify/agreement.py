@@ -19,8 +19,8 @@ from upright.certify.checks import Course, standard_pushes, watched
 from upright.control.delay import RAW, sampled
 from upright.control.filtering import Filter, kalman_filter
 from upright.errors import InvalidLog, SpecMismatch
-from upright.identify.raw import RATES
-from upright.identify.recording import commanded
+from upright.logs.raw import RATES
+from upright.logs.recording import commanded
 from upright.signals import Log
 
 Array = NDArray[np.float64]

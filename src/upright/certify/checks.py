@@ -18,8 +18,8 @@ from upright.control.linear_controller import as_linear
 from upright.errors import InvalidController, SpecMismatch
 from upright.experiment.pushes import Hold, Impulse
 from upright.fleet.ensemble import tables
-from upright.fleet.kernel import simulate
-from upright.fleet.kernel_batch import NAMES, FleetBatch, FleetResult, Gains, parameters_of
+from upright.kernel.batch import NAMES, FleetBatch, FleetResult, Gains, parameters_of
+from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
 
 Array = NDArray[np.float64]

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.identify.calibration import HELD, Calibration
-from upright.identify.recording import SENSOR
+from upright.calibrate.calibration import HELD, Calibration
+from upright.logs.recording import SENSOR
 from upright.robots import PARAMETERS, Kit, Robot
 
 Array = NDArray[np.float64]

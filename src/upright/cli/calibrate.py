@@ -12,7 +12,7 @@ from upright.cli.output import check_folder, print_json, print_table, progress
 from upright.errors import UprightError
 
 if TYPE_CHECKING:
-    from upright.identify.calibration import Calibration, Estimate
+    from upright.calibrate.calibration import Calibration, Estimate
 
 
 def calibrate(
@@ -44,9 +44,9 @@ def calibrate(
     import math
 
     from upright.atomic import write_json
-    from upright.identify.calibrate import calibrate as learn
-    from upright.identify.mapping import find_mapping
-    from upright.identify.raw import raw_log
+    from upright.calibrate.calibrate import calibrate as learn
+    from upright.logs.mapping import find_mapping
+    from upright.logs.raw import raw_log
     from upright.robots.files import find_kit, find_robot
 
     for target in (output, page, save):

@@ -100,15 +100,15 @@ def _say(certificate: Certificate, output: Path | None, report: Path | None, as_
 def _recorded(path: Path | None, mapping: str | None) -> Log | None:
     if path is None:
         return None
-    from upright.identify.mapping import find_mapping
-    from upright.identify.raw import raw_log
+    from upright.logs.mapping import find_mapping
+    from upright.logs.raw import raw_log
 
     return raw_log(path, find_mapping(mapping) if mapping else None)
 
 
 def _calibrated(log: Log, robot: Robot, kit: Kit) -> Learnt:
+    from upright.calibrate.calibrate import calibrate
     from upright.certify.learnt import learnt
-    from upright.identify.calibrate import calibrate
 
     with progress("calibrating") as share:
         return learnt(calibrate(log, robot, kit, progress=share), kit)

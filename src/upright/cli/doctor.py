@@ -28,8 +28,8 @@ def doctor(
 
     Prints each finding with its evidence and repair. Exit code 0 whatever is found.
     """
-    from upright.identify.doctor import doctor as examine
-    from upright.identify.mapping import find_mapping
+    from upright.doctor.doctor import doctor as examine
+    from upright.logs.mapping import find_mapping
     from upright.robots.files import find_robot
 
     for target in (fix, write_mapping):

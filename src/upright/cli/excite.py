@@ -11,7 +11,7 @@ from upright.cli.options import JsonOption, RobotOption
 from upright.cli.output import check_folder, print_json, print_table, progress
 
 if TYPE_CHECKING:
-    from upright.identify.excite.plan import ExcitationPlan, Predicted
+    from upright.excite.plan import ExcitationPlan, Predicted
 
 
 def excite(
@@ -52,8 +52,8 @@ def excite(
     Then run it, `upright simulate --controller … --excite plan.json -o run.csv` or on the robot, and calibrate from the
     log.
     """
-    from upright.identify.excite import excite as design
-    from upright.identify.excite.plan import Limits
+    from upright.excite import excite as design
+    from upright.excite.plan import Limits
 
     for target in filter(None, (output, page)):
         check_folder(target)

@@ -80,8 +80,8 @@ def push_map(
     """
     import numpy as np
 
-    from upright.fleet.pushmap import PushGrid
-    from upright.fleet.pushmap import push_map as search
+    from upright.fleet.push_map import PushGrid
+    from upright.fleet.push_map import push_map as search
 
     asked.check()
     directions = {"forward": (1,), "backward": (-1,), "both": (1, -1)}

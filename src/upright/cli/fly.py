@@ -13,9 +13,9 @@ from upright.cli.output import check_folder, print_json, progress
 from upright.errors import InvalidController, UprightError
 
 if TYPE_CHECKING:
+    from upright.compiled.program import Program
     from upright.control import Controller
-    from upright.firmware.fly import Flight
-    from upright.firmware.program import Program
+    from upright.flight.fly import Flight
     from upright.robots import Robot
 
 VIRTUAL, AIR = "virtual", "ble"
@@ -160,9 +160,9 @@ def _ask(program: Program, port: str, permit: str, sure: bool) -> None:
 def _flown(
     source: Path, made: Program, robot: Robot, port: str, seconds: float, pushes: list[Any], seed: int, fetch: bool
 ) -> Flight:
-    from upright.firmware.fly import fetch as fetch_nxt
-    from upright.firmware.fly import fly as fly_nxt
-    from upright.firmware.fly_hub import fetch_hub, fly_hub
+    from upright.flight.fly import fetch as fetch_nxt
+    from upright.flight.fly import fly as fly_nxt
+    from upright.flight.fly_hub import fetch_hub, fly_hub
 
     hub = made.target == "pybricks"
     if fetch:
@@ -177,9 +177,9 @@ def _twin(
     source: Path, made: Program, robot: Robot, seconds: float, pushes: list[Any], seed: int, share: Any
 ) -> Flight:
     """The flight of a virtual brick or hub, whose time runs as fast as it can and not beyond the end."""
-    from upright.firmware.fly import fly as fly_nxt
-    from upright.firmware.fly_hub import fly_hub
-    from upright.firmware.virtual_robot import virtual_flight, virtual_hub
+    from upright.bricks.virtual_robot import virtual_flight, virtual_hub
+    from upright.flight.fly import fly as fly_nxt
+    from upright.flight.fly_hub import fly_hub
     from upright.robots.files import find_kit
 
     kit, where = find_kit(made.kit), TWINS[made.target]

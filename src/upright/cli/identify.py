@@ -13,9 +13,9 @@ from upright.cli.output import check_folder, print_json, print_table, progress
 from upright.errors import UprightError
 
 if TYPE_CHECKING:
-    from upright.identify.linear.identified import Identified
-    from upright.identify.linear.side_by_side import Comparison
-    from upright.identify.linear.study import Study
+    from upright.identify.identified import Identified
+    from upright.identify.identify import Comparison
+    from upright.identify.study import Study
     from upright.signals import Log
 
 ALL = "all"
@@ -58,9 +58,9 @@ def identify(
 
     --method all compares all methods, and tries a regulator designed on each model.
     """
-    from upright.identify.linear.methods import find_identifier
-    from upright.identify.linear.side_by_side import identify as fit
-    from upright.identify.linear.side_by_side import identify_all, study_of
+    from upright.identify.identify import identify as fit
+    from upright.identify.identify import identify_all, study_of
+    from upright.identify.methods import find_identifier
     from upright.robots.files import find_kit, find_robot
 
     _ = method == ALL or find_identifier(method)
@@ -95,8 +95,8 @@ def _say_what(found: Identified | None, compared: Comparison | None) -> None:
 
 
 def _read(log: Path, mapping: str | None, start: float | None, until: float | None) -> Log:
-    from upright.identify.mapping import find_mapping
-    from upright.identify.raw import raw_log
+    from upright.logs.mapping import find_mapping
+    from upright.logs.raw import raw_log
 
     data = raw_log(log, find_mapping(mapping) if mapping else None)
     return data.between(-math.inf if start is None else start, math.inf if until is None else until)
@@ -109,7 +109,7 @@ def _write(
     """Everything that was asked for; the regulator is designed first, so that its failure leaves no file."""
     if found and controller:
         from upright.control import write_controller
-        from upright.identify.linear.judge import regulator
+        from upright.identify.judge import regulator
 
         write_controller(regulator(study.samples, found.parts), controller)
     if found and output:
@@ -131,7 +131,7 @@ def _check_target(target: Path | None, method: str, log: Path, name: str) -> Non
 
 
 def _say(found: Identified) -> None:
-    from upright.identify.linear.identified import interval
+    from upright.identify.identified import interval
 
     model, pole = found.model, found.pole
     late = ", ".join(f"{name} {count}" for name, count in found.late.items())
@@ -160,7 +160,7 @@ def _say(found: Identified) -> None:
 
 
 def _say_all(compared: Comparison) -> None:
-    from upright.identify.linear.identified import interval
+    from upright.identify.identified import interval
 
     header = ("method", "pole [1/s]", "95 % interval", "bias", "gyro, 10 ahead", "wheels, 10 ahead", "in the loop")
     rows = [

@@ -39,7 +39,7 @@ def monitor(
 
     On a hub it follows the program that the hub's button starts, and leaves it alone. Every line's CRC is checked.
     """
-    from upright.firmware.logs import read_lines
+    from upright.flight.program_logs import read_lines
 
     if output:
         check_folder(output)
@@ -71,7 +71,7 @@ class Shown:
         self._pause, self._next = 1 / fastest, 0.0
 
     def hear(self, line: str) -> None:
-        from upright.firmware.logs import checked_line, is_signed, status_said
+        from upright.flight.program_logs import checked_line, is_signed, status_said
 
         if not is_signed(line):
             typer.echo(line.rstrip("\n"))
@@ -91,9 +91,9 @@ class Shown:
 
 
 def _follow(source: str, program: Path | None, seconds: float, shown: Shown) -> None:
+    from upright.bricks.virtual_robot import virtual_hub
     from upright.firmware import head
-    from upright.firmware.follow import follow
-    from upright.firmware.virtual_robot import virtual_hub
+    from upright.flight.follow import follow
     from upright.robots.files import find_kit, find_robot
 
     if program is None:
@@ -113,7 +113,7 @@ def _lines(source: str) -> Iterator[str]:
 
 
 def _said(text: str) -> str:
-    from upright.firmware.logs import TELEMETRY
+    from upright.flight.program_logs import TELEMETRY
 
     values = dict(zip(TELEMETRY, map(int, text.split()), strict=False))
     if len(values) < len(TELEMETRY):

@@ -36,9 +36,9 @@ def parity(
     """
     from upright.control import controller_hash, find_controller
     from upright.firmware import generate, head, longest_run
-    from upright.firmware import parity as compare
-    from upright.firmware.execute import execute
-    from upright.firmware.parity import SECONDS
+    from upright.parity import parity as compare
+    from upright.parity.execute import execute
+    from upright.parity.parity import SECONDS
     from upright.robots.files import find_kit, find_robot
 
     text = program_text(program)

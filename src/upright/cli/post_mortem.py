@@ -35,9 +35,9 @@ def post_mortem(
     and too high, each with its evidence and repair. Exit code 0 whatever is found, also where it did not fall.
     """
     from upright.atomic import write_json
-    from upright.certify.postmortem import post_mortem as examine
     from upright.control import read_controller
-    from upright.identify.mapping import find_mapping
+    from upright.diagnose import post_mortem as examine
+    from upright.logs.mapping import find_mapping
     from upright.robots.files import find_kit, find_robot
 
     for target in (output, report):

@@ -108,7 +108,7 @@ def _fitted(
 def _excited(controller: Controller, path: Path) -> tuple[Controller, float]:
     """The controller with a plan's excitation, and how long this lasts [s]; says where it was made with another one."""
     from upright.control import controller_hash
-    from upright.identify.excite.plan import read_plan
+    from upright.excite.plan import read_plan
 
     plan = read_plan(path)
     if controller_hash(controller) != plan.hash:

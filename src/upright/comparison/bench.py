@@ -17,7 +17,7 @@ from upright.control import Controller, make_controller
 from upright.control.uncertain import draw
 from upright.errors import UprightError
 from upright.experiment import Hold, Impulse, run
-from upright.fleet.pushmap import CEILING, FLOOR, largest
+from upright.fleet.push_map import CEILING, FLOOR, largest
 from upright.robots import Kit, Robot
 
 Array = NDArray[np.float64]

@@ -5,8 +5,4 @@ from upright.firmware.generate import Firmware as Firmware
 from upright.firmware.generate import generate as generate
 from upright.firmware.generate import head as head
 from upright.firmware.generate import longest_run as longest_run
-from upright.firmware.interpret import Interpreter as Interpreter
-from upright.firmware.parity import Parity as Parity
-from upright.firmware.parity import parity as parity
-from upright.firmware.program import Program as Program
 from upright.firmware.targets import TARGETS as TARGETS

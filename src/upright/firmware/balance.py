@@ -14,10 +14,11 @@ from importlib.metadata import version
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.compiled.program import Program
+from upright.compiled.tracer import Form, Tracer
 from upright.control.controller import Controller, controller_hash
 from upright.errors import SpecMismatch
 from upright.firmware.law import law_of
-from upright.firmware.program import Program
 from upright.firmware.readings import calibrate, inputs, moved, reading
 from upright.firmware.setup import (
     BALANCING,
@@ -39,7 +40,6 @@ from upright.firmware.setup import (
     Setup,
 )
 from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, Driver, driver, find_target, largest
-from upright.firmware.tracer import Form, Tracer
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES
 

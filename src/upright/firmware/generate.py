@@ -9,15 +9,15 @@ from pathlib import Path
 from typing import Any
 
 from upright.atomic import write_text
+from upright.compiled.fixed import fractions, quantum
+from upright.compiled.print_c import CPrinter
+from upright.compiled.print_fixed import FixedPrinter
+from upright.compiled.print_nxc import NxcPrinter
+from upright.compiled.print_python import PythonPrinter
+from upright.compiled.program import Kind, Program
 from upright.control.controller import Controller
 from upright.errors import InvalidController, UnknownName
 from upright.firmware.balance import trace
-from upright.firmware.fixed import fractions, quantum
-from upright.firmware.print_c import CPrinter
-from upright.firmware.print_fixed import FixedPrinter
-from upright.firmware.print_nxc import NxcPrinter
-from upright.firmware.print_python import PythonPrinter
-from upright.firmware.program import Kind, Program
 from upright.firmware.setup import STATUS, TIME_IS_OVER
 from upright.firmware.targets import find_target
 from upright.robots import Kit, Robot

@@ -13,13 +13,12 @@ from upright.control.controller import Controller, ControllerSpec
 from upright.control.linear_controller import LinearController, as_linear
 from upright.control.sliding import SlidingMode
 from upright.errors import InvalidController
+from upright.physics.linear import FADING, impulse_norm
 
 Array = NDArray[np.float64]
 
 ROUNDING = 1e-11  # of what a design computes with, beside which a number is none
 DIGITS = 50
-CONVERGED = 1e-10  # of the sum: a response that has faded so far adds less than `SPARE` from then on
-FADING = 1 - 1e-5  # |pole| beyond which a memory counts as one that never fades: it would take 1000 s
 SPARE = 1.01  # what neither the rest of a response nor rounding exceeds
 
 
@@ -127,15 +126,6 @@ def _floats(values: list[list[Decimal]]) -> Array:
 def _clean(values: Array, size: Array) -> Array:
     """`values` without what is rounding beside numbers of that `size`."""
     return np.where(np.abs(values) > ROUNDING * size, values, 0.0)
-
-
-def impulse_norm(A: Array, B: Array) -> Array:
-    """Σ_k |A^k B| (n, m), entry by entry, for an A whose every |eigenvalue| is below `FADING`."""
-    total, power = np.abs(B), B
-    while np.abs(power).max(initial=0.0) > CONVERGED * total.max(initial=0.0):
-        power = A @ power
-        total = total + np.abs(power)
-    return total
 
 
 def law_of(controller: Controller) -> Law:

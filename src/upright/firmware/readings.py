@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from upright.compiled.tracer import Form, Tracer
 from upright.errors import InvalidController
 from upright.firmware.setup import (
     CALIBRATION_TIME,
@@ -16,7 +17,6 @@ from upright.firmware.setup import (
     Setup,
 )
 from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, SI, largest
-from upright.firmware.tracer import Form, Tracer
 
 
 def inputs(t: Tracer, setup: Setup) -> dict[str, Form]:

@@ -15,6 +15,7 @@ ENCODERS = ("sensor/encoder_left", "sensor/encoder_right")
 GYRO, COMPASS, BATTERY = "sensor/gyro", "sensor/compass", "sensor/battery"
 SI = {**dict.fromkeys(ENCODERS, "rad"), GYRO: "rad/s", COMPASS: "rad", BATTERY: "V"}
 """Channel → the unit that controllers read it in."""
+OFFSET = math.radians(3.0)  # [rad/s] of the gyro at rest, which the program has to find
 
 
 @dataclass(frozen=True)

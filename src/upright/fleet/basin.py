@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from upright.errors import InvalidScenario, UnknownName
 from upright.fleet.ensemble import Ensemble
-from upright.fleet.kernel_batch import FleetBatch
+from upright.kernel.batch import FleetBatch
 from upright.signals import STATE_NAMES
 from upright.signals.signal import STATE
 
@@ -63,7 +63,7 @@ def basin(
     are robots 0 to `samples` − 1 of the family, each with its own noise. `settling` [s] is the median time after which
     pitch stays in the ensemble's band, NaN where the half of them or more did not.
     """
-    from upright.fleet.kernel import simulate
+    from upright.kernel.simulate import simulate
 
     if samples < 1 or across.name == up.name:
         raise InvalidScenario(f"{samples} samples over {across.name} and {up.name}", expected="one or more, two states")

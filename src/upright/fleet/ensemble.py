@@ -18,8 +18,8 @@ from upright.control import Controller, controller_hash
 from upright.errors import InvalidScenario
 from upright.experiment.pushes import Hold, Impulse, Push, Slope
 from upright.experiment.references import Drive, Turn
-from upright.fleet.kernel_batch import FleetBatch, FleetResult, Gains, parameters_of
 from upright.fleet.vary import BLOCK, Family, described
+from upright.kernel.batch import FleetBatch, FleetResult, Gains, parameters_of
 from upright.robots import PARAMETERS
 
 Array = NDArray[np.float64]
@@ -83,7 +83,7 @@ class Ensemble:
     @cached_property
     def substeps(self) -> int:
         """Runge-Kutta steps in a body's period, the same whatever part is run."""
-        from upright.fleet.kernel import substeps_for
+        from upright.kernel.simulate import substeps_for
 
         parameters, _ = self._numbers(np.arange(BLOCK))
         return self.steps or substeps_for(parameters, self.model, 0.001)
@@ -106,7 +106,7 @@ class Ensemble:
 
     def run(self, index: Index, threads: int | None = None) -> dict[str, Array]:
         """The varied numbers and `OUTCOMES` of the robots number `index` (n,), by name."""
-        from upright.fleet.kernel import simulate
+        from upright.kernel.simulate import simulate
 
         batch = self.batch(index)
         bands = (self.band, math.inf, math.inf)

@@ -1,5 +1,6 @@
-"""What a log tells about the robot it came from."""
+"""Linear models from a log by the paper's and the field's methods, with intervals, judged in the loop."""
 
-from upright.identify.regression import LeastSquares as LeastSquares
-from upright.identify.regression import least_squares as least_squares
-from upright.identify.regression import rebuild_states as rebuild_states
+from upright.identify.identify import identify as identify
+from upright.identify.identify import identify_all as identify_all
+from upright.identify.identify import study_of as study_of
+from upright.identify.methods import IDENTIFIERS as IDENTIFIERS

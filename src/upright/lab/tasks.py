@@ -103,7 +103,7 @@ def certify(report: Report, setup: Setup) -> tuple[Lit, Found]:
 
 def doctor(report: Report, source: Path | Log, robot: Robot) -> Found:
     """What is wrong with a log."""
-    from upright.identify.doctor import doctor as examine
+    from upright.doctor.doctor import doctor as examine
 
     found = examine(source, robot=robot, progress=report)
     rows = tuple((f.severity, f.code, f.channel, f.evidence, f.repair) for f in found.findings)
@@ -115,8 +115,8 @@ def doctor(report: Report, source: Path | Log, robot: Robot) -> Found:
 
 def calibrate(report: Report, source: Path | Log, robot: Robot, kit: Kit) -> tuple[Robot, Found]:
     """The robot's parameters from a log of raw sensors and commands."""
-    from upright.identify.calibrate import calibrate as learn
-    from upright.identify.raw import raw_log
+    from upright.calibrate.calibrate import calibrate as learn
+    from upright.logs.raw import raw_log
 
     log = source if isinstance(source, Log) else raw_log(source)
     found = learn(_raw(log), robot, kit, progress=report)

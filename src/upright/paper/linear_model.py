@@ -12,10 +12,9 @@ from upright.bodies.twin import Twin
 from upright.control import Controller, Estimated, StateFeedback, kalman
 from upright.control.excited import Excited, random_binary
 from upright.experiment import run
-from upright.identify import LeastSquares, least_squares, rebuild_states
-from upright.identify.regression import unstable_pole
 from upright.paper import printed
 from upright.paper.finding import BEYOND, NOT_AS_PRINTED, REPRODUCED, Finding
+from upright.paper.regression import LeastSquares, least_squares, rebuild_states, unstable_pole
 from upright.physics.linear import LinearModel, linearise
 from upright.report import Table
 from upright.report.page import Cell, cell_text

@@ -6,7 +6,7 @@ import math
 
 from upright.control.delay import rolling
 from upright.errors import UprightError
-from upright.identify.linear.side_by_side import Comparison, identify_all, study_of
+from upright.identify.identify import Comparison, identify_all, study_of
 from upright.paper.finding import BEYOND, Finding, Progress, silent
 from upright.physics.linear import unstable_pole
 from upright.report.identification import pole_table, trial_table

@@ -18,6 +18,9 @@ from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
 
+FADING = 1 - 1e-5  # |pole| beyond which a memory counts as one that never fades: it would take 1000 s
+CONVERGED = 1e-10  # of the sum: a response that has faded so far adds less than `SPARE` from then on
+
 INPUTS = ("left", "right")
 DISTURBANCES = ("force", "moment", "slope")
 """A push enters as its force [N] and its moment about the axle [N m]; the floor as its slope [rad]."""
@@ -172,3 +175,12 @@ def linearise(
 def unstable_pole(robot: Robot) -> float:
     """The rate [1/s] at which the robot falls: its largest pole, standing upright."""
     return float(linearise(robot).poles()[0].real)
+
+
+def impulse_norm(A: Array, B: Array) -> Array:
+    """Σ_k |A^k B| (n, m), entry by entry, for an A whose every |eigenvalue| is below `FADING`."""
+    total, power = np.abs(B), B
+    while np.abs(power).max(initial=0.0) > CONVERGED * total.max(initial=0.0):
+        power = A @ power
+        total = total + np.abs(power)
+    return total

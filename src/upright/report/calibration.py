@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from upright.identify.calibration import VERDICTS, Calibration, Estimate
+from upright.calibrate.calibration import VERDICTS, Calibration, Estimate
 from upright.report.figure import Figure, Panel, Trace
 from upright.report.page import Cell, Page, Section, Table, Verdict
 

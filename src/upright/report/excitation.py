@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.identify.excite.plan import SEEN, ExcitationPlan, Predicted
+from upright.excite.plan import SEEN, ExcitationPlan, Predicted
 from upright.report.figure import Figure, Panel, Trace
 from upright.report.page import Cell, Page, Section, Table, Verdict
 

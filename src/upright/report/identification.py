@@ -7,9 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
-from upright.identify.linear.identified import Identified
-from upright.identify.linear.methods import TITLES
-from upright.identify.linear.side_by_side import Comparison
+from upright.identify.identified import Identified
+from upright.identify.identify import Comparison
+from upright.identify.methods import TITLES
 from upright.report.figure import Figure, Panel, PointFigure, PointSet, Trace
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
 

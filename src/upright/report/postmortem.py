@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from upright.certify.postmortem import PostMortem
-from upright.certify.postmortem.verdict import NO_FALL
+from upright.diagnose import PostMortem
+from upright.diagnose.verdict import NO_FALL
 from upright.report.figure import Figure, Panel, Trace
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict
 

@@ -1,0 +1,292 @@
+"""A virtual Pybricks hub: it speaks the Pybricks profile as a Bluetooth peripheral, keeps a program and runs it.
+
+Source: Pybricks, "Pybricks BLE profile" and `pbio/protocol.h`, version 1.4. The program is the .mpy that the computer
+sends; MicroPython runs it among stand-ins for the hub's modules, with the twin round it.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import math
+import struct
+from collections import deque
+from collections.abc import Callable, Sequence
+from enum import IntEnum
+from typing import Any
+
+from upright.bricks.script import Script, Told
+from upright.bricks.world import World
+from upright.firmware.targets import BATTERY, ENCODERS, GYRO
+
+SERVICE = "c5f5{:04x}-8280-46da-89f4-6d8051e4aeef"
+STANDARD = "{:08x}-0000-1000-8000-00805f9b34fb"
+COMMANDS, CAPABILITIES = SERVICE.format(2), SERVICE.format(3)
+FIRMWARE_REVISION, SOFTWARE_REVISION, PNP_ID = (STANDARD.format(n) for n in (0x2A26, 0x2A28, 0x2A50))
+
+FIRMWARE, PROTOCOL = "3.5.0", "1.4.0"
+LEGO, PRIME = 0x0397, 0x81  # company, and kind of hub, as Bluetooth's PnP ID has them
+LONGEST_WRITE, LONGEST_NOTE, MEMORY = 158, 100, 255 * 1024  # bytes of a command, of a piece of output, of a program
+MPY6 = 0b110  # capabilities: programs of several files, in MicroPython's format 6 and 6.1
+BATTERY_LOW, RUNNING = 1 << 0, 1 << 6  # status flags
+STATUS, OUTPUT = 0, 1  # events
+LOW_BATTERY = 6800  # [mV] below which a Prime hub warns (guess)
+AT_ONCE = 5  # notes that go over the air at once; while more wait the program does, as on a hub
+ASKED = 100  # times a program is asked to stop before it is ended
+SLICE = 0.005  # [s] of the hub's time between two looks at the line
+
+
+class Refused(IntEnum):
+    """Errors of the attribute protocol with which a hub answers a command."""
+
+    TOO_LONG = 0x0D
+    NOT_ALLOWED = 0x13
+    UNKNOWN = 0x80
+    BUSY = 0x81
+
+
+class CommandRefused(Exception):
+    """A command that the hub answers with an error."""
+
+
+class VirtualHub:
+    """A hub with `world` round it, `absent` naming ports with nothing in them. `run` lets its program go on, not beyond
+    `until` [s], `speed` times as fast as the clock where that is given.
+
+    `silent` makes it stop answering, `cut` takes it out of reach, `press` is its button. `garbled` changes what goes
+    over the air, piece by piece.
+    """
+
+    name = "virtual"
+
+    def __init__(self, world: World, absent: Sequence[str] = (), speed: float | None = None) -> None:
+        self.world, self.speed, self.until = world, speed, math.inf
+        self.firmware, self.protocol, self.capable = FIRMWARE, PROTOCOL, MPY6
+        self.silent, self.pressed, self.duties = False, False, (0.0, 0.0)
+        self.battery: float | None = None  # [mV] instead of the world's
+        self.garbled: Callable[[bytes], bytes] = bytes
+        self.notify: Callable[[bytes], None] | None = None
+        self._lost: Callable[[], None] | None = None
+        self._notes = deque[bytes]()  # on their way to whoever listens
+        self._memory, self._size, self._typed, self._stopped = bytearray(MEMORY), 0, b"", False
+        self._script, self._asked = Script("pybricks", absent), 0
+        self.running, self.seconds, self._told, self._said = False, 0.0, 0.0, 0
+
+    def read(self, uuid: str) -> bytes:
+        """A characteristic's value."""
+        values = {
+            FIRMWARE_REVISION: self.firmware.encode(),
+            SOFTWARE_REVISION: self.protocol.encode(),
+            PNP_ID: struct.pack("<BHHH", 1, LEGO, PRIME, 0),
+            CAPABILITIES: struct.pack("<HII", LONGEST_WRITE, self.capable, MEMORY),
+        }
+        return values[uuid]
+
+    def write(self, uuid: str, data: bytes) -> None:
+        """A command; raises `CommandRefused`."""
+        if uuid != COMMANDS or not data or data[0] not in ANSWERS:
+            raise CommandRefused(Refused.UNKNOWN)
+        if len(data) > LONGEST_WRITE:
+            raise CommandRefused(Refused.TOO_LONG)
+        try:
+            ANSWERS[data[0]](self, bytes(data[1:]))
+        except struct.error:
+            raise CommandRefused(Refused.NOT_ALLOWED) from None
+
+    def run(self, seconds: float) -> None:
+        """Let the program go on for that long [s]; it may end before."""
+        end = min(self.seconds + seconds, self.until)
+        while self.running and (self.seconds < end or self._stopped):
+            self._step()
+
+    def press(self) -> None:
+        """The button: the program stops, says its last, and its motors are off."""
+        self._stopped = self.running
+        self.run(0.0)
+
+    def cut(self) -> None:
+        """Take the hub out of reach of whoever is connected; its program goes on."""
+        self.notify, lost, self._lost = None, self._lost, None
+        self._notes.clear()
+        if lost:
+            lost()
+
+    def client(self, lost: Callable[[], None]) -> HubClient:
+        """What bleak's client would be for this hub."""
+        self._lost = lost
+        return HubClient(self)
+
+    def report(self) -> None:
+        """Tell whoever listens how the hub is."""
+        battery = self.world.raw()[BATTERY] if self.battery is None else self.battery
+        flags = (BATTERY_LOW if battery < LOW_BATTERY else 0) | (RUNNING if self.running else 0)
+        self._send(bytes([STATUS]) + struct.pack("<IB", flags, 0))
+
+    def close(self) -> None:
+        self._script.close()
+        self.world.close()
+
+    def begin(self) -> None:
+        """Start the program in memory; `CommandRefused` where there is none."""
+        if self.running:
+            raise CommandRefused(Refused.BUSY)
+        modules = unpacked(bytes(self._memory[: self._size]))
+        for old in self._script.folder.glob("*.mpy"):
+            old.unlink()
+        for name, code in modules.items():
+            (self._script.folder / f"{'balance' if name == '__main__' else name}.mpy").write_bytes(code)
+        self._script.start()
+        self.running, self.seconds, self._told, self._said, self._typed = True, 0.0, 0.0, 0, b""
+        self._stopped, self._asked = False, 0
+        self.report()
+
+    def _step(self) -> None:
+        raw = self.world.raw()
+        if self.battery is not None:
+            raw[BATTERY] = self.battery
+        if self._stopped:
+            told, self._asked = self._script.interrupt() if self._asked < ASKED else None, self._asked + 1
+        else:
+            readings = [raw[channel] for channel in (*ENCODERS, GYRO, BATTERY)]
+            told = self._script.exchange(readings, self.pressed, self._typed)
+        self._typed = b""
+        self._speak()
+        if told is None:
+            self._ended()
+        else:
+            self._move(told)
+
+    def _move(self, told: Told) -> None:
+        """Let the time of a wait pass, with the duties that were set before it."""
+        self.duties = told.duties or (0.0, 0.0)
+        for _ in range(round((told.clock - self._told) * 1e-3 / self.world.period)):
+            self.world.step(self.duties, told.duties is not None)
+        self.seconds += (told.clock - self._told) * 1e-3
+        self._told = told.clock
+
+    def _ended(self) -> None:
+        """What the firmware does when a program ends, however it ends: motors off."""
+        self._script.stop()
+        self.running, self._stopped, self.duties = False, False, (0.0, 0.0)
+        self.report()
+
+    def _speak(self) -> None:
+        """Send what the program has printed since, in pieces."""
+        said = "".join(f"{line}\r\n" for line in self._script.said[self._said :]).encode()
+        self._said = len(self._script.said)
+        for at in range(0, len(said), LONGEST_NOTE):
+            self._send(bytes([OUTPUT]) + self.garbled(said[at : at + LONGEST_NOTE]))
+
+    def _send(self, note: bytes) -> None:
+        if self.notify:
+            self._notes.append(note)
+
+    def flush(self) -> bool:
+        """Let the next notes go over the air, as many as go at once; whether some are left."""
+        for _ in range(min(AT_ONCE, len(self._notes))):
+            note = self._notes.popleft()
+            if self.notify and not self.silent:
+                self.notify(note)
+        return bool(self._notes)
+
+    def stop(self, _: bytes = b"") -> None:
+        """Ask the program to stop; it does so when it next waits."""
+        self._stopped = self.running
+
+    def start(self, _: bytes = b"") -> None:
+        if not self._size:
+            raise CommandRefused(Refused.NOT_ALLOWED)
+        self.begin()
+
+    def measure(self, data: bytes) -> None:
+        """How large the program in memory is: 0 while it is being written."""
+        (size,) = struct.unpack("<I", data)
+        self._idle(size <= MEMORY)
+        self._size = size
+
+    def store(self, data: bytes) -> None:
+        (at,), code = struct.unpack_from("<I", data), data[4:]
+        self._idle(at + len(code) <= MEMORY)
+        self._memory[at : at + len(code)] = code
+
+    def type(self, data: bytes) -> None:
+        self._typed += data
+
+    def _idle(self, fits: bool) -> None:
+        if self.running:
+            raise CommandRefused(Refused.BUSY)
+        if not fits:
+            raise CommandRefused(Refused.NOT_ALLOWED)
+
+
+ANSWERS: dict[int, Callable[[VirtualHub, bytes], None]] = {
+    0: VirtualHub.stop, 1: VirtualHub.start, 3: VirtualHub.measure, 4: VirtualHub.store, 6: VirtualHub.type,
+}  # fmt: skip
+"""Number of a command → what it does."""
+
+
+def unpacked(program: bytes) -> dict[str, bytes]:
+    """Name → .mpy of every module in a program as pybricksdev packs it: size, name, code, and so on."""
+    found: dict[str, bytes] = {}
+    while program:
+        size = int.from_bytes(program[:4], "little")
+        name, zero, rest = program[4:].partition(b"\0")
+        if not zero or len(rest) < size:
+            raise CommandRefused(Refused.NOT_ALLOWED)
+        found[name.decode("ascii", "replace").replace("/", "")] = rest[:size]
+        program = rest[size:]
+    return found
+
+
+class HubClient:
+    """A hub as bleak's client shows one: the same calls, and while it is connected the hub's time goes on."""
+
+    def __init__(self, hub: VirtualHub) -> None:
+        self._hub = hub
+        self._life: asyncio.Task[None] | None = None
+
+    async def connect(self) -> None:
+        await self._answered()
+        self._life = asyncio.create_task(self._live())
+
+    async def disconnect(self) -> None:
+        if self._life:
+            self._life.cancel()
+        self._hub.cut()
+
+    async def read_gatt_char(self, uuid: str) -> bytearray:
+        await self._answered()
+        return bytearray(self._hub.read(uuid))
+
+    async def write_gatt_char(self, uuid: str, data: bytes, response: bool) -> None:
+        from bleak.exc import BleakError
+
+        del response
+        await self._answered()
+        if self._hub.notify is None:
+            raise BleakError("Not connected")
+        try:
+            self._hub.write(uuid, bytes(data))
+        except CommandRefused as error:
+            code = Refused(error.args[0])
+            raise BleakError(f"the hub answers {code:#04x}, {code.name.lower().replace('_', ' ')}") from None
+
+    async def start_notify(self, uuid: str, callback: Callable[[Any, bytearray], None]) -> None:
+        await self._answered()
+        if uuid == COMMANDS:
+            self._hub.notify = lambda note: callback(None, bytearray(note))
+            self._hub.report()
+
+    async def _answered(self) -> None:
+        if self._hub.silent:
+            await asyncio.Event().wait()
+
+    async def _live(self) -> None:
+        """The hub's time: a slice of it, then whoever waits for the line has a turn."""
+        loop = asyncio.get_running_loop()
+        while True:
+            began = loop.time()
+            if not self._hub.flush():
+                self._hub.run(SLICE)
+            idle = not self._hub.running or self._hub.seconds >= self._hub.until
+            pace = SLICE / self._hub.speed if self._hub.speed else 0.0
+            await asyncio.sleep(SLICE / 10 if idle else max(0.0, pace - loop.time() + began))

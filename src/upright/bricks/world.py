@@ -1,0 +1,83 @@
+"""The twin round a virtual brick or hub: held until its motors are first switched on, then moved by their duties.
+
+A stand-in, never the robot. Its dead time is that of the program, not the kit's figure for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from upright.bodies import Electronics, make_body
+from upright.experiment.pushes import PushProgramme, combined
+from upright.firmware.targets import BATTERY, COMPASS, GYRO, OFFSET, find_target
+from upright.robots import Kit, Robot
+
+
+class World:
+    """`robot` in the electronics of `kit` as the sensors and motors of a `target` meet it; `pushes` count from its
+    release. `fallen` says whether it lies; then it stays there and its motors turn freely."""
+
+    def __init__(
+        self,
+        target: str,
+        robot: Robot,
+        kit: Kit,
+        pushes: Sequence[PushProgramme] = (),
+        *,
+        body: str = "twin",
+        seed: int = 1,
+    ) -> None:
+        parts = replace(kit, delay=0.0, jitter=0.0, motor=replace(kit.motor, quantum=0.0))
+        self._plant = Electronics(make_body(body, robot), parts)
+        known = find_target(target)
+        self._raw = {channel: known.sensor(channel, kit) for channel in kit.sensors if channel in known.raw}
+        self._raw |= {BATTERY: known.sensor(BATTERY, kit)}
+        self._pushes, self._robot, self._kit = pushes, robot, kit
+        self._rng = np.random.Generator(np.random.Philox(seed))
+        self.period = self._plant.spec.period
+        self._names = [signal.name for signal in self._plant.spec.channels]
+        self._now = self._plant.reset(seed=seed)
+        self.released = self.fallen = False
+
+    @property
+    def yaw(self) -> float:
+        """The true heading [rad]."""
+        return float(self._now.values[self._names.index("truth/yaw")])
+
+    def step(self, duties: Sequence[float], driven: bool) -> None:
+        """One period under both `duties` [%]; `driven` lets the robot go for good."""
+        self.released = self.released or driven
+        if self.released and not self.fallen:
+            self._now = self._plant.step(self._volts(duties), combined(self._pushes, self._now.t, self._robot))
+            self.fallen = self._now.fallen
+
+    def raw(self) -> dict[str, float]:
+        """What each sensor reads now, by channel, in the target's raw units; the gyro with its offset."""
+        channels = dict(zip(self._names, self._now.values.tolist(), strict=True))
+        battery = self._kit.battery.voltage
+        if not self.released:
+            noise = self._kit.sensors[GYRO].noise * float(self._rng.standard_normal())
+            channels = dict.fromkeys(channels, 0.0) | {GYRO: noise, BATTERY: battery}
+        return {channel: self._read(channel, channels.get(channel, battery)) for channel in self._raw}
+
+    def _read(self, channel: str, value: float) -> float:
+        raw = self._raw[channel]
+        found = value / raw.scale
+        if channel == COMPASS:  # counts clockwise
+            return float(-round(found) % 360)
+        if channel == GYRO:
+            found += round(OFFSET / raw.scale) if raw.whole else OFFSET / raw.scale
+        return float(round(found)) if raw.whole else found
+
+    def _volts(self, duties: Sequence[float]) -> tuple[float, float]:
+        """Each duty times the battery's voltage under both."""
+        left, right = (duty / 100 for duty in duties)
+        battery = self._kit.battery
+        voltage = battery.voltage / (1 + battery.sag * (abs(left) + abs(right)))
+        return left * voltage, right * voltage
+
+    def close(self) -> None:
+        self._plant.close()

@@ -1,0 +1,305 @@
+"""The likelihood of raw readings: whitened innovations, and how they follow the parameters.
+
+The filter's gains are held while the parameters move: at the truth the innovations are white, so that they are
+uncorrelated with their own derivative at fixed gains, and the estimate stays consistent (Ljung 1999, section 9.2).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.calibrate.electronics import driven
+from upright.calibrate.parameters import Parameter, columns
+from upright.calibrate.threads import CORES, side_by_side
+from upright.compiled.generated import CONSTANTS, constants
+from upright.logs.recording import SENSOR, Recording, reading_matrix
+from upright.physics.linear import linearise
+from upright.robots import PARAMETERS, Robot
+
+Array = NDArray[np.float64]
+
+PROCESS = ("motor", "push", "gyro_bias")
+STICKING = "sticking"
+"""Of the motors, while a wheel sticks or turns back: which way dry friction then acts, and when it lets go, is decided
+by less than a filter can know."""
+JITTER = "jitter"
+"""Of the moments at which commands arrive, uniformly late by up to the kit's jitter: a variance [s²] that is not
+learnt."""
+STIFF = 0.7  # largest |pole| h of a Runge–Kutta step: an error of 0.1 % of the fastest, dying mode
+ROLLING = 0.004  # [s] longest step: within one a wheel's rate is taken for straight where dry friction stops it
+SLIDING = 0.001  # [s] the same for a robot known to have dry friction: its error is 0.03 % of the friction then
+NUDGE = 1e-4  # of the prior's deviation: central differences are right to 1e-8, and rounding stays below
+DRIVEN, DELAYS = CONSTANTS, CONSTANTS + 3
+"""Where among the coefficients begins what drives the robot, and where the dead times."""
+TURN, DRY, ZONE = 0, 7, DRIVEN + 2
+FELT = (0, 3, 4, 5, 7, 8, 9, 10, 11, 14, 15, 16, 19, 20, 21, 22)
+"""Of the constants of the equations of motion those that a level floor shows; the rest belong to slopes and pushes."""
+EXACT = 7e-4
+"""How right the equations are (root mean square): with the same numbers they and MuJoCo, whose contacts yield a little,
+differ by 0.04 % in pitch and 0.07 % in the wheel rate (docs/twin.md), and no real robot is nearer to either."""
+COUPLING, INERTIA = 20, 21
+"""Among the constants what couples pitch and wheels at any pitch, and the inertia in pitch, both over the wheels'."""
+TURNED = 1.5e-3
+"""How right the coupling is where there is dry friction, of the geometric mean of both inertias: wheels that turn back,
+which MuJoCo does at the end of a time step, differ by what a rotor of 0.1 % of all that rolls would do."""
+EQUATION = "equation/"
+EQUATIONS = tuple(Parameter(f"{EQUATION}{i}", "1", 0.0, EXACT, "linear") for i in FELT)
+"""By what share each constant of the equations is off: estimated beside the parameters, and never told."""
+OUTLIER = 4.0  # deviations beyond which an innovation counts linearly (Huber 1964)
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """The filter along one recording: innovations, their variances, the gains, and the state after each event."""
+
+    e: Array
+    s: Array
+    gains: Array
+    states: Array
+
+
+@lru_cache(maxsize=16)
+def _linear(robot: Robot) -> tuple[float, tuple[Array, Array]]:
+    """The size of the fastest pole without dry friction [1/s], and how noise of motors and pushes enters the states."""
+    model = linearise(robot)
+    poles = linearise(robot.replace(coulomb_friction=0.0)).poles()
+    push = model.E[:, 0] + robot.com_height * model.E[:, 1]
+    return float(np.abs(poles).max()), (model.B @ model.B.T, np.outer(push, push))
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """Recordings, the robot they are thought to be of, what to estimate, and log-variances of process and sensors.
+
+    `asked` are the parameters without `EQUATIONS`, which come last. `held` names some that stay at their prior.
+    `temper` weighs the readings against the prior: below one where innovations are not white, so that they hold less
+    information than their number says (Lyddon et al. 2019).
+    """
+
+    recordings: tuple[Recording, ...]
+    robot: Robot
+    parameters: tuple[Parameter, ...]
+    delays: Mapping[str, float]
+    noise: Mapping[str, float]
+    held: frozenset[str] = frozenset()
+    temper: float = 1.0
+    fine: bool = False
+    longest: float = field(init=False)
+    asked: tuple[Parameter, ...] = field(init=False)
+    _shapes: tuple[Array, Array] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        fastest, shapes = _linear(self.robot)
+        most = SLIDING if self.fine and self.robot.coulomb_friction else ROLLING
+        object.__setattr__(self, "longest", min(most, STIFF / max(1.0, fastest)))
+        object.__setattr__(self, "_shapes", shapes)
+        object.__setattr__(self, "asked", tuple(p for p in self.parameters if not p.name.startswith(EQUATION)))
+
+    @property
+    def active(self) -> NDArray[np.bool_]:
+        """Which parameters move; the others are held at their prior."""
+        return np.array([p.name not in self.held for p in self.parameters])
+
+    def late(self, z: Array) -> dict[str, Array]:
+        """Dead time [s] of each sensor, over the lanes of z (parameters, lanes)."""
+        late = {name: np.full(z.shape[1], value) for name, value in self.delays.items()}
+        for i, p in enumerate(self.asked):
+            if p.name.startswith("delay/"):
+                late[p.name.removeprefix("delay/")] = p.value(z[i])
+        return late
+
+    def coefficients(self, z: Array) -> Array:
+        """What the predictor is made of (coefficients, lanes), for the lanes of z (parameters, lanes): the constants of
+        the equations of motion, what drives them, and the dead time of each sensor."""
+        numbers = columns(self.robot, self.asked, z)
+        c = np.empty((CONSTANTS, z.shape[1]))
+        for row, value in zip(c, constants([getattr(numbers, name) for name in PARAMETERS], 1.0), strict=True):
+            row[:] = value
+        if len(z) > len(self.asked):
+            size = c[list(FELT)]
+            if self.robot.coulomb_friction:
+                size[FELT.index(COUPLING)] = TURNED / EXACT * np.sqrt(c[INERTIA])
+            c[list(FELT)] += EXACT * size * z[len(self.asked) :]
+        return np.concatenate([c, driven(self.asked, z), [*self.late(z).values()]])
+
+    def by_parameter(self, z: Array) -> tuple[Array, Array]:
+        """The coefficients (coefficients,) at z (parameters,), and their slopes (coefficients, parameters)."""
+        q = self.coefficients(around(z))
+        return q[:, -1], slopes_of(q)
+
+    def built(self, recording: Recording, q: Array) -> tuple[Array, Array, Array]:
+        """Reading matrix, delays of the rows, and constants with what drives them, of the coefficients q."""
+        late = dict(zip(self.delays, q[DELAYS:], strict=True))
+        delays = np.array([late[SENSOR[row]] for row in recording.rows])
+        return reading_matrix(recording.rows, len(recording.first), q[TURN]), delays, q[:DELAYS]
+
+    def lanes(self, recording: Recording, z: Array) -> tuple[Array, Array, Array]:
+        """Reading matrix, delays of the rows, and the kernel's constants with what drives it, for the lanes of z."""
+        return self.built(recording, self.coefficients(z))
+
+    def own_delays(self, recording: Recording, z: Array) -> Array:
+        """Dead time [s] of each event (events,): zero for commands."""
+        late = self.late(z[:, None])
+        rows = np.array([float(late[SENSOR[row]][0]) for row in recording.rows] + [0.0])
+        return rows[recording.kind]
+
+    def order(self, recording: Recording, z: Array) -> NDArray[np.int64]:
+        """The events in the command's time at z (parameters,)."""
+        return recording.order({name: float(d[0]) for name, d in self.late(z[:, None]).items()})
+
+    def filtered(self, recording: Recording, z: Array, *, keep: bool = False, until: float = np.inf) -> Path:
+        """The filter at z (parameters,) along a recording, up to the time `until` [s]."""
+        from upright.calibrate.predictor import WIDE, kalman_path
+
+        reads, delays, constants = self.lanes(recording, z[:, None])
+        size = len(recording.first)
+        order = self.order(recording, z)
+        order = order[recording.when[order] <= until]
+        gains = np.zeros((len(recording.kind), size))
+        states = np.zeros((len(recording.kind) if keep else 0, size))
+        R = np.exp([self.noise[SENSOR[row]] for row in recording.rows])
+        e, s = kalman_path(
+            order, recording.kind, recording.when, recording.value, recording.commands,
+            np.ascontiguousarray(reads[:, :, 0]), np.ascontiguousarray(delays[:, 0]),
+            np.repeat(constants, WIDE, axis=1), recording.first, recording.P0, self.process(size),
+            np.exp(self.noise.get(JITTER, -np.inf)), R, self.longest, gains, states,
+        )  # fmt: skip
+        return Path(e, s, gains, states)
+
+    def process(self, size: int) -> Array:
+        """Covariance (2, size, size) of the process noise a second: while both wheels move, and while one sticks."""
+        Q = np.zeros((2, size, size))
+        for name, shape in zip(PROCESS, self._shapes, strict=False):
+            Q[:, :6, :6] += np.exp(self.noise[name]) * shape
+        Q[1, :6, :6] += np.exp(self.noise.get(STICKING, -np.inf)) * self._shapes[0]
+        Q[:, 6, 6] = np.exp(self.noise["gyro_bias"])
+        if size > 7:
+            Q[:, 7, 7] = 1e-10
+        return Q
+
+    def felt_slopes(self, recording: Recording, q: Array, unit: Array, gains: Array, rows: Sequence[int]) -> Array:
+        """∂e/∂q (events, rows) of those `rows` of the coefficients q, each in its `unit`, at fixed gains: by lanes a
+        nudge either side, or two above zero for what may not be negative."""
+        from upright.calibrate.predictor import LANES, innovations
+
+        order = recording.order(dict(zip(self.delays, q[DELAYS:].tolist(), strict=True)))
+        low = q - NUDGE * unit
+        low[[DRY, ZONE]] = np.maximum(low[[DRY, ZONE]], 0.0)
+
+        def of(part: NDArray[np.int64]) -> Array:
+            count = len(part)
+            lanes = np.repeat(q[:, None], 2 * count, axis=1)
+            lanes[part, np.arange(count)] = low[part] + 2 * NUDGE * unit[part]
+            lanes[part, count + np.arange(count)] = low[part]
+            reads, delays, constants = self.built(recording, lanes)
+            e = innovations(
+                order, recording.kind, recording.when, recording.value, recording.commands, reads, delays, constants,
+                np.repeat(recording.first[:, None], 2 * count, axis=1), gains, self.longest,
+            )  # fmt: skip
+            return (e[:, :count] - e[:, count:]) / (2 * NUDGE)
+
+        parts = min(len(rows), max(CORES, -(-2 * len(rows) // LANES)))
+        return np.concatenate(side_by_side(of, np.array_split(np.array(rows), parts)), axis=1)
+
+    def slopes(self, recording: Recording, z: Array, gains: Array) -> Array:
+        """∂e/∂z (events, parameters) at fixed gains."""
+        q, C = self.by_parameter(z)
+        unit, rows = units(C)
+        return self.felt_slopes(recording, q, unit, gains, rows) @ (C[rows] / unit[rows, None])
+
+
+def around(z: Array) -> Array:
+    """Lanes (n, 2n + 1) a nudge above z (n,) in each parameter, then a nudge below, then z."""
+    n = len(z)
+    lanes = np.repeat(z[:, None], 2 * n + 1, axis=1)
+    lanes[np.arange(n), np.arange(n)] += NUDGE
+    lanes[np.arange(n), n + np.arange(n)] -= NUDGE
+    return lanes
+
+
+def slopes_of(values: Array) -> Array:
+    """By z (..., n), of what the lanes of `around` give (..., 2n + 1)."""
+    n = (values.shape[-1] - 1) // 2
+    return (values[..., :n] - values[..., n:-1]) / (2 * NUDGE)
+
+
+def units(C: Array) -> tuple[Array, list[int]]:
+    """How far the prior lets each coefficient be off (coefficients,), from its slopes C (coefficients, parameters), and
+    the rows of those that move and are felt."""
+    unit = np.sqrt((C**2).sum(axis=1))
+    return unit, [i for i in (*FELT, *range(DRIVEN, len(C))) if unit[i] > 0]
+
+
+@dataclass(frozen=True, eq=False)
+class Normal:
+    """What Gauss–Newton needs at z: objective −log posterior (up to a constant), gradient and Hessian, and by event the
+    whitened innovations and their slopes (of the fitted events that are readings).
+
+    The slopes are those by the coefficients, `felt` (events, rows) in `unit`, times the coefficients' own: so what the
+    equations cannot tell apart, the Hessian cannot either.
+    """
+
+    objective: float
+    gradient: Array
+    hessian: Array
+    whitened: Array
+    slopes: Array
+    felt: Array
+    rows: list[int]
+    unit: Array
+
+    @property
+    def weight(self) -> Array:
+        """How much each innovation counts."""
+        return huber_weight(self.whitened)
+
+
+def huber_weight(whitened: Array) -> Array:
+    """One, and less beyond `OUTLIER`."""
+    return np.minimum(1.0, OUTLIER / np.maximum(np.abs(whitened), 1e-12))
+
+
+def fitted_readings(recording: Recording, path: Path) -> NDArray[np.bool_]:
+    return recording.fitted & np.isfinite(path.s)
+
+
+def objective(problem: Problem, z: Array) -> tuple[float, list[Path]]:
+    """−log posterior of z (innovations beyond `OUTLIER` count linearly); inf where the filter lost the robot."""
+    total, paths = 0.5 * float(z @ z), []
+    for recording in problem.recordings:
+        path = problem.filtered(recording, z)
+        paths.append(path)
+        use = recording.fitted & (recording.kind >= 0)
+        r2 = path.e[use] ** 2 / path.s[use]
+        if not (np.isfinite(r2).all() and (path.s[use] > 0).all()):
+            return np.inf, paths
+        far = r2 > OUTLIER**2
+        loss = np.where(far, 2 * OUTLIER * np.sqrt(r2) - OUTLIER**2, r2)
+        total += 0.5 * problem.temper * float(loss.sum() + np.log(path.s[use]).sum())
+    return total, paths
+
+
+def normal_equations(problem: Problem, z: Array, paths: Sequence[Path], value: float) -> Normal:
+    """Gradient and Gauss–Newton Hessian of the objective at fixed gains."""
+    q, C = problem.by_parameter(z)
+    unit, rows = units(C)
+    whites: list[Array] = []
+    parts: list[Array] = []
+    for recording, path in zip(problem.recordings, paths, strict=True):
+        use = fitted_readings(recording, path)
+        deviation = np.sqrt(path.s[use])
+        felt = problem.felt_slopes(recording, q, unit, path.gains, rows)[use] / deviation[:, None]
+        whites.append(path.e[use] / deviation)
+        parts.append(np.where(np.isfinite(felt), felt, 0.0))
+    r, felt = np.concatenate(whites), np.concatenate(parts)
+    by_parameter = C[rows] / unit[rows, None]
+    J = felt @ by_parameter
+    weight = huber_weight(r)
+    gradient = z + problem.temper * (J.T @ (weight * r))
+    hessian = np.eye(len(z)) + problem.temper * by_parameter.T @ (felt.T @ (weight[:, None] * felt)) @ by_parameter
+    return Normal(value, gradient, hessian, r, J, felt, rows, unit)

@@ -1,0 +1,126 @@
+"""Can this log tell? Which directions of the parameters its readings fix, and how surely.
+
+Information about z, the parameters in deviations of their prior, is J'J of the whitened innovations; the prior's is the
+identity. Where a direction has less than the prior, the log tells nothing of it that was not known before.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.calibrate.fitting import Normal, Path, Problem, fitted_readings
+from upright.calibrate.parameters import ROLL_SHARE, rows_of
+from upright.logs.recording import SENSOR, Recording
+
+Array = NDArray[np.float64]
+
+INERTIAL = ("com_height", "pitch_inertia", "yaw_inertia", "rotor_inertia", "wheel_inertia", ROLL_SHARE)
+QUIET = 4.0
+"""Root mean square of the pitch rate, in steps of its gyro, below which no inertia is given: the errors of the readings
+then are no longer small beside the motion, and what the fit calls an inertia is partly their image."""
+
+WINDOW = 1.0  # [s] beyond which innovations are taken to be independent: many times the time in which a robot falls
+
+
+def too_quiet(problem: Problem) -> str:
+    """Why these logs can give no inertia, in words; '' where they can."""
+    motions = [_motion(r, np.exp(0.5 * problem.noise["gyro"])) for r in problem.recordings]
+    loudest = max(motions)
+    if loudest >= QUIET:
+        return ""
+    return (
+        f"Too quiet for an inertia: the pitch rate moves by {loudest:.1f} steps of its gyro (rms), not {QUIET:g}. "
+        "Inertias and the height of the centre of mass stay at their prior; excite the robot or push it, and log again."
+    )
+
+
+def _motion(recording: Recording, deviation: float) -> float:
+    gyro = recording.value[recording.kind == [SENSOR[r] for r in recording.rows].index("gyro")]
+    step = deviation * np.sqrt(12.0)
+    return float(np.std(gyro) / step)
+
+
+def scores(problem: Problem, normal: Normal, paths: Sequence[Path]) -> list[Array]:
+    """For each recording the gradient's parts (periods, parameters), summed over the readings of a period."""
+    found: list[Array] = []
+    start = 0
+    each = (normal.weight * normal.whitened)[:, None] * normal.slopes
+    for recording, path in zip(problem.recordings, paths, strict=True):
+        use = fitted_readings(recording, path)
+        period = np.round((recording.when[use] - recording.when[0]) / recording.period).astype(np.int64)
+        summed = np.zeros((int(period.max()) + 1, normal.slopes.shape[1]))
+        np.add.at(summed, period, each[start : start + len(period)])
+        found.append(summed)
+        start += len(period)
+    return found
+
+
+def score_covariance(problem: Problem, normal: Normal, paths: Sequence[Path]) -> Array:
+    """Covariance of the gradient's data part with its correlation in time up to `WINDOW` (Newey and West 1987)."""
+    total = np.zeros((len(problem.parameters),) * 2)
+    for recording, G in zip(problem.recordings, scores(problem, normal, paths), strict=True):
+        lags = min(max(1, round(WINDOW / recording.period)), len(G) - 1)
+        total += G.T @ G
+        for lag in range(1, lags):
+            C = G[lag:].T @ G[:-lag]
+            total += (1 - lag / lags) * (C + C.T)
+    return total
+
+
+def information(problem: Problem, normal: Normal) -> Array:
+    """What the readings alone say of z, as if their innovations were white."""
+    return (normal.hessian - np.eye(len(normal.hessian))) / problem.temper
+
+
+def independent_share(problem: Problem, normal: Normal, paths: Sequence[Path]) -> float:
+    """What share of the readings is worth as much as white ones would be: white over true covariance of the score."""
+    white, true = information(problem, normal), score_covariance(problem, normal, paths)
+    values, directions = np.linalg.eigh(white)
+    seen = values > 4.0
+    if not seen.any():
+        return 1.0
+    ratio = np.einsum("ij,ik,kj->j", directions, true, directions)[seen] / values[seen]
+    return float(np.clip(1 / ratio.mean(), 1e-3, 1.0))
+
+
+def posterior(problem: Problem, normal: Normal, paths: Sequence[Path]) -> Array:
+    """Covariance of z (n, n): the larger of the one that takes innovations for white and the one that does not.
+
+    Held parameters keep their prior's unit variance, and its share in the others (Schmidt 1966).
+    """
+    active = problem.active
+    H = normal.hessian[np.ix_(rows_of(active), rows_of(active))]
+    cross = normal.hessian[np.ix_(rows_of(active), rows_of(~active))]
+    inverse = np.linalg.inv(H)
+    meat = problem.temper**2 * score_covariance(problem, normal, paths)[
+        np.ix_(rows_of(active), rows_of(active))
+    ] + np.eye(len(H))
+    robust = inverse @ meat @ inverse
+    scale = np.sqrt(np.maximum(1.0, np.diag(inverse) / np.maximum(np.diag(robust), 1e-30)))
+    known = inverse @ cross
+    total = np.eye(len(active))
+    total[np.ix_(rows_of(active), rows_of(active))] = robust * np.outer(scale, scale) + known @ known.T
+    total[np.ix_(rows_of(active), rows_of(~active))] = -known
+    total[np.ix_(rows_of(~active), rows_of(active))] = -known.T
+    return total
+
+
+def unseen_directions(problem: Problem, normal: Normal) -> list[str]:
+    """Sentences on the directions of the parameters that the log does not fix, though each alone might seem fixed."""
+    names = [p.name for p in problem.asked]
+    C = np.linalg.inv(np.eye(len(problem.parameters)) + information(problem, normal))[: len(names), : len(names)]
+    values, directions = np.linalg.eigh(np.linalg.inv(C) - np.eye(len(names)))
+    said: list[str] = []
+    for value, v in zip(values, directions.T, strict=True):
+        if value >= 1.0:
+            break
+        large = np.flatnonzero(np.abs(v) > 0.4)
+        if len(large) > 1:
+            parts = [f"{names[i]} {'up' if v[i] * v[large[0]] > 0 else 'down'}" for i in large]
+            said.append(
+                "The log cannot tell " + " with ".join(parts) + ": together they leave the readings as they are."
+            )
+    return said

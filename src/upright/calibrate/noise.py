@@ -1,0 +1,92 @@
+"""The noise that a log shows: process and sensor variances of greatest likelihood, by Fisher's scoring."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.calibrate.fitting import OUTLIER, Problem, huber_weight
+from upright.calibrate.parameters import rows_of
+from upright.calibrate.threads import side_by_side
+
+Array = NDArray[np.float64]
+ENOUGH = 1000
+"""Samples from which the noise is learnt: its variances then are known to 5 %, which no parameter notices."""
+GAIN = 0.1  # in log-likelihood, below which a step is the last: a noise that does not matter has no end of its own
+
+Bounds = Mapping[str, tuple[float, float]]
+
+
+def learn_noise(problem: Problem, z: Array, bounds: Bounds, *, iterations: int = 3) -> Problem:
+    """The same problem with the noise that makes the innovations most likely, by Fisher's scoring on the logarithms of
+    the variances that have `bounds`."""
+    names = list(bounds)
+    low, high = np.log([bounds[n][0] for n in names]), np.log([bounds[n][1] for n in names])
+    eta, damping = np.clip([problem.noise[n] for n in names], low, high), 0.05
+    value, gradient, hessian = _noise_score(problem, z, names, eta)
+    for _ in range(iterations):
+        for _ in range(4):
+            free = ~(((eta <= low) & (gradient > 0)) | ((eta >= high) & (gradient < 0)))
+            H = (hessian + damping * np.diag(np.diag(hessian)) + 1e-6 * np.eye(len(eta)))[
+                np.ix_(rows_of(free), rows_of(free))
+            ]
+            step = np.zeros_like(eta)
+            step[free] = -np.linalg.solve(H, gradient[free])
+            new = np.clip(eta + np.clip(step, -2.0, 2.0), low, high)
+            now = _noise_objective(problem, z, names, new)
+            if now < value:
+                break
+            damping = 10 * damping
+        else:
+            break
+        small = np.abs(new - eta).max() < 0.05 or value - now < GAIN
+        eta, damping = new, damping / 5
+        if small:
+            break
+        value, gradient, hessian = _noise_score(problem, z, names, eta)
+    return _with_noise(problem, names, eta)
+
+
+def _with_noise(problem: Problem, names: Sequence[str], eta: Array) -> Problem:
+    return replace(problem, noise={**problem.noise, **dict(zip(names, eta.tolist(), strict=True))})
+
+
+def _likelihood_parts(problem: Problem, z: Array) -> tuple[Array, Array]:
+    parts: list[tuple[Array, Array]] = []
+    for recording in problem.recordings:
+        until = recording.when[0] + ENOUGH * recording.period / len(problem.recordings)
+        path = problem.filtered(recording, z, until=until)
+        use = recording.fitted & (recording.kind >= 0) & (recording.when <= until)
+        parts.append((path.e[use], path.s[use]))
+    return np.concatenate([p[0] for p in parts]), np.concatenate([p[1] for p in parts])
+
+
+def _noise_objective(problem: Problem, z: Array, names: Sequence[str], eta: Array) -> float:
+    e, s = _likelihood_parts(_with_noise(problem, names, eta), z)
+    if not (np.isfinite(e).all() and (s > 0).all()):
+        return np.inf
+    return 0.5 * float((_robust(e, s)[0] + np.log(s)).sum())
+
+
+def _robust(e: Array, s: Array) -> tuple[Array, Array]:
+    """Huber's loss, twice, and the weight that belongs to it."""
+    r2 = e**2 / s
+    return np.where(r2 > OUTLIER**2, 2 * OUTLIER * np.sqrt(r2) - OUTLIER**2, r2), huber_weight(np.sqrt(r2))
+
+
+def _noise_score(problem: Problem, z: Array, names: Sequence[str], eta: Array) -> tuple[float, Array, Array]:
+    """Objective, its gradient and Fisher's information for the log-variances."""
+    step = 0.05
+    (e, s), *moved = side_by_side(
+        lambda at: _likelihood_parts(_with_noise(problem, names, at), z), [eta, *(eta + step * np.eye(len(eta)))]
+    )
+    loss, weight = _robust(e, s)
+    with np.errstate(invalid="ignore"):  # a filter that lost the robot has no variance, and its step is not taken
+        dlog = np.column_stack([(np.log(s1) - np.log(s)) / step for _, s1 in moved])
+    de = np.column_stack([(e1 - e) / step for e1, _ in moved])
+    gradient = (0.5 * (1 - weight * e**2 / s)) @ dlog + (weight * e / s) @ de
+    hessian = 0.5 * dlog.T @ dlog + de.T @ (de / s[:, None])
+    return 0.5 * float((loss + np.log(s)).sum()), gradient, hessian

@@ -1,0 +1,203 @@
+"""From a finished fit to a `Calibration`: intervals, combinations, verdicts, checks and sentences."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.calibrate.calibration import BOUND, HELD, PRIOR, SURPRISE, VISIBLE, Calibration, Estimate
+from upright.calibrate.electronics import MEANING
+from upright.calibrate.fitting import Normal, Path, Problem, around, slopes_of
+from upright.calibrate.informativity import posterior, unseen_directions
+from upright.calibrate.parameters import ROLL_SHARE, Parameter, columns, with_values
+from upright.calibrate.validate import segments, steps_ahead, whiteness
+from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
+from upright.physics.linear import unstable_pole
+from upright.robots import PARAMETERS, Provenance, Robot
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+
+SEEN = 0.5  # of the prior's deviation: a number known twice as well, or better, is called visible
+FINEST_TIME = 0.01  # of a period: no dead time is claimed to be known better, since the integration takes steps
+NORMAL = 1.96  # deviations that hold 95 % of a normal distribution
+
+COMBINATIONS: dict[str, tuple[str, Callable[[Any], Any]]] = {
+    "roll_inertia": ("kg m²", lambda p: p.roll_inertia),
+    "motor_gain": ("N m/V", motor_gain),
+    "motor_damping": ("N m s/rad", motor_damping),
+    "a11": ("kg m²", lambda p: mass_matrix(1.0, 0.0, p)[0]),
+    "a12": ("kg m²", lambda p: mass_matrix(1.0, 0.0, p)[1]),
+    "a22": ("kg m²", lambda p: mass_matrix(1.0, 0.0, p)[2]),
+    "weight_moment": ("N m", lambda p: p.gravity * p.body_mass * p.com_height),
+    "a22/a11": ("1", lambda p: mass_matrix(1.0, 0.0, p)[2] / mass_matrix(1.0, 0.0, p)[0]),
+    "weight_moment/a22": ("1/s²", lambda p: p.gravity * p.body_mass * p.com_height / mass_matrix(1.0, 0.0, p)[2]),
+}
+"""The number that follows from others, then what enters the motion: its coefficients, and two ratios of them."""
+
+
+def summarised(
+    problem: Problem, z: Array, normal: Normal, paths: Sequence[Path], logs: Sequence[Log], reason: str, began: float
+) -> Calibration:
+    """Everything said of a fit."""
+    C = posterior(problem, normal, paths) + _floor(problem)
+    spread = np.sqrt(np.diag(C))
+    every = [_estimate(p, float(z[i]), float(spread[i]), p.name in problem.held) for i, p in enumerate(problem.asked)]
+    combined = _combined(problem, z, C)
+    names, covariance = _in_units(problem, z, C)
+    found = {e.name: e for e in every} | ({"roll_inertia": _roll_inertia(problem, combined[0])})
+    parameters = tuple(found[name] for name in names if name in PARAMETERS)
+    sources = tuple(str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log"))) for log in logs)
+    robot = _calibrated(problem, z, parameters, sources)
+    fits, free = _checks(problem, z)
+    return Calibration(
+        robot, problem.robot, parameters, combined[1:], _delays(problem, z, C, every),
+        names, covariance, {name: math.exp(0.5 * value) for name, value in problem.noise.items()},
+        tuple(w for r, path in zip(problem.recordings, paths, strict=True) for w in whiteness(r, path)),
+        fits, free, problem.temper, int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
+        time.perf_counter() - began, sources, tuple(_notes(problem, every, free, reason)),
+        tuple(unseen_directions(problem, normal)), electronics=tuple(e for e in every if e.name in MEANING),
+    )  # fmt: skip
+
+
+def _floor(problem: Problem) -> Array:
+    """Variance of each coordinate (n, n) that no log takes away: of dead times."""
+    finest = FINEST_TIME * problem.recordings[0].period
+    return np.diag([(finest / p.spread) ** 2 if p.name.startswith("delay/") else 0.0 for p in problem.parameters])
+
+
+def _estimate(p: Parameter, z: float, spread: float, held: bool) -> Estimate:
+    low, high = (float(p.value(max(z + side * NORMAL * spread, p.least))) for side in (-1, 1))
+    pressed = z <= p.least + 1e-9 and p.lower == 0.0 and p.prior > 0
+    verdict = HELD if held else BOUND if pressed else VISIBLE if spread < SEEN else PRIOR
+    return Estimate(p.name, p.unit, float(p.value(z)), low, high, p.prior, p.spread, verdict, z, spread, p.guess)
+
+
+def _in_units(problem: Problem, z: Array, C: Array) -> tuple[tuple[str, ...], Array]:
+    """Names and covariance (n, n) of what was fitted, with the roll inertia in place of its share."""
+    lanes = around(z)
+    roll = np.broadcast_to(columns(problem.robot, problem.asked, lanes).roll_inertia, lanes.shape[1])
+    values = {p.name: p.value(lanes[i]) for i, p in enumerate(problem.asked)}
+    if ROLL_SHARE in values:
+        values = {
+            ("roll_inertia" if n == ROLL_SHARE else n): (roll if n == ROLL_SHARE else v) for n, v in values.items()
+        }
+    slopes = np.array([slopes_of(v) for v in values.values()])
+    return tuple(values), slopes @ C @ slopes.T
+
+
+def _roll_inertia(problem: Problem, roll: Estimate) -> Estimate:
+    """The combination as the parameter that it is."""
+    verdict = HELD if ROLL_SHARE in problem.held else roll.verdict
+    return replace(roll, low=max(roll.low, 0.0), verdict=verdict)
+
+
+def _calibrated(problem: Problem, z: Array, every: Sequence[Estimate], sources: Sequence[str]) -> Robot:
+    """The robot with its new numbers, each with where it comes from and its deviation."""
+    origin = ", ".join(dict.fromkeys(sources))
+    said = {n.name: Provenance(f"calibrated from {origin}; {n.verdict}", n.spread) for n in every if n.verdict != HELD}
+    robot = _robot_at(problem, z)
+    return robot.replace(provenance={**problem.robot.provenance, **said}, name=problem.robot.name)
+
+
+def _combined(problem: Problem, z: Array, C: Array) -> tuple[Estimate, ...]:
+    """Each combination by its logarithm's gradient, with the prior's own deviation beside it."""
+    lanes = around(z)
+    numbers, prior = (columns(problem.robot, problem.asked, at) for at in (lanes, 0 * lanes))
+    found: list[Estimate] = []
+    for name, (unit, formula) in COMBINATIONS.items():
+        if problem.robot.drive == "torque" and name == "motor_gain":
+            continue
+        values = np.broadcast_to(formula(numbers), lanes.shape[1])
+        found.append(_combination(name, unit, values, float(np.atleast_1d(formula(prior))[0]), C))
+    poles = np.array([rolling_pole(_robot_at(problem, lanes[:, i])) for i in range(lanes.shape[1])])
+    found.append(_combination("unstable_pole", "1/s", poles, rolling_pole(problem.robot), C))
+    return tuple(found)
+
+
+def rolling_pole(robot: Robot) -> float:
+    """The rate [1/s] at which the robot falls while its wheels roll: dry friction, which at rest would hold them, is a
+    steady force then and moves no pole."""
+    return unstable_pole(robot.replace(coulomb_friction=0.0))
+
+
+def _robot_at(problem: Problem, z: Array) -> Robot:
+    values = {p.name: float(p.value(z[i])) for i, p in enumerate(problem.asked)}
+    return with_values(problem.robot, {n: max(v, 0.0) for n, v in values.items()})
+
+
+def _combination(name: str, unit: str, values: Array, prior: float, C: Array) -> Estimate:
+    gradient = slopes_of(values)
+    spread, before = float(np.sqrt(gradient @ C @ gradient)), float(np.linalg.norm(gradient))
+    value = float(values[-1])
+    shrink = spread / max(before, 1e-300)
+    verdict = VISIBLE if shrink < SEEN else PRIOR
+    shift = (value - prior) / max(before, 1e-300)
+    return Estimate(
+        name, unit, value, value - NORMAL * spread, value + NORMAL * spread, prior, before, verdict, shift, shrink, True
+    )
+
+
+def _delays(problem: Problem, z: Array, C: Array, every: Sequence[Estimate]) -> tuple[Estimate, ...]:
+    """Dead times from the command to each sensor, and how much later than the encoders the gyro is."""
+    found = [e for e in every if e.name.startswith("delay/")]
+    index = {p.name: i for i, p in enumerate(problem.asked)}
+    if {"delay/gyro", "delay/encoder"} <= index.keys():
+        i, j = index["delay/gyro"], index["delay/encoder"]
+        p, q = problem.parameters[i], problem.parameters[j]
+        value, prior = float(p.value(z[i]) - q.value(z[j])), p.prior - q.prior
+        variance = p.spread**2 * C[i, i] + q.spread**2 * C[j, j] - 2 * p.spread * q.spread * C[i, j]
+        half, before = NORMAL * math.sqrt(variance), math.hypot(p.spread, q.spread)
+        verdict = VISIBLE if half / NORMAL < SEEN * before else PRIOR
+        found.append(Estimate(
+            "delay/gyro−encoder", "s", value, value - half, value + half, prior, before, verdict,
+            (value - prior) / before, half / NORMAL / before, True,
+        ))  # fmt: skip
+    return tuple(found)
+
+
+def _checks(problem: Problem, z: Array) -> tuple[dict[str, dict[str, float]], dict[str, float]]:
+    """h-step fits of the parts kept back, and R² of half seconds simulated freely: means over the recordings."""
+    ahead: list[dict[str, dict[str, float]]] = []
+    free: list[dict[str, float]] = []
+    for recording in problem.recordings:
+        parts = segments(problem, recording, z)
+        r2 = {name: parts.r_squared(name) for name in recording.rows}
+        pairs = {n.removeprefix("sensor/").removesuffix("_left") for n in recording.rows if n.endswith("_left")}
+        r2 |= {f"mean {pair}": parts.r_squared(pair) for pair in sorted(pairs)}
+        free.append({**r2, "lost": parts.lost})
+        if (~recording.fitted).sum() > 60 * len(recording.rows):
+            ahead.append(steps_ahead(problem, recording, z))
+    return {h: _mean([a[h] for a in ahead]) for h in (ahead[0] if ahead else ())}, _mean(free)
+
+
+def _mean(found: Sequence[Mapping[str, float]]) -> dict[str, float]:
+    """Of each name over those that have it."""
+    names = dict.fromkeys(name for one in found for name in one)
+    return {name: float(np.mean([one[name] for one in found if name in one])) for name in names}
+
+
+def _notes(problem: Problem, every: Sequence[Estimate], free: Mapping[str, float], reason: str) -> list[str]:
+    notes = [reason] if reason else []
+    if problem.temper < 1:
+        notes.append(
+            "The innovations are not white: the model leaves something out. "
+            f"{1 / problem.temper:.0f} readings count as one, so that the intervals are wider."
+        )
+    surprised = [f"{e.name} by {abs(e.shift):.1f}" for e in every if e.surprising]
+    if surprised:
+        notes.append(
+            f"The log contradicts what was said to be known of {', '.join(surprised)} deviations (more than "
+            f"{SURPRISE:g}): measure that again, or take another robot for the prior."
+        )
+    if free["lost"] > 0.1:
+        notes.append(
+            f"In {free['lost']:.0%} of half a second's free simulation the robot falls where the real one did not."
+        )
+    return notes

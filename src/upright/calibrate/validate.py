@@ -1,0 +1,242 @@
+"""How well a calibrated robot foretells a log: free simulation of segments, steps ahead, and innovations tested."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.calibrate.calibration import Whiteness
+from upright.calibrate.fitting import Normal, Path, Problem, fitted_readings
+from upright.logs.recording import Recording
+
+Array = NDArray[np.float64]
+Whole = NDArray[np.int64]
+
+HORIZONS = (1, 10, 50)
+LAGS = 20
+FAR = 4.0  # a reading missed by more than twice its deviation counts as missed by that: one fall is not the whole score
+
+_NUDGES = np.array([1e-5, 1e-4, 1e-4, 1e-3, 1e-4, 1e-3])  # steps in the first state, of its own size
+_SPANS = np.array([0.05, 0.5, 0.5, 5.0, 0.5, 2.0])  # [rad, rad/s] a weak hold, so that a still wheel is no singularity
+
+
+@dataclass(frozen=True, eq=False)
+class Segments:
+    """Readings, and what the robot said of them when simulated from the first state of their segment, which alone was
+    fitted; NaN where it fell. All arrays (readings,)."""
+
+    rows: tuple[str, ...]
+    row: Whole
+    when: Array
+    measured: Array
+    said: Array
+    segment: Whole
+
+    def r_squared(self, name: str) -> float:
+        """1 − Σ(y − ŷ)²/Σ(y − ȳ)² of one reading, or of the mean of a pair ("encoder", "encoder_rate"); a reading
+        beyond a simulated fall counts as missed by twice the deviation."""
+        y, said, _ = self._of(name)
+        variance = float(y.var())
+        missed = np.where(np.isfinite(said), (y - said) ** 2, FAR * variance)
+        return 1 - float(missed.mean()) / max(variance, 1e-30)
+
+    def score(self) -> float:
+        """Mean over the readings of R² against each segment's own mean, falls and misses counted up to `FAR`."""
+        found: list[float] = []
+        for name in self.rows:
+            y, said, segment = self._of(name)
+            mean = np.bincount(segment, y) / np.maximum(np.bincount(segment), 1)
+            variance = float(((y - mean[segment]) ** 2).mean())
+            missed = np.where(np.isfinite(said), (y - said) ** 2, np.inf)
+            found.append(1 - float(np.minimum(missed, FAR * variance).mean()) / max(variance, 1e-30))
+        return float(np.mean(found))
+
+    @property
+    def lost(self) -> float:
+        """Share of readings beyond a simulated fall."""
+        return float((~np.isfinite(self.said)).mean())
+
+    def _of(self, name: str) -> tuple[Array, Array, Whole]:
+        pair = [i for i, row in enumerate(self.rows) if row in (name, f"sensor/{name}_left", f"sensor/{name}_right")]
+        parts = [(self.measured[self.row == i], self.said[self.row == i], self.segment[self.row == i]) for i in pair]
+        least = min(len(p[0]) for p in parts)
+        mean = [np.mean([p[k][:least] for p in parts], axis=0) for k in (0, 1)]
+        return mean[0], mean[1], parts[0][2][:least]
+
+
+def segments(
+    problem: Problem, recording: Recording, z: Array, seconds: float = 0.5, among: NDArray[np.bool_] | None = None
+) -> Segments:
+    """Every segment of `seconds` of a recording simulated from its first state, which is fitted to its readings;
+    `among` (events,) restricts it to a part."""
+    order = problem.order(recording, z)
+    order = order if among is None else order[among[order]]
+    moment = recording.when[order] - problem.own_delays(recording, z)[order]
+    states = problem.filtered(recording, z, keep=True).states
+    edges = np.arange(moment[0], moment[-1], seconds)
+    scale = _variation(recording, order, moment, edges)
+    found = [np.empty((3, 0))]
+    for number, start in enumerate(edges):
+        inside = np.flatnonzero((moment >= start) & (moment < start + seconds))
+        if len(inside) and (recording.kind[order[inside]] >= 0).sum() >= 12:
+            begin = states[order[inside[0]]]
+            before = _before(recording, order, inside[0])
+            events, said = _fitted(problem, recording, z, order[inside], before, begin, scale)
+            found.append(np.array([events, said, np.full(len(events), number)]))
+    events, said, number = np.concatenate(found, axis=1)
+    at = events.astype(np.int64)
+    return Segments(
+        recording.rows, recording.kind[at], recording.when[at], recording.value[at], said, number.astype(np.int64)
+    )
+
+
+def score(problem: Problem, z: Array) -> float:
+    """How well free simulation over half seconds follows the fitted parts: 1 is perfect."""
+    return float(np.mean([segments(problem, r, z, among=r.fitted).score() for r in problem.recordings]))
+
+
+def steps_ahead(problem: Problem, recording: Recording, z: Array, every: int = 5) -> dict[str, dict[str, float]]:
+    """Fit [%], 100 (1 − rms(y − ŷ)/std(y)), of free simulation 1, 10 and 50 samples ahead on the part kept back."""
+    order = problem.order(recording, z)
+    states = problem.filtered(recording, z, keep=True).states
+    kept = np.flatnonzero(~recording.fitted[order] & (recording.kind[order] == recording.kind[order].max()))
+    moment = recording.when - problem.own_delays(recording, z)
+    errors: dict[tuple[int, int], list[float]] = {}
+    for first in kept[::every]:
+        now = moment[order[first]]
+        ahead = order[first + 1 :]
+        ahead = ahead[: np.searchsorted(moment[ahead], now + (HORIZONS[-1] + 0.5) * recording.period)]
+        begin = states[order[first]][:, None]
+        e = _free(problem, recording, z, order[first : first + 1 + len(ahead)], _before(recording, order, first), begin)
+        steps = np.round((moment[ahead] - now) / recording.period)
+        for horizon in HORIZONS:
+            for event in ahead[(steps == horizon) & (recording.kind[ahead] >= 0)]:
+                errors.setdefault((horizon, int(recording.kind[event])), []).append(float(e[event, 0]))
+    return {
+        str(h): {row: _percent(recording, i, errors.get((h, i), [])) for i, row in enumerate(recording.rows)}
+        for h in HORIZONS
+    }
+
+
+def _percent(recording: Recording, row: int, errors: Sequence[float]) -> float:
+    y = recording.value[(recording.kind == row) & ~recording.fitted]
+    if not errors or np.std(y) == 0:
+        return float("nan")
+    missed = np.where(np.isfinite(errors), errors, 2 * np.std(y))
+    return 100 * (1 - float(np.sqrt(np.mean(np.square(missed)))) / float(np.std(y)))
+
+
+def whiteness(recording: Recording, path: Path) -> list[Whiteness]:
+    """Both tests for each reading over the fitted part (Ljung and Box 1978; Ljung 1999, section 16.6)."""
+    from scipy.stats import chi2
+
+    threshold = float(chi2.ppf(0.99, LAGS))
+    command = recording.commands.mean(axis=1)
+    found: list[Whiteness] = []
+    for row, name in enumerate(recording.rows):
+        at = fitted_readings(recording, path) & (recording.kind == row)
+        r = path.e[at] / np.sqrt(path.s[at])
+        rho = correlations(r, LAGS)
+        n = len(r)
+        box = n * (n + 2) * float((rho**2 / (n - np.arange(1, LAGS + 1))).sum())
+        held = np.interp(recording.when[at], recording.when[recording.kind < 0], command)
+        rms, worst = float(np.sqrt(np.mean(r**2))), float(np.abs(rho[:5]).max())
+        found.append(Whiteness(name, rms, worst, box, _input_test(r, held), LAGS, threshold))
+    return found
+
+
+def correlations(r: Array, lags: int) -> Array:
+    """Autocorrelation at lags 1 to `lags`."""
+    r = r - r.mean()
+    power = max(float(r @ r), 1e-300)
+    return np.array([float(r[lag:] @ r[:-lag]) / power for lag in range(1, lags + 1)])
+
+
+def _input_test(r: Array, u: Array) -> float:
+    """N cᵀ R⁻¹ c / σ²: the covariance c of innovations with earlier commands, against what chance gives."""
+    n = len(r)
+    r, u = r - r.mean(), u - u.mean()
+    c = np.array([float(r[LAGS:] @ u[LAGS - lag : n - lag]) / n for lag in range(LAGS)])
+    power = [float(u[lag:] @ u[: n - lag]) / n for lag in range(LAGS)]
+    R = np.array([[power[abs(i - j)] for i in range(LAGS)] for j in range(LAGS)])
+    return float(n * c @ np.linalg.solve(R + 1e-9 * power[0] * np.eye(LAGS), c) / max(np.mean(r**2), 1e-300))
+
+
+def worst_correlation(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> float:  # noqa: ARG001 (the whole of a fit)
+    """Largest autocorrelation of any sensor's innovations over five lags."""
+    worst = 0.0
+    for recording, path in zip(problem.recordings, paths, strict=True):
+        for row in range(len(recording.rows)):
+            at = fitted_readings(recording, path) & (recording.kind == row)
+            worst = max(worst, float(np.abs(correlations(path.e[at] / np.sqrt(path.s[at]), 5)).max()))
+    return worst
+
+
+def _before(recording: Recording, order: Whole, first: int) -> Whole:
+    """The last command before the event at place `first`."""
+    earlier = order[:first]
+    return earlier[recording.kind[earlier] < 0][-1:]
+
+
+def _fitted(
+    problem: Problem, recording: Recording, z: Array, order: Whole, before: Whole, begin: Array, scale: Array
+) -> tuple[Array, Array]:
+    """The readings among `order`, and what the model says of them from the best first state near `begin`: the one whose
+    errors, over the `scale` of each row, are least."""
+    events = order[recording.kind[order] >= 0]
+    deviation = scale[recording.kind[events]]
+    start = begin.copy()
+
+    def errors(firsts: Array) -> Array:
+        return _free(problem, recording, z, order, before, firsts)[events]
+
+    for _ in range(8):  # a start that topples on its way is pulled back
+        if np.isfinite(errors(start[:, None])).all():
+            break
+        start[:2] *= 0.97
+    step, best, least = np.zeros(6), start, np.inf
+    for _ in range(8):
+        firsts = np.repeat(start[:, None], 7, axis=1)
+        firsts[np.arange(6), 1 + np.arange(6)] += _NUDGES
+        e = errors(firsts)
+        cost = float(((e[:, 0] / deviation) ** 2).sum())
+        if np.isfinite(e).all() and cost < least:
+            J = (e[:, 1:] - e[:, :1]) / _NUDGES / deviation[:, None]
+            step = -np.linalg.solve(J.T @ J + np.diag(1 / _SPANS**2), J.T @ (e[:, 0] / deviation))
+            done, best, least = cost > 0.9999 * least, start, cost
+            if done:
+                break
+        else:
+            step = step / 4
+        start = best.copy()
+        start[:6] += step
+    return events.astype(np.float64), recording.value[events] - errors(best[:, None])[:, 0]
+
+
+def _variation(recording: Recording, order: Whole, moment: Array, edges: Array) -> Array:
+    """A hundredth of how much each row varies within a segment (rows,)."""
+    segment = np.searchsorted(edges, moment, side="right")
+    found = np.ones(len(recording.rows))
+    for row in range(len(recording.rows)):
+        at = recording.kind[order] == row
+        y, number = recording.value[order[at]], segment[at]
+        mean = np.bincount(number, y) / np.maximum(np.bincount(number), 1)
+        found[row] = max(0.01 * float(np.sqrt(np.mean((y - mean[number]) ** 2))), 1e-9)
+    return found
+
+
+def _free(problem: Problem, recording: Recording, z: Array, order: Whole, before: Whole, firsts: Array) -> Array:
+    """Errors (events, lanes) of a free simulation over the events of `order` from the first states (states, lanes)."""
+    from upright.calibrate.predictor import innovations
+
+    reads, delays, constants = problem.lanes(recording, np.repeat(z[:, None], firsts.shape[1], axis=1))
+    still = np.zeros((len(recording.kind), len(firsts)))
+    skipped = int(recording.value[before[0]]) if len(before) else 0
+    value = np.where(recording.kind < 0, recording.value - skipped, recording.value)
+    return innovations(
+        order, recording.kind, recording.when, value, np.ascontiguousarray(recording.commands[skipped:]), reads, delays,
+        constants, firsts, still, problem.longest,
+    )  # fmt: skip

@@ -1,0 +1,162 @@
+"""Fixed point: where the binary point of each variable stands, and how far rounding can carry a command.
+
+A word has 32 bits and a sum 64. Inputs and outputs are Q16.16 wherever their range allows it and integers where they
+are whole; inside, each variable keeps as many bits of fraction as its proven range leaves, and each coefficient as many
+as its sum leaves. No sum and no product can overflow: that follows from the ranges alone, by interval arithmetic.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.compiled.program import (
+    Absolute,
+    Choose,
+    Kind,
+    Limit,
+    Program,
+    Statement,
+    Sum,
+    Variable,
+    operands,
+)
+from upright.errors import InvalidController
+from upright.physics.linear import impulse_norm
+
+Array = NDArray[np.float64]
+
+WORD, WIDE = 31, 62  # bits of magnitude in a word, and in a sum with its rounding
+INTERFACE = 16  # bits of fraction of inputs and outputs
+FINEST = 30
+
+
+@dataclass(frozen=True)
+class Scaled:
+    """A sum in integers: Σ factor · word + constant, then `shift` bits to the right."""
+
+    terms: tuple[tuple[int, str], ...]
+    constant: int
+    shift: int
+
+
+def fractions(program: Program) -> dict[str, int]:
+    """Bits of fraction of every variable; raises `InvalidController` for one that no word holds."""
+    if not program.proven:
+        raise InvalidController(
+            f"the memory of this {program.kind} grows without its robot", expected="a range that can be proven",
+            mend="use --number float",
+        )  # fmt: skip
+    found = {v.name: _own(v) for v in program.variables.values()}
+    for block in program.blocks:
+        for statement in block.statements:
+            variable = program.variables[statement.target]
+            if variable.kind is Kind.TEMPORARY and not variable.whole:
+                found[variable.name] = min(found[variable.name], _inherited(statement, found))
+    return found
+
+
+def _own(variable: Variable) -> int:
+    """From the range: what is left of the word, or `INTERFACE` where others read it."""
+    if not variable.most < 2.0**WORD - 1:
+        raise InvalidController(
+            f"{variable.name} reaches {variable.most:.3g} {variable.unit}", expected="less than 2³¹ for fixed point",
+            mend="use --number float",
+        )  # fmt: skip
+    if variable.whole:
+        return 0
+    left = WORD - 1 - max(0, math.ceil(math.log2(max(variable.most, 2.0**-20) * (1 + 1e-9))))
+    return min(left, INTERFACE if variable.kind in (Kind.INPUT, Kind.OUTPUT) else FINEST)
+
+
+def _inherited(statement: Statement, found: Mapping[str, int]) -> int:
+    """What only selects or mirrors a word keeps its format."""
+    if isinstance(statement, Limit | Absolute):
+        return found[statement.value]
+    if isinstance(statement, Choose):
+        return min((found[o] for o in (statement.then, statement.other) if isinstance(o, str)), default=FINEST)
+    return FINEST
+
+
+def scaled(statement: Sum, program: Program, bits: Mapping[str, int]) -> Scaled:
+    """The finest integer form of a sum whose every partial sum stays within 62 bits."""
+    words = {n: math.ceil(program.variables[n].most * 2.0 ** bits[n]) + 1 for _, n in statement.terms}
+    target = bits[statement.target]
+    for fraction in range(WIDE, target - 1, -1):
+        factors = [round(c * 2.0 ** (fraction - bits[n])) for c, n in statement.terms]
+        constant = round(statement.constant * 2.0**fraction)
+        total = sum(abs(f) * words[n] for f, (_, n) in zip(factors, statement.terms, strict=True)) + abs(constant)
+        fine = all(fraction >= bits[n] for _, n in statement.terms)
+        if fine and total < 2**WIDE and all(abs(f) < 2**WORD for f in factors):
+            pairs = tuple((f, n) for f, (_, n) in zip(factors, statement.terms, strict=True) if f)
+            return _reduced(pairs, constant, fraction - target)
+    raise InvalidController(
+        f"the sum {statement.target} does not fit 64 bits", expected="smaller ranges", mend="use --number float"
+    )
+
+
+def _reduced(terms: tuple[tuple[int, str], ...], constant: int, shift: int) -> Scaled:
+    """Without the powers of two that all factors share, so that integers stay small."""
+    common = math.gcd(constant, *(f for f, _ in terms))
+    spare = min(shift, (common & -common).bit_length() - 1) if common else shift
+    return Scaled(tuple((f >> spare, n) for f, n in terms), constant >> spare, shift - spare)
+
+
+def quantum(program: Program, bits: Mapping[str, int] | None = None) -> float:
+    """What fixed point may add to a command at worst, in the command's unit, with the design given the same words:
+    rounding of every sum and coefficient, carried through the memory by the l1 norm of its impulse response."""
+    places = fractions(program) if bits is None else bits
+    names, seen, A = memory(program)
+    errors = _reading_errors(program, places)
+    rows = {s.target: s for s in program.update.statements if isinstance(s, Sum)}
+    made = np.array([_row_error(rows[f"next_{w}"], program, places, errors) for w in names])
+    for name, grown in zip(seen, (impulse_norm(A, np.eye(len(A))) @ made).tolist(), strict=True):
+        errors[name] += grown
+    outputs = [s for s in program.command.statements if isinstance(s, Sum)]
+    after = {s.target: _row_error(s, program, places, errors) for s in outputs if s.target not in seen}
+    return max(error for name, error in after.items() if name.startswith("command_"))
+
+
+def memory(program: Program) -> tuple[list[str], list[str], Array]:
+    """The states of the law, what its rows read them as, and the matrix (n, n) of their motion without the robot."""
+    names = [v.name for v in program.of(Kind.STATE) if v.name[0] == "w" and v.name[1:].isdigit()]
+    rows = {s.target: s for s in program.update.statements if isinstance(s, Sum)}
+    seen = [f"z{name[1:]}" if f"z{name[1:]}" in program.variables else name for name in names]
+    A = np.array([[_coefficient(rows[f"next_{w}"], z) for z in seen] for w in names])
+    return names, seen, A.reshape(len(names), len(names))
+
+
+def _coefficient(row: Sum, name: str) -> float:
+    return next((c for c, n in row.terms if n == name), 0.0)
+
+
+def _reading_errors(program: Program, bits: Mapping[str, int]) -> dict[str, float]:
+    """What rounding does to each variable of one period whose memory was exact."""
+    errors = {v.name: 0.0 for v in (*program.of(Kind.INPUT), *program.of(Kind.STATE))}
+    errors["gyro_offset"] = 2.0 ** -bits["gyro_offset"]
+    for statement in program.command.statements:
+        target = statement.target
+        if isinstance(statement, Sum):
+            errors[target] = _row_error(statement, program, bits, errors)
+        elif isinstance(statement, Limit | Absolute | Choose):
+            carried = max((errors[name] for name in operands(statement)), default=0.0)
+            errors[target] = carried + 2.0 ** -bits[target]
+        else:
+            errors[target] = 0.0  # from here on the design is told
+    return errors
+
+
+def _row_error(row: Sum, program: Program, bits: Mapping[str, int], errors: Mapping[str, float]) -> float:
+    """Of one sum: its own rounding, that of its coefficients over the whole ranges, and what its operands carry."""
+    form = scaled(row, program, bits)
+    fraction = form.shift + bits[row.target]
+    factors = {n: f for f, n in form.terms}
+    total = 2.0 ** -(bits[row.target] + 1) if form.shift else 0.0
+    for coefficient, name in row.terms:
+        off = abs(factors.get(name, 0) * 2.0 ** (bits[name] - fraction) - coefficient)
+        total += off * program.variables[name].most + abs(coefficient) * errors[name]
+    return total

@@ -1,0 +1,72 @@
+"""A program run as it stands, statement by statement in double precision: what every printed text must equal."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from upright.compiled.program import (
+    Absolute,
+    Block,
+    Choose,
+    Kind,
+    Limit,
+    Operand,
+    Product,
+    Program,
+    Quotient,
+    Statement,
+    Sum,
+    Whole,
+)
+
+
+class Interpreter:
+    """`calibrate(raw)`, `command(raw)` and `update()` run one block each and return all variables by name."""
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
+        self.reset()
+
+    def reset(self) -> None:
+        """Every state at its start."""
+        self.values = {v.name: v.start for v in self.program.of(Kind.STATE)}
+
+    def calibrate(self, raw: Mapping[str, float]) -> Mapping[str, float]:
+        return self._run(self.program.calibrate, raw)
+
+    def command(self, raw: Mapping[str, float]) -> Mapping[str, float]:
+        return self._run(self.program.command, raw)
+
+    def update(self) -> Mapping[str, float]:
+        return self._run(self.program.update, {})
+
+    def _run(self, block: Block, raw: Mapping[str, float]) -> Mapping[str, float]:
+        self.values |= raw
+        for statement in block.statements:
+            self.values[statement.target] = evaluate(statement, self.values)
+        self.values |= {state: self.values[name] for state, name in block.commit}
+        return self.values
+
+
+def evaluate(statement: Statement, values: Mapping[str, float]) -> float:  # noqa: PLR0911 (one for each kind of statement)
+    """The right side of a statement."""
+    match statement:
+        case Sum(_, terms, constant, low, high):
+            return min(max(sum((c * values[n] for c, n in terms), constant), low), high)
+        case Product(_, first, second):
+            return values[first] * values[second]
+        case Quotient(_, number, below):
+            return number / values[below]
+        case Limit(_, value, low, high):
+            return min(max(values[value], low), high)
+        case Absolute(_, value):
+            return abs(values[value])
+        case Whole(_, value):
+            return float(math.trunc(values[value]))
+        case Choose(_, left, right, then, other):
+            return _value(then if values[left] < _value(right, values) else other, values)
+
+
+def _value(operand: Operand, values: Mapping[str, float]) -> float:
+    return values[operand] if isinstance(operand, str) else operand

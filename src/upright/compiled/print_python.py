@@ -1,0 +1,33 @@
+"""Statements as Python, for MicroPython on a hub and CPython on ev3dev."""
+
+from __future__ import annotations
+
+from upright.compiled.printer import Printer
+from upright.compiled.program import Block, Kind
+
+
+class PythonPrinter(Printer):
+    """All variables are locals of one function, which MicroPython reads quickest."""
+
+    end = ""
+
+    def limit(self, value: str, low: str, high: str) -> str:
+        return f"min(max({value}, {low}), {high})"
+
+    def absolute(self, value: str) -> str:
+        return f"abs({value})"
+
+    def whole(self, value: str) -> str:
+        return f"int({value})"
+
+    def choose(self, left: str, right: str, then: str, other: str) -> str:
+        return f"{then} if {left} < {right} else {other}"
+
+    def indented(self, block: Block, depth: int) -> str:
+        """The lines of a block, the first without its indent, since a template has set it."""
+        return ("\n" + " " * depth).join(self.lines(block))
+
+    def starts(self, depth: int) -> str:
+        """Every state at its start."""
+        lines = [f"{v.name} = {self.number(v.start)}" for v in self.program.of(Kind.STATE)]
+        return ("\n" + " " * depth).join(lines)

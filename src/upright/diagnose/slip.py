@@ -1,0 +1,71 @@
+"""Wheels that slip: what a floor that holds no more than a share of the weight does to the innovations."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.diagnose.path import Tangent, Track
+from upright.physics.dynamics import motor_damping, motor_torque
+
+Array = NDArray[np.float64]
+
+
+def slipping(found: Track, flow: Tangent, onset: Array, grip: Array) -> tuple[Array, NDArray[np.bool_]]:
+    """What slipping adds to the innovations (events, hypotheses), and whether a hypothesis slips at all.
+
+    The sums of the equations of a robot on a floor of force f, M_t ẍ + M L (ψ̈ cos ψ − ψ̇² sin ψ) = f, are those of
+    rolling with a slip s = Rθ̈ − ẍ that acts as the force M_t s at the axle and the moment M L cos ψ s. A slipping
+    wheel loses its load and runs up within milliseconds, so that s falls off within a span by the motor's damping.
+    """
+    p = found.robot
+    free, per_force, per_torque = _slip_acceleration(found)
+    total, lever, damping = p.body_mass + 2 * p.wheel_mass, p.body_mass * p.com_height, 2 * motor_damping(p)
+    most = grip * total * p.gravity
+    delta, said = np.zeros((found.size, len(grip))), np.zeros((len(found.then), len(grip)))
+    speed, slipped = np.zeros(len(grip)), np.zeros(len(grip), dtype=np.bool_)
+    for i, span in enumerate(found.spans):
+        if span > 1e-9:
+            own = free[i] - per_torque[i] * damping * (delta[3] - delta[1])
+            needed = -own / per_force[i]
+            sliding = (speed != 0) | ((found.then[i] >= onset) & (np.abs(needed) > most))
+            way = np.where(speed != 0, np.sign(speed), np.sign(needed))
+            rate = per_torque[i] * damping / p.wheel_radius
+            falls_off = -math.expm1(-rate * span) / (rate * span) if rate * span > 1e-6 else 1.0
+            s = np.where(sliding, (own + per_force[i] * most * way) * falls_off, 0.0)
+            grips = sliding & (way * (speed + s * span) <= 0)
+            s = np.where(grips, -speed / span, s)
+            speed = np.where(grips, 0.0, speed + s * span)
+            slipped |= s != 0
+            entered = flow.gamma[i][:, 2] * total + flow.gamma[i][:, 3] * lever
+            delta[:6] = flow.phi[i] @ delta[:6] + entered[:, None] * s
+        row = found.row[i]
+        if row >= 0 and np.isfinite(found.s[i]):
+            error = -(found.reads[row] @ delta)
+            delta += np.outer(found.gains[i], error)
+            said[i] = error / math.sqrt(found.s[i])
+    return said, slipped
+
+
+def _slip_acceleration(found: Track) -> tuple[Array, Array, Array]:
+    """Rθ̈ − ẍ [m/s²] without any force of the floor, and what a newton of it and a newton metre of the motors add
+    (events,)."""
+    p, x, u = found.robot, found.before, found.command
+    cos, sin, rate = np.cos(x[:, 0]), np.sin(x[:, 0]), x[:, 3] - x[:, 1]
+    turn = p.track / (2 * p.wheel_radius) * x[:, 5]
+    torque = motor_torque(u[:, 0], rate - turn, p, np) + motor_torque(u[:, 1], rate + turn, p, np)
+    total, lever = p.body_mass + 2 * p.wheel_mass, p.body_mass * p.com_height
+    rotors, n = 2 * p.gear_ratio**2 * p.rotor_inertia, len(x)
+    M = np.zeros((n, 3, 3))  # of ẍ, θ̈, ψ̈
+    M[:, 0, 0], M[:, 0, 2], M[:, 2, 0] = total, lever * cos, lever * cos
+    M[:, 1, 1], M[:, 1, 2], M[:, 2, 1] = 2 * p.wheel_inertia + rotors, -rotors, -rotors
+    M[:, 2, 2] = lever * p.com_height + p.pitch_inertia + rotors
+    drag = 2 * p.wheel_friction * x[:, 3]
+    forces = np.zeros((n, 3, 3))  # what acts without the floor, a newton of it, a newton metre of the motors
+    forces[:, :, 0] = np.stack([lever * x[:, 1] ** 2 * sin, torque - drag, lever * p.gravity * sin - torque], axis=1)
+    forces[:, :, 1], forces[:, :, 2] = (1.0, -p.wheel_radius, 0.0), (0.0, 1.0, -1.0)
+    accelerations = np.linalg.solve(M, forces)
+    slip = p.wheel_radius * accelerations[:, 1] - accelerations[:, 0]
+    return slip[:, 0], slip[:, 1], slip[:, 2]

@@ -1,0 +1,198 @@
+"""The log doctor: what is wrong with a log, by how much, and the repair.
+
+Checks run in stages, and each stage reads the record as the fixes of the stages before have mended it: a delay is
+measured on radians, not on degrees.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from upright.doctor import delays, motion, rates, segments, sensors, time, units
+from upright.doctor.finding import SEVERITIES, Finding, Record
+from upright.doctor.fixes import mend
+from upright.errors import InvalidLog
+from upright.logs.mapping import Mapping, channels_of, propose
+from upright.logs.readers import Table, read_table, table_of
+from upright.robots import Robot
+from upright.signals import Log
+
+Check = Callable[[Record], list[Finding]]
+
+_FEWEST = 20
+"""Rows below which nothing about motion can be said."""
+
+
+@dataclass(frozen=True, eq=False)
+class Diagnosis:
+    """All findings on one log, worst first; `mapping` is what was read as what.
+
+    `str()` is a short table, `to_json()` plain data, `repaired()` the log with every fix done.
+    """
+
+    source: str
+    mapping: Mapping
+    findings: tuple[Finding, ...]
+    rows: int
+    seconds: float
+    period: float
+    _raw: Record = field(repr=False)
+    _origin: dict[str, Any] = field(repr=False, default_factory=dict[str, Any])
+
+    @property
+    def healthy(self) -> bool:
+        """Whether there is no error and no warning."""
+        return all(finding.severity == "note" for finding in self.findings)
+
+    def codes(self) -> list[str]:
+        """The codes of all findings, in order."""
+        return [finding.code for finding in self.findings]
+
+    def repaired(self) -> Log:
+        """The log with every fix done, in the order of the stages; raises `InvalidLog` if it is no log even then."""
+        record = self._raw
+        for finding in sorted(self.findings, key=lambda finding: _STAGE_OF.get(finding.code, 0)):
+            for fix in finding.fixes:
+                record = mend(record, fix)
+        said = [f"{finding.code} {finding.channel}: {finding.repair}" for finding in self.findings if finding.fixes]
+        return Log(record.t, record.channels, record.units, {**self._origin, "repaired": said})
+
+    def to_json(self) -> dict[str, Any]:
+        """As plain data for programs."""
+        columns = {name: source.column for name, source in self.mapping.channels.items()}
+        return {
+            "source": self.source,
+            "rows": self.rows,
+            "seconds": self.seconds,
+            "period": self.period,
+            "mapping": {"name": self.mapping.name, "columns": columns},
+            "findings": [finding.to_json() for finding in self.findings],
+        }
+
+    def __str__(self) -> str:
+        head = f"{self.source or 'log'}: {self.rows} rows, {self.seconds:.4g} s, every {self.period * 1e3:.4g} ms"
+        head += "" if self.mapping.name == "ours" else f", read as '{self.mapping.name}'"
+        if not self.findings:
+            return f"{head}\nnothing found"
+        lines = [head]
+        for finding in self.findings:
+            text = f"{finding.evidence}" + (f" → {finding.repair}" if finding.repair else "")
+            first, *rest = textwrap.wrap(text, 100)
+            lines += [f"{finding.severity:8} {finding.code:22} {finding.channel:20} {first}"]
+            lines += [" " * 53 + line for line in rest]
+        return "\n".join(lines)
+
+
+def doctor(
+    source: str | Path | Table | Log,
+    mapping: Mapping | None = None,
+    robot: Robot | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> Diagnosis:
+    """Examine a log, a table or a file.
+
+    `mapping` says which column is what (None: `propose` guesses); a known `robot` sharpens the checks of units;
+    `progress` is called with the share done. Raises `InvalidLog` for what is no log at all.
+    """
+    table = table_of(source) if isinstance(source, Log) else source if isinstance(source, Table) else read_table(source)
+    chosen = mapping or propose(table)
+    raw = _record(table, chosen)
+    findings, timed = _examine(raw, robot, progress or _unwatched)
+    order = {severity: i for i, severity in enumerate(SEVERITIES)}
+    ranked = tuple(sorted(findings, key=lambda finding: order[finding.severity]))
+    origin = dict(table.origin) | ({"file": table.source, "mapping": chosen.name} if table.source else {})
+    seconds = float(timed.t[-1] - timed.t[0])
+    return Diagnosis(table.source, chosen, ranked, len(raw.t), seconds, timed.period, raw, origin)
+
+
+def _unwatched(share: float) -> None:
+    """Nobody watches the `share` done."""
+
+
+def _record(table: Table, mapping: Mapping) -> Record:
+    t, channels, said = channels_of(mapping, table)
+    seen = {name: values for name, values in channels.items() if not name.startswith("truth/")}
+    record = Record(t, seen, {**said, **{name: unit for name, unit in table.units.items() if name in seen}})
+    if len(t) < _FEWEST:
+        raise InvalidLog(
+            f"the log has {len(t)} row{'' if len(t) == 1 else 's'}", expected=f"at least {_FEWEST} to judge a motion"
+        )
+    if not np.isfinite(t).sum() >= _FEWEST:
+        raise InvalidLog(
+            f"the time, column '{mapping.time.column}', holds no numbers", likely="another column is the time"
+        )
+    if not np.ptp(t[np.isfinite(t)]) > 0:
+        raise InvalidLog(
+            f"the time, column '{mapping.time.column}', never changes", likely="another column is the time"
+        )
+    if not any(np.isfinite(values).any() for name, values in seen.items() if name.startswith("sensor/")):
+        raise InvalidLog(
+            "no sensor holds a number", expected="encoders or a gyro", likely="a recording without its sensors"
+        )
+    return record
+
+
+def _stages(robot: Robot | None) -> list[list[Check]]:
+    return [
+        [time.order],
+        [time.order],
+        [time.unit],
+        [sensors.dead, sensors.repeated, time.steps],
+        [units.constants],
+        [segments.fall],
+        [motion.kinds],
+        [motion.signs],
+        [motion.sides],
+        [partial(units.scales, robot=robot)],
+        [partial(units.commands, robot=robot)],
+        [units.estimates, sensors.bias, sensors.saturation, sensors.grain, sensors.quiet],
+        [delays.delays],
+        [sensors.contaminated, rates.faster_controller, segments.still, segments.slips],
+    ]
+
+
+_STAGE_OF = {
+    "time/missing": 0, "time/backwards": 1, "time/repeated": 1, "time/unit": 2, "time/gap": 3, "samples/repeated": 4,
+    "channel/holes": 4,
+    "units/scale": 10, "motion/integrated": 7, "motion/differentiated": 7, "motion/flipped": 8, "motion/swapped": 9,
+    "units/command": 11, "delay/sensor": 12, "delay/command": 12, "gyro/bias": 12, "time/dropped": 20,
+    "time/jitter": 20,
+    "segment/fall": 21,
+}  # fmt: skip
+"""Order in which the fixes are done; those that change the rows come last, so that times in them still hold."""
+
+
+def _examine(raw: Record, robot: Robot | None, progress: Callable[[float], None]) -> tuple[list[Finding], Record]:
+    """All findings, and the record as it was when its time had been mended but nothing cut from it."""
+    record, timed, findings = raw, raw, list[Finding]()
+    stages = _stages(robot)
+    done, total = 0, sum(len(stage) for stage in stages)
+    for stage in stages:
+        fresh: list[Finding] = []
+        for check in stage:
+            fresh += [finding for finding in check(record) if not _known(finding, findings)]
+            done += 1
+            progress(done / total)
+        record = _mended(record, fresh)
+        timed = timed if any(finding.code == "segment/fall" for finding in (*findings, *fresh)) else record
+        findings += fresh
+    return findings, timed
+
+
+def _known(finding: Finding, findings: Sequence[Finding]) -> bool:
+    return any((finding.code, finding.channel) == (old.code, old.channel) for old in findings)
+
+
+def _mended(record: Record, findings: Sequence[Finding]) -> Record:
+    for finding in findings:
+        for fix in finding.fixes:
+            record = mend(record, fix)
+    empty = {finding.channel for finding in findings if finding.code == "channel/empty"}
+    return Record(record.t, {n: x for n, x in record.channels.items() if n not in empty}, record.units)

@@ -1,0 +1,136 @@
+"""The mends: pure functions from a record and numbers to a record."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from upright.doctor.finding import Array, Fix, Record
+
+
+def mend(record: Record, fix: Fix) -> Record:
+    """`record` with one fix done."""
+    return FIXES[fix.kind](record, fix)
+
+
+def _each(record: Record, fix: Fix, change: Callable[[Array], Array]) -> Record:
+    return record.changed({name: change(record[name]) for name in fix.channels if name in record})
+
+
+def _scale(record: Record, fix: Fix) -> Record:
+    return _each(record, fix, lambda x: x * fix.numbers[0])
+
+
+def _offset(record: Record, fix: Fix) -> Record:
+    return _each(record, fix, lambda x: x + fix.numbers[0])
+
+
+def _swap(record: Record, fix: Fix) -> Record:
+    pairs = list(zip(fix.channels[::2], fix.channels[1::2], strict=True))
+    return record.changed({a: record[b] for a, b in pairs} | {b: record[a] for a, b in pairs})
+
+
+def _differentiate(record: Record, fix: Fix) -> Record:
+    return _each(record, fix, lambda x: np.gradient(x, record.t))
+
+
+def _integrate(record: Record, fix: Fix) -> Record:
+    steps = np.diff(record.t)
+    return _each(record, fix, lambda x: np.concatenate([[0.0], np.cumsum(x[1:] * steps)]))
+
+
+def _earlier(record: Record, fix: Fix) -> Record:
+    """The channels read `numbers[0]` [s] earlier, which takes their delay out; the last rows keep the last reading."""
+    return _each(record, fix, lambda x: np.interp(record.t + fix.numbers[0], record.t, x))
+
+
+def _percent(record: Record, fix: Fix) -> Record:
+    """Per cent of the last of the channels, the battery."""
+    *commands, battery = fix.channels
+    return record.changed({name: record[name] * record[battery] / 100 for name in commands})
+
+
+def _time_scale(record: Record, fix: Fix) -> Record:
+    return Record(record.t * fix.numbers[0], record.channels, record.units)
+
+
+def _sort(record: Record, fix: Fix) -> Record:  # noqa: ARG001 (every mend has the same form)
+    order = np.argsort(record.t, kind="stable")
+    return record.rows(order)
+
+
+def _unique(record: Record, fix: Fix) -> Record:  # noqa: ARG001
+    return record.rows(np.concatenate([[True], np.diff(record.t) > 0]))
+
+
+def _finite_time(record: Record, fix: Fix) -> Record:  # noqa: ARG001
+    return record.rows(np.isfinite(record.t))
+
+
+def _row_range(record: Record, fix: Fix) -> Record:
+    first, last = (int(number) for number in fix.numbers)
+    return record.rows(np.arange(first, min(last, len(record.t))))
+
+
+def _cut(record: Record, fix: Fix) -> Record:
+    """Only the rows from `numbers[0]` to `numbers[1]` [s]."""
+    keep = (record.t >= fix.numbers[0]) & (record.t < fix.numbers[1])
+    return record.rows(keep) if keep.sum() >= 2 else record
+
+
+def _even(record: Record, fix: Fix) -> Record:
+    """Straight lines between the rows, read at even times of `numbers[0]` [s]."""
+    t = record.t[0] + np.arange(int((record.t[-1] - record.t[0]) / fix.numbers[0] + 1e-6) + 1) * fix.numbers[0]
+    return Record(t, {name: np.interp(t, record.t, x) for name, x in record.channels.items()}, record.units)
+
+
+def _bridge(record: Record, fix: Fix) -> Record:
+    """Stale readings (equal to the one before, among moving ones) replaced by a straight line over them."""
+
+    def change(x: Array) -> Array:
+        fresh = ~stale(x)
+        return np.interp(record.t, record.t[fresh], x[fresh])
+
+    return _each(record, fix, change)
+
+
+def _fill(record: Record, fix: Fix) -> Record:
+    """Missing readings replaced by a straight line over them."""
+
+    def change(x: Array) -> Array:
+        fine = np.isfinite(x)
+        return np.interp(record.t, record.t[fine], x[fine])
+
+    return _each(record, fix, change)
+
+
+def stale(x: Array) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    """Readings that repeat the one before although the readings round them move on by more than three of their grains.
+
+    The slope is taken from the neighbours that are not in question, x[k−1] and x[k+1], so that a slow signal, which
+    repeats honestly, is left alone.
+    """
+    found = np.zeros(len(x), dtype=bool)
+    if len(x) < 5:
+        return found
+    grain = grain_of(x)
+    same = x[2:-1] == x[1:-2]
+    before, after = x[1:-2] - x[:-3], x[3:] - x[2:-1]
+    moving = (np.abs(after) >= 4 * grain) & (np.abs(before) >= 1.5 * grain) & (before * after > 0)
+    found[2:-1] = same & moving
+    return found
+
+
+def grain_of(x: Array) -> float:
+    """The smallest step between two readings that a tenth of a per cent of the steps are as small as (0: no steps)."""
+    steps = np.abs(np.diff(x))
+    steps = np.sort(steps[steps > 1e-12 * (1 + float(np.nanmax(np.abs(x))))])
+    return float(steps[len(steps) // 1000]) if len(steps) else 0.0
+
+
+FIXES: dict[str, Callable[[Record, Fix], Record]] = {
+    "scale": _scale, "offset": _offset, "swap": _swap, "differentiate": _differentiate, "integrate": _integrate,
+    "earlier": _earlier, "percent": _percent, "time scale": _time_scale, "sort": _sort, "unique": _unique,
+    "finite time": _finite_time, "rows": _row_range, "cut": _cut, "even": _even, "bridge": _bridge, "fill": _fill,
+}  # fmt: skip

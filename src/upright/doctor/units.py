@@ -1,0 +1,272 @@
+"""Units: which scale of gyro, encoders and commands makes a robot that can exist."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from upright.doctor.finding import (
+    BATTERY,
+    COMPASS,
+    FORWARD,
+    GYRO,
+    LEFT,
+    PITCH,
+    RIGHT,
+    UP,
+    Finding,
+    Fix,
+    Record,
+    error,
+)  # fmt: skip
+from upright.doctor.fixes import grain_of
+from upright.doctor.motion import TRUSTED
+from upright.doctor.physics import Motion, lagged, motion, motor, pendulum, smooth, widths
+from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
+from upright.robots import Robot
+
+DEGREE = math.pi / 180
+STANDARD_GRAVITY = 9.80665
+
+
+@dataclass(frozen=True)
+class _Suspect:
+    """A channel group that may be `factor` times too large because of `why`."""
+
+    group: str
+    factor: float
+    why: str
+
+
+_SUSPECTS = (
+    _Suspect("gyro", 1 / DEGREE, "degrees a second for radians a second"),
+    _Suspect("gyro", 10.0, "tenths of radians a second for radians a second"),
+    _Suspect("gyro", DEGREE, "converted from degrees twice"),
+    _Suspect("gyro", 1000.0, "milliradians a second for radians a second"),
+    _Suspect("gyro", 1000.0 / DEGREE, "thousandths of a degree a second for radians a second"),
+    _Suspect("encoder", 1 / DEGREE, "degrees for radians"),
+    _Suspect("encoder", 10.0, "tenths of radians for radians"),
+    _Suspect("encoder", 1 / math.tau, "turns for radians"),
+    _Suspect("encoder", DEGREE, "converted from degrees twice"),
+)
+
+_FAULT = 6.0
+"""Price of a fault in natural logarithms of odds: one log in 400 has a given unit wrong."""
+
+# Logarithms of usual values and their spreads over known robots: q from 1.2 (low, heavy wheels) to 15 (tall, slender),
+# p = MgL/(a11 + a12) < g/R, motors of 0.05 to 1.5 V s/rad, pitch of 0.002 to 1 rad, wheels of 0.2 to 40 rad/s.
+_USUAL = {
+    "q": (math.log(3.0), 0.8),
+    "p": (math.log(110.0), 0.9),
+    "back_emf": (math.log(0.3), 1.0),
+    "pitch": (math.log(0.04), 1.5),
+    "wheel_rate": (math.log(3.0), 1.3),
+}
+
+
+def expected(robot: Robot | None) -> dict[str, tuple[float, float]]:
+    """The usual values, or those of a known robot to within a third."""
+    if robot is None:
+        return dict(_USUAL)
+    a11, a12, a22, _ = mass_matrix(1.0, 0.0, robot)
+    known = {
+        "q": (a11 + 2 * a12 + a22) / (a11 + a12),
+        "p": robot.gravity * robot.body_mass * robot.com_height / (a11 + a12),
+    }
+    if robot.drive == "voltage":
+        known["back_emf"] = motor_damping(robot) / motor_gain(robot)
+    return {**_USUAL, **{name: (math.log(value), 0.35) for name, value in known.items() if value > 0}}
+
+
+def scales(record: Record, robot: Robot | None = None) -> list[Finding]:
+    """Gyro and encoders against each other and against what a robot can be."""
+    m = motion(record)
+    if m is None or m.gyro is None or m.gyro_name != GYRO:
+        return []
+    fit = pendulum(m, m.wheel)
+    if fit.r2 < TRUSTED or not fit.values or fit.values[0] <= 0 or fit.values[1] <= 0:
+        return []
+    usual = expected(robot)
+    seen = _seen(record, m, fit.values)
+    by_gravity = _gyro_by_gravity(record, m)
+    plain = _penalty(seen, usual, by_gravity, _Suspect("none", 1.0, ""))
+    graded = sorted((_FAULT + _penalty(seen, usual, by_gravity, s), i) for i, s in enumerate(_SUSPECTS))
+    if graded[0][0] >= plain:
+        return []
+    return [_wrong(_SUSPECTS[graded[0][1]], seen, plain - graded[0][0], by_gravity)]
+
+
+def _seen(record: Record, m: Motion, values: tuple[float, ...]) -> dict[str, float]:
+    """What the log says as it stands: q, p, pitch and wheel rate, the grains, and back-EMF of a voltage drive."""
+    assert m.gyro is not None
+    width = widths(m.period)[-1]
+    swing = np.cumsum(smooth(m.gyro, m.period, width)) * m.period
+    fast = swing - smooth(swing, m.period, 8 * width)
+    seen = {"q": values[0], "p": values[1], "pitch": 2 * float(fast.std())}
+    seen["wheel_rate"] = float(np.abs(smooth(m.wheel, m.period, width, 1)).mean()) + 1e-6
+    seen["grain"] = min(grain_of(record[LEFT]), grain_of(record[RIGHT]))
+    seen["gyro_grain"] = grain_of(record[GYRO])
+    emf = back_emf(record, m)
+    return seen | ({"back_emf": emf} if emf else {})
+
+
+def back_emf(record: Record, m: Motion) -> float:
+    """Volts for each rad/s of a steady wheel, by the motor equation; 0 for another drive or where it does not fit."""
+    if m.commands is None or record.torque_driven:
+        return 0.0
+    fit = motor(m, (m.commands[0] + m.commands[1]) / 2, m.left, m.right, None)
+    return fit.values[1] if fit.r2 > 0.8 and len(fit.values) > 1 else 0.0
+
+
+def _gyro_by_gravity(record: Record, m: Motion) -> float:
+    """How many times too large the gyro is by the accelerometer, 0 where there is none or it cannot tell.
+
+    For small angles the accelerometer's pitch obeys ψ̇_a = ψ̇ − (R/g) θ⃛: it is regressed on the gyro, the gyro's second
+    derivative and δ⃛.
+    """
+    if FORWARD not in record or UP not in record or m.gyro is None:
+        return 0.0
+    lean = np.arctan2(-record[FORWARD], record[UP])
+    if not np.isfinite(lean).all():
+        return 0.0
+    even = np.interp(m.t, record.t, lean)
+    width = widths(m.period)[-1]
+    parts = [smooth(m.gyro, m.period, width), smooth(m.gyro, m.period, width, 2), smooth(m.wheel, m.period, width, 3)]
+    fit = lagged(m, width, smooth(even, m.period, width, 1), parts, [], reach=(-0.05, 0.05))
+    return 1 / fit.values[0] if fit.r2 > 0.7 and fit.values and fit.values[0] else 0.0
+
+
+def _penalty(seen: dict[str, float], usual: dict[str, tuple[float, float]], gravity: float, s: _Suspect) -> float:
+    """Minus the logarithm of how usual the robot is, after the suspect's scale has been put right."""
+    gyro = s.factor if s.group == "gyro" else 1.0
+    wheel = s.factor if s.group == "encoder" else 1.0
+    divide = {"q": wheel / gyro, "p": wheel / gyro, "pitch": gyro, "wheel_rate": wheel, "back_emf": 1 / wheel}
+    total = 0.0
+    for name, divisor in divide.items():
+        if name in seen:
+            centre, spread = usual[name]
+            total += ((math.log(seen[name] / divisor) - centre) / spread) ** 2 / 2
+    if seen["q"] / divide["q"] < 1.0:
+        total += 20 * (1 - seen["q"] / divide["q"])  # no mass is negative: the law itself demands q > 1
+    total += 8.0 * (seen["grain"] / wheel > 0.3)  # [rad] twenty steps a turn and nobody balances
+    total += 8.0 * (seen["gyro_grain"] / gyro > 0.5)  # [rad/s] nor on 30 degrees a second
+    if gravity:
+        total += (math.log(abs(gravity) / gyro) / 0.3) ** 2 / 2
+    return total
+
+
+def _wrong(s: _Suspect, seen: dict[str, float], odds: float, gravity: float) -> Finding:
+    ratio = s.factor if s.group == "encoder" else 1 / s.factor
+    said = f"{s.why}: as logged the pendulum's law has q = {seen['q']:.3g} and p = {seen['p']:.3g} 1/s² (robots: "
+    said += f"1.2 to 15, 10 to 500), repaired {seen['q'] / ratio:.3g} and {seen['p'] / ratio:.3g}; odds e^{odds:.0f}"
+    if gravity and s.group == "gyro":
+        said += f"; against gravity it is {abs(gravity):.3g} times too large"
+    channels = (GYRO,) if s.group == "gyro" else (LEFT, RIGHT)
+    return _divide(channels, said, s.factor)
+
+
+def _divide(channels: tuple[str, ...], said: str, divisor: float) -> Finding:
+    return error("units/scale", channels[0], said, f"divide by {divisor:.6g}", Fix("scale", channels, (1 / divisor,)))
+
+
+def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
+    """Per cent, or millivolts, for volts: by the battery, by the motors' back-EMF and by the size of the numbers."""
+    names, m = record.commands, motion(record)
+    if names is None or record.torque_driven:
+        return []
+    largest = max(float(np.nanmax(np.abs(record[name]))) for name in names)
+    battery = float(np.nanmedian(record[BATTERY])) if BATTERY in record else 0.0
+    emf = back_emf(record, m) if m is not None else 0.0
+    centre, spread = expected(robot)["back_emf"]
+
+    def penalty(factor: float) -> float:
+        total = (max(0.0, math.log(largest / factor / 9.0)) / 0.6) ** 2 / 2 if largest else 0.0
+        total += ((math.log(emf / factor) - centre) / spread) ** 2 / 2 if emf else 0.0
+        return total + 8.0 * (battery > 0 and largest / factor > 1.25 * battery)
+
+    volts = battery or 7.5
+    options = {"per cent": 100 / volts, "millivolts": 1000.0}
+    best = min(options, key=lambda name: penalty(options[name]))
+    if penalty(options[best]) + _FAULT >= penalty(1.0):
+        return []
+    said = f"{best} for volts: they reach {largest:.3g}" + (f" on a battery of {battery:.3g} V" if battery else "")
+    if emf:
+        said += f", and the motors' back-EMF would be {emf:.3g} V s/rad, after the repair {emf / options[best]:.3g}"
+    also = tuple(n for n in ("command/left", "command/right") if n in record and n not in names)
+    if best == "per cent" and battery:
+        fix = Fix("percent", (*names, *also, BATTERY))
+        return [error("units/command", names[0], said, "multiply by the battery over 100", fix)]
+    repair = f"divide by {options[best]:.4g}" + ("" if best == "millivolts" else ", taking 7.5 V for the battery")
+    return [error("units/command", names[0], said, repair, Fix("scale", (*names, *also), (1 / options[best],)))]
+
+
+def constants(record: Record) -> list[Finding]:
+    """Battery and accelerometer, against what batteries give and what the earth pulls."""
+    found: list[Finding] = []
+    if BATTERY in record:
+        volts = float(np.nanmedian(record[BATTERY]))
+        if 100 < volts < 1e5:
+            found.append(_divide((BATTERY,), f"millivolts for volts: its median is {volts:.4g}", 1000.0))
+    if FORWARD in record and UP in record:
+        weight = float(np.nanmedian(np.hypot(record[FORWARD], record[UP])))
+        for why, pull in (("g", 1 / STANDARD_GRAVITY), ("thousandths of g", 1000 / STANDARD_GRAVITY)):
+            if 0.7 < weight / (pull * STANDARD_GRAVITY) < 1.4:
+                said = f"{why} for m/s²: the median of its length is {weight:.3g}, gravity's 9.81"
+                found.append(_divide((FORWARD, UP), said, pull))
+    return found
+
+
+def estimates(record: Record) -> list[Finding]:
+    """Pitch estimate and compass, against gyro and encoders that have been put right."""
+    m = motion(record)
+    return _pitch(record, m) + _heading(record, m) if m is not None else []
+
+
+_FACTORS = {
+    "degrees for radians": 1 / DEGREE,
+    "radians × 10": 10.0,
+    "degrees × 10": 10 / DEGREE,
+    "milliradians": 1000.0,
+    "converted from degrees twice": DEGREE,
+    "radians / 10": 0.1,
+}
+
+
+def _pitch(record: Record, m: Motion) -> list[Finding]:
+    """The rate of a pitch estimate over the gyro is 1, in any unit of neither."""
+    if PITCH not in record or m.gyro is None or m.gyro_name != GYRO or not np.isfinite(record[PITCH]).all():
+        return []
+    even, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
+    fit = lagged(m, width, smooth(even, m.period, width, 1), [smooth(m.gyro, m.period, width)], [], reach=(-0.06, 0.06))
+    return _slope(PITCH, fit.values[0] if fit.values else 0.0, fit.r2, "gyro")
+
+
+def _heading(record: Record, m: Motion) -> list[Finding]:
+    """A compass over the encoders' turn is R/W in size: of a tenth to one, or 57 times that in degrees."""
+    if COMPASS not in record or not np.isfinite(record[COMPASS]).all():
+        return []
+    even, width = np.interp(m.t, record.t, record[COMPASS]), 4 * widths(m.period)[-1]
+    a, b = smooth(even, m.period, width, 1), smooth(m.right - m.left, m.period, width, 1)
+    if b.std() < 0.05 or abs(float(np.corrcoef(a, b)[0, 1])) < 0.8:
+        return []
+    slope = abs(float(a @ b / (b @ b)))
+    if slope < 4:
+        return []
+    said = f"degrees for radians: it turns {slope:.3g} rad for each rad between the wheels; robots have R/W of 0.1 to 1"
+    return [_divide((COMPASS,), said, 1 / DEGREE)]
+
+
+def _slope(channel: str, slope: float, r2: float, against: str) -> list[Finding]:
+    if r2 < 0.7 or not slope or 0.5 < slope < 2.0:
+        return []
+    said = f"its rate is {slope:.3g} times the {against} (R² {r2:.2f}), where it should be 1"
+    if -2 < slope < -0.5:
+        return [error("motion/flipped", channel, said, "multiply by −1", Fix("scale", (channel,), (-1.0,)))]
+    if slope < 0:
+        return []
+    why = min(_FACTORS, key=lambda name: abs(math.log(slope / _FACTORS[name])))
+    if abs(math.log(slope / _FACTORS[why])) > 0.4:
+        return [_divide((channel,), said, slope)]
+    return [_divide((channel,), f"{why}: {said}", _FACTORS[why])]

@@ -1,0 +1,70 @@
+"""Designs the next experiment: what to add to the commands of a robot that balances, so that its log tells most.
+
+    excite(robot) → ExcitationPlan
+
+Every way of exciting is a set of signals; how one energy is shared among them follows from what each would tell, by the
+information of the predictor that `calibrate` uses. How loud it may be follows from robots drawn from what is not known,
+run by the fleet's kernel with the kit's faults.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from upright.control import Controller, make_controller
+from upright.errors import InvalidScenario
+from upright.excite.loop import Loop
+from upright.excite.plan import ExcitationPlan, Limits
+from upright.excite.search import Progress, Search
+from upright.fleet.vary import Family, Posterior, own_spreads
+from upright.robots import Kit, Robot
+
+ENOUGH = 1.1
+"""Intervals may be a tenth wider than with all that the limits allow: that takes a half to a quarter of the energy."""
+
+
+def excite(
+    robot: Robot,
+    kit: Kit | None = None,
+    controller: Controller | None = None,
+    *,
+    seconds: float = 20.0,
+    focus: Sequence[str] = (),
+    limits: Limits | None = None,
+    enough: float = ENOUGH,
+    known: Sequence[str] = (),
+    posterior: Posterior | None = None,
+    samples: int = 600,
+    seed: int = 0,
+    progress: Progress | None = None,
+) -> ExcitationPlan:
+    """The plan of a run of `seconds` for `robot` with `kit` (None: its own) under `controller` (None: lqg).
+
+    `focus` names the parameters in question (none: all), `known` those that are exact. Of what the `limits` allow no
+    more is used than is `enough` for intervals at most so many times as wide (1: all of it). `samples` robots are drawn
+    from the spreads of the robot's sources, or from `posterior`.
+
+    Raises `UnknownName`, `InvalidScenario`, `SpecMismatch` for a controller that does not fit, `DesignFailed` where it
+    does not hold the robot or no limit can be kept.
+    """
+    if not 1 <= enough < math.inf:
+        raise InvalidScenario(f"enough is {enough:g}", expected="1 or a little more")
+    show = progress or _unwatched
+    parts = kit or Kit.preset(robot.kit)
+    brain = controller or make_controller("lqg", robot, parts, parts.period)
+    design = Search(Loop(robot, parts, brain, seconds, seed), limits or Limits(), tuple(known), tuple(focus))
+    design.draw(Family(robot, parts, () if posterior else own_spreads(robot, known), posterior), samples)
+    show(0.1)
+    design.begin()
+    show(0.25)
+    tried = design.loudest(lambda share: show(0.25 + 0.4 * share))
+    way = design.quieter(tried, enough)
+    show(0.75)
+    excitation, checked = design.settled(way)
+    show(0.95)
+    return design.plan(way, tried, excitation, checked)
+
+
+def _unwatched(share: float) -> None:
+    """Show nothing of the `share` done."""

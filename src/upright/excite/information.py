@@ -1,0 +1,99 @@
+"""What a run would tell: Fisher's information of the predictor that `calibrate` uses, and the signals that give most.
+
+Information adds over signals at different frequencies, so that of a mixture is nearly the sum of its parts' by their
+shares. What is to be small is the mean logarithm of the interval widths: as with D-optimality no unit and no scale
+enters, but what counts is each parameter's own interval, not directions that nobody reads; its gradient is that of
+A-optimality with weights that follow the widths.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.calibrate.calibrate import FREEDOM, prepared, process
+from upright.calibrate.fitting import STICKING, Problem, normal_equations, objective
+from upright.calibrate.informativity import too_quiet
+from upright.robots import Kit, Robot
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+
+HELD_OUT = 0.25
+"""Last share of a log that `calibrate` keeps back by default, and that tells nothing."""
+
+SHARES = (FREEDOM / 10, FREEDOM, 0.1, 0.3)
+"""Process noise, as a share of the commands: what twins of the equations' own robot show (contacts that yield, dry
+friction that is not quite theirs), so that slow motion tells less than a perfect model would have it; and more, where
+the filter would lose the robot otherwise, since kernel and predictor differ in their dry friction."""
+
+LOOSE = 0.03
+"""Noise while a wheel sticks, as a share of the friction that holds it: what twins show."""
+
+
+def problem_of(log: Log, robot: Robot, kit: Kit, known: Sequence[str] = ()) -> Problem:
+    """The calibration of `robot` from `log` at its prior, with the noise of the kit's sensors and the least of `SHARES`
+    with which the filter keeps the robot."""
+    found, _ = prepared([log], robot, kit, known, HELD_OUT)
+    problem = replace(found, fine=True)
+    several = (replace(problem, noise={**problem.noise, **_process(problem, share)}) for share in SHARES)
+    return next((p for p in several if np.isfinite(objective(p, np.zeros(len(p.parameters)))[0])), problem)
+
+
+def _process(problem: Problem, share: float) -> dict[str, float]:
+    noise = process(problem.recordings, problem.robot, share)
+    return noise | {STICKING: noise[STICKING] + 2 * np.log(LOOSE)}
+
+
+def quiet(log: Log, robot: Robot, kit: Kit, known: Sequence[str] = ()) -> str:
+    """Why `calibrate` would give no inertia from that log, in words; '' where it would."""
+    return too_quiet(prepared([log], robot, kit, known, HELD_OUT)[0])
+
+
+def fisher(problem: Problem) -> Array:
+    """Information (n, n) about the parameters of `problem`, in deviations of their prior: JᵀJ of the whitened
+    innovations. Zero where the filter loses the robot."""
+    z = np.zeros(len(problem.parameters))
+    value, paths = objective(problem, z)
+    if not np.isfinite(value):
+        return np.zeros((len(z), len(z)))
+    J = normal_equations(problem, z, paths, value).slopes
+    return J.T @ J
+
+
+def shrunk(M: Array) -> Array:
+    """What is left (n,) of each parameter's interval when `M` (n, n) joins the prior; 1 is nothing gained."""
+    return np.sqrt(np.diag(np.linalg.inv(np.eye(len(M)) + M)))
+
+
+def score(M: Array, weights: Array) -> float:
+    """The weighted mean logarithm of `shrunk`: less is better."""
+    return float(weights @ np.log(shrunk(M)) / weights.sum())
+
+
+def best_shares(base: Array, parts: Array, weights: Array, iterations: int = 1000) -> Array:
+    """Shares (m,) of one energy among `parts` (m, n, n), what all of it would tell by each, beside `base` (n, n), that
+    make `score` least: by multiplicative steps (Silvey, Titterington and Torsney 1978)."""
+    shares = np.full(len(parts), 1 / len(parts))
+    for _ in range(iterations):
+        C = np.linalg.inv(np.eye(len(base)) + base + np.tensordot(shares, parts, 1))
+        scaled = (C * (weights / np.diag(C))) @ C
+        gain = np.maximum(np.einsum("ij,kji->k", scaled, parts), 0.0)
+        if not gain.any():
+            break
+        shares = shares * np.sqrt(gain)
+        shares = shares / shares.sum()
+    return np.where(shares > LEAST_SHARE, shares, 0.0) / shares[shares > LEAST_SHARE].sum()
+
+
+LEAST_SHARE = 0.01
+"""Of the energy: less is not worth a line of the plan."""
+
+
+def added(M: Array, base: Array) -> Array:
+    """What M (n, n) tells beyond `base`, without directions in which noise made it less."""
+    values, directions = np.linalg.eigh(M - base)
+    return (directions * np.maximum(values, 0.0)) @ directions.T

@@ -1,0 +1,179 @@
+"""The robot with an excitation added to its controller's command, run by the fleet's kernel.
+
+The kernel knows no added command, but references that are constant for a while: with the controller's own reference
+gains put aside, a wheel rate is added to both commands alike and a yaw rate with opposite signs.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.control import Controller, as_linear, controller_hash
+from upright.errors import InvalidController, InvalidScenario, SpecMismatch
+from upright.kernel.batch import NAMES, FleetBatch, FleetResult, Gains, parameters_of
+from upright.kernel.simulate import simulate
+from upright.logs.recording import SENSOR
+from upright.robots import Kit, Robot
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+
+FINEST = 0.02  # [s] a row is held at least: 25 Hz is beyond what a robot's sensors tell of its motion
+MOST_ROWS = 1500  # of an excitation: the kernel's time grows with rows times periods
+DRY = 0.005  # [rad/s] over which friction is smoothed in a run to learn from, whose predictor does not smooth it at all
+APPLIED = ("applied/left", "applied/right")
+
+
+@dataclass(frozen=True, eq=False)
+class Loop:
+    """`controller` on `robot` with `kit` for `seconds`; every row of an excitation is held for `hold` periods.
+
+    Raises `SpecMismatch` for a controller that is not linear or does not fit, `InvalidScenario` for the time.
+    """
+
+    robot: Robot
+    kit: Kit
+    controller: Controller
+    seconds: float
+    seed: int = 0
+    gains: Gains = field(init=False)
+
+    def __post_init__(self) -> None:
+        gains = _gains(self.controller, self.robot)
+        if not 100 * gains.period <= self.seconds <= 600:
+            least = f"{100 * gains.period:g} s, a hundred periods"
+            raise InvalidScenario(f"an excitation of {self.seconds:g} s", expected=f"from {least}, to 600 s")
+        object.__setattr__(self, "gains", _without_reference(_reading_all(gains, self.kit)))
+
+    @property
+    def periods(self) -> int:
+        return round(self.seconds / self.gains.period)
+
+    @property
+    def hold(self) -> int:
+        """For how many periods each row of an excitation is held."""
+        return max(1, round(FINEST / self.gains.period), -(-self.periods // MOST_ROWS))
+
+    @property
+    def rows(self) -> int:
+        return -(-self.periods // self.hold)
+
+    @cached_property
+    def nominal(self) -> Array:
+        """Parameters (1, 21) of `robot`."""
+        return parameters_of(self.robot)
+
+    @property
+    def hash(self) -> str:
+        return controller_hash(self.controller)
+
+    def run(
+        self, excitations: Array, parameters: Array | None = None, *, kit: Kit | None = None, record: bool = False,
+        hold: int | None = None,
+    ) -> FleetResult:  # fmt: skip
+        """Robots with `parameters` (n, 21) under `excitations` (n, rows, 2), either of which may be one for all."""
+        table = self.nominal if parameters is None else parameters
+        batch = self.batch(excitations, self._dry(table) if record else table, kit, hold or self.hold)
+        channels = (*self.gains.reads, *APPLIED) if record else ()
+        return simulate(batch, self.seconds, record=int(record), channels=channels)
+
+    def _dry(self, parameters: Array) -> Array:
+        table = np.array(parameters)
+        column = NAMES.index("stiction_rate")
+        table[:, column] = np.minimum(table[:, column], DRY)
+        return table
+
+    def batch(self, excitations: Array, parameters: Array, kit: Kit | None, hold: int) -> FleetBatch:
+        several = excitations if excitations.ndim == 3 else excitations[None]
+        n = max(len(several), len(parameters))
+        table = np.broadcast_to(parameters, (n, parameters.shape[1]))
+        radius = table[:, NAMES.index("wheel_radius"), None]
+        period = self.gains.period
+        start = (np.arange(several.shape[1]) * hold - 0.5) * period  # between two periods, where rounding does no harm
+        both, turn = several.mean(axis=2), (several[:, :, 1] - several[:, :, 0]) / 2
+        columns = (both * radius, np.broadcast_to(turn, (n, turn.shape[1])), start, start + hold * period)
+        reference = np.stack(np.broadcast_arrays(*columns), axis=-1)
+        return FleetBatch(
+            parameters=table, controller=self.gains, reference=reference, kit=kit or self.kit, seed=self.seed
+        )
+
+    def energies(self, excitations: Array, hold: int | None = None) -> Array:
+        """∫ u_l² + u_r² dt (n,) of what the motors of the nominal robot get from `excitations` (n, rows, 2), the loop's
+        answer included; inf where it falls.
+
+        Sensors and drivers are perfect here, so that without an excitation the motors would get nothing.
+        """
+        result = self.run(excitations, kit=perfect(self.kit), hold=hold)
+        return np.where(result.fell, np.inf, result.effort)
+
+    def scaled(self, excitations: Array, energy: float, hold: int | None = None) -> Array:
+        """`excitations` (n, rows, 2), each with the size at which it has that `energy`."""
+        sizes = np.ones(len(excitations))
+        for _ in range(5):
+            now = self.energies(sizes[:, None, None] * excitations, hold)
+            sizes = np.where(np.isfinite(now), sizes * np.sqrt(energy / np.maximum(now, 1e-30)), 0.3 * sizes)
+        return sizes[:, None, None] * excitations
+
+    def logs(self, result: FleetResult) -> list[Log]:
+        """What a recorded run leaves of each robot that stood: raw sensors and applied commands."""
+        origin = {"body": {"kind": "fleet kernel"}, "robot": {"name": self.robot.name}}
+        return [
+            Log(result.t, dict(zip(result.channels, trace.T, strict=True)), origin=origin)
+            for trace in result.trace[~result.fell]
+        ]
+
+
+def perfect(kit: Kit) -> Kit:
+    """The kit with its dead times and limits, but without noise, steps, dead zone or sag."""
+    sensors = {
+        name: dataclasses.replace(s, quantum=0.0, noise=0.0, bias=0.0, bias_walk=0.0) for name, s in kit.sensors.items()
+    }
+    motor = dataclasses.replace(kit.motor, dead_zone=0.0, quantum=0.0, backlash=0.0)
+    battery = dataclasses.replace(kit.battery, sag=0.0)
+    return dataclasses.replace(kit, sensors=sensors, motor=motor, battery=battery, jitter=0.0)
+
+
+def _gains(controller: Controller, robot: Robot) -> Gains:
+    try:
+        gains = Gains.of(as_linear(controller))
+    except InvalidController:
+        raise SpecMismatch(
+            f"a {controller.spec.kind} cannot be excited here", expected="a linear controller, as the kernel runs",
+            mend="take an lqg, lqi, hinf or pid",
+        ) from None  # fmt: skip
+    if gains.command_unit != robot.command_unit:
+        raise SpecMismatch(f"the controller commands {gains.command_unit}", expected=f"{robot.command_unit}")
+    if controller.spec.reads_truth:
+        raise SpecMismatch(
+            f"a {controller.spec.kind} that reads the true state", expected="a controller of raw sensors",
+            mend="put a filter before it",
+        )  # fmt: skip
+    return gains
+
+
+def _reading_all(gains: Gains, kit: Kit) -> Gains:
+    """The same commands from gains that also read every sensor that a calibration takes, so that it is recorded."""
+    more = [name for name in kit.sensors if name in SENSOR and name not in gains.reads]
+
+    def wider(matrix: Array) -> Array:
+        return np.concatenate([matrix, np.zeros((*matrix.shape[:2], len(more)))], axis=2)
+
+    return gains._replace(By=wider(gains.By), Dy=wider(gains.Dy), reads=(*gains.reads, *more))
+
+
+def _without_reference(gains: Gains) -> Gains:
+    """Gains for which a wheel rate [rad/s] is a common command, and a yaw rate a turning one."""
+    added = np.zeros((1, 2, 6))
+    added[0, :, 3], added[0, :, 5] = 1.0, (-1.0, 1.0)
+    return gains._replace(Br=np.zeros((1, gains.A.shape[1], 6)), Dr=added)
+
+
+def stacked(excitations: Sequence[Array]) -> Array:
+    """Several (rows, 2) as (n, rows, 2)."""
+    return np.stack(list(excitations))

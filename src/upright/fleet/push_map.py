@@ -1,0 +1,275 @@
+"""The largest push a robot recovers from, by direction, height and duration, with a band for what is not known of it.
+
+A robot has *recovered* if it has not fallen (`bodies.body.FALLEN`) `watch` seconds after the push ended. The search
+itself looks only `glance` seconds beyond the push, since who falls does so soon; each impulse found is then tried for
+the whole `watch`, and searched again at full length where that was too hopeful.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from upright.errors import InvalidScenario
+from upright.fleet.ensemble import Ensemble
+from upright.kernel.batch import FleetBatch
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+Array = NDArray[np.float64]
+Stands = Callable[[Array, NDArray[np.int64]], NDArray[np.bool_]]
+
+FORWARD, BACKWARD = 1, -1
+CEILING = 5.0
+"""[m/s] An impulse that would throw the whole robot this fast is as large as any the map looks for."""
+FLOOR = 1e-3
+"""[m/s] A robot that does not survive an impulse of this speed counts as recovering from none."""
+
+BAND = (0.025, 0.975)
+
+_LEAP = 16.0  # largest factor between two tries while the bracket grows
+
+
+def largest(stands: Stands, guess: ArrayLike, ceiling: float, floor: float, tolerance: float, factor: float) -> Array:
+    """For each of n searches the largest impulse found to be survived: one `tolerance` (relative) more is not.
+
+    `stands(impulse, which)` says for searches number `which` whether `impulse` is survived. The bracket grows from
+    `guess` by `factor` and its powers, then halves on a logarithmic scale. The result is `ceiling` where that is
+    survived, and 0 where `floor` is not.
+    """
+    trial = np.clip(np.asarray(guess, dtype=np.float64), floor, ceiling)
+    low, high = np.zeros_like(trial), np.full_like(trial, np.inf)
+    stride = np.full_like(trial, factor)
+    active = np.arange(trial.size)
+    while active.size:
+        tried = trial[active]
+        good = stands(tried, active)
+        low[active[good]], high[active[~good]] = tried[good], tried[~good]
+        lo, hi = low[active], high[active]
+        with np.errstate(invalid="ignore"):
+            trial[active] = np.where(
+                np.isinf(hi), lo * stride[active], np.where(lo == 0, hi / stride[active], np.sqrt(lo * hi))
+            )
+        trial[active] = np.clip(trial[active], floor, ceiling)
+        stride[active] = np.minimum(stride[active] ** 2, _LEAP)
+        done = (hi <= lo * (1 + tolerance)) | (lo >= ceiling) | (hi <= floor)
+        active = active[~done]
+    return low
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class PushGrid:
+    """Where the map is: `directions` (+1 forward, −1 backward), `heights` above the axle [m], `durations` [s]."""
+
+    directions: Sequence[int] = (FORWARD, BACKWARD)
+    heights: Array
+    durations: Array
+
+    def __post_init__(self) -> None:
+        for name, lowest in (("heights", -math.inf), ("durations", 0.0)):
+            values = np.array(getattr(self, name), dtype=np.float64).reshape(-1)
+            if not (
+                values.size and np.isfinite(values).all() and (values > lowest).all() and (np.diff(values) > 0).all()
+            ):
+                raise InvalidScenario(
+                    f"{name} of {values.tolist()[:5]} …", expected="finite, increasing, durations above 0"
+                )
+            values.setflags(write=False)
+            object.__setattr__(self, name, values)
+        if not self.directions or any(d not in (FORWARD, BACKWARD) for d in self.directions):
+            raise InvalidScenario(f"directions {self.directions}", expected="1 (forward), -1 (backward) or both")
+
+    @property
+    def shape(self) -> tuple[int, int, int]:
+        """(directions, heights, durations)."""
+        return len(self.directions), len(self.heights), len(self.durations)
+
+    def flat(self) -> tuple[Array, Array, Array]:
+        """Direction, height and duration of every point, in that order of axes."""
+        axes = np.meshgrid(np.array(self.directions, dtype=np.float64), self.heights, self.durations, indexing="ij")
+        return axes[0].reshape(-1), axes[1].reshape(-1), axes[2].reshape(-1)
+
+    def thinned(self, heights: int, durations: int) -> PushGrid:
+        """At most so many of its heights and durations, the ends among them."""
+        return PushGrid(
+            directions=self.directions, heights=_some(self.heights, heights), durations=_some(self.durations, durations)
+        )
+
+
+def push_map(
+    ensemble: Ensemble,
+    grid: PushGrid,
+    *,
+    samples: int = 200,
+    nodes: tuple[int, int] = (16, 16),
+    tolerance: float = 0.01,
+    watch: float = 5.0,
+    glance: float = 1.0,
+    threads: int | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> Dataset:
+    """The map of `ensemble` (its own pushes are left out): the nominal robot's largest survived impulse [N s] at every
+    point of `grid`, within `tolerance` (relative), and its band of 95 % over `samples` robots of the family.
+
+    The band is found robot by robot at `nodes` (heights, durations) of the grid; between them the ratio to the nominal
+    robot is interpolated, linear in both. Robot s has its noise from stream s everywhere, the nominal one from 0.
+    """
+    if samples < 0:
+        raise InvalidScenario(f"{samples} samples", expected="zero or more")
+    say = progress or _silent
+    search = _Search(ensemble, tolerance, watch, glance, threads)
+    nominal, capped = search.nominal(grid)
+    say(0.2)
+    small = grid.thinned(*nodes)
+    found = (
+        search.sampled(small, _at(nominal, grid, small), samples, lambda share: say(0.2 + 0.8 * share))
+        if samples
+        else None
+    )
+    return _labelled(ensemble, grid, small, nominal, capped, found, search)
+
+
+class _Search:
+    """Searches with one set of settings; `runs` counts the robots that were simulated."""
+
+    def __init__(self, ensemble: Ensemble, tolerance: float, watch: float, glance: float, threads: int | None) -> None:
+        if not 0 < glance <= watch:
+            raise InvalidScenario(f"a glance of {glance:g} s in a watch of {watch:g} s", expected="0 < glance ≤ watch")
+        if not 1e-6 <= tolerance <= 0.5:
+            raise InvalidScenario(f"a tolerance of {tolerance:g}", expected="between 1e-6 and 0.5")
+        self.ensemble, self.tolerance, self.watch, self.glance = ensemble, tolerance, watch, glance
+        self.threads, self.runs = threads, 0
+        robot = ensemble.family.robot
+        mass = robot.body_mass + 2 * robot.wheel_mass
+        self.ceiling, self.floor = CEILING * mass, FLOOR * mass
+
+    def nominal(self, grid: PushGrid) -> tuple[Array, NDArray[np.bool_]]:
+        """The nominal robot's impulses, shape of the grid, and where they reach the ceiling."""
+        ensemble = self.ensemble.nominal()
+        points = grid.flat()
+        zeros = np.zeros(points[0].size, dtype=np.int64)
+        coarse = grid.thinned(8, 8)
+        first = self._find(ensemble, coarse.flat(), zeros[: math.prod(coarse.shape)], self.ceiling / 20, 2.0)
+        guess = _between(first.reshape(coarse.shape), coarse, grid).reshape(-1)
+        found = self._find(ensemble, points, zeros, guess, 1.06)
+        return found.reshape(grid.shape), (found >= self.ceiling).reshape(grid.shape)
+
+    def sampled(self, grid: PushGrid, nominal: Array, samples: int, say: Callable[[float], None]) -> Array:
+        """Impulses (samples, *grid.shape) of robots 0 to `samples` − 1 of the family."""
+        count = math.prod(grid.shape)
+        found = np.empty((samples, count))
+        points = grid.flat()
+        share = max(1, 16384 // count)
+        for start in range(0, samples, share):
+            robots = np.arange(start, min(samples, start + share))
+            which = np.repeat(robots, count)
+            spread_out = tuple(np.tile(p, len(robots)) for p in points)
+            guess = np.tile(np.maximum(nominal.reshape(-1), self.floor), len(robots))
+            values = self._find(self.ensemble, (spread_out[0], spread_out[1], spread_out[2]), which, guess, 1.08)
+            found[robots] = values.reshape(len(robots), count)
+            say((start + len(robots)) / samples)
+        return found.reshape(samples, *grid.shape)
+
+    def _find(
+        self,
+        ensemble: Ensemble,
+        points: tuple[Array, Array, Array],
+        robots: NDArray[np.int64],
+        guess: Any,
+        factor: float,
+    ) -> Array:
+        """Glance first, then watch what was found, and search again where that was too hopeful."""
+        table = ensemble.batch(robots)
+
+        def stands(seconds: float, part: NDArray[np.int64]) -> Stands:
+            return lambda impulse, which: self._stand(table, points, impulse, part[which], seconds)
+
+        everyone = np.arange(robots.size)
+        guessed = np.broadcast_to(np.asarray(guess, dtype=np.float64), robots.shape)
+        bounds = (self.ceiling, self.floor, self.tolerance)
+        found = largest(stands(self.glance, everyone), guessed, *bounds, factor)
+        alive = np.flatnonzero(found > 0)
+        late = alive[~stands(self.watch, alive)(found[alive], np.arange(alive.size))]
+        if late.size:
+            found[late] = largest(stands(self.watch, late), found[late] / (1 + self.tolerance), *bounds, 1.02)
+        return found
+
+    def _stand(
+        self,
+        table: FleetBatch,
+        points: tuple[Array, Array, Array],
+        impulse: Array,
+        which: NDArray[np.int64],
+        beyond: float,
+    ) -> NDArray[np.bool_]:
+        """Whether searches number `which` survive `impulse` [N s] (n,), looked at until `beyond` [s] after it."""
+        from upright.kernel.simulate import simulate
+
+        direction, height, duration = (p[which] for p in points)
+        pushes = np.stack([direction * impulse / duration, height, np.zeros(which.size), duration], axis=1)[:, None]
+        self.runs += which.size
+        stood = np.empty(which.size, dtype=bool)
+        # Together go those whose pushes last about as long: a short one need not be watched as long as a long one.
+        for part in np.array_split(np.argsort(duration, kind="stable"), max(1, min(8, which.size // 512))):
+            batch = table.part(which[part], pushes=pushes[part])
+            seconds = float(duration[part].max()) + beyond
+            stood[part] = ~simulate(batch, seconds, threads=self.threads).fell
+        return stood
+
+
+def _some(values: Array, count: int) -> Array:
+    rows = np.unique(np.rint(np.linspace(0, len(values) - 1, max(1, min(count, len(values))))).astype(int))
+    return values[rows]
+
+
+def _at(values: Array, grid: PushGrid, small: PushGrid) -> Array:
+    rows = np.searchsorted(grid.heights, small.heights)
+    columns = np.searchsorted(grid.durations, small.durations)
+    return values[:, rows][:, :, columns]
+
+
+def _between(values: Array, small: PushGrid, grid: PushGrid) -> Array:
+    """Linear in height and in duration between the points of `small`, at those of `grid`."""
+    along = np.apply_along_axis(lambda row: np.interp(grid.durations, small.durations, row), 2, values)
+    return np.apply_along_axis(lambda column: np.interp(grid.heights, small.heights, column), 1, along)
+
+
+def _labelled(
+    ensemble: Ensemble, grid: PushGrid, small: PushGrid, nominal: Array, capped: NDArray[np.bool_], found: Array | None,
+    search: _Search,
+) -> Dataset:  # fmt: skip
+    import xarray as xr
+
+    dims = ("direction", "height", "duration")
+    newton = {"unit": "N s"}
+    variables: dict[str, Any] = {
+        "impulse": (dims, nominal, newton | {"long_name": "largest impulse survived"}),
+        "capped": (dims, capped, {"unit": "1", "long_name": "larger than was looked for"}),
+    }
+    coords: dict[str, Any] = {
+        "direction": np.array(["forward" if d > 0 else "backward" for d in grid.directions]),
+        "height": ("height", grid.heights, {"unit": "m", "long_name": "height above the axle"}),
+        "duration": ("duration", grid.durations, {"unit": "s", "long_name": "duration of the push"}),
+    }
+    if found is not None:
+        base = np.maximum(_at(nominal, grid, small), search.floor)
+        for name, quantile in zip(("low", "high"), BAND, strict=True):
+            ratio = np.quantile(found, quantile, axis=0) / base
+            words = {"long_name": f"{100 * quantile:g} % quantile over the family"}
+            variables[name] = (dims, nominal * _between(ratio, small, grid), newton | words)
+    settings: dict[str, Any] = {"samples": 0 if found is None else len(found), "tolerance": search.tolerance}
+    settings |= {"watch": search.watch, "glance": search.glance, "ceiling": search.ceiling, "runs": search.runs}
+    settings |= {"nodes": {"height": small.heights.tolist(), "duration": small.durations.tolist()}}
+    origin = ensemble.origin() | {"push_map": settings}
+    return xr.Dataset(variables, coords, {"origin": json.dumps(origin, ensure_ascii=False)})
+
+
+def _silent(share: float) -> None:
+    """Tell nobody of the `share` done."""

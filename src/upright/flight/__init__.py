@@ -1,0 +1,1 @@
+"""A program on a brick: upload, start, follow, fetch the log."""

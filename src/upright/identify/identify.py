@@ -1,0 +1,123 @@
+"""One log, one or all methods: `identify` gives a linear model, `identify_all` all of them beside one another."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from upright.control.delay import rolling
+from upright.errors import UprightError
+from upright.identify.identified import Identified, assembled, interval
+from upright.identify.judge import Judge, Trial, judge_of, tried
+from upright.identify.methods import IDENTIFIERS, find_identifier
+from upright.identify.order import Order
+from upright.identify.prediction import foretold
+from upright.identify.samples import Samples
+from upright.identify.study import Progress, Study
+from upright.physics.linear import unstable_pole
+from upright.robots import Kit, Robot
+from upright.signals import Log
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """The models of one log by method, what came of each in the loop of the `judge`, and why a method has none.
+
+    `true_pole` [1/s] is that of the twin that made the log, dry friction taken for the damping that brakes alike; NaN
+    where it is not known.
+    """
+
+    samples: Samples
+    models: Mapping[str, Identified]
+    trials: Mapping[str, Trial]
+    failed: Mapping[str, str]
+    orders: Mapping[str, Order]
+    judge: Judge
+    true_pole: float
+    notes: tuple[str, ...] = field(default=())
+
+    def check(self) -> tuple[str, ...]:
+        """What is wrong with the comparison, from its own numbers."""
+        return tuple(f"{name}: its halves do not make it up" for name, m in self.models.items() if m.check() > 1e-6)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers."""
+        return {
+            "models": {name: model.to_json() for name, model in self.models.items()},
+            "in_the_loop": {name: trial.to_json() for name, trial in self.trials.items()},
+            "failed": dict(self.failed), "judge": self.judge.who, "notes": list(self.notes),
+            "true_pole": self.true_pole if np.isfinite(self.true_pole) else None,
+        }  # fmt: skip
+
+    def __str__(self) -> str:
+        lines = [f"{len(self.samples.log)} samples; judged by {self.judge.who}"]
+        for name, m in self.models.items():
+            lines.append(f"  {name:<20} {m.pole.value:8.3g} 1/s {interval(m.pole):<18} {self.trials[name]}")
+        return "\n".join([*lines, *(f"  {name:<20} {why}" for name, why in self.failed.items()), *self.notes])
+
+
+def identify(study: Study, method: str) -> Identified:
+    """The linear model of a study's log by one method; raises `UnknownName`, `InvalidLog` or `InvalidModel`."""
+    data = study.samples
+    fit = find_identifier(method)(study)
+    model, dA, dB = assembled(fit.parts, fit.deviations)
+    late = {name: shift for part in data.parts for name, shift in zip(part.outputs, part.late, strict=True)}
+    orders = study.orders if method == "subspace" else {}
+    fits = foretold(data, fit.parts)
+    stands = ("This model does not fall, as every robot on two wheels does: it is not the robot.",)
+    return Identified(
+        method, model, dA, dB, fit.pole, late, orders, data.source, data.fitted, fit.parts, fits,
+        (*data.notes, *fit.notes, *(stands if fit.pole.value <= 0 else ())),
+    )  # fmt: skip
+
+
+def identify_all(
+    study: Study, methods: Sequence[str] = tuple(IDENTIFIERS), progress: Progress | None = None
+) -> Comparison:
+    """Every method on one log, each judged in the loop; a method that has no model gets a line that says why."""
+    models: dict[str, Identified] = {}
+    failed: dict[str, str] = {}
+    for done, method in enumerate(methods):
+        try:
+            models[method] = identify(study, method)
+        except UprightError as error:
+            failed[method] = str(error)
+        if progress:
+            progress(0.8 * (done + 1) / len(methods))
+    judge = _judge(study)
+    trials = {name: tried(study.samples, model.parts, judge) for name, model in models.items()}
+    if progress:
+        progress(1.0)
+    true = unstable_pole(rolling(judge.robot)) if judge.made_the_log else np.nan
+    common = study.samples.notes
+    own = [f"{name}: {note}" for name, model in models.items() for note in model.notes if note not in common]
+    orders = study.orders if {"subspace", "instrumental"} & models.keys() else {}
+    return Comparison(study.samples, models, trials, failed, orders, judge, true, (*common, *own))
+
+
+def _judge(study: Study) -> Judge:
+    """The twin of the log, or its calibration where there is no twin."""
+    first = judge_of(study.samples)
+    if first.made_the_log:
+        return first
+    try:
+        return judge_of(study.samples, study.calibration)
+    except UprightError:
+        return first
+
+
+def study_of(
+    log: Log, robot: Robot, kit: Kit | None = None, *, source: str = "sensors", delay: float | None = None,
+    order: int | None = None, held_out: float = 0.25, runs: int = 40, seed: int = 0,
+) -> Study:  # fmt: skip
+    """A log of `robot` made ready for any method: see `samples` for `source` and `delay`, `choose_order` for `order`.
+
+    `runs` is the number of repeated logs behind the intervals.
+    """
+    from upright.identify.samples import samples
+
+    ready = samples(log, robot, kit, source=source, delay=delay, held_out=held_out)
+    return Study(ready, order, runs, seed)

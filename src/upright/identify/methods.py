@@ -1,0 +1,62 @@
+"""Every way to a linear model from a log. `IDENTIFIERS` names them: a new one is one file and one line here."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from upright.errors import UnknownName
+from upright.identify.coordinates import PartModel
+from upright.identify.grey_box import calibrated
+from upright.identify.instrumental import instrumental
+from upright.identify.rebuilt import least_squares_part, total_least_squares
+from upright.identify.samples import Part
+from upright.identify.study import Fit, PartFit, Study, by_part
+from upright.identify.subspace import subspace
+
+Identifier = Callable[[Study], Fit]
+
+
+def _per_part(fit: PartFit) -> Identifier:
+    return partial(by_part, fit)
+
+
+def _least_squares(part: Part, _study: Study) -> PartModel:
+    return least_squares_part(part)
+
+
+def _total(part: Part, _study: Study) -> PartModel:
+    return total_least_squares(part)
+
+
+def _instrumental(part: Part, study: Study) -> PartModel:
+    return instrumental(part, study.orders[part.name].model)
+
+
+def _subspace(part: Part, study: Study) -> PartModel:
+    order = study.orders[part.name]
+    return subspace(part, order.chosen, order.past)
+
+
+IDENTIFIERS: dict[str, Identifier] = {
+    "least-squares": _per_part(_least_squares),
+    "total-least-squares": _per_part(_total),
+    "instrumental": _per_part(_instrumental),
+    "subspace": _per_part(_subspace),
+    "calibrate": calibrated,
+}
+
+TITLES = {
+    "least-squares": "the paper's, from rebuilt states",
+    "total-least-squares": "errors in all rebuilt states",
+    "instrumental": "refined instrumental variables in closed loop",
+    "subspace": "predictor-based subspace method",
+    "calibrate": "maximum likelihood of the physical parameters",
+}
+
+
+def find_identifier(name: str) -> Identifier:
+    """The registered method of that name; `UnknownName` lists them."""
+    if name not in IDENTIFIERS:
+        raise UnknownName("method", name, [*IDENTIFIERS, "all"])
+    return IDENTIFIERS[name]

@@ -1,0 +1,353 @@
+"""A log as the linear methods take it: both halves of a symmetric robot on an even clock, in the robot's own time.
+
+A robot that is the same on both sides moves in two halves that know nothing of each other: the mean command moves pitch
+and wheels, the difference of the commands turns it. Each half is one set of outputs, of which the last is an angle that
+drives nothing on a level floor. A reading that comes `late` periods after its command is read that much earlier.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.errors import InvalidLog, UnknownName
+from upright.identify.arx import Answer, arx, first_answer
+from upright.logs.recording import one_encoder
+from upright.robots import Kit, Robot, Sensor
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+
+SOURCES = ("sensors", "states")
+FEWEST = 300
+"""Samples below which no dynamic model is fitted: a past of some 15 periods alone asks for 50 numbers an output."""
+SURE = 5.0
+"""t-value of the largest answer to an unforeseen command below which a log counts as not excited; of forty t-values of
+noise one in a hundred thousand logs has one as large."""
+QUIET = 4.0
+"""Steps of the gyro (rms) below which its errors are as large as the motion, for `calibrate` as well."""
+UNEVEN = 0.25  # of a period: a step longer or shorter by this is not the clock that the models assume
+MOST_UNEVEN = 0.05  # share of such steps from which an even clock is no description of the log
+LONGEST = 20  # periods that a command may be on its way
+READ = 0.5
+"""Share of what readings leave unexplained of a command below which a pitch estimate counts as what feedback reads."""
+ROUNDING = 0.1
+"""Periods by which a measured lag may be short of a whole one: a reading taken too late would answer the future."""
+STATES = {"pitch": ("pitch", "pitch_rate", "wheel_rate", "wheel"), "yaw": ("yaw_rate", "yaw")}
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """One half: `outputs` y (n, outputs) answer the command u (n,), `late` periods after it (taken out of y).
+
+    Outputs are "gyro", "pitch" (an estimate), "wheel" (relative to the body), "turn"; or states, where those are known.
+    `noise` is the variance of each output as the kit has it, `trusted` the one that a filter counts with.
+    """
+
+    name: str
+    outputs: tuple[str, ...]
+    y: Array
+    u: Array
+    dt: float
+    late: tuple[int, ...]
+    noise: tuple[float, ...]
+    states: bool = False
+    trusted: tuple[float, ...] = ()
+
+    def cut(self, first: int, last: int) -> Part:
+        """The rows from `first` up to `last`."""
+        return replace(self, y=self.y[first:last], u=self.u[first:last])
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """The halves of `robot` that the log moves; `fitted` counts the rows that are fitted, the rest are held out.
+
+    `sent` is how many periods a command took to become the applied one that the models take for their input.
+    """
+
+    parts: tuple[Part, ...]
+    robot: Robot
+    kit: Kit
+    dt: float
+    fitted: int
+    sent: int
+    source: str
+    log: Log
+    notes: tuple[str, ...] = ()
+    held_out: float = field(default=0.25)
+
+    def training(self) -> tuple[Part, ...]:
+        """The fitted rows of every half."""
+        return tuple(part.cut(0, self.fitted) for part in self.parts)
+
+
+def samples(
+    log: Log, robot: Robot, kit: Kit | None = None, *, source: str = "sensors", delay: float | None = None,
+    held_out: float = 0.25,
+) -> Samples:  # fmt: skip
+    """`log` of `robot` under `kit` (default: the robot's own), from "sensors" or from the true "states" of a twin.
+
+    `delay` [s] is the dead time from a command to every sensor; without it, it is read off the answers to unforeseen
+    commands. Raises `InvalidLog` for a log that is too short, not even in time, not excited, or of another robot.
+    """
+    if source not in SOURCES:
+        raise UnknownName("source", source, SOURCES)
+    if not 0 <= held_out < 0.9:
+        raise InvalidLog(f"a held-out share of {held_out:g}", expected="between 0 and 0.9")
+    parts_of_robot = kit or Kit.preset(robot.kit)
+    prefix, commands = _commands(log, robot)
+    notes = _clock(log)
+    halves = _from_states(log, commands) if source == "states" else _from_sensors(log, robot, parts_of_robot, commands)
+    notes += _faster(log)
+    ready = _ready(halves, log, parts_of_robot, None if delay is None else round(delay / log.period), notes)
+    rows = min(len(part.y) for part in ready)
+    ready = [part.cut(0, rows) for part in ready]
+    sent = _sent(log) if prefix == "applied" else 0
+    fitted = round(rows * (1 - held_out))
+    return Samples(
+        tuple(ready), robot, parts_of_robot, log.period, fitted, sent, source, log, tuple(notes), held_out
+    )  # fmt: skip
+
+
+def _ready(halves: Sequence[Part], log: Log, kit: Kit, known: int | None, notes: list[str]) -> list[Part]:
+    """The halves in the robot's time; a turn that no command makes is left out, and `notes` say so."""
+    ready: list[Part] = []
+    for half in halves:
+        if half.states:
+            ready.append(_undelayed(half, half.late))
+            continue
+        answers = first_answer(half.y, half.u, LONGEST)
+        sure = max(answer.strength for answer in answers) >= SURE
+        if half.name == "yaw" and not sure:
+            notes.append("The log does not turn the robot by commands, so that the model has no yaw.")
+        elif known is not None:
+            ready.append(_undelayed(half, (known,) * len(answers)))
+        elif half.name == "yaw":  # read from the same encoders as the wheels
+            ready.append(_undelayed(half, ready[0].late[-1:]))
+        elif sure:
+            ready.append(_undelayed(half, _late(answers, log)))
+        else:
+            notes.append(
+                f"Nothing answers an unforeseen command: dead times are those of the kit '{kit.name}', and what "
+                "regressions say of such a log is uncertain."
+            )
+            ready.append(_undelayed(half, _late_of_kit(half, kit)))
+    return ready
+
+
+def _commands(log: Log, robot: Robot) -> tuple[str, Array]:
+    prefix = next((p for p in ("applied", "command") if f"{p}/left" in log and f"{p}/right" in log), "")
+    if not prefix:
+        raise InvalidLog(
+            "the log has no commands", expected="channels applied/left and applied/right",
+            mend="name their columns in a mapping; see `upright doctor`",
+        )  # fmt: skip
+    if len(log) < FEWEST:
+        raise InvalidLog(f"the log has {len(log)} samples", expected=f"at least {FEWEST} for a model of its motion")
+    unit = log.unit(f"{prefix}/left")
+    if unit in ("V", "N m") and unit != robot.command_unit:
+        raise InvalidLog(
+            f"the log's commands are in {unit}", expected=f"{robot.command_unit}, as those of '{robot.name}'",
+            likely="another robot", mend="name the robot with --robot",
+        )  # fmt: skip
+    commands = np.column_stack([_whole(log, f"{prefix}/{side}") for side in ("left", "right")])
+    if np.ptp(commands, axis=0).max() == 0:
+        raise InvalidLog("the commands never change", expected="motors at work", likely="a log of a robot switched off")
+    return prefix, commands
+
+
+def _clock(log: Log) -> list[str]:
+    off = np.abs(np.diff(log.t) / log.period - 1) > UNEVEN
+    if off.mean() > MOST_UNEVEN:
+        raise InvalidLog(
+            f"{off.mean():.0%} of the steps are off the period of {log.period * 1e3:.3g} ms by a quarter",
+            expected="even steps", likely="lost or repeated rows", mend="`upright calibrate` takes any clock",
+        )  # fmt: skip
+    if off.any():
+        return [f"{int(off.sum())} steps are off the period by more than a quarter; they are taken for even."]
+    return []
+
+
+def _from_sensors(log: Log, robot: Robot, kit: Kit, commands: Array) -> list[Part]:
+    left, right = (_wheel(log, side) for side in ("left", "right"))
+    body = next((name for name in ("sensor/gyro", "estimate/pitch") if name in log), "")
+    if not body:
+        raise InvalidLog("the log has no gyro", expected="a channel sensor/gyro (or at least estimate/pitch)")
+    encoder = _variance(kit, "sensor/encoder_left", left)
+    tilt = _whole(log, body)
+    _check_moves(tilt, kit, body)
+    first = "gyro" if body == "sensor/gyro" else "pitch"
+    pitch = Part(
+        "pitch", (first, "wheel"), np.column_stack([tilt, (left + right) / 2]), commands.mean(axis=1), log.period,
+        (0, 0), (_variance(kit, body, tilt), encoder / 2),
+    )  # fmt: skip
+    if first == "gyro" and "estimate/pitch" in log:
+        pitch = _with_estimate(pitch, log["estimate/pitch"])
+    if "sensor/encoder_left" in log and one_encoder(log):
+        return [pitch]
+    share = robot.wheel_radius / robot.track
+    yaw = Part(
+        "yaw", ("turn",), ((right - left) * share)[:, None], (commands[:, 1] - commands[:, 0]) / 2, log.period, (0,),
+        (2 * share**2 * encoder,),
+    )  # fmt: skip
+    return [pitch, yaw]
+
+
+def _with_estimate(part: Part, estimate: Array) -> Part:
+    """`part` with a pitch estimate as an output, if the feedback reads what only the estimate knows: commands that
+    follow from what is left out would say of the robot what they have from there."""
+    if not np.isfinite(estimate).all() or np.ptp(estimate) == 0:
+        return part
+    more = replace(
+        part, outputs=(part.outputs[0], "pitch", *part.outputs[1:]), late=(*part.late, 0),
+        y=np.column_stack([part.y[:, 0], estimate, part.y[:, 1:]]), noise=(part.noise[0], 1e-6, *part.noise[1:]),
+    )  # fmt: skip
+    return more if _foretold_by(more) < READ * _foretold_by(part) else part
+
+
+def _foretold_by(part: Part, memory: int = 20) -> float:
+    """What a regression on the outputs, of now and before, leaves of the variance of the commands."""
+    rows = np.arange(memory, len(part.u))
+    columns = [part.y[rows - i] for i in range(memory + 1)] + [part.u[rows - i, None] for i in range(1, memory + 1)]
+    X = np.column_stack([*columns, np.ones(len(rows))])
+    return float(np.var(part.u[rows] - X @ np.linalg.lstsq(X, part.u[rows], rcond=None)[0]))
+
+
+def _from_states(log: Log, commands: Array) -> list[Part]:
+    missing = [name for names in STATES.values() for name in names if f"truth/{name}" not in log]
+    if missing:
+        raise InvalidLog(
+            f"the log has no true {missing[0].replace('_', ' ')}", expected="channels truth/…, as in a twin's log",
+            mend="identify from its sensors",
+        )  # fmt: skip
+    halves = {"pitch": commands.mean(axis=1), "yaw": (commands[:, 1] - commands[:, 0]) / 2}
+    made: list[Part] = []
+    for name, u in halves.items():
+        y = np.column_stack([log[f"truth/{state}"] for state in STATES[name]])
+        if np.ptp(u) > 0:
+            made.append(Part(name, STATES[name], y, u, log.period, (0,) * y.shape[1], (1e-12,) * y.shape[1], True))
+    return made
+
+
+def _wheel(log: Log, side: str) -> Array:
+    """The wheel's angle relative to the body [rad], summed where only its rate was logged."""
+    if f"sensor/encoder_{side}" in log:
+        return _whole(log, f"sensor/encoder_{side}")
+    if f"sensor/encoder_rate_{side}" in log:
+        return np.cumsum(_whole(log, f"sensor/encoder_rate_{side}")) * log.period
+    raise InvalidLog(
+        f"the log has no {side} encoder", expected="sensor/encoder_left and sensor/encoder_right, or their rates",
+        mend="name their columns in a mapping; see `upright doctor`",
+    )  # fmt: skip
+
+
+def _whole(log: Log, name: str) -> Array:
+    values = log[name]
+    if not np.isfinite(values).all():
+        raise InvalidLog(f"{name} has {int((~np.isfinite(values)).sum())} gaps (NaN)", mend="`upright doctor --fix`")
+    if name.startswith(("sensor/", "estimate/")) and np.ptp(values) == 0:
+        raise InvalidLog(f"{name} never changes", expected="a sensor that moves", likely="a sensor that is not plugged")
+    return values
+
+
+def _check_moves(tilt: Array, kit: Kit, name: str) -> None:
+    steps = np.abs(np.diff(tilt))
+    grain = max(float(steps[steps > 1e-9].min()), kit.sensors.get(name, Sensor()).quantum)
+    moved = float(np.std(tilt)) / grain
+    if name == "sensor/gyro" and moved < QUIET:
+        raise InvalidLog(
+            f"the gyro moves by {moved:.1f} of its steps (rms)", expected=f"at least {QUIET:g}: an excited robot",
+            likely="a robot that only stands", mend="add an excitation and log again (`upright excite`)",
+        )  # fmt: skip
+
+
+def _variance(kit: Kit, name: str, reading: Array) -> float:
+    """Of one reading, as the kit has it, or at least its own grain's."""
+    known = kit.sensors.get(name, Sensor())
+    steps = np.abs(np.diff(reading))
+    grain = float(steps[steps > 1e-9].min()) if (steps > 1e-9).any() else 0.0
+    return max(known.noise**2 + known.quantum**2 / 12, min(grain, 1e-3) ** 2 / 12, 1e-12)
+
+
+def _late(answers: Sequence[Answer], log: Log) -> tuple[int, ...]:
+    """Whole periods after which each output answers a command: the surest by its answers, the others by the pendulum's
+    law, or by their own."""
+    surest = max(range(len(answers)), key=lambda i: answers[i].strength)
+    apart = _between(log)
+    if apart is None:
+        return tuple((a if a.strength >= SURE else answers[surest]).row - 1 for a in answers)
+    first, last = answers[surest].row - 1, len(answers) - 1
+    if surest == last:
+        return (*(_whole_periods(first + apart / log.period) for _ in range(last)), first)
+    return (*(first for _ in range(last)), _whole_periods(first - apart / log.period))
+
+
+def _late_of_kit(part: Part, kit: Kit) -> tuple[int, ...]:
+    channels = {"gyro": "sensor/gyro", "pitch": "sensor/gyro", "wheel": "sensor/encoder_left"}
+    late = [kit.delay + kit.sensors.get(channels[name], Sensor()).delay for name in part.outputs]
+    return tuple(_whole_periods(seconds / part.dt) for seconds in late)
+
+
+def _whole_periods(late: float) -> int:
+    return max(0, math.floor(late + ROUNDING))
+
+
+def _faster(log: Log) -> list[str]:
+    """What the doctor says of a controller that is faster than the log."""
+    from upright.doctor.finding import Record
+    from upright.doctor.rates import faster_controller
+
+    found = faster_controller(Record(log.t, _seen(log), dict(log.units)))
+    return [f"{finding.evidence[0].upper()}{finding.evidence[1:]}: {finding.repair}." for finding in found]
+
+
+def _seen(log: Log) -> dict[str, Array]:
+    """The channels that a built robot would have, with wheels' angles."""
+    channels = {name: values for name, values in log.channels.items() if not name.startswith("truth/")}
+    if "sensor/encoder_left" not in channels and "sensor/encoder_rate_left" in channels:
+        channels |= {f"sensor/encoder_{side}": _wheel(log, side) for side in ("left", "right")}
+    return channels
+
+
+def _between(log: Log) -> float | None:
+    """How much later [s] than the encoders the pitch is read, by the pendulum's law; None where that is unclear."""
+    from upright.doctor.delays import CLEAR
+    from upright.doctor.finding import Record
+    from upright.doctor.physics import motion, pendulum
+
+    moved = motion(Record(log.t, _seen(log), dict(log.units)))
+    if moved is None or moved.gyro is None:
+        return None
+    fit = pendulum(moved, moved.wheel)
+    return fit.lag if fit.r2 > CLEAR and fit.values and fit.values[0] > 0 else None
+
+
+def _undelayed(part: Part, late: tuple[int, ...]) -> Part:
+    """`part` in the robot's time; no reading is trusted farther than to a tenth of what its past leaves unexplained."""
+    rows = len(part.y) - max(late)
+    y = np.column_stack([part.y[shift : shift + rows, i] for i, shift in enumerate(late)])
+    y[:, -1] -= y[0, -1]
+    trusted = part.noise
+    if not part.states:
+        left = arx(y, part.u[:rows], 10).e.var(axis=0)
+        trusted = tuple(max(known, 0.1 * float(v)) for known, v in zip(part.noise, left, strict=True))
+    return replace(part, y=y, u=part.u[:rows], late=late, trusted=trusted)
+
+
+def _sent(log: Log) -> int:
+    """Periods from a command to the applied one, where the log has both: the shift under which they are most alike."""
+    if "command/left" not in log:
+        return 0
+    asked, done = log["command/left"], log["applied/left"]
+    apart = [float(np.mean((done[m:] - asked[: len(asked) - m]) ** 2)) for m in range(min(LONGEST, len(log) // 4))]
+    return int(np.argmin(apart))
+
+
+def by_name(parts: tuple[Part, ...]) -> Mapping[str, Part]:
+    """The halves by their names."""
+    return {part.name: part for part in parts}

@@ -1,0 +1,358 @@
+"""What is done to a block of robots side by side, besides moving them: command, drive, push, read, count.
+
+A block is one array `w` of rows; each row holds one number for each of up to `LANES` robots. Every loop over robots `i`
+is straight-line code, which the compiler turns into vector instructions.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from upright.compiled.generated import (
+    C0,
+    FORCE,
+    LEFT,
+    LIVED,
+    MOMENT,
+    PITCH,
+    PITCH_RATE,
+    RIGHT,
+    SIN_SLOPE,
+    WHEEL,
+    YAW,
+    H,
+)
+from upright.compiled.jit import (
+    absolute,
+    fma,
+    get,
+    inlined,
+    item,
+    like,
+    mul,
+    njit,
+    positive,
+    put,
+    rint,
+    store,
+    trunc,
+)
+from upright.compiled.random import whole
+from upright.kernel.rows import (
+    ACCEL_FORWARD,
+    ALL_ROWS,
+    COMMAND,
+    COMPASS,
+    DEAD_ZONE,
+    DRIVEN,
+    EFFORT,
+    ENCODER_LEFT,
+    ENCODER_RIGHT,
+    FELT,
+    FLOOR,
+    G_FIRST,
+    G_FRESH,
+    G_TO,
+    GROUP_COLUMNS,
+    GYRO,
+    HOLD,
+    JITTER,
+    LATE,
+    LIMIT,
+    NEVER,
+    NOISE,
+    OUTSIDE,
+    OWN,
+    PEAK_PITCH,
+    PEAK_WHEEL,
+    PEAK_YAW,
+    QUANTUM,
+    REFERENCE,
+    ROBOTS,
+    S_NOISE,
+    S_OFFSET,
+    S_PLAY,
+    S_QUANTUM,
+    S_RANGE,
+    S_SAID,
+    S_TOUCH,
+    S_WALK,
+    S_WHEEL,
+    SAG,
+    SATURATED,
+    SQUARE,
+    VOLTAGE,
+    WALK,
+)
+
+
+@njit
+def fill(w: Any, count: int, plan: Any, common: Any, rows: Any, table: Any, first: int) -> None:
+    """Every row as `common` (r,) has it for all robots, then `rows` (v,) from those of `table` (v, n)."""
+    robots = item(plan, ROBOTS)
+    for r in range(item(plan, ALL_ROWS)):
+        value = item(common, r)
+        for i in range(count):
+            put(w, r, i, value)
+    for v in range(item(plan, OWN)):
+        row = item(rows, v)
+        for i in range(count):
+            put(w, row, i, item(table, v * robots + first + i))
+
+
+@njit
+def copy(w: Any, out: int, source: int, count: int) -> None:
+    """Row `source` into row `out`."""
+    for i in range(count):
+        put(w, out, i, get(w, source, i))
+
+
+@njit
+def apply_gains(w: Any, count: int, out: int, table: Any, groups: int, own: int) -> None:
+    """Rows from `out` on: each is the sum of gain times row over its groups in `table` (groups, GROUP_COLUMNS).
+
+    A gain is the first number of its row for all robots, or each one's own.
+    """
+    for g in range(groups):
+        t = g * GROUP_COLUMNS
+        a, fresh, p = out + item(table, t + G_TO), item(table, t + G_FRESH) > 0, t + G_FIRST
+        b0, b1, b2, b3 = item(table, p), item(table, p + 2), item(table, p + 4), item(table, p + 6)
+        c0, c1, c2, c3 = item(table, p + 1), item(table, p + 3), item(table, p + 5), item(table, p + 7)
+        if own:
+            for i in range(count):
+                sum_ = like(w, 0.0) if fresh else get(w, a, i)
+                sum_ = fma(get(w, c1, i), get(w, b1, i), fma(get(w, c0, i), get(w, b0, i), sum_))
+                sum_ = fma(get(w, c3, i), get(w, b3, i), fma(get(w, c2, i), get(w, b2, i), sum_))
+                put(w, a, i, sum_)
+        else:
+            k0, k1, k2, k3 = get(w, c0, 0), get(w, c1, 0), get(w, c2, 0), get(w, c3, 0)
+            for i in range(count):
+                sum_ = like(w, 0.0) if fresh else get(w, a, i)
+                sum_ = fma(k1, get(w, b1, i), fma(k0, get(w, b0, i), sum_))
+                put(w, a, i, fma(k3, get(w, b3, i), fma(k2, get(w, b2, i), sum_)))
+
+
+@inlined
+def driven(u: Any, limit: Any, quantum: Any) -> Any:
+    """Saturation, then the driver's quantum, as in `bodies.electronics.drive`."""
+    inside = min(max(u, -limit), limit)
+    return trunc(inside / quantum) * quantum if positive(quantum) else inside
+
+
+@njit
+def drive(w: Any, count: int) -> None:
+    """What of the command reaches the motors; robots that saturate are counted."""
+    for i in range(count):
+        left, right = get(w, COMMAND, i), get(w, COMMAND + 1, i)
+        dead, full = get(w, DEAD_ZONE, i), get(w, VOLTAGE, i)
+        left = mul(left, 0.0) if absolute(left) <= dead else left
+        right = mul(right, 0.0) if absolute(right) <= dead else right
+        load = min(absolute(left), full) + min(absolute(right), full)
+        sag = get(w, SAG, i)
+        limit = min(get(w, LIMIT, i), fma(-sag, load, full) if positive(sag) else full)
+        quantum = get(w, QUANTUM, i)
+        put(w, DRIVEN, i, driven(left, limit, quantum))
+        put(w, DRIVEN + 1, i, driven(right, limit, quantum))
+        n = get(w, SATURATED, i)
+        beyond = max(absolute(left), absolute(right)) > limit
+        put(w, SATURATED, i, fma(n, 1.0, 1.0) if beyond & positive(get(w, H, i)) else n)
+
+
+@njit
+def arrive(
+    w: Any, count: int, ring: int, slots: int, k: int, stride: int, index: Any, first: int, seed: Any
+) -> int:  # fmt: skip
+    """The three commands that a motor may hold during period `k`, in six rows from HOLD on in order of arrival, and in
+    the two rows after them the steps at which the second and the third arrive; returns the last such step.
+
+    Rows from LATE on: periods and steps of dead time, largest jitter in steps.
+    """
+    last = 0
+    for i in range(count):
+        j = k - int(get(w, LATE, i))
+        two = int(get(w, LATE + 1, i))
+        one, jitter = two - stride, int(get(w, LATE + 2, i))
+        if jitter > 0:
+            one += whole(item(index, first + i), j - 1, JITTER, seed, jitter + 1)
+            two = max(one, two + whole(item(index, first + i), j, JITTER, seed, jitter + 1))
+        for m in range(3):
+            slot = ring + 2 * ((j - 2 + m) % slots)
+            put(w, HOLD + 2 * m, i, get(w, slot, i))
+            put(w, HOLD + 2 * m + 1, i, get(w, slot + 1, i))
+        put(w, HOLD + 6, i, one)
+        put(w, HOLD + 7, i, two)
+        last = max(last, two)
+    return last
+
+
+@njit
+def arrive_alike(w: Any, count: int, ring: int, slots: int, k: int, stride: int) -> int:
+    """`arrive` where every command is equally late for all robots, as the first one's rows say."""
+    j, two = k - int(get(w, LATE, 0)), get(w, LATE + 1, 0)
+    for m in range(3):
+        slot = ring + 2 * ((j - 2 + m) % slots)
+        copy(w, HOLD + 2 * m, slot, count)
+        copy(w, HOLD + 2 * m + 1, slot + 1, count)
+    for i in range(count):
+        put(w, HOLD + 6, i, two - stride)
+        put(w, HOLD + 7, i, two)
+    return int(two)
+
+
+@njit
+def hold(w: Any, count: int, step: float) -> None:
+    """The command that has arrived by `step` of the period goes to the motors."""
+    at = like(w, step)
+    for i in range(count):
+        early, later = get(w, HOLD + 6, i) > at, get(w, HOLD + 7, i) > at
+        left, right = get(w, HOLD, i), get(w, HOLD + 1, i)
+        next_left, next_right = get(w, HOLD + 2, i), get(w, HOLD + 3, i)
+        last_left, last_right = get(w, HOLD + 4, i), get(w, HOLD + 5, i)
+        next_left, next_right = next_left if later else last_left, next_right if later else last_right
+        put(w, LEFT, i, left if early else next_left)
+        put(w, RIGHT, i, right if early else next_right)
+
+
+@njit
+def push(w: Any, count: int, rows: int, pushes: int, now: int) -> int:
+    """Force and moment of all pushes that act at step `now`; returns the next step at which that changes.
+
+    Four rows a push: force [N], moment [N m], the step from which on and the one before which it acts.
+    """
+    change = float(NEVER)
+    for i in range(count):
+        force, moment = 0.0, 0.0
+        for p in range(rows, rows + 4 * pushes, 4):
+            start, stop = get(w, p + 2, i), get(w, p + 3, i)
+            if start <= now < stop:
+                force += get(w, p, i)
+                moment += get(w, p + 1, i)
+            change = min(change, start if start > now else stop if stop > now else float(NEVER))
+        put(w, FORCE, i, force)
+        put(w, MOMENT, i, moment)
+    return int(change)
+
+
+@njit
+def tilt(w: Any, count: int, now: int) -> int:
+    """Sine and cosine of the floor's slope at step `now`; returns the next step at which one changes.
+
+    Three rows from FLOOR on: sine, cosine, and the step from which on the floor slopes.
+    """
+    change = float(NEVER)
+    for i in range(count):
+        start = get(w, FLOOR + 2, i)
+        on = start <= now
+        put(w, SIN_SLOPE, i, get(w, FLOOR, i) if on else 0.0)
+        put(w, SIN_SLOPE + 1, i, get(w, FLOOR + 1, i) if on else 1.0)
+        change = change if on else min(change, start)
+    return int(change)
+
+
+@njit
+def refer(w: Any, count: int, rows: int, ramps: int, t: float) -> None:
+    """The wanted state at `t` [s]. Four rows a ramp: wheel rate, yaw rate [rad/s], start and end [s]."""
+    for i in range(count):
+        wheel, wheel_rate, yaw, yaw_rate = 0.0, 0.0, 0.0, 0.0
+        for q in range(rows, rows + 4 * ramps, 4):
+            rate, turn = get(w, q, i), get(w, q + 1, i)
+            start, until = get(w, q + 2, i), get(w, q + 3, i)
+            along = min(max(t, start), until) - start
+            inside = start <= t < until
+            wheel += rate * along
+            yaw += turn * along
+            wheel_rate += rate if inside else 0.0
+            yaw_rate += turn if inside else 0.0
+        put(w, REFERENCE + 2, i, wheel)
+        put(w, REFERENCE + 3, i, wheel_rate)
+        put(w, REFERENCE + 4, i, yaw)
+        put(w, REFERENCE + 5, i, yaw_rate)
+
+
+@njit
+def sense(w: Any, count: int, kind: int, out: int) -> None:
+    """Row `out`: what an ideal sensor of this kind says now."""
+    if kind <= ENCODER_RIGHT:
+        side = -1.0 if kind == ENCODER_LEFT else 1.0
+        for i in range(count):
+            turn = mul(get(w, C0, i), side)
+            put(w, out, i, fma(turn, get(w, YAW, i), get(w, WHEEL, i)) - get(w, PITCH, i))
+    else:
+        source = PITCH_RATE if kind == GYRO else YAW if kind == COMPASS else FELT + kind - ACCEL_FORWARD
+        copy(w, out, source, count)
+
+
+@njit
+def slacken(w: Any, count: int, numbers: int) -> None:
+    """Backlash: the wheel moves its encoder only where it reaches the end of the play."""
+    for i in range(count):
+        value, play = get(w, numbers + S_WHEEL, i), get(w, numbers + S_PLAY, i)
+        put(w, numbers + S_TOUCH, i, min(max(get(w, numbers + S_TOUCH, i), value - play), value + play))
+
+
+@njit
+def corrupt(w: Any, count: int, value: int, numbers: int, kind: int, root: float) -> None:
+    """The reading that a sensor makes of row `value`; its offset walks by `root` [√s]."""
+    noise, step = NOISE + kind, WALK + kind
+    for i in range(count):
+        walk = mul(get(w, numbers + S_WALK, i), root)
+        offset = fma(walk, get(w, step, i), get(w, numbers + S_OFFSET, i))
+        reading = fma(get(w, numbers + S_NOISE, i), get(w, noise, i), get(w, value, i) + offset)
+        quantum, end = get(w, numbers + S_QUANTUM, i), get(w, numbers + S_RANGE, i)
+        reading = rint(reading / quantum) * quantum if positive(quantum) else reading
+        put(w, numbers + S_OFFSET, i, offset)
+        put(w, numbers + S_SAID, i, min(max(reading, -end), end))
+
+
+@njit
+def count_period(w: Any, count: int, bands: Any, t: Any) -> None:
+    """What happened to every robot that still stands, as it is at the start of a period and under the command of it."""
+    one, two, three, now = item(bands, 0), item(bands, 1), item(bands, 2), like(w, t)
+    for i in range(count):
+        standing = positive(get(w, H, i))
+        pitch, wheel, yaw = (
+            absolute(get(w, PITCH, i)),
+            absolute(get(w, WHEEL, i)),
+            absolute(get(w, YAW, i)),
+        )
+        peak = get(w, PEAK_PITCH, i)
+        put(w, PEAK_PITCH, i, max(peak, pitch) if standing else peak)
+        peak = get(w, PEAK_WHEEL, i)
+        put(w, PEAK_WHEEL, i, max(peak, wheel) if standing else peak)
+        peak = get(w, PEAK_YAW, i)
+        put(w, PEAK_YAW, i, max(peak, yaw) if standing else peak)
+        outside = (pitch > one) | (wheel > two) | (yaw > three)
+        before = get(w, OUTSIDE, i)
+        put(w, OUTSIDE, i, now if outside & standing else before)
+        square = get(w, SQUARE, i)
+        put(w, SQUARE, i, fma(pitch, pitch, square) if standing else square)
+
+
+@njit
+def count_effort(w: Any, count: int) -> None:
+    """Adds the square of what both motors held at the end of this period."""
+    for i in range(count):
+        left, right = get(w, LEFT, i), get(w, RIGHT, i)
+        sum_ = get(w, EFFORT, i)
+        square = fma(left, left, right * right)
+        put(w, EFFORT, i, sum_ + square if positive(get(w, H, i)) else sum_)
+
+
+@njit
+def standing(w: Any, count: int) -> int:
+    """How many robots of the block have not fallen."""
+    n = 0
+    for i in range(count):
+        n += int(positive(get(w, H, i)))
+    return n
+
+
+@njit
+def record(w: Any, count: int, rows: Any, many: int, out: Any, place: int, size: int, since: float) -> None:
+    """The `many` rows of every robot that stands or stood after `since` [s], into `out` from `place` on, where robots
+    are `size` apart; the others keep what is there."""
+    for m in range(many):
+        row = item(rows, m)
+        for i in range(count):
+            if positive(get(w, H, i)) or get(w, LIVED, i) > since:
+                store(out, place + i * size + m, get(w, row, i))

@@ -1,0 +1,125 @@
+"""A kit's numbers as the kernel takes them: one row for all robots, or one for each."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.errors import InvalidScenario, SpecMismatch, UnknownName
+from upright.kernel.batch import FleetBatch
+from upright.robots import Kit, Sensor
+
+Array = NDArray[np.float64]
+
+BARE = Kit(name="bare")
+KINDS = tuple(
+    f"sensor/{name}" for name in ("encoder_left", "encoder_right", "gyro", "compass", "accel_forward", "accel_up")
+)
+"""Sensors in the order of the kinds in `block`."""
+
+_MOTOR = ("motor.limit", "motor.dead_zone", "motor.quantum", "battery.voltage", "battery.sag")
+_SENSOR = ("quantum", "noise", "bias", "bias_walk", "range")
+
+
+@dataclass(frozen=True, eq=False)
+class KitTables:
+    """`motor` (·, 5) and `sensor` (·, s, 6) as in `block`; `late` (·, 3) as in `block.arrive`;
+    `times` (s, 3): kind, delay and period [steps] of each sensor."""
+
+    motor: Array
+    late: NDArray[np.int64]
+    sensor: Array
+    times: NDArray[np.int64]
+
+
+def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
+    """The tables for the sensors that the batch's controller reads, in that order.
+
+    Raises `SpecMismatch` for a sensor that the kit does not have, `UnknownName` for a change of an unknown number,
+    `InvalidScenario` for a jitter longer than a period.
+    """
+    kit, gains = batch.kit or BARE, batch.gains
+    voltage = gains.command_unit == "V"
+    if batch.kit is None and not batch.kit_changes and not any(name.startswith("sensor/") for name in gains.reads):
+        return _bare(voltage)
+    numbers = _Numbers(kit, batch.kit_changes)
+    ideal = {"battery.voltage": math.inf, "battery.sag": 0.0}
+    motor = _stack([numbers[n] if voltage or n not in ideal else np.array([ideal[n]]) for n in _MOTOR])
+    reads = [name for name in gains.reads if name.startswith("sensor/")]
+    sensors = [_sensor(batch.kit, name) for name in reads]
+    rows = [_stack([numbers[f"sensors.{name[7:]}.{f}"] for f in _SENSOR] + [_play(numbers, name)]) for name in reads]
+    table = _stack(rows) if rows else np.zeros((1, 0, len(_SENSOR) + 1))
+    times = [
+        (KINDS.index(name), round(s.delay / batch.period), max(1, round(s.period / batch.period)))
+        for name, s in zip(reads, sensors, strict=True)
+    ]
+    late = _late(numbers, batch.period, stride)
+    numbers.check()
+    return KitTables(motor, late, table, np.array(times, dtype=np.int64).reshape(-1, 3))
+
+
+@cache
+def _bare(voltage: bool) -> KitTables:
+    """Those of no kit at all, made once, since they are half of what it takes to start a single robot."""
+    motor = [[BARE.motor.limit, 0.0, 0.0, BARE.battery.voltage if voltage else math.inf, 0.0]]
+    late, times = np.zeros((1, 3), dtype=np.int64), np.zeros((0, 3), dtype=np.int64)
+    return KitTables(np.array(motor), late, np.zeros((1, 0, len(_SENSOR) + 1)), times)
+
+
+class _Numbers:
+    """The kit's numbers by dotted name, with the changes in place."""
+
+    def __init__(self, kit: Kit, changes: Mapping[str, Any]) -> None:
+        self._kit, self._changes, self._used = kit, changes, set[str]()
+
+    def __getitem__(self, name: str) -> Array:
+        self._used.add(name)
+        if name in self._changes:
+            return self._changes[name]
+        owner, _, number = name.rpartition(".")
+        if owner.startswith("sensors."):
+            sensor = self._kit.sensors.get(f"sensor/{owner[8:]}", Sensor())
+            return np.array([float(getattr(sensor, number))])
+        return np.array([float(getattr(getattr(self._kit, owner) if owner else self._kit, number))])
+
+    def check(self) -> None:
+        """Refuses changes that nothing here asked for."""
+        for name in self._changes:
+            if name not in self._used:
+                raise UnknownName("number of a kit that this controller meets", name, self._used)
+
+
+def _stack(columns: list[Array]) -> Array:
+    n = max(len(column) for column in columns)
+    return np.stack([np.broadcast_to(column, (n, *column.shape[1:])) for column in columns], axis=1)
+
+
+def _play(numbers: _Numbers, name: str) -> Array:
+    return numbers["motor.backlash"] / 2 if "encoder" in name else np.zeros(1)
+
+
+def _sensor(kit: Kit | None, name: str) -> Sensor:
+    if name not in KINDS:
+        raise SpecMismatch(f"the controller reads {name}", expected="one of " + ", ".join(KINDS))
+    if kit is None:
+        return Sensor()
+    if name not in kit.sensors:
+        raise SpecMismatch(f"kit '{kit.name}' has no {name}", expected=f"one of {', '.join(kit.sensors)}")
+    return kit.sensors[name]
+
+
+def _late(numbers: _Numbers, period: float, stride: int) -> NDArray[np.int64]:
+    steps, jitter = (np.rint(numbers[name] / period).astype(np.int64) for name in ("delay", "jitter"))
+    if jitter.max() > stride:
+        raise InvalidScenario(
+            f"a jitter of {jitter.max() * period:g} s",
+            expected=f"at most the controller's period, {stride * period:g} s",
+        )
+    rows = np.broadcast_arrays(steps // stride, steps % stride, jitter)
+    return np.ascontiguousarray(np.stack(rows, axis=1))

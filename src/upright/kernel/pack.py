@@ -1,0 +1,210 @@
+"""From a batch to the arrays of the compiled loop: what all robots share in one column, what differs in a table."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.compiled import generated as g
+from upright.errors import SpecMismatch
+from upright.kernel import rows as b
+from upright.kernel.batch import NAMES, FleetBatch, Gains
+from upright.kernel.kit import KitTables
+from upright.kernel.rows import Rows
+from upright.signals import STATE_NAMES
+
+Array = NDArray[np.float64]
+Whole = NDArray[np.int64]
+
+_SAME_TIME = 1e-9  # [s] as in `experiment.pushes`
+
+
+@dataclass(eq=False)
+class Packed:
+    """`common` (r,) holds each row of a block as all robots have it; `rows` (v,) are overwritten by the rows of
+    `table` (v, n). `truth`, `sensors`, `command` and `memory` are those of `run.run_blocks`."""
+
+    at: Rows
+    common: NDArray[Any]
+    rows: Whole
+    table: NDArray[Any]
+    truth: Whole
+    sensors: Whole
+    command: Whole
+    memory: Whole
+
+
+class _Block:
+    """Rows of a block handed out one after another, and what stands in them at first."""
+
+    def __init__(self) -> None:
+        self.end = 0
+        self._given: list[tuple[int, Array]] = []
+
+    def take(self, rows: int, values: Array | None = None) -> int:
+        """The first of `rows` new rows, which start as `values` (·, rows), or as zeros."""
+        first = self.end
+        self.end += rows
+        if values is not None:
+            self._given.append((first, values.reshape(len(values), rows)))
+        return first
+
+    def pack(self, dtype: Any) -> tuple[NDArray[Any], Whole, NDArray[Any]]:
+        """`common`, `rows` and `table` of `Packed`."""
+        common, rows, columns = np.zeros(self.end, dtype), list[int](), list[Array]()
+        for first, values in self._given:
+            if len(values) == 1:
+                common[first : first + values.shape[1]] = values[0]
+            else:
+                rows += range(first, first + values.shape[1])
+                columns.append(values.T)
+        table = np.concatenate(columns, dtype=dtype) if columns else np.zeros((0, 1), dtype)
+        return common, np.array(rows, dtype=np.int64), np.ascontiguousarray(table)
+
+
+def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
+    """All that `batch` says, in the form in which blocks are filled."""
+    gains, block = batch.gains, _Block()
+    block.take(6, batch.start)
+    block.take(2, np.array([[h, 0.0]]))
+    block.take(6, np.array([[0.0, 0.0, 0.0, 0.0, 0.0, 1.0]]))  # nothing commanded, no push, a level floor
+    block.take(g.CONSTANTS, constants(batch))
+    block.take(g.WORK_ROWS)
+    block.take(b.KIT_SIZE, kit.motor)
+    block.take(b.COUNTED, np.where(np.arange(b.COUNTS, b.REFERENCE) == b.OUTSIDE, -1.0, 0.0)[None])
+    block.take(b.LATE - b.REFERENCE)
+    block.take(3, kit.late.astype(np.float64))
+    block.take(b.FLOOR - b.NOISE)
+    block.take(3, _floor(batch))
+    pushes, ramps, memories = pushes_of(batch), _ramps(batch), gains.A.shape[1]
+    slots = int(kit.late[:, 0].max()) + 4 if kit.late.any() else 0
+    at = Rows(
+        pushes=block.take(pushes.shape[1], pushes), push_count=pushes.shape[1] // 4,
+        ramps=block.take(ramps.shape[1], ramps), ramp_count=ramps.shape[1] // 4,
+        reading=block.take(len(gains.reads)), memory=block.take(2 * memories), memory_count=memories,
+        ring=block.take(2 * slots), slots=slots,
+    )  # fmt: skip
+    sensors = _sensors(gains, kit, at, block)
+    command, memory = _gains(gains, at, block)
+    common, rows, table = block.pack(dtype)
+    truth = [(g.PITCH + _state(name), at.reading + i) for i, name in enumerate(gains.reads) if "truth/" in name]
+    return Packed(at, common, rows, table, np.array(truth, dtype=np.int64).reshape(-1, 2), sensors, command, memory)
+
+
+def constants(batch: FleetBatch) -> Array:
+    """(·, CONSTANTS): each robot's constants of the traced dynamics."""
+    if isinstance(batch.model, str):
+        complete: Any = float(batch.model == "complete")
+        if len(batch.parameters) == 1:  # one robot's numbers are quicker by themselves than as arrays of one
+            return np.array([g.constants(batch.parameters[0].tolist(), complete)])
+    else:
+        complete = np.array([float(model == "complete") for model in batch.model])
+    return np.stack(np.broadcast_arrays(*g.constants(batch.parameters.T, complete))).T
+
+
+def pushes_of(batch: FleetBatch) -> Array:
+    """(·, 4p): force, moment, first and last step of each push."""
+    if batch.pushes.shape[1] == 0:
+        return np.zeros((1, 0))
+    force, height, start, duration = np.moveaxis(batch.pushes, -1, 0)
+    if np.isnan(height).any():
+        height = np.where(np.isnan(height), batch.parameters[:, NAMES.index("com_height"), None], height)
+    columns = (force, force * height, _step(start, batch.period), _step(start + duration, batch.period))
+    return _flat(columns)
+
+
+def _ramps(batch: FleetBatch) -> Array:
+    """(·, 4q): wheel rate, yaw rate, start and end of each part of the reference."""
+    if batch.reference.shape[1] == 0:
+        return np.zeros((1, 0))
+    speed, turn, start, until = np.moveaxis(batch.reference, -1, 0)
+    rate = speed / batch.parameters[:, NAMES.index("wheel_radius"), None]
+    return _flat((rate, turn, start, until))
+
+
+def _floor(batch: FleetBatch) -> Array:
+    angle, start = batch.slope.T
+    return np.stack([np.sin(angle), np.cos(angle), _step(start, batch.period)], axis=1)
+
+
+def _flat(columns: Sequence[Array]) -> Array:
+    stacked = np.stack(np.broadcast_arrays(*columns), axis=-1)
+    return stacked.reshape(len(stacked), stacked.shape[1] * len(columns))
+
+
+def _step(t: Array, period: float) -> Array:
+    """The first step at or after `t` [s], but for rounding."""
+    return np.ceil((t - _SAME_TIME) / period)
+
+
+def _sensors(gains: Gains, kit: KitTables, at: Rows, block: _Block) -> Whole:
+    """The table of sensors of `run.run_blocks`, their rows taken from the block."""
+    readings = [at.reading + i for i, name in enumerate(gains.reads) if name.startswith("sensor/")]
+    table = list[tuple[int, ...]]()
+    for s, (reading, (kind, late, every)) in enumerate(zip(readings, kit.times.tolist(), strict=True)):
+        places = late // every + 3
+        row = block.take(b.SENSOR_SIZE, kit.sensor[:, s])
+        block.take(b.S_LINE - b.SENSOR_SIZE + places)
+        play = int(kit.sensor[:, s, b.S_PLAY].any())
+        random = ((b.S_NOISE, b.LOUD_NOISE), (b.S_WALK, b.LOUD_WALK), (b.S_BIAS, b.LOUD_BIAS))
+        loud = sum(sign for column, sign in random if kit.sensor[:, s, column].any())
+        table.append((kind, late, every, row, places, reading, play, loud))
+    return np.array(table, dtype=np.int64).reshape(-1, b.SENSOR_COLUMNS)
+
+
+def _gains(gains: Gains, at: Rows, block: _Block) -> tuple[Whole, Whole]:
+    """Groups of what is not zero in [z, y, r] → u and [z, y, r, a] → z⁺, as `block.apply_gains` wants them."""
+    rows = [at.memory + i for i in range(at.memory_count)] + [at.reading + i for i in range(len(gains.reads))]
+    rows += [b.REFERENCE + i for i in range(6 if at.ramp_count else 0)]
+    wanted = slice(None) if at.ramp_count else slice(0)
+    command = np.concatenate([gains.C, gains.Dy, gains.Dr[..., wanted]], axis=2)
+    nothing = block.take(1)
+    commands = _groups(command, rows, nothing, block)
+    if at.memory_count == 0:
+        return commands, commands[:0]
+    memory = np.concatenate([gains.A, gains.By, gains.Br[..., wanted], gains.Ba], axis=2)
+    return commands, _groups(memory, [*rows, g.LEFT, g.RIGHT], nothing, block)
+
+
+def _groups(matrix: Array, rows: Sequence[int], nothing: int, block: _Block) -> Whole:
+    """(groups, GROUP_COLUMNS); row `nothing` of the block, which is zero, is the gain where a group has none."""
+    to, sources = np.nonzero(matrix.any(axis=0) if len(matrix) > 1 else matrix[0])
+    first = block.take(len(to), matrix[:, to, sources]) if len(to) else nothing
+    pairs: list[list[tuple[int, int]]] = [[] for _ in range(matrix.shape[1])]
+    for k, (row, source) in enumerate(zip(to.tolist(), sources.tolist(), strict=True)):
+        pairs[row].append((rows[source], first + k))
+    table = list[list[int]]()
+    for row, own in enumerate(pairs):
+        own.extend([(own[-1][0] if own else g.H, nothing)] * (-len(own) % b.AT_ONCE if own else b.AT_ONCE))
+        for k in range(0, len(own), b.AT_ONCE):
+            table.append([row, int(k == 0), *(place for pair in own[k : k + b.AT_ONCE] for place in pair)])
+    return np.array(table, dtype=np.int64).reshape(-1, b.GROUP_COLUMNS)
+
+
+def _state(name: str) -> int:
+    names = [f"truth/{state}" for state in STATE_NAMES]
+    if name not in names:
+        raise SpecMismatch(f"the controller reads {name}", expected="sensors or one of " + ", ".join(names))
+    return names.index(name)
+
+
+def recorded(channels: Sequence[str], at: Rows, gains: Gains) -> tuple[Whole, Whole, tuple[str, ...]]:
+    """Rows to be recorded at the start and at the end of a period, and the channels in that order."""
+    start = {f"truth/{name}": g.PITCH + i for i, name in enumerate(STATE_NAMES)}
+    start |= {f"reference/{name}": b.REFERENCE + i for i, name in enumerate(STATE_NAMES)}
+    start |= {"command/left": b.COMMAND, "command/right": b.COMMAND + 1}
+    start |= {name: at.reading + i for i, name in enumerate(gains.reads) if name.startswith("sensor/")}
+    end = {"applied/left": g.LEFT, "applied/right": g.RIGHT, "push/force": g.FORCE}
+    for name in channels:
+        if name not in start | end:
+            raise SpecMismatch(f"no channel '{name}' in this fleet", expected="some of " + ", ".join(start | end))
+    before = [name for name in channels if name in start]
+    after = [name for name in channels if name in end]
+    rows = [
+        np.array([table[name] for name in names], dtype=np.int64) for names, table in ((before, start), (after, end))
+    ]
+    return rows[0], rows[1], (*before, *after)

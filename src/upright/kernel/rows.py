@@ -1,0 +1,103 @@
+"""The layout of a block and of its plan: names for numbers, shared by what fills blocks and what runs them.
+
+A block is one array of rows; each row holds one number for each of up to `LANES` robots, and rows start `ROW` apart.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from upright.compiled.generated import WORK, WORK_ROWS
+
+FOR_NOISE, FOR_WALK, FOR_BIAS, JITTER = 0, 2, 4, 6  # purposes of random numbers, the first three for four sensors each
+NEVER = 1 << 60  # [steps] longer than any run
+
+S_QUANTUM, S_NOISE, S_BIAS, S_WALK, S_RANGE, S_PLAY, SENSOR_SIZE = range(7)  # numbers of a sensor, and after them:
+S_OFFSET, S_SAID, S_TOUCH, S_WHEEL, S_LINE = range(
+    SENSOR_SIZE, SENSOR_SIZE + 5
+)  # offset, reading, encoder, wheel, delay line
+ENCODER_LEFT, ENCODER_RIGHT, GYRO, COMPASS, ACCEL_FORWARD, ACCEL_UP = range(6)  # kinds of sensors
+S_KIND, S_LATE, S_EVERY, S_ROW, S_PLACES, S_READING, S_SLACK, S_LOUD, SENSOR_COLUMNS = range(9)
+"""Columns of the table of sensors: kind, delay and period [steps], first row, places in the delay line, row of the
+reading, whether it has play, and the sum of what is random about it:"""
+LOUD_NOISE, LOUD_WALK, LOUD_BIAS = 1, 2, 4
+G_TO, G_FRESH, G_FIRST, AT_ONCE = 0, 1, 2, 4
+GROUP_COLUMNS = G_FIRST + 2 * AT_ONCE
+"""Columns of a table of gains: the row of a result, 1 where its sum begins, then `AT_ONCE` pairs of a row and of its
+gain's row. A sum is made four products at a time, since storing it takes longer than the products."""
+
+
+KIT = WORK + WORK_ROWS  # rows that every block has, after those of the motion
+LIMIT, DEAD_ZONE, QUANTUM, VOLTAGE, SAG, COUNTS = range(KIT, KIT + 6)  # numbers of a kit; then what is counted:
+PEAK_PITCH, PEAK_WHEEL, PEAK_YAW, OUTSIDE, EFFORT, SATURATED, SQUARE, REFERENCE = range(COUNTS, COUNTS + 8)
+KIT_SIZE, COUNTED = COUNTS - KIT, REFERENCE - COUNTS
+COMMAND = REFERENCE + 6  # 2: asked for; the reference has 6
+DRIVEN = COMMAND + 2  # 2: what the electronics make of it
+HOLD = DRIVEN + 2  # 8: see `block.arrive`
+LATE = HOLD + 8  # 3: see `block.arrive`
+NOISE = LATE + 3  # 6: one for each kind of sensor
+WALK = NOISE + 6  # 6
+FELT = WALK + 6  # 2: accelerometer
+FLOOR = FELT + 2  # 3: see `block.tilt`
+FREE = FLOOR + 3
+
+
+class Rows(NamedTuple):
+    """Where the rows start whose number varies, and how many there are."""
+
+    pushes: int  # 4 each
+    push_count: int
+    ramps: int  # 4 each
+    ramp_count: int
+    reading: int  # one for each channel that the controller reads
+    memory: int  # the controller's state, and as many rows for the next one
+    memory_count: int
+    ring: int  # 2 for each command on its way
+    slots: int
+
+
+class Plan(NamedTuple):
+    """Times that all robots share, and the compiled functions that suit them."""
+
+    periods: int
+    stride: int  # steps of a body in a period
+    substeps: int  # Runge-Kutta steps in one of those
+    every: int  # periods from one recorded row to the next, 0: none
+    own_gains: int  # 1: each robot has its own controller
+    slope: int  # 1: some floor slopes
+    alike: int  # 1: every command is equally late for all robots
+    advance: int  # address of `advance_…`
+    feel: int  # address of `specific_force_…`, 0 where no accelerometer is read
+    brain: int  # address of what decides instead of gains (see `lanes`), 0: nothing does
+    seed: int  # its 64 bits as a signed number
+
+
+class Sizes(NamedTuple):
+    """How long the tables are that the compiled loop gets."""
+
+    robots: int
+    rows: int  # of a block
+    own: int  # rows that differ from robot to robot
+    held: int  # recorded rows of a robot
+    truths: int
+    sensors: int
+    commands: int
+    memories: int
+    before: int  # channels recorded at the start of a period
+    after: int  # and at its end
+
+
+class Times(NamedTuple):
+    """Numbers of the plan that are not whole."""
+
+    step: float  # [s] of a body
+    h: float  # [s] of Runge and Kutta
+    fallen: float  # [rad]
+
+
+PUSHES, PUSH_COUNT, RAMPS, RAMP_COUNT, READING, MEMORY, MEMORY_COUNT, RING, SLOTS = range(9)
+PERIODS, STRIDE, SUBSTEPS, EVERY, OWN_GAINS, SLOPE, ALIKE, ADVANCE, FEEL, BRAIN, SEED = range(9, 20)
+ROBOTS, ALL_ROWS, OWN, HELD, TRUTHS, SENSORS, COMMANDS, MEMORIES, BEFORE, AFTER = range(20, 30)
+"""Places of the fields of `Rows`, `Plan` and `Sizes` in the one array that compiled functions get."""
+STEP, H_STEP, FALLEN_AT = range(3)
+"""Places of those of `Times`."""

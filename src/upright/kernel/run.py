@@ -1,0 +1,259 @@
+"""The loop over time for one block of robots after another: the compiled counterpart of `experiment.run`.
+
+Tables are plain addresses here, read by `item`: they are quicker to compile, and to hand on, than arrays.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from upright.compiled.generated import LANES, LEFT, LIVED, PITCH
+from upright.compiled.jit import call_on_block, call_to_move, get, item, njit, put, store
+from upright.compiled.random import fill_normals
+from upright.kernel import block as b
+from upright.kernel.rows import (
+    ADVANCE,
+    AFTER,
+    ALIKE,
+    BEFORE,
+    BRAIN,
+    COMMAND,
+    COMMANDS,
+    COUNTED,
+    COUNTS,
+    DRIVEN,
+    EVERY,
+    FALLEN_AT,
+    FEEL,
+    FELT,
+    FOR_BIAS,
+    FOR_NOISE,
+    FOR_WALK,
+    H_STEP,
+    HELD,
+    LOUD_BIAS,
+    LOUD_NOISE,
+    LOUD_WALK,
+    MEMORIES,
+    MEMORY,
+    MEMORY_COUNT,
+    NEVER,
+    NOISE,
+    OWN_GAINS,
+    PERIODS,
+    PUSH_COUNT,
+    PUSHES,
+    RAMP_COUNT,
+    RAMPS,
+    RING,
+    S_BIAS,
+    S_EVERY,
+    S_KIND,
+    S_LATE,
+    S_LINE,
+    S_LOUD,
+    S_OFFSET,
+    S_PLACES,
+    S_READING,
+    S_ROW,
+    S_SAID,
+    S_SLACK,
+    S_TOUCH,
+    S_WHEEL,
+    SEED,
+    SENSOR_COLUMNS,
+    SENSORS,
+    SLOPE,
+    SLOTS,
+    STEP,
+    STRIDE,
+    SUBSTEPS,
+    TRUTHS,
+    WALK,
+)
+
+
+@njit
+def draw(w: Any, count: int, plan: Any, index: Any, first: int, k: int, purpose: int, pair: int) -> None:
+    """Normal numbers of period `k` for sensors of the kinds 2 `pair` and 2 `pair` + 1, in their rows from NOISE on, or
+    from WALK on."""
+    out = (WALK if purpose == FOR_WALK else NOISE) + 2 * pair
+    fill_normals(w, out, count, index, first, k, purpose + pair // 2, pair % 2, item(plan, SEED))
+
+
+@njit
+def sense_first(w: Any, count: int, plan: Any, sensors: Any, index: Any, first: int) -> None:
+    """Sensors at rest since ever: what is on its way is the first reading; offsets are drawn."""
+    if item(plan, FEEL) != 0:
+        call_on_block(item(plan, FEEL), w, count, FELT)
+    for s in range(item(plan, SENSORS)):
+        t = s * SENSOR_COLUMNS
+        kind, row = item(sensors, t + S_KIND), item(sensors, t + S_ROW)
+        b.sense(w, count, kind, row + S_TOUCH)
+        for k in range(item(sensors, t + S_PLACES)):
+            b.copy(w, row + S_LINE + k, row + S_TOUCH, count)
+        if item(sensors, t + S_LOUD) & LOUD_BIAS:
+            draw(w, count, plan, index, first, 0 * kind, FOR_BIAS + 0 * kind, kind // 2)
+            for i in range(count):
+                put(w, row + S_OFFSET, i, get(w, row + S_BIAS, i) * get(w, NOISE + kind, i))
+
+
+@njit
+def sense_all(w: Any, count: int, plan: Any, sensors: Any, now: int) -> int:
+    """At body step `now`: every sensor takes in what will be read at a period's start; returns the next such step."""
+    if item(plan, FEEL) != 0 and now > 0:
+        call_on_block(item(plan, FEEL), w, count, FELT)
+    stride, following = item(plan, STRIDE), NEVER
+    for s in range(item(plan, SENSORS)):
+        t = s * SENSOR_COLUMNS
+        kind, row = item(sensors, t + S_KIND), item(sensors, t + S_ROW)
+        every, late = item(sensors, t + S_EVERY), item(sensors, t + S_LATE)
+        fresh = now + late
+        wanted = fresh % every == 0 and -(-fresh // stride) * stride < fresh + every
+        slack = item(sensors, t + S_SLACK) != 0
+        if slack and now > 0:
+            b.sense(w, count, kind, row + S_WHEEL)
+            b.slacken(w, count, row)
+        elif wanted:
+            b.sense(w, count, kind, row + S_TOUCH)
+        if wanted:
+            b.copy(w, row + S_LINE + (fresh // every) % item(sensors, t + S_PLACES), row + S_TOUCH, count)
+        fresh = (fresh // every + 1) * every
+        while -(-fresh // stride) * stride >= fresh + every:
+            fresh += every
+        following = min(following, now + 1 if slack else fresh - late)
+    return following
+
+
+@njit
+def read(w: Any, count: int, plan: Any, times: Any, sensors: Any, index: Any, first: int, k: int) -> None:
+    """Rows `reading`: what the sensors say at the start of period `k`; one without a fresh value holds its last."""
+    stride, drawn = item(plan, STRIDE), 0
+    now = k * stride
+    for s in range(item(plan, SENSORS)):
+        t = s * SENSOR_COLUMNS
+        kind, row, every = item(sensors, t + S_KIND), item(sensors, t + S_ROW), item(sensors, t + S_EVERY)
+        if k > 0 and now // every == (now - stride) // every:
+            continue
+        loud, pair = item(sensors, t + S_LOUD), kind // 2
+        for wanted, purpose in ((LOUD_NOISE, FOR_NOISE), (LOUD_WALK, FOR_WALK)):
+            done = 1 << (2 * pair + (purpose == FOR_WALK))
+            if loud & wanted and not drawn & done:
+                drawn |= done
+                draw(w, count, plan, index, first, k, purpose, pair)
+        passed = max(every, stride) if k > 0 else every
+        value = row + S_LINE + (now // every) % item(sensors, t + S_PLACES)
+        b.corrupt(w, count, value, row, kind, (passed * item(times, STEP)) ** 0.5)
+        b.copy(w, item(sensors, t + S_READING), row + S_SAID, count)
+
+
+@njit
+def decide(w: Any, count: int, plan: Any, times: Any, gains: Any, index: Any, first: int, k: int) -> int:
+    """The command of period `k`, on its way to the motors; returns the last step of the period at which one arrives."""
+    if item(plan, RAMP_COUNT) > 0:
+        t = k * item(plan, STRIDE) * item(times, STEP)
+        b.refer(w, count, item(plan, RAMPS), item(plan, RAMP_COUNT), t)
+    b.apply_gains(w, count, COMMAND + 0 * k, gains, item(plan, COMMANDS), item(plan, OWN_GAINS))
+    if item(plan, BRAIN) != 0:
+        call_on_block(item(plan, BRAIN), w, count, k)
+    b.drive(w, count)
+    slots = item(plan, SLOTS)
+    slot = item(plan, RING) + 2 * (k % slots) if slots else LEFT
+    b.copy(w, slot, DRIVEN + 0 * k, count)
+    b.copy(w, slot + 1, DRIVEN + 1 + 0 * k, count)
+    if slots == 0:
+        return -1
+    if item(plan, ALIKE):
+        return b.arrive_alike(w, count, item(plan, RING), slots, k, item(plan, STRIDE))
+    return b.arrive(w, count, item(plan, RING), slots, k, item(plan, STRIDE), index, first, item(plan, SEED))
+
+
+@njit
+def remember(w: Any, count: int, plan: Any, gains: Any) -> None:
+    """The controller's state at the start of the next period."""
+    many, row = item(plan, MEMORY_COUNT), item(plan, MEMORY)
+    b.apply_gains(w, count, row + many, gains, item(plan, MEMORIES), item(plan, OWN_GAINS))
+    for j in range(many):
+        b.copy(w, row + j, row + many + j, count)
+
+
+@njit
+def write(w: Any, count: int, final: Any, lived: Any, counted: Any, first: int) -> None:
+    """The block's results."""
+    for i in range(count):
+        store(lived, first + i, get(w, LIVED, i))
+        for j in range(6):
+            store(final, (first + i) * 6 + j, get(w, PITCH + j, i))
+        for j in range(COUNTED):
+            store(counted, (first + i) * COUNTED + j, get(w, COUNTS + j, i))
+
+
+@njit
+def move(
+    w: Any, count: int, plan: Any, times: Any, sensors: Any, begin: int, last: int, sensed: int, pushed: int,
+    tilted: int,
+) -> Any:  # fmt: skip
+    """The bodies' steps of the period that begins at step `begin`, whose last command arrives `last` steps later.
+
+    Returns when sensors next take something in, and when push and floor next change.
+    """
+    substeps, h, fallen = item(plan, SUBSTEPS), item(times, H_STEP), item(times, FALLEN_AT)
+    for s in range(item(plan, STRIDE)):
+        now = begin + s
+        if s > 0 and now >= sensed:
+            sensed = sense_all(w, count, plan, sensors, now)
+        if s <= last or (s == 0 and item(plan, SLOTS) > 0):
+            b.hold(w, count, float(s))
+        if now >= pushed:
+            pushed = b.push(w, count, item(plan, PUSHES), item(plan, PUSH_COUNT), now)
+        if now >= tilted:
+            tilted = b.tilt(w, count, now)
+        for r in range(substeps):
+            call_to_move(item(plan, ADVANCE), w, count, fallen, (now * substeps + r + 1) * h)
+    return sensed, pushed, tilted
+
+
+def entry(
+    w: Any, start: int, stop: int, plan: Any, times: Any, common: Any, rows: Any, table: Any, index: Any,
+    truth: Any, sensors: Any, command: Any, memory: Any, bands: Any, before: Any, after: Any,
+    final: Any, lived: Any, counted: Any, trace: Any,
+) -> None:  # fmt: skip
+    """Robots from `start` to before `stop`, `LANES` at a time, in the working memory `w`; results in the last four.
+
+    `plan` holds the fields of `Rows`, `Plan` and `Sizes`, `times` those of `Times`. `truth` (·, 2): row of a state and
+    of its reading; `sensors` (·, SENSOR_COLUMNS); `command` and `memory`: see `b.apply_gains`.
+    """
+    stride, every = item(plan, STRIDE), item(plan, EVERY)
+    step, h = item(times, STEP), item(times, H_STEP)
+    end = (item(plan, PERIODS) + 1) * stride * step
+    channels = item(plan, BEFORE) + item(plan, AFTER)
+    for first in range(start, stop, LANES):
+        count = min(LANES, stop - first)
+        b.fill(w, count, plan, common, rows, table, first)
+        sense_first(w, count, plan, sensors, index, first)
+        pushed, tilted = 0 if item(plan, PUSH_COUNT) > 0 else NEVER, 0 if item(plan, SLOPE) else NEVER
+        sensed = 0 if item(plan, SENSORS) > 0 else NEVER
+        for k in range(item(plan, PERIODS)):
+            if b.standing(w, count) == 0:
+                break
+            begin = k * stride
+            for r in range(item(plan, TRUTHS)):
+                b.copy(w, item(truth, 2 * r + 1), item(truth, 2 * r), count)
+            if begin >= sensed:
+                sensed = sense_all(w, count, plan, sensors, begin)
+            read(w, count, plan, times, sensors, index, first, k)
+            last = decide(w, count, plan, times, command, index, first, k)
+            b.count_period(w, count, bands, begin * step)
+            kept = every > 0 and k % every == 0
+            place = (first * item(plan, HELD) + k // every) * channels if kept else 0
+            if kept:
+                b.record(w, count, before, item(plan, BEFORE), trace, place, item(plan, HELD) * channels, end)
+            sensed, pushed, tilted = move(w, count, plan, times, sensors, begin, last, sensed, pushed, tilted)
+            b.count_effort(w, count)
+            if kept:
+                place += item(plan, BEFORE)
+                since = begin * step + h / 2
+                b.record(w, count, after, item(plan, AFTER), trace, place, item(plan, HELD) * channels, since)
+            if item(plan, MEMORY_COUNT) > 0:
+                remember(w, count, plan, memory)
+        write(w, count, final, lived, counted, first)

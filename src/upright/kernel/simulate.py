@@ -1,0 +1,129 @@
+"""Thousands of robots at once: `simulate` runs the loop of `experiment.run` for a whole batch in compiled code.
+
+A robot's result is the same bits whatever batch, order or number of threads it is computed in.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.compiled.generated import LANES
+from upright.control import Controller
+from upright.errors import InvalidScenario, SpecMismatch
+from upright.kernel.batch import NAMES, FleetBatch, FleetResult, Rows
+from upright.kernel.work import Order, Outcome, run_piece
+from upright.physics.dynamics import derivative
+from upright.signals import STATE_NAMES
+
+Array = NDArray[np.float64]
+
+STATE = tuple(f"truth/{name}" for name in STATE_NAMES)
+FOREVER = (math.inf, math.inf, math.inf)
+
+_STIFF = 0.5  # largest |pole|·h, as in `bodies.models`
+_TINY = 1e-100
+
+PIECE = 8192
+"""Most robots whose tables are made at once: few enough to stay near the processor, and to bound the memory."""
+
+_SHARES = 8  # pieces for each thread, so that one whose robots fall early leaves its thread more
+
+VARIANTS = ("smooth", "coulomb", "slope", "coulomb_slope")
+
+
+def simulate(
+    batch: FleetBatch,
+    seconds: float = 10.0,
+    *,
+    record: int = 0,
+    channels: Sequence[str] = STATE,
+    bands: Sequence[float] = FOREVER,
+    dtype: Any = np.float64,
+    threads: int | None = None,
+    brain: Controller | None = None,
+) -> FleetResult:
+    """Every robot of `batch` for `seconds`, or until it falls.
+
+    `channels` are recorded every `record` periods (0: not at all): truth/…, reference/…, command/…, applied/…,
+    push/force and the sensor/… that the controller reads. `bands` are |pitch|, |wheel|, |yaw| [rad] inside
+    which a robot counts as settled. `dtype` is float64 or float32; `threads` is by default the number of processors.
+    A `brain` decides in place of the batch's gains, which are then `Gains.silent`: any controller, called in Python
+    for one robot after another, in float64 and one thread.
+
+    Raises `InvalidScenario` for times that make no sense, `SpecMismatch` for channels that are not there.
+    """
+    stride, periods = _times(batch.period, batch.gains.period, seconds)
+    substeps = batch.substeps or substeps_for(batch.parameters, batch.model, batch.period)
+    order = Order(
+        periods, stride, substeps, record, tuple(channels if record else ()), tuple(bands), np.dtype(dtype), brain
+    )
+    out = Outcome.room(batch.n, order)
+    workers = 1 if brain else max(1, threads or os.cpu_count() or 1)
+    pieces = _pieces(batch, workers)
+    alone = min(workers, len(pieces)) == 1 or batch.n <= PIECE
+
+    def work(piece: tuple[str, Rows]) -> None:
+        run_piece(batch, piece[1], piece[0], order, out, workers if alone else 1)
+
+    if alone:
+        for piece in pieces:
+            work(piece)
+    else:
+        with ThreadPoolExecutor(workers) as pool:
+            list(pool.map(work, pieces))
+    return out.result(order, batch.period)
+
+
+def _pieces(batch: FleetBatch, workers: int) -> list[tuple[str, Rows]]:
+    """Robots that go together, and the step that moves them: no robot gets what only another one needs, so that its
+    arithmetic does not depend on its company."""
+    share = max(PIECE // _SHARES, batch.n // (_SHARES * workers))
+    size = batch.n if batch.n <= PIECE else min(PIECE, -(-share // LANES) * LANES)
+    rough = batch.parameters[:, NAMES.index("coulomb_friction")] != 0
+    kinds = rough + 2 * (batch.slope[:, 0] != 0)
+    if len(kinds) == 1 or (kinds == kinds[0]).all():
+        starts = range(0, batch.n, size)
+        return [(VARIANTS[int(kinds[0])], slice(start, min(batch.n, start + size))) for start in starts]
+    found = [(VARIANTS[k], np.flatnonzero(kinds == k)) for k in np.unique(kinds).tolist()]
+    return [(name, rows[start : start + size]) for name, rows in found for start in range(0, len(rows), size)]
+
+
+def substeps_for(parameters: Array, model: str | Sequence[str], period: float) -> int:
+    """Runge–Kutta steps in a body's `period` [s] that follow the fastest pole of the fastest robot."""
+    p = SimpleNamespace(**dict(zip(NAMES, parameters.T, strict=True)))
+    models = {model} if isinstance(model, str) else set(model)
+    fastest = max(float(_fastest(p, name, len(parameters)).max()) for name in models)
+    return max(1, math.ceil(fastest * period / _STIFF))
+
+
+def _fastest(p: Any, model: str, n: int) -> Array:
+    """Largest |pole| (n,) [1/s] standing upright; by complex steps of the dynamics, for all robots together."""
+    jacobian = np.zeros((n, 4, 4))
+    at = (0, 1, 3, 5)  # wheel angle and heading move nothing
+    for column, state in enumerate(at):
+        x = [np.full(n, 1j * _TINY if k == state else 0j) for k in range(6)]
+        slopes = derivative(x, (0.0, 0.0), p, xp=np, model=model)
+        for row, k in enumerate(at):
+            jacobian[:, row, column] = np.imag(slopes[k]) / _TINY
+    return np.abs(np.linalg.eigvals(jacobian)).max(axis=1)
+
+
+def _times(step: float, period: float, seconds: float) -> tuple[int, int]:
+    stride = round(period / step)
+    if stride < 1 or not math.isclose(stride * step, period, rel_tol=1e-9):
+        raise SpecMismatch(
+            f"the controller's period {period:g} s is not a multiple of the body's {step:g} s",
+            expected="a period that divides it",
+            mend="change one of the two periods",
+        )
+    if not (math.isfinite(seconds) and seconds > 0):
+        raise InvalidScenario(f"a run of {seconds:g} s", expected="more than zero")
+    return stride, round(seconds / period)

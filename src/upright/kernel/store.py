@@ -1,0 +1,166 @@
+"""Compiled functions kept on disk as machine code, so that only the first run on a machine needs the compiler.
+
+The key is a hash of the sources, of the versions of Python, Numba and LLVM, and of the processor, so that nothing stale
+is ever loaded. Loading needs LLVM's linker alone, not Numba, whose import takes longer than everything else together.
+Files stand in `UPRIGHT_CACHE`, or in the user's cache folder; where neither can be written, every process compiles.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import os
+import sys
+import tempfile
+from collections.abc import Generator
+from contextlib import contextmanager
+from functools import cache
+from importlib import import_module
+from importlib.metadata import version
+from pathlib import Path
+from threading import Lock
+from typing import Any
+
+llvm: Any = import_module("llvmlite.binding")
+
+SOURCES = (
+    "compiled/generated.py", "compiled/generated_motion.py", "compiled/jit.py", "compiled/lane_math.py",
+    "compiled/random.py", "kernel/block.py", "kernel/rows.py", "kernel/run.py", "kernel/store.py",
+)  # fmt: skip
+_engines: list[Any] = []  # what they loaded lives as long as they do
+_lock = Lock()
+
+
+def address_of(module: str, function: str, arguments: tuple[str, ...]) -> int:
+    """Address of `function` of `upright.<module>`, compiled for `arguments`: Numba's names of types, "*T" for a
+    pointer to T. It returns nothing."""
+    with _lock:
+        return _address_of(module, function, arguments)
+
+
+def call(address: int, arguments: list[Any]) -> None:
+    """Calls it with addresses and whole numbers, other threads running on."""
+    _prototype(len(arguments))(address)(*arguments)
+
+
+@cache
+def _prototype(count: int) -> Any:
+    return ctypes.CFUNCTYPE(None, *[ctypes.c_int64] * count)
+
+
+@cache
+def _address_of(module: str, function: str, arguments: tuple[str, ...]) -> int:
+    path = folder() / f"{function}-{hashlib.sha256(repr((_stamp(), module, arguments)).encode()).hexdigest()[:24]}.o"
+    try:
+        code = path.read_bytes()
+    except OSError:
+        code = _compiled(module, function, arguments)
+        _keep(path, code)
+    return _load(code, function)
+
+
+@cache
+def _stamp() -> str:
+    """All that decides what the compiler makes."""
+    here = Path(__file__).parents[1]
+    texts = [(here / name).read_bytes() for name in SOURCES]
+    tools = [version("numba"), version("llvmlite"), sys.version, sys.platform]
+    machine = [llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()]
+    return hashlib.sha256(b"\0".join([*texts, *(part.encode() for part in tools + machine)])).hexdigest()
+
+
+def folder() -> Path:
+    """Where compiled functions are kept."""
+    if chosen := os.environ.get("UPRIGHT_CACHE"):
+        return Path(chosen)
+    home = {"win32": os.environ.get("LOCALAPPDATA"), "darwin": "~/Library/Caches"}.get(sys.platform)
+    return Path(home or os.environ.get("XDG_CACHE_HOME") or "~/.cache").expanduser() / "upright"
+
+
+def _keep(path: Path, code: bytes) -> None:
+    """Written whole or not at all, so that another process never reads half a file."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
+            file.write(code)
+        os.replace(file.name, path)
+    except OSError:
+        return
+
+
+def _compiled(module: str, function: str, arguments: tuple[str, ...]) -> bytes:
+    """Machine code of an object file whose one entry has the name of the function and takes nothing but `arguments`."""
+    numba: Any = import_module("numba")
+    types = numba.types
+    kinds = [types.CPointer(getattr(types, a[1:])) if a[0] == "*" else getattr(types, a) for a in arguments]
+    python = getattr(import_module(f"upright.{module}"), function)
+    with _not_optimised(numba):
+        options = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+        made: Any = numba.njit(types.void(*kinds), **options)(python)
+    (result,) = made.overloads.values()
+    final = llvm.parse_assembly(str(result.library._final_module))
+    inner = result.fndesc.llvm_func_name
+    final.link_in(llvm.parse_assembly(_entrance(function, inner, [_LLVM.get(a, "ptr") for a in arguments])))
+    for part in final.functions:
+        if not part.is_declaration and part.name != function:
+            part.linkage = "internal"
+    machine = result.library.codegen._tm
+    return machine.emit_object(_optimised(final, machine))
+
+
+@contextmanager
+def _not_optimised(numba: Any) -> Generator[None]:
+    """Numba optimises every function when it is made, and again in each one that calls it; here all are optimised once,
+    together. No other thread compiles meanwhile."""
+    locked = import_module("numba.core.compiler_lock").global_compiler_lock
+    with locked:
+        level = numba.config.OPT
+        numba.config.OPT = type(level)(0)
+        try:
+            yield
+        finally:
+            numba.config.OPT = level
+
+
+def _optimised(module: Any, machine: Any) -> Any:
+    """At level 3, with loops as vectors. Unrolled, a loop over 64 robots is no quicker, and takes twice as long to
+    compile."""
+    tuning = llvm.create_pipeline_tuning_options(speed_level=3)
+    tuning.loop_vectorization, tuning.slp_vectorization = True, False
+    tuning.loop_unrolling = tuning.loop_interleaving = False
+    tuning.inlining_threshold = 0
+    builder = llvm.create_pass_builder(machine, tuning)
+    passes = builder.getModulePassManager()
+    passes.add_global_dead_code_eliminate_pass()
+    passes.run(module, builder)
+    return module
+
+
+_LLVM = {"int64": "i64", "uint64": "i64", "float64": "double", "float32": "float"}
+
+
+def _entrance(name: str, inner: str, kinds: list[str]) -> str:
+    """A function that calls Numba's with room for its result and for an exception, of which there are none. Nor is
+    there any memory to be freed, though Numba asks."""
+    head = ", ".join(f"{kind} %a{i}" for i, kind in enumerate(kinds))
+    return f"""
+        declare i32 @"{inner}"(ptr, ptr, {", ".join(kinds)})
+        define void @NRT_MemInfo_call_dtor(ptr %memory) {{ ret void }}
+        define void @{name}({head}) {{
+            %result = alloca ptr
+            %exception = alloca ptr
+            %status = call i32 @"{inner}"(ptr %result, ptr %exception, {head})
+            ret void
+        }}"""
+
+
+def _load(code: bytes, name: str) -> int:
+    if not _engines:
+        llvm.initialize_native_target()
+        llvm.initialize_native_asmprinter()
+    machine = llvm.Target.from_default_triple().create_target_machine(jit=True)
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
+    engine.add_object_file(llvm.ObjectFileRef.from_data(code))
+    engine.finalize_object()
+    _engines.append(engine)
+    return engine.get_function_address(name)

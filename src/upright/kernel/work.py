@@ -1,0 +1,173 @@
+"""One piece of a batch through the compiled loop: its tables made, its blocks shared out, its outcome written."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.bodies.body import FALLEN
+from upright.compiled.generated import LANES, ROW
+from upright.control import Controller
+from upright.kernel import rows as b
+from upright.kernel.batch import FleetBatch, FleetResult, Rows
+from upright.kernel.kit import kit_tables
+from upright.kernel.lanes import Lanes
+from upright.kernel.pack import Packed, pack, recorded
+from upright.kernel.rows import Plan, Sizes, Times
+from upright.kernel.store import address_of, call
+
+_SHARES = 8  # shares of the work for each thread, so that one that falls early leaves its thread more
+
+
+class Order(NamedTuple):
+    """What is asked of all robots."""
+
+    periods: int
+    stride: int  # steps of a body in a period
+    substeps: int
+    record: int  # periods from one recorded row to the next, 0: none
+    channels: tuple[str, ...]
+    bands: tuple[float, ...]
+    dtype: Any
+    brain: Controller | None
+
+
+class Outcome(NamedTuple):
+    """Where the compiled loop writes."""
+
+    final: NDArray[Any]
+    lived: NDArray[Any]
+    counted: NDArray[Any]
+    trace: NDArray[Any]
+
+    @classmethod
+    def room(cls, n: int, order: Order) -> Outcome:
+        final, lived, counted = (np.zeros(size, order.dtype) for size in ((n, 6), (n,), (n, b.COUNTED)))
+        kept = -(-order.periods // order.record) if order.record else 0
+        return cls(final, lived, counted, np.full((n, kept, len(order.channels)), np.nan, order.dtype))
+
+    def part(self, rows: Rows) -> Outcome:
+        """Some robots: a view for a slice, else a copy."""
+        return Outcome(*(array[rows] for array in self))
+
+    def take(self, rows: Rows, part: Outcome) -> None:
+        """Writes back a copied part."""
+        for array, values in zip(self, part, strict=True):
+            array[rows] = values
+
+    def result(self, order: Order, step: float) -> FleetResult:
+        period = order.stride * step
+        end = order.periods * period
+        fell = ~(np.abs(self.final[:, 0]) <= FALLEN)
+        lived, counted = np.asarray(self.lived, np.float64), np.asarray(self.counted, np.float64)
+        periods = np.maximum(1, np.ceil(lived / period - 1e-6))
+        outside = counted[:, b.OUTSIDE - b.COUNTS]
+        never = fell | (outside > end - 1.5 * period)
+        return FleetResult(
+            final=self.final,
+            fell=fell,
+            lived=lived,
+            peak=counted[:, :3],
+            settled=np.where(never, np.nan, np.where(outside < 0, 0.0, outside + period)),
+            rms_pitch=np.sqrt(counted[:, b.SQUARE - b.COUNTS] / periods),
+            effort=counted[:, b.EFFORT - b.COUNTS] * period,
+            saturated=counted[:, b.SATURATED - b.COUNTS] / periods,
+            t=np.arange(self.trace.shape[1]) * period * order.record,
+            channels=recorded_order(order.channels),
+            trace=self.trace,
+            substeps=order.substeps,
+        )
+
+
+def recorded_order(channels: tuple[str, ...]) -> tuple[str, ...]:
+    """The channels as they stand in a trace: first those of a period's start, then those of its end."""
+    late = [name for name in channels if name.startswith(("applied/", "push/"))]
+    return (*(name for name in channels if name not in late), *late)
+
+
+def run_piece(batch: FleetBatch, rows: Rows, variant: str, order: Order, out: Outcome, threads: int) -> None:
+    """The robots number `rows` of the batch, moved by the step called `variant`, into the same rows of `out`.
+
+    Raises `SpecMismatch` for what the kit or the channels do not have, `InvalidScenario` for impossible times.
+    """
+    whole = isinstance(rows, slice) and rows.stop - rows.start == batch.n
+    piece = batch if whole else batch.part(rows)
+    h = batch.period / order.substeps
+    kit = kit_tables(piece, order.stride)
+    packed = pack(piece, kit, h, order.dtype)
+    before, after, _ = recorded(order.channels, packed.at, piece.gains)
+    lanes = Lanes(order.brain, packed.at) if order.brain else None
+    plan = Plan(
+        order.periods, order.stride, order.substeps, order.record, int(len(piece.gains.C) > 1),
+        int("slope" in variant), int(len(kit.late) == 1 and not kit.late[0, 2]), *_motion(piece, variant, order.dtype),
+        lanes.address if lanes else 0, int(np.uint64(batch.seed).astype(np.int64)),
+    )  # fmt: skip
+    here = out if whole else out.part(rows)
+    extra = (np.array(order.bands, order.dtype), before, after)
+    _run(piece, packed, plan, Times(batch.period, h, FALLEN), extra, here, threads)
+    if lanes:
+        lanes.check()
+    if not isinstance(rows, slice):
+        out.take(rows, here)
+
+
+def _motion(batch: FleetBatch, variant: str, dtype: Any) -> tuple[int, int]:
+    """Addresses of the compiled step and, where it is read, of the accelerometer (else 0)."""
+    number = _name(dtype)
+    move = "step" if batch.n == 1 else "advance"
+    advance = address_of("generated_motion", f"{move}_{variant}", (f"*{number}", "int64", number, number))
+    if not any("accel" in name for name in batch.gains.reads):
+        return advance, 0
+    return advance, address_of("generated_motion", f"specific_force_{variant}", (f"*{number}", "int64", "int64"))
+
+
+def _run(
+    batch: FleetBatch, packed: Packed, plan: Plan, times: Times, rows: tuple[Any, ...], out: Outcome, threads: int
+) -> None:
+    """Shares the blocks out; each thread has its own working memory, which starts at a cache line."""
+    size = len(packed.common)
+    entry = _entry(_name(packed.common.dtype))
+    index = np.arange(batch.n, dtype=np.uint64) if batch.index is None else np.array(batch.index, dtype=np.uint64)
+    held = (packed.truth, packed.sensors, packed.command, packed.memory, rows[1], rows[2])
+    sizes = Sizes(batch.n, size, len(packed.rows), out.trace.shape[1], *map(len, held))
+    numbers = np.array([*packed.at, *plan, *sizes], dtype=np.int64)
+    arrays = (
+        numbers, np.array(times), packed.common, packed.rows, packed.table, index, packed.truth, packed.sensors,
+        packed.command, packed.memory, *rows, *out,
+    )  # fmt: skip
+    addresses = [array.ctypes.data for array in arrays]
+    blocks = -(-batch.n // LANES)
+    share = LANES * (blocks if threads == 1 else max(1, -(-blocks // (threads * _SHARES))))
+
+    def work(start: int) -> None:
+        memory = _aligned(size * ROW, packed.common.dtype)
+        call(entry, [memory.ctypes.data, start, min(batch.n, start + share), *addresses])
+
+    starts = range(0, batch.n, share)
+    if len(starts) == 1:
+        work(0)
+        return
+    with ThreadPoolExecutor(threads) as pool:
+        list(pool.map(work, starts))
+
+
+@cache
+def _entry(number: str) -> int:
+    p, w = "*int64", f"*{number}"
+    kinds = (w, "int64", "int64", p, "*float64", w, p, w, "*uint64", p, p, p, p, w, p, p, w, w, w, w)
+    return address_of("kernel.run", "entry", kinds)
+
+
+@cache
+def _name(dtype: Any) -> str:
+    return np.dtype(dtype).name
+
+
+def _aligned(size: int, dtype: Any) -> NDArray[Any]:
+    raw = np.empty(size * dtype.itemsize + 64, np.uint8)
+    skip = -raw.ctypes.data % 64
+    return raw[skip : skip + size * dtype.itemsize].view(dtype)

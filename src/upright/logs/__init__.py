@@ -1,0 +1,1 @@
+"""Logs that other programs wrote: readers, mappings, and the recording a fit needs."""

@@ -1,0 +1,310 @@
+"""From foreign columns to our channels: a small TOML file says name, unit, sign, scale, offset and delay of each."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import tomllib
+from collections.abc import Mapping as Mapped
+from collections.abc import Sequence
+from dataclasses import dataclass, field, fields
+from importlib.resources import files
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.errors import InvalidLog, UnknownName
+from upright.logs.readers import Table
+from upright.signals import Log
+from upright.signals.header import TIME
+from upright.signals.signal import KNOWN
+
+Array = NDArray[np.float64]
+
+UNITS: dict[str, tuple[float, str]] = {
+    "": (1.0, ""), "1": (1.0, "1"), "%": (0.01, "1"), "s": (1.0, "s"), "ms": (1e-3, "s"), "us": (1e-6, "s"),
+    "µs": (1e-6, "s"), "ns": (1e-9, "s"), "rad": (1.0, "rad"), "deg": (math.pi / 180, "rad"),
+    "mdeg": (math.pi / 180e3, "rad"), "turn": (math.tau, "rad"), "mrad": (1e-3, "rad"), "rad/s": (1.0, "rad/s"),
+    "deg/s": (math.pi / 180, "rad/s"), "mdeg/s": (math.pi / 180e3, "rad/s"), "mrad/s": (1e-3, "rad/s"),
+    "rpm": (math.tau / 60, "rad/s"), "V": (1.0, "V"), "mV": (1e-3, "V"), "N m": (1.0, "N m"), "mN m": (1e-3, "N m"),
+    "m/s²": (1.0, "m/s²"), "g": (9.80665, "m/s²"), "m": (1.0, "m"), "mm": (1e-3, "m"), "m/s": (1.0, "m/s"),
+}  # fmt: skip
+"""Unit of a column → (factor, SI unit)."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Source:
+    """Where one channel comes from: sign · scale · factor of `unit` · column (· channel `times`) + offset.
+
+    `times` names another mapped channel that multiplies this one: per cent of a battery becomes volts. `integrate` sums
+    a rate over the time steps, exactly undoing the difference quotient that made it; `delay` [s] is how late the
+    reading is, and it is read that much earlier.
+    """
+
+    column: str
+    unit: str = ""
+    sign: int = 1
+    scale: float = 1.0
+    offset: float = 0.0
+    delay: float = 0.0
+    times: str = ""
+    integrate: bool = False
+
+    def __post_init__(self) -> None:
+        if self.unit not in UNITS:
+            raise UnknownName("unit", self.unit, [unit for unit in UNITS if unit])
+        if self.sign not in (1, -1):
+            raise InvalidLog(f"column '{self.column}': sign is {self.sign}", expected="1 or -1")
+        for name in ("scale", "offset", "delay"):
+            value = getattr(self, name)
+            if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+                raise InvalidLog(f"column '{self.column}': {name} is {value!r}", expected="a finite number")
+
+
+@dataclass(frozen=True)
+class Mapping:
+    """`time` and `channels` (our name → source) and `constants` (our name → value in our unit)."""
+
+    name: str
+    time: Source
+    channels: Mapped[str, Source]
+    constants: Mapped[str, float] = field(default_factory=dict[str, float])
+    about: str = ""
+
+    @classmethod
+    def preset(cls, name: str) -> Mapping:
+        """A mapping that is shipped; `UnknownName` lists them."""
+        if name not in mappings():
+            raise UnknownName("mapping", name, mappings())
+        return _read(files("upright.logs").joinpath("mappings", f"{name}.toml").read_text("utf-8"), name)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Mapping:
+        """A mapping from a TOML file; raises `InvalidLog` with one line."""
+        source = Path(path).expanduser()
+        try:
+            text = source.read_text("utf-8")
+        except (OSError, UnicodeDecodeError) as error:
+            raise InvalidLog(f"mapping {source} cannot be read ({getattr(error, 'strerror', error)})") from None
+        return _read(text, str(source))
+
+    def to_toml(self) -> str:
+        """The text that `load` reads back as this mapping."""
+        lines = [f"name = {_quoted(self.name)}", f"about = {_quoted(self.about)}", "", "[time]", *_said(self.time)]
+        if self.constants:
+            lines += ["", "[constants]", *(f"{_quoted(name)} = {value!r}" for name, value in self.constants.items())]
+        for name, source in self.channels.items():
+            lines += ["", f"[channels.{_quoted(name)}]", *_said(source)]
+        return "\n".join(lines) + "\n"
+
+    def fits(self, table: Table) -> bool:
+        """Whether the table has every column this mapping reads."""
+        return all(source.column in table.columns for source in (self.time, *self.channels.values()))
+
+
+def mappings() -> list[str]:
+    """Names of the mappings that are shipped."""
+    folder = files("upright.logs").joinpath("mappings")
+    return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
+
+
+def find_mapping(name: str | Path) -> Mapping:
+    """A shipped mapping by name, or one from a file."""
+    return Mapping.preset(str(name)) if str(name) in mappings() else _from_file(name)
+
+
+def _from_file(name: str | Path) -> Mapping:
+    if not Path(name).expanduser().is_file():
+        raise UnknownName("mapping", str(name), mappings())
+    return Mapping.load(name)
+
+
+def _read(text: str, where: str) -> Mapping:
+    try:
+        said = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InvalidLog(f"mapping {where} is no TOML ({error})") from None
+    if not (isinstance(said.get("time"), dict) and isinstance(said.get("channels"), dict)):
+        raise InvalidLog(f"mapping {where} is incomplete", expected='[time] and [channels."our/name"] with column = …')
+    channels = {name: _source(entry, f"{where}, {name}") for name, entry in said["channels"].items()}
+    constants = {name: float(value) for name, value in said.get("constants", {}).items()}
+    for name, source in channels.items():
+        if source.times and source.times not in {*channels, *constants}:
+            raise InvalidLog(
+                f"mapping {where}: {name} is times '{source.times}'", expected="a mapped channel or constant"
+            )
+    return Mapping(str(said.get("name", "")), _source(said["time"], f"{where}, time"), channels, constants,
+                   str(said.get("about", "")))  # fmt: skip
+
+
+def _source(entry: Any, where: str) -> Source:
+    known = {f.name for f in fields(Source)}
+    if not isinstance(entry, dict) or not isinstance(cast("dict[str, Any]", entry).get("column"), str):
+        raise InvalidLog(f"mapping {where}: no column", expected='column = "name in the file"')
+    for key in cast("dict[str, Any]", entry):
+        if key not in known:
+            raise UnknownName(f"entry of mapping {where}", key, known)
+    try:
+        return Source(**cast("dict[str, Any]", entry))
+    except (InvalidLog, UnknownName) as error:
+        raise InvalidLog(f"mapping {where}: {error}") from None
+
+
+def _said(source: Source) -> list[str]:
+    default = Source(column="")
+    values = {f.name: getattr(source, f.name) for f in fields(Source)}
+    kept = {name: value for name, value in values.items() if name == "column" or value != getattr(default, name)}
+    return [
+        f"{name} = {_quoted(value) if isinstance(value, str) else repr(value).lower()}" for name, value in kept.items()
+    ]
+
+
+def _quoted(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False)
+
+
+def channels_of(mapping: Mapping, table: Table) -> tuple[Array, dict[str, Array], dict[str, str]]:
+    """Time [s] as it stands in the file, the mapped channels and their units: rows unchanged, delays left in."""
+    t = _values(mapping.time, table)
+    channels = {name: np.full(len(t), value) for name, value in mapping.constants.items()}
+    units = {name: KNOWN[name].unit if name in KNOWN else "" for name in channels}
+    for name in sorted(mapping.channels, key=lambda name: bool(mapping.channels[name].times)):
+        source = mapping.channels[name]
+        values = _values(source, table)
+        if source.times:
+            values = values * channels[source.times]
+        channels[name] = _summed(values, t) + source.offset if source.integrate else values + source.offset
+        units[name] = _unit(name, source, units)
+    return t, {name: channels[name] for name in (*mapping.channels, *mapping.constants)}, units
+
+
+def apply(mapping: Mapping, table: Table) -> Log:
+    """The table as a log in our channels, with the delays of the mapping taken out (rows without data are cut off).
+
+    Raises `InvalidLog` where a column is missing or holds text, or where the time does not increase.
+    """
+    t, channels, units = channels_of(mapping, table)
+    log = Log(t, channels, units, {"file": table.source, "mapping": mapping.name, **table.origin})
+    delays = {name: source.delay for name, source in mapping.channels.items() if source.delay}
+    return undelayed(log, delays) if delays else log
+
+
+def undelayed(log: Log, delays: Mapped[str, float]) -> Log:
+    """`log` with these channels read that much [s] earlier, cut to the rows for which every reading is there."""
+    channels = dict(log.channels)
+    for name, delay in delays.items():
+        channels[name] = np.interp(log.t + delay, log.t, log[name])
+    last = log.t[-1] - max(0.0, *delays.values())
+    first = log.t[0] - min(0.0, *delays.values())
+    keep = (log.t >= first - 1e-9) & (log.t <= last + 1e-9)
+    return Log(log.t[keep], {name: values[keep] for name, values in channels.items()}, log.units, log.origin)
+
+
+def _values(source: Source, table: Table) -> Array:
+    return table.column(source.column) * (source.sign * source.scale * UNITS[source.unit][0])
+
+
+def _summed(rates: Array, t: Array) -> Array:
+    return np.concatenate([[0.0], np.cumsum(rates[1:] * np.diff(t))])
+
+
+def _unit(name: str, source: Source, units: Mapped[str, str]) -> str:
+    if source.times:
+        return units[source.times]
+    si = UNITS[source.unit][1]
+    if source.integrate:
+        si = si.removesuffix("/s")
+    if name in KNOWN and si not in ("V", "N m"):
+        return KNOWN[name].unit  # a scale has made it so: metres a second over the radius are radians a second
+    return si
+
+
+def identity(table: Table) -> Mapping:
+    """The mapping of a file that already has our names: `t` and channels with a '/'."""
+    # A known channel that holds text is mapped as well, so that reading it says so.
+    names = [name for name in table.columns if name != TIME and "/" in name] + [n for n in table.text if n in KNOWN]
+    return Mapping("ours", Source(column=TIME, unit="s"), {name: Source(column=name) for name in names})
+
+
+_ENCODER = r"(?:enc\w*|cnt|count\w*|tacho\w*|pos\w*|angle|wheel|motor\w*)"
+_RATE = r"(?:speed|vel\w*|omega|w)"
+_COMMAND = r"\b(?:pwm|duty|volt\w*|u|cmd|command|torque|power)"
+_BODY_RATE = r"(?:pitch|tilt|theta|psi|body)[ _]?(?:rate|dot|vel|speed)|gyro(?: (?:y|raw|rate|spd|speed))?\b"
+
+_WORDS: Sequence[tuple[str, str]] = (
+    (rf"{_ENCODER} ?(?:l|left)\b|\b(?:l|left) ?{_ENCODER}", "sensor/encoder_left"),
+    (rf"{_ENCODER} ?(?:r|right)\b|\b(?:r|right) ?{_ENCODER}", "sensor/encoder_right"),
+    (rf"\b{_RATE} (?:l|left)\b", "rate of sensor/encoder_left"),
+    (rf"\b{_RATE} (?:r|right)\b", "rate of sensor/encoder_right"),
+    (rf"{_COMMAND} ?(?:l|left)\b", "command/left"),
+    (rf"{_COMMAND} ?(?:r|right)\b", "command/right"),
+    (r"\b(?:pitch|tilt|lean)(?: (?:rad|deg|x10|est\w*|angle))*$|gyro ?(?:ang\w*|est\w*)", "estimate/pitch"),
+    (_BODY_RATE, "sensor/gyro"),
+    (r"\bbat\w*|\bvbat\w*", "sensor/battery"),
+    (r"\b(?:heading|compass|yaw)(?: (?:rad|deg))?$", "sensor/compass"),
+    (r"^(?:t|time\w*|ts|clock|seconds|sec)\b", TIME),
+)
+"""Words by which foreign programs call our channels, the more particular first."""
+
+_SUFFIXES: Sequence[tuple[str, str]] = (
+    (r"\brad(?:ps| s|s)\b", "rad/s"), (r"\bdeg(?:ps| s|s)\b|\bdps\b", "deg/s"), (r"\bdeg\b", "deg"),
+    (r"\brad\b", "rad"), (r"mv\b", "mV"), (r"\b(?:ms|millis)\b", "ms"), (r"\b(?:us|micros)\b", "us"),
+    (r"\bns\b", "ns"), (r"\bn?nm\b", "N m"), (r"\b(?:pwm|duty|percent)", "%"), (r"\brpm\b", "rpm"),
+)  # fmt: skip
+
+
+def propose(table: Table) -> Mapping:
+    """The mapping that seems to fit: ours, a shipped one whose columns are all there, or a guess from the names.
+
+    The guess takes units that stand in the names; what it gets wrong (sign, unit, sides) the doctor finds by physics.
+    Raises `InvalidLog` when no time or nothing else is recognised.
+    """
+    if TIME in table.columns and any(name in KNOWN for name in (*table.columns, *table.text)):
+        return identity(table)
+    for name in mappings():
+        preset = Mapping.preset(name)
+        if preset.fits(table) and not (preset.time.column == "c1" and len(table.columns) != 18):
+            return preset
+    return _guess(table)
+
+
+def _guess(table: Table) -> Mapping:
+    found: dict[str, Source] = {}
+    for column in table.columns:
+        name = _recognised(column)
+        key = name.removeprefix("rate of ")
+        if name and key not in found:
+            found[key] = Source(column=column, unit=_named_unit(column, table), integrate=name != key)
+    time = found.pop(TIME, None)
+    if time is None or not found:
+        raise InvalidLog(
+            f"no {'time' if time is None else 'channel'} is recognised among {', '.join(list(table.columns)[:12])}",
+            mend="write a mapping (docs/logs.md) and give it with --mapping",
+        )
+    battery = "sensor/battery" in found
+    for name, source in found.items():
+        if source.unit == "%" and battery:
+            found[name] = Source(column=source.column, unit="%", times="sensor/battery")
+        elif source.unit == "%":
+            found[name] = Source(column=source.column)
+    return Mapping("guess", time, found, about="guessed from the names of the columns; check it")
+
+
+def _plain(column: str) -> str:
+    """`motorAngleLeft_deg` → `motor angle left deg`."""
+    return re.sub(r"[_\W]+", " ", re.sub(r"(?<=[a-z])(?=[A-Z][a-z])", " ", column)).lower().strip()
+
+
+def _recognised(column: str) -> str:
+    words = _plain(column)
+    return next((name for pattern, name in _WORDS if re.search(pattern, words)), "")
+
+
+def _named_unit(column: str, table: Table) -> str:
+    if table.units.get(column, "") in UNITS and table.units.get(column):
+        return table.units[column]
+    words = _plain(column)
+    return next((unit for pattern, unit in _SUFFIXES if re.search(pattern, words)), "")

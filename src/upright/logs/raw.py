@@ -1,0 +1,35 @@
+"""A log file of any program as raw sensors in our channels, for whatever learns from it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from upright.logs.mapping import Mapping, apply, propose
+from upright.logs.readers import read_table
+from upright.signals import Log
+
+RATES = {
+    "sensor/encoder_left": "sensor/encoder_rate_left",
+    "sensor/encoder_right": "sensor/encoder_rate_right",
+}
+"""What a wheel's rate relative to the body is called where it was logged instead of the angle."""
+
+
+def raw_log(path: str | Path, mapping: Mapping | None = None) -> Log:
+    """The log in `path`, through `mapping` (default: what seems to fit its columns).
+
+    An encoder that the mapping gets by summing a logged rate is given back as that rate: its errors are those of the
+    rate, and would add up in the sum. Raises `InvalidLog`.
+    """
+    table = read_table(path)
+    chosen = mapping or propose(table)
+    log = apply(chosen, table)
+    summed = [name for name, source in chosen.channels.items() if name in RATES and source.integrate]
+    channels = {name: values for name, values in log.channels.items() if name not in summed}
+    for name in summed:
+        rate = np.diff(log[name]) / np.diff(log.t)
+        channels[RATES[name]] = np.concatenate([rate[:1], rate])
+    units = {name: unit for name, unit in log.units.items() if name in channels}
+    return Log(log.t, channels, units | {RATES[name]: "rad/s" for name in summed}, {**log.origin, "file": str(path)})

@@ -1,0 +1,57 @@
+"""Python programs run as they stand: Pybricks' in MicroPython, ev3dev's in CPython, among stand-ins for its modules."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+from upright.bricks.script import READINGS, Script
+from upright.compiled.program import Program
+from upright.firmware.tools import ExecutionFailed, run_tool, tool
+from upright.parity.executor import Values
+
+
+class PythonExecutor:
+    """A program, one period a step. With `compiled`, MicroPython runs the .mpy that `mpy-cross` makes of it; `pressed`
+    is whether the brick's button is down, `duties` [%] what its motors got last."""
+
+    def __init__(self, source: Path, program: Program, compiled: bool = False) -> None:
+        self._names, micro = program.results(), program.target == "pybricks"
+        made = ".mpy by mpy-cross, " if compiled else ""
+        self.where = f"MicroPython ({made}floats of 64 bits; a hub's have 32)" if micro else "CPython"
+        self.numbers, self.pressed, self.duties = "double", False, (0.0, 0.0)
+        self._script = Script(program.target)
+        copy = self._script.folder / "balance.py"
+        shutil.copyfile(source, copy)
+        if compiled:
+            run_tool([tool("mpy-cross"), "-o", str(copy.with_suffix(".mpy")), str(copy)], source.name)
+            copy.unlink()
+
+    @property
+    def said(self) -> list[str]:
+        """The program's own lines."""
+        return self._script.said
+
+    def start(self) -> None:
+        self._script.start()
+
+    def step(self, raw: Values) -> Values:
+        told = self._script.exchange([raw[name] for name in READINGS], self.pressed)
+        if told is None:
+            raise ExecutionFailed(f"the program ended: {self.said[-1] if self.said else 'it said nothing'}")
+        self.duties = told.duties or (0.0, 0.0)
+        return dict(zip(self._names, told.row, strict=True)) if told.row else {}
+
+    def signal(self, number: int) -> None:
+        """Send the program a signal of the system, as a terminal that hangs up does."""
+        self._script.signal(number)
+
+    def finish(self) -> list[str]:
+        """Press the button and return everything that the program has said, its log last."""
+        resting = [0.0, 0.0, 0.0, 8000.0]
+        while self._script.exchange(resting, pressed=True):
+            pass
+        return self.said
+
+    def close(self) -> None:
+        self._script.close()
