@@ -83,7 +83,7 @@ def record(
     references = [Drive(speed=speed, start=2.0, until=5.0), Turn(rate=0.6, start=7.0, until=9.0)] if driven else []
     log = run(Electronics(inner, s.kit), controller, pushes, reference=references, seconds=seconds, seed=seed)
     if log.origin["outcome"]["fell"]:
-        raise UprightError(f"'{name}' fell under seed {seed}", mend="choose another")
+        raise UprightError(f"'{name}' fell under seed {seed}", hint="choose another")
     return stripped(log, round(logged / dt))
 
 

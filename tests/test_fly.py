@@ -133,7 +133,7 @@ def test_a_flight_longer_than_its_program_drives_is_refused(
     capsys.readouterr()
     assert fly((target, short, controller, port), "--yes", "--seconds", "10") != 0
     assert (
-        "stops by itself after 9 s; expected at most 9; mend: upright firmware --seconds 10" in capsys.readouterr().err
+        "stops by itself after 9 s; expected at most 9; try: upright firmware --seconds 10" in capsys.readouterr().err
     )
     assert fly((target, short, controller, port), "--yes", "--seconds", "9") == 0
     assert flown == [port]

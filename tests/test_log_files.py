@@ -302,9 +302,7 @@ def test_a_time_under_another_name_is_pointed_out(tmp_path: Path, suffix: str, n
         pq.write_table(pa.table({"gyro": [1.0], name: [0.0]}), path)
     message = complaint(lambda: read_log(path))
     assert f"no column 't' among gyro, {name}; " in message
-    assert (
-        f"likely the time is '{name}'; mend: rename it to 't', in seconds, or make Log(table['{name}'], …)" in message
-    )
+    assert f"likely the time is '{name}'; try: rename it to 't', in seconds, or make Log(table['{name}'], …)" in message
 
 
 @pytest.mark.parametrize(

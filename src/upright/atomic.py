@@ -32,12 +32,12 @@ def write_text(target: str | Path, text: str) -> Path:
     """Write `text` as UTF-8, whole or not at all; raises `UprightError` where that cannot be done."""
     path = Path(target).expanduser()
     if not path.parent.is_dir():
-        raise UprightError(f"there is no folder {path.parent} for {path.name}", mend=f"mkdir -p {path.parent}")
+        raise UprightError(f"there is no folder {path.parent} for {path.name}", hint=f"mkdir -p {path.parent}")
     try:
         write_whole(path, lambda stream: _fill(stream, text))
     except OSError as error:
         raise UprightError(
-            f"cannot write {path}: {error.strerror}", mend="choose a place that can be written"
+            f"cannot write {path}: {error.strerror}", hint="choose a place that can be written"
         ) from None
     return path
 

@@ -1,4 +1,4 @@
-"""The tree of exceptions: every error a user can cause is an `UprightError` that says how to mend it."""
+"""The tree of exceptions: every error a user can cause is an `UprightError` that says what to try."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from collections.abc import Iterable
 class UprightError(Exception):
     """Root of all errors of this package.
 
-    The message is one line: what came, what was expected, the likely cause and the mend.
+    The message is one line: what came, what was expected, the likely cause and what to try.
 
-    >>> str(UprightError("period is -1 s", expected="a positive number", mend="use 0.01"))
-    'period is -1 s; expected a positive number; mend: use 0.01'
+    >>> str(UprightError("period is -1 s", expected="a positive number", hint="use 0.01"))
+    'period is -1 s; expected a positive number; try: use 0.01'
     """
 
-    def __init__(self, came: str, *, expected: str = "", likely: str = "", mend: str = "") -> None:
+    def __init__(self, came: str, *, expected: str = "", likely: str = "", hint: str = "") -> None:
         parts = [came]
         parts += [f"expected {expected}"] if expected else []
         parts += [f"likely {likely}"] if likely else []
-        parts += [f"mend: {mend}"] if mend else []
+        parts += [f"try: {hint}"] if hint else []
         super().__init__("; ".join(" ".join(part.split()) for part in parts))
 
 
@@ -65,5 +65,5 @@ class UnknownName(UprightError):
     def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
         names = sorted(known)
         close = difflib.get_close_matches(name, names, n=1, cutoff=0.5)
-        mend = f"did you mean '{close[0]}'?" if close else ""
-        super().__init__(f"no {kind} is called '{name}'", expected="one of " + ", ".join(names), mend=mend)
+        hint = f"did you mean '{close[0]}'?" if close else ""
+        super().__init__(f"no {kind} is called '{name}'", expected="one of " + ", ".join(names), hint=hint)

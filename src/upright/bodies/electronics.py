@@ -29,7 +29,7 @@ class Electronics:
         inner = body.spec
         if inner.real:
             raise SpecMismatch(
-                f"a {inner.kind} has electronics of its own", expected="a model or the twin", mend="upright fly"
+                f"a {inner.kind} has electronics of its own", expected="a model or the twin", hint="upright fly"
             )
         have = {signal.name: i for i, signal in enumerate(inner.channels)}
         missing = sorted(set(kit.sensors) - have.keys() - {BATTERY})

@@ -90,7 +90,7 @@ class PybricksBody:
                 left, right, gyro, battery, *duties = row
                 return Reading(left, right, gyro / 1000, battery / 1000), (duties[0], duties[1])
             if hub.lost or not await hub.news(hub.patience):
-                raise HubLost(f"{hub.name} does not answer", likely="it is out of reach, or off", mend="come nearer")
+                raise HubLost(f"{hub.name} does not answer", likely="it is out of reach, or off", hint="come nearer")
             if not hub.running:
                 raise HubRefused(f"the program on {hub.name} ended: {' '.join(hub.heard[-1:]) or 'it said nothing'}")
 

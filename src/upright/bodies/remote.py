@@ -40,13 +40,13 @@ def remote_spec(kind: str, robot: Robot, period: float, most: float, real: bool)
 def at_rest(start: Sequence[float], kind: str) -> None:
     """Refuse to put hardware into a state."""
     if any(checked(start, 6, "start")):
-        raise SpecMismatch(f"a {kind} cannot be put into a state", expected="no start", mend="hold it so by hand")
+        raise SpecMismatch(f"a {kind} cannot be put into a state", expected="no start", hint="hold it so by hand")
 
 
 def unpushed(disturbance: Disturbance, kind: str) -> None:
     """Refuse to push hardware by a number."""
     if tuple(disturbance) != tuple(CALM):
-        raise SpecMismatch(f"a {kind} cannot be pushed by a number", expected="no push", mend="push it by hand")
+        raise SpecMismatch(f"a {kind} cannot be pushed by a number", expected="no push", hint="push it by hand")
 
 
 def duty(volts: float, battery: float) -> int:

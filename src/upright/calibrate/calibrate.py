@@ -222,7 +222,7 @@ def _best_start(problem: Problem, limits: Mapping[str, float]) -> Array:
 def _lost() -> DesignFailed:
     return DesignFailed(
         "no start follows this log", expected="a log of the robot that was named, balancing",
-        likely="another robot, a flipped sign or a wrong unit", mend="run `upright doctor` on the log",
+        likely="another robot, a flipped sign or a wrong unit", hint="run `upright doctor` on the log",
     )  # fmt: skip
 
 

@@ -96,7 +96,7 @@ def recorded(log: Log, delay: int) -> tuple[Array, Array]:
     steps = np.diff(log.t)
     if np.mean(np.abs(steps - log.period) > log.period / 2) > UNEVEN:
         raise InvalidLog("the log is uneven", expected=f"steps near {log.period:g} s", likely="dropped samples",
-                         mend="cut the log with --start and --until, or ask `upright doctor`")  # fmt: skip
+                         hint="cut the log with --start and --until, or ask `upright doctor`")  # fmt: skip
     if log.t[-1] - log.t[0] < SETTLED + LEAST:
         raise InvalidLog(f"the log lasts {log.t[-1] - log.t[0]:.1f} s", expected=f"{SETTLED + LEAST:g} s or more")
     readings = np.column_stack([_reading(log, name) for name in RAW])

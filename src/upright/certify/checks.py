@@ -93,7 +93,7 @@ def driver(controller: Controller, robot: Robot, kit: Kit) -> Driver:
     if spec.reads_truth and kit.name != "ideal":
         raise SpecMismatch(
             f"a {spec.kind} that reads the true state, on kit '{kit.name}'",
-            expected="a controller of its sensors", mend="put a filter before it, or certify on the kit 'ideal'",
+            expected="a controller of its sensors", hint="put a filter before it, or certify on the kit 'ideal'",
         )  # fmt: skip
     try:
         return Driver(Gains.of(as_linear(controller)))

@@ -111,7 +111,7 @@ def closed_stable(loop: StateSpace) -> bool:
     """Whether the loop gain under unit negative feedback gives a stable closed loop."""
     through = np.eye(len(loop.D)) + loop.D
     if np.linalg.cond(through) > 1e12:
-        raise InvalidModel("the loop passes −1 at once", expected="a loop that can be closed", mend="add its delay")
+        raise InvalidModel("the loop passes −1 at once", expected="a loop that can be closed", hint="add its delay")
     closed = loop.A - loop.B @ np.linalg.solve(through, loop.C)
     return StateSpace(closed, loop.B, loop.C, loop.D, loop.dt).stable
 

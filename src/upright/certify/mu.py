@@ -143,7 +143,7 @@ def _ends(robot: Robot, plant: Any, name: str, width: float) -> tuple[Array, Arr
             continue
         return high, low, share
     raise InvalidModel(
-        f"{name} = {value:g} ± {width:g} leaves what a robot can be", mend=f"narrow the interval of {name}"
+        f"{name} = {value:g} ± {width:g} leaves what a robot can be", hint=f"narrow the interval of {name}"
     )
 
 

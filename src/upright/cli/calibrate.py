@@ -100,4 +100,4 @@ def _row(e: Estimate) -> tuple[str, ...]:
 
 def _check_new(target: Path, logs: list[Path]) -> None:
     if any(target.exists() and log.exists() and target.samefile(log) for log in logs):
-        raise UprightError(f"{target} is a log itself", expected="another file", mend="a log is never written over")
+        raise UprightError(f"{target} is a log itself", expected="another file", hint="a log is never written over")

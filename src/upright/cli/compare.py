@@ -53,6 +53,6 @@ def _labelled(arguments: list[str]) -> dict[str, Log]:
         path = Path(file if equals else argument)
         name = label if equals else path.stem
         if name in labelled:
-            raise InvalidLog(f"two logs are called '{name}'", expected="one label each", mend=f"write OTHER={path}")
+            raise InvalidLog(f"two logs are called '{name}'", expected="one label each", hint=f"write OTHER={path}")
         labelled[name] = Log.load(path)
     return labelled

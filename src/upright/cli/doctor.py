@@ -57,5 +57,5 @@ def _check_new(target: Path | None, log: Path) -> None:
     check_folder(target)
     if target.exists() and log.exists() and target.samefile(log):
         raise UprightError(
-            f"{target} is the log itself", expected="another file", mend="the old log is never written over"
+            f"{target} is the log itself", expected="another file", hint="the old log is never written over"
         )

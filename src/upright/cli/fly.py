@@ -101,7 +101,7 @@ def _in_time(program: Path, seconds: float, longest: int) -> None:
     if longest and seconds > longest:
         raise UprightError(
             f"--seconds {seconds:g}: {program} stops by itself after {longest} s", expected=f"at most {longest}",
-            mend=f"upright firmware --seconds {math.ceil(seconds)} makes one that drives longer",
+            hint=f"upright firmware --seconds {math.ceil(seconds)} makes one that drives longer",
         )  # fmt: skip
 
 
@@ -118,7 +118,7 @@ def _meant(name: str | None, program: Path, facts: dict[str, str]) -> Robot:
     if not meant:
         raise UprightError(
             f"{program} was made for {facts['robot']} on the brick {brick}", expected=f"a program for {name}",
-            mend="upright firmware makes one",
+            hint="upright firmware makes one",
         )  # fmt: skip
     return found
 
@@ -135,7 +135,7 @@ def _made(source: Path, controller: str, robot: Robot, facts: dict[str, str]) ->
     if made.hash != facts["hash"]:
         raise InvalidController(
             f"{source} holds another controller ({facts['hash'][:12]})", expected=f"{made.hash[:12]}",
-            mend=f"upright firmware CONTROLLER --target {made.target}, or name the controller it was made from",
+            hint=f"upright firmware CONTROLLER --target {made.target}, or name the controller it was made from",
         )  # fmt: skip
     return brain, made
 

@@ -125,9 +125,9 @@ def _check_target(target: Path | None, method: str, log: Path, name: str) -> Non
         return
     check_folder(target)
     if method == ALL and name != "report":
-        raise UprightError(f"{target.name} holds one model", expected="one method", mend="name it, --method subspace")
+        raise UprightError(f"{target.name} holds one model", expected="one method", hint="name it, --method subspace")
     if target.exists() and log.exists() and target.samefile(log):
-        raise UprightError(f"{target} is the log itself", expected="another file", mend="a log is never written over")
+        raise UprightError(f"{target} is the log itself", expected="another file", hint="a log is never written over")
 
 
 def _say(found: Identified) -> None:

@@ -27,10 +27,10 @@ def lab(
     from upright.lab.server import LOOPBACK, Lab, listening, serve
 
     if class_ and host in (LOOPBACK, "localhost", "0.0.0.0"):
-        raise UprightError("--class without an address", mend="--class --host ADDRESS, this machine's in the network")
+        raise UprightError("--class without an address", hint="--class --host ADDRESS, this machine's in the network")
     if not class_ and host != LOOPBACK:
         raise UprightError(
-            f"--host {host} without --class", expected="only this machine, 127.0.0.1", mend="add --class"
+            f"--host {host} without --class", expected="only this machine, 127.0.0.1", hint="add --class"
         )
     if not 0 <= port < 65536:
         raise UprightError(f"--port {port}", expected="between 0 and 65535")

@@ -31,7 +31,7 @@ from upright.cli.simulate import simulate
 from upright.errors import UprightError
 
 USER_ERROR, BUG, STOPPED = 2, 1, 130
-"""Exit codes: what the user can mend, what only we can, and Ctrl-C (128 + SIGINT, as shells say it)."""
+"""Exit codes: what the user can correct, what only we can, and Ctrl-C (128 + SIGINT, as shells say it)."""
 
 app = typer.Typer(name="upright", rich_markup_mode=None, context_settings={"help_option_names": ["-h", "--help"]})
 app.command()(reproduce)
@@ -80,7 +80,7 @@ def start(
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one command and return its exit code: 0, or 2 for what the user can mend, 1 for a bug, 130 for Ctrl-C."""
+    """Run one command and return its exit code: 0, or 2 for what the user can correct, 1 for a bug, 130 for Ctrl-C."""
     arguments = sys.argv[1:] if argv is None else list(argv)
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices here are small: more threads only wait for each other
     try:
@@ -107,7 +107,7 @@ def _complain(error: Exception) -> int:
         message = f"{error.filename}: {error.strerror}"
     else:
         code = BUG
-        message = f"unexpected {type(error).__name__}: {error}; mend: UPRIGHT_DEBUG=1 shows where, please report it"
+        message = f"unexpected {type(error).__name__}: {error}; try: UPRIGHT_DEBUG=1 shows where, please report it"
     colour = None if "NO_COLOR" not in os.environ else False
     typer.secho(f"upright: {' '.join(message.split())}", fg="red", err=True, color=colour)
     return code

@@ -74,7 +74,7 @@ def push(text: str) -> Any:
     kind, colon, rest = text.partition(":")
     if not colon:
         raise InvalidScenario(
-            f"--push '{text}'", expected="KIND:NUMBER,name=NUMBER", mend="for example hold:0.1,until=1"
+            f"--push '{text}'", expected="KIND:NUMBER,name=NUMBER", hint="for example hold:0.1,until=1"
         )
     if kind.strip() not in kinds:
         raise UnknownName("push", kind.strip(), kinds)

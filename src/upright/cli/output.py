@@ -40,7 +40,7 @@ def print_json(data: Any) -> None:
 def check_folder(path: Path) -> None:
     """Refuse a file whose folder is not there, before the work that would fill it."""
     if not path.parent.is_dir():
-        raise UprightError(f"there is no folder {path.parent} for {path.name}", mend=f"mkdir -p {path.parent}")
+        raise UprightError(f"there is no folder {path.parent} for {path.name}", hint=f"mkdir -p {path.parent}")
 
 
 @contextmanager

@@ -48,13 +48,13 @@ def parity(
     if controller_hash(brain) != facts["hash"]:
         raise InvalidController(
             f"{program} holds another controller ({facts['hash'][:12]})", expected=f"{controller_hash(brain)[:12]}",
-            mend="generate the program anew, or name the controller it was made from",
+            hint="generate the program anew, or name the controller it was made from",
         )  # fmt: skip
     longest = longest_run(text)
     if 0 < longest <= SECONDS:
         raise InvalidController(
             f"{program} stops by itself after {longest} s", expected=f"more than the {SECONDS:g} s of this test",
-            mend="test the same controller with upright firmware --seconds 60",
+            hint="test the same controller with upright firmware --seconds 60",
         )  # fmt: skip
     made = generate(
         brain, chosen, parts, facts["target"], number=facts["number"], hub=facts.get("hub", "prime"),

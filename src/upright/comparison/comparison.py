@@ -198,7 +198,7 @@ def _sources(logs: Mapping[str, Log], signals: Sequence[str]) -> dict[str, str]:
             raise InvalidLog(
                 f"log '{label}' has neither truth/… nor estimate/… of {', '.join(signals)}",
                 expected=f"the states to be compared (it holds {have})",
-                mend="run it with an estimator, or name fewer signals",
+                hint="run it with an estimator, or name fewer signals",
             )
     prefer = "truth" if all("truth" in prefixes for prefixes in complete.values()) else "estimate"
     return {label: prefer if prefer in prefixes else prefixes[0] for label, prefixes in complete.items()}

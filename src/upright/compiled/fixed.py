@@ -49,7 +49,7 @@ def fractions(program: Program) -> dict[str, int]:
     if not program.proven:
         raise InvalidController(
             f"the memory of this {program.kind} grows without its robot", expected="a range that can be proven",
-            mend="use --number float",
+            hint="use --number float",
         )  # fmt: skip
     found = {v.name: _own(v) for v in program.variables.values()}
     for block in program.blocks:
@@ -65,7 +65,7 @@ def _own(variable: Variable) -> int:
     if not variable.most < 2.0**WORD - 1:
         raise InvalidController(
             f"{variable.name} reaches {variable.most:.3g} {variable.unit}", expected="less than 2³¹ for fixed point",
-            mend="use --number float",
+            hint="use --number float",
         )  # fmt: skip
     if variable.whole:
         return 0
@@ -95,7 +95,7 @@ def scaled(statement: Sum, program: Program, bits: Mapping[str, int]) -> Scaled:
             pairs = tuple((f, n) for f, (_, n) in zip(factors, statement.terms, strict=True) if f)
             return _reduced(pairs, constant, fraction - target)
     raise InvalidController(
-        f"the sum {statement.target} does not fit 64 bits", expected="smaller ranges", mend="use --number float"
+        f"the sum {statement.target} does not fit 64 bits", expected="smaller ranges", hint="use --number float"
     )
 
 

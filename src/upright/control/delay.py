@@ -78,7 +78,7 @@ def sampled(robot: Robot, kit: Kit, dt: float | None = None, reads: Sequence[str
     if late > _LONGEST * period:
         raise DesignFailed(
             f"a delay of {late:g} s at a period of {period:g} s", expected=f"at most {_LONGEST} periods",
-            mend="lengthen the period",
+            hint="lengthen the period",
         )  # fmt: skip
     between = _Between(robot, period, kit.delay + kit.jitter / 2)
     return _assembled(robot, kit, tuple(reads), between, rows)

@@ -37,7 +37,7 @@ class StateFeedback:
                 f"the gain has shape {gain.shape}",
                 expected=f"(2, 6): left and right motor, each from {', '.join(STATE_NAMES)}",
                 likely="one motor's row alone" if gain.size == 6 else "",
-                mend="use StateFeedback.symmetric(pitch_row, yaw_row)" if gain.size == 6 else "",
+                hint="use StateFeedback.symmetric(pitch_row, yaw_row)" if gain.size == 6 else "",
             )
         if not np.isfinite(gain).all():
             raise InvalidController("the gain holds NaN or infinity", expected="finite numbers")

@@ -46,7 +46,7 @@ def read_controller(path: str | Path) -> Controller:
     if controller_hash(controller) != data.get("hash"):
         raise InvalidController(
             f"{path} was changed after it was written: its hash does not fit", likely="an edit by hand",
-            mend="design the controller anew, or write it with write_controller",
+            hint="design the controller anew, or write it with write_controller",
         )  # fmt: skip
     return controller
 

@@ -70,7 +70,7 @@ def kalman_filter(seen: SampledRobot, disturbed: Disturbed = DISTURBED) -> Filte
         raise DesignFailed(
             f"no steady Kalman filter for '{seen.robot.name}' at {seen.dt:g} s",
             expected="every state to be seen by the sensors", likely="too few sensors, or a period too long",
-            mend="read both encoders and the gyro, or shorten the period",
+            hint="read both encoders and the gyro, or shorten the period",
         )  # fmt: skip
     return Filter(seen, W, *solution)
 

@@ -115,5 +115,5 @@ def _solved(models: Sequence[Model], W: Array, price: float, start: Array) -> tu
 def _no_gain(why: str, count: int) -> DesignFailed:
     return DesignFailed(
         f"no one gain is found for {count} robots ({why})", expected="robots near enough to each other",
-        likely="spreads too wide for quadratic stability", mend="narrow the spreads, or shorten the period",
+        likely="spreads too wide for quadratic stability", hint="narrow the spreads, or shorten the period",
     )  # fmt: skip

@@ -207,7 +207,7 @@ def _no_controller() -> DesignFailed:
     return DesignFailed(
         "SLICOT finds no H∞ controller", expected="a robot that the sensors show and the motors reach",
         likely="a delay too long for the robot, or weights far apart",
-        mend="shorten the period or the delay, or bring the weights nearer to each other",
+        hint="shorten the period or the delay, or bring the weights nearer to each other",
     )  # fmt: skip
 
 

@@ -70,5 +70,5 @@ def command_weight(robot: Robot, R: ArrayLike | None) -> Array:
     """R (2, 2), or its diagonal, or Bryson's rule, positive definite."""
     price = weight_matrix(bryson([LARGEST_COMMAND[robot.command_unit]] * 2) if R is None else R, 2, "R")
     if np.linalg.eigvalsh(price)[0] <= 0:
-        raise DesignFailed("R is not positive definite", expected="a price on every command", mend="raise its diagonal")
+        raise DesignFailed("R is not positive definite", expected="a price on every command", hint="raise its diagonal")
     return price

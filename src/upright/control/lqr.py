@@ -68,10 +68,10 @@ def lqr(robot: Robot, dt: float = 0.01, Q: ArrayLike | None = None, R: ArrayLike
 def dlqr(model: LinearModel, Q: ArrayLike, R: ArrayLike, command_unit: str = "V") -> Lqr:
     """The regulator of a discrete linear model (Åström and Wittenmark 1997, theorem 11.2)."""
     if model.dt is None:
-        raise DesignFailed("the model is continuous", expected="a discrete one", mend="call model.c2d(dt)")
+        raise DesignFailed("the model is continuous", expected="a discrete one", hint="call model.c2d(dt)")
     weight, price = weight_matrix(Q, len(model.states), "Q"), weight_matrix(R, len(model.inputs), "R")
     if np.linalg.eigvalsh(price)[0] <= 0:
-        raise DesignFailed("R is not positive definite", expected="a price on every command", mend="raise its diagonal")
+        raise DesignFailed("R is not positive definite", expected="a price on every command", hint="raise its diagonal")
     cost, gain = riccati(model, weight, price)
     return Lqr(gain, model.dt, command_unit, "lqr", model=model, Q=weight, R=price, cost=cost)
 
@@ -90,7 +90,7 @@ def riccati(model: LinearModel, Q: Array, R: Array) -> tuple[Array, Array]:
             "no gain stabilises this model under these weights",
             expected="every unstable or weightless mode to be reached by the commands and seen by Q",
             likely="a zero on the diagonal of Q for wheel or yaw, or a period too long for the robot",
-            mend="give every state a weight, or shorten the period",
+            hint="give every state a weight, or shorten the period",
         )
     return cost, gain
 

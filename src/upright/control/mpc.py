@@ -172,7 +172,7 @@ def solver(programme: Programme, upper: Array, lower: Array, f: Array | None = N
     flag, _ = model.setup(programme.H, start, programme.rows, upper, lower, sense)
     if flag < 0:
         raise DesignFailed(
-            f"DAQP refuses the programme (flag {flag})", expected="a positive definite H", mend="raise R"
+            f"DAQP refuses the programme (flag {flag})", expected="a positive definite H", hint="raise R"
         )
     if rows:
         # DAQP would scale the setting rho_soft with the length of each row; weights by constraint mean what they say

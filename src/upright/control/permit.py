@@ -25,7 +25,7 @@ def permitted(controller: Controller, permit: Permit | None, anyway: bool = Fals
         raise NotPermitted(
             f"the {controller.spec.kind} {controller_hash(controller)[:12]} may not drive this robot: {refused}",
             expected="a certificate that is not red, of this very controller",
-            mend="mend the design and certify it anew, or say anyway=True (--anyway) and stand beside the robot",
+            hint="change the design and certify it again, or say anyway=True (--anyway) and stand beside the robot",
         )
     if refused:
         return f"told otherwise: {refused}"

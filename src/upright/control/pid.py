@@ -218,5 +218,5 @@ def _law(seen: SampledRobot, gains: Gains, unwinding: float) -> tuple[Array, Ext
 def _no_cascade(plane: _Plane) -> DesignFailed:
     return DesignFailed(
         f"no cascade of the kind tried stabilises '{plane.seen.robot.name}' at {plane.dt:g} s with its delays",
-        expected="a period and a dead time well below the time in which the robot falls", mend="shorten them",
+        expected="a period and a dead time well below the time in which the robot falls", hint="shorten them",
     )  # fmt: skip

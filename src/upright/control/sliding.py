@@ -130,7 +130,7 @@ def sliding(
     if reach > keep * layer:
         raise DesignFailed(
             f"a reach of {reach:g} chatters in a layer of {layer:g}", expected=f"at most {keep * layer:.3g} of reach",
-            mend="widen the layer",
+            hint="widen the layer",
         )  # fmt: skip
     base, B = regulated(kalman_filter(seen, disturbed), Q, R), seen.plant.B
     S: Array = np.asarray(np.linalg.solve(B.T @ base.P @ B, B.T @ base.P), dtype=np.float64)

@@ -63,7 +63,7 @@ def lift(robot: Robot, kit: Kit, pitch: float, dt: float | None = None) -> Lift:
     if not 0 < abs(pitch) < np.pi:
         raise DesignFailed(f"a lift from {pitch:g} rad", expected="a pitch between 0 and π, of either sign")
     if abs(pitch) > 1.1 * reach:  # exact for linear robots, and 1 to 5 % too large for the presets
-        raise DesignFailed(_why(robot, kit, pitch, reach), mend="stronger motors, or a prop that holds it higher")
+        raise DesignFailed(_why(robot, kit, pitch, reach), hint="stronger motors, or a prop that holds it higher")
     lengths = range(2, int(LONGEST / (PARTS * period)) + 1)
     for n in lengths:
         plan = _planned(robot, pitch, period, n, most)
@@ -71,7 +71,7 @@ def lift(robot: Robot, kit: Kit, pitch: float, dt: float | None = None) -> Lift:
             return plan
     raise DesignFailed(
         f"no command up to {most:.3g} {robot.command_unit} lifts {robot.name} from {pitch:g} rad within {LONGEST:g} s",
-        mend="stronger motors, or a prop that holds it higher",
+        hint="stronger motors, or a prop that holds it higher",
     )
 
 

@@ -109,7 +109,7 @@ def continuous(system: StateSpace) -> StateSpace:
         return system
     A, identity = system.A, np.eye(len(system.A))
     if len(A) and np.linalg.cond(A + identity) > 1e12:
-        raise InvalidModel("a pole at z = −1", expected="none there", mend="change the period a little")
+        raise InvalidModel("a pole at z = −1", expected="none there", hint="change the period a little")
     inverse, root = np.linalg.inv(A + identity), math.sqrt(2)
     D = system.D - system.C @ inverse @ system.B
     return StateSpace(inverse @ (A - identity), root * inverse @ system.B, root * system.C @ inverse, D)
@@ -119,7 +119,7 @@ def discrete(system: StateSpace, dt: float) -> StateSpace:
     """The inverse of `continuous`: s = (z − 1)/(z + 1)."""
     A, identity = system.A, np.eye(len(system.A))
     if len(A) and np.linalg.cond(identity - A) > 1e12:
-        raise InvalidModel("a pole at s = 1", expected="none there", mend="change the period a little")
+        raise InvalidModel("a pole at s = 1", expected="none there", hint="change the period a little")
     inverse, root = np.linalg.inv(identity - A), math.sqrt(2)
     D = system.D + system.C @ inverse @ system.B
     return StateSpace(inverse @ (identity + A), root * inverse @ system.B, root * system.C @ inverse, D, dt)

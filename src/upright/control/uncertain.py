@@ -65,7 +65,7 @@ def draw(
         found += [drawn] if drawn else []
     raise DesignFailed(
         f"of {50 * count} draws only {len(found)} are robots", expected="spreads well below the values",
-        mend="name smaller spreads",
+        hint="name smaller spreads",
     )  # fmt: skip
 
 

@@ -190,7 +190,7 @@ def robot_of(log: Log) -> Robot:
     """The robot that the log's origin names, with its numbers; `InvalidRobot` where it names none."""
     said: Any = log.origin.get("robot")
     if not isinstance(said, dict) or "name" not in said:
-        raise InvalidRobot("the log does not say of which robot it is", expected="a robot", mend="name it with --robot")
+        raise InvalidRobot("the log does not say of which robot it is", expected="a robot", hint="name it with --robot")
     if said["name"] in preset_names() and not set(PARAMETERS) & set(said):
         return Robot.preset(said["name"])
     try:
@@ -198,7 +198,7 @@ def robot_of(log: Log) -> Robot:
         numbers: dict[str, Any] = {name: float(said[name]) for name in PARAMETERS}
         return base.replace(**numbers) if base else Robot(name=said["name"], drive=said["drive"], **numbers)
     except (KeyError, TypeError, ValueError) as error:
-        raise InvalidRobot(f"the log's robot is broken ({error})", mend="name it with --robot") from None
+        raise InvalidRobot(f"the log's robot is broken ({error})", hint="name it with --robot") from None
 
 
 def kit_of(log: Log, robot: Robot) -> Kit:

@@ -17,7 +17,7 @@ import numpy as np
 
 from upright.doctor import delays, motion, rates, segments, sensors, time, units
 from upright.doctor.finding import SEVERITIES, Finding, Record
-from upright.doctor.fixes import mend
+from upright.doctor.fixes import repaired
 from upright.errors import InvalidLog
 from upright.logs.mapping import Mapping, channels_of, propose
 from upright.logs.readers import Table, read_table, table_of
@@ -60,7 +60,7 @@ class Diagnosis:
         record = self._raw
         for finding in sorted(self.findings, key=lambda finding: _STAGE_OF.get(finding.code, 0)):
             for fix in finding.fixes:
-                record = mend(record, fix)
+                record = repaired(record, fix)
         said = [f"{finding.code} {finding.channel}: {finding.repair}" for finding in self.findings if finding.fixes]
         return Log(record.t, record.channels, record.units, {**self._origin, "repaired": said})
 
@@ -193,6 +193,6 @@ def _known(finding: Finding, findings: Sequence[Finding]) -> bool:
 def _mended(record: Record, findings: Sequence[Finding]) -> Record:
     for finding in findings:
         for fix in finding.fixes:
-            record = mend(record, fix)
+            record = repaired(record, fix)
     empty = {finding.channel for finding in findings if finding.code == "channel/empty"}
     return Record(record.t, {n: x for n, x in record.channels.items() if n not in empty}, record.units)

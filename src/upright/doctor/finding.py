@@ -1,4 +1,4 @@
-"""What a check reads, and what it hands over: a record, findings, and the fixes that mend it."""
+"""What a check reads, and what it hands over: a record, findings, and the fixes that repair it."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ class Record:
 
 @dataclass(frozen=True)
 class Fix:
-    """One mend: what to do (see `fixes.FIXES`) to which channels with which numbers."""
+    """One repair: what to do (see `fixes.FIXES`) to which channels with which numbers."""
 
     kind: str
     channels: tuple[str, ...] = ()

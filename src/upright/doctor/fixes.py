@@ -9,7 +9,7 @@ import numpy as np
 from upright.doctor.finding import Array, Fix, Record
 
 
-def mend(record: Record, fix: Fix) -> Record:
+def repaired(record: Record, fix: Fix) -> Record:
     """`record` with one fix done."""
     return FIXES[fix.kind](record, fix)
 
@@ -55,7 +55,7 @@ def _time_scale(record: Record, fix: Fix) -> Record:
     return Record(record.t * fix.numbers[0], record.channels, record.units)
 
 
-def _sort(record: Record, fix: Fix) -> Record:  # noqa: ARG001 (every mend has the same form)
+def _sort(record: Record, fix: Fix) -> Record:  # noqa: ARG001 (every fix has the same form)
     order = np.argsort(record.t, kind="stable")
     return record.rows(order)
 

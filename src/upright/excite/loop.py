@@ -145,14 +145,14 @@ def _gains(controller: Controller, robot: Robot) -> Gains:
     except InvalidController:
         raise SpecMismatch(
             f"a {controller.spec.kind} cannot be excited here", expected="a linear controller, as the kernel runs",
-            mend="take an lqg, lqi, hinf or pid",
+            hint="take an lqg, lqi, hinf or pid",
         ) from None  # fmt: skip
     if gains.command_unit != robot.command_unit:
         raise SpecMismatch(f"the controller commands {gains.command_unit}", expected=f"{robot.command_unit}")
     if controller.spec.reads_truth:
         raise SpecMismatch(
             f"a {controller.spec.kind} that reads the true state", expected="a controller of raw sensors",
-            mend="put a filter before it",
+            hint="put a filter before it",
         )  # fmt: skip
     return gains
 

@@ -151,7 +151,7 @@ class ExcitationPlan:
         if not math.isclose(spec.period, self.period, rel_tol=1e-9) or spec.command_unit != self.unit:
             raise SpecMismatch(
                 f"a controller of {spec.command_unit} every {spec.period:g} s with a plan of {self.unit} every "
-                f"{self.period:g} s", expected="the controller that the plan was made with", mend="make the plan anew",
+                f"{self.period:g} s", expected="the controller that the plan was made with", hint="make the plan anew",
             )  # fmt: skip
         return Excited(controller, self.sequence)
 
@@ -189,7 +189,7 @@ class ExcitationPlan:
                 f"this is no plan ({type(error).__name__}: {error})", expected="JSON by upright excite"
             ) from None
         if wrong := plan.check():
-            raise InvalidScenario(f"the plan contradicts itself: {wrong[0]}", mend="make it anew with upright excite")
+            raise InvalidScenario(f"the plan contradicts itself: {wrong[0]}", hint="make it anew with upright excite")
         return plan
 
     def __str__(self) -> str:

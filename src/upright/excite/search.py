@@ -83,12 +83,12 @@ class Search:
             raise DesignFailed(
                 f"{self.dropped} of {samples} robots drawn round {self.loop.robot.name} do not stand unexcited",
                 expected=f"a controller that holds {LEAST_STANDING:.0%} of them", likely="a controller that does not "
-                f"hold this robot under kit {self.loop.kit.name}", mend="give another --controller",
+                f"hold this robot under kit {self.loop.kit.name}", hint="give another --controller",
             )  # fmt: skip
         broken = [text for text in self._measured(result, table).broken(self.limits) if "fall" not in text]
         if broken:
             raise DesignFailed(
-                f"without any excitation {broken[0]}", expected="the limits kept at rest", mend="raise that limit"
+                f"without any excitation {broken[0]}", expected="the limits kept at rest", hint="raise that limit"
             )
 
     def begin(self) -> None:
@@ -118,7 +118,7 @@ class Search:
             found += [self._way(name, shares, self.largest(self._mixed(name, shares)))] if shares else []
             show(0.3 + 0.7 * (i + 1) / len(self.made))
         if not found or min(way.score for way in found) == np.inf:
-            raise DesignFailed("no excitation keeps the limits", expected="room for some", mend="raise a limit")
+            raise DesignFailed("no excitation keeps the limits", expected="room for some", hint="raise a limit")
         return sorted(found, key=lambda way: way.score)
 
     def quieter(self, tried: Sequence[Way], enough: float) -> Way:
@@ -155,7 +155,7 @@ class Search:
             excitation = SMALLER * excitation
         raise DesignFailed(
             f"no {way.name} keeps the limits: {broken[0]}", expected="limits that can be kept",
-            mend="raise that limit, draw more samples, or give a better --controller",
+            hint="raise that limit, draw more samples, or give a better --controller",
         )  # fmt: skip
 
     def plan(self, way: Way, tried: Sequence[Way], excitation: Array, checked: Checked) -> ExcitationPlan:

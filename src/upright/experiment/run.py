@@ -95,7 +95,7 @@ def fit(spec: BodySpec, controller: Controller) -> tuple[list[int], int]:
             likely="a controller of the true state on raw sensors"
             if wants.reads_truth
             else "a kit without that sensor",
-            mend="put an estimator in front: Estimated(controller, kalman(robot, kit))" if wants.reads_truth else "",
+            hint="put an estimator in front: Estimated(controller, kalman(robot, kit))" if wants.reads_truth else "",
         )
     if spec.real and wants.reads_truth:
         raise SpecMismatch(f"the {wants.kind} reads the true state", expected="sensors only on a real robot")
@@ -107,14 +107,14 @@ def fit(spec: BodySpec, controller: Controller) -> tuple[list[int], int]:
         raise SpecMismatch(
             f"the {wants.kind} commands {1 / wants.period:.4g} times a second, and a {spec.kind} answers "
             f"{1 / spec.period:.4g} times", expected=f"a period of {spec.period:g} s or a multiple of it",
-            mend="let the robot run it by itself: upright firmware, upright fly",
+            hint="let the robot run it by itself: upright firmware, upright fly",
         )  # fmt: skip
     stride = round(wants.period / spec.period)
     if stride < 1 or not math.isclose(stride * spec.period, wants.period, rel_tol=1e-9):
         raise SpecMismatch(
             f"the controller's period {wants.period:g} s is not a multiple of the body's {spec.period:g} s",
             expected="a period that divides it",
-            mend="change one of the two periods",
+            hint="change one of the two periods",
         )
     return [names.index(name) for name in wants.reads], stride
 
@@ -129,7 +129,7 @@ def _check_time(seconds: float, period: float) -> None:
 
 def _check_pushable(spec: BodySpec, pushes: Sequence[PushProgramme]) -> None:
     if pushes and not spec.pushable:
-        raise InvalidScenario(f"a {spec.kind} cannot be pushed by a number", expected="no push", mend="push it by hand")
+        raise InvalidScenario(f"a {spec.kind} cannot be pushed by a number", expected="no push", hint="push it by hand")
 
 
 def _several(given: Any, method: str) -> list[Any]:

@@ -68,7 +68,7 @@ def trace(
     if not math.isfinite(setup.strongest):
         raise SpecMismatch(
             f"kit '{kit.name}' sets no limit to a command", expected="a battery or a motor's limit",
-            mend="name the robot's own kit",
+            hint="name the robot's own kit",
         )  # fmt: skip
     t = Tracer()
     raw = inputs(t, setup)

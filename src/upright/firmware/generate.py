@@ -110,7 +110,7 @@ def _check_period(program: Program, suffix: str) -> None:
     if suffix != ".c" and not (program.period * 1000).is_integer() and abs(program.period * 1000 % 1) > 1e-9:
         raise InvalidController(
             f"the period is {program.period * 1e3:g} ms", expected=f"whole milliseconds, as {program.target} counts",
-            mend="design the controller for another period",
+            hint="design the controller for another period",
         )  # fmt: skip
 
 
@@ -197,7 +197,7 @@ def head(text: str) -> dict[str, str]:
     facts = {m[1]: m[2].strip() for m in found if m}
     if missing := [name for name in ("target", "robot", "kit", "hash", "number") if name not in facts]:
         raise InvalidController(
-            f"this is no program by upright: its head says no {missing[0]}", mend="generate it with upright firmware"
+            f"this is no program by upright: its head says no {missing[0]}", hint="generate it with upright firmware"
         )
     return facts
 

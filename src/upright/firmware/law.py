@@ -133,7 +133,7 @@ def law_of(controller: Controller) -> Law:
     spec = controller.spec
     if spec.reads_truth:
         raise InvalidController(
-            f"a {spec.kind} reads the true state, which no robot offers", mend="put an estimator in front of it"
+            f"a {spec.kind} reads the true state, which no robot offers", hint="put an estimator in front of it"
         )
     if isinstance(controller, SlidingMode):
         return _sliding(controller)

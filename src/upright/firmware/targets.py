@@ -107,7 +107,7 @@ def driver(robot: Robot, kit: Kit, target: Target) -> Driver:
     powered = unit == "V" and math.isfinite(volts)
     if not powered and not target.numeric:
         why = f"'{robot.name}' is commanded in N m" if unit != "V" else f"kit '{kit.name}' has no battery"
-        raise SpecMismatch(f"{target.name}: {why}", expected="a battery and motors driven by its voltage", mend="use c")
+        raise SpecMismatch(f"{target.name}: {why}", expected="a battery and motors driven by its voltage", hint="use c")
     steps = target.full or (round(volts / motor.quantum) if motor.quantum else FINE)
     lowest, highest = (FLAT * volts, FRESH * volts) if powered else (1.0, 1.0)
     return Driver(unit, steps if powered else 0, motor.dead_zone, motor.limit, lowest, highest)

@@ -33,7 +33,7 @@ def tool(name: str) -> str:
     beside = Path(sys.executable).with_name(name)  # a wheel's program, where the environment is not activated
     path = shutil.which(name) or (str(beside) if beside.exists() else None)
     if path is None:
-        raise MissingTool(f"{name} is not installed", mend=PACKAGES.get(name, f"install {name}"))
+        raise MissingTool(f"{name} is not installed", hint=PACKAGES.get(name, f"install {name}"))
     return path
 
 

@@ -144,7 +144,7 @@ def run_part(
     """Robots `start` to `stop` − 1 as the bytes of a Parquet file; `SpecMismatch` where a worker's versions differ."""
     if (mine := _versions()) != dict(versions):
         raise SpecMismatch(
-            f"a worker has {mine}", expected=f"{dict(versions)}, as here", mend="install the same versions"
+            f"a worker has {mine}", expected=f"{dict(versions)}, as here", hint="install the same versions"
         )
     index = range(start, stop)
     columns = ensemble.run(index, threads)
@@ -171,7 +171,7 @@ def collect(folder: str | Path) -> Dataset:
         for _ in range(0, case["n"], plan["chunk"]):
             path = chunk_path(place, number)
             if not _there(path):
-                raise InvalidScenario(f"{folder} lacks chunk {number}", mend="run the campaign again: it resumes")
+                raise InvalidScenario(f"{folder} lacks chunk {number}", hint="run the campaign again: it resumes")
             part = load(path)
             parts.append(part.assign(case=("robot", np.full(part.sizes["robot"], index), {"unit": "1"})))
             number += 1
@@ -185,14 +185,14 @@ def _claim(campaign: Campaign, folder: Path) -> None:
     try:
         (folder / _CHUNKS).mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise UprightError(f"cannot make {folder}: {error.strerror}", mend="choose another folder") from None
+        raise UprightError(f"cannot make {folder}: {error.strerror}", hint="choose another folder") from None
     if not (folder / _PLAN).exists():
         write_json(folder / _PLAN, plan)
         return
     if _digest(_read_plan(folder)) != _digest(plan):
         raise InvalidScenario(
             f"{folder} holds another campaign", expected="the same robots, controllers, seeds and versions to resume",
-            mend="choose another folder, or remove this one",
+            hint="choose another folder, or remove this one",
         )  # fmt: skip
 
 

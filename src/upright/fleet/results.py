@@ -134,7 +134,7 @@ def save(data: Dataset, path: str | Path) -> Path:
     target = Path(path).expanduser()
     check_suffix(target)
     if not target.parent.is_dir():
-        raise UprightError(f"there is no folder {target.parent} for {target.name}", mend=f"mkdir -p {target.parent}")
+        raise UprightError(f"there is no folder {target.parent} for {target.name}", hint=f"mkdir -p {target.parent}")
     try:
         if target.suffix == ".zarr":
             _save_zarr(data, target)
@@ -142,7 +142,7 @@ def save(data: Dataset, path: str | Path) -> Path:
             write_whole(target, lambda stream: write_parquet(data, stream))
     except OSError as error:
         raise UprightError(
-            f"cannot write {target}: {error.strerror}", mend="choose a place that can be written"
+            f"cannot write {target}: {error.strerror}", hint="choose a place that can be written"
         ) from None
     return target
 
@@ -204,7 +204,7 @@ def _load_parquet(path: Path) -> Dataset:
     except (pa.ArrowException, OSError, KeyError, ValueError) as error:
         raise InvalidLog(
             f"{path} cannot be read as a fleet's result ({type(error).__name__})", expected="Parquet by upright",
-            likely="a file that was cut off, or of another kind", mend="make it again",
+            likely="a file that was cut off, or of another kind", hint="make it again",
         ) from None  # fmt: skip
     sizes: dict[str, int] = note["sizes"]
     read: dict[str, Any] = {}
@@ -222,7 +222,7 @@ def _zarr() -> Any:
     try:
         import zarr
     except ImportError:
-        raise MissingTool("Zarr is not installed", mend="pip install 'upright[zarr]', or write .parquet") from None
+        raise MissingTool("Zarr is not installed", hint="pip install 'upright[zarr]', or write .parquet") from None
     return zarr
 
 

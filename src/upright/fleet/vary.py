@@ -144,7 +144,7 @@ class Family:
                 return values
         raise InvalidRobot(
             f"of {BLOCK} draws {int(missing.sum())} are no robots after {TRIES} tries each",
-            expected="a variation well below the values", mend="vary less",
+            expected="a variation well below the values", hint="vary less",
         )  # fmt: skip
 
     def _values(self, share: Array) -> Array:
@@ -187,7 +187,7 @@ def spread(text: str, robot: Robot, kit: Kit | None = None) -> tuple[Spread, ...
     if said == "normal":
         own = {s.name: s for s in own_spreads(robot)}
         if name not in own:
-            raise InvalidScenario(f"--vary '{text}', but {name} has no spread", mend=f"{name}=normal:5%")
+            raise InvalidScenario(f"--vary '{text}', but {name} has no spread", hint=f"{name}=normal:5%")
         return (own[name],)
     if said.startswith("normal:"):
         return (Spread(name, "normal", value, _size(said[7:].lstrip("±"), value, text)),)
@@ -197,7 +197,7 @@ def spread(text: str, robot: Robot, kit: Kit | None = None) -> tuple[Spread, ...
             raise InvalidScenario(f"--vary '{text}'", expected="a low end below the high one")
         return (Spread(name, "uniform", low, high),)
     if not said.startswith("±"):
-        raise InvalidScenario(f"--vary '{text}'", expected="±10%, LOW..HIGH or normal:5%", mend=f"{name}=±{said}")
+        raise InvalidScenario(f"--vary '{text}'", expected="±10%, LOW..HIGH or normal:5%", hint=f"{name}=±{said}")
     half = _size(said[1:], value, text)
     return (Spread(name, "uniform", value - half, value + half),)
 

@@ -43,7 +43,7 @@ def run_all(work: Iterable[T], submit: Callable[[Any, T], Any], keep: Callable[[
         except KilledWorker:
             raise UprightError(
                 f"{piece} took its worker with it {FAILURES + 1} times", likely="too little memory for a chunk",
-                mend="make chunks smaller",
+                hint="make chunks smaller",
             ) from None  # fmt: skip
         results.update(following())
 
@@ -58,7 +58,7 @@ def connected(workers: int | None = None, cluster: str | None = None) -> Generat
         import dask.config
         import distributed
     except ImportError:
-        raise MissingTool("Dask is not installed", mend="pip install distributed, or use no workers") from None
+        raise MissingTool("Dask is not installed", hint="pip install distributed, or use no workers") from None
     with dask.config.set({"distributed.scheduler.allowed-failures": FAILURES}):
         if cluster is not None:
             with _client_of(cluster) as client:
@@ -81,5 +81,5 @@ def _client_of(address: str) -> Any:
     except (OSError, ValueError) as error:
         raise UprightError(
             f"no scheduler answers at {address} ({type(error).__name__})", expected="such as tcp://host:8786",
-            mend="start one: dask scheduler",
+            hint="start one: dask scheduler",
         ) from None  # fmt: skip

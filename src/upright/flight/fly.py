@@ -95,15 +95,15 @@ def ready(brick: Connection) -> None:
     if version not in FIRMWARE:
         raise FlightRefused(
             f"the brick's firmware is {'.'.join(map(str, version))}", expected="enhanced firmware 1.28 or later",
-            mend="put it on the brick with BricxCC or NeXTTool",
+            hint="put it on the brick with BricxCC or NeXTTool",
         )  # fmt: skip
     if (battery := brick.ask("battery")) < LEAST_BATTERY:
-        raise FlightRefused(f"the battery gives {battery / 1000:.1f} V", expected="6 V at least", mend="fresh cells")
+        raise FlightRefused(f"the battery gives {battery / 1000:.1f} V", expected="6 V at least", hint="fresh cells")
     reads = brick.ask("sensor", port=GYRO, kind=GYRO_KIND)
     if abs(reads - REST) > GYRO_MARGIN:
         raise FlightRefused(
             f"input {GYRO + 1} reads {reads}", expected=f"{REST} or so from a gyro at rest",
-            likely="the gyro is in another port, or the robot moves", mend=f"put it into port {GYRO + 1}, hold still",
+            likely="the gyro is in another port, or the robot moves", hint=f"put it into port {GYRO + 1}, hold still",
         )  # fmt: skip
 
 
@@ -121,7 +121,7 @@ def room(brick: Connection, text: str, period: float) -> None:
     shorter = f", or make one that drives shorter: upright firmware --seconds {seconds}" if seconds > 0 else ""
     raise FlightRefused(
         f"the program's log needs {(needs - LOG_HEAD) // row} rows, {needs} bytes, and the brick has {free} free",
-        likely="other files fill its flash", mend=f"delete files on it{shorter}",
+        likely="other files fill its flash", hint=f"delete files on it{shorter}",
     )  # fmt: skip
 
 

@@ -66,11 +66,11 @@ def fetch_hub(program: Program, port: str | Peripheral, *, where: str = HUB, pat
 def ready(hub: HubLink) -> None:
     """Refuse a hub with a flat battery, or one that is busy."""
     if hub.flat:
-        raise FlightRefused(f"the battery of {hub.name} is low, it says", mend="charge it")
+        raise FlightRefused(f"the battery of {hub.name} is low, it says", hint="charge it")
     if hub.running:
         raise FlightRefused(
             f"a program runs on {hub.name} already", expected="none",
-            mend="stop it with its button, or bring its log home with --fetch",
+            hint="stop it with its button, or bring its log home with --fetch",
         )  # fmt: skip
 
 
@@ -158,7 +158,7 @@ def _why(hub: HubLink) -> FlightRefused:
     if any(NO_DEVICE in line for line in words):
         return FlightRefused(
             "a motor or the gyro is not in the port where the program looks for it",
-            mend="its first lines (LEFT, RIGHT, GYRO) say where each belongs",
+            hint="its first lines (LEFT, RIGHT, GYRO) say where each belongs",
         )
     said = words[-1] if words else "it said nothing"
     return FlightRefused(f"the program ended before it balanced: {said}", expected="a log")

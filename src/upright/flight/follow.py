@@ -50,4 +50,4 @@ async def _listen(hub: HubLink, hear: Callable[[str], None], end: float, clock: 
         for line in lines:
             hear(line)
         if hub.lost:
-            raise HubLost(f"{hub.name} does not answer", likely="it is out of reach, or off", mend="come nearer")
+            raise HubLost(f"{hub.name} does not answer", likely="it is out of reach, or off", hint="come nearer")

@@ -56,7 +56,7 @@ def checked_line(line: str) -> SignedLine:
         fits = False
     if not fits:
         raise InvalidLog(f"the line '{line.strip()[:40]}' is damaged: its CRC does not fit", likely="a lost chunk",
-                         mend="fetch the log again")  # fmt: skip
+                         hint="fetch the log again")  # fmt: skip
     return SignedLine(kind, text)
 
 

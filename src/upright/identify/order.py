@@ -64,7 +64,7 @@ def choose_order(part: Part, order: int | None = None, past: int | None = None) 
     if not (np.isfinite(scores[best]) and model.foretells):
         raise InvalidModel(
             f"no model of {tried[0]} to {tried[-1]} states foretells the {part.name} of this log",
-            likely="too little excitation, or a robot that is held or lies", mend="see `upright doctor`",
+            likely="too little excitation, or a robot that is held or lies", hint="see `upright doctor`",
         )  # fmt: skip
     return Order(part.name, best, lags, scores, final.singular[: least + LARGEST + 4], model)
 

@@ -145,7 +145,7 @@ def _commands(log: Log, robot: Robot) -> tuple[str, Array]:
     if not prefix:
         raise InvalidLog(
             "the log has no commands", expected="channels applied/left and applied/right",
-            mend="name their columns in a mapping; see `upright doctor`",
+            hint="name their columns in a mapping; see `upright doctor`",
         )  # fmt: skip
     if len(log) < FEWEST:
         raise InvalidLog(f"the log has {len(log)} samples", expected=f"at least {FEWEST} for a model of its motion")
@@ -153,7 +153,7 @@ def _commands(log: Log, robot: Robot) -> tuple[str, Array]:
     if unit in ("V", "N m") and unit != robot.command_unit:
         raise InvalidLog(
             f"the log's commands are in {unit}", expected=f"{robot.command_unit}, as those of '{robot.name}'",
-            likely="another robot", mend="name the robot with --robot",
+            likely="another robot", hint="name the robot with --robot",
         )  # fmt: skip
     commands = np.column_stack([_whole(log, f"{prefix}/{side}") for side in ("left", "right")])
     if np.ptp(commands, axis=0).max() == 0:
@@ -166,7 +166,7 @@ def _clock(log: Log) -> list[str]:
     if off.mean() > MOST_UNEVEN:
         raise InvalidLog(
             f"{off.mean():.0%} of the steps are off the period of {log.period * 1e3:.3g} ms by a quarter",
-            expected="even steps", likely="lost or repeated rows", mend="`upright calibrate` takes any clock",
+            expected="even steps", likely="lost or repeated rows", hint="`upright calibrate` takes any clock",
         )  # fmt: skip
     if off.any():
         return [f"{int(off.sum())} steps are off the period by more than a quarter; they are taken for even."]
@@ -223,7 +223,7 @@ def _from_states(log: Log, commands: Array) -> list[Part]:
     if missing:
         raise InvalidLog(
             f"the log has no true {missing[0].replace('_', ' ')}", expected="channels truth/…, as in a twin's log",
-            mend="identify from its sensors",
+            hint="identify from its sensors",
         )  # fmt: skip
     halves = {"pitch": commands.mean(axis=1), "yaw": (commands[:, 1] - commands[:, 0]) / 2}
     made: list[Part] = []
@@ -242,14 +242,14 @@ def _wheel(log: Log, side: str) -> Array:
         return np.cumsum(_whole(log, f"sensor/encoder_rate_{side}")) * log.period
     raise InvalidLog(
         f"the log has no {side} encoder", expected="sensor/encoder_left and sensor/encoder_right, or their rates",
-        mend="name their columns in a mapping; see `upright doctor`",
+        hint="name their columns in a mapping; see `upright doctor`",
     )  # fmt: skip
 
 
 def _whole(log: Log, name: str) -> Array:
     values = log[name]
     if not np.isfinite(values).all():
-        raise InvalidLog(f"{name} has {int((~np.isfinite(values)).sum())} gaps (NaN)", mend="`upright doctor --fix`")
+        raise InvalidLog(f"{name} has {int((~np.isfinite(values)).sum())} gaps (NaN)", hint="`upright doctor --fix`")
     if name.startswith(("sensor/", "estimate/")) and np.ptp(values) == 0:
         raise InvalidLog(f"{name} never changes", expected="a sensor that moves", likely="a sensor that is not plugged")
     return values
@@ -262,7 +262,7 @@ def _check_moves(tilt: Array, kit: Kit, name: str) -> None:
     if name == "sensor/gyro" and moved < QUIET:
         raise InvalidLog(
             f"the gyro moves by {moved:.1f} of its steps (rms)", expected=f"at least {QUIET:g}: an excited robot",
-            likely="a robot that only stands", mend="add an excitation and log again (`upright excite`)",
+            likely="a robot that only stands", hint="add an excitation and log again (`upright excite`)",
         )  # fmt: skip
 
 

@@ -96,7 +96,7 @@ class Study:
 
         data = self.samples
         if data.source != "sensors":
-            raise InvalidLog("calibration reads sensors", expected="the source 'sensors'", mend="leave --states out")
+            raise InvalidLog("calibration reads sensors", expected="the source 'sensors'", hint="leave --states out")
         return calibrate(data.log, data.robot, data.kit, held_out=data.held_out)
 
     @property

@@ -50,7 +50,7 @@ def simulate_cuda(batch: FleetBatch, seconds: float = 10.0) -> FleetResult:
     processor's kernel can do, `InvalidScenario` for times that make no sense.
     """
     if reason := why_not():
-        raise MissingTool(reason, mend="use fleet.simulate, which needs no card")
+        raise MissingTool(reason, hint="use fleet.simulate, which needs no card")
     from numba import cuda
 
     from upright.kernel.cuda_loop import kernel
@@ -90,7 +90,7 @@ def _refuse(batch: FleetBatch) -> float:
         wants["sensors with faults"] = any(vars(s) != vars(type(s)()) for s in kit.sensors.values())
     missing = [name for name, wanted in wants.items() if wanted]
     if missing:
-        raise SpecMismatch(f"the card's kernel has no {', '.join(missing)}", mend="use fleet.simulate")
+        raise SpecMismatch(f"the card's kernel has no {', '.join(missing)}", hint="use fleet.simulate")
     return math.inf if kit is None else min(kit.motor.limit, kit.battery.voltage)
 
 

@@ -122,7 +122,7 @@ def _times(step: float, period: float, seconds: float) -> tuple[int, int]:
         raise SpecMismatch(
             f"the controller's period {period:g} s is not a multiple of the body's {step:g} s",
             expected="a period that divides it",
-            mend="change one of the two periods",
+            hint="change one of the two periods",
         )
     if not (math.isfinite(seconds) and seconds > 0):
         raise InvalidScenario(f"a run of {seconds:g} s", expected="more than zero")

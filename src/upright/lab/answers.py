@@ -111,14 +111,14 @@ def keeping(session: Session, what: Keep) -> tuple[str, tuple[Any, ...]]:
         return f"keep {what}", ([*events, *session.moments()], path)
     logs = session.logs()
     if not logs:
-        raise InvalidLog("nothing was recorded yet", mend="let it run for a moment")
+        raise InvalidLog("nothing was recorded yet", hint="let it run for a moment")
     return f"keep {what}", (logs if what == "report" else next(iter(logs.values())), path)
 
 
 def _recorded(session: Session) -> Any:
     logs = session.logs()
     if not logs:
-        raise InvalidLog("nothing was recorded yet", mend="let it run for a moment")
+        raise InvalidLog("nothing was recorded yet", hint="let it run for a moment")
     return next(iter(logs.values()))
 
 

@@ -105,7 +105,7 @@ def _download(hub: Hub, session: str, name: str) -> Response:
 async def _upload(hub: Hub, session: str, request: Request, what: str, name: str) -> Response:
     folder = hub.folder(session)
     if folder is None:
-        return JSONResponse({"error": "there is no such session; mend: reload the page"}, 404)
+        return JSONResponse({"error": "there is no such session; try: reload the page"}, 404)
     try:
         path = await uploads.receive(request.stream(), folder, name, what)
     except UprightError as error:

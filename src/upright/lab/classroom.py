@@ -55,9 +55,9 @@ class Door:
         if hmac.compare_digest(given, self.teacher.encode()):
             return "teacher"
         if not hmac.compare_digest(given, self.students.encode()):
-            raise NotAdmitted("the token is missing or wrong", mend="open the address that your teacher shows")
+            raise NotAdmitted("the token is missing or wrong", hint="open the address that your teacher shows")
         if not hello.name.strip():
-            raise NotAdmitted("your name is missing", mend="write a name, so that the board can show it")
+            raise NotAdmitted("your name is missing", hint="write a name, so that the board can show it")
         return "student"
 
 

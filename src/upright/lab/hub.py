@@ -82,7 +82,7 @@ class Hub:
         if client.closed:
             return
         if not client.may_speak(time.monotonic()):
-            self._let_go(client, "too many messages; mend: wait a moment and reload the page")
+            self._let_go(client, "too many messages; try: wait a moment and reload the page")
             return
         try:
             self._act(client, decode(text))
@@ -126,7 +126,7 @@ class Hub:
         if isinstance(message, Hello):
             self._greet(client, message)
         elif not client.session:
-            raise NotAdmitted("the first message must be Hello", mend="reload the page")
+            raise NotAdmitted("the first message must be Hello", hint="reload the page")
         elif isinstance(message, Ack):
             client.box.acknowledged()
         elif isinstance(message, Broadcast):
@@ -142,7 +142,7 @@ class Hub:
         if hello.version != VERSION:
             raise NotAdmitted(
                 f"this page speaks version {hello.version}", expected=f"version {VERSION}", likely="an old page",
-                mend="reload the page (Ctrl+Shift+R), or restart upright lab",
+                hint="reload the page (Ctrl+Shift+R), or restart upright lab",
             )  # fmt: skip
         client.role = self.door.role(hello)
         known = hello.session in self.entries
@@ -173,7 +173,7 @@ class Hub:
         while self._full(role) and idle:
             self._end(idle.pop(0)[1])
         if self._full(role):
-            raise NotAdmitted("every place is taken", mend="close another page of the lab first")
+            raise NotAdmitted("every place is taken", hint="close another page of the lab first")
 
     def _full(self, role: Role) -> bool:
         students = sum(name in self.scores.names for name in self.entries)

@@ -34,7 +34,7 @@ def page_text() -> str:
     """The built page; raises `MissingTool` in a checkout where nobody has built it."""
     index = static() / "index.html"
     if not index.is_file():
-        raise MissingTool("the lab's page has not been built", mend="npm install, npm run build in src/upright/lab/web")
+        raise MissingTool("the lab's page has not been built", hint="npm install, npm run build in src/upright/lab/web")
     return index.read_text(encoding="utf-8")
 
 

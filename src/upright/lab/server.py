@@ -61,7 +61,7 @@ def listening(lab: Lab) -> socket.socket:
         made.close()
         raise UprightError(
             f"cannot serve on {lab.host}:{lab.port}: {error.strerror}", likely="another lab that runs there",
-            mend=f"--port {lab.port + 1}" if lab.port else "look at --host again",
+            hint=f"--port {lab.port + 1}" if lab.port else "look at --host again",
         ) from None  # fmt: skip
     lab.port = made.getsockname()[1]
     return made

@@ -274,7 +274,7 @@ class Session:
         """The uploaded file of that name, which lies in this session's folder and nowhere else."""
         path = self.folder / Path(name).name
         if not path.is_file():
-            raise InvalidLog(f"there is no file '{path.name[:60]}' here", mend="upload it again")
+            raise InvalidLog(f"there is no file '{path.name[:60]}' here", hint="upload it again")
         return path
 
     def _handlers(self) -> dict[type, Callable[[Any], None]]:

@@ -38,7 +38,7 @@ async def receive(chunks: AsyncIterator[bytes], folder: Path, name: str, what: s
     """Write what arrives into `folder`; nothing of a file that is refused stays there."""
     target = folder / safe_name(name, what)
     if len(list(folder.iterdir())) >= MOST_FILES and not target.exists():
-        raise UploadRefused(f"{MOST_FILES} files lie here already", mend="reload the page without its session")
+        raise UploadRefused(f"{MOST_FILES} files lie here already", hint="reload the page without its session")
     unfinished = target.with_name(f".{target.name}.part")
     size = 0
     try:
@@ -46,7 +46,7 @@ async def receive(chunks: AsyncIterator[bytes], folder: Path, name: str, what: s
             async for chunk in chunks:
                 size += len(chunk)
                 if size > LARGEST:
-                    raise UploadRefused(f"{name[:60]} is larger than {LARGEST >> 20} MB", mend="cut it, or use the CLI")
+                    raise UploadRefused(f"{name[:60]} is larger than {LARGEST >> 20} MB", hint="cut it, or use the CLI")
                 stream.write(chunk)
         unfinished.replace(target)
     finally:

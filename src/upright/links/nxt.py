@@ -35,7 +35,7 @@ class Connection:
         from importlib.util import find_spec
 
         if find_spec("nxt") is None:
-            raise MissingTool("nxt-python is not installed", mend="pip install 'upright[nxt]'")
+            raise MissingTool("nxt-python is not installed", hint="pip install 'upright[nxt]'")
         self._port, self._patience = port, patience
         self._process = subprocess.Popen(
             [sys.executable, str(Path(__file__).with_name("nxt_process.py")), port], text=True, stdin=subprocess.PIPE,
@@ -49,7 +49,7 @@ class Connection:
             self.close()
             raise BrickLost(
                 f"no brick at {port}: {error}", likely="it is off, or the cable is out",
-                mend="switch it on and plug it in; over Bluetooth name its device, such as /dev/rfcomm0",
+                hint="switch it on and plug it in; over Bluetooth name its device, such as /dev/rfcomm0",
             ) from None  # fmt: skip
 
     def __enter__(self) -> Connection:
@@ -107,5 +107,5 @@ class Connection:
         self.close()
         return BrickLost(
             f"the brick at {self._port} does not answer ({request})", likely="the cable came out, or it is off",
-            mend="plug it in and switch it on; its orange button stops the program",
+            hint="plug it in and switch it on; its orange button stops the program",
         )  # fmt: skip

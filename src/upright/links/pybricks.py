@@ -75,7 +75,7 @@ class HubLink:
         if not self._hub._max_user_program_size:  # nothing public tells it
             raise HubRefused(
                 f"the firmware {self._hub.fw_version} of {self.name} is too old", expected="Pybricks 3.2 or later",
-                mend="install it at code.pybricks.com",
+                hint="install it at code.pybricks.com",
             )  # fmt: skip
         try:
             await self._do(self._hub.download(str(source)), "take the program", UPLOAD)
@@ -139,14 +139,14 @@ async def _done(request: Awaitable[T], name: str, what: str, patience: float) ->
             raise _lost(name, what, error) from None
         raise HubRefused(f"{name} will not {what}: {error}", likely="another program runs on it") from None
     except (RuntimeError, ValueError) as error:
-        raise HubRefused(f"{name} will not {what}: {error}", mend="install Pybricks at code.pybricks.com") from None
+        raise HubRefused(f"{name} will not {what}: {error}", hint="install Pybricks at code.pybricks.com") from None
 
 
 def _lost(name: str, what: str, error: BaseException) -> HubLost:
     said = f": {error}" if str(error) else ""
     return HubLost(
         f"{name} does not answer ({what}{said})", likely="it is out of reach, or off",
-        mend="come nearer and switch it on; its button stops the program",
+        hint="come nearer and switch it on; its button stops the program",
     )  # fmt: skip
 
 
@@ -174,7 +174,7 @@ async def _found(port: str | Peripheral) -> tuple[Any, str]:
     from importlib.util import find_spec
 
     if find_spec("pybricksdev") is None:
-        raise MissingTool("pybricksdev is not installed", mend="pip install 'upright[pybricks]'")
+        raise MissingTool("pybricksdev is not installed", hint="pip install 'upright[pybricks]'")
     os.environ.setdefault("TQDM_DISABLE", "1")  # pybricksdev draws a bar of its own, before it is loaded alone
     from pybricksdev.ble import find_device
     from pybricksdev.connections.pybricks import PybricksHub, PybricksHubBLE
@@ -193,6 +193,6 @@ async def _found(port: str | Peripheral) -> tuple[Any, str]:
     except (HubLost, HubRefused):
         raise HubLost(
             f"no {wanted} was found in {SEARCH:g} s", likely="it is off, or this computer has no Bluetooth",
-            mend="switch both on; the hub must not be connected elsewhere",
+            hint="switch both on; the hub must not be connected elsewhere",
         ) from None  # fmt: skip
     return PybricksHubBLE(device), f"the hub {device.name}"

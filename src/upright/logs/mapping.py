@@ -282,7 +282,7 @@ def _guess(table: Table) -> Mapping:
     if time is None or not found:
         raise InvalidLog(
             f"no {'time' if time is None else 'channel'} is recognised among {', '.join(list(table.columns)[:12])}",
-            mend="write a mapping (docs/logs.md) and give it with --mapping",
+            hint="write a mapping (docs/logs.md) and give it with --mapping",
         )
     battery = "sensor/battery" in found
     for name, source in found.items():

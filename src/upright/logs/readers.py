@@ -44,7 +44,7 @@ class Table:
     def column(self, name: str) -> Array:
         """One column; raises `InvalidLog` for one that is not there or that holds text."""
         if name in self.text:
-            raise InvalidLog(f"column '{name}' holds {self.text[name]}", expected="numbers", mend="correct that cell")
+            raise InvalidLog(f"column '{name}' holds {self.text[name]}", expected="numbers", hint="correct that cell")
         if name not in self.columns:
             raise InvalidLog(f"there is no column '{name}'", expected=f"one of {', '.join(self.columns)}")
         return self.columns[name]
@@ -58,7 +58,7 @@ def read_table(path: str | Path) -> Table:
     """
     source = Path(path).expanduser()
     if not source.is_file():
-        raise InvalidLog(f"there is no file {source}", mend="look at the path again")
+        raise InvalidLog(f"there is no file {source}", hint="look at the path again")
     try:
         if source.stat().st_size == 0:
             raise InvalidLog("the file is empty", likely="a recording that was never closed")
@@ -97,7 +97,7 @@ def _text(path: Path) -> Table:
     except UnicodeDecodeError:
         head = "\0"
     if "\0" in head:
-        raise InvalidLog("the file is not text", likely="a binary file under this name", mend="export it as CSV")
+        raise InvalidLog("the file is not text", likely="a binary file under this name", hint="export it as CSV")
     dialect = _dialect([line.rstrip("\r") for line in head.split("\n")])
     note = next((line for line in dialect.comments if line.startswith(_NOTE)), "")
     units, origin = understand(note.removeprefix(_NOTE)) if note else ({}, {})
@@ -122,7 +122,7 @@ def _dialect(lines: Sequence[str]) -> _Dialect:
     names = [cell.strip() for cell in cells]
     twice = [name for i, name in enumerate(names) if name in names[:i]]
     if twice:
-        raise InvalidLog(f"column '{twice[0]}' is there twice", mend="rename or drop one")
+        raise InvalidLog(f"column '{twice[0]}' is there twice", hint="rename or drop one")
     return _Dialect(separator, names, first + 1, tuple(comments), decimal)
 
 
@@ -227,8 +227,8 @@ def _mat(path: Path) -> Table:
     except OSError:
         raise
     except Exception as error:  # whatever a parser of binary records stumbles over in damaged bytes
-        mend = "save it in MATLAB with '-v7'" if isinstance(error, NotImplementedError) else "export it again"
-        raise InvalidLog(f"the MAT file cannot be read ({' '.join(str(error).split())[:80]})", mend=mend) from None
+        hint = "save it in MATLAB with '-v7'" if isinstance(error, NotImplementedError) else "export it again"
+        raise InvalidLog(f"the MAT file cannot be read ({' '.join(str(error).split())[:80]})", hint=hint) from None
     found: dict[str, Array] = {}
     for name, value in content.items():
         if not name.startswith("__"):

@@ -101,11 +101,11 @@ def _commands(log: Log) -> Array:
     if not prefix:
         raise InvalidLog(
             "the log has no commands", expected="channels applied/left and applied/right",
-            mend="name their columns in a mapping; see `upright doctor`",
+            hint="name their columns in a mapping; see `upright doctor`",
         )  # fmt: skip
     commands = np.column_stack([log[f"{prefix}/left"], log[f"{prefix}/right"]])
     if not np.isfinite(commands).all():
-        raise InvalidLog(f"{prefix}: a command is missing (NaN)", expected="every command", mend="cut the log there")
+        raise InvalidLog(f"{prefix}: a command is missing (NaN)", expected="every command", hint="cut the log there")
     return np.ascontiguousarray(commands)
 
 
@@ -122,7 +122,7 @@ def _rows(log: Log) -> tuple[str, ...]:
     if not {"encoder", "gyro"} <= {SENSOR[row] for row in rows}:
         raise InvalidLog(
             f"raw sensors that move: {', '.join(rows) or 'none'}", expected="both encoders and a gyro",
-            mend="name their columns in a mapping; see `upright doctor`",
+            hint="name their columns in a mapping; see `upright doctor`",
         )  # fmt: skip
     return tuple(rows)
 

@@ -122,7 +122,7 @@ def _biased(robot: Robot, log: Log, fit: LeastSquares, longer: LeastSquares) -> 
     summary = (
         "From the twin's sensors (encoders of 1°, gyro with noise and bias) the same regression puts the unstable pole "
         f"at {cell_text(found, 3)} 1/s, where it is {cell_text(true, 3)} 1/s: noise in the regressors biases least "
-        f"squares, and {MORE} times the data does not mend it ({cell_text(with_more, 3)} 1/s)."
+        f"squares, and {MORE} times the data does not repair it ({cell_text(with_more, 3)} 1/s)."
     )
     reference = linearise(robot).c2d(printed.PERIOD)
     relative = float(np.linalg.norm(fit.model.A[:4, :4] - reference.A[:4, :4]) / np.linalg.norm(reference.A[:4, :4]))

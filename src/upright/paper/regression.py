@@ -48,7 +48,7 @@ def least_squares(states: ArrayLike, commands: ArrayLike, dt: float) -> LeastSqu
     if len(x) < 20:
         raise InvalidLog(f"{len(x)} samples", expected="at least 20 for nine parameters a row")
     if not (np.isfinite(x).all() and np.isfinite(u).all()):
-        raise InvalidLog("NaN among states or commands", expected="finite numbers", mend="cut the log before it")
+        raise InvalidLog("NaN among states or commands", expected="finite numbers", hint="cut the log before it")
     regressors = np.column_stack([np.ones(len(x) - 1), x[:-1], u[:-1]])
     scale = np.maximum(np.linalg.norm(regressors, axis=0), np.finfo(float).tiny)
     solution, _, rank, singular = np.linalg.lstsq(regressors / scale, x[1:], rcond=1e-12)

@@ -90,7 +90,7 @@ def _folder(folder: str | Path) -> Path:
     try:
         (target / "logs").mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise UprightError(f"cannot make {target}: {error.strerror}", mend="choose another folder with -o") from None
+        raise UprightError(f"cannot make {target}: {error.strerror}", hint="choose another folder with -o") from None
     return target
 
 

@@ -57,7 +57,7 @@ class ArmExecutor:
             import unicorn
             from elftools.elf.elffile import ELFFile
         except ImportError as error:
-            raise MissingTool(f"{error.name} is not installed", mend="pip install unicorn pyelftools") from None
+            raise MissingTool(f"{error.name} is not installed", hint="pip install unicorn pyelftools") from None
         emulator: Any = unicorn
         machine = emulator.Uc(emulator.UC_ARCH_ARM, emulator.UC_MODE_ARM)
         machine.mem_map(FLASH, 0x4_0000)

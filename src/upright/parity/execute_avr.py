@@ -64,7 +64,7 @@ class AvrExecutor:
         try:
             from elftools.elf.elffile import ELFFile
         except ImportError:
-            raise MissingTool("elftools is not installed", mend="pip install pyelftools") from None
+            raise MissingTool("elftools is not installed", hint="pip install pyelftools") from None
         with self._binary.open("rb") as stream:
             elf: Any = ELFFile(stream)
             sizes = {s.name: s["sh_size"] for s in elf.iter_sections()}
@@ -151,7 +151,7 @@ class AvrExecutor:
 def _runner(folder: Path) -> Path:
     """What drives simavr, built against its library."""
     if not HEADER.exists():
-        raise MissingTool("simavr's library is not installed", mend="apt install libsimavr-dev")
+        raise MissingTool("simavr's library is not installed", hint="apt install libsimavr-dev")
     source, runner = folder / "runner.c", folder / "runner"
     source.write_text((files("upright.parity") / "shims" / "runner.c").read_text("utf-8"), encoding="utf-8")
     include = f"-I{HEADER.parent}"  # its own headers name each other without the folder

@@ -96,7 +96,7 @@ class LinearModel:
     def next(self, x: ArrayLike, u: ArrayLike, w: ArrayLike | None = None) -> Array:
         """x⁺ (n,) of a discrete model from state (n,), input (m,) and disturbance (k,)."""
         if self.continuous:
-            raise InvalidModel("a continuous model has no next state", expected="a discrete one", mend="call c2d(dt)")
+            raise InvalidModel("a continuous model has no next state", expected="a discrete one", hint="call c2d(dt)")
         free = self.x0 + self.f0 + self.A @ (np.asarray(x) - self.x0) + self.B @ (np.asarray(u) - self.u0)
         return free if w is None else free + self.E @ np.asarray(w)
 

@@ -167,8 +167,8 @@ def _robot(table: Table, where: str) -> Robot:
     missing = sorted(required - table.keys())
     if missing:
         unit = PARAMETERS[missing[0]][0] if missing[0] in PARAMETERS else ""
-        mend = f'[{missing[0]}] value = …, unit = "{unit}"' if unit else f'{missing[0]} = "my-robot"'
-        raise InvalidRobot(f"{where} lacks {', '.join(missing)}", expected="every required parameter", mend=mend)
+        hint = f'[{missing[0]}] value = …, unit = "{unit}"' if unit else f'{missing[0]} = "my-robot"'
+        raise InvalidRobot(f"{where} lacks {', '.join(missing)}", expected="every required parameter", hint=hint)
     given = [name for name in PARAMETERS if name in table]
     numbers = {name: _number(table[name], name, (PARAMETERS[name][0],), where) for name in given}
     sources = {name: _provenance(table[name], name, where) for name in given}
@@ -198,7 +198,7 @@ def _correlation(table: Table, where: str) -> dict[tuple[str, str], float]:
 def _kit(table: Table, where: str) -> Kit:
     _no_strangers(table, {"name", "title", "period", "delay", "jitter", "drive", "battery", "motor", "sensors"}, where)
     if "name" not in table:
-        raise InvalidRobot(f"{where} lacks name", expected="the kit's name", mend='name = "my-kit"')
+        raise InvalidRobot(f"{where} lacks name", expected="the kit's name", hint='name = "my-kit"')
     timing = {key: _number(table[key], key, ("s",), where) for key in ("period", "delay", "jitter") if key in table}
     battery = _numbers(table, "battery", {"voltage": ("V",), "sag": ("1",)}, where)
     command = ("V", "N m")  # a kit serves voltage and torque drives alike
@@ -245,9 +245,9 @@ def _word(table: Table, key: str, where: str) -> str:
 def _number(table: Any, name: str, units: tuple[str, ...], where: str) -> float:
     expected = " or ".join(f"[{unit}]" for unit in units)
     if not isinstance(table, dict):
-        mend = f'[{name}] value = {table}, unit = "{units[0]}"'
+        hint = f'[{name}] value = {table}, unit = "{units[0]}"'
         raise InvalidRobot(
-            f"{where}: {name} is {table!r}", expected=f"a table with value and unit {expected}", mend=mend
+            f"{where}: {name} is {table!r}", expected=f"a table with value and unit {expected}", hint=hint
         )
     entry = cast(Table, table)
     _no_strangers(entry, _ONE_NUMBER, where, f"{name}.")
@@ -264,7 +264,7 @@ def _number(table: Any, name: str, units: tuple[str, ...], where: str) -> float:
 def _wrong_unit(unit: Any, subject: str, expected: str) -> NoReturn:
     likely = _LIKELY.get(_spelt(unit), "") if isinstance(unit, str) else ""
     raise InvalidRobot(
-        f"{subject} has unit {unit!r}", expected=expected, likely=likely, mend="convert the value by hand"
+        f"{subject} has unit {unit!r}", expected=expected, likely=likely, hint="convert the value by hand"
     )
 
 
@@ -309,6 +309,6 @@ def _no_strangers(table: Table, known: Iterable[str], where: str, prefix: str = 
     for key in table:
         if key not in names:
             close = difflib.get_close_matches(key, names, n=1, cutoff=0.5)
-            mend = f"did you mean '{prefix}{close[0]}'?" if close else ""
+            hint = f"did you mean '{prefix}{close[0]}'?" if close else ""
             expected = "one of " + ", ".join(names)
-            raise InvalidRobot(f"{where}: unknown key '{prefix}{key}'", expected=expected, mend=mend)
+            raise InvalidRobot(f"{where}: unknown key '{prefix}{key}'", expected=expected, hint=hint)

@@ -137,7 +137,7 @@ def _check_drive(robot: Robot) -> None:
         raise InvalidRobot(
             f"{robot.name}: a torque drive with electrical numbers (R_m, K_t, K_b) = {electrical}",
             expected="none, since the command is the torque itself",
-            mend='leave motor_resistance, torque_constant and back_emf out, or set drive = "voltage"',
+            hint='leave motor_resistance, torque_constant and back_emf out, or set drive = "voltage"',
         )
 
 

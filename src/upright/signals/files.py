@@ -64,7 +64,7 @@ def write_log(log: Log, path: str | Path) -> Path:
     if target.is_dir():
         raise InvalidLog(f"{target} is a folder", expected="the name of a file in it")
     if not target.parent.is_dir():
-        raise InvalidLog(f"there is no folder {target.parent}", mend="make it first, or correct the path")
+        raise InvalidLog(f"there is no folder {target.parent}", hint="make it first, or correct the path")
     try:
         write_whole(target, lambda stream: form.write(log, stream))
     except OSError as error:
@@ -83,7 +83,7 @@ def read_log(path: str | Path) -> Log:
     if source.is_dir():
         raise InvalidLog(f"{source} is a folder", expected="one file: " + ", ".join(FORMATS))
     if not source.exists():
-        raise InvalidLog(f"there is no file {source}", mend=_similar(source))
+        raise InvalidLog(f"there is no file {source}", hint=_similar(source))
     form = _format(source)
     try:
         if source.stat().st_size == 0:
@@ -99,7 +99,7 @@ def _expanded(path: str | Path) -> Path:
     try:
         return Path(path).expanduser()
     except RuntimeError:
-        raise InvalidLog(f"{path} names a home folder that is not known", mend="write the path in full") from None
+        raise InvalidLog(f"{path} names a home folder that is not known", hint="write the path in full") from None
 
 
 def _format(path: Path) -> _Format:

@@ -40,7 +40,7 @@ def understand(text: str | bytes) -> tuple[dict[str, str], dict[str, Any]]:
 def check_writable(log: Log) -> None:
     """Raise `InvalidLog` for a channel name that no column can have: `t`, or one with line breaks or control codes."""
     if TIME in log:
-        raise InvalidLog("a channel is called 't'", expected="'t' for the time alone", mend="give the channel a path")
+        raise InvalidLog("a channel is called 't'", expected="'t' for the time alone", hint="give the channel a path")
     for name in log.channels:
         if not name.isprintable():
             raise InvalidLog(f"channel {name!a} cannot be a column name", expected="printable characters")
@@ -50,11 +50,11 @@ def check_names(names: Sequence[str]) -> None:
     """Raise `InvalidLog` unless every column has its own name and one of them is `t`."""
     twice = [name for name, count in Counter(names).items() if count > 1]
     if twice:
-        raise InvalidLog(f"column '{twice[0]}' is there {Counter(names)[twice[0]]} times", mend="rename or drop one")
+        raise InvalidLog(f"column '{twice[0]}' is there {Counter(names)[twice[0]]} times", hint="rename or drop one")
     if TIME not in names:
-        likely, mend = _where_is_time(names)
+        likely, hint = _where_is_time(names)
         came = f"no column 't' among {', '.join(names[:12])}{', …' if len(names) > 12 else ''}"
-        raise InvalidLog(came, expected="time in seconds in a column 't'", likely=likely, mend=mend)
+        raise InvalidLog(came, expected="time in seconds in a column 't'", likely=likely, hint=hint)
 
 
 def assemble(columns: Mapping[str, NDArray[Any]], units: Mapping[str, str], origin: Mapping[str, Any]) -> Log:

@@ -137,7 +137,7 @@ def _check(time: Array, columns: Mapping[str, Array]) -> None:
             )
     if not np.isfinite(time).all():
         row = int(np.argmin(np.isfinite(time)))
-        raise InvalidLog(f"t is {time[row]} at row {row}", expected="seconds", mend="drop that row")
+        raise InvalidLog(f"t is {time[row]} at row {row}", expected="seconds", hint="drop that row")
     steps = np.diff(time)
     if (steps <= 0).any():
         row = int(np.argmax(steps <= 0)) + 1
@@ -145,5 +145,5 @@ def _check(time: Array, columns: Mapping[str, Array]) -> None:
             f"t goes from {time[row - 1]:g} to {time[row]:g} s at row {row}",
             expected="strictly increasing seconds",
             likely="repeated rows, or two recordings in one file",
-            mend="sort and drop repeats, or split the file there",
+            hint="sort and drop repeats, or split the file there",
         )

@@ -59,7 +59,7 @@ def read(path: Path) -> Log:
         raise InvalidLog(
             "the MCAP has no metadata record 'upright'",
             likely="a recording of another program",
-            mend="export it as CSV with a column 't' in seconds",
+            hint="export it as CSV with a column 't' in seconds",
         )
     units, origin = understand(note)
     check_names([TIME] if _address(TIME)[0] in topics else sorted(topics))
@@ -76,7 +76,7 @@ def _nanoseconds(t: Array) -> list[int]:
     ticks = np.rint((t - min(t[0], 0.0)) * 1e9)
     if not ticks[-1] < _LONGEST:
         longest = f"less than {_LONGEST / 1e9:.3g} s, as MCAP counts nanoseconds in 64 bits"
-        raise InvalidLog(f"t goes from {t[0]:g} to {t[-1]:g} s", expected=longest, mend="save as .parquet or .csv")
+        raise InvalidLog(f"t goes from {t[0]:g} to {t[-1]:g} s", expected=longest, hint="save as .parquet or .csv")
     return [int(tick) for tick in ticks.tolist()]
 
 
@@ -120,7 +120,7 @@ def _contents(path: Path) -> tuple[str | None, dict[str, list[dict[str, Any]]]]:
         raise InvalidLog(
             f"the MCAP cannot be read ({error or type(error).__name__})",
             likely="a recording that was cut off, or another kind of file under this name",
-            mend="copy it again, or try 'mcap recover'",
+            hint="copy it again, or try 'mcap recover'",
         ) from None
 
 

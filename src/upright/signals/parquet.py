@@ -50,7 +50,7 @@ def _table(path: Path) -> Any:
         raise InvalidLog(
             f"the Parquet cannot be read ({error})",
             likely="a file that was cut off, or another kind of file under this name",
-            mend="copy it again from where it was recorded",
+            hint="copy it again from where it was recorded",
         ) from None
 
 
@@ -68,4 +68,4 @@ def _numbers(name: str, column: Any) -> NDArray[np.float64]:
     valid = column.is_valid().to_numpy()
     row = int(np.argmax(valid)) if len(valid) else 0
     holds = f"'{column[row]}' at row {row}" if len(valid) else "no rows"
-    raise InvalidLog(f"column '{name}' is {kind}: {holds}", expected="numbers", mend="convert or drop the column")
+    raise InvalidLog(f"column '{name}' is {kind}: {holds}", expected="numbers", hint="convert or drop the column")

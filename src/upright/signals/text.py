@@ -76,7 +76,7 @@ def _decoded(raw: bytes, encoding: str) -> str:
         raise InvalidLog(
             "the file is not text in UTF-8",
             likely="a binary file called .csv, or a table saved in another encoding",
-            mend="save it as CSV in UTF-8",
+            hint="save it as CSV in UTF-8",
         )
     return line
 
@@ -131,7 +131,7 @@ def _check_row(names: Sequence[str], cells: Sequence[str], where: str, blanks: s
             raise InvalidLog(
                 f"column '{name}' holds the text '{shown}' at {where}",
                 expected="numbers" if name != TIME else "seconds",
-                mend="correct that cell, or drop the column",
+                hint="correct that cell, or drop the column",
             )
 
 
