@@ -22,6 +22,8 @@ from upright.kernel.store import address_of, call
 
 _SHARES = 8  # shares of the work for each thread, so that one that falls early leaves its thread more
 
+MOTION = "compiled.generated_motion"
+
 
 class Order(NamedTuple):
     """What is asked of all robots."""
@@ -119,10 +121,10 @@ def _motion(batch: FleetBatch, variant: str, dtype: Any) -> tuple[int, int]:
     """Addresses of the compiled step and, where it is read, of the accelerometer (else 0)."""
     number = _name(dtype)
     move = "step" if batch.n == 1 else "advance"
-    advance = address_of("compiled.generated_motion", f"{move}_{variant}", (f"*{number}", "int64", number, number))
+    advance = address_of(MOTION, f"{move}_{variant}", (f"*{number}", "int64", number, number))
     if not any("accel" in name for name in batch.gains.reads):
         return advance, 0
-    return advance, address_of("compiled.generated_motion", f"specific_force_{variant}", (f"*{number}", "int64", "int64"))
+    return advance, address_of(MOTION, f"specific_force_{variant}", (f"*{number}", "int64", "int64"))
 
 
 def _run(
