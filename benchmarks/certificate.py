@@ -31,8 +31,7 @@ from upright.errors import DesignFailed, InvalidRobot
 from upright.fleet.ensemble import tables
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
-from upright.robots import Kit, Robot
-from upright.robots.files import find_kit
+from upright.robots import Kit, Robot, find_kit
 
 ROBOTS = ("nxtway-gs", "nxtway-gs-measured", "ev3way", "herrera2015")
 DESIGNS = ("lqr", "lqg", "lqi", "pid", "hinf")

@@ -11,7 +11,6 @@ from upright.cli.main import main
 from upright.control import controller_hash, read_controller
 from upright.flight.fly import Flight
 from upright.robots import Robot
-from upright.robots.files import write_robot
 
 KITS = {"nxc": ("nxt", "balance.nxc", "/dev/rfcomm0"), "pybricks": ("spike", "balance.py", "ble:Hub")}
 
@@ -105,7 +104,7 @@ def test_it_may_be_said_for_which_robot_or_brick_it_is(
     designed: tuple[str, Path, Path, str], flown: list[str], tmp_path: Path
 ) -> None:
     brick = {"nxc": "nxt", "pybricks": "spike"}[designed[0]]
-    own = write_robot(Robot.preset("nxtway-gs"), tmp_path / "mine.toml")
+    own = Robot.preset("nxtway-gs").save(tmp_path / "mine.toml")
     for name in (brick, "nxtway-gs", str(own)):
         assert fly(designed, "--robot", name, "--yes") == 0
     assert flown == [designed[3]] * 3

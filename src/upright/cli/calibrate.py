@@ -47,7 +47,7 @@ def calibrate(
     from upright.calibrate.calibrate import calibrate as learn
     from upright.logs.mapping import find_mapping
     from upright.logs.raw import raw_log
-    from upright.robots.files import find_kit, find_robot
+    from upright.robots import find_kit, find_robot
 
     for target in (output, page, save):
         if target:

@@ -55,7 +55,7 @@ def certify(
     """
     from upright.certify.certificate import certify as judge
     from upright.control import find_controller
-    from upright.robots.files import find_kit, find_robot
+    from upright.robots import find_kit, find_robot
 
     if log and posterior:
         raise InvalidController("both --log and --posterior", expected="one of them: the log gives its own posterior")

@@ -152,7 +152,7 @@ def bench_controllers(
 
 
 def _found(robot: str, kit: str | None) -> tuple[Robot, Kit]:
-    from upright.robots.files import find_kit, find_robot
+    from upright.robots import find_kit, find_robot
 
     chosen = find_robot(robot)
     return chosen, find_kit(kit or chosen.kit)

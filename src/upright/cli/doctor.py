@@ -30,7 +30,7 @@ def doctor(
     """
     from upright.doctor.doctor import doctor as examine
     from upright.logs.mapping import find_mapping
-    from upright.robots.files import find_robot
+    from upright.robots import find_robot
 
     for target in (fix, write_mapping):
         _check_new(target, log)

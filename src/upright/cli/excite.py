@@ -76,7 +76,7 @@ def _found(robot: str, kit: str | None, controller: str, posterior: Path | None)
     """Robot, kit and controller, and which robots to expect."""
     from upright.control import find_controller
     from upright.fleet.vary import read_posterior
-    from upright.robots.files import find_kit, find_robot
+    from upright.robots import find_kit, find_robot
 
     nominal, drawn = find_robot(robot), read_posterior(posterior) if posterior else None
     if drawn:

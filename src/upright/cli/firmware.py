@@ -50,7 +50,7 @@ def firmware(
     """
     from upright.control import find_controller
     from upright.firmware import generate
-    from upright.robots.files import find_kit, find_robot
+    from upright.robots import find_kit, find_robot
 
     if output:
         check_folder(output)

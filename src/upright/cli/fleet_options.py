@@ -63,7 +63,7 @@ class Asked:
         from upright.fleet.ensemble import Ensemble
         from upright.fleet.sweep import electronics, find_controller
         from upright.fleet.vary import Family, read_posterior, spread
-        from upright.robots.files import find_robot
+        from upright.robots import find_robot
 
         robot = find_robot(self.robot)
         kit = electronics(self.kit or robot.kit)

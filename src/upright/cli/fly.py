@@ -107,7 +107,7 @@ def _in_time(program: Path, seconds: float, longest: int) -> None:
 
 def _meant(name: str | None, program: Path, facts: dict[str, str]) -> Robot:
     """The robot of that name, where the program was made for it; for a brick's name or none the program's own."""
-    from upright.robots.files import find_robot
+    from upright.robots import find_robot
 
     brick = BRICKS[facts.get("hub", facts["target"])]
     if name is None or name in BRICKS.values():
@@ -127,7 +127,7 @@ def _made(source: Path, controller: str, robot: Robot, facts: dict[str, str]) ->
     """The controller, and the program that is made of it, which `source` has to hold."""
     from upright.control import find_controller
     from upright.firmware import generate
-    from upright.robots.files import find_kit
+    from upright.robots import find_kit
 
     kit = find_kit(facts["kit"])
     brain = find_controller(controller, robot, kit, kit.period)
@@ -180,7 +180,7 @@ def _twin(
     from upright.bricks.virtual_robot import virtual_flight, virtual_hub
     from upright.flight.fly import fly as fly_nxt
     from upright.flight.fly_hub import fly_hub
-    from upright.robots.files import find_kit
+    from upright.robots import find_kit
 
     kit, where = find_kit(made.kit), TWINS[made.target]
     if made.target == "pybricks":

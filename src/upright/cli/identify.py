@@ -61,7 +61,7 @@ def identify(
     from upright.identify.identify import identify as fit
     from upright.identify.identify import identify_all, study_of
     from upright.identify.methods import find_identifier
-    from upright.robots.files import find_kit, find_robot
+    from upright.robots import find_kit, find_robot
 
     _ = method == ALL or find_identifier(method)
     targets = {"output": output, "controller": controller, "report": report}

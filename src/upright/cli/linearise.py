@@ -41,7 +41,7 @@ def linearise(
     from upright.physics.dynamics import MODELS
     from upright.physics.linear import INPUTS
     from upright.physics.linear import linearise as tangent
-    from upright.robots.files import find_robot
+    from upright.robots import find_robot
     from upright.signals import STATE_NAMES
 
     if model not in MODELS:

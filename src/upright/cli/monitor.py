@@ -94,7 +94,7 @@ def _follow(source: str, program: Path | None, seconds: float, shown: Shown) -> 
     from upright.bricks.virtual_robot import virtual_hub
     from upright.firmware import head
     from upright.flight.follow import follow
-    from upright.robots.files import find_kit, find_robot
+    from upright.robots import find_kit, find_robot
 
     if program is None:
         follow(source, shown.hear, seconds=seconds)

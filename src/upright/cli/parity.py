@@ -39,7 +39,7 @@ def parity(
     from upright.parity import parity as compare
     from upright.parity.execute import execute
     from upright.parity.parity import SECONDS
-    from upright.robots.files import find_kit, find_robot
+    from upright.robots import find_kit, find_robot
 
     text = program_text(program)
     facts = head(text)

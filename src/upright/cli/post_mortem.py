@@ -38,7 +38,7 @@ def post_mortem(
     from upright.control import read_controller
     from upright.diagnose import post_mortem as examine
     from upright.logs.mapping import find_mapping
-    from upright.robots.files import find_kit, find_robot
+    from upright.robots import find_kit, find_robot
 
     for target in (output, report):
         if target:

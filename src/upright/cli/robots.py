@@ -39,7 +39,7 @@ def show(
     name: Annotated[str, typer.Argument(help="A robot by name, or a TOML file.")], as_json: JsonOption = False
 ) -> None:
     """Print every parameter of one robot with unit, symbol, source and spread."""
-    from upright.robots.files import find_robot
+    from upright.robots import find_robot
 
     robot = find_robot(name)
     entries = _parameters(robot)

@@ -67,7 +67,7 @@ def simulate(
     Prints whether it fell, the peak of its pitch, how far it rolled, and what the motors did; -o keeps the log.
     """
     from upright.experiment import run
-    from upright.robots.files import find_robot
+    from upright.robots import find_robot
     from upright.signals import STATE_NAMES
 
     pushes, references = _programmes(push or [], slope, drive, turn)
@@ -92,7 +92,7 @@ def _fitted(
     """The body inside its electronics and a controller that can read what it offers."""
     from upright.bodies import Electronics, make_body
     from upright.control import find_controller
-    from upright.robots.files import find_kit
+    from upright.robots import find_kit
 
     bare, parts = make_body(body, robot), find_kit(kit)
     ideal = parts.name == IDEAL
@@ -121,7 +121,7 @@ def _standing_up(controller: Controller, robot: Robot, kit: str, pitch: float, s
     if start:
         raise InvalidController("both --start and --lying", expected="one of them: a lift begins at rest")
     from upright.control.standup import StandUp, lift
-    from upright.robots.files import find_kit
+    from upright.robots import find_kit
 
     parts = find_kit(kit)
     return StandUp(lift(robot, parts, pitch, controller.spec.period), controller, parts)

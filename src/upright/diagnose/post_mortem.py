@@ -25,8 +25,7 @@ from upright.diagnose.verdict import CANNOT_TELL, NO_FALL, Cause, ranked
 from upright.errors import InvalidLog, InvalidRobot
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import RATES, raw_log
-from upright.robots import PARAMETERS, Kit, Robot
-from upright.robots.files import kit_names, preset_names
+from upright.robots import PARAMETERS, Kit, Robot, kit_names, preset_names
 from upright.signals import Log
 
 Array = NDArray[np.float64]

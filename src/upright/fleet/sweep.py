@@ -15,8 +15,7 @@ from upright.experiment import Drive, Hold, Impulse, Push, Slope, Turn
 from upright.fleet.campaign import CHUNK, Campaign, Case
 from upright.fleet.ensemble import Ensemble
 from upright.fleet.vary import Family, read_posterior, spread, with_number
-from upright.robots import Kit, Robot
-from upright.robots.files import find_kit, find_robot
+from upright.robots import Kit, Robot, find_kit, find_robot
 
 Table = Mapping[str, Any]
 

@@ -137,9 +137,7 @@ def _raw(log: Log) -> Log:
 
 def robot(report: Report, path: str) -> Robot:  # noqa: ARG001 (it is over at once)
     """A robot file that was uploaded."""
-    from upright.robots.files import read_robot
-
-    return read_robot(path)
+    return Robot.load(path)
 
 
 def keep_log(report: Report, log: Log, path: Path) -> Path:  # noqa: ARG001

@@ -1,11 +1,13 @@
-"""Robots (physical parameters) and kits (what their electronics do), with presets as TOML files."""
+"""Robots (physical parameters) and kits (electronics), with presets as TOML files."""
 
-from upright.robots.files import kit_names as kit_names
-from upright.robots.files import preset_names as preset_names
 from upright.robots.kit import Battery as Battery
 from upright.robots.kit import Kit as Kit
 from upright.robots.kit import Motor as Motor
 from upright.robots.kit import Sensor as Sensor
+from upright.robots.kit import find_kit as find_kit
+from upright.robots.kit import kit_names as kit_names
 from upright.robots.robot import PARAMETERS as PARAMETERS
-from upright.robots.robot import Provenance as Provenance
 from upright.robots.robot import Robot as Robot
+from upright.robots.robot import find_robot as find_robot
+from upright.robots.robot import preset_names as preset_names
+from upright.robots.toml import Provenance as Provenance

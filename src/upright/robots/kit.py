@@ -7,6 +7,12 @@ from dataclasses import dataclass, field, fields
 from pathlib import Path
 
 from upright.errors import InvalidRobot
+from upright.robots import toml
+from upright.signals.signal import SENSORS
+
+PRESETS = "kits"
+_KEYS = ("name", "title", "period", "delay", "jitter", "drive", "battery", "motor", "sensors")
+_SENSOR_UNITS = {signal.name.removeprefix("sensor/"): signal.unit for signal in SENSORS}
 
 
 def _check_not_negative(name: str, value: float) -> None:
@@ -91,13 +97,47 @@ class Kit:
     @classmethod
     def preset(cls, name: str) -> Kit:
         """The kit of that name among the presets; `UnknownName` lists them."""
-        from upright.robots.files import load_kit
-
-        return load_kit(name)
+        return _read(*toml.shipped("kit", PRESETS, name))
 
     @classmethod
     def load(cls, path: str | Path) -> Kit:
-        """A kit from a TOML file written like the presets."""
-        from upright.robots.files import read_kit
+        """A kit from a TOML file written like the presets; raises `InvalidRobot` for a file without a valid kit."""
+        return _read(*toml.read("kit", path))
 
-        return read_kit(path)
+
+def kit_names() -> tuple[str, ...]:
+    """Names of the kits that come with the package, sorted."""
+    return toml.names(PRESETS)
+
+
+def find_kit(kit: Kit | str | Path) -> Kit:
+    """The kit itself, the one in the file where this is a path to `.toml`, else the preset of that name."""
+    if isinstance(kit, Kit):
+        return kit
+    return Kit.load(kit) if toml.is_path(kit) else Kit.preset(str(kit))
+
+
+def _read(table: toml.Table, where: str) -> Kit:
+    toml.check_keys(
+        table, {"name", "title", "period", "delay", "jitter", "drive", "battery", "motor", "sensors"}, where
+    )
+    if "name" not in table:
+        raise InvalidRobot(f"{where} lacks a name", expected="the kit's name", hint='name = "my-kit"')
+    timing = {key: toml.number(table[key], key, ("s",), where) for key in ("period", "delay", "jitter") if key in table}
+    battery = toml.numbers(table, "battery", {"voltage": ("V",), "sag": ("1",)}, where)
+    command = ("V", "N m")  # a kit serves voltage and torque drives alike
+    units = {"limit": command, "dead_zone": command, "quantum": command, "backlash": ("rad",)}
+    motor = toml.numbers(table, "motor", units, where)
+    listed = toml.subtable(table, "sensors", where)
+    toml.check_keys(listed, _SENSOR_UNITS, where, "sensors.")
+    sensors = {f"sensor/{name}": Sensor(**_sensor(listed, name, where)) for name in _SENSOR_UNITS if name in listed}
+    name = toml.word(table, "name", where)
+    drive = toml.word(table, "drive", where) if "drive" in table else ""
+    return Kit(name=name, drive=drive, sensors=sensors, motor=Motor(**motor), battery=Battery(**battery), **timing)
+
+
+def _sensor(listed: toml.Table, name: str, where: str) -> dict[str, float]:
+    unit = _SENSOR_UNITS[name]
+    units = dict.fromkeys(("quantum", "noise", "bias", "range"), (unit,))
+    units |= {"bias_walk": (f"{unit}/√s",), "delay": ("s",), "period": ("s",)}
+    return toml.numbers(listed, name, units, where, "sensors.")

@@ -7,23 +7,19 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
+from upright.atomic import write_text
 from upright.errors import InvalidRobot
+from upright.robots import toml
+from upright.robots.toml import Provenance
+
+PRESETS = "presets"
 
 
 def _number(unit: str, symbol: str, default: float | None = None) -> Any:
     metadata = {"unit": unit, "symbol": symbol}
     return field(metadata=metadata) if default is None else field(default=default, metadata=metadata)
-
-
-@dataclass(frozen=True)
-class Provenance:
-    """Where a number comes from: a source in words, and its `spread` (one standard deviation, in the
-    number's own unit) or None where it is a guess."""
-
-    source: str
-    spread: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -76,22 +72,22 @@ class Robot:
     @classmethod
     def preset(cls, name: str) -> Robot:
         """The robot of that name among the presets; `UnknownName` lists them."""
-        from upright.robots.files import load_preset
-
-        return load_preset(name)
+        return _read(*toml.shipped("robot", PRESETS, name))
 
     @classmethod
     def load(cls, path: str | Path) -> Robot:
-        """A robot from a TOML file written like the presets."""
-        from upright.robots.files import read_robot
-
-        return read_robot(path)
+        """A robot from a TOML file (docs/add-a-robot.md); raises `InvalidRobot` for a file without a valid robot."""
+        return _read(*toml.read("robot", path))
 
     def save(self, path: str | Path) -> Path:
-        """Write as TOML, with units, sources and spreads."""
-        from upright.robots.files import write_robot
+        """Write as TOML with units, sources and spreads; `load` gives back an equal robot with equal provenance.
 
-        return write_robot(self, path)
+        Raises `UprightError` where the file cannot be written.
+        """
+        head = [f"{key} = {toml.quoted(getattr(self, key))}\n" for key in ("name", "title", "drive", "kit")]
+        unused = set(_ELECTRICAL) - self.provenance.keys() if self.drive == "torque" else set[str]()
+        tables = [_written(name, self) for name in PARAMETERS if name not in unused]
+        return write_text(path, "".join([*head, *tables, _written_correlation(self)]))
 
     def replace(self, **changes: Any) -> Robot:
         """The same robot with some parameters changed, checked again; what is changed loses its source."""
@@ -114,8 +110,21 @@ PARAMETERS: dict[str, tuple[str, str]] = {
 }
 """Field name → (unit, symbol) of every physical parameter, in order."""
 
+_ELECTRICAL = ("motor_resistance", "torque_constant", "back_emf")
 _LARGEST = 3.0  # [m] no balancing robot is larger
 _MAY_BE_ZERO = {"rotor_inertia", "back_emf", "motor_friction", "wheel_friction", "coulomb_friction"}
+
+
+def preset_names() -> tuple[str, ...]:
+    """Names of the robots that come with the package, sorted."""
+    return toml.names(PRESETS)
+
+
+def find_robot(robot: Robot | str | Path) -> Robot:
+    """The robot itself, the one in the file where this is a path to `.toml`, else the preset of that name."""
+    if isinstance(robot, Robot):
+        return robot
+    return Robot.load(robot) if toml.is_path(robot) else Robot.preset(str(robot))
 
 
 def _check_numbers(robot: Robot) -> None:
@@ -132,7 +141,7 @@ def _check_numbers(robot: Robot) -> None:
 def _check_drive(robot: Robot) -> None:
     if robot.drive not in ("voltage", "torque"):
         raise InvalidRobot(f"{robot.name}: drive is '{robot.drive}'", expected="'voltage' or 'torque'")
-    electrical = (robot.motor_resistance, robot.torque_constant, robot.back_emf)
+    electrical = tuple(getattr(robot, name) for name in _ELECTRICAL)
     if robot.drive == "torque" and electrical != (1.0, 1.0, 0.0):
         raise InvalidRobot(
             f"{robot.name}: a torque drive with electrical numbers (R_m, K_t, K_b) = {electrical}",
@@ -167,3 +176,54 @@ def _check_unstable(robot: Robot) -> None:
             expected="a centre of mass above the axle",
             likely="a slip of the sign, or a hanging pendulum",
         )
+
+
+def _written(name: str, robot: Robot) -> str:
+    lines = ["", f"[{name}]", f"value = {getattr(robot, name)!r}", f"unit = {toml.quoted(PARAMETERS[name][0])}"]
+    if name in robot.provenance:
+        known = robot.provenance[name]
+        spread = '"guess"' if known.spread is None else repr(float(known.spread))
+        lines += [f"source = {toml.quoted(known.source)}", f"spread = {spread}"]
+    return "\n".join(lines) + "\n"
+
+
+def _written_correlation(robot: Robot) -> str:
+    """A table of each parameter's correlations with others."""
+    firsts = dict.fromkeys(first for first, _ in robot.correlation)
+    rows = {f: [f"{b} = {r!r}" for (a, b), r in robot.correlation.items() if a == f] for f in firsts}
+    return "".join(f"\n[correlation.{first}]\n" + "\n".join(lines) + "\n" for first, lines in rows.items())
+
+
+def _read(table: toml.Table, where: str) -> Robot:
+    toml.check_keys(table, {"name", "title", "drive", "kit", "correlation", *PARAMETERS}, where)
+    words = {key: toml.word(table, key, where) for key in ("name", "drive", "kit", "title") if key in table}
+    required = {f.name for f in dataclasses.fields(Robot) if f.default is f.default_factory is dataclasses.MISSING}
+    missing = sorted(required - table.keys())
+    if missing:
+        unit = PARAMETERS[missing[0]][0] if missing[0] in PARAMETERS else ""
+        hint = f'[{missing[0]}] value = …, unit = "{unit}"' if unit else f'{missing[0]} = "my-robot"'
+        raise InvalidRobot(f"{where} lacks {', '.join(missing)}", expected="every required parameter", hint=hint)
+    given = [name for name in PARAMETERS if name in table]
+    numbers = {name: toml.number(table[name], name, (PARAMETERS[name][0],), where) for name in given}
+    sources = {name: toml.provenance(table[name], name, where) for name in given}
+    provenance = {name: source for name, source in sources.items() if source is not None}
+    pairs = _correlation(toml.subtable(table, "correlation", where), where)
+    return Robot(
+        **cast(dict[str, Any], words), **cast(dict[str, Any], numbers), provenance=provenance, correlation=pairs
+    )
+
+
+def _correlation(table: toml.Table, where: str) -> dict[tuple[str, str], float]:
+    """What `[correlation.one] other = 0.3` says of pairs of parameters."""
+    pairs: dict[tuple[str, str], float] = {}
+    for first in table:
+        toml.check_keys(table, PARAMETERS, where, "correlation.")
+        row = toml.subtable(table, first, where)
+        toml.check_keys(row, PARAMETERS, where, f"correlation.{first}.")
+        for second, value in row.items():
+            if not toml.is_number(value) or not -1 <= value <= 1 or first == second:
+                raise InvalidRobot(
+                    f"{where}: correlation.{first}.{second} is {value!r}", expected="a number from −1 to 1 of two names"
+                )
+            pairs[first, second] = float(value)
+    return pairs
