@@ -29,7 +29,7 @@ from upright.firmware.targets import COMPASS
 from upright.firmware.tools import ExecutionFailed
 from upright.flight.fly import Flight, FlightRefused, bring_home, fetch, fly
 from upright.flight.program_logs import read_brick_log
-from upright.links.nxt import BrickLost, BrickRefused, Connection
+from upright.links.brick import BrickLost, BrickRefused, Connection
 from upright.parity.execute_nxc import compile_nxc
 from upright.robots import Kit, Robot
 

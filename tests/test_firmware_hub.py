@@ -30,7 +30,7 @@ from upright.flight.fly import Flight, FlightRefused
 from upright.flight.fly_hub import fetch_hub, fly_hub
 from upright.flight.follow import follow
 from upright.flight.program_logs import read_lines
-from upright.links.pybricks import HubLost, HubRefused, linked
+from upright.links.hub import HubLost, HubRefused, linked
 from upright.robots import Kit, Robot
 
 pytestmark = pytest.mark.needs("module:pybricksdev", "module:micropython_unix")
@@ -327,7 +327,7 @@ def test_hostile_commands_never_stop_the_hub(hub: VirtualHub) -> None:
 
 
 def test_no_bluetooth_is_one_line(made: tuple[Path, Program], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("upright.links.pybricks.SEARCH", 0.2)
+    monkeypatch.setattr("upright.links.hub.SEARCH", 0.2)
     with pytest.raises(HubLost, match="no hub nowhere was found") as caught:
         fly_hub(*made, "ble:nowhere", 3.0)
     assert "\n" not in str(caught.value)

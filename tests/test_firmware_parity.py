@@ -20,7 +20,7 @@ from upright.experiment import Drive, Turn
 from upright.firmware import Firmware, longest_run
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
 from upright.flight.program_logs import read_lines
-from upright.links.nxt import LEFT, RIGHT
+from upright.links.brick import LEFT, RIGHT
 from upright.parity import Parity, parity
 from upright.parity.execute import execute
 from upright.parity.execute_arm import ArmExecutor, cycles

@@ -22,8 +22,8 @@ from upright.cli.main import main
 from upright.control import CONTROLLERS, ControllerSpec
 from upright.errors import InvalidScenario, NotPermitted, SpecMismatch
 from upright.experiment import Hold, run
-from upright.links.nxt import LEFT, RIGHT, BrickLost
-from upright.links.pybricks import HubLost
+from upright.links.brick import LEFT, RIGHT, BrickLost
+from upright.links.hub import HubLost
 from upright.physics.dynamics import Disturbance
 from upright.robots import Kit, Robot
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from upright.bodies.body import REST, Sample, checked
 from upright.bodies.remote import STILL, Reading, as_sample, at_rest, duty, remote_spec, unpushed
-from upright.links.pybricks import HubLink, HubLost, HubRefused, Peripheral, linked
+from upright.links.hub import HubLink, HubLost, HubRefused, Peripheral, linked
 from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Robot
 

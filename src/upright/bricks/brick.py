@@ -14,7 +14,7 @@ from typing import Any
 from upright.bricks.rxe import InvalidProgram
 from upright.firmware.targets import BATTERY, ENCODERS
 from upright.firmware.targets import COMPASS as BEARING
-from upright.links.nxt import COMPASS, GYRO, LEFT, REST, RIGHT
+from upright.links.brick import COMPASS, GYRO, LEFT, REST, RIGHT
 
 # properties of an input port
 KIND, MODE, RAW, NORMALISED, SCALED, INVALID = range(6)

@@ -12,7 +12,7 @@ from upright.bricks.lcp import VirtualBrick
 from upright.bricks.line import Line
 from upright.bricks.world import World
 from upright.experiment.pushes import PushProgramme
-from upright.links.nxt import LEFT, RIGHT
+from upright.links.brick import LEFT, RIGHT
 from upright.robots import Kit, Robot
 
 COST = 8

@@ -14,7 +14,7 @@ from upright.compiled.program import Program
 from upright.errors import UprightError
 from upright.firmware.generate import longest_run
 from upright.flight.program_logs import BRICK, BRICK_ROW, ProgramLog, read_brick_log
-from upright.links.nxt import GYRO, GYRO_KIND, REST, BrickLost, BrickRefused, Connection
+from upright.links.brick import GYRO, GYRO_KIND, REST, BrickLost, BrickRefused, Connection
 from upright.parity.execute_nxc import compile_nxc
 
 FIRMWARE = ([1, 28], [1, 29], [1, 31], [1, 32])

@@ -12,7 +12,7 @@ from upright.compiled.program import Program
 from upright.errors import InvalidLog
 from upright.flight.fly import Flight, FlightRefused, alone, keep
 from upright.flight.program_logs import HUB, is_signed, read_lines, read_telemetry
-from upright.links.pybricks import PATIENCE, HubLink, HubLost, HubRefused, Peripheral, linked
+from upright.links.hub import PATIENCE, HubLink, HubLost, HubRefused, Peripheral, linked
 
 LOOK = 0.05  # [s] from one look at the hub to the next
 DUMP = 60.0  # [s] for the log to come: 500 lines of 70 bytes over Bluetooth take 10 to 20 s

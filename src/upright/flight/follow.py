@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from upright.links.pybricks import PATIENCE, HubLink, HubLost, Peripheral, linked
+from upright.links.hub import PATIENCE, HubLink, HubLost, Peripheral, linked
 
 LOOK = 0.1  # [s] from one look at the hub to the next
 
