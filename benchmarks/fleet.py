@@ -40,7 +40,6 @@ from upright.fleet.push_map import PushGrid, push_map
 from upright.fleet.sweep import find_controller
 from upright.fleet.vary import Family, own_spreads
 from upright.kernel.batch import FleetBatch, parameters_of
-from upright.kernel.cuda import why_not
 from upright.kernel.pack import constants
 from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
@@ -326,7 +325,6 @@ def main() -> None:
     equality()
     largest_pushes()
     first_call()
-    print(f"\nNVIDIA card: {why_not() or 'there is one, and nothing here measures it'}")
 
 
 if __name__ == "__main__":

@@ -37,15 +37,15 @@ HEAVY = {
 }  # fmt: skip
 AT_ONCE = {
     ("bodies/twin.py", "mujoco"), ("paper/derivation.py", "sympy"), ("paper/errata.py", "sympy"),
-    ("compiled/trace.py", "sympy"), ("compiled/trace_print.py", "sympy"), ("compiled/trace_tangent.py", "sympy"),
+    ("compiled/trace.py", "sympy"), ("compiled/trace_print.py", "sympy"),
     ("compiled/trace_motion.py", "sympy"),
-    ("kernel/cuda_loop.py", "numba"), ("calibrate/predictor.py", "numba"), ("lab/app.py", "fastapi"),
+    ("calibrate/predictor.py", "numba"), ("lab/app.py", "fastapi"),
 }  # fmt: skip
 """Heavy packages that a module may import when it is loaded, because it is loaded only to use them."""
 
 SYMPY = {
     "paper/derivation.py", "paper/errata.py", "compiled/trace.py", "compiled/trace_print.py",
-    "compiled/trace_tangent.py", "compiled/trace_motion.py",
+    "compiled/trace_motion.py",
 }  # fmt: skip
 """Nothing else imports SymPy at all: it proves and traces, and is never needed at run time."""
 

@@ -3,10 +3,13 @@ is not told."""
 
 from __future__ import annotations
 
+import cmath
 import json
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -19,11 +22,13 @@ from upright.calibrate.fitting import DRIVEN, FELT, normal_equations, objective
 from upright.calibrate.parameters import ROLL_SHARE, parameters_of, with_values
 from upright.calibrate.threads import side_by_side
 from upright.control import Estimated, kalman, lqr, make_controller
+from upright.control.controller import TRUE_STATE, ControllerSpec
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import run
 from upright.logs.recording import record
 from upright.physics.dynamics import derivative
+from upright.physics.integrate import rk4_step
 from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -120,27 +125,35 @@ def test_constants_that_no_level_floor_shows_do_nothing() -> None:
     assert not np.nan_to_num(slopes).any()
 
 
-def test_slopes_are_the_forward_sensitivities_of_the_dynamics() -> None:
-    """At zero gains the predictor simulates freely, and its differences are the exact tangents that the fleet's kernel
-    traces from `physics.dynamics`: two routes that share no code but the equations."""
-    from upright.kernel.sensitivity import simulate_with_sensitivities
+def gyro_slope(name: str, commands: np.ndarray, period: float, start: np.ndarray, substeps: int) -> np.ndarray:
+    """∂ψ̇/∂parameter (periods + 1,) of a free simulation: a complex step of `physics.dynamics` through `rk4_step`."""
+    tiny = 1e-100  # exact to rounding
+    p = SimpleNamespace(**{**PRIOR.numbers(), name: getattr(PRIOR, name) + 1j * tiny})
+    x, slopes = tuple(start), [0.0]
+    for u in commands:
+        for _ in range(substeps):
+            x = rk4_step(lambda s, u=u: derivative(s, u, p, xp=cmath), x, period / substeps)
+        slopes.append(x[1].imag / tiny)
+    return np.array(slopes)
 
+
+def test_slopes_are_complex_steps_of_the_dynamics() -> None:
+    """At zero gains the predictor simulates freely, and its differences are the exact tangents of the definition: two
+    routes that share no code but the equations."""
     prompt = {name: replace(sensor, delay=0.0) for name, sensor in NXT.sensors.items()}
     log = twin_log(5.0)
     problem, _ = prepared([log], PRIOR, replace(NXT, delay=0.0, jitter=0.0, sensors=prompt), (), 0.0)
     object.__setattr__(problem, "longest", 2.5e-4)  # [s] the steps of the tangents, so that both integrate alike
     recording, z = problem.recordings[0], np.zeros(len(problem.parameters))
     J = problem.slopes(recording, z, np.zeros((len(recording.kind), 8)))
-    names = ("com_height", "torque_constant", "back_emf", "wheel_mass", "gravity", "rotor_inertia")
-    exact = simulate_with_sensitivities(
-        PRIOR, recording.commands[:20], log.period, names, start=recording.first[:6], substeps=40
-    )
-    gyro = np.flatnonzero(recording.kind == recording.rows.index("sensor/gyro"))
-    for d, name in enumerate(names):
+    gyro = np.flatnonzero(recording.kind == recording.rows.index("sensor/gyro"))[:15]
+    t = np.arange(21) * log.period
+    for name in ("com_height", "torque_constant", "back_emf", "wheel_mass", "gravity", "rotor_inertia"):
         i = [p.name for p in problem.parameters].index(name)
-        said = np.array([-J[e, i] / problem.parameters[i].spread for e in gyro[:15]])
-        tangent = np.interp(recording.when[gyro[:15]] - log.t[0], exact.t, exact.tangents[:, 1, d])
-        assert said == pytest.approx(tangent, abs=3e-5 * np.abs(tangent).max()), name  # its curvature
+        exact = gyro_slope(name, recording.commands[:20], log.period, recording.first[:6], 40)
+        tangent = np.interp(recording.when[gyro] - log.t[0], t, exact)
+        predicted = -J[gyro, i] / problem.parameters[i].spread
+        assert predicted == pytest.approx(tangent, abs=3e-5 * np.abs(tangent).max()), name  # its curvature
 
 
 def test_the_truth_is_inside_its_intervals() -> None:
@@ -414,18 +427,64 @@ def test_twipr_is_foretold_for_half_a_second(shared: Path) -> None:
     assert found.segments["mean encoder_rate"] > 0.99
 
 
+class DelayedLaw:
+    """u = 0.020 v + 0.040 ψ + 0.006 ψ̇ ∓ 0.007 φ̇ + excitation [N m] every millisecond: the law of twipr's README, on
+    readings as late as its sensors; v [m/s] is the speed of the wheels relative to the body."""
+
+    spec = ControllerSpec("law of twipr's README", TRUE_STATE, 0.001, "N m")
+
+    def __init__(self, radius: float, delays: Mapping[str, float], log: Log) -> None:
+        self._radius, self._delays = radius, {name: round(d / 0.001) for name, d in delays.items()}
+        self._rows = np.searchsorted(log.t - log.t[0], np.arange(0.0, log.t[-1] - log.t[0], 0.001) + 1e-6) - 1
+        self._excitation = np.column_stack([log["excitation/left"], log["excitation/right"]])
+        self.reset()
+
+    def reset(self) -> None:
+        self._past: list[np.ndarray] = []
+        self._command = (0.0, 0.0)
+
+    def ago(self, sensor: str) -> np.ndarray:
+        return self._past[max(0, len(self._past) - 1 - self._delays[sensor])]
+
+    def step(self, measurement: np.ndarray, reference: np.ndarray) -> tuple[float, float]:
+        now = len(self._past)
+        self._past.append(measurement.copy())
+        if now == 0 or self._rows[now] > self._rows[now - 1]:  # held from one row of the log to the next
+            gyro, wheels, extra = self.ago("gyro"), self.ago("encoder"), self._excitation[self._rows[now]]
+            both = 0.020 * self._radius * (wheels[3] - wheels[1]) + 0.040 * gyro[0] + 0.006 * gyro[1]
+            self._command = (both - 0.007 * wheels[5] + extra[0], both + 0.007 * wheels[5] + extra[1])
+        return self._command
+
+    def estimate(self) -> tuple[float, ...]:
+        return ()
+
+    def applied(self, command: Sequence[float]) -> None:
+        pass
+
+    def to_json(self) -> dict[str, str]:
+        return {"kind": self.spec.kind}
+
+
 @pytest.mark.xdist_group("twipr")  # one calibration serves both
 @pytest.mark.needs("shared/data/twipr")
 def test_the_whole_loop_of_twipr_runs_freely_for_ten_seconds(shared: Path) -> None:
     """From the excitation and the law of its README alone; a model made for it reaches 0.92 and 0.67 to 0.93."""
-    from upright.calibrate.closed_loop import Law, closed_loop
     from upright.logs.raw import raw_log
 
     path = shared / "data/twipr/run1.csv"
-    law = Law(wheel_speed=0.020, pitch=0.040, pitch_rate=0.006, yaw_rate=0.007)
-    fits = closed_loop(of_twipr(path), raw_log(path), law)
-    assert fits["pitch"] > 0.9
-    assert fits["wheel rate"] > 0.8
+    log, result = raw_log(path), of_twipr(path)
+    delays = {name: result[f"delay/{name}"].value for name in ("encoder", "gyro")}
+    law = DelayedLaw(result.robot.wheel_radius, delays, log)
+    free = run(NonlinearBody(result.robot), law, seconds=float(log.t[-1] - log.t[0]))
+
+    def r_squared(measured: np.ndarray, simulated: np.ndarray, delay: float) -> float:
+        late = np.interp(log.t - log.t[0] - delay, free.t, simulated)
+        return 1 - float(((measured - late) ** 2).sum() / ((measured - measured.mean()) ** 2).sum())
+
+    assert not free.origin["outcome"]["fell"]
+    assert r_squared(log["estimate/pitch"], free["truth/pitch"], delays["gyro"]) > 0.9
+    rate = (log["sensor/encoder_rate_left"] + log["sensor/encoder_rate_right"]) / 2
+    assert r_squared(rate, free["truth/wheel_rate"] - free["truth/pitch_rate"], delays["encoder"]) > 0.8
 
 
 def _doubled() -> list[int]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -104,7 +104,6 @@ class Calibration:
     sources: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     unseen: tuple[str, ...] = ()
-    closed_loop: Mapping[str, float] = field(default_factory=dict[str, float])
     electronics: tuple[Estimate, ...] = ()
 
     def __post_init__(self) -> None:
@@ -164,7 +163,7 @@ class Calibration:
             "names": list(self.names), "covariance": self.covariance.tolist(), "noise": dict(self.noise),
             "whiteness": [{**d, "white": w.white} for d, w in zip(plain(self.whiteness), self.whiteness, strict=True)],
             "fits": {k: {n: finite(v) for n, v in row.items()} for k, row in self.fits.items()},
-            "segments": {k: finite(v) for k, v in self.segments.items()}, "closed_loop": dict(self.closed_loop),
+            "segments": {k: finite(v) for k, v in self.segments.items()},
             "temper": self.temper, "samples": self.samples, "seconds": self.seconds, "sources": list(self.sources),
             "notes": list(self.notes), "unseen": list(self.unseen), "wrong": list(self.check()),
         }  # fmt: skip

@@ -170,7 +170,6 @@ def _code(formula: Any) -> str:
 def sources() -> dict[str, str]:
     """The text of each generated file, by name."""
     from upright.compiled.trace_motion import motions, work_rows
-    from upright.compiled.trace_tangent import tangents
 
     work = len(ROWS) + len(trace().constants)
     size = f"LANES, ROW, SIZE = {LANES}, {ROW}, {work + work_rows()} * {ROW}"
@@ -183,7 +182,6 @@ def sources() -> dict[str, str]:
     ]
     return {
         "generated.py": "\n\n".join([HEADER, "\n".join(rows), _constants_function()]).rstrip() + "\n",
-        "generated_tangent.py": "\n\n".join([HEADER, *tangents()]).rstrip() + "\n",
         "generated_motion.py": "\n\n".join([HEADER, *motions()]).rstrip() + "\n",
     }
 
