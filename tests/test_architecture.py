@@ -37,14 +37,15 @@ HEAVY = {
 }  # fmt: skip
 AT_ONCE = {
     ("bodies/twin.py", "mujoco"), ("paper/derivation.py", "sympy"), ("paper/errata.py", "sympy"),
-    ("compiled/trace.py", "sympy"), ("compiled/trace_print.py", "sympy"),
+    ("compiled/generate.py", "sympy"), ("compiled/trace.py", "sympy"), ("compiled/trace_print.py", "sympy"),
     ("compiled/trace_motion.py", "sympy"),
     ("calibrate/predictor.py", "numba"), ("lab/app.py", "fastapi"),
 }  # fmt: skip
 """Heavy packages that a module may import when it is loaded, because it is loaded only to use them."""
 
 SYMPY = {
-    "paper/derivation.py", "paper/errata.py", "compiled/trace.py", "compiled/trace_print.py",
+    "paper/derivation.py", "paper/errata.py", "compiled/generate.py", "compiled/trace.py",
+    "compiled/trace_print.py",
     "compiled/trace_motion.py",
 }  # fmt: skip
 """Nothing else imports SymPy at all: it proves and traces, and is never needed at run time."""
@@ -54,7 +55,7 @@ MOST_LINES_OF_A_FUNCTION = 60
 MOST_POSITIONAL = 7
 """Parameters that a caller may give by position: beyond it nobody remembers the order."""
 
-COMPILED = {"kernel/block.py", "kernel/run.py", "kernel/cuda_loop.py", "calibrate/predictor.py", "compiled/random.py"}
+COMPILED = {"kernel/block.py", "kernel/run.py", "calibrate/predictor.py", "compiled/random.py"}
 """Files whose functions Numba compiles: keyword-only parameters do not exist there."""
 
 RETIRED = {
@@ -78,8 +79,6 @@ KNOWN_CIRCLES: set[frozenset[str]] = {
     frozenset({"comparison/comparison.py", "report/comparing.py"}),
     frozenset({"lab/answers.py", "lab/session.py"}),
     frozenset({"lab/app.py", "lab/server.py"}),
-    frozenset({"compiled/trace.py", "compiled/trace_motion.py", "compiled/trace_tangent.py"}),
-    frozenset({"kernel/cuda.py", "kernel/cuda_loop.py"}),
 }
 KNOWN_TWICE = {
     "Answer", "Case", "Comparison", "Driver", "Entry", "Family", "Finding", "Fit", "Gains", "Law", "Loop", "Maths",

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from upright.compiled import generated, generated_motion
-from upright.compiled.trace import sources
+from upright.compiled.generate import sources
 from upright.physics.dynamics import Disturbance, accelerations
 from upright.robots import Robot
 
@@ -22,7 +22,7 @@ ROUNDING = 1e-13  # a few hundred operations on doubles
 def test_the_generated_files_are_current():
     for name, text in sources().items():
         assert Path(generated.__file__).with_name(name).read_text("utf-8") == text, (
-            f"run python -m upright.compiled.trace: {name}"
+            f"run python -m upright.compiled.generate: {name}"
         )
 
 

@@ -1,4 +1,4 @@
-# Generated from physics.dynamics: do not edit. Written again by: python -m upright.compiled.trace
+# Generated from physics.dynamics: do not edit. Written again by: python -m upright.compiled.generate
 # ruff: noqa
 # fmt: off
 # pyright: basic

@@ -6,15 +6,13 @@ The traced functions are called with SymPy symbols. What comes back is brought t
 
 with the first two equations divided by a11 and the third by a33 of an upright robot, so that every product of
 parameters alone is a *constant* of the robot, computed once. What is left is factored and printed as chains of
-fused multiply-adds. `python -m upright.compiled.trace` writes `generated.py` again.
+fused multiply-adds by `trace_motion`, and written by `generate`.
 """
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import sympy as sp
@@ -41,10 +39,8 @@ from upright.compiled.trace_print import (
     YAW,
     YAW_RATE,
     P,
-    function,
 )
 from upright.physics.dynamics import Disturbance, accelerations, mass_matrix
-from upright.robots.robot import PARAMETERS
 
 
 @dataclass(frozen=True)
@@ -151,55 +147,3 @@ ROWS = ("pitch", "pitch_rate", "wheel", "wheel_rate", "yaw", "yaw_rate", "h", "l
 """What a block holds for each robot before its constants, by row."""
 
 STAGE = ("pitch", "pitch_rate", "wheel_rate", "yaw", "yaw_rate")
-
-
-def _constants_function() -> str:
-    """A robot's constants from its parameters, in the order of `PARAMETERS`."""
-    lines = [f"{name} = p[{i}]" for i, name in enumerate(PARAMETERS)]
-    shared, formulas = sp.cse(list(trace().constants.values()), sp.numbered_symbols("t"))
-    lines += [f"{name} = {_code(formula)}" for name, formula in shared]
-    lines.append(f"return ({', '.join(map(_code, formulas))})")
-    return function("constants(p, complete)", lines, None)
-
-
-def _code(formula: Any) -> str:
-    """Python text, with squares as products, which a number and an array of numbers round alike."""
-    return re.sub(r"(\w+)\*\*2", r"(\1 * \1)", str(sp.pycode(formula)))
-
-
-def sources() -> dict[str, str]:
-    """The text of each generated file, by name."""
-    from upright.compiled.trace_motion import motions, work_rows
-
-    work = len(ROWS) + len(trace().constants)
-    size = f"LANES, ROW, SIZE = {LANES}, {ROW}, {work + work_rows()} * {ROW}"
-    rows = [
-        size,
-        f"CONSTANTS = {len(trace().constants)}",
-        *(f"{n.upper()} = {i}" for i, n in enumerate([*ROWS, "c0"])),
-        f"WORK, WORK_ROWS = {work}, {work_rows()}",
-        "",
-    ]
-    return {
-        "generated.py": "\n\n".join([HEADER, "\n".join(rows), _constants_function()]).rstrip() + "\n",
-        "generated_motion.py": "\n\n".join([HEADER, *motions()]).rstrip() + "\n",
-    }
-
-
-HEADER = """# Generated from physics.dynamics: do not edit. Written again by: python -m upright.compiled.trace
-# ruff: noqa
-# fmt: off
-# pyright: basic"""
-
-LANES, ROW = 64, 80
-"""Robots in a block, and numbers from one row to the next: rows 64 apart would meet in the same cache lines."""
-
-
-def main() -> None:
-    """Writes the generated files beside this one."""
-    for name, text in sources().items():
-        Path(__file__).with_name(name).write_text(text, encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main()
