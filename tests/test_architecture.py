@@ -28,9 +28,6 @@ ROOMS = (
 STRANGERS = {("control", "bodies")}
 """Rooms that do not know each other although the order would allow it: a controller must not see inside a body."""
 
-UPWARD = {("comparison/comparison.py", "report"): "a comparison writes its own page, with the page's code loaded then"}
-"""The stated exceptions, lazy imports all of them."""
-
 HEAVY = {
     "control", "cvxpy", "dask", "distributed", "fastapi", "jinja2", "matplotlib", "mcap", "mujoco", "numba", "pandas",
     "pyarrow", "rich", "scipy.signal", "slycot", "sympy", "uvicorn", "xarray", "zarr",
@@ -148,8 +145,7 @@ def test_every_folder_is_a_known_room() -> None:
 
 
 def test_imports_point_down() -> None:
-    up = [i for i in between_rooms() if ROOMS.index(i.target.split(".")[1]) > ROOMS.index(room(i.file))]
-    wrong = [i for i in up if i.at_once or (i.file, i.target.split(".")[1]) not in UPWARD]
+    wrong = [i for i in between_rooms() if ROOMS.index(i.target.split(".")[1]) > ROOMS.index(room(i.file))]
     assert not wrong, "\n".join(map(str, wrong))
 
 

@@ -269,7 +269,13 @@ def test_simulate_tells_a_fall(capsys: pytest.CaptureFixture[str]) -> None:
     # No gain at all: an inverted pendulum started off its top falls, here in well under 2 s (its pole is 7.4 1/s).
     call = "simulate --kit ideal --gains 0,0,0,0,0,0 --start pitch=0.05 --seconds 2"
     assert main(call.split()) == 0
-    assert capsys.readouterr().out.startswith("fell at ")
+    text = capsys.readouterr().out
+    assert text.startswith("fell at ")
+    row = next(line for line in text.splitlines()[1:] if line.startswith("fell "))
+    assert row.split() == ["fell", "yes"]  # the table says what the line above it says
+    assert main([*call.split(), "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["outcome"]["fell"] is told["logs"]["nonlinear"]["metrics"]["fell"] is True
 
 
 def test_a_robot_that_cannot_stand_up_says_why_in_one_line(capsys: pytest.CaptureFixture[str]) -> None:

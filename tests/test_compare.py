@@ -8,6 +8,8 @@ import math
 import numpy as np
 import pytest
 
+from upright.bodies import NonlinearBody
+from upright.bodies.body import FALLEN
 from upright.comparison import (
     active_intervals,
     compare,
@@ -19,9 +21,14 @@ from upright.comparison import (
     saturated_share,
     settling_time,
 )
+from upright.control import StateFeedback, lqr
 from upright.errors import InvalidLog, UnknownName
+from upright.experiment import outcome_of, run
+from upright.report.comparing import metrics_table
+from upright.robots import Robot
 from upright.signals import STATE_NAMES, Log
 
+NXT = Robot.preset("nxtway-gs")
 STEP = 1e-3
 """Sample period [s]; interpolating a crossing then errs by about STEP² × curvature / slope, below 1e-5 s here."""
 
@@ -145,7 +152,7 @@ def test_settling_counts_from_the_release_that_the_push_channel_shows():
     # 1e-3: curvature of exp over a 10 ms sample, h²/(8τ) at τ = 0.25 s is 5e-5 s
     assert result.metrics["slow"].settling_2 == pytest.approx(0.5 * math.log(50), abs=1e-3)
     assert result.metrics["fast"].settling_5 == pytest.approx(0.25 * math.log(20), abs=1e-3)
-    assert not result.metrics["slow"].fell
+    assert result.metrics["slow"].fell is None  # no outcome in this log, and nothing in it lies
 
 
 def test_logs_on_other_time_bases_are_interpolated_on_the_common_interval():
@@ -194,6 +201,21 @@ def test_a_push_that_never_ends_leaves_settling_unknown_and_a_fall_is_seen():
     assert math.isnan(numbers.settling_2)
     assert math.isnan(numbers.saturated)  # no commands in this log
     assert numbers.fell
+
+
+def test_a_fall_is_the_run_s_own_outcome_in_table_page_and_json():
+    """The log ends before the pitch that ended the run: 0.1 rad cosh(7.4 t) passes 1.4 rad at 0.45 s."""
+    falling = run(NonlinearBody(NXT), StateFeedback(np.zeros((2, 6))), seconds=10, start=(0.1, 0, 0, 0, 0, 0))
+    standing = run(NonlinearBody(NXT), lqr(NXT, 0.01), seconds=1, start=(0.1, 0, 0, 0, 0, 0))
+    unknown = Log(falling.t, falling.channels)
+    assert np.abs(falling["truth/pitch"]).max() < FALLEN
+    result = compare({"falling": falling, "standing": standing, "unknown": unknown})
+    row = next(line for line in str(result).splitlines() if line.startswith("fell "))
+    assert row.split() == ["fell", "yes", "no", "–"]
+    assert metrics_table(result).rows[-1][2:] == [True, False, None]
+    assert [run["metrics"]["fell"] for run in result.to_json()["logs"].values()] == [True, False, None]
+    ends = [str(outcome_of(log)) for log in result.logs.values()]
+    assert ends == [f"fell at {falling.t[-1] + 0.01:.4g} s", "stood for 1 s", f"recorded for {falling.t[-1]:.4g} s"]
 
 
 def test_a_comparison_checks_itself_and_notices_a_changed_number():

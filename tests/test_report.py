@@ -128,7 +128,7 @@ def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(com
 
 
 def test_the_same_page_is_the_same_bytes(comparison, tmp_path):
-    first, second = comparison_page(comparison, tmp_path / "a.html"), comparison.report(tmp_path / "b.html")
+    first, second = (comparison_page(comparison, tmp_path / name) for name in ("a.html", "b.html"))
     assert first.read_bytes() == second.read_bytes()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.html", "b.html"]  # no temporary file stays
 

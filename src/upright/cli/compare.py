@@ -33,9 +33,10 @@ def compare(
     Prints settling, overshoot, effort and more for each, and how well each fits the reference.
     """
     from upright.comparison import compare as compare_logs
+    from upright.report import comparison_page
 
     comparison = compare_logs(_labelled(logs), reference=reference, release=release)
-    page = comparison.report(report) if report else None
+    page = comparison_page(comparison, report) if report else None
     if as_json:
         print_json(comparison.to_json() | ({"report": str(page)} if page else {}))
         return

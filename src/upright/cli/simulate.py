@@ -161,14 +161,14 @@ def _programmes(push: list[str], slope: str | None, drive: str | None, turn: str
 
 def _say(log: Log, label: str, written: Path | None, as_json: bool) -> None:
     from upright.comparison import compare
+    from upright.experiment import outcome_of
 
     numbers = compare({label: log})
-    outcome = log.origin["outcome"]
+    outcome = outcome_of(log)
     if as_json:
-        print_json(
-            {"outcome": outcome, "origin": log.origin, "log": str(written) if written else None} | numbers.to_json()
-        )
+        facts = {"outcome": outcome.to_json(), "origin": log.origin, "log": str(written) if written else None}
+        print_json(facts | numbers.to_json())
         return
-    typer.echo(f"{'fell at' if outcome['fell'] else 'stood for'} {outcome['seconds']:.4g} s\n\n{numbers}")
+    typer.echo(f"{outcome}\n\n{numbers}")
     if written:
         typer.echo(f"\nwrote {written}")

@@ -16,7 +16,7 @@ from upright.comparison.comparison import compare
 from upright.control import Controller, make_controller
 from upright.control.uncertain import draw
 from upright.errors import UprightError
-from upright.experiment import Hold, Impulse, run
+from upright.experiment import Hold, Impulse, outcome_of, run
 from upright.fleet.push_map import CEILING, FLOOR, largest
 from upright.robots import Kit, Robot
 
@@ -99,12 +99,12 @@ def bench_one(
     plant.close()
     numbers = compare({body: log}).to_json()["logs"]
     found = next(iter(numbers.values()))["metrics"]
-    outcome = log.origin["outcome"]
-    said = f"fell at {outcome['seconds']:.1f} s" if outcome["fell"] else "yes"
+    end = outcome_of(log)
+    outcome = f"fell at {end.seconds:.1f} s" if end.fell else "yes"
     spread = _spread(Course(driver(controller, robot, kit), robot, drawn, kit, seed), side)
     names = {"peak": "pitch_peak", "settling": "settling_5", "travel": "wheel_travel"}
     numbers = {n: found[names.get(n, n)] for n in ("peak", "settling", "travel", "effort", "saturated")}
-    return BenchRow(method, push, said, **numbers, impulse=impulse, spread=spread)
+    return BenchRow(method, push, outcome, **numbers, impulse=impulse, spread=spread)
 
 
 def largest_knock(plant: Body, controller: Controller, way: float, seed: int) -> float:
@@ -115,7 +115,7 @@ def largest_knock(plant: Body, controller: Controller, way: float, seed: int) ->
     def stands(sizes: Array, _: Any) -> NDArray[np.bool_]:
         knock = Impulse(impulse=way * float(sizes[0]), at_time=STRUCK, duration=KNOCK)
         log = run(plant, controller, knock, seconds=STRUCK + KNOCK + WATCHED, seed=seed)
-        return np.array([not log.origin["outcome"]["fell"]])
+        return np.array([not outcome_of(log).fell])
 
     found = largest(stands, [GUESS * mass], CEILING * mass, FLOOR * mass, TOLERANCE, 2.0)
     return float(found[0])

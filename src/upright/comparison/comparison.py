@@ -7,16 +7,15 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from upright.atomic import finite
-from upright.bodies.body import FALLEN
 from upright.comparison import metrics
 from upright.errors import InvalidLog, UnknownName
+from upright.experiment import outcome_of
 from upright.signals import STATE_NAMES, Log
 
 NEAR_LIMIT = 0.8
@@ -32,6 +31,7 @@ class Metrics:
     """What one log shows; times count from the release of the push, NaN where a log cannot say.
 
     Settling and overshoot are of pitch about zero, and `wheel_travel` is the largest |θ − θ(first sample)|.
+    `fell` is the run's own outcome, None where a log from elsewhere has none (`experiment.outcome_of`).
     """
 
     settling_2: float = _number("s", "settling 2 %")
@@ -42,7 +42,7 @@ class Metrics:
     wheel_travel: float = _number("rad", "wheel travel")
     effort: float = _number("u² s", "effort")
     saturated: float = _number("1", "saturated")
-    fell: bool = _number("", "fell")
+    fell: bool | None = _number("", "fell")
 
 
 METRICS: dict[str, tuple[str, str]] = {
@@ -107,12 +107,6 @@ class Comparison:
             rows.append([f"fit of {name}", "%", *cells])
         rows.append(["states from", "", *(self.sources[label] for label in labels)])
         return _aligned(rows)
-
-    def report(self, path: str | Path) -> Path:
-        """Write the comparison as one self-contained HTML page."""
-        from upright.report.comparing import comparison_page
-
-        return comparison_page(self, path)
 
 
 def compare(
@@ -233,7 +227,7 @@ def _measure(log: Log, source: str, release: float, unit: str) -> Metrics:
         wheel_travel=abs(metrics.peak(log.t, wheel, float(wheel[0])).value),
         effort=_effort(log, unit),
         saturated=_saturated(log),
-        fell=bool((np.abs(pitch) > FALLEN).any()),
+        fell=outcome_of(log).fell,
     )
 
 
@@ -278,10 +272,10 @@ def _fit(anchor: Log, log: Log, mine: Mapping[str, str], other: Mapping[str, str
     return {name: metrics.nrmse_fit(anchor[mine[name]][keep], np.interp(t, log.t, log[other[name]])) for name in mine}
 
 
-def _cell(value: float | bool) -> str:
+def _cell(value: float | bool | None) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
-    return "–" if math.isnan(value) else f"{value:.4g}"
+    return "–" if value is None or math.isnan(value) else f"{value:.4g}"
 
 
 def _aligned(rows: Sequence[Sequence[str]]) -> str:

@@ -16,6 +16,7 @@ from upright.bodies.body import REST, Body, BodySpec, Sample
 from upright.control.controller import Controller, controller_hash
 from upright.control.permit import Permit, permitted
 from upright.errors import InvalidScenario, SpecMismatch
+from upright.experiment.outcome import RunOutcome
 from upright.experiment.pushes import PushProgramme, combined
 from upright.experiment.references import Reference, wanted
 from upright.signals import Log
@@ -151,7 +152,7 @@ def as_log(rows: ArrayLike, spec: BodySpec, controller: Controller, scenario: di
         "body": {"kind": spec.kind, "real": spec.real, "period": spec.period, "limit": finite(spec.limit)},
         "controller": {**controller.to_json(), "hash": controller_hash(controller)},
         "scenario": scenario,
-        "outcome": {"fell": end.fallen, "seconds": end.t},
+        "outcome": RunOutcome(end.fallen, end.t).to_json(),
         "versions": {name: version(name) for name in ("upright", "numpy", "mujoco")},
     }
     channels = {signal.name: table[:, i] for i, signal in enumerate(signals)}

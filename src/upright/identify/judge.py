@@ -19,7 +19,7 @@ from upright.control.delay import RAW
 from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, riccati
 from upright.errors import UprightError
-from upright.experiment import Hold, run
+from upright.experiment import Hold, outcome_of, run
 from upright.identify.coordinates import PartModel
 from upright.identify.grey_box import kit_as_found
 from upright.identify.identified import assembled, reading
@@ -187,9 +187,9 @@ def tried(samples: Samples, models: Sequence[PartModel], judge: Judge, seed: int
     body = Electronics(_body(judge, samples.dt), judge.kit)
     log = run(body, controller, Hold(pitch=HELD, until=UNTIL), seconds=SECONDS, seed=seed)
     body.close()
-    outcome = log.origin["outcome"]
-    if outcome["fell"]:
-        return Trial(False, float(outcome["seconds"]))
+    outcome = outcome_of(log)
+    if outcome.fell:
+        return Trial(False, outcome.seconds)
     free = log.between(UNTIL, SECONDS)["truth/pitch"]
     last = log.between(SECONDS - 2.0, SECONDS)["truth/pitch"]
     return Trial(True, None, float(np.abs(free).max()), float(np.sqrt(np.mean(last**2))))

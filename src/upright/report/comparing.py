@@ -43,7 +43,8 @@ def _how(comparison: Comparison) -> str:
         f"Settling and overshoot are of pitch about zero, counted from the release of the push at {release}. "
         "Settling is the time after which pitch stays within 2 % (5 %) of its largest deviation since then; overshoot "
         "is the largest swing to the other side over the largest on the first. Effort is the integral of both "
-        "motors' squared commands. Saturated is the share of samples that asked for more than was ever applied."
+        "motors' squared commands. Saturated is the fraction of samples that asked for more than was ever applied. "
+        "Fell is the outcome that the run recorded."
     )
 
 

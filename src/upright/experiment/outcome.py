@@ -1,0 +1,41 @@
+"""How a run ended: the one definition of a fall, shared by every table, page and line of text."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from upright.bodies.body import FALLEN
+from upright.signals import Log
+
+
+@dataclass(frozen=True)
+class RunOutcome:
+    """Whether the robot `fell`, and after how many `seconds` the run ended; `fell` is None where nobody knows."""
+
+    fell: bool | None
+    seconds: float
+
+    def __str__(self) -> str:
+        words = {True: "fell at", False: "stood for", None: "recorded for"}
+        return f"{words[self.fell]} {self.seconds:.4g} s"
+
+    def to_json(self) -> dict[str, Any]:
+        return {"fell": self.fell, "seconds": self.seconds}
+
+
+def outcome_of(log: Log) -> RunOutcome:
+    """The outcome that the run recorded in the log's origin.
+
+    A log from elsewhere has none. A pitch beyond `FALLEN` in it is then a fall; without one nobody knows, since such a
+    log may end as the robot begins to fall.
+    """
+    recorded: Any = log.origin.get("outcome")
+    if isinstance(recorded, Mapping) and isinstance(recorded.get("fell"), bool):
+        return RunOutcome(recorded["fell"], float(recorded.get("seconds", log.t[-1])))
+    pitch = next((log[name] for name in ("truth/pitch", "estimate/pitch") if name in log), np.empty(0))
+    lying = np.flatnonzero(np.abs(pitch) > FALLEN)
+    return RunOutcome(True, float(log.t[lying[0]])) if len(lying) else RunOutcome(None, float(log.t[-1] - log.t[0]))
