@@ -70,7 +70,7 @@ def start_of(n: int) -> np.ndarray:
 
 
 def bare(n: int, **options: Any) -> FleetBatch:
-    return FleetBatch(parameters=spread_fleet(n), controller=lqr(ROBOT), start=start_of(n), substeps=1, **options)
+    return FleetBatch(parameters=spread_fleet(n), controller=lqr(ROBOT, 0.01), start=start_of(n), substeps=1, **options)
 
 
 def full(n: int, jitter: float = 0.0) -> FleetBatch:
@@ -79,7 +79,7 @@ def full(n: int, jitter: float = 0.0) -> FleetBatch:
     `jitter` [s] counts in whole steps of 1 ms: the kit's own 0.5 ms would be none.
     """
     kit = replace(Kit.preset("nxt"), jitter=jitter)
-    controller = Estimated(lqr(ROBOT), kalman(ROBOT, kit))
+    controller = Estimated(lqr(ROBOT, 0.01), kalman(ROBOT, kit))
     push = [[[0.5, np.nan, 0.2, 0.1]]]
     return FleetBatch(
         parameters=spread_fleet(n), controller=controller, start=start_of(n), kit=kit, pushes=push, substeps=1
@@ -111,7 +111,7 @@ class Roofline:
         """The bare loop for n robots (rounded up to whole blocks), as a function to be timed."""
         many = -(-n // self._lanes) * self._lanes
         table = np.ascontiguousarray(constants(bare(many))[:, CONSTANTS], self._dtype)
-        gain, start = np.ascontiguousarray(lqr(ROBOT).gain, self._dtype), start_of(many).astype(self._dtype)
+        gain, start = np.ascontiguousarray(lqr(ROBOT, 0.01).gain, self._dtype), start_of(many).astype(self._dtype)
         parts = np.array_split(np.arange(many // self._lanes) * self._lanes, threads)
         bounds = [(int(p[0]), int(p[-1]) + self._lanes) for p in parts if len(p)]
 
@@ -220,8 +220,8 @@ def equality() -> None:
     """Every state of 10 s, under a push, against the single-robot path, and float32 against float64."""
     push, rows = Push(force=1.0, start=1.0, duration=0.1), [[1.0, np.nan, 1.0, 0.1]]
     start = (0.05, 0.0, 0.1, 0.0, 0.2, 0.0)
-    log = run(NonlinearBody(ROBOT), lqr(ROBOT), push, start=start, seconds=10.0)
-    batch = FleetBatch(parameters=parameters_of(ROBOT), controller=lqr(ROBOT), start=start, pushes=rows)
+    log = run(NonlinearBody(ROBOT), lqr(ROBOT, 0.01), push, start=start, seconds=10.0)
+    batch = FleetBatch(parameters=parameters_of(ROBOT), controller=lqr(ROBOT, 0.01), start=start, pushes=rows)
     exact, short = (simulate(batch, 10.0, record=1, dtype=kind).trace[0] for kind in (np.float64, np.float32))
     apart, coarse = np.abs(log.state()[: len(exact)] - exact).max(), np.abs(short - exact).max()
     print(f"\n10 s under a push, kernel against the single-robot path: {apart:.1e} (bar 1e-9)")
@@ -261,7 +261,7 @@ def memory() -> None:
 def first_call() -> None:
     code = (
         "import time, numpy, scipy.linalg; from upright.robots import Robot; from upright.control import lqr; r = Robot.preset('nxtway-gs');"
-        "k = lqr(r); t = time.perf_counter(); from upright.kernel.simulate import simulate;"
+        "k = lqr(r, 0.01); t = time.perf_counter(); from upright.kernel.simulate import simulate;"
         "from upright.kernel.batch import FleetBatch, parameters_of;"
         "simulate(FleetBatch(parameters=parameters_of(r), controller=k), 1.0); print(time.perf_counter() - t)"
     )

@@ -41,7 +41,7 @@ def cost(robot: Robot) -> None:
         best = float("inf")
         for _ in range(3):
             before = time.perf_counter()
-            run(body, lqr(robot), seconds=4.0, start=(0.05, 0, 0, 0, 0, 0))
+            run(body, lqr(robot, 0.01), seconds=4.0, start=(0.05, 0, 0, 0, 0, 0))
             best = min(best, time.perf_counter() - before)
         took[name] = best / 4.0
     print(f"\n{'body':<20}{'[s] a simulated second':>25}{'ratio':>8}")

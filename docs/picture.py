@@ -20,7 +20,7 @@ WIDTH, HEAD = 720, 64
 def figure() -> Figure:
     """Pitch and wheel angle of twin, nonlinear and linear model, held at 0.1 rad for 4 s."""
     robot = Robot.preset("herrera2015")
-    kit, regulator, push = Kit.preset(robot.kit), lqr(robot), Hold(pitch=0.1, until=4.0)
+    kit, regulator, push = Kit.preset(robot.kit), lqr(robot, 0.01), Hold(pitch=0.1, until=4.0)
     logs = {
         "twin on its sensors": run(
             Electronics(Twin(robot), kit), Estimated(regulator, kalman(robot, kit)), push, seed=1

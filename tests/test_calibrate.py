@@ -43,7 +43,7 @@ TRUE = PRIOR.replace(com_height=0.0768, pitch_inertia=0.0013, back_emf=0.45, tor
 @cache
 def twin_log(seconds: float = 20.0, seed: int = 3) -> Log:
     """A twin of `TRUE` under the regulator of the *preset*, excited by ±1.5 V held 40 ms."""
-    controller = Estimated(lqr(PRIOR), kalman(PRIOR, NXT))
+    controller = Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, NXT))
     excitation = random_binary(round(seconds / 0.01), 1.5, seed, hold=4)
     return run(Electronics(Twin(TRUE), NXT), Excited(controller, excitation), seconds=seconds, seed=seed)
 
@@ -204,7 +204,7 @@ def test_noise_is_found() -> None:
 
 def test_a_quiet_log_gives_no_inertia() -> None:
     """Standing still moves the gyro by a step or two: every inertia stays at its prior, and the notes say so."""
-    controller = Estimated(lqr(PRIOR), kalman(PRIOR, NXT))
+    controller = Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, NXT))
     log = run(Electronics(Twin(TRUE), NXT), controller, seconds=10.0, seed=1, start=(0.01, 0, 0, 0, 0, 0)).between(
         1, 10
     )
@@ -324,7 +324,7 @@ def test_two_copies_of_one_encoder_count_once() -> None:
 
 def test_an_exact_model_gives_back_what_made_the_log() -> None:
     """On the nonlinear model, whose equations are the predictor's, every visible truth is inside 3 deviations."""
-    controller = Estimated(lqr(PRIOR), kalman(PRIOR, NXT))
+    controller = Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, NXT))
     body = Electronics(NonlinearBody(TRUE), NXT)
     log = run(body, Excited(controller, random_binary(1000, 1.5, 9, 4)), seconds=10.0, seed=9)
     found = calibrate(log, PRIOR)

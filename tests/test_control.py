@@ -63,7 +63,7 @@ def test_lqr_equals_slicot():
 def test_lqr_checks_itself_and_stabilises(name):
     design = lqr(Robot.preset(name), 0.01)
     assert design.check() < 1e-9
-    assert np.abs(design.poles).max() < 1
+    assert np.abs(design.poles()).max() < 1
 
 
 def test_unweighted_integrator_is_refused():
@@ -91,7 +91,7 @@ def test_continuous_model_is_refused():
 
 
 def test_feedback_is_minus_k_times_the_deviation():
-    controller = StateFeedback.symmetric([-1, -2, -3, -4, -5, -6])
+    controller = StateFeedback.symmetric([-1, -2, -3, -4, -5, -6], 0.01)
     command = controller.step(np.array([0.1, 0.2, 0.3, 0.4, 0.5, 0.6]), np.zeros(6))
     # −Σ k x: pitch part 0.1 + 0.4 + 0.9 + 1.6 = 3.0, yaw part 2.5 + 3.6 = 6.1, of opposite sign on the right
     assert command == (pytest.approx(9.1), pytest.approx(-3.1))
@@ -100,7 +100,7 @@ def test_feedback_is_minus_k_times_the_deviation():
 @pytest.mark.parametrize("gain", [np.zeros(6), np.zeros((6, 2)), np.full((2, 6), np.nan)])
 def test_wrong_gain_is_refused(gain):
     with pytest.raises(InvalidController):
-        StateFeedback(gain)
+        StateFeedback(gain, 0.01)
 
 
 def test_every_controller_says_what_it_is():
@@ -118,8 +118,8 @@ def test_every_controller_says_what_it_is():
 
 def test_hash_changes_with_a_gain():
     design = lqr(NXT, 0.01)
-    other = StateFeedback(design.gain * (1 + 1e-12), kind="lqr")
-    assert controller_hash(StateFeedback(design.gain, kind="lqr")) != controller_hash(other)
+    other = StateFeedback(design.gain * (1 + 1e-12), 0.01, kind="lqr")
+    assert controller_hash(StateFeedback(design.gain, 0.01, kind="lqr")) != controller_hash(other)
 
 
 def test_kalman_gain_equals_python_control():

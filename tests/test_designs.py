@@ -165,13 +165,13 @@ def test_a_feedback_of_the_state_ahead_has_the_poles_of_the_loop_without_dead_ti
     plant = seen.plant
     poles = np.linalg.eigvals(plant.A - plant.B @ design.gain @ seen.ahead)
     slow = poles[np.argsort(-np.abs(poles))][:6]
-    assert np.sort_complex(slow) == pytest.approx(np.sort_complex(design.poles), abs=1e-6)
+    assert np.sort_complex(slow) == pytest.approx(np.sort_complex(design.poles()), abs=1e-6)
     assert len(poles) == 6 + 2 * int(np.ceil(dead / 0.01 - 1e-9))
 
 
 def test_a_feedback_in_another_unit_is_refused():
     with pytest.raises(SpecMismatch, match="commands V"):
-        observed(lqr(NXT), Robot.preset("twipr"), Kit.preset("twipr"))
+        observed(lqr(NXT, 0.01), Robot.preset("twipr"), Kit.preset("twipr"))
 
 
 @pytest.mark.parametrize("name", ["mpc", "sliding"])
@@ -345,7 +345,7 @@ def test_reaching_law_holds_on_the_linear_robot():
         u = -design.S @ plant.A @ x + design.keep * s - push
         x = plant.A @ x + plant.B @ u
         assert np.allclose(design.S @ x, design.keep * s - push, atol=1e-12)
-    assert np.abs(design.poles).max() < 1
+    assert np.abs(design.poles()).max() < 1
 
 
 def test_chattering_counts_turns_only():
@@ -441,11 +441,11 @@ def test_broken_files_are_refused_in_one_line(tmp_path):
     with pytest.raises(UprightError, match="no folder"):
         write_controller(lqg(NXT, KIT), tmp_path / "none" / "c.json")
     with pytest.raises(InvalidController, match="cannot be written"):
-        write_controller(Excited(lqr(NXT), random_binary(4, 1.0, 0)), path)
+        write_controller(Excited(lqr(NXT, 0.01), random_binary(4, 1.0, 0)), path)
 
 
 def test_static_feedback_reads_back_with_its_kind(tmp_path):
-    back = read_controller(write_controller(lqr(NXT), tmp_path / "lqr.json"))
+    back = read_controller(write_controller(lqr(NXT, 0.01), tmp_path / "lqr.json"))
     assert isinstance(back, StateFeedback)
     assert back.kind == "lqr"
 

@@ -34,7 +34,7 @@ def test_the_loop_holds_and_releases():
     log = run(NonlinearBody(NXT), DESIGN, Hold(pitch=0.1, until=8.0), seconds=16)
     pitch, t = log["truth/pitch"], log.t
     # the slowest closed-loop pole decides how near to rest 8 s bring it: e^(−8·|p|), with margin
-    slowest = -math.log(np.abs(DESIGN.poles).max()) / 0.01
+    slowest = -math.log(np.abs(DESIGN.poles()).max()) / 0.01
     assert abs(pitch[(t > 7.9) & (t < 8)].mean() - 0.1) < 0.1 * math.exp(-8 * slowest) * 20 + 1e-3
     assert abs(pitch[-1]) < 0.1 * math.exp(-8 * slowest) * 20 + 1e-3
     assert (log["push/force"] != 0).sum() == 800  # 8 s of 10 ms
@@ -52,7 +52,7 @@ def test_same_arguments_give_the_same_log():
 
 
 def test_a_fall_ends_the_log_and_is_said():
-    log = run(NonlinearBody(NXT), StateFeedback(np.zeros((2, 6))), seconds=10, start=(0.1, 0, 0, 0, 0, 0))
+    log = run(NonlinearBody(NXT), StateFeedback(np.zeros((2, 6)), 0.01), seconds=10, start=(0.1, 0, 0, 0, 0, 0))
     assert log.origin["outcome"]["fell"]
     assert log.t[-1] < 1.0  # 0.1 rad·cosh(7.4 t) passes 1.4 rad after ln(28)/7.4 = 0.45 s
 
@@ -108,7 +108,7 @@ def test_body_and_controller_must_fit():
     with pytest.raises(SpecMismatch, match="multiple"):
         run(NonlinearBody(NXT, period=0.003), DESIGN)
     with pytest.raises(SpecMismatch, match="N m"):
-        run(NonlinearBody(NXT), StateFeedback(DESIGN.gain, command_unit="N m"))
+        run(NonlinearBody(NXT), StateFeedback(DESIGN.gain, 0.01, command_unit="N m"))
 
 
 def test_the_log_says_where_it_came_from():

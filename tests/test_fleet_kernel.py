@@ -24,7 +24,7 @@ STATE = tuple(f"truth/{name}" for name in STATE_NAMES)
 BOTH = (*STATE, "command/left", "command/right", "applied/left", "applied/right")
 START = (0.05, 0.0, 0.1, 0.0, 0.2, 0.0)
 NOISY = Kit.preset("nxt")
-FILTERED = Estimated(lqr(NXT), kalman(NXT, NOISY))
+FILTERED = Estimated(lqr(NXT, 0.01), kalman(NXT, NOISY))
 EQUAL = 1e-9  # the bar of the issue; rounding alone gives 1e-12
 
 
@@ -57,11 +57,11 @@ def difference(robot, controller, kit=None, seconds=10.0, *, model="complete", p
 
 
 def test_models_pushes_and_references_equal_the_obvious_loop():
-    assert difference(NXT, lqr(NXT), model="published") < EQUAL
+    assert difference(NXT, lqr(NXT, 0.01), model="published") < EQUAL
     shove = [Push(force=1.0, height=0.1), Push(force=-0.5, start=2.0, duration=0.3)]
-    assert difference(NXT, lqr(NXT), push=shove, pushes=[[1, 0.1, 1, 0.1], [-0.5, np.nan, 2, 0.3]]) < EQUAL
+    assert difference(NXT, lqr(NXT, 0.01), push=shove, pushes=[[1, 0.1, 1, 0.1], [-0.5, np.nan, 2, 0.3]]) < EQUAL
     arc = [Drive(speed=0.2, start=1.0, until=4.0), Turn(rate=1.0, start=2.0)]
-    assert difference(NXT, lqr(NXT), reference=arc, ramps=[[0.2, 0, 1, 4], [0, 1, 2, math.inf]]) < EQUAL
+    assert difference(NXT, lqr(NXT, 0.01), reference=arc, ramps=[[0.2, 0, 1, 4], [0, 1, 2, math.inf]]) < EQUAL
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.005])
@@ -71,13 +71,13 @@ def test_friction_and_slope_equal_the_obvious_loop(friction, angle):
     push = [Slope(angle=angle, start=1.0)] if angle else []
     turn = Turn(rate=1.0, start=2.0)  # a heading that changes meets the slope from all sides
     ramps = [[0, 1, 2, math.inf]]
-    assert difference(robot, lqr(NXT), push=push, slope=[angle, 1.0], reference=turn, ramps=ramps) < EQUAL
+    assert difference(robot, lqr(NXT, 0.01), push=push, slope=[angle, 1.0], reference=turn, ramps=ramps) < EQUAL
 
 
 @pytest.mark.parametrize("name", ["herrera2015", "ev3way", "nxtway-gs-measured"])
 def test_other_robots_equal_the_obvious_loop(name):
     robot = Robot.preset(name)
-    assert difference(robot, lqr(robot), seconds=3.0) < EQUAL
+    assert difference(robot, lqr(robot, 0.01), seconds=3.0) < EQUAL
 
 
 def test_delay_saturation_and_sensors_equal_the_obvious_loop():
@@ -169,7 +169,7 @@ def test_a_robot_is_the_same_bits_in_any_batch_order_and_number_of_threads(dtype
 def test_a_robot_does_not_get_what_only_its_company_needs():
     robots = [NXT, NXT.replace(coulomb_friction=0.005), NXT, NXT.replace(coulomb_friction=0.005)]
     slope = np.array([[0.0, 0.0], [0.0, 0.0], [0.03, 0.5], [0.03, 0.5]])
-    given = {"controller": lqr(NXT), "start": START, "substeps": 1}
+    given = {"controller": lqr(NXT, 0.01), "start": START, "substeps": 1}
     together = simulate(FleetBatch(parameters=parameters_of(robots), slope=slope, **given), 1.0, record=10)
     for i, robot in enumerate(robots):
         alone = simulate(FleetBatch(parameters=parameters_of(robot), slope=slope[i], **given), 1.0, record=10)
@@ -215,7 +215,7 @@ def test_noise_spreads_robots_as_in_the_obvious_loop():
 
 def test_float32_stays_near_float64():
     batch = FleetBatch(
-        parameters=parameters_of(NXT), controller=lqr(NXT), start=START, pushes=[[1.0, np.nan, 1.0, 0.1]]
+        parameters=parameters_of(NXT), controller=lqr(NXT, 0.01), start=START, pushes=[[1.0, np.nan, 1.0, 0.1]]
     )
     exact, short = (simulate(batch, 10.0, record=1, dtype=dtype).trace[0] for dtype in (np.float64, np.float32))
     # 2⁻²⁴ of the largest state in each of ten thousand steps, damped by the loop: the bound that docs/scale.md states
@@ -223,7 +223,9 @@ def test_float32_stays_near_float64():
 
 
 def test_statistics_equal_those_of_the_recorded_rows():
-    batch = FleetBatch(parameters=parameters_of(NXT), controller=lqr(NXT), start=START, kit=smooth(NOISY, delay=0.0))
+    batch = FleetBatch(
+        parameters=parameters_of(NXT), controller=lqr(NXT, 0.01), start=START, kit=smooth(NOISY, delay=0.0)
+    )
     result = simulate(batch, 5.0, record=1, channels=BOTH, bands=(0.01, math.inf, math.inf))
     pitch, wheel = result.trace[0, :, 0], result.trace[0, :, 2]
     assert result.peak[0, :2].tolist() == [np.abs(pitch).max(), np.abs(wheel).max()]
@@ -236,7 +238,11 @@ def test_statistics_equal_those_of_the_recorded_rows():
 
 def test_a_robot_that_falls_stops_where_it_fell():
     batch = FleetBatch(
-        parameters=parameters_of(NXT), controller=lqr(NXT), start=START, pushes=[[20.0, np.nan, 0.5, 0.2]], substeps=1
+        parameters=parameters_of(NXT),
+        controller=lqr(NXT, 0.01),
+        start=START,
+        pushes=[[20.0, np.nan, 0.5, 0.2]],
+        substeps=1,
     )
     result = simulate(batch, 3.0, record=1)
     assert result.fell[0]
@@ -248,7 +254,7 @@ def test_a_robot_that_falls_stops_where_it_fell():
 
 def test_each_robot_may_have_its_own_controller_and_kit():
     robots = [Robot.preset("nxtway-gs"), Robot.preset("nxtway-gs-measured")]
-    controllers = [lqr(robot) for robot in robots]
+    controllers = [lqr(robot, 0.01) for robot in robots]
     delays = np.array([0.0, 0.004])
     both = FleetBatch(
         parameters=parameters_of(robots), controller=controllers, start=START, kit=Kit(name="late"),
@@ -330,7 +336,7 @@ def test_machine_code_is_kept_and_found_again(tmp_path, monkeypatch):
 
 
 def test_what_does_not_fit_is_refused():
-    one = {"parameters": parameters_of(NXT), "controller": lqr(NXT)}
+    one = {"parameters": parameters_of(NXT), "controller": lqr(NXT, 0.01)}
     with pytest.raises(InvalidScenario, match="start has shape"):
         FleetBatch(**one, start=np.zeros((3, 5)))
     with pytest.raises(InvalidScenario, match="rows in a batch of 3"):

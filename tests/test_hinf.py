@@ -8,9 +8,9 @@ from upright.certify import margins, robot_loop
 from upright.control.delay import sampled
 from upright.control.hinf import Expected, Hinf, hinf, norm_on_grid
 from upright.control.linear_controller import LinearController
-from upright.control.state_space import StateSpace
 from upright.errors import DesignFailed, SpecMismatch
 from upright.experiment import Drive, Hold, run
+from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot, preset_names
 
 pytest.importorskip("slycot")
@@ -29,7 +29,7 @@ def test_norm_on_a_grid_equals_slicots():
     A *= 0.95 / np.abs(np.linalg.eigvals(A)).max()  # stable, with a resonance
     B, C, D = rng.normal(size=(5, 2)), rng.normal(size=(3, 5)), rng.normal(size=(3, 2))
     peak, _ = slycot.ab13dd("D", "I", "N", "D", 5, 2, 3, A, np.eye(5), B, C, D)  # AB13DD: the L∞ norm by Hamiltonian
-    assert norm_on_grid(StateSpace(A, B, C, D, 0.01)) == pytest.approx(peak, rel=1e-4)
+    assert norm_on_grid(LinearModel(A, B, C, D, 0.01)) == pytest.approx(peak, rel=1e-4)
 
 
 @pytest.mark.parametrize("name", preset_names())
@@ -49,8 +49,8 @@ def test_the_design_steers_the_robot_it_was_made_for(designs, name):
     loop = robot_loop(robot, controller, kit)
     channels = controller.design.forward, controller.design.turning
     assert loop.stable
-    slowest = max(float(np.abs(channel.closed.poles[0])) for channel in channels)
-    assert abs(loop.closed.poles[0]) == pytest.approx(slowest, abs=1e-6)
+    slowest = max(float(np.abs(channel.closed.poles()[0])) for channel in channels)
+    assert abs(loop.closed.poles()[0]) == pytest.approx(slowest, abs=1e-6)
 
 
 @pytest.mark.parametrize("pitch", [0.1, -0.12])

@@ -14,8 +14,9 @@ from upright.certify.scaling import balanced
 from upright.control.delay import sampled
 from upright.control.linear_controller import as_linear
 from upright.control.lqr import lqr
-from upright.control.state_space import StateSpace, continuous, controller_of, discrete
+from upright.control.state_space import continuous, controller_of, discrete
 from upright.errors import InvalidModel
+from upright.physics.linear import LinearModel
 from upright.report.analysis import analysis_page
 from upright.robots import Kit, Robot
 
@@ -38,7 +39,7 @@ def analysis(nominal):
 
 
 def test_seilers_example_has_its_published_margins():
-    found = margins(StateSpace.from_control(SEILER))
+    found = margins(LinearModel.from_control(SEILER))
     assert found.gain_high == pytest.approx(3.6, abs=0.005)  # printed to two digits
     assert math.degrees(found.phase) == pytest.approx(29.1, abs=0.05)
     assert found.disk == pytest.approx(0.46, abs=0.005)
@@ -49,7 +50,7 @@ def test_seilers_example_has_its_published_margins():
 @pytest.mark.parametrize("system", [SEILER, control.tf(1, [1, 2, 3, 4]), control.tf([2, 3], [1, -1, 0])])
 def test_margins_equal_python_controls(system):
     gm, pm, sm, _, wp, _ = control.stability_margins(system)
-    found = margins(StateSpace.from_control(system))
+    found = margins(LinearModel.from_control(system))
     assert [found.gain_high, math.degrees(found.phase)] == pytest.approx(
         [gm, pm] if gm > 1 else [math.inf, pm], rel=1e-5
     )
@@ -60,7 +61,7 @@ def test_margins_equal_python_controls(system):
 def test_spinning_satellite_is_fragile_although_each_loop_is_not():
     # Zhou and Doyle (1998), section 9.6: each loop alone is 1/s, yet both at once survive a gain of a tenth and no more
     plant = control.ss([[0, 10], [-10, 0]], np.eye(2), [[1, 10], [-10, 1]], 0)
-    loop = StateSpace.from_control(plant)
+    loop = LinearModel.from_control(plant)
     alone = margins(loop, (1, 0))
     assert math.degrees(alone.phase) == pytest.approx(90, abs=1e-6)
     assert alone.gain_high == math.inf
@@ -71,19 +72,19 @@ def test_disk_margins_of_two_loops_equal_python_controls():
     # python-control's own test of this plant and controller expects 0.3754
     plant = control.ss([[0, 10], [-10, 0]], np.eye(2), [[1, 10], [-10, 1]], 0)
     gain = control.ss([], [], [], [[1, -2], [0, 1]])
-    assert disk_margin(StateSpace.from_control(gain * plant)) == pytest.approx(0.3754, abs=2e-3)
+    assert disk_margin(LinearModel.from_control(gain * plant)) == pytest.approx(0.3754, abs=2e-3)
 
 
 def test_an_unstable_loop_has_no_margins():
-    found = margins(StateSpace.from_control(control.tf(100, [1, 2, 3, 4])))
+    found = margins(LinearModel.from_control(control.tf(100, [1, 2, 3, 4])))
     assert (found.delay, found.disk, found.Ms) == (0.0, 0.0, math.inf)
     assert "unstable" in found.words()
-    assert disk_margin(StateSpace.from_control(control.tf(100, [1, 2, 3, 4]))) == 0.0
+    assert disk_margin(LinearModel.from_control(control.tf(100, [1, 2, 3, 4]))) == 0.0
 
 
 def test_the_bilinear_map_and_its_inverse_give_the_system_back():
     rng = np.random.default_rng(1)
-    system = StateSpace(
+    system = LinearModel(
         0.3 * rng.normal(size=(4, 4)), rng.normal(size=(4, 2)), rng.normal(size=(3, 4)), np.ones((3, 2)), 0.1
     )
     again = discrete(continuous(system), 0.1)
@@ -96,7 +97,7 @@ def test_state_feedback_margins_are_those_at_which_the_loop_really_breaks(nomina
 
     def stable(factor):
         K = loop.controller
-        return Loop(loop.plant, StateSpace(K.A, K.B, K.C * factor, K.D * factor, K.dt)).stable
+        return Loop(loop.plant, LinearModel(K.A, K.B, K.C * factor, K.D * factor, K.dt)).stable
 
     assert stable(found.gain_high * 0.999)
     assert not stable(found.gain_high * 1.001)
@@ -116,7 +117,7 @@ def test_more_delay_than_the_margin_makes_the_robot_unstable(nominal):
 
 def test_loop_of_a_regulator_has_the_regulators_poles(nominal, analysis):
     # without delay and with the state measured, the loop is A − BK
-    assert np.allclose(np.sort(np.abs(analysis.poles)), np.sort(np.abs(nominal.poles)), atol=1e-9)
+    assert np.allclose(np.sort(np.abs(analysis.poles)), np.sort(np.abs(nominal.poles())), atol=1e-9)
     assert analysis.check() < 1e-9
 
 

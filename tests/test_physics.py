@@ -77,6 +77,24 @@ def test_converts_to_and_from_control():
     assert (back.dt, back.states, back.inputs) == (model.dt, model.states, model.inputs)
 
 
+def test_a_linear_model_computes_as_python_control_does():
+    # an independent route: poles, response and a series connection, with a direct path, in both times
+    control = pytest.importorskip("control")
+    rng = np.random.default_rng(4)
+    for dt in (0, 0.1):
+        first, second = (control.rss(n, 2, 2, dt=dt) if dt == 0 else control.drss(n, 2, 2, dt=dt) for n in (3, 2))
+        first.D = rng.normal(size=(2, 2))
+        ours = LinearModel.from_control(second) * LinearModel.from_control(first)
+        theirs = second * first
+        w = np.array([0.1, 1.0, 7.0])
+        assert np.allclose(ours.response(w), np.moveaxis(theirs.frequency_response(w).frdata, 2, 0), atol=1e-9)
+        assert np.allclose(np.sort_complex(ours.poles()), np.sort_complex(theirs.poles()), atol=1e-6)
+        assert ours.stable
+        assert (ours.dt, ours.inputs) == (dt, tuple(first.input_labels))
+    with pytest.raises(InvalidModel, match="in one loop"):
+        LinearModel.gain([[1.0]], 0.1) * LinearModel.gain([[1.0]])
+
+
 def test_mixing_continuous_and_discrete_is_refused():
     model = linearise(NXT)
     with pytest.raises(InvalidModel, match="discrete already"):
@@ -90,6 +108,11 @@ def test_model_survives_json_and_is_read_only():
     assert np.array_equal(LinearModel.from_json(model.to_json()).E, model.E)
     with pytest.raises(ValueError, match="read-only"):
         model.A[0, 0] = 1
+    old = linearise(NXT).to_json() | {"dt": None}  # as files were written before models had outputs
+    del old["C"], old["D"], old["outputs"]
+    back = LinearModel.from_json(old)
+    assert (back.continuous, back.outputs) == (True, back.states)
+    assert np.array_equal(back.C, np.eye(6))
 
 
 def test_wrong_sizes_are_named():

@@ -51,7 +51,7 @@ def test_the_plane_has_the_poles_of_the_whole_loop(preset):
     loops = family([plane(sampled(each, kit)) for each in others], observer(estimator))
     out, _ = halves([*STATE_NAMES, *sides(seen.history)])
     k = (controller.design.feedback.gain @ seen.ahead @ out)[0]
-    whole = [float(np.abs(robot_loop(each, controller, kit).closed.poles[0])) for each in others]
+    whole = [float(np.abs(robot_loop(each, controller, kit).closed.poles()[0])) for each in others]
     assert loops.radii(k) == pytest.approx(whole, abs=1e-7)
 
 
@@ -60,7 +60,11 @@ def test_the_cost_is_that_of_a_noisy_run():
     # deviation for each of the some hundred periods that its slow modes remember
     seen = sampled(NXT, KIT)
     loops = family([plane(seen)], observer(kalman_filter(seen, RECOVERED)))
-    k = np.concatenate([lqr(NXT).gain[0, :4], [0, 0]]) @ seen.ahead @ halves([*STATE_NAMES, *sides(seen.history)])[0]
+    k = (
+        np.concatenate([lqr(NXT, 0.01).gain[0, :4], [0, 0]])
+        @ seen.ahead
+        @ halves([*STATE_NAMES, *sides(seen.history)])[0]
+    )
     rng = np.random.default_rng(0)
     row, closed = k @ loops.F, loops.M[0] - np.outer(loops.b[0], k @ loops.F)
     count = 200_000

@@ -77,10 +77,9 @@ class LinearBody:
                 f"the model has states {', '.join(model.states)} and {len(model.inputs)} inputs",
                 expected=f"{', '.join(STATE_NAMES)} and two commands",
             )
-        discrete = model.c2d(checked_period(period)) if model.dt is None else model
+        discrete = model.c2d(checked_period(period)) if model.continuous else model
         self._push = discrete.E if discrete.disturbances else _push_columns(robot, discrete)
         self._linear = discrete
-        assert discrete.dt is not None
         self.spec = BodySpec("linear model", robot, CHANNELS, discrete.dt, robot.command_unit)
         self.reset()
 
@@ -108,7 +107,6 @@ class LinearBody:
 
 
 def _push_columns(robot: Robot, model: LinearModel) -> np.ndarray:
-    assert model.dt is not None
     physical = linearise(robot).c2d(model.dt)
     assert physical.disturbances == DISTURBANCES
     return physical.E

@@ -18,8 +18,9 @@ from upright.control.controller import Controller, controller_hash
 from upright.control.delay import sampled
 from upright.control.lqr import LARGEST_COMMAND
 from upright.control.near_rest import near_rest
-from upright.control.state_space import Complex, StateSpace, controller_of
+from upright.control.state_space import controller_of
 from upright.control.uncertain import draw
+from upright.physics.linear import Complex, LinearModel
 from upright.robots import Kit, Robot
 
 Array = NDArray[np.float64]
@@ -118,7 +119,7 @@ class Analysis:
 def _radius(loop: Loop, gains: Array) -> float:
     """The largest |pole| with these gains (2, 2) between the commands and the robot."""
     K = loop.controller
-    return float(np.abs(Loop(loop.plant, StateSpace(K.A, K.B, gains @ K.C, gains @ K.D, K.dt)).closed.poles[0]))
+    return float(np.abs(Loop(loop.plant, LinearModel(K.A, K.B, gains @ K.C, gains @ K.D, K.dt)).closed.poles()[0]))
 
 
 def _row(m: Margins) -> str:
@@ -146,13 +147,13 @@ def analyse(
     linear = near_rest(controller)
     family = draw(robot, DRAWN, seed) if robots is None else list(robots)
     plants = [commanded(sampled(each, kit, linear.period, linear.reads)) for each in family]
-    drawn = [Loop(plant, loop.controller).closed.poles for plant in plants]
+    drawn = [Loop(plant, loop.controller).closed.poles() for plant in plants]
     readings = [COMPARABLE.get(name, _ANGLE) for name in linear.reads]
     command = [LARGEST_COMMAND[robot.command_unit]] * 2
     scaled = Loop(loop.plant.scaled(command, readings), loop.controller.scaled(readings, command))
     late = delay_margin(robot, controller, kit)
     return Analysis(
-        robot.name, controller.spec.kind, controller_hash(controller), linear.period, loop.closed.poles,
+        robot.name, controller.spec.kind, controller_hash(controller), linear.period, loop.closed.poles(),
         tuple(_at_input(loop, name, late) for name in INPUTS),
         tuple(_at_output(loop, i, name) for i, name in enumerate(linear.reads)),
         disk_margin(loop.at_input), late, stability_margin(scaled),
@@ -176,7 +177,7 @@ def _at_output(loop: Loop, i: int, name: str) -> Margins:
     return margins(loop.at_output, np.eye(len(loop.plant.C))[i], name.removeprefix("sensor/").replace("_", " "))
 
 
-def _largest_gap(nominal: StateSpace, others: Sequence[StateSpace]) -> float:
+def _largest_gap(nominal: LinearModel, others: Sequence[LinearModel]) -> float:
     return max((nu_gap(nominal, other) for other in others), default=0.0)
 
 
@@ -207,7 +208,6 @@ def delay_margin(robot: Robot, controller: Controller, kit: Kit, step: float = 0
 def broken(loop: Loop, direction: Sequence[float], count: int = 400) -> tuple[Array, Complex]:
     """Frequencies [rad/s] and the scalar loop broken at the commands along `direction`, all else closed."""
     v = np.array(direction) / np.linalg.norm(direction)
-    assert loop.plant.dt is not None
     grid = np.geomspace(0.05, math.pi / loop.plant.dt, count)
     S = np.linalg.inv(np.eye(len(v)) + loop.at_input.response(grid))
     return grid, 1 / np.einsum("i,kij,j->k", v, S, v) - 1

@@ -198,7 +198,7 @@ def linear_margins(controller: Controller, robot: Robot, kit: Kit) -> LinearMarg
         loop = robot_loop(robot, controller, kit)
     except InvalidController:
         return None
-    radius = float(np.abs(loop.closed.poles).max())
+    radius = float(np.abs(loop.closed.poles()).max())
     if radius >= 1:
         return LinearMargins(radius, 1.0, 1.0, 0.0)
     both = margins(loop.at_input, INPUTS["both motors"])

@@ -17,8 +17,9 @@ from numpy.typing import NDArray
 
 from upright.certify.loop import Loop
 from upright.certify.margins import peak
-from upright.control.state_space import Complex, StateSpace, continuous
+from upright.control.state_space import continuous
 from upright.errors import DesignFailed, InvalidModel
+from upright.physics.linear import Complex, LinearModel
 
 Array = NDArray[np.float64]
 
@@ -36,8 +37,8 @@ class Graph:
     X and Z solve the control and the filter Riccati equation.
     """
 
-    right: StateSpace
-    left: StateSpace
+    right: LinearModel
+    left: LinearModel
     X: Array
     Z: Array
 
@@ -47,7 +48,7 @@ class Graph:
         return 1 / math.sqrt(1 + float(np.abs(np.linalg.eigvals(self.X @ self.Z)).max(initial=0.0)))
 
 
-def graph(system: StateSpace) -> Graph:
+def graph(system: LinearModel) -> Graph:
     """Normalised coprime factors (Zhou and Doyle 1998, theorem 13.22); `DesignFailed` for a hidden unstable mode."""
     P = continuous(system)
     A, B, C, D = P.A, P.B, P.C, P.D
@@ -59,12 +60,12 @@ def graph(system: StateSpace) -> Graph:
     F = -np.asarray(np.linalg.solve(R, B.T @ X + D.T @ C), dtype=np.float64)
     H = -np.asarray(np.linalg.solve(S, C @ Z + D @ B.T), dtype=np.float64).T
     scale, row = _inverse_root(R), _inverse_root(S)
-    right = StateSpace(A + B @ F, B @ scale, np.vstack([C + D @ F, F]), np.vstack([D @ scale, scale]))
-    left = StateSpace(A + H @ C, np.hstack([H, -(B + H @ D)]), -row @ C, np.hstack([-row, row @ D]))
+    right = LinearModel(A + B @ F, B @ scale, np.vstack([C + D @ F, F]), np.vstack([D @ scale, scale]))
+    left = LinearModel(A + H @ C, np.hstack([H, -(B + H @ D)]), -row @ C, np.hstack([-row, row @ D]))
     return Graph(right, left, X, Z)
 
 
-def nu_gap(first: StateSpace, second: StateSpace) -> float:
+def nu_gap(first: LinearModel, second: LinearModel) -> float:
     """δ_ν between two systems with the same inputs and outputs and the same period: 0 alike, 1 as far as can be.
 
     Raises `InvalidModel` for systems that cannot be compared.
@@ -129,9 +130,9 @@ def _dagger(matrices: Complex) -> Complex:
     return np.conj(np.swapaxes(matrices, 1, 2))
 
 
-def _grid(*systems: StateSpace) -> Array:
+def _grid(*systems: LinearModel) -> Array:
     """Frequencies of the mapped axis: round every pole's size, and far beyond the slowest and the fastest."""
-    poles = np.abs(np.concatenate([continuous(s).poles for s in systems]))
+    poles = np.abs(np.concatenate([continuous(s).poles() for s in systems]))
     poles = poles[poles > 1e-9]
     low, high = poles.min(initial=1.0) * 1e-3, poles.max(initial=1.0) * 1e3
     return np.union1d(np.geomspace(low, high, GRID), [0.0, *poles, high * _INFINITE])

@@ -10,8 +10,9 @@ import numpy as np
 from upright.control.controller import Controller
 from upright.control.delay import SampledRobot, sampled
 from upright.control.near_rest import near_rest
-from upright.control.state_space import StateSpace, controller_of, one_period, plant_of
+from upright.control.state_space import controller_of, plant_of
 from upright.errors import InvalidModel, SpecMismatch
+from upright.physics.linear import LinearModel, one_period
 from upright.robots import Kit, Robot
 
 
@@ -22,8 +23,8 @@ class Loop:
     Raises `InvalidModel` where both pass a signal on without any delay.
     """
 
-    plant: StateSpace
-    controller: StateSpace
+    plant: LinearModel
+    controller: LinearModel
 
     def __post_init__(self) -> None:
         one_period(self.plant, self.controller)
@@ -31,17 +32,17 @@ class Loop:
             raise InvalidModel("plant and controller both pass signals on at once", expected="a plant with D = 0")
 
     @cached_property
-    def at_input(self) -> StateSpace:
+    def at_input(self) -> LinearModel:
         """L = −K P, broken at the commands."""
-        return -(self.controller @ self.plant)
+        return -(self.controller * self.plant)
 
     @cached_property
-    def at_output(self) -> StateSpace:
+    def at_output(self) -> LinearModel:
         """L = −P K, broken at the readings."""
-        return -(self.plant @ self.controller)
+        return -(self.plant * self.controller)
 
     @cached_property
-    def closed(self) -> StateSpace:
+    def closed(self) -> LinearModel:
         """From a disturbance at the commands to the readings."""
         P, K = self.plant, self.controller
         A = np.block([
@@ -49,7 +50,7 @@ class Loop:
             [K.B @ P.C, K.A + K.B @ P.D @ K.C],
         ])  # fmt: skip
         B = np.vstack([P.B, K.B @ P.D])
-        return StateSpace(A, B, np.hstack([P.C, P.D @ K.C]), P.D, P.dt)
+        return LinearModel(A, B, np.hstack([P.C, P.D @ K.C]), P.D, P.dt)
 
     @property
     def stable(self) -> bool:
@@ -73,7 +74,7 @@ def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> Loop:
     return Loop(commanded(seen), controller_of(linear, seen.delay))
 
 
-def commanded(seen: SampledRobot) -> StateSpace:
+def commanded(seen: SampledRobot) -> LinearModel:
     """From the commands alone to the readings."""
     whole = plant_of(seen)
-    return StateSpace(whole.A, whole.B[:, :2], whole.C, whole.D[:, :2], whole.dt)
+    return LinearModel(whole.A, whole.B[:, :2], whole.C, whole.D[:, :2], whole.dt)

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from upright.atomic import finite
-from upright.control.state_space import Complex, StateSpace
 from upright.errors import InvalidModel
+from upright.physics.linear import Complex, LinearModel
 
 Array = NDArray[np.float64]
 ScalarLoop = Callable[[Array], Complex]
@@ -81,14 +81,14 @@ def disk_phase(alpha: float) -> float:
     return 2 * math.atan(alpha / 2)
 
 
-def frequencies(dt: float | None, fastest: float = 1e4, count: int = GRID) -> Array:
+def frequencies(dt: float, fastest: float = 1e4, count: int = GRID) -> Array:
     """A grid [rad/s]: logarithmic from `SLOWEST` up to the Nyquist frequency, which is in it, or `fastest`."""
-    top = fastest if dt is None else math.pi / dt
+    top = math.pi / dt if dt else fastest
     grid = np.geomspace(min(SLOWEST, top / 1e6), top, count)
-    return grid if dt is None else np.union1d(grid, np.linspace(top / 300, top, 300))
+    return np.union1d(grid, np.linspace(top / 300, top, 300)) if dt else grid
 
 
-def margins(loop: StateSpace, direction: ArrayLike = (1.0,), channel: str = "the loop") -> Margins:
+def margins(loop: LinearModel, direction: ArrayLike = (1.0,), channel: str = "the loop") -> Margins:
     """Margins of the square loop gain `loop` (1 + L = 0), broken along `direction` (m,) with all else closed.
 
     Zero margins where the closed loop is unstable.
@@ -104,16 +104,16 @@ def margins(loop: StateSpace, direction: ArrayLike = (1.0,), channel: str = "the
         sensitivity = np.linalg.inv(np.eye(len(v)) + loop.response(w))
         return 1 / np.einsum("i,kij,j->k", v, sensitivity, v) - 1
 
-    return scalar_margins(scalar, frequencies(loop.dt), channel, real_end=loop.dt is not None)
+    return scalar_margins(scalar, frequencies(loop.dt), channel, real_end=not loop.continuous)
 
 
-def closed_stable(loop: StateSpace) -> bool:
+def closed_stable(loop: LinearModel) -> bool:
     """Whether the loop gain under unit negative feedback gives a stable closed loop."""
     through = np.eye(len(loop.D)) + loop.D
     if np.linalg.cond(through) > 1e12:
         raise InvalidModel("the loop passes −1 at once", expected="a loop that can be closed", hint="add its delay")
     closed = loop.A - loop.B @ np.linalg.solve(through, loop.C)
-    return StateSpace(closed, loop.B, loop.C, loop.D, loop.dt).stable
+    return LinearModel(closed, loop.B, loop.C, loop.D, loop.dt).stable
 
 
 def scalar_margins(scalar: ScalarLoop, grid: Array, channel: str, *, real_end: bool) -> Margins:
@@ -164,7 +164,7 @@ def peak(f: Callable[[Array], Array], grid: Array) -> float:
     return best
 
 
-def disk_margin(loop: StateSpace, skew: float = 0.0) -> float:
+def disk_margin(loop: LinearModel, skew: float = 0.0) -> float:
     """α of all channels varying at once and independently: 1/max μ(S + (σ − 1)/2 I) with σ = `skew` (SLICOT AB13MD).
 
     The bound is exact for up to three channels. Zero where the closed loop is unstable.

@@ -23,9 +23,10 @@ from upright.certify.scaling import Block, Scaling, balanced, best_scaling, chec
 from upright.control.controller import Controller
 from upright.control.delay import sampled
 from upright.control.near_rest import near_rest
-from upright.control.state_space import Complex, StateSpace, controller_of
+from upright.control.state_space import controller_of
 from upright.control.uncertain import FARTHEST, spreads
 from upright.errors import InvalidModel, InvalidRobot
+from upright.physics.linear import Complex, LinearModel
 from upright.robots import Kit, Robot
 
 Array = NDArray[np.float64]
@@ -86,7 +87,7 @@ def parameter_mu(
     delay = sampled(robot, kit, linear.period, linear.reads).delay
     K = controller_of(linear, delay)
 
-    def plant(changed: Mapping[str, float]) -> StateSpace:
+    def plant(changed: Mapping[str, float]) -> LinearModel:
         return commanded(sampled(robot.replace(**changed) if changed else robot, kit, linear.period, linear.reads))
 
     nominal = plant({})
@@ -118,7 +119,7 @@ def _peak(matrices: Complex, blocks: Sequence[Block]) -> tuple[float, int]:
 
 
 def _slopes(
-    robot: Robot, plant: Any, nominal: StateSpace, chosen: Mapping[str, float]
+    robot: Robot, plant: Any, nominal: LinearModel, chosen: Mapping[str, float]
 ) -> tuple[dict[str, Array], float]:
     """Mᵢ of each parameter that counts, and the largest share of curvature."""
     found: dict[str, Array] = {}
@@ -147,7 +148,7 @@ def _ends(robot: Robot, plant: Any, name: str, width: float) -> tuple[Array, Arr
     )
 
 
-def _stacked(system: StateSpace) -> Array:
+def _stacked(system: LinearModel) -> Array:
     return np.block([[system.A, system.B], [system.C, system.D]])
 
 
@@ -159,17 +160,17 @@ def _factors(slope: Array) -> tuple[Array, Array]:
     return U[:, :rank] * root, root[:, None] * V[:rank]
 
 
-def _uncertain(P: StateSpace, K: StateSpace, factors: Sequence[tuple[Array, Array]]) -> StateSpace:
+def _uncertain(P: LinearModel, K: LinearModel, factors: Sequence[tuple[Array, Array]]) -> LinearModel:
     """From w to z with the loop closed: x⁺ = A x + B u + L₁ w, y = C x + L₂ w, z = R₁ x + R₂ u, u = K y (D = 0)."""
     n = len(P.A)
     L, R = np.hstack([left for left, _ in factors]), np.vstack([right for _, right in factors])
     L1, L2, R1, R2 = L[:n], L[n:], R[:, :n], R[:, n:]
     A = np.block([[P.A + P.B @ K.D @ P.C, P.B @ K.C], [K.B @ P.C, K.A]])
     B = np.vstack([L1 + P.B @ K.D @ L2, K.B @ L2])
-    return StateSpace(A, B, np.hstack([R1 + R2 @ K.D @ P.C, R2 @ K.C]), R2 @ K.D @ L2, P.dt)
+    return LinearModel(A, B, np.hstack([R1 + R2 @ K.D @ P.C, R2 @ K.C]), R2 @ K.D @ L2, P.dt)
 
 
-def _lower(P: StateSpace, K: StateSpace, slopes: Mapping[str, Array]) -> tuple[float, dict[str, float]]:
+def _lower(P: LinearModel, K: LinearModel, slopes: Mapping[str, Array]) -> tuple[float, dict[str, float]]:
     """1/k of the smallest corner k·δ, δ = ±1 each, found unstable, and its signs; zero where none is up to `_FAR`."""
     names, stack = list(slopes), np.array(list(slopes.values()))
     rng = np.random.Generator(np.random.Philox(0))
@@ -188,7 +189,7 @@ def _lower(P: StateSpace, K: StateSpace, slopes: Mapping[str, Array]) -> tuple[f
 
 
 def _nearer(
-    P: StateSpace, K: StateSpace, stack: Array, corner: Array, closer: float, best: Array
+    P: LinearModel, K: LinearModel, stack: Array, corner: Array, closer: float, best: Array
 ) -> tuple[float, Array]:  # fmt: skip
     """The size at which a corner turns unstable, and the corner, where that is below `closer`."""
     move = np.tensordot(corner, stack, 1)
@@ -201,7 +202,7 @@ def _nearer(
     return high, corner
 
 
-def _uphill(P: StateSpace, K: StateSpace, stack: Array, here: Array) -> list[Array]:
+def _uphill(P: LinearModel, K: LinearModel, stack: Array, here: Array) -> list[Array]:
     """The corner towards which the spectral radius grows from `here` (parameters,), and its opposite."""
     at, step = np.tensordot(here, stack, 1), 1e-3
     ends = [[_radius(P, K, at + sign * step * slope) for sign in (1.0, -1.0)] for slope in stack]
@@ -210,23 +211,23 @@ def _uphill(P: StateSpace, K: StateSpace, stack: Array, here: Array) -> list[Arr
 
 
 def _crossing(
-    P: StateSpace, K: StateSpace, slopes: Mapping[str, Array], signs: Mapping[str, float], lower: float
+    P: LinearModel, K: LinearModel, slopes: Mapping[str, Array], signs: Mapping[str, float], lower: float
 ) -> float:
     """The frequency [rad/s] at which the worst corner's pole leaves the unit circle."""
     move = sum(signs[name] / lower * slope for name, slope in slopes.items())
     poles = _poles(P, K, np.asarray(move))
-    return float(abs(np.angle(poles[np.argmax(np.abs(poles))])) / (P.dt or 1.0))
+    return float(abs(np.angle(poles[np.argmax(np.abs(poles))])) / P.dt)
 
 
-def _unstable(P: StateSpace, K: StateSpace, move: Array, size: float) -> bool:
+def _unstable(P: LinearModel, K: LinearModel, move: Array, size: float) -> bool:
     return _radius(P, K, size * move) >= 1
 
 
-def _radius(P: StateSpace, K: StateSpace, move: Array) -> float:
+def _radius(P: LinearModel, K: LinearModel, move: Array) -> float:
     return float(np.abs(_poles(P, K, move)).max())
 
 
-def _poles(P: StateSpace, K: StateSpace, move: Array) -> Complex:
+def _poles(P: LinearModel, K: LinearModel, move: Array) -> Complex:
     n = len(P.A)
     A, B, C = P.A + move[:n, :n], P.B + move[:n, n:], P.C + move[n:, :n]
     closed = np.block([[A + B @ K.D @ C, B @ K.C], [K.B @ C, K.A]])

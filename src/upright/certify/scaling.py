@@ -19,8 +19,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.control.state_space import Complex
 from upright.errors import InvalidModel
+from upright.physics.linear import Complex
 
 Array = NDArray[np.float64]
 Block = tuple[int, bool]

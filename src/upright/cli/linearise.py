@@ -60,7 +60,7 @@ def linearise(
 
 
 def _print(model: LinearModel, drift: dict[str, float]) -> None:
-    kind = "ẋ = A x + B u" if model.dt is None else f"x⁺ = A x + B u, every {model.dt:g} s"
+    kind = "ẋ = A x + B u" if model.continuous else f"x⁺ = A x + B u, every {model.dt:g} s"
     typer.echo(f"{kind}\n\n{_matrix('A', model.states, model.states, model.A)}")
     typer.echo(f"\n{_matrix('B', model.states, model.inputs, model.B)}\n\npoles")
     for pole in model.poles():

@@ -184,7 +184,8 @@ def _plant(between: _Between) -> LinearModel:
         B[6:8] = np.eye(2)
         A[8:, 6:-2] = np.eye(n - 8)
     sent = tuple(f"sent_{i + 1}/{side}" for i in range(h) for side in SIDES)
-    return LinearModel(A, B, (*STATE_NAMES, *sent), SIDES, between.dt, E, ("push",))
+    states = (*STATE_NAMES, *sent)
+    return LinearModel(A, B, dt=between.dt, states=states, inputs=SIDES, E=E, disturbances=("push",))
 
 
 def _ahead(between: _Between, plant: LinearModel) -> Array:

@@ -102,14 +102,15 @@ class Kalman:
         return {"kind": "Kalman filter", "reads": list(self.reads), **matrices}
 
 
-def kalman(robot: Robot, kit: Kit, dt: float = 0.01, disturbed: Disturbed = DISTURBED) -> Kalman:
-    """The filter for `robot` under `kit`, every `dt` [s], that knows of no dead time: `filtering.kalman_filter` of the
-    kit without its delays.
+def kalman(robot: Robot, kit: Kit, dt: float | None = None, disturbed: Disturbed = DISTURBED) -> Kalman:
+    """The filter for `robot` under `kit`, every `dt` [s] (None: the kit's period): `filtering.kalman_filter` of the kit
+    without its delays.
 
     Raises `SpecMismatch` for a kit without both encoders and a gyro, `DesignFailed` when it has no solution.
     """
     sensors = {name: replace(_sensor(kit, name), delay=0.0) for name in RAW}
-    found = kalman_filter(sampled(robot, Kit(name=kit.name, sensors=sensors), dt), disturbed)
+    prompt = Kit(name=kit.name, sensors=sensors, period=kit.period)
+    found = kalman_filter(sampled(robot, prompt, dt), disturbed)
     return Kalman(found.seen.A, found.seen.now, found.seen.C, found.L)
 
 
@@ -130,7 +131,7 @@ class Complementary:
     """
 
     turn: float
-    dt: float = 0.01
+    dt: float
     time: float = 2.0
     rate_time: float = 0.03
     accelerometer: bool = False
@@ -169,12 +170,14 @@ class Complementary:
         return {"kind": "complementary filter", "reads": list(self.reads), **numbers}
 
 
-def complementary(robot: Robot, kit: Kit, dt: float = 0.01, **options: float) -> Complementary:
-    """The complementary filter for `robot` under `kit`, with the accelerometer where the kit has one."""
+def complementary(robot: Robot, kit: Kit, dt: float | None = None, **options: float) -> Complementary:
+    """The complementary filter for `robot` under `kit`, every `dt` [s] (None: the kit's period), with the kit's
+    accelerometer where there is one."""
     for name in RAW:
         _sensor(kit, name)
     accelerometer = all(name in kit.sensors for name in ACCELEROMETER)
-    return Complementary(robot.track / (2 * robot.wheel_radius), dt, accelerometer=accelerometer, **options)
+    period = kit.period if dt is None else dt
+    return Complementary(robot.track / (2 * robot.wheel_radius), period, accelerometer=accelerometer, **options)
 
 
 def _sensor(kit: Kit, name: str) -> Sensor:

@@ -24,7 +24,7 @@ class StateFeedback:
     """
 
     gain: Array
-    period: float = 0.01
+    period: float
     command_unit: str = "V"
     kind: str = "state feedback"
     spec: ControllerSpec = field(init=False)
@@ -49,7 +49,7 @@ class StateFeedback:
         object.__setattr__(self, "spec", ControllerSpec(self.kind, TRUE_STATE, self.period, self.command_unit))
 
     @classmethod
-    def symmetric(cls, left: Sequence[float], period: float = 0.01, **options: Any) -> StateFeedback:
+    def symmetric(cls, left: Sequence[float], period: float, **options: Any) -> StateFeedback:
         """From the left motor's six gains: the right motor's are the same with the two yaw gains negated."""
         row = np.array(left, dtype=np.float64)
         if row.shape != (6,):

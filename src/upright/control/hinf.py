@@ -27,8 +27,9 @@ from upright.control.family import halves, sides
 from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_STATE
 from upright.control.observer import steady
-from upright.control.state_space import StateSpace, continuous, discrete, kept, plant_of
+from upright.control.state_space import continuous, discrete, kept, plant_of
 from upright.errors import DesignFailed
+from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
 
 Array = NDArray[np.float64]
@@ -64,12 +65,12 @@ class Expected:
 class Channel:
     """One of both problems: `problem` from [w, u] to [z, y], the controller found for it, and the γ it was found at."""
 
-    problem: StateSpace
-    controller: StateSpace
+    problem: LinearModel
+    controller: LinearModel
     gamma: float
 
     @property
-    def closed(self) -> StateSpace:
+    def closed(self) -> LinearModel:
         """From w to z under the controller."""
         P, K = self.problem, self.controller
         m, p = K.D.shape
@@ -77,7 +78,7 @@ class Channel:
         Dzw, Dzu, Dyw = P.D[:-p, :-m], P.D[:-p, -m:], P.D[-p:, :-m]
         A = np.block([[P.A + Bu @ K.D @ Cy, Bu @ K.C], [K.B @ Cy, K.A]])
         B = np.vstack([Bw + Bu @ K.D @ Dyw, K.B @ Dyw])
-        return StateSpace(A, B, np.hstack([Cz + Dzu @ K.D @ Cy, Dzu @ K.C]), Dzw + Dzu @ K.D @ Dyw, P.dt)
+        return LinearModel(A, B, np.hstack([Cz + Dzu @ K.D @ Cy, Dzu @ K.C]), Dzw + Dzu @ K.D @ Dyw, P.dt)
 
     def norm(self) -> float:
         """The largest gain of the closed discrete loop on a dense grid; infinite where it is unstable."""
@@ -101,11 +102,10 @@ class Hinf:
         return max(0.0, *(channel.norm() / channel.gamma - 1 for channel in (self.forward, self.turning)))
 
 
-def norm_on_grid(system: StateSpace, count: int = GRID) -> float:
+def norm_on_grid(system: LinearModel, count: int = GRID) -> float:
     """The largest singular value at `count` frequencies up to the Nyquist frequency, the peak refined."""
     if not system.stable:
         return math.inf
-    assert system.dt is not None
     top = math.pi / system.dt
     grid = np.union1d(np.geomspace(top * 1e-7, top, count), np.linspace(0.0, top, count // 4))
     gains = np.linalg.norm(system.response(grid), 2, axis=(1, 2))
@@ -146,7 +146,7 @@ def _names(seen: SampledRobot) -> list[str]:
     return [seen.names[i] for i in kept(seen)] + sides(seen.delay + bool(seen.before.any()))
 
 
-def _half(plant: StateSpace, names: Sequence[str], sign: float) -> StateSpace:
+def _half(plant: LinearModel, names: Sequence[str], sign: float) -> LinearModel:
     """The plant under equal commands of both motors (`sign` 1), or opposed ones with the right motor positive (−1).
 
     Its input is that command; its outputs the mean of the encoders (or half their difference), the gyro and the robot's
@@ -154,10 +154,12 @@ def _half(plant: StateSpace, names: Sequence[str], sign: float) -> StateSpace:
     """
     (spread, gather), both = halves(names, sign), np.array([sign, 1.0])
     C = np.vstack([both @ plant.C[:2] / 2, plant.C[2], np.eye(6, len(names))]) @ spread
-    return StateSpace(gather @ plant.A @ spread, gather @ plant.B[:, :2] @ both[:, None], C, np.zeros((8, 1)), plant.dt)
+    return LinearModel(
+        gather @ plant.A @ spread, gather @ plant.B[:, :2] @ both[:, None], C, np.zeros((8, 1)), plant.dt
+    )
 
 
-def _synthesised(problem: StateSpace, readings: int, slack: float) -> Channel:
+def _synthesised(problem: LinearModel, readings: int, slack: float) -> Channel:
     """The central controller at `slack` times the least γ, which bisection finds."""
     mapped = continuous(problem)
     reached = (channel for gamma in STARTS if (channel := _central(problem, mapped, readings, gamma)))
@@ -174,7 +176,7 @@ def _synthesised(problem: StateSpace, readings: int, slack: float) -> Channel:
     return found
 
 
-def _central(problem: StateSpace, mapped: StateSpace, readings: int, gamma: float) -> Channel | None:
+def _central(problem: LinearModel, mapped: LinearModel, readings: int, gamma: float) -> Channel | None:
     """SLICOT's central controller at `gamma`, or None where there is none or its discrete loop is unstable."""
     from slycot import sb10ad
     from slycot.exceptions import SlycotError
@@ -185,12 +187,12 @@ def _central(problem: StateSpace, mapped: StateSpace, readings: int, gamma: floa
     except SlycotError:
         return None
     A, B, C, D = (np.array(matrix, dtype=np.float64) for matrix in found[1:5])
-    controller = discrete(StateSpace(A, B, C, D), problem.dt or 1.0)
+    controller = discrete(LinearModel(A, B, C, D), problem.dt)
     channel = Channel(problem, controller, gamma)
     return channel if channel.closed.stable else None
 
 
-def _problem(plant: StateSpace, reads: int, states: Sequence[int], wants: Expected, size: float) -> StateSpace:
+def _problem(plant: LinearModel, reads: int, states: Sequence[int], wants: Expected, size: float) -> LinearModel:
     """From [disturbance, error of each reading, command] to [states, command, it disturbed, readings], in units."""
     n, m = len(plant.A), len(states)
     B, C = np.zeros((n, 2 + reads)), np.zeros((m + 2 + reads, n))
@@ -200,7 +202,7 @@ def _problem(plant: StateSpace, reads: int, states: Sequence[int], wants: Expect
     D[m : m + 2, -1], D[m + 1, 0] = 1.0, wants.disturbance
     C[m + 2 :] = plant.C[:reads] / np.array(wants.errors)[:reads, None]
     D[m + 2 :, 1:-1] = np.eye(reads)
-    return StateSpace(plant.A, B, C, D, plant.dt)
+    return LinearModel(plant.A, B, C, D, plant.dt)
 
 
 def _no_controller() -> DesignFailed:
@@ -227,12 +229,12 @@ def _assembled(seen: SampledRobot, design: Hinf, wants: Expected, size: float) -
     C = join @ np.block([[forward.C, np.zeros((1, k))], [np.zeros((1, n)), turning.C]])
     Dy = join @ np.block([[forward.D, np.zeros((1, 1))], [np.zeros((1, 2)), turning.D]]) @ split
     seen_as, due = _reference(seen)
-    whole = StateSpace(A, By, C, Dy, seen.dt)
+    whole = LinearModel(A, By, C, Dy, seen.dt)
     noise = np.array([wants.errors[name == GYRO] for name in seen.reads])
     return _told(seen, whole, _conditioning(whole, noise, size), (-By @ seen_as, due - Dy @ seen_as), design)
 
 
-def _conditioning(K: StateSpace, noise: Array, size: float) -> Array:
+def _conditioning(K: LinearModel, noise: Array, size: float) -> Array:
     """H, by which a command that was not applied corrects the controller's state, z⁺ = … + H (a − u).
 
     The Kalman gain of a controller driven by `noise` at its readings and seen by its command: A − H C is stable even
@@ -247,7 +249,7 @@ def _conditioning(K: StateSpace, noise: Array, size: float) -> Array:
 
 
 def _told(
-    seen: SampledRobot, K: StateSpace, H: Array, reference: tuple[Array, Array], design: Hinf
+    seen: SampledRobot, K: LinearModel, H: Array, reference: tuple[Array, Array], design: Hinf
 ) -> LinearController:
     """The controller that is told what the motors did, after as many periods as the command is on its way."""
     n, line = len(K.A), 2 * seen.delay

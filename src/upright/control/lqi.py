@@ -82,11 +82,10 @@ def unwound(gain: Array, share: float) -> Array:
 
 def with_integral(plant: LinearModel) -> LinearModel:
     """The plant with e⁺ = e + dt θ as its last state."""
-    assert plant.dt is not None
     n = len(plant.states)
     A, B = np.eye(n + 1), np.vstack([plant.B, np.zeros((1, 2))])
     A[:n, :n], A[n, STATE_NAMES.index("wheel")] = plant.A, plant.dt
-    return LinearModel(A, B, (*plant.states, "integral"), plant.inputs, plant.dt)
+    return LinearModel(A, B, dt=plant.dt, states=(*plant.states, "integral"), inputs=plant.inputs)
 
 
 def nxtway_servo(robot: Robot, Q: ArrayLike, R: ArrayLike) -> tuple[Array, Array]:

@@ -35,7 +35,6 @@ class Lqr(StateFeedback):
     R: Array = field(kw_only=True)
     cost: Array = field(kw_only=True)
 
-    @property
     def poles(self) -> NDArray[np.complex128]:
         """Eigenvalues of A − BK, largest magnitude first."""
         poles = np.linalg.eigvals(self.model.A - self.model.B @ self.gain).astype(complex)
@@ -54,7 +53,7 @@ def bryson(largest: ArrayLike) -> Array:
     return np.diag(1 / scale**2)
 
 
-def lqr(robot: Robot, dt: float = 0.01, Q: ArrayLike | None = None, R: ArrayLike | None = None) -> Lqr:
+def lqr(robot: Robot, dt: float, Q: ArrayLike | None = None, R: ArrayLike | None = None) -> Lqr:
     """The regulator of the robot linearised upright, its Coulomb friction as `rolling` has it, and held over `dt` [s].
 
     Q (6, 6) or its diagonal (6,), R (2, 2) or (2,); without them Bryson's rule on `LARGEST_STATE` and
@@ -67,7 +66,7 @@ def lqr(robot: Robot, dt: float = 0.01, Q: ArrayLike | None = None, R: ArrayLike
 
 def dlqr(model: LinearModel, Q: ArrayLike, R: ArrayLike, command_unit: str = "V") -> Lqr:
     """The regulator of a discrete linear model (Åström and Wittenmark 1997, theorem 11.2)."""
-    if model.dt is None:
+    if model.continuous:
         raise DesignFailed("the model is continuous", expected="a discrete one", hint="call model.c2d(dt)")
     weight, price = weight_matrix(Q, len(model.states), "Q"), weight_matrix(R, len(model.inputs), "R")
     if np.linalg.eigvalsh(price)[0] <= 0:

@@ -33,7 +33,6 @@ class Sliding:
     S: Array
     keep: float
 
-    @property
     def poles(self) -> NDArray[np.complex128]:
         """Of the loop outside the layer's switching: those of the sliding motion and `keep` twice; largest first."""
         plant = self.base.filter.seen.plant

@@ -98,7 +98,7 @@ def assembled(
         if part.name in deviations:
             spread, enters = deviations[part.name]
             dA[np.ix_(at, at)], dB[at] = spread, np.outer(enters, np.abs(SHARES[part.name]))
-    model = LinearModel(A, B, tuple(names), INPUTS, parts[0].dt)
+    model = LinearModel(A, B, dt=parts[0].dt, states=tuple(names), inputs=INPUTS)
     for array in (dA, dB):
         array.setflags(write=False)
     return model, dA, dB

@@ -53,9 +53,9 @@ def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
         loop = robot_loop(robot, controller, kit)
     except (InvalidController, SpecMismatch) as error:
         return Analysed(False, str(error).split(";")[0], gain, None, None, None, None, (), ())
-    poles = tuple((round(float(p.real), 5), round(float(p.imag), 5)) for p in loop.closed.poles)
+    poles = tuple((round(float(p.real), 5), round(float(p.imag), 5)) for p in loop.closed.poles())
     if not loop.stable:
-        words = f"The loop is unstable: its largest pole is at |z| = {abs(loop.closed.poles[0]):.4f}."
+        words = f"The loop is unstable: its largest pole is at |z| = {abs(loop.closed.poles()[0]):.4f}."
         return Analysed(False, words, gain, None, None, None, None, poles, _curve(broken, loop, INPUTS))
     m = margins(loop.at_input, INPUTS["both motors"], "both motors")
     delay = min(m.delay, delay_margin(robot, controller, kit))

@@ -117,7 +117,7 @@ def _poles(feedback: StateFeedback, clean: Lqr) -> PointFigure:
     model = _turned()
     sets = [
         PointSet("printed gains", np.linalg.eigvals(model.A - model.B @ feedback.gain).tolist()),
-        PointSet("dlqr of the printed Q and R", clean.poles.tolist()),
+        PointSet("dlqr of the printed Q and R", clean.poles().tolist()),
     ]
     largest = ", ".join(f"{cell_text(max(map(abs, s.values)), 6)} ({s.name})" for s in sets)
     return PointFigure(f"Largest pole of the printed robot under both regulators: {largest}", sets)

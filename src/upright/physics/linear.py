@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import KW_ONLY, dataclass, field, replace
 from importlib import import_module
 from typing import Any, cast
 
@@ -17,6 +17,7 @@ from upright.robots import Robot
 from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 
 FADING = 1 - 1e-5  # |pole| beyond which a memory counts as one that never fades: it would take 1000 s
 CONVERGED = 1e-10  # of the sum: a response that has faded so far adds less than `SPARE` from then on
@@ -25,58 +26,123 @@ INPUTS = ("left", "right")
 DISTURBANCES = ("force", "moment", "slope")
 """A push enters as its force [N] and its moment about the axle [N m]; the floor as its slope [rad]."""
 
+_ARRAYS = ("A", "B", "C", "D", "E", "x0", "u0", "f0")
+_NAMES = ("states", "inputs", "outputs", "disturbances")
 _TINY = 1e-100  # complex step: no subtraction, so no cancellation, and its square vanishes
+
+
+def _empty() -> Array:
+    return np.zeros((0, 0))
+
+
+def _numbered(letter: str, count: int) -> tuple[str, ...]:
+    """x[0], x[1], … as python-control names them."""
+    return tuple(f"{letter}[{i}]" for i in range(count))
 
 
 @dataclass(frozen=True, eq=False)
 class LinearModel:
-    """Deviations from (x0, u0): ẋ = f0 + A (x − x0) + B (u − u0) + E w, or x⁺ − x0 = … when `dt` is a number.
+    """Deviations from (x0, u0): ẋ = f0 + A (x − x0) + B (u − u0) + E w, or x⁺ − x0 = … where `dt` is a period [s].
 
-    A (n, n), B (n, m), E (n, k) for the named `disturbances`; `dt` [s] is None for continuous time.
-    f0 (n,) is what drives the state at (x0, u0): zero at an equilibrium.
+    A (n, n), B (n, m), E (n, k) for the named `disturbances`; y = C x + D u with C (p, n) and D (p, m), by default
+    every state and zero. As in python-control, `dt` is 0 for continuous time. f0 (n,) is what drives the state at
+    (x0, u0): zero at an equilibrium. Six states without names and without C are those of the robot.
 
-    Raises `InvalidModel` for wrong sizes, values that are not finite, or a `dt` that is not positive.
+    Raises `InvalidModel` for wrong sizes, values that are not finite, or a negative `dt`.
     """
 
     A: Array
     B: Array
-    states: tuple[str, ...] = STATE_NAMES
-    inputs: tuple[str, ...] = INPUTS
-    dt: float | None = None
-    E: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    C: Array = field(default_factory=_empty)
+    D: Array = field(default_factory=_empty)
+    dt: float = 0.0
+    _: KW_ONLY
+    states: tuple[str, ...] = ()
+    inputs: tuple[str, ...] = ()
+    outputs: tuple[str, ...] = ()
+    E: Array = field(default_factory=_empty)
     disturbances: tuple[str, ...] = ()
     x0: Array = field(default_factory=lambda: np.zeros(0))
     u0: Array = field(default_factory=lambda: np.zeros(0))
     f0: Array = field(default_factory=lambda: np.zeros(0))
 
     def __post_init__(self) -> None:
-        n, m, k = len(self.states), len(self.inputs), len(self.disturbances)
-        shapes = {"A": (n, n), "B": (n, m), "E": (n, k), "x0": (n,), "u0": (m,), "f0": (n,)}
+        n, m, k = len(self.states) or len(self.A), len(self.inputs) or np.shape(self.B)[-1], len(self.disturbances)
+        every = n > 0 and np.size(self.C) == 0
+        p = len(self.outputs) or (n if every else len(self.C if n else self.D))
+        shapes = {"A": (n, n), "B": (n, m), "C": (p, n), "D": (p, m), "E": (n, k), "x0": (n,), "u0": (m,), "f0": (n,)}
         for name, shape in shapes.items():
-            given: Array = np.array(getattr(self, name), dtype=np.float64)
+            given: Array = np.array(np.eye(n) if name == "C" and every else getattr(self, name), dtype=np.float64)
             value: Array = np.zeros(shape) if given.size == 0 else given
             if value.shape != shape:
                 raise InvalidModel(
                     f"{name} has shape {value.shape}",
-                    expected=f"{shape} for {n} states and {m} inputs",
+                    expected=f"{shape} for {n} states, {m} inputs and {p} outputs",
                     likely="a transpose",
                 )
             if not np.isfinite(value).all():
                 raise InvalidModel(f"{name} holds {value[~np.isfinite(value)][0]}", expected="finite numbers")
             value.setflags(write=False)
             object.__setattr__(self, name, value)
-        if self.dt is not None and not (np.isfinite(self.dt) and self.dt > 0):
-            raise InvalidModel(f"dt is {self.dt} s", expected="a positive period, or None for continuous time")
+        if not (np.isfinite(self.dt) and self.dt >= 0):
+            raise InvalidModel(f"dt is {self.dt} s", expected="a positive period, or 0 for continuous time")
+        robot = every and n == len(STATE_NAMES)
+        states = self.states or (STATE_NAMES if robot else _numbered("x", n))
+        inputs = self.inputs or (INPUTS if robot and m == len(INPUTS) else _numbered("u", m))
+        outputs = self.outputs or (states if every else _numbered("y", p))
+        for name, labels in {"states": states, "inputs": inputs, "outputs": outputs}.items():
+            object.__setattr__(self, name, tuple(labels))
+
+    @classmethod
+    def gain(cls, D: ArrayLike, dt: float = 0.0) -> LinearModel:
+        """A gain D (p, m) without states."""
+        matrix = np.asarray(D, dtype=np.float64)
+        p, m = matrix.shape
+        return cls(np.zeros((0, 0)), np.zeros((0, m)), np.zeros((p, 0)), matrix, dt)
 
     @property
     def continuous(self) -> bool:
         """Whether this is ẋ = …, not x⁺ = …"""
-        return self.dt is None
+        return self.dt == 0
 
-    def poles(self) -> NDArray[np.complex128]:
-        """Eigenvalues of A, largest real part first."""
-        poles: NDArray[np.complex128] = np.linalg.eigvals(self.A).astype(np.complex128)
-        return poles[np.lexsort((poles.imag, -poles.real))]
+    @property
+    def stable(self) -> bool:
+        """Whether every pole decays."""
+        return bool((self._decay(self.poles()[:1]) < (0 if self.continuous else 1)).all())
+
+    def poles(self) -> Complex:
+        """Eigenvalues of A, the least stable first."""
+        poles: Complex = np.linalg.eigvals(self.A).astype(np.complex128)
+        return poles[np.lexsort((poles.imag, -self._decay(poles)))]
+
+    def _decay(self, poles: Complex) -> Array:
+        return np.real(poles) if self.continuous else np.abs(poles)
+
+    def response(self, omega: ArrayLike) -> Complex:
+        """C (λI − A)⁻¹ B + D (len(omega), p, m) at λ = jω or e^{jω dt}, ω in [rad/s]."""
+        w = np.atleast_1d(np.asarray(omega, dtype=np.float64))
+        points = 1j * w if self.continuous else np.exp(1j * w * self.dt)
+        shifted = points[:, None, None] * np.eye(len(self.A)) - self.A
+        return self.C @ np.linalg.solve(shifted, np.broadcast_to(self.B, (len(w), *self.B.shape))) + self.D
+
+    def __mul__(self, first: LinearModel) -> LinearModel:
+        """This system behind `first`, as python-control's `*`."""
+        one_period(self, first)
+        n, m = len(self.A), len(first.A)
+        A = np.block([[self.A, self.B @ first.C], [np.zeros((m, n)), first.A]])
+        B, C = np.vstack([self.B @ first.D, first.B]), np.hstack([self.C, self.D @ first.C])
+        return LinearModel(A, B, C, self.D @ first.D, self.dt, inputs=first.inputs, outputs=self.outputs)
+
+    def __neg__(self) -> LinearModel:
+        return replace(self, C=-self.C, D=-self.D)
+
+    def scaled(self, inputs: ArrayLike, outputs: ArrayLike) -> LinearModel:
+        """With each input counted in units of `inputs` (m,) and each output in units of `outputs` (p,)."""
+        u, y = np.asarray(inputs, dtype=np.float64), 1 / np.asarray(outputs, dtype=np.float64)
+        return LinearModel(
+            self.A, self.B * u, y[:, None] * self.C, y[:, None] * self.D * u, self.dt,
+            states=self.states, inputs=self.inputs, outputs=self.outputs,
+        )  # fmt: skip
 
     def c2d(self, dt: float) -> LinearModel:
         """Exact discretisation for inputs and disturbances held over `dt` [s] (zero-order hold)."""
@@ -91,7 +157,7 @@ class LinearModel:
         block[:n] = np.column_stack([self.A, self.B, self.E, self.f0])
         held: Array = np.asarray(expm(block * dt), dtype=np.float64)[:n]
         a, b, e, f0 = np.split(held, [n, n + m, n + m + k], axis=1)
-        return LinearModel(a, b, self.states, self.inputs, float(dt), e, self.disturbances, self.x0, self.u0, f0[:, 0])
+        return replace(self, A=a, B=b, E=e, f0=f0[:, 0], dt=float(dt))
 
     def next(self, x: ArrayLike, u: ArrayLike, w: ArrayLike | None = None) -> Array:
         """x⁺ (n,) of a discrete model from state (n,), input (m,) and disturbance (k,)."""
@@ -101,38 +167,45 @@ class LinearModel:
         return free if w is None else free + self.E @ np.asarray(w)
 
     def to_control(self) -> Any:
-        """The same as `control.StateSpace`, every state an output, names kept."""
+        """The same as `control.StateSpace`, names kept."""
         control: Any = import_module("control")
-        n, m = self.B.shape
-        return control.StateSpace(
-            self.A, self.B, np.eye(n), np.zeros((n, m)), 0 if self.dt is None else self.dt,
-            states=list(self.states), inputs=list(self.inputs), outputs=list(self.states),
-        )  # fmt: skip
+        names = {name: list(getattr(self, name)) for name in ("states", "inputs", "outputs")}
+        return control.StateSpace(self.A, self.B, self.C, self.D, self.dt, **names)
 
     @classmethod
     def from_control(cls, system: Any) -> LinearModel:
-        """From a `control.StateSpace`; its dt must be a number (0: continuous), not True or None."""
-        dt = system.dt
-        if dt is None or dt is True:
-            raise InvalidModel(f"the system's dt is {dt}", expected="0 (continuous) or a period in seconds")
-        names = tuple(system.state_labels), tuple(system.input_labels)
-        return cls(np.asarray(system.A), np.asarray(system.B), *names, float(dt) if dt else None)
+        """From a `control.StateSpace` or `control.TransferFunction`; its dt must be a number, not True or None."""
+        control: Any = import_module("control")
+        system = control.ss(system)
+        if system.dt is None or system.dt is True:
+            raise InvalidModel(f"the system's dt is {system.dt}", expected="0 (continuous) or a period in seconds")
+        names = [tuple(labels) for labels in (system.state_labels, system.input_labels, system.output_labels)]
+        matrices = system.A, system.B, system.C, system.D
+        return cls(*matrices, float(system.dt), states=names[0], inputs=names[1], outputs=names[2])
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers, for JSON."""
-        arrays = {name: getattr(self, name).tolist() for name in ("A", "B", "E", "x0", "u0", "f0")}
-        names = {"states": list(self.states), "inputs": list(self.inputs), "disturbances": list(self.disturbances)}
-        return {**arrays, **names, "dt": self.dt}
+        return {name: getattr(self, name).tolist() for name in _ARRAYS} | {
+            **{name: list(getattr(self, name)) for name in _NAMES},
+            "dt": self.dt,
+        }
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> LinearModel:
-        """The inverse of `to_json`."""
+        """The inverse of `to_json`; older files lack C, D and the outputs, and say null for continuous time."""
+        given: dict[str, Any] = {"C": [], "D": [], "outputs": []} | data
         try:
-            arrays = {name: np.array(data[name], dtype=np.float64) for name in ("A", "B", "E", "x0", "u0", "f0")}
-            names = {name: tuple(data[name]) for name in ("states", "inputs", "disturbances")}
-            return cls(**cast(dict[str, Any], arrays | names), dt=data["dt"])
+            arrays = {name: np.array(given[name], dtype=np.float64) for name in _ARRAYS}
+            names = {name: tuple(given[name]) for name in _NAMES}
+            return cls(**cast(dict[str, Any], arrays | names), dt=given["dt"] or 0.0)
         except (KeyError, TypeError, ValueError) as error:
             raise InvalidModel(f"not a linear model: {error}", expected="JSON written by LinearModel.to_json") from None
+
+
+def one_period(one: LinearModel, other: LinearModel) -> None:
+    """Refuse two systems of different periods."""
+    if one.dt != other.dt:
+        raise InvalidModel(f"periods of {one.dt} and {other.dt} s in one loop", expected="equal periods")
 
 
 def linearise(

@@ -9,7 +9,7 @@ import numpy as np
 
 from upright.certify.analysis import INPUTS, Analysis, broken
 from upright.certify.margins import Margins
-from upright.control.state_space import Complex
+from upright.physics.linear import Complex
 from upright.report.figure import Figure, Panel, PointFigure, PointSet, Trace
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict
 
