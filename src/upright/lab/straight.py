@@ -1,25 +1,15 @@
-"""The nonlinear model whose step is one function, without a loop or a call of another inside.
-
-The dynamics are generic over their numbers: called with names instead, they write down what they would compute. What
-depends on parameters alone stays a float and folds in the order in which the dynamics compute it, so that the numbers
-are those of `NonlinearBody` bit for bit, in little more than half the time.
-"""
+"""The nonlinear model stepped by straight-line code: the numbers of `NonlinearBody` bit for bit, in little more than
+half the time."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Sequence
-from functools import lru_cache
-from typing import Any
+from collections.abc import Sequence
 
 from upright.bodies import NonlinearBody, Sample
 from upright.bodies.body import FALLEN, REST, checked, sample
-from upright.physics.dynamics import CALM, Disturbance, accelerations, derivative
-from upright.physics.integrate import rk4_step
-from upright.physics.sensing import readings
+from upright.compiled.straight_line import written
+from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Robot
-
-Step = Callable[[Sequence[float], Sequence[float], Sequence[float]], tuple[float, ...]]
 
 
 class Straight:
@@ -46,84 +36,3 @@ class Straight:
 
     def close(self) -> None:
         """Nothing is held."""
-
-
-@lru_cache(maxsize=64)
-def written(robot: Robot, model: str, period: float, substeps: int) -> Step:
-    """(x, u, w) → the state after `period` [s], six numbers, and what every ideal sensor then reads."""
-    book = _Book()
-    x: Sequence[Any] = [_Name(f"x{i}", book) for i in range(6)]
-    u = [_Name(f"u{i}", book) for i in range(2)]
-    w = Disturbance(*(_Name(f"w{i}", book) for i in range(3)))
-
-    def f(state: Sequence[Any]) -> tuple[Any, ...]:
-        return derivative(state, u, robot, w, book, model)
-
-    for _ in range(substeps):
-        x = rk4_step(f, x, period / substeps)
-    wheel_acc = accelerations(x, u, robot, w, book, model)[1]
-    result = ", ".join(map(_text, (*x, *readings(x, wheel_acc, robot, w.slope, book))))
-    lines = ["x0, x1, x2, x3, x4, x5 = x", "u0, u1 = u", "w0, w1, w2 = w", *book.lines(), f"return {result}"]
-    words: dict[str, Any] = {"sin": math.sin, "cos": math.cos, "sqrt": math.sqrt}
-    exec("def step(x, u, w):\n " + "\n ".join(lines), words)  # our own dynamics; a test compares the numbers
-    return words["step"]
-
-
-class _Book:
-    """Statements in order, each expression once; as `xp` it is the dynamics' namespace of mathematics."""
-
-    def __init__(self) -> None:
-        self._names: dict[str, str] = {}
-
-    def let(self, expression: str) -> _Name:
-        return _Name(self._names.setdefault(expression, f"t{len(self._names)}"), self)
-
-    def lines(self) -> list[str]:
-        return [f"{name} = {expression}" for expression, name in self._names.items()]
-
-    def sin(self, angle: Any) -> _Name:
-        return self.let(f"sin({_text(angle)})")
-
-    def cos(self, angle: Any) -> _Name:
-        return self.let(f"cos({_text(angle)})")
-
-    def sqrt(self, square: Any) -> _Name:
-        return self.let(f"sqrt({_text(square)})")
-
-
-class _Name:
-    """What stands for a number: arithmetic with it becomes a statement."""
-
-    def __init__(self, text: str, book: _Book) -> None:
-        self.text, self._book = text, book
-
-    def __add__(self, other: Any) -> _Name:
-        return self._book.let(f"{self.text} + {_text(other)}")
-
-    def __radd__(self, other: Any) -> _Name:
-        return self._book.let(f"{_text(other)} + {self.text}")
-
-    def __sub__(self, other: Any) -> _Name:
-        return self._book.let(f"{self.text} - {_text(other)}")
-
-    def __rsub__(self, other: Any) -> _Name:
-        return self._book.let(f"{_text(other)} - {self.text}")
-
-    def __mul__(self, other: Any) -> _Name:
-        return self._book.let(f"{self.text} * {_text(other)}")
-
-    def __rmul__(self, other: Any) -> _Name:
-        return self._book.let(f"{_text(other)} * {self.text}")
-
-    def __truediv__(self, other: Any) -> _Name:
-        return self._book.let(f"{self.text} / {_text(other)}")
-
-    def __pow__(self, power: int) -> _Name:
-        return self._book.let(f"{self.text} ** {power}")
-
-    def __neg__(self) -> _Name:
-        return self._book.let(f"-{self.text}")
-
-
-def _text(value: Any) -> str:
-    return value.text if isinstance(value, _Name) else repr(float(value))
