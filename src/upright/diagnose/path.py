@@ -17,11 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.bodies.electronics import drive
-from upright.calibrate.calibrate import NOISE_TIME, process
-from upright.calibrate.fitting import STICKING, Path, Problem
+from upright.calibrate.filter_log import filter_log
 from upright.errors import InvalidLog
-from upright.logs.recording import SENSOR, first_noise, reading_matrix, record
-from upright.physics.dynamics import Disturbance, derivative, motor_gain
+from upright.physics.dynamics import Disturbance, derivative
 from upright.physics.integrate import rk4_step
 from upright.physics.linear import linearise
 from upright.robots import Kit, Robot
@@ -105,9 +103,13 @@ def track(log: Log, robot: Robot, kit: Kit, sent: Array | None = None) -> Track:
         sent = driven(asked, kit, robot.command_unit)
     others = {n: v for n, v in log.channels.items() if not n.startswith(("applied/", "truth/", "command/"))}
     channels = {n: _inside(v, kit, n) for n, v in others.items()} | dict(zip(names, sent.T, strict=True))
-    problem = _problem(Log(log.t, channels), robot, kit, _dead_time(names[0], kit))
-    path = problem.filtered(problem.recordings[0], np.zeros(0), keep=True)
-    return _in_order(problem, path, log, asked, kit)
+    result = filter_log(
+        Log(log.t, channels), robot, kit, delay=_dead_time(names[0], kit), disturbance=FREEDOM, friction=DRY
+    )
+    return Track(
+        robot, kit, log, asked, result.rows, result.t, result.row, result.sample, result.innovation, result.variance,
+        result.gains, result.before, result.after, result.command, result.reads,
+    )  # fmt: skip
 
 
 def _dead_time(name: str, kit: Kit) -> float:
@@ -116,50 +118,12 @@ def _dead_time(name: str, kit: Kit) -> float:
     return kit.delay - waited * kit.period + kit.jitter / 2
 
 
-def _problem(log: Log, robot: Robot, kit: Kit, dead: float) -> Problem:
-    """The nominal robot on the log, with nothing to estimate."""
-    late = {name: sensor.delay for name, sensor in kit.sensors.items() if name in SENSOR}
-    recording = record(log, robot, skip=kit.delay + max(late.values(), default=0.0) + 0.02, held_out=0.0)
-    delays = {s: dead + max((d for n, d in late.items() if SENSOR[n] == s), default=0.0) for s in recording.sensors}
-    noise = {s: math.log(variance) for s, variance in first_noise(recording, kit).items()}
-    noise |= process((recording,), robot, FREEDOM) | {STICKING: -math.inf}  # the motors' noise below holds it
-    dry = DRY * robot.coulomb_friction / motor_gain(robot)
-    noise["motor"] = math.log(math.exp(noise["motor"]) + dry**2 * NOISE_TIME)
-    return Problem((recording,), robot, (), delays, noise)
-
-
 def _inside(values: Array, kit: Kit, name: str) -> Array:
     """Readings at the end of a sensor's range say nothing more."""
     sensor = kit.sensors.get(name)
     if sensor is None or not math.isfinite(sensor.range):
         return values
     return np.where(np.abs(values) < 0.98 * sensor.range, values, np.nan)
-
-
-def _in_order(problem: Problem, path: Path, log: Log, asked: Array, kit: Kit) -> Track:
-    recording, z = problem.recordings[0], np.zeros(0)
-    order = problem.order(recording, z)
-    late = problem.own_delays(recording, z)
-    then = (recording.when - late)[order]
-    row = recording.kind[order]
-    after = path.states[order]
-    before = np.vstack([recording.first, after[:-1]])
-    latest = np.maximum.accumulate(np.where(row < 0, np.arange(len(order)), 0))
-    started = (row < 0).argmax()
-    command = recording.commands[recording.value[order][latest].astype(int)]
-    command[:started] = recording.commands[0]
-    command = np.vstack([command[:1], command[:-1]])  # the one that held until the event
-    turn = np.array([problem.robot.track / (2 * problem.robot.wheel_radius)])
-    reads = reading_matrix(recording.rows, len(recording.first), turn)[:, :, 0]
-    sample = np.searchsorted(log.t, recording.when[order] - 1e-9)
-    lost = ~np.isfinite(after).all(axis=1) | ((row >= 0) & ~np.isfinite(path.e[order]))
-    lost[int((row >= 0).argmax()) :] |= ~after[int((row >= 0).argmax()) :].any(axis=1)  # the filter stopped at a topple
-    keep = slice(0, int(lost.argmax()) if lost.any() else len(order))
-    return Track(
-        problem.robot, kit, log, asked, recording.rows, then[keep], row[keep], sample[keep],
-        path.e[order][keep], path.s[order][keep], path.gains[order][keep], before[keep], after[keep], command[keep],
-        reads,
-    )  # fmt: skip
 
 
 def since(found: Track, start: float) -> Track:

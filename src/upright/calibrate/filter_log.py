@@ -1,0 +1,89 @@
+"""A known robot's extended Kalman filter along a log: the calibration's predictor with nothing to estimate."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.calibrate.calibrate import NOISE_TIME, process
+from upright.calibrate.fitting import STICKING, Path, Problem
+from upright.logs.recording import SENSOR, first_noise, reading_matrix, record
+from upright.physics.dynamics import motor_gain
+from upright.robots import Kit, Robot
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+Whole = NDArray[np.int64]
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class FilteredLog:
+    """The filter along the n events of a log, in the order of the command's time, up to where it lost the robot.
+
+    An event is a command (`row` −1) or a reading of the sensor `rows[row]`. The filter's s states are the robot's six
+    and the offsets of gyro and compass.
+    """
+
+    rows: tuple[str, ...]
+    t: Array  # (n,) [s] in the command's time: a reading's time less its sensor's delay
+    row: Whole  # (n,)
+    sample: Whole  # (n,) row of the log
+    innovation: Array  # (n,) NaN for commands
+    variance: Array  # (n,) of the innovation, NaN for commands
+    gains: Array  # (n, s) Kalman gain, zero for commands
+    before: Array  # (n, s) state after the event before this one
+    after: Array  # (n, s) state after the event
+    command: Array  # (n, 2) what the motors held up to the event [command unit]
+    reads: Array  # (rows, s) how each sensor reads the state
+
+
+def filter_log(
+    log: Log, robot: Robot, kit: Kit, *, delay: float, disturbance: float, friction: float = 0.0
+) -> FilteredLog:
+    """The filter of `robot` along the whole of `log`, with the sensors' delays and noise of `kit`.
+
+    `delay` [s] is from a logged command to the motor. Process noise is `disturbance`, as a fraction of the commands
+    (rms) and of 1 N on a robot of 0.6 kg, and `friction`, as a fraction of the dry friction. Raises `InvalidLog` for a
+    log without commands, without two sensors that move, or with too few samples.
+    """
+    delays = {name: sensor.delay for name, sensor in kit.sensors.items() if name in SENSOR}
+    recording = record(log, robot, skip=kit.delay + max(delays.values(), default=0.0) + 0.02, held_out=0.0)
+    after_command = {
+        s: delay + max((d for n, d in delays.items() if SENSOR[n] == s), default=0.0) for s in recording.sensors
+    }
+    noise = {s: math.log(variance) for s, variance in first_noise(recording, kit).items()}
+    noise |= process((recording,), robot, disturbance) | {STICKING: -math.inf}  # the motors' noise below holds it
+    dry = friction * robot.coulomb_friction / motor_gain(robot)
+    noise["motor"] = math.log(math.exp(noise["motor"]) + dry**2 * NOISE_TIME)
+    problem = Problem((recording,), robot, (), after_command, noise)
+    return _in_order(problem, problem.filtered(recording, np.zeros(0), keep=True), log)
+
+
+def _in_order(problem: Problem, path: Path, log: Log) -> FilteredLog:
+    recording, z = problem.recordings[0], np.zeros(0)
+    order = problem.order(recording, z)
+    row, after = recording.kind[order], path.states[order]
+    latest = np.maximum.accumulate(np.where(row < 0, np.arange(len(order)), 0))
+    command = recording.commands[recording.value[order][latest].astype(int)]
+    command[: int((row < 0).argmax())] = recording.commands[0]
+    turn = np.array([problem.robot.track / (2 * problem.robot.wheel_radius)])
+    lost = ~np.isfinite(after).all(axis=1) | ((row >= 0) & ~np.isfinite(path.e[order]))
+    first = int((row >= 0).argmax())
+    lost[first:] |= ~after[first:].any(axis=1)  # the filter stopped where the robot toppled
+    keep = slice(0, int(lost.argmax()) if lost.any() else len(order))
+    return FilteredLog(
+        rows=recording.rows,
+        t=(recording.when - problem.own_delays(recording, z))[order][keep],
+        row=row[keep],
+        sample=np.searchsorted(log.t, recording.when[order] - 1e-9)[keep],
+        innovation=path.e[order][keep],
+        variance=path.s[order][keep],
+        gains=path.gains[order][keep],
+        before=np.vstack([recording.first, after[:-1]])[keep],
+        after=after[keep],
+        command=np.vstack([command[:1], command[:-1]])[keep],  # the one held until the event
+        reads=reading_matrix(recording.rows, len(recording.first), turn)[:, :, 0],
+    )
