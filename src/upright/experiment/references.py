@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 
 class Reference(Protocol):
-    """A wanted state in time: `at(t, robot)` gives six numbers, zero for standing where it started."""
+    """A reference state in time: `at(t, robot)` gives six numbers, zero for standing where it started."""
 
     def at(self, t: float, robot: Robot) -> Array: ...
 
@@ -55,7 +55,7 @@ class Turn:
         return np.array([0.0, 0.0, 0.0, 0.0, angle, now])
 
 
-def wanted(references: Sequence[Reference], t: float, robot: Robot) -> Array:
+def total(references: Sequence[Reference], t: float, robot: Robot) -> Array:
     """The sum of all references: driving and turning at once is an arc."""
     return sum((reference.at(t, robot) for reference in references), np.zeros(6))
 

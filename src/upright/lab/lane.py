@@ -11,12 +11,11 @@ from numpy.typing import NDArray
 from upright.bodies import Body
 from upright.control import Controller
 from upright.errors import UprightError
-from upright.experiment.run import as_log, fit
+from upright.experiment.loop import Stepper
 from upright.lab.plant import Tugged
 from upright.lab.ring import Ring
 from upright.physics.dynamics import Disturbance
 from upright.signals import Log
-from upright.signals.signal import ESTIMATE, PUSH, REFERENCE
 
 Array = NDArray[np.float64]
 
@@ -42,41 +41,32 @@ class Lane:
         length: int,
     ) -> None:
         self.name, self.body, self.controller, self._inner = name, body, controller, inner
-        self._inputs, self._stride = fit(body.spec, controller)
         self._seed, self.trouble = seed, ""
         self._start = (start[0], start[1], 0.0, start[3], 0.0, start[5])
         self.offset = (0.0, 0.0, start[2], 0.0, start[4], 0.0)
-        extra = 4 + len(PUSH) + len(REFERENCE) + (len(ESTIMATE) if controller.spec.estimates else 0)
-        self._ring = Ring(length, len(body.spec.channels) + extra)
-        controller.reset()
-        self.now = body.reset(self._start, seed)
-        self.command, self.applied, self.fallen = (0.0, 0.0), (0.0, 0.0), self.now.fallen
+        self._loop = Stepper(body, controller, self._start, seed)
+        self._ring = Ring(length, len(self._loop.signals))
+        self.fallen = self._loop.now.fallen
 
-    def step(self, target: Array, felt: Disturbance, tug: float) -> None:
-        """One period towards the reference state `target` (6,) under the disturbance `felt` and a `tug` [N]."""
+    @property
+    def applied(self) -> tuple[float, float]:
+        """The command (left, right) that was really applied last."""
+        return self._loop.now.applied
+
+    def step(self, reference: Array, disturbance: Disturbance, tug: float) -> None:
+        """One period towards the state `reference` (6,) under `disturbance` and a `tug` [N]."""
         if self.fallen:
             return
+        self._inner.tug(tug)
         try:
-            self._step(target, felt, tug)
+            self._ring.append(self._loop.step(reference, lambda _: disturbance))
+            self.fallen = self._loop.now.fallen
         except UprightError as error:
             self.fallen, self.trouble = True, f"{self.name}: {error}"
 
-    def _step(self, target: Array, felt: Disturbance, tug: float) -> None:
-        before, controller = self.now, self.controller
-        command = controller.step(before.values[self._inputs], target)
-        self._inner.tug(tug)
-        now = before
-        for _ in range(self._stride):
-            now = self.body.step(command, felt)
-        controller.applied(now.applied)
-        self._ring.append(
-            [*before.values.tolist(), *command, *now.applied, *felt, *target.tolist(), *controller.estimate()]
-        )
-        self.now, self.command, self.applied, self.fallen = now, command, now.applied, now.fallen
-
     def state(self) -> list[float]:
         """The true state (6,), with the wheel's and the heading's whole way."""
-        x = [a + b for a, b in zip(self.now.values[:6].tolist(), self.offset, strict=True)]
+        x = [a + b for a, b in zip(self._loop.now.values[:6].tolist(), self.offset, strict=True)]
         if self.fallen:
             x[0], x[1], x[3], x[5] = math.copysign(LYING, x[0]), 0.0, 0.0, 0.0
         return x
@@ -89,7 +79,7 @@ class Lane:
     def saturated(self) -> int:
         """1 for the left motor at its limit, plus 2 for the right one."""
         limit = self.body.spec.limit
-        return sum(bit for bit, u in zip((1, 2), self.command, strict=True) if abs(u) >= limit)
+        return sum(bit for bit, u in zip((1, 2), self._loop.command, strict=True) if abs(u) >= limit)
 
     def log(self) -> Log | None:
         """What was recorded since this lane began, at most the last minute; None before the first period."""
@@ -97,4 +87,4 @@ class Lane:
         if not len(rows):
             return None
         scenario = {"lab": True, "seed": self._seed, "start": list(self._start)}
-        return as_log(rows, self.body.spec, self.controller, scenario, self.now)
+        return self._loop.log(rows, scenario)

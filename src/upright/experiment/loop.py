@@ -1,0 +1,106 @@
+"""The loop itself: a body under a controller, one of the controller's periods at a time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from importlib.metadata import version
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from upright.atomic import finite
+from upright.bodies.body import REST, Body, BodySpec
+from upright.control.controller import Controller, controller_hash
+from upright.errors import SpecMismatch
+from upright.experiment.outcome import RunOutcome
+from upright.physics.dynamics import Disturbance
+from upright.signals import Log
+from upright.signals.signal import ESTIMATE, PUSH, REFERENCE, command_signals
+
+Array = NDArray[np.float64]
+
+
+class Stepper:
+    """`body` at state `start` (6,) under `controller`; `now` is the body's newest sample.
+
+    `signals` are what each row of `step` holds, in order. Raises `SpecMismatch` when body and controller do not fit.
+    """
+
+    def __init__(self, body: Body, controller: Controller, start: Sequence[float] = REST, seed: int = 0) -> None:
+        self.body, self.controller = body, controller
+        self._inputs, self._stride = _fit(body.spec, controller)
+        self.signals = (
+            *body.spec.channels, *command_signals(body.spec.command_unit), *PUSH, *REFERENCE,
+            *(ESTIMATE if controller.spec.estimates else ()),
+        )  # fmt: skip
+        controller.reset()
+        self.now, self.command = body.reset(start, seed), (0.0, 0.0)
+
+    def step(self, reference: Array, disturbance: Callable[[float], Disturbance]) -> list[float]:
+        """One of the controller's periods towards the state `reference` (6,), under `disturbance(t)` for each step of
+        the body. Returns the row: what the body read at the period's start, the command decided on it, the command that
+        was really applied, the disturbance at the period's start, the reference, and the controller's estimate."""
+        body, controller, before = self.body, self.controller, self.now
+        command = controller.step(before.values[self._inputs], reference)
+        acting = disturbance(before.t)
+        now = body.step(command, acting)
+        for _ in range(self._stride - 1):
+            now = body.step(command, disturbance(now.t))
+        controller.applied(now.applied)
+        self.now, self.command = now, command
+        return [
+            *before.values.tolist(), *command, *now.applied, *acting, *reference.tolist(), *controller.estimate(),
+        ]  # fmt: skip
+
+    def log(self, rows: ArrayLike, scenario: dict[str, Any]) -> Log:
+        """The log of `rows`, one for each of the controller's periods, that ended with the newest sample."""
+        spec, controller, table = self.body.spec, self.controller, np.array(rows)
+        origin = {
+            "robot": {"name": spec.robot.name, "drive": spec.robot.drive, **spec.robot.numbers()},
+            "body": {"kind": spec.kind, "real": spec.real, "period": spec.period, "limit": finite(spec.limit)},
+            "controller": {**controller.to_json(), "hash": controller_hash(controller)},
+            "scenario": scenario,
+            "outcome": RunOutcome(self.now.fallen, self.now.t).to_json(),
+            "versions": {name: version(name) for name in ("upright", "numpy", "mujoco")},
+        }
+        channels = {signal.name: table[:, i] for i, signal in enumerate(self.signals)}
+        units = {signal.name: signal.unit for signal in self.signals}
+        return Log(np.arange(len(table)) * controller.spec.period, channels, units, origin)
+
+
+def _fit(spec: BodySpec, controller: Controller) -> tuple[list[int], int]:
+    """Where the controller's inputs stand among the body's channels, and how many body steps make a period."""
+    wants = controller.spec
+    names = [signal.name for signal in spec.channels]
+    missing = [name for name in wants.reads if name not in names]
+    if missing:
+        raise SpecMismatch(
+            f"the {wants.kind} reads {', '.join(missing)}, which the {spec.kind} does not offer",
+            expected=f"some of {', '.join(names)}",
+            likely="a controller of the true state on raw sensors"
+            if wants.reads_truth
+            else "a kit without that sensor",
+            hint="put an estimator in front: Estimated(controller, kalman(robot, kit))" if wants.reads_truth else "",
+        )
+    if spec.real and wants.reads_truth:
+        raise SpecMismatch(f"the {wants.kind} reads the true state", expected="sensors only on a real robot")
+    if wants.command_unit != spec.command_unit:
+        raise SpecMismatch(
+            f"the controller commands {wants.command_unit}", expected=f"{spec.command_unit}, the body's unit"
+        )
+    if not spec.settable and wants.period < spec.period * (1 - 1e-9):
+        raise SpecMismatch(
+            f"the {wants.kind} commands {1 / wants.period:.4g} times a second, and a {spec.kind} answers "
+            f"{1 / spec.period:.4g} times", expected=f"a period of {spec.period:g} s or a multiple of it",
+            hint="let the robot run it by itself: upright firmware, upright fly",
+        )  # fmt: skip
+    stride = round(wants.period / spec.period)
+    if stride < 1 or not math.isclose(stride * spec.period, wants.period, rel_tol=1e-9):
+        raise SpecMismatch(
+            f"the controller's period {wants.period:g} s is not a multiple of the body's {spec.period:g} s",
+            expected="a period that divides it",
+            hint="change one of the two periods",
+        )
+    return [names.index(name) for name in wants.reads], stride
