@@ -23,7 +23,7 @@ import upright.signals.parquet
 import upright.signals.text
 from upright.errors import InvalidLog
 from upright.signals import Log
-from upright.signals.files import FORMATS, read_log, write_log
+from upright.signals.files import FORMATS
 
 SUFFIXES = sorted(FORMATS)
 MODULES = {".csv": upright.signals.text, ".mcap": upright.signals.mcap, ".parquet": upright.signals.parquet}
@@ -74,7 +74,7 @@ def csv(folder: Path, content: str | bytes) -> Path:
 @every_format
 def test_awkward_numbers_names_and_notes_come_back_exactly(tmp_path: Path, suffix: str) -> None:
     log = awkward()
-    assert identical(read_log(write_log(log, tmp_path / f"run{suffix}")), log)
+    assert identical(Log.load(log.save(tmp_path / f"run{suffix}")), log)
 
 
 NAMES = st.text(max_size=12).filter(lambda name: name.isprintable() and name != "t")
@@ -97,28 +97,28 @@ def logs(draw: st.DrawFn) -> Log:
 @given(log=logs())
 def test_any_log_comes_back(tmp_path_factory: pytest.TempPathFactory, suffix: str, log: Log) -> None:
     path = tmp_path_factory.getbasetemp() / f"any{suffix}"
-    assert identical(read_log(write_log(log, path)), log)
+    assert identical(Log.load(log.save(path)), log)
 
 
 @every_format
 def test_the_order_of_the_channels_is_kept(tmp_path: Path, suffix: str) -> None:
     names = ["b/x", "a/x", "b/y", "a/y"]  # two topics, interleaved
     log = Log([0.0], {name: [0.0] for name in names})
-    assert list(read_log(write_log(log, tmp_path / f"run{suffix}")).channels) == names
+    assert list(Log.load(log.save(tmp_path / f"run{suffix}")).channels) == names
 
 
 def test_rows_beyond_one_block_of_text_are_all_there(tmp_path: Path) -> None:
     n = upright.signals.text._ROWS_AT_ONCE + 1  # one block and one row
     log = Log(np.arange(n) / 128, {"a": np.arange(n)[::-1]})  # 1/128 s: exact in binary
-    assert read_log(write_log(log, tmp_path / "run.csv")) == log
+    assert Log.load(log.save(tmp_path / "run.csv")) == log
 
 
 @every_format
 def test_the_same_log_gives_the_same_bytes(tmp_path: Path, suffix: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    first = write_log(awkward(), tmp_path / f"one{suffix}").read_bytes()
+    first = awkward().save(tmp_path / f"one{suffix}").read_bytes()
     monkeypatch.setattr("time.time", lambda: 0.0)  # a clock read anywhere would now say another time
     monkeypatch.setattr("time.time_ns", lambda: 0)
-    assert write_log(awkward(), tmp_path / f"two{suffix}").read_bytes() == first
+    assert awkward().save(tmp_path / f"two{suffix}").read_bytes() == first
 
 
 def test_save_and_load_are_the_same_functions_and_the_suffix_may_be_large(tmp_path: Path) -> None:
@@ -130,9 +130,9 @@ def test_save_and_load_are_the_same_functions_and_the_suffix_may_be_large(tmp_pa
 def test_the_home_folder_is_understood(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HOME", str(tmp_path))
     monkeypatch.setenv("USERPROFILE", str(tmp_path))
-    assert write_log(awkward(), "~/run.csv") == tmp_path / "run.csv"
-    assert read_log("~/run.csv") == awkward()
-    assert "home folder" in complaint(lambda: read_log("~nobody-of-this-name/run.csv"))
+    assert awkward().save("~/run.csv") == tmp_path / "run.csv"
+    assert Log.load("~/run.csv") == awkward()
+    assert "home folder" in complaint(lambda: Log.load("~nobody-of-this-name/run.csv"))
 
 
 # Whole or absent
@@ -145,7 +145,7 @@ def test_the_home_folder_is_understood(tmp_path: Path, monkeypatch: pytest.Monke
 def test_a_failure_in_the_middle_leaves_the_old_file_and_nothing_else(
     tmp_path: Path, suffix: str, fault: Exception, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    path = write_log(awkward(), tmp_path / f"run{suffix}")
+    path = awkward().save(tmp_path / f"run{suffix}")
     before = path.read_bytes()
 
     def half(log: Log, stream: object) -> None:
@@ -154,30 +154,30 @@ def test_a_failure_in_the_middle_leaves_the_old_file_and_nothing_else(
 
     monkeypatch.setattr(MODULES[suffix], "write", half)
     with pytest.raises((RuntimeError, InvalidLog), match=r"planted|No space left"):
-        write_log(Log([0.0], {}), path)
+        Log([0.0], {}).save(path)
     assert path.read_bytes() == before
     assert os.listdir(tmp_path) == [path.name]
 
 
 @every_format
 def test_an_older_file_is_replaced(tmp_path: Path, suffix: str) -> None:
-    path = write_log(awkward(), tmp_path / f"run{suffix}")
+    path = awkward().save(tmp_path / f"run{suffix}")
     log = Log([0.0], {"a": [1.0]})
-    assert read_log(write_log(log, path)) == log
+    assert Log.load(log.save(path)) == log
     assert os.listdir(tmp_path) == [path.name]
 
 
 @every_format
 def test_what_cannot_be_written_is_refused(tmp_path: Path, suffix: str) -> None:
     log, name = Log([0.0], {}), f"run{suffix}"
-    assert "there is no folder" in complaint(lambda: write_log(log, tmp_path / "none" / name))
+    assert "there is no folder" in complaint(lambda: log.save(tmp_path / "none" / name))
     (tmp_path / name).mkdir()
-    assert "is a folder" in complaint(lambda: write_log(log, tmp_path / name))
-    assert "suffix '.xlsx'; expected one of .parquet, .csv, .mcap" in complaint(lambda: write_log(log, "run.xlsx"))
-    assert "called 't'" in complaint(lambda: write_log(Log([0.0], {"t": [0.0]}), tmp_path / f"a{suffix}"))
+    assert "is a folder" in complaint(lambda: log.save(tmp_path / name))
+    assert "suffix '.xlsx'; expected one of .parquet, .csv, .mcap" in complaint(lambda: log.save("run.xlsx"))
+    assert "called 't'" in complaint(lambda: Log([0.0], {"t": [0.0]}).save(tmp_path / f"a{suffix}"))
     for name in ("a\nb", "a\0b", "\ud800"):
         channels = {name: [0.0]}
-        assert "printable" in complaint(lambda c=channels: write_log(Log([0.0], c), tmp_path / f"a{suffix}"))
+        assert "printable" in complaint(lambda c=channels: Log([0.0], c).save(tmp_path / f"a{suffix}"))
     assert os.listdir(tmp_path) == [f"run{suffix}"]
 
 
@@ -195,7 +195,7 @@ def test_what_cannot_be_written_is_refused(tmp_path: Path, suffix: str) -> None:
     ids=["plain", "excel", "spaced", "quoted"],
 )
 def test_a_csv_without_our_note_is_read(tmp_path: Path, content: str) -> None:
-    assert read_log(csv(tmp_path, content)) == Log([0.0, 1.0, 2.0], {"a": [1.0, math.nan, 3.0]})
+    assert Log.load(csv(tmp_path, content)) == Log([0.0, 1.0, 2.0], {"a": [1.0, math.nan, 3.0]})
 
 
 def test_a_parquet_without_our_note_is_read(tmp_path: Path) -> None:
@@ -204,17 +204,17 @@ def test_a_parquet_without_our_note_is_read(tmp_path: Path) -> None:
     folder = tmp_path / "robot=2"  # a folder name that dataset readers turn into a column
     folder.mkdir()
     pq.write_table(pa.table(columns, schema=pa.schema(fields)), folder / "run.parquet")
-    assert read_log(folder / "run.parquet") == Log([0, 1, 2], {"a": [1, math.nan, 3]}, {"a": "V"})
+    assert Log.load(folder / "run.parquet") == Log([0, 1, 2], {"a": [1, math.nan, 3]}, {"a": "V"})
 
 
 def test_units_stand_in_the_metadata_of_each_parquet_field(tmp_path: Path) -> None:
-    schema = pq.read_schema(write_log(Log([0.0], {"truth/pitch": [0.0]}), tmp_path / "run.parquet"))
+    schema = pq.read_schema(Log([0.0], {"truth/pitch": [0.0]}).save(tmp_path / "run.parquet"))
     assert {field.name: field.metadata[b"unit"] for field in schema} == {"t": b"s", "truth/pitch": b"rad"}
 
 
 def test_the_head_of_a_csv_can_be_read_by_eye(tmp_path: Path) -> None:
     log = Log([0.0, 0.1], {"truth/pitch": [0.1, -0.0], "applied/left": [math.nan, 2]}, origin={"seed": 7})
-    assert write_log(log, tmp_path / "run.csv").read_text() == (
+    assert log.save(tmp_path / "run.csv").read_text() == (
         '# upright-log: {"units": {"truth/pitch": "rad", "applied/left": "V"}, "origin": {"seed": 7}}\n'
         "t,truth/pitch,applied/left\n"
         "0.0,0.1,nan\n"
@@ -227,7 +227,7 @@ def test_the_head_of_a_csv_can_be_read_by_eye(tmp_path: Path) -> None:
 
 def test_an_mcap_has_topics_that_foxglove_and_plotjuggler_plot(tmp_path: Path) -> None:
     log = Log([0.0, 0.01], {"truth/pitch": [0.5, math.nan], "truth/yaw": [1, 2], "push/force": [math.inf, 0]})
-    with write_log(log, tmp_path / "run.mcap").open("rb") as stream:
+    with log.save(tmp_path / "run.mcap").open("rb") as stream:
         reader = make_reader(stream, validate_crcs=True)
         found = list(reader.iter_messages(log_time_order=False))
         notes = [(record.name, json.loads(record.metadata["log"])) for record in reader.iter_metadata()]
@@ -254,21 +254,21 @@ def test_the_messages_of_an_mcap_are_json_by_the_standard(tmp_path: Path) -> Non
     def refuse(word: str) -> None:
         raise AssertionError(f"{word} is no JSON")
 
-    with write_log(awkward(), tmp_path / "run.mcap").open("rb") as stream:
+    with awkward().save(tmp_path / "run.mcap").open("rb") as stream:
         for _, _, message in make_reader(stream).iter_messages():
             json.loads(message.data, parse_constant=refuse)
 
 
 def test_the_times_of_an_mcap_never_run_backwards_and_start_at_zero_if_t_is_negative(tmp_path: Path) -> None:
     log = awkward()  # its t starts at −0.25 s and ends at 7 s
-    with write_log(log, tmp_path / "run.mcap").open("rb") as stream:
+    with log.save(tmp_path / "run.mcap").open("rb") as stream:
         times = [message.log_time for _, _, message in make_reader(stream).iter_messages(log_time_order=False)]
     assert times == sorted(times)
     assert (times[0], times[-1]) == (0, 7_250_000_000)
 
 
 def test_an_mcap_refuses_times_beyond_its_clock(tmp_path: Path) -> None:
-    message = complaint(lambda: write_log(Log([0.0, 1e10], {}), tmp_path / "run.mcap"))  # 1e19 ns > 2⁶³ = 9.2e18
+    message = complaint(lambda: Log([0.0, 1e10], {}).save(tmp_path / "run.mcap"))  # 1e19 ns > 2⁶³ = 9.2e18
     assert "64 bits" in message
     assert "save as .parquet or .csv" in message
     assert os.listdir(tmp_path) == []
@@ -278,18 +278,18 @@ def test_an_mcap_refuses_times_beyond_its_clock(tmp_path: Path) -> None:
 
 
 def test_a_missing_file_a_folder_and_a_wrong_suffix(tmp_path: Path) -> None:
-    write_log(awkward(), tmp_path / "push.csv")
-    assert "did you mean 'push.csv'?" in complaint(lambda: read_log(tmp_path / "puhs.csv"))
-    assert "no folder" in complaint(lambda: read_log(tmp_path / "none" / "push.csv"))
-    assert "is a folder; expected one file: .parquet, .csv, .mcap" in complaint(lambda: read_log(tmp_path))
+    awkward().save(tmp_path / "push.csv")
+    assert "did you mean 'push.csv'?" in complaint(lambda: Log.load(tmp_path / "puhs.csv"))
+    assert "no folder" in complaint(lambda: Log.load(tmp_path / "none" / "push.csv"))
+    assert "is a folder; expected one file: .parquet, .csv, .mcap" in complaint(lambda: Log.load(tmp_path))
     (tmp_path / "run.xlsx").write_bytes(b"x")
-    assert "suffix '.xlsx'; expected one of .parquet, .csv, .mcap" in complaint(lambda: read_log(tmp_path / "run.xlsx"))
+    assert "suffix '.xlsx'; expected one of .parquet, .csv, .mcap" in complaint(lambda: Log.load(tmp_path / "run.xlsx"))
 
 
 @every_format
 def test_an_empty_file(tmp_path: Path, suffix: str) -> None:
     (tmp_path / f"run{suffix}").touch()
-    assert "the file is empty" in complaint(lambda: read_log(tmp_path / f"run{suffix}"))
+    assert "the file is empty" in complaint(lambda: Log.load(tmp_path / f"run{suffix}"))
 
 
 @pytest.mark.parametrize("name", ["time", "t_s", "timestamp", "Time [s]", "T"])
@@ -300,7 +300,7 @@ def test_a_time_under_another_name_is_pointed_out(tmp_path: Path, suffix: str, n
         path.write_text(f"gyro,{name}\n1,0\n")
     else:
         pq.write_table(pa.table({"gyro": [1.0], name: [0.0]}), path)
-    message = complaint(lambda: read_log(path))
+    message = complaint(lambda: Log.load(path))
     assert f"no column 't' among gyro, {name}; " in message
     assert f"likely the time is '{name}'; try: rename it to 't', in seconds, or make Log(table['{name}'], …)" in message
 
@@ -319,8 +319,8 @@ def test_a_time_under_another_name_is_pointed_out(tmp_path: Path, suffix: str, n
         ("t,a\n2026-01-01,1\n", "holds the text '2026-01-01' at row 0 (line 2 of the file); expected seconds"),
         ("t,a\n0,1\n\n1,2,3\n", "row 1 (line 4 of the file) has 3 values; expected 2"),
         ("t,a,b\n0,1,2\n1,2\n", "row 1 (line 3 of the file) has 2 values; expected 3"),
-        ("t,a,a\n0,1,2\n", "column 'a' is there 2 times"),
-        ("t,t\n0,1\n", "column 't' is there 2 times"),
+        ("t,a,a\n0,1,2\n", "column 'a' appears 2 times"),
+        ("t,t\n0,1\n", "column 't' appears 2 times"),
         ("t,a\n,1\n,2\n", "t is nan at row 0"),
         ("t,a\nnan,1\nnan,2\n", "t is nan at row 0"),
         ("t,a\n0,1\n1,2\n0.5,3\n", "t goes from 1 to 0.5 s at row 2"),
@@ -335,7 +335,7 @@ def test_a_time_under_another_name_is_pointed_out(tmp_path: Path, suffix: str, n
 )  # fmt: skip
 def test_a_bad_csv_says_what_is_wrong(tmp_path: Path, content: str | bytes, says: str) -> None:
     path = csv(tmp_path, content)
-    message = complaint(lambda: read_log(path))
+    message = complaint(lambda: Log.load(path))
     assert message.startswith(f"{path}: ")
     assert says in message
 
@@ -343,14 +343,14 @@ def test_a_bad_csv_says_what_is_wrong(tmp_path: Path, content: str | bytes, says
 def test_a_zip_called_csv(tmp_path: Path) -> None:
     with zipfile.ZipFile(tmp_path / "run.csv", "w") as archive:
         archive.writestr("inside.csv", "t,a\n0,1\n")
-    assert "a binary file called .csv" in complaint(lambda: read_log(tmp_path / "run.csv"))
+    assert "a binary file called .csv" in complaint(lambda: Log.load(tmp_path / "run.csv"))
 
 
 def test_a_fault_deep_in_a_large_csv_is_found(tmp_path: Path) -> None:
     # 300 000 rows are several of the blocks of a megabyte that the fast reader takes; the fault is beyond the first.
     rows = [f"{i},{i}" for i in range(300_000)]
     rows[250_000] = "250000,oops"
-    message = complaint(lambda: read_log(csv(tmp_path, "t,a\n" + "\n".join(rows))))
+    message = complaint(lambda: Log.load(csv(tmp_path, "t,a\n" + "\n".join(rows))))
     assert "'oops' at row 250000 (line 250002 of the file)" in message
 
 
@@ -366,44 +366,44 @@ def test_a_fault_deep_in_a_large_csv_is_found(tmp_path: Path) -> None:
 )
 def test_a_bad_parquet_says_what_is_wrong(tmp_path: Path, table: dict[str, list[object]], says: str) -> None:
     pq.write_table(pa.table(table), tmp_path / "run.parquet")
-    assert says in complaint(lambda: read_log(tmp_path / "run.parquet"))
+    assert says in complaint(lambda: Log.load(tmp_path / "run.parquet"))
 
 
 def test_doubled_columns_in_a_parquet(tmp_path: Path) -> None:
     pq.write_table(pa.Table.from_arrays([pa.array([0.0])] * 3, names=["t", "a", "a"]), tmp_path / "run.parquet")
-    assert "column 'a' is there 2 times" in complaint(lambda: read_log(tmp_path / "run.parquet"))
+    assert "column 'a' appears 2 times" in complaint(lambda: Log.load(tmp_path / "run.parquet"))
 
 
 @pytest.mark.parametrize("suffix", [".mcap", ".parquet"])
 def test_a_binary_file_that_was_cut_off_anywhere_is_refused(tmp_path: Path, suffix: str) -> None:
-    path = write_log(awkward(), tmp_path / f"run{suffix}")
+    path = awkward().save(tmp_path / f"run{suffix}")
     whole = path.read_bytes()
     for length in range(1, len(whole), 97):  # 97: a prime, so that cuts fall on every kind of boundary
         path.write_bytes(whole[:length])
-        assert "cannot be read" in complaint(lambda: read_log(path))
+        assert "cannot be read" in complaint(lambda: Log.load(path))
 
 
 @pytest.mark.parametrize("suffix", [".mcap", ".parquet"])
 def test_another_kind_of_file_under_the_name_is_refused(tmp_path: Path, suffix: str) -> None:
     path = tmp_path / f"run{suffix}"
     path.write_text("t,a\n0,1\n")
-    assert "another kind of file under this name" in complaint(lambda: read_log(path))
+    assert "another kind of file under this name" in complaint(lambda: Log.load(path))
 
 
 def test_a_changed_byte_in_the_data_of_a_parquet_is_noticed(tmp_path: Path) -> None:
     log = Log(np.arange(100.0), {"a": np.random.default_rng(1).normal(size=100)})  # too irregular to be compressed
-    path = write_log(log, tmp_path / "run.parquet")
+    path = log.save(tmp_path / "run.parquet")
     start = pq.read_metadata(path).row_group(0).column(1).dictionary_page_offset  # where the values are
     content = bytearray(path.read_bytes())
     content[start + 200] ^= 1  # well inside the 800 bytes of values
     path.write_bytes(content)
-    assert "cannot be read" in complaint(lambda: read_log(path))
+    assert "cannot be read" in complaint(lambda: Log.load(path))
 
 
 def test_a_changed_byte_in_the_data_of_an_mcap_is_noticed(tmp_path: Path) -> None:
-    path = write_log(Log([0.0], {"a": [0.0]}, origin={"seed": 1}), tmp_path / "run.mcap")
+    path = Log([0.0], {"a": [0.0]}, origin={"seed": 1}).save(tmp_path / "run.mcap")
     path.write_bytes(path.read_bytes().replace(b'"seed\\": 1', b'"seed\\": 2').replace(b'"seed": 1', b'"seed": 2'))
-    assert "CRC" in complaint(lambda: read_log(path)).upper()
+    assert "CRC" in complaint(lambda: Log.load(path)).upper()
 
 
 def mcap_of(path: Path, note: str | None, messages: dict[str, list[object]]) -> Path:
@@ -441,15 +441,15 @@ def test_a_bad_mcap_says_what_is_wrong(
     tmp_path: Path, note: str | None, messages: dict[str, list[object]], says: str
 ) -> None:
     path = mcap_of(tmp_path / "run.mcap", note, messages)
-    assert says in complaint(lambda: read_log(path))
+    assert says in complaint(lambda: Log.load(path))
 
 
 @every_format
 def test_a_file_that_the_system_will_not_open(tmp_path: Path, suffix: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = write_log(awkward(), tmp_path / f"run{suffix}")
+    path = awkward().save(tmp_path / f"run{suffix}")
 
     def refuse(path: Path) -> Log:
         raise PermissionError(13, "Permission denied", str(path))
 
     monkeypatch.setattr(MODULES[suffix], "read", refuse)
-    assert f"{path} cannot be read: Permission denied" in complaint(lambda: read_log(path))
+    assert f"{path} cannot be read: Permission denied" in complaint(lambda: Log.load(path))

@@ -122,7 +122,7 @@ def _read(table: toml.Table, where: str) -> Kit:
         table, {"name", "title", "period", "delay", "jitter", "drive", "battery", "motor", "sensors"}, where
     )
     if "name" not in table:
-        raise InvalidRobot(f"{where} lacks a name", expected="the kit's name", hint='name = "my-kit"')
+        raise InvalidRobot(f"{where} lacks name", expected="the kit's name", hint='name = "my-kit"')
     timing = {key: toml.number(table[key], key, ("s",), where) for key in ("period", "delay", "jitter") if key in table}
     battery = toml.numbers(table, "battery", {"voltage": ("V",), "sag": ("1",)}, where)
     command = ("V", "N m")  # a kit serves voltage and torque drives alike

@@ -7,20 +7,19 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import BinaryIO
+from typing import BinaryIO, TypeVar
 
 from upright.atomic import write_whole
 from upright.errors import InvalidLog
-from upright.signals.header import check_writable
-from upright.signals.log import Log
+from upright.signals.header import Columns, check_writable
 
 
 @dataclass(frozen=True)
 class _Format:
     """How one kind of file is written to a stream and read from a path."""
 
-    write: Callable[[Log, BinaryIO], None]
-    read: Callable[[Path], Log]
+    write: Callable[[Columns, BinaryIO], None]
+    read: Callable[[Path], Columns]
 
 
 def _parquet() -> _Format:
@@ -41,26 +40,21 @@ def _mcap() -> _Format:
     return _Format(mcap.write, mcap.read)
 
 
+T = TypeVar("T")
+
 FORMATS: dict[str, Callable[[], _Format]] = {".parquet": _parquet, ".csv": _csv, ".mcap": _mcap}
 """Suffix → the format, whose packages are loaded only when it is asked for."""
 
 
-def write_log(log: Log, path: str | Path) -> Path:
-    """Write `log` as Parquet, CSV or MCAP by the suffix of `path`, and return that path with `~` expanded.
+def write(log: Columns, path: str | Path) -> Path:
+    """Write a log as Parquet, CSV or MCAP by the suffix of `path`, and return that path with `~` expanded.
 
-    What is read back equals the log, and one log always gives the same bytes. The file appears whole or not at all:
-    it is written beside its place and then moved there, so that a failure leaves an older file as it was.
-    Raises `InvalidLog` for an unknown suffix, a missing folder, or a channel name that no column can have.
-
-    >>> import tempfile
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     log = Log([0.0, 0.1], {"truth/pitch": [0.0, float("nan")]}, origin={"seed": 1})
-    ...     read_log(write_log(log, folder + "/run.csv")) == log
-    True
+    One log always gives the same bytes. The file appears whole or not at all. Raises `InvalidLog` for an unknown
+    suffix, a missing folder, or a channel name that no column can have.
     """
     target = _expanded(path)
     form = _format(target)
-    check_writable(log)
+    check_writable(log.channels)
     if target.is_dir():
         raise InvalidLog(f"{target} is a folder", expected="the name of a file in it")
     if not target.parent.is_dir():
@@ -74,10 +68,10 @@ def write_log(log: Log, path: str | Path) -> Path:
     return target
 
 
-def read_log(path: str | Path) -> Log:
-    """Read a log written by `write_log`, or any CSV or Parquet of numbers with a column `t` [s].
+def read(path: str | Path, make: Callable[[Columns], T]) -> T:
+    """What `make` builds from the columns in a file of `write`, or in any CSV or Parquet with a column `t` [s].
 
-    Cells that are empty or say NaN are NaN. Raises `InvalidLog`, which names the file and what is wrong in it.
+    Cells that are empty or say NaN are NaN. Raises `InvalidLog` with the file's name, also for what `make` refuses.
     """
     source = _expanded(path)
     if source.is_dir():
@@ -88,7 +82,7 @@ def read_log(path: str | Path) -> Log:
     try:
         if source.stat().st_size == 0:
             raise InvalidLog("the file is empty", likely="a recording that was never closed")
-        return form.read(source)
+        return make(form.read(source))
     except OSError as error:
         raise InvalidLog(f"{source} cannot be read: {error.strerror or error}") from None
     except InvalidLog as error:

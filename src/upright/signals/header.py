@@ -1,4 +1,4 @@
-"""What the three file formats share: units and origin as one line of JSON, and the column called `t`."""
+"""What the three file formats share: their columns, units and origin as one line of JSON, and the column `t`."""
 
 from __future__ import annotations
 
@@ -6,13 +6,12 @@ import json
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidLog
-from upright.signals.log import Log
 
 TIME = "t"
 """The column of time in seconds: a channel cannot have this name in a file."""
@@ -20,7 +19,20 @@ TIME = "t"
 _TIME_WORDS = {"t", "ts", "time", "times", "timestamp", "stamp", "sec", "secs", "second", "seconds", "clock"}
 
 
-def describe(log: Log) -> str:
+class Columns(NamedTuple):
+    """What a file holds: time `t` (n,) [s], `channels` by name (n,), their `units`, and the `origin` as plain data."""
+
+    t: NDArray[Any]
+    channels: Mapping[str, NDArray[Any]]
+    units: Mapping[str, str]
+    origin: Mapping[str, Any]
+
+    def table(self) -> dict[str, NDArray[Any]]:
+        """Time and channels as columns, time first."""
+        return {TIME: self.t, **self.channels}
+
+
+def describe(log: Columns) -> str:
     """Units (in the order of the channels) and origin of a log as one line of ASCII JSON."""
     return json.dumps({"units": dict(log.units), "origin": dict(log.origin)})
 
@@ -28,20 +40,20 @@ def describe(log: Log) -> str:
 def understand(text: str | bytes) -> tuple[dict[str, str], dict[str, Any]]:
     """Units and origin from what `describe` wrote; raises `InvalidLog` for anything else."""
     try:
-        said = json.loads(text)
+        data = json.loads(text)
     except ValueError as error:
         raise InvalidLog(f"the note of units and origin is no JSON ({error})", likely="a file edited by hand") from None
-    parts = [said.get(key) for key in ("units", "origin")] if isinstance(said, dict) else []
+    parts = [data.get(key) for key in ("units", "origin")] if isinstance(data, dict) else []
     if len(parts) != 2 or not all(isinstance(part, dict) for part in parts):
         raise InvalidLog("the note of units and origin is incomplete", expected='{"units": {…}, "origin": {…}}')
     return cast("tuple[dict[str, str], dict[str, Any]]", tuple(parts))
 
 
-def check_writable(log: Log) -> None:
+def check_writable(channels: Iterable[str]) -> None:
     """Raise `InvalidLog` for a channel name that no column can have: `t`, or one with line breaks or control codes."""
-    if TIME in log:
-        raise InvalidLog("a channel is called 't'", expected="'t' for the time alone", hint="give the channel a path")
-    for name in log.channels:
+    for name in channels:
+        if name == TIME:
+            raise InvalidLog("a channel is called 't'", expected="'t' for time alone", hint="give the channel a path")
         if not name.isprintable():
             raise InvalidLog(f"channel {name!a} cannot be a column name", expected="printable characters")
 
@@ -50,17 +62,17 @@ def check_names(names: Sequence[str]) -> None:
     """Raise `InvalidLog` unless every column has its own name and one of them is `t`."""
     twice = [name for name, count in Counter(names).items() if count > 1]
     if twice:
-        raise InvalidLog(f"column '{twice[0]}' is there {Counter(names)[twice[0]]} times", hint="rename or drop one")
+        raise InvalidLog(f"column '{twice[0]}' appears {Counter(names)[twice[0]]} times", hint="rename or drop one")
     if TIME not in names:
         likely, hint = _where_is_time(names)
         came = f"no column 't' among {', '.join(names[:12])}{', …' if len(names) > 12 else ''}"
         raise InvalidLog(came, expected="time in seconds in a column 't'", likely=likely, hint=hint)
 
 
-def assemble(columns: Mapping[str, NDArray[Any]], units: Mapping[str, str], origin: Mapping[str, Any]) -> Log:
-    """The log of these columns, of which `t` is the time; `check_names` has passed them."""
-    channels = {name: values for name, values in columns.items() if name != TIME}
-    return Log(columns[TIME], channels, units, origin)
+def assemble(table: Mapping[str, NDArray[Any]], units: Mapping[str, str], origin: Mapping[str, Any]) -> Columns:
+    """The columns of a table, of which `t` is the time; `check_names` has passed their names."""
+    channels = {name: values for name, values in table.items() if name != TIME}
+    return Columns(table[TIME], channels, units, origin)
 
 
 def _where_is_time(names: Sequence[str]) -> tuple[str, str]:

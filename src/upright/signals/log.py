@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from upright.errors import InvalidLog
+from upright.signals import files
+from upright.signals.header import Columns
 from upright.signals.signal import KNOWN, STATE_NAMES, Signal
 
 Array = NDArray[np.float64]
@@ -86,7 +88,7 @@ class Log:
         return float(np.median(np.diff(self.t)))
 
     def unit(self, name: str) -> str:
-        """Unit of a channel, '' where nobody said one."""
+        """Unit of a channel, '' where none is known."""
         self[name]
         return self.units[name]
 
@@ -106,17 +108,25 @@ class Log:
         return Log(self.t[keep], channels, self.units, self.origin)
 
     def save(self, path: str | Path) -> Path:
-        """Write as Parquet, CSV or MCAP, chosen by the suffix."""
-        from upright.signals.files import write_log
+        """Write as Parquet, CSV or MCAP, chosen by the suffix; `load` gives back an equal log.
 
-        return write_log(self, path)
+        Raises `InvalidLog` for an unknown suffix, a missing folder, or a channel name that no column can have.
+
+        >>> import tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     log = Log([0.0, 0.1], {"truth/pitch": [0.0, float("nan")]}, origin={"seed": 1})
+        ...     Log.load(log.save(folder + "/run.csv")) == log
+        True
+        """
+        return files.write(Columns(self.t, self.channels, self.units, self.origin), path)
 
     @classmethod
     def load(cls, path: str | Path) -> Log:
-        """Read a log written by `save` (Parquet, CSV or MCAP), or any CSV or Parquet with a column `t`."""
-        from upright.signals.files import read_log
+        """Read a log written by `save` (Parquet, CSV or MCAP), or any CSV or Parquet with a column `t` [s].
 
-        return read_log(path)
+        Cells that are empty or say NaN are NaN. Raises `InvalidLog`, which names the file and the fault in it.
+        """
+        return files.read(path, lambda columns: cls(*columns))
 
 
 def _column(name: str, values: ArrayLike) -> Array:

@@ -25,8 +25,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidLog
-from upright.signals.header import TIME, assemble, check_names, describe, understand
-from upright.signals.log import Array, Log
+from upright.signals.header import TIME, Columns, assemble, check_names, describe, understand
+
+Array = NDArray[np.float64]
 
 _NOTE = "upright"
 _VALUE = "value"
@@ -34,7 +35,7 @@ _SPECIAL = {"nan": "null", "inf": '"Infinity"', "-inf": '"-Infinity"'}
 _LONGEST = 2**63  # [ns]: some readers keep the 64 bits of the log time with a sign
 
 
-def write(log: Log, stream: BinaryIO) -> None:
+def write(log: Columns, stream: BinaryIO) -> None:
     """Write one message for each topic and sample; the same log gives the same bytes."""
     from mcap.writer import Writer
 
@@ -52,7 +53,7 @@ def write(log: Log, stream: BinaryIO) -> None:
     writer.finish()
 
 
-def read(path: Path) -> Log:
+def read(path: Path) -> Columns:
     """Read a log that `write` wrote. Raises `InvalidLog` for a broken file, or another program's recording."""
     note, topics = _contents(path)
     if note is None:
@@ -80,10 +81,10 @@ def _nanoseconds(t: Array) -> list[int]:
     return [int(tick) for tick in ticks.tolist()]
 
 
-def _topics(log: Log) -> dict[str, dict[str, tuple[str, Array]]]:
+def _topics(log: Columns) -> dict[str, dict[str, tuple[str, Array]]]:
     """Topic → field → (channel name, values)."""
     topics: dict[str, dict[str, tuple[str, Array]]] = {}
-    for name, values in {TIME: log.t, **log.channels}.items():
+    for name, values in log.table().items():
         topic, field = _address(name)
         topics.setdefault(topic, {})[field] = name, values
     return topics

@@ -9,18 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidLog
-from upright.signals.header import TIME, assemble, check_names, describe, understand
-from upright.signals.log import Log
+from upright.signals.header import TIME, Columns, assemble, check_names, describe, understand
 
 _NOTE = b"upright-log"
 
 
-def write(log: Log, stream: BinaryIO) -> None:
+def write(log: Columns, stream: BinaryIO) -> None:
     """Write columns `t` [s] and the channels, each with its unit in the metadata of its field."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    columns = {TIME: log.t, **log.channels}
+    columns = log.table()
     units = {TIME: "s", **log.units}
     fields = [pa.field(name, pa.float64(), nullable=False, metadata={"unit": units[name]}) for name in columns]
     schema = pa.schema(fields, metadata={_NOTE: describe(log)})
@@ -28,7 +27,7 @@ def write(log: Log, stream: BinaryIO) -> None:
     pq.write_table(table, stream, compression="zstd", write_page_checksum=True)
 
 
-def read(path: Path) -> Log:
+def read(path: Path) -> Columns:
     """Read numeric columns, with or without our metadata; null is NaN. Raises `InvalidLog`."""
     table = _table(path)
     check_names(table.column_names)
@@ -55,8 +54,8 @@ def _table(path: Path) -> Any:
 
 
 def _field_units(schema: Any) -> dict[str, str]:
-    said = {field.name: (field.metadata or {}).get(b"unit") for field in schema}
-    return {name: unit.decode(errors="replace") for name, unit in said.items() if unit is not None}
+    units = {field.name: (field.metadata or {}).get(b"unit") for field in schema}
+    return {name: unit.decode(errors="replace") for name, unit in units.items() if unit is not None}
 
 
 def _numbers(name: str, column: Any) -> NDArray[np.float64]:

@@ -13,8 +13,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from upright.errors import InvalidLog
-from upright.signals.header import TIME, assemble, check_names, describe, understand
-from upright.signals.log import Log
+from upright.signals.header import TIME, Columns, assemble, check_names, describe, understand
 
 _NOTE = "# upright-log: "
 _ROWS_AT_ONCE = 50_000  # bounds the memory for text to some tens of megabytes
@@ -29,18 +28,18 @@ class _Head:
     lines: int
 
 
-def write(log: Log, stream: BinaryIO) -> None:
+def write(log: Columns, stream: BinaryIO) -> None:
     """Write `# upright-log: {…}`, the names, and the rows with `repr`, the shortest text that reads back the same."""
-    columns = {TIME: log.t, **log.channels}
+    columns = log.table()
     names = io.StringIO()
     csv.writer(names, lineterminator="\n").writerow(columns)
     stream.write(f"{_NOTE}{describe(log)}\n{names.getvalue()}".encode())
-    for start in range(0, len(log), _ROWS_AT_ONCE):
+    for start in range(0, len(log.t), _ROWS_AT_ONCE):
         texts = [map(repr, values[start : start + _ROWS_AT_ONCE].tolist()) for values in columns.values()]
         stream.write(("\n".join(map(",".join, zip(*texts, strict=True))) + "\n").encode())
 
 
-def read(path: Path) -> Log:
+def read(path: Path) -> Columns:
     """Read a CSV of numbers in UTF-8 with a header row; lines before it that start with `#` are comments.
 
     Empty cells, NaN, NA and null are NaN. Raises `InvalidLog`.
