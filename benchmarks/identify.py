@@ -27,7 +27,7 @@ from upright.control.delay import rolling
 from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError
 from upright.experiment import run
-from upright.identify.identify import identify, study_of
+from upright.identify.identify import identify_one, study_of
 from upright.identify.judge import judge_of, tried
 from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Robot, Sensor
@@ -74,7 +74,7 @@ def coverage(name: str, seeds: int, facts: bool) -> None:
         judge = judge_of(study.samples)
         for method in METHODS:
             try:
-                found = identify(study, method)
+                found = identify_one(study, method)
             except UprightError:
                 failed += 1
                 continue

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import sys
 from functools import cache
 from pathlib import Path
 
@@ -243,7 +244,7 @@ def test_the_page_shows_the_excitation_and_what_it_tells() -> None:
 
 def test_the_command_plans_runs_and_says_so(tmp_path: Path, monkeypatch, capsys) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("upright.excite.excite", lambda *_, **__: plan())
+    monkeypatch.setattr(sys.modules["upright.excite"], "excite", lambda *_, **__: plan())
     assert main(["excite", "-o", "plan.json", "--report", "plan.html"]) == 0
     said = capsys.readouterr().out
     assert "wrote plan.json" in said
@@ -259,7 +260,7 @@ def test_a_design_that_is_stopped_leaves_nothing(tmp_path: Path, monkeypatch, ca
         raise KeyboardInterrupt
 
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("upright.excite.excite", stop)
+    monkeypatch.setattr(sys.modules["upright.excite"], "excite", stop)
     assert main(["excite", "-o", "plan.json"]) == 130
     assert "stopped" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []

@@ -22,7 +22,7 @@ from upright.errors import InvalidLog, InvalidModel, UnknownName, UprightError
 from upright.experiment import run
 from upright.identify.arx import first_answer, past_window, regression, split
 from upright.identify.coordinates import physical
-from upright.identify.identify import Comparison, identify, identify_all, study_of
+from upright.identify.identify import Comparison, identify_all, identify_one, study_of
 from upright.identify.joint import Law, law, noise_free
 from upright.identify.methods import IDENTIFIERS
 from upright.identify.order import choose_order
@@ -88,7 +88,7 @@ def discretised() -> tuple[np.ndarray, np.ndarray]:
 
 @pytest.mark.parametrize("method", ["least-squares", "total-least-squares"])
 def test_noise_free_states_give_the_exact_discretised_model(method: str) -> None:
-    found = identify(study_of(exact(), ROBOT, source="states", runs=0), method)
+    found = identify_one(study_of(exact(), ROBOT, source="states", runs=0), method)
     A, B = discretised()
     at = [found.model.states.index(name) for name in LinearModel(A, B).states]
     # RK4 at 1 ms with |pole| h ≤ ½ errs by 1e-4 of the fastest, dying mode
@@ -98,7 +98,7 @@ def test_noise_free_states_give_the_exact_discretised_model(method: str) -> None
 
 
 def test_the_subspace_method_finds_the_pole_of_noise_free_states() -> None:
-    found = identify(study_of(exact(), ROBOT, source="states", runs=0), "subspace")
+    found = identify_one(study_of(exact(), ROBOT, source="states", runs=0), "subspace")
     assert found.pole.value == pytest.approx(POLE, rel=0.01)  # an SVD of data without noise loses half of the digits
 
 
@@ -167,7 +167,7 @@ def test_errors_of_rebuilt_states_are_those_of_noisy_readings() -> None:
 
 
 def test_least_squares_on_rebuilt_states_is_biased_however_long_the_log() -> None:
-    short, long = (identify(study(seconds, 0), "least-squares").pole.value for seconds in (20.0, 40.0))
+    short, long = (identify_one(study(seconds, 0), "least-squares").pole.value for seconds in (20.0, 40.0))
     # the facts: 4.07 where the truth is 7.29, 4.04 from more data; how far below depends on the excitation
     assert pytest.approx(7.29, abs=0.005) == POLE
     assert 0 < short < 0.7 * POLE
@@ -198,7 +198,7 @@ def test_the_twins_pole_comes_back_from_the_nxt_kit() -> None:
     log = run(Electronics(Twin(robot), kit), excited, seconds=20.0, seed=4)
     one = study_of(log, robot, kit, runs=0)
     for method in ("instrumental", "subspace"):
-        pole = identify(one, method).pole
+        pole = identify_one(one, method).pole
         assert pole.value == pytest.approx(unstable_pole(robot), rel=0.04), method  # twice the scatter over seeds
     # a command that is still on its way is one state more than the robot's four
     assert choose_order(one.samples.training()[0]).chosen == 5
@@ -229,7 +229,7 @@ def test_sensors_of_different_delay_are_told_apart() -> None:
     log = run(Electronics(NonlinearBody(robot), kit), excited, seconds=12.0, seed=1)
     ready = samples(log, robot, kit)
     assert ready.parts[0].late == (2, 0)
-    found = identify(Study(ready, runs=0), "subspace")
+    found = identify_one(Study(ready, runs=0), "subspace")
     assert found.pole.value == pytest.approx(unstable_pole(robot), rel=0.06)  # 9 s are fitted, four scatters wide
 
 
@@ -282,11 +282,11 @@ def test_every_model_keeps_the_contract(method: str) -> None:
 def test_the_registry_is_complete_and_the_same_seed_gives_the_same_interval() -> None:
     assert set(IDENTIFIERS) == {*LINEAR, "calibrate"}
     first, second = (
-        identify(study_of(sensed(), ROBOT, facts_kit(), runs=8, seed=3), "total-least-squares") for _ in range(2)
+        identify_one(study_of(sensed(), ROBOT, facts_kit(), runs=8, seed=3), "total-least-squares") for _ in range(2)
     )
     assert first.to_json() == second.to_json()
     with pytest.raises(UnknownName, match="subspace"):
-        identify(study(), "subspaces")
+        identify_one(study(), "subspaces")
 
 
 def test_the_page_shows_every_method_and_no_bad_number() -> None:
@@ -340,7 +340,7 @@ def test_wrong_asks_are_one_clear_line() -> None:
         with pytest.raises(error):
             samples(log, ROBOT, facts_kit(), **ask)  # type: ignore[arg-type]
     with pytest.raises(InvalidModel, match="order 3"):
-        identify(study_of(log, ROBOT, facts_kit(), order=3, runs=0), "subspace")
+        identify_one(study_of(log, ROBOT, facts_kit(), order=3, runs=0), "subspace")
     with pytest.raises(InvalidLog, match="no true"):
         samples(
             without(Log(log.t, {n: v for n, v in log.channels.items() if "truth" not in n})), ROBOT, source="states"
@@ -354,7 +354,7 @@ def test_a_robot_that_is_never_turned_has_no_yaw() -> None:
     one = without(
         log, **{f"applied__{s}": u for s, u in mean.items()}, sensor__encoder_left=wheels, sensor__encoder_right=wheels
     )
-    found = identify(study_of(one, ROBOT, facts_kit(), runs=0), "subspace")
+    found = identify_one(study_of(one, ROBOT, facts_kit(), runs=0), "subspace")
     assert found.model.states == ("pitch", "pitch_rate", "wheel", "wheel_rate")
 
 
@@ -438,5 +438,5 @@ def test_a_pitch_estimate_that_feedback_reads_becomes_an_output(shared: Path) ->
     ready = samples(raw_log(shared / "data/twipr/run1.csv"), Robot.preset("twipr"))
     assert ready.parts[0].outputs == ("gyro", "pitch", "wheel")  # its law has 0.040 · pitch
     assert ready.parts[0].late == (5, 5, 7)  # 53 ms to the gyro, 73 ms to the wheels
-    found = identify(Study(ready, runs=0), "subspace")
+    found = identify_one(Study(ready, runs=0), "subspace")
     assert found.pole.value > 1  # it falls

@@ -28,9 +28,11 @@ from upright.calibrate.informativity import INERTIAL, too_quiet
 from upright.calibrate.noise import Bounds, learn_noise
 from upright.calibrate.parameters import most_friction, parameters_of
 from upright.errors import DesignFailed, InvalidLog
+from upright.logs.mapping import Mapping as Columns
+from upright.logs.raw import LogSource, raw_log
 from upright.logs.recording import SENSOR, Recording, commanded, first_noise, head, record
 from upright.physics.dynamics import motor_gain
-from upright.robots import Kit, Robot
+from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -74,15 +76,18 @@ EARLY = 6.0  # [s] of each log that decide between starts, and on which noise is
 
 
 def calibrate(
-    logs: Log | Sequence[Log],
-    robot: Robot,
-    kit: Kit | None = None,
+    logs: LogSource | Sequence[LogSource],
+    robot: Robot | str,
+    kit: Kit | str | None = None,
     *,
+    mapping: Columns | str | None = None,
     known: Sequence[str] = (),
     held_out: float = 0.25,
     progress: Progress | None = None,
 ) -> Calibration:
     """Physical parameters, dead times and noise of `robot` from one or several logs of raw sensors and commands.
+
+    Logs are `Log`s or files, which `mapping` reads (default: the one that fits); robot and kit may be names or files.
 
     `robot` gives the prior: each number with the spread of its provenance, a guess with a factor of two. `kit`
     (default: the robot's own) gives first dead times and noise. `known` names parameters taken for exact. The last
@@ -93,8 +98,9 @@ def calibrate(
 
     began = time.perf_counter()
     show = progress or _unwatched
-    several = [logs] if isinstance(logs, Log) else list(logs)
-    problem, limits = prepared(several, robot, kit or Kit.preset(robot.kit), known, held_out)
+    several = [raw_log(log, mapping) for log in ([logs] if isinstance(logs, Log | str | os.PathLike) else logs)]
+    nominal = find_robot(robot)
+    problem, limits = prepared(several, nominal, find_kit(kit or nominal.kit), known, held_out)
     reason = too_quiet(problem)
     if reason:
         problem = replace(problem, held=frozenset(p.name for p in problem.parameters if p.name in INERTIAL))

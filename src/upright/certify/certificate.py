@@ -18,17 +18,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.atomic import finite
+from upright.calibrate.calibrate import calibrate
 from upright.certify.agreement import AMBER, RED, Agreement, agreement, disagreements
 from upright.certify.analysis import INPUTS, delay_margin
 from upright.certify.checks import Course, Progress, Swept, Trial, driver, later, slower, trials
+from upright.certify.learnt import learnt
 from upright.certify.loop import robot_loop
 from upright.certify.margins import margins
+from upright.control import find_controller
 from upright.control.controller import Controller, controller_hash
 from upright.control.uncertain import draw, spreads
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.fleet.results import largest_share
-from upright.robots import Kit, Robot
-from upright.signals import Log
+from upright.fleet.vary import known
+from upright.logs.mapping import Mapping as Columns
+from upright.logs.raw import LogSource, raw_log
+from upright.robots import Kit, Robot, find_kit, find_robot
 
 Array = NDArray[np.float64]
 
@@ -138,9 +143,9 @@ class Certificate:
 
 
 def certify(
-    controller: Controller,
-    robot: Robot,
-    kit: Kit,
+    controller: Controller | str,
+    robot: Robot | str,
+    kit: Kit | str | None = None,
     *,
     samples: int = 1000,
     seed: int = 0,
@@ -149,31 +154,46 @@ def certify(
     covariance: Array | None = None,
     sweeps: bool = True,
     threads: int | None = None,
-    log: Log | None = None,
+    log: LogSource | None = None,
+    mapping: Columns | str | None = None,
+    posterior: str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Certificate:
     """The certificate of `controller` for `robot` with `kit`, over `robots` or `samples` draws round `robot`.
 
     Draws are normal in the parameters named by `sizes` (None: the spreads of the robot's sources); `covariance` (n, n),
     such as a calibration's, in the order of `sizes` replaces their squares. `sweeps` adds further dead times and other
-    periods, on which the light does not depend; `log`, a recording of this robot, is compared with what is assumed.
+    periods, on which the light does not depend. Controller, robot and kit may be names or files.
+
+    `log` is a recording of this robot, read through `mapping`: the robot is calibrated from it first where no `sizes`
+    are given, and it is compared with what is assumed. `posterior` is a file by `upright calibrate --save` instead.
     A controller that is not linear is called for each robot, so that 1000 samples take minutes; `progress` is told the
     share done. Raises `SpecMismatch` for a controller that does not fit, `InvalidScenario` for too few samples,
     `InvalidLog` for a log that cannot be compared.
     """
-    family = _family(robot, samples, seed, sizes, covariance) if robots is None else list(robots)
-    _check_family(family, robot)
-    course = Course(driver(controller, robot, kit), robot, family, kit, seed, threads)
+    if log and posterior:
+        raise InvalidController("both a log and a posterior", expected="one of them: the log gives its own posterior")
+    nominal = find_robot(robot)
+    parts, recording = find_kit(kit or nominal.kit), None if log is None else raw_log(log, mapping)
+    if recording and sizes is None and robots is None:
+        calibrated = learnt(calibrate(recording, nominal, parts, progress=progress), parts)
+        nominal, parts, sizes, covariance = calibrated.robot, calibrated.kit, calibrated.sizes, calibrated.covariance
+    elif posterior:
+        nominal, sizes, covariance = known(nominal, posterior)
+    design = find_controller(controller, nominal, parts, parts.period)
+    family = _family(nominal, samples, seed, sizes, covariance) if robots is None else list(robots)
+    _check_family(family, nominal)
+    course = Course(driver(design, nominal, parts), nominal, family, parts, seed, threads)
     if progress:
         course = replace(course, progress=Progress(course.runs, progress))
     found, fell = trials(course)
-    linear, count, period = linear_margins(controller, robot, kit), int(fell.sum()), controller.spec.period
-    seen = agreement(log, course) if log else ()
+    linear, count, period = linear_margins(design, nominal, parts), int(fell.sum()), design.spec.period
+    seen = agreement(recording, course) if recording else ()
     light, reasons = judge(len(family), count, linear, found, period, seen)
     late, slow = (f(course) if sweeps else () for f in (later, slower))
     return Certificate(
-        light, reasons, largest_share(count, len(family), CONFIDENCE), robot.name, kit.name, controller.spec.kind,
-        controller_hash(controller), period, seed, len(family), count, linear, found, late, slow, seen,
+        light, reasons, largest_share(count, len(family), CONFIDENCE), nominal.name, parts.name, design.spec.kind,
+        controller_hash(design), period, seed, len(family), count, linear, found, late, slow, seen,
     )  # fmt: skip
 
 

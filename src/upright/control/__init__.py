@@ -4,6 +4,7 @@
 """
 
 from collections.abc import Callable
+from os import PathLike
 
 from upright.control.controller import Controller as Controller
 from upright.control.controller import ControllerSpec as ControllerSpec
@@ -54,8 +55,9 @@ def make_controller(name: str, robot: Robot, kit: Kit, dt: float) -> Controller:
     return CONTROLLERS[name](robot, kit, dt)
 
 
-def find_controller(name_or_path: str, robot: Robot, kit: Kit, dt: float) -> Controller:
-    """The controller in the file of that path if it ends in `.json`, else the registered one of that name."""
-    if name_or_path.endswith(".json"):
-        return read_controller(name_or_path)
-    return make_controller(name_or_path, robot, kit, dt)
+def find_controller(controller: Controller | str | PathLike[str], robot: Robot, kit: Kit, dt: float) -> Controller:
+    """The controller itself, the one in the file where this is a path to `.json`, else the registered one."""
+    if not isinstance(controller, str | PathLike):
+        return controller
+    name = str(controller)
+    return read_controller(name) if name.endswith(".json") else make_controller(name, robot, kit, dt)

@@ -19,9 +19,9 @@ from upright.doctor import delays, motion, rates, segments, sensors, time, units
 from upright.doctor.finding import SEVERITIES, Finding, Record
 from upright.doctor.fixes import repaired
 from upright.errors import InvalidLog
-from upright.logs.mapping import Mapping, channels_of, propose
+from upright.logs.mapping import Mapping, channels_of, find_mapping, propose
 from upright.logs.readers import Table, read_table, table_of
-from upright.robots import Robot
+from upright.robots import Robot, find_robot
 from upright.signals import Log
 
 Check = Callable[[Record], list[Finding]]
@@ -92,19 +92,19 @@ class Diagnosis:
 
 def doctor(
     source: str | Path | Table | Log,
-    mapping: Mapping | None = None,
-    robot: Robot | None = None,
+    mapping: Mapping | str | Path | None = None,
+    robot: Robot | str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Diagnosis:
     """Examine a log, a table or a file.
 
-    `mapping` says which column is what (None: `propose` guesses); a known `robot` sharpens the checks of units;
-    `progress` is called with the share done. Raises `InvalidLog` for what is no log at all.
+    `mapping` says which column is what (None: `propose` guesses); a known `robot` sharpens the checks of units. Both
+    may be names or files. `progress` is called with the fraction done. Raises `InvalidLog` for a file without a log.
     """
     table = table_of(source) if isinstance(source, Log) else source if isinstance(source, Table) else read_table(source)
-    chosen = mapping or propose(table)
+    chosen = find_mapping(mapping) if mapping else propose(table)
     raw = _record(table, chosen)
-    findings, timed = _examine(raw, robot, progress or _unwatched)
+    findings, timed = _examine(raw, find_robot(robot) if robot else None, progress or _unwatched)
     order = {severity: i for i, severity in enumerate(SEVERITIES)}
     ranked = tuple(sorted(findings, key=lambda finding: order[finding.severity]))
     origin = dict(table.origin) | ({"file": table.source, "mapping": chosen.name} if table.source else {})

@@ -11,6 +11,7 @@ import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -249,7 +250,7 @@ def with_number(name: str, value: float, robot: Robot, kit: Kit | None) -> tuple
     return robot, dataclasses.replace(kit, sensors=kit.sensors | {channel: sensor})
 
 
-def read_posterior(path: str | Path) -> Posterior:
+def read_posterior(path: str | PathLike[str]) -> Posterior:
     """A JSON file of `parameters` (names), `mean` and `covariance`, or what `upright calibrate --save` writes.
 
     Raises `InvalidRobot`. Of a calibration the robot's parameters are taken, and its dead times left out.

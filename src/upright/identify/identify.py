@@ -17,9 +17,14 @@ from upright.identify.order import Order
 from upright.identify.prediction import foretold
 from upright.identify.samples import Samples
 from upright.identify.study import Progress, Study
+from upright.logs.mapping import Mapping as Columns
+from upright.logs.raw import LogSource, raw_log
 from upright.physics.linear import unstable_pole
-from upright.robots import Kit, Robot
+from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
+
+ALL = "all"
+"""The method that stands for all of them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +64,24 @@ class Comparison:
         return "\n".join([*lines, *(f"  {name:<20} {why}" for name, why in self.failed.items()), *self.notes])
 
 
-def identify(study: Study, method: str) -> Identified:
+def identify(
+    log: LogSource, robot: Robot | str, kit: Kit | str | None = None, *, method: str = "subspace",
+    mapping: Columns | str | None = None, source: str = "sensors", delay: float | None = None,
+    order: int | None = None, held_out: float = 0.25, runs: int = 40, seed: int = 0, progress: Progress | None = None,
+) -> Identified | Comparison:  # fmt: skip
+    """The linear model of a log of `robot` by one `method`, or with "all" a comparison of every method.
+
+    The log may be a file, which `mapping` reads; robot and kit may be names or files. See `study_of` for the others.
+    Raises `UnknownName`, `InvalidLog` or `InvalidModel`.
+    """
+    study = study_of(
+        raw_log(log, mapping), find_robot(robot), find_kit(kit) if kit else None, source=source, delay=delay,
+        order=order, held_out=held_out, runs=runs, seed=seed,
+    )  # fmt: skip
+    return identify_all(study, progress=progress) if method == ALL else identify_one(study, method)
+
+
+def identify_one(study: Study, method: str) -> Identified:
     """The linear model of a study's log by one method; raises `UnknownName`, `InvalidLog` or `InvalidModel`."""
     data = study.samples
     fit = find_identifier(method)(study)
@@ -82,7 +104,7 @@ def identify_all(
     failed: dict[str, str] = {}
     for done, method in enumerate(methods):
         try:
-            models[method] = identify(study, method)
+            models[method] = identify_one(study, method)
         except UprightError as error:
             failed[method] = str(error)
         if progress:

@@ -111,8 +111,10 @@ def mappings() -> list[str]:
     return sorted(entry.name.removesuffix(".toml") for entry in folder.iterdir() if entry.name.endswith(".toml"))
 
 
-def find_mapping(name: str | Path) -> Mapping:
-    """A shipped mapping by name, or one from a file."""
+def find_mapping(name: Mapping | str | Path) -> Mapping:
+    """The mapping itself, a shipped one by name, or one from a file."""
+    if isinstance(name, Mapping):
+        return name
     return Mapping.preset(str(name)) if str(name) in mappings() else _from_file(name)
 
 

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from os import PathLike
 from pathlib import Path
 
 import numpy as np
 
-from upright.logs.mapping import Mapping, apply, propose
+from upright.logs.mapping import Mapping, apply, find_mapping, propose
 from upright.logs.readers import read_table
 from upright.signals import Log
+
+LogSource = Log | str | PathLike[str]
+"""A log, or the file that holds it."""
 
 RATES = {
     "sensor/encoder_left": "sensor/encoder_rate_left",
@@ -17,19 +21,21 @@ RATES = {
 """What a wheel's rate relative to the body is called where it was logged instead of the angle."""
 
 
-def raw_log(path: str | Path, mapping: Mapping | None = None) -> Log:
-    """The log in `path`, through `mapping` (default: what seems to fit its columns).
+def raw_log(source: LogSource, mapping: Mapping | str | Path | None = None) -> Log:
+    """The log in the file `source`, read through `mapping` (default: the one that fits its columns); a `Log` as it is.
 
     An encoder that the mapping gets by summing a logged rate is given back as that rate: its errors are those of the
     rate, and would add up in the sum. Raises `InvalidLog`.
     """
-    table = read_table(path)
-    chosen = mapping or propose(table)
+    if isinstance(source, Log):
+        return source
+    table = read_table(source)
+    chosen = find_mapping(mapping) if mapping else propose(table)
     log = apply(chosen, table)
-    summed = [name for name, source in chosen.channels.items() if name in RATES and source.integrate]
+    summed = [name for name, column in chosen.channels.items() if name in RATES and column.integrate]
     channels = {name: values for name, values in log.channels.items() if name not in summed}
     for name in summed:
         rate = np.diff(log[name]) / np.diff(log.t)
         channels[RATES[name]] = np.concatenate([rate[:1], rate])
     units = {name: unit for name, unit in log.units.items() if name in channels}
-    return Log(log.t, channels, units | {RATES[name]: "rad/s" for name in summed}, {**log.origin, "file": str(path)})
+    return Log(log.t, channels, units | {RATES[name]: "rad/s" for name in summed}, {**log.origin, "file": str(source)})

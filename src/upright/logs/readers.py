@@ -8,6 +8,7 @@ import json
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from os import PathLike
 from pathlib import Path
 from typing import Any, cast
 
@@ -50,7 +51,7 @@ class Table:
         return self.columns[name]
 
 
-def read_table(path: str | Path) -> Table:
+def read_table(path: str | PathLike[str]) -> Table:
     """Read a log of any program: .csv, .txt, .log, .tsv, .dat, .json, .mat, .parquet or .mcap.
 
     A text file may have comment lines with # or %, commas, semicolons, tabs or spaces between its columns, decimal

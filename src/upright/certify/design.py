@@ -1,0 +1,84 @@
+"""A controller by name: designed, checked, and analysed on its robot."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from upright.certify.analysis import Analysis, analyse
+from upright.control import Controller, controller_hash, make_controller, robust, write_controller
+from upright.errors import InvalidController, SpecMismatch
+from upright.fleet.vary import known
+from upright.robots import Kit, Robot, find_kit, find_robot
+
+
+@dataclass(frozen=True, eq=False)
+class Designed:
+    """The `controller` that `method` gives for `robot` with `kit`, and the `analysis` of its linear loop.
+
+    `analysis` is None where the controller is not linear near rest, for the reason in `remark`.
+    """
+
+    method: str
+    robot: Robot
+    kit: Kit
+    controller: Controller
+    analysis: Analysis | None
+    remark: str = ""
+
+    def save(self, path: str | Path) -> Path:
+        """Write the controller as JSON; raises `InvalidController` for a kind that no file can hold."""
+        return write_controller(self.controller, path)
+
+    def facts(self) -> dict[str, Any]:
+        """Method, robot, kit, period [s], channels read, hash, and the residual of the equations that were solved."""
+        check = getattr(self.controller, "check", None)
+        return {
+            "method": self.method, "robot": self.robot.name, "kit": self.kit.name,
+            "period": self.controller.spec.period, "reads": list(self.controller.spec.reads),
+            "residual": float(check()) if check else None, "hash": controller_hash(self.controller),
+        }  # fmt: skip
+
+    def to_json(self) -> dict[str, Any]:
+        """The facts, what the method says of its design, and the analysis or the reason for none."""
+        record: Any = getattr(self.controller, "design", None)
+        own = record.to_json() if hasattr(record, "to_json") else None
+        return self.facts() | {"design": own, "analysis": self.analysis.to_json() if self.analysis else self.remark}
+
+    def __str__(self) -> str:
+        record: Any = getattr(self.controller, "design", None)
+        facts = {name: ", ".join(v) if isinstance(v, list) else v for name, v in self.facts().items() if v is not None}
+        lines = [*(f"{name:<10}{value}" for name, value in facts.items()), ""]
+        words: list[str] = record.words() if hasattr(record, "words") else []
+        return "\n".join([*lines, *words, "", str(self.analysis or self.remark)])
+
+
+def design(
+    method: str,
+    robot: Robot | str,
+    kit: Kit | str | None = None,
+    *,
+    period: float | None = None,
+    posterior: str | PathLike[str] | None = None,
+) -> Designed:
+    """The controller of that `method` for a robot with `kit` (None: its own), every `period` [s] (None: the kit's).
+
+    `posterior`, a file by `upright calibrate --save`, puts the robot at its mean; the method robust alone uses it.
+    Raises `UnknownName` for a method that is not registered, `DesignFailed` where it has no solution.
+    """
+    nominal = find_robot(robot)
+    parts = find_kit(kit or nominal.kit)
+    dt = parts.period if period is None else period
+    if posterior is None:
+        controller = make_controller(method, nominal, parts, dt)
+    elif method == "robust":
+        nominal, sizes, covariance = known(nominal, Path(posterior))
+        controller = robust(nominal, parts, dt, sizes=sizes, covariance=covariance)
+    else:
+        raise InvalidController(f"a posterior with {method}", expected="the method robust, which alone uses it")
+    try:
+        return Designed(method, nominal, parts, controller, analyse(robot=nominal, controller=controller, kit=parts))
+    except (InvalidController, SpecMismatch) as error:
+        return Designed(method, nominal, parts, controller, None, f"no margins: {error}")

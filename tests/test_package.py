@@ -1,0 +1,80 @@
+"""`import upright as up`: the verbs and nouns that users meet, whatever was imported before."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import itertools
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import upright as up
+
+VERBS = ("doctor", "calibrate", "identify", "excite", "certify", "post_mortem", "design", "push_map", "parity",
+         "reproduce")  # fmt: skip
+ROOMS = {
+    "calibrate": "upright.calibrate.fitting", "certify": "upright.certify.margins", "doctor": "upright.doctor.finding",
+    "excite": "upright.excite.plan", "identify": "upright.identify.order", "parity": "upright.parity.executor",
+}  # fmt: skip
+"""Verb → a file of the room of its name."""
+
+
+def executed(code: str) -> str:
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=120)
+    assert done.returncode == 0, done.stderr
+    return done.stdout.strip()
+
+
+def test_every_name_is_there_and_listed() -> None:
+    assert {"Robot", "Log", "run", "lqr", *VERBS} <= set(up.__all__)
+    assert all(getattr(up, name) is not None for name in up.__all__)
+    assert set(up.__all__) <= set(dir(up))
+    with pytest.raises(AttributeError, match="nothing_of_this_name"):
+        _ = up.nothing_of_this_name
+
+
+def test_the_stub_re_exports_every_name_as_type_checkers_ask() -> None:
+    tree = ast.parse(Path(up.__file__).with_suffix(".pyi").read_text("utf-8"))
+    names = [alias for node in tree.body if isinstance(node, ast.ImportFrom) for alias in node.names]
+    assert all(alias.asname == alias.name for alias in names)
+    assert sorted(alias.name for alias in names) == sorted(up.__all__)
+
+
+@pytest.mark.parametrize("verb", VERBS)
+def test_a_verb_is_a_documented_function(verb: str) -> None:
+    function = getattr(up, verb)
+    assert inspect.isfunction(function)
+    assert function.__name__ == verb
+    assert inspect.getdoc(function)
+
+
+def test_a_verb_is_the_function_in_every_order_of_imports() -> None:
+    """The mechanism on the lightest room, each order in a fresh process forked before `upright` is loaded."""
+    steps = ("import upright", "import upright.doctor.finding", "from upright import doctor", "import upright.doctor",
+             "from upright.doctor.finding import Finding", "import upright; upright.doctor")  # fmt: skip
+    check = "import upright; assert upright.doctor.__name__ == 'doctor' and upright.doctor.__code__"
+    codes = ["\n".join([*order, check]) for order in itertools.permutations(steps, 2)]
+    fork = (
+        "import os, numpy, scipy.signal\n"
+        "def failed(code):\n"
+        "    if not (child := os.fork()):\n"
+        "        try: exec(code, {})\n"
+        "        except BaseException as error: print(repr(code), error, flush=True); os._exit(1)\n"
+        "        os._exit(0)\n"
+        "    return os.waitpid(child, 0)[1] != 0\n"
+    )
+    assert executed(f"{fork}print(sum(map(failed, {codes!r})))") == "0"
+
+
+def test_every_verb_is_a_function_after_all_rooms_are_imported() -> None:
+    rooms = "".join(f"import {room}\n" for room in ROOMS.values())
+    kinds = f"{{type(getattr(upright, name)).__name__ for name in {VERBS}}}"
+    assert executed(f"{rooms}import upright\nprint({kinds})") == "{'function'}"
+
+
+def test_a_room_is_importable_from_under_a_verb() -> None:
+    code = "import upright as up; up.doctor; from upright.doctor.finding import Finding; print(Finding.__name__)"
+    assert executed(code) == "Finding"
