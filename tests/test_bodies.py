@@ -116,6 +116,18 @@ def test_a_stiff_robot_is_integrated_in_smaller_steps():
 IDEAL = {"sensor/encoder_left": Sensor(), "sensor/encoder_right": Sensor(), "sensor/gyro": Sensor()}
 
 
+def test_a_duty_gets_the_voltage_of_the_battery_it_loads() -> None:
+    """As a command: at the volts that two duties come to, the electronics find the same voltage of the battery."""
+    battery = Battery(voltage=8.0, sag=0.05)
+    duties = (0.5, -1.0)
+    volts = battery.volts(duties)
+    # V = 8 − 0.05 V (0.5 + 1), so V = 8 / 1.075
+    assert volts == pytest.approx([d * 8.0 / 1.075 for d in duties], rel=1e-15)
+    applied, voltage = drive(volts, Kit(name="k", battery=battery))
+    assert applied == volts
+    assert voltage == pytest.approx(8.0 / 1.075, rel=1e-15)
+
+
 def test_drive_order_dead_zone_sag_saturation_quantum():
     kit = Kit(name="k", motor=Motor(dead_zone=0.5, quantum=0.1), battery=Battery(voltage=8.0, sag=0.05))
     assert drive((0.4, 2.04), kit)[0] == (0.0, pytest.approx(2.0))  # dead zone; quantum towards zero

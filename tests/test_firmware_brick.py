@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from firmware_cases import steering, written
-from upright.bricks.brick import Hardware, feel
+from upright.bricks.brick import Hardware, set_readings
 from upright.bricks.lcp import VirtualBrick
 from upright.bricks.line import Line
 from upright.bricks.rxe import InvalidProgram, read_rxe
@@ -152,7 +152,7 @@ def test_nxt_python_s_own_compass_reads_the_virtual_one(heading: int) -> None:
     """What HiTechnic's registers hold is taken from nxt-python here, and not from this project."""
     brick = VirtualBrick()
     resting = {"sensor/encoder_left": 0.0, "sensor/encoder_right": 0.0, "sensor/gyro": 0.0, "sensor/battery": 8000.0}
-    feel(brick.hardware, resting | {COMPASS: float(heading)})
+    set_readings(brick.hardware, resting | {COMPASS: float(heading)})
     with Line(brick) as line:
         command = [sys.executable, "-c", READ_COMPASS, line.path]
         said = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)

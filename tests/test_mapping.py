@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from upright.errors import InvalidLog, UnknownName
-from upright.logs.mapping import Mapping, Source, apply, channels_of, mappings, propose
+from upright.logs.mapping import UNITS, Mapping, Source, apply, channels_of, mappings, propose
 from upright.logs.readers import Table, read_table
 from upright.signals import Log
 
@@ -92,6 +92,35 @@ def mapped(**channels: Source) -> Mapping:
 
 def table(**columns: list[float]) -> Table:
     return Table({"ms": T * 1000, **{name: np.array(values) for name, values in columns.items()}})
+
+
+EQUAL = [
+    # one turn, and one turn in a second
+    ("rad", 2 * np.pi, {"turn": 1.0, "deg": 360.0, "mdeg": 360_000.0, "rad": 2 * np.pi, "mrad": 2000 * np.pi}),
+    ("rad/s", 2 * np.pi,
+     {"rpm": 60.0, "deg/s": 360.0, "mdeg/s": 360_000.0, "rad/s": 2 * np.pi, "mrad/s": 2000 * np.pi}),
+    ("s", 2.0, {"s": 2.0, "ms": 2000.0, "us": 2e6, "µs": 2e6, "ns": 2e9}),
+    ("V", 8.1, {"V": 8.1, "mV": 8100.0}),
+    ("N m", 0.05, {"N m": 0.05, "mN m": 50.0}),
+    ("m", 1.5, {"m": 1.5, "mm": 1500.0}),
+    ("m/s", 1.5, {"m/s": 1.5}),
+    ("m/s²", 9.80665, {"m/s²": 9.80665, "g": 1.0}),  # standard gravity, CGPM 1901
+    ("1", 0.5, {"1": 0.5, "%": 50.0}),
+    ("", 0.5, {"": 0.5}),
+]  # fmt: skip
+"""SI unit, a quantity in it, and the same quantity in every unit that a column may have."""
+
+
+@pytest.mark.parametrize(("si", "value", "same"), EQUAL)
+def test_one_quantity_is_the_same_in_every_unit(si: str, value: float, same: dict[str, float]) -> None:
+    for unit, number in same.items():
+        factor, target = UNITS[unit]
+        assert target == si
+        assert number * factor == pytest.approx(value, rel=1e-15), unit
+
+
+def test_every_unit_is_tried() -> None:
+    assert {unit for _, _, same in EQUAL for unit in same} == UNITS.keys()
 
 
 def test_unit_sign_scale_and_offset() -> None:

@@ -82,7 +82,7 @@ def drive(command: Sequence[float], kit: Kit, unit: str = "V") -> tuple[tuple[fl
     left, right = (0.0 if abs(u) <= kit.motor.dead_zone else u for u in command)
     full = kit.battery.voltage
     load = min(abs(left), full) + min(abs(right), full) if math.isfinite(full) else 0.0
-    voltage = full - kit.battery.sag * load
+    voltage = kit.battery.loaded(load)
     limit = min(kit.motor.limit, voltage if unit == "V" else math.inf)
     quantum = kit.motor.quantum
 

@@ -1,4 +1,4 @@
-"""What is around the machine in an NXT brick: ports, motors, buttons, battery, display, and files in its flash.
+"""The devices of an NXT brick: ports, motors, buttons, battery, display, and files in its flash.
 
 Numbers of ports, properties, system calls and results are those of the LEGO manuals: "MINDSTORMS NXT Executable File
 Specification" 2.0 (appendix) and "NXT Communication Protocol" 1.1.
@@ -29,7 +29,6 @@ BUSY = 0x20  # of a digital sensor that has not answered yet
 FLASH = 130_000  # bytes that a user's files may take, about what firmware 1.28 leaves of 256 KiB
 HEADING = 0x42  # HiTechnic's compass: half the heading [2 deg], and the odd degree in the register after it
 UI_MODULE, BATTERY_OFFSET = 0x000C0001, 4  # where a program reads the battery [mV]
-ANALOG_TOP = 1023  # of the ten-bit converter
 
 
 @dataclass
@@ -41,7 +40,7 @@ class Port:
     raw: int = 0
 
 
-@dataclass
+@dataclass(kw_only=True)
 class Motor:
     """An output: `power` [%] while it is on, and the `count` [°] of its encoder; resets only move `zero`.
 
@@ -68,19 +67,19 @@ class Motor:
 
     @property
     def duty(self) -> int:
-        """What the motor gets [%]: nothing unless it is on and running, but for what is left after its limit."""
+        """Duty at the motor [%]: its power while it runs, and after its limit what has not faded yet."""
         return self.power if self.running else self.fading
 
     def turn(self, limit: int) -> None:
-        """Take an order's tacho limit [°], after its power."""
+        """Set an order's tacho limit [°], after its power."""
         self.limit = limit
         self.end += limit if self.power > 0 else -limit
 
     def tick(self, milliseconds: int) -> None:
-        """What the firmware does meanwhile."""
+        """Advance the firmware's control of the motor by that time."""
         if not self.running:
-            left = max(0, abs(self.fading) - milliseconds)
-            self.fading = left if self.fading > 0 else -left
+            size = max(0, abs(self.fading) - milliseconds)
+            self.fading = size if self.fading > 0 else -size
         elif self.power and not self.limit:
             self.end = self.count
         elif self.power and (self.count - self.end) * self.power >= 0:
@@ -128,23 +127,23 @@ class Flash:
         return OK, self._handle(OpenFile(name, 0, size, False)), size
 
     def write(self, handle: int, data: bytes) -> tuple[int, int]:
-        """(result, bytes written); what does not fit is not written."""
-        found = self.handles.get(handle)
-        if found is None or not found.writing:
+        """(result, bytes written); data that do not fit are not written."""
+        file = self.handles.get(handle)
+        if file is None or not file.writing:
             return NO_HANDLE, 0
-        if found.at + len(data) > found.size:
+        if file.at + len(data) > file.size:
             return END_OF_FILE, 0
-        self.files[found.name] += data
-        found.at += len(data)
+        self.files[file.name] += data
+        file.at += len(data)
         return OK, len(data)
 
     def read(self, handle: int, count: int) -> tuple[int, bytes]:
         """(result, data): at most `count` bytes."""
-        found = self.handles.get(handle)
-        if found is None:
+        file = self.handles.get(handle)
+        if file is None:
             return NO_HANDLE, b""
-        data = bytes(self.files[found.name][found.at : found.at + count])
-        found.at += len(data)
+        data = bytes(self.files[file.name][file.at : file.at + count])
+        file.at += len(data)
         return (OK if len(data) == count else END_OF_FILE), data
 
     def close(self, handle: int) -> int:
@@ -178,26 +177,26 @@ class Hardware:
         self.battery, self.buttons, self.lines = 8000, set[int](), dict[int, str]()
         self.flash = Flash() if flash is None else flash
         self.world = world
-        self.asked: dict[int, bytes] = {}  # of digital sensors, what they will answer
+        self.asked: dict[int, bytes] = {}  # port → answer of its digital sensor
 
     def reach(self, time: int) -> None:
         if self.world is not None:
             self.world(time)
 
     def stop(self) -> None:
-        """What the firmware does when a program ends, however it ends: motors off, files closed."""
+        """Motors off and files closed, as the firmware does whenever a program ends."""
         for motor in self.motors:
             motor.mode = motor.power = motor.state = motor.limit = motor.fading = 0
         self.flash.close_all()
 
     def tick(self, milliseconds: int) -> None:
-        """Let the firmware look at its motors."""
+        """Advance the firmware's control of all motors."""
         for motor in self.motors:
             motor.tick(milliseconds)
 
     def get_input(self, port: int, item: int) -> int:
-        found = self._port(port)
-        values = {KIND: found.kind, MODE: found.mode, RAW: found.raw, NORMALISED: found.raw, SCALED: found.raw}
+        p = self._port(port)
+        values = {KIND: p.kind, MODE: p.mode, RAW: p.raw, NORMALISED: p.raw, SCALED: p.raw}
         return values.get(item, 0)
 
     def set_input(self, port: int, item: int, value: int) -> None:
@@ -226,7 +225,7 @@ class Hardware:
                     motor.zero = motor.count
 
     def ask(self, port: int, message: bytes, count: int) -> None:
-        """A message to a digital sensor: its address and a register; `asked` holds what it will answer."""
+        """A message to a digital sensor: its address and a register; its answer goes into `asked`."""
         registers = self.registers.get(port, {})
         first = message[1] if len(message) > 1 else 0
         self.asked[port] = bytes(registers.get(first + i, 0) for i in range(count))
@@ -234,7 +233,7 @@ class Hardware:
     def call(self, number: int, arguments: list[Any]) -> None:
         """A system call: `arguments` are the members of its cluster, results among them."""
         if number not in CALLS:
-            raise InvalidProgram(f"the program makes system call {number}", expected="one a balancing program needs")
+            raise InvalidProgram(f"system call {number} is not emulated", expected="a call that balancing programs use")
         CALLS[number](self, arguments)
 
     def _port(self, port: int) -> Port:
@@ -294,7 +293,7 @@ def _sensor_ready(brick: Hardware, a: list[Any]) -> None:
     a[0], a[2] = OK, len(brick.asked.get(a[1], b""))
 
 
-def _sensor_says(brick: Hardware, a: list[Any]) -> None:
+def _sensor_answer(brick: Hardware, a: list[Any]) -> None:
     data = brick.asked.pop(a[1], b"")
     a[0], a[2], a[3] = (OK if data else BUSY), bytearray(data), len(data)
 
@@ -305,21 +304,20 @@ def _read_module(brick: Hardware, a: list[Any]) -> None:
     a[0], a[4] = OK, bytearray(struct.pack("<H", brick.battery)[: a[3]])
 
 
-def _accepted(brick: Hardware, a: list[Any]) -> None:
-    """A tone, a cleared screen: nothing that a robot would feel."""
-    del brick
+def _accepted(_: Hardware, a: list[Any]) -> None:
+    """A tone or a cleared screen, without effect on the robot."""
     a[0] = OK
 
 
 CALLS: Mapping[int, Callable[[Hardware, list[Any]], None]] = {
     0: _open_read, 1: _open_write, 3: _read, 4: _write, 5: _close, 8: _delete, 9: _accepted, 10: _accepted, 13: _text,
-    19: _accepted, 20: _button, 21: _ask_sensor, 22: _sensor_says, 23: _sensor_ready, 31: _accepted, 78: _read_module,
+    19: _accepted, 20: _button, 21: _ask_sensor, 22: _sensor_answer, 23: _sensor_ready, 31: _accepted, 78: _read_module,
 }  # fmt: skip
-"""Number of a system call → what it does with its arguments."""
+"""Number of a system call → its function."""
 
 
-def feel(hardware: Hardware, raw: Mapping[str, float]) -> None:
-    """Put `raw` readings, by channel, where a generated program looks for them."""
+def set_readings(hardware: Hardware, raw: Mapping[str, float]) -> None:
+    """Set the sensors that a generated program reads to `raw` readings by channel."""
     hardware.inputs[GYRO].raw = REST + round(raw["sensor/gyro"])
     hardware.battery = round(raw[BATTERY])
     for port, channel in zip((LEFT, RIGHT), ENCODERS, strict=True):

@@ -14,7 +14,7 @@ from collections.abc import Callable, Sequence
 from enum import IntEnum
 from typing import Any
 
-from upright.bricks.script import Script, Told
+from upright.bricks.script import Reply, Script
 from upright.bricks.world import World
 from upright.firmware.targets import BATTERY, ENCODERS, GYRO
 
@@ -30,8 +30,8 @@ MPY6 = 0b110  # capabilities: programs of several files, in MicroPython's format
 BATTERY_LOW, RUNNING = 1 << 0, 1 << 6  # status flags
 STATUS, OUTPUT = 0, 1  # events
 LOW_BATTERY = 6800  # [mV] below which a Prime hub warns (guess)
-AT_ONCE = 5  # notes that go over the air at once; while more wait the program does, as on a hub
-ASKED = 100  # times a program is asked to stop before it is ended
+NOTES_AT_ONCE = 5  # notes sent at once; while more are queued the program waits, as on a hub
+MOST_STOPS = 100  # stop requests to a program before it is killed
 SLICE = 0.005  # [s] of the hub's time between two looks at the line
 
 
@@ -45,15 +45,14 @@ class Refused(IntEnum):
 
 
 class CommandRefused(Exception):
-    """A command that the hub answers with an error."""
+    """A command that the hub answers with an error code."""
 
 
 class VirtualHub:
-    """A hub with `world` round it, `absent` naming ports with nothing in them. `run` lets its program go on, not beyond
-    `until` [s], `speed` times as fast as the clock where that is given.
+    """A hub in the simulated `world`; `absent` names empty ports. `run` advances its program, not beyond `until` [s].
 
-    `silent` makes it stop answering, `cut` takes it out of reach, `press` is its button. `garbled` changes what goes
-    over the air, piece by piece.
+    `speed` is its time over real time (None: as fast as possible). With `silent` it does not answer, `cut` breaks the
+    connection, `press` is its button. `garbled` changes each piece of output on the air.
     """
 
     name = "virtual"
@@ -66,10 +65,10 @@ class VirtualHub:
         self.garbled: Callable[[bytes], bytes] = bytes
         self.notify: Callable[[bytes], None] | None = None
         self._lost: Callable[[], None] | None = None
-        self._notes = deque[bytes]()  # on their way to whoever listens
+        self._notes = deque[bytes]()  # queued for the air
         self._memory, self._size, self._typed, self._stopped = bytearray(MEMORY), 0, b"", False
-        self._script, self._asked = Script("pybricks", absent), 0
-        self.running, self.seconds, self._told, self._said = False, 0.0, 0.0, 0
+        self._script, self._stops = Script("pybricks", absent), 0
+        self.running, self.seconds, self._clock, self._sent = False, 0.0, 0.0, 0
 
     def read(self, uuid: str) -> bytes:
         """A characteristic's value."""
@@ -83,28 +82,28 @@ class VirtualHub:
 
     def write(self, uuid: str, data: bytes) -> None:
         """A command; raises `CommandRefused`."""
-        if uuid != COMMANDS or not data or data[0] not in ANSWERS:
+        if uuid != COMMANDS or not data or data[0] not in HANDLERS:
             raise CommandRefused(Refused.UNKNOWN)
         if len(data) > LONGEST_WRITE:
             raise CommandRefused(Refused.TOO_LONG)
         try:
-            ANSWERS[data[0]](self, bytes(data[1:]))
+            HANDLERS[data[0]](self, bytes(data[1:]))
         except struct.error:
             raise CommandRefused(Refused.NOT_ALLOWED) from None
 
     def run(self, seconds: float) -> None:
-        """Let the program go on for that long [s]; it may end before."""
+        """Run the program for that time [s] or to its end."""
         end = min(self.seconds + seconds, self.until)
         while self.running and (self.seconds < end or self._stopped):
             self._step()
 
     def press(self) -> None:
-        """The button: the program stops, says its last, and its motors are off."""
+        """The button: the program prints its last lines and stops, motors off."""
         self._stopped = self.running
         self.run(0.0)
 
     def cut(self) -> None:
-        """Take the hub out of reach of whoever is connected; its program goes on."""
+        """Break the connection; the program runs on."""
         self.notify, lost, self._lost = None, self._lost, None
         self._notes.clear()
         if lost:
@@ -116,7 +115,7 @@ class VirtualHub:
         return HubClient(self)
 
     def report(self) -> None:
-        """Tell whoever listens how the hub is."""
+        """Send the status flags."""
         battery = self.world.raw()[BATTERY] if self.battery is None else self.battery
         flags = (BATTERY_LOW if battery < LOW_BATTERY else 0) | (RUNNING if self.running else 0)
         self._send(bytes([STATUS]) + struct.pack("<IB", flags, 0))
@@ -135,8 +134,8 @@ class VirtualHub:
         for name, code in modules.items():
             (self._script.folder / f"{'balance' if name == '__main__' else name}.mpy").write_bytes(code)
         self._script.start()
-        self.running, self.seconds, self._told, self._said, self._typed = True, 0.0, 0.0, 0, b""
-        self._stopped, self._asked = False, 0
+        self.running, self.seconds, self._clock, self._sent, self._typed = True, 0.0, 0.0, 0, b""
+        self._stopped, self._stops = False, 0
         self.report()
 
     def _step(self) -> None:
@@ -144,52 +143,52 @@ class VirtualHub:
         if self.battery is not None:
             raw[BATTERY] = self.battery
         if self._stopped:
-            told, self._asked = self._script.interrupt() if self._asked < ASKED else None, self._asked + 1
+            reply, self._stops = self._script.interrupt() if self._stops < MOST_STOPS else None, self._stops + 1
         else:
             readings = [raw[channel] for channel in (*ENCODERS, GYRO, BATTERY)]
-            told = self._script.exchange(readings, self.pressed, self._typed)
+            reply = self._script.exchange(readings, self.pressed, self._typed)
         self._typed = b""
-        self._speak()
-        if told is None:
+        self._send_output()
+        if reply is None:
             self._ended()
         else:
-            self._move(told)
+            self._move(reply)
 
-    def _move(self, told: Told) -> None:
+    def _move(self, reply: Reply) -> None:
         """Let the time of a wait pass, with the duties that were set before it."""
-        self.duties = told.duties or (0.0, 0.0)
-        for _ in range(round((told.clock - self._told) * 1e-3 / self.world.period)):
-            self.world.step(self.duties, told.duties is not None)
-        self.seconds += (told.clock - self._told) * 1e-3
-        self._told = told.clock
+        self.duties = reply.duties or (0.0, 0.0)
+        for _ in range(round((reply.clock - self._clock) * 1e-3 / self.world.period)):
+            self.world.step(self.duties, reply.duties is not None)
+        self.seconds += (reply.clock - self._clock) * 1e-3
+        self._clock = reply.clock
 
     def _ended(self) -> None:
-        """What the firmware does when a program ends, however it ends: motors off."""
+        """Motors off and status sent, as the firmware does whenever a program ends."""
         self._script.stop()
         self.running, self._stopped, self.duties = False, False, (0.0, 0.0)
         self.report()
 
-    def _speak(self) -> None:
-        """Send what the program has printed since, in pieces."""
-        said = "".join(f"{line}\r\n" for line in self._script.said[self._said :]).encode()
-        self._said = len(self._script.said)
-        for at in range(0, len(said), LONGEST_NOTE):
-            self._send(bytes([OUTPUT]) + self.garbled(said[at : at + LONGEST_NOTE]))
+    def _send_output(self) -> None:
+        """Send the program's new output, in pieces."""
+        output = "".join(f"{line}\r\n" for line in self._script.lines[self._sent :]).encode()
+        self._sent = len(self._script.lines)
+        for at in range(0, len(output), LONGEST_NOTE):
+            self._send(bytes([OUTPUT]) + self.garbled(output[at : at + LONGEST_NOTE]))
 
     def _send(self, note: bytes) -> None:
         if self.notify:
             self._notes.append(note)
 
     def flush(self) -> bool:
-        """Let the next notes go over the air, as many as go at once; whether some are left."""
-        for _ in range(min(AT_ONCE, len(self._notes))):
+        """Send the next queued notes; whether some are left."""
+        for _ in range(min(NOTES_AT_ONCE, len(self._notes))):
             note = self._notes.popleft()
             if self.notify and not self.silent:
                 self.notify(note)
         return bool(self._notes)
 
     def stop(self, _: bytes = b"") -> None:
-        """Ask the program to stop; it does so when it next waits."""
+        """Request a stop; the program stops at its next wait."""
         self._stopped = self.running
 
     def start(self, _: bytes = b"") -> None:
@@ -198,7 +197,7 @@ class VirtualHub:
         self.begin()
 
     def measure(self, data: bytes) -> None:
-        """How large the program in memory is: 0 while it is being written."""
+        """Set the size of the program in memory: 0 while it is being written."""
         (size,) = struct.unpack("<I", data)
         self._idle(size <= MEMORY)
         self._size = size
@@ -218,23 +217,23 @@ class VirtualHub:
             raise CommandRefused(Refused.NOT_ALLOWED)
 
 
-ANSWERS: dict[int, Callable[[VirtualHub, bytes], None]] = {
+HANDLERS: dict[int, Callable[[VirtualHub, bytes], None]] = {
     0: VirtualHub.stop, 1: VirtualHub.start, 3: VirtualHub.measure, 4: VirtualHub.store, 6: VirtualHub.type,
 }  # fmt: skip
-"""Number of a command → what it does."""
+"""Number of a command → its function."""
 
 
 def unpacked(program: bytes) -> dict[str, bytes]:
     """Name → .mpy of every module in a program as pybricksdev packs it: size, name, code, and so on."""
-    found: dict[str, bytes] = {}
+    modules: dict[str, bytes] = {}
     while program:
         size = int.from_bytes(program[:4], "little")
         name, zero, rest = program[4:].partition(b"\0")
         if not zero or len(rest) < size:
             raise CommandRefused(Refused.NOT_ALLOWED)
-        found[name.decode("ascii", "replace").replace("/", "")] = rest[:size]
+        modules[name.decode("ascii", "replace").replace("/", "")] = rest[:size]
         program = rest[size:]
-    return found
+    return modules
 
 
 class HubClient:

@@ -15,7 +15,7 @@ from upright.bricks.rxe import InvalidProgram, read_rxe
 from upright.bricks.vm import Machine
 from upright.errors import UprightError
 
-REPLY, QUIET = 0x02, 0x80  # the type of a reply; the bit of a type that wants none
+REPLY, NO_REPLY = 0x02, 0x80  # type of a reply; bit of a telegram that requests none
 NO_PROGRAM, UNKNOWN, BAD_DATA, NOT_FOUND, BROKEN, SHORT, NO_SENSOR = 0xEC, 0xBE, 0xC0, 0x87, 0xE5, 0xBF, 0xDD
 """Statuses: no program runs, unknown command, value out of range, no such file, program error, telegram too short,
 nothing on the bus of a digital sensor."""
@@ -24,14 +24,14 @@ ANSWER = 16  # bytes that a digital sensor's answer takes
 FIRMWARE = (28, 1)  # minor and major version
 PROTOCOL = (124, 1)
 NAME, ADDRESS = b"virtual", bytes(range(6))
-COST = 1  # [µs] for an instruction where nothing else is said
+COST = 1  # [µs] of an instruction by default
 
 
 class VirtualBrick:
-    """A brick with `hardware` around it. `telegram` answers one; `run` lets its program go on.
+    """A brick with `hardware` around it. `telegram` answers a telegram; `run` advances its program.
 
-    `silent` makes it stop answering, as when its batteries are out or the cable is; an error of the program ends it,
-    stops the motors and is kept in `failure`.
+    With `silent` it does not answer, as without batteries or cable. An error of the program ends it, stops the motors
+    and is kept in `failure`.
     """
 
     def __init__(self, hardware: Hardware | None = None, cost: int = COST) -> None:
@@ -43,11 +43,11 @@ class VirtualBrick:
 
     @property
     def seconds(self) -> float:
-        """How long the program has run [s], or the last one did."""
+        """Run time [s] of the program, or of the last one."""
         return self._ran if self.machine is None else self.machine.time * 1e-6
 
     def telegram(self, data: bytes) -> bytes:
-        """The reply to one telegram; nothing where none is wanted."""
+        """The reply to one telegram, empty where none is requested."""
         if self.silent or len(data) < 2:
             return b""
         self.hardware.tick(1)  # the firmware takes one telegram in a round of a millisecond
@@ -58,10 +58,10 @@ class VirtualBrick:
             status, results = SHORT, b""
         except InvalidProgram:
             status, results = BAD_DATA, b""
-        return b"" if data[0] & QUIET else bytes([REPLY, data[1], status]) + results
+        return b"" if data[0] & NO_REPLY else bytes([REPLY, data[1], status]) + results
 
     def run(self, until: float) -> None:
-        """Let the program go on until its clock reads `until` [s]; it may end before."""
+        """Run the program until its clock reads `until` [s] or it ends."""
         machine = self.machine
         if machine is None:
             return
@@ -117,8 +117,8 @@ def _open_write(brick: VirtualBrick, data: bytes) -> Answer:
 
 def _read(brick: VirtualBrick, data: bytes) -> Answer:
     handle, count = struct.unpack_from("<BH", data)
-    result, found = brick.hardware.flash.read(handle, count)
-    return result >> 8, struct.pack("<BH", handle, len(found)) + found.ljust(count, b"\0")
+    result, content = brick.hardware.flash.read(handle, count)
+    return result >> 8, struct.pack("<BH", handle, len(content)) + content.ljust(count, b"\0")
 
 
 def _write(brick: VirtualBrick, data: bytes) -> Answer:
@@ -139,14 +139,14 @@ def _delete(brick: VirtualBrick, data: bytes) -> Answer:
 def _find_first(brick: VirtualBrick, data: bytes) -> Answer:
     handle = next(i for i in range(255, 0, -1) if i not in brick.searches)
     brick.searches[handle] = fnmatch.filter(sorted(brick.hardware.flash.files), _name(data))
-    return _found(brick, handle)
+    return _next_file(brick, handle)
 
 
 def _find_next(brick: VirtualBrick, data: bytes) -> Answer:
-    return _found(brick, data[0])
+    return _next_file(brick, data[0])
 
 
-def _found(brick: VirtualBrick, handle: int) -> Answer:
+def _next_file(brick: VirtualBrick, handle: int) -> Answer:
     names = brick.searches.get(handle, [])
     if not names:
         return NOT_FOUND, bytes([handle]) + bytes(24)
@@ -154,13 +154,11 @@ def _found(brick: VirtualBrick, handle: int) -> Answer:
     return OK, bytes([handle]) + _padded(name) + struct.pack("<I", brick.hardware.flash.sizes[name])
 
 
-def _version(brick: VirtualBrick, data: bytes) -> Answer:
-    del brick, data
+def _version(_brick: VirtualBrick, _data: bytes) -> Answer:
     return OK, bytes([*PROTOCOL, *FIRMWARE])
 
 
-def _device_info(brick: VirtualBrick, data: bytes) -> Answer:
-    del data
+def _device_info(brick: VirtualBrick, _: bytes) -> Answer:
     return OK, NAME.ljust(15, b"\0") + ADDRESS + bytes(5) + struct.pack("<I", brick.hardware.flash.free)
 
 
@@ -168,22 +166,19 @@ def _start(brick: VirtualBrick, data: bytes) -> Answer:
     return brick.start(_name(data)), b""
 
 
-def _stop(brick: VirtualBrick, data: bytes) -> Answer:
-    del data
+def _stop(brick: VirtualBrick, _: bytes) -> Answer:
     if not brick.running:
         return NO_PROGRAM, b""
     brick.stop()
     return OK, b""
 
 
-def _program_name(brick: VirtualBrick, data: bytes) -> Answer:
-    del data
+def _program_name(brick: VirtualBrick, _: bytes) -> Answer:
     return (OK if brick.running else NO_PROGRAM), _padded(brick.running)
 
 
 def _set_output(brick: VirtualBrick, data: bytes) -> Answer:
-    port, power, mode, regulation, turn, state, limit = struct.unpack_from("<BbBBbBI", data)
-    del regulation, turn
+    port, power, mode, _, _, state, limit = struct.unpack_from("<BbBBbBI", data)
     ports = range(3) if port == 0xFF else (port,)
     brick.hardware.set_output(ports, [(2, power), (1, mode), (6, state)])
     for number in ports:
@@ -220,9 +215,9 @@ def _sensor_ready(brick: VirtualBrick, data: bytes) -> Answer:
     return OK, bytes([len(brick.hardware.asked.get(data[0], b""))])
 
 
-def _sensor_says(brick: VirtualBrick, data: bytes) -> Answer:
-    said = brick.hardware.asked.pop(data[0], b"")
-    return OK, bytes([len(said)]) + said.ljust(ANSWER, b"\0")
+def _sensor_answer(brick: VirtualBrick, data: bytes) -> Answer:
+    answer = brick.hardware.asked.pop(data[0], b"")
+    return OK, bytes([len(answer)]) + answer.ljust(ANSWER, b"\0")
 
 
 def _reset_motor(brick: VirtualBrick, data: bytes) -> Answer:
@@ -230,18 +225,15 @@ def _reset_motor(brick: VirtualBrick, data: bytes) -> Answer:
     return OK, b""
 
 
-def _battery(brick: VirtualBrick, data: bytes) -> Answer:
-    del data
+def _battery(brick: VirtualBrick, _: bytes) -> Answer:
     return OK, struct.pack("<H", brick.hardware.battery)
 
 
-def _keep_alive(brick: VirtualBrick, data: bytes) -> Answer:
-    del brick, data
+def _keep_alive(_brick: VirtualBrick, _data: bytes) -> Answer:
     return OK, struct.pack("<I", 600_000)  # [ms] until it would switch itself off
 
 
-def _accepted(brick: VirtualBrick, data: bytes) -> Answer:
-    del brick, data
+def _accepted(_brick: VirtualBrick, _data: bytes) -> Answer:
     return OK, b""
 
 
@@ -251,6 +243,6 @@ COMMANDS: Mapping[tuple[int, int], Callable[[VirtualBrick, bytes], Answer]] = {
     (1, 0x8B): _open_write, (1, 0x9B): _device_info, (0, 0x00): _start, (0, 0x01): _stop, (0, 0x03): _accepted,
     (0, 0x04): _set_output, (0, 0x05): _set_input, (0, 0x06): _get_output, (0, 0x07): _get_input,
     (0, 0x0A): _reset_motor, (0, 0x0B): _battery, (0, 0x0C): _accepted, (0, 0x0D): _keep_alive,
-    (0, 0x0E): _sensor_ready, (0, 0x0F): _ask_sensor, (0, 0x10): _sensor_says, (0, 0x11): _program_name,
+    (0, 0x0E): _sensor_ready, (0, 0x0F): _ask_sensor, (0, 0x10): _sensor_answer, (0, 0x11): _program_name,
 }  # fmt: skip
-"""(1 for a system command, 0 for a direct one; its number) → what answers it."""
+"""(1 for a system command, 0 for a direct one; number) → its function."""

@@ -46,7 +46,7 @@ class Line:
         self.cut()
 
     def cut(self) -> None:
-        """Pull the cable: whoever reads or writes next gets an error."""
+        """Pull the cable: the next read or write fails."""
         with self._lock:
             for end in (self._ours, self._theirs):
                 if end >= 0:
@@ -54,25 +54,25 @@ class Line:
             self._ours = self._theirs = -1
 
     def _serve(self) -> None:
-        heard = b""
+        received = b""
         while not self._over.is_set():
             running = self.brick.machine is not None
             with self._lock:
                 if self._ours >= 0 and select.select([self._ours], [], [], 0.0)[0]:
-                    heard = self._answer(heard + os.read(self._ours, 4096))
+                    received = self._answer(received + os.read(self._ours, 4096))
                     continue
             if running:
                 self._go_on()
             else:
                 time.sleep(IDLE / 10)
 
-    def _answer(self, heard: bytes) -> bytes:
-        """Answer every whole telegram and return what is left."""
-        while len(heard) >= 2 and len(heard) >= 2 + (size := struct.unpack("<H", heard[:2])[0]):
-            reply, heard = self.brick.telegram(heard[2 : 2 + size]), heard[2 + size :]
+    def _answer(self, received: bytes) -> bytes:
+        """Answer every complete telegram and return the remaining bytes."""
+        while len(received) >= 2 and len(received) >= 2 + (size := struct.unpack("<H", received[:2])[0]):
+            reply, received = self.brick.telegram(received[2 : 2 + size]), received[2 + size :]
             if reply:
                 os.write(self._ours, struct.pack("<H", len(reply)) + reply)
-        return heard
+        return received
 
     def _go_on(self) -> None:
         began, machine = time.monotonic(), self.brick.machine

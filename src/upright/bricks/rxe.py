@@ -17,7 +17,7 @@ from upright.errors import UprightError
 MAGIC = b"MindstormsNXT\0"
 HEADER = struct.Struct("<16s9H2H")
 ZERO = 1  # flag of an entry: it begins at zero, and no first value is stored for it
-NOTHING = 0xFFFF  # an argument that stands for no variable
+NOTHING = 0xFFFF  # an argument without a variable
 SHORT, LONG = 0x0800, 14  # a bit of the first word; a size that says that the next word holds it
 SHORT_CODES = (0x1B, 0x2C, 0x2D, 0x2E)  # move, acquire, release, subcall
 
@@ -25,7 +25,7 @@ Value = int | float | bytearray | list[int | float]
 
 
 class InvalidProgram(UprightError):
-    """A file that is no program of the brick, or code that this machine does not know."""
+    """A file that is not a program of the brick, or an unknown instruction."""
 
 
 class Type(IntEnum):
@@ -84,11 +84,11 @@ class Executable:
 
     def members(self, index: int) -> list[int]:
         """The members of the cluster `index`, in order; those of clusters inside it are theirs."""
-        found, at = list[int](), index + 1
+        members, at = list[int](), index + 1
         for _ in range(self.entries[index].data):
-            found.append(at)
+            members.append(at)
             at = self._after(at)
-        return found
+        return members
 
     def element(self, array: int) -> Type:
         """The type of an array's elements."""
@@ -105,7 +105,7 @@ def read_rxe(source: str | Path | bytes) -> Executable:
     """The program in a file, or in its bytes; raises `InvalidProgram` for anything else."""
     data, name = (source, "the program") if isinstance(source, bytes) else (Path(source).read_bytes(), str(source))
     if not data.startswith(MAGIC):
-        raise InvalidProgram(f"{name} is no program of an NXT brick", expected="an .rxe as nbc writes it")
+        raise InvalidProgram(f"{name} is not a program of an NXT brick", expected="an .rxe file by nbc")
     try:
         return _read(data)
     except (struct.error, IndexError, ValueError):
@@ -158,5 +158,5 @@ def _array(heap: bytes, static: int, vector: int, kind: Type) -> Value:
     if not count:
         return bytearray() if kind is Type.UBYTE else []
     start = address - static
-    found = struct.unpack(f"<{count}{kind.format}", heap[start : start + size * count])
-    return bytearray(found) if kind is Type.UBYTE else list(found)
+    values = struct.unpack(f"<{count}{kind.format}", heap[start : start + size * count])
+    return bytearray(values) if kind is Type.UBYTE else list(values)

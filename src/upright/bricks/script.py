@@ -23,9 +23,9 @@ READINGS = ("raw_encoder_left", "raw_encoder_right", "raw_gyro", "raw_battery")
 
 
 @dataclass(frozen=True)
-class Told:
-    """What a program came to until it next waited: its `clock`, both `duties` [%] (None until it first set them),
-    and its own `row` of results."""
+class Reply:
+    """State of a program at its next wait: its `clock` [ms], both `duties` [%] (None until it first set them),
+    and its `row` of results."""
 
     clock: float
     duties: tuple[float, float] | None
@@ -34,11 +34,11 @@ class Told:
 
 class Script:
     """A program in a process of its own among stand-ins for its brick's modules; `folder` is where it looks for itself,
-    as balance.py or balance.mpy. `said` holds its own lines, `absent` names ports with nothing in them."""
+    as balance.py or balance.mpy. `lines` holds its output, `absent` names empty ports."""
 
     def __init__(self, target: str, absent: Sequence[str] = ()) -> None:
         self._folder = tempfile.TemporaryDirectory(prefix="upright-")
-        self.folder, self.said = Path(self._folder.name), list[str]()
+        self.folder, self.lines = Path(self._folder.name), list[str]()
         shim = (files("upright.bricks") / "shims" / f"{target}.shim").read_text("utf-8")
         (self.folder / "start.py").write_text(shim, encoding="utf-8")
         self._command = [_interpreter(target == "pybricks"), "start.py", *absent]
@@ -50,14 +50,14 @@ class Script:
             self._command, cwd=self.folder, text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
         )  # fmt: skip
-        self.said = []
+        self.lines = []
 
-    def exchange(self, readings: Sequence[float], pressed: bool = False, typed: bytes = b"") -> Told | None:
-        """Give it `READINGS`, its button and what was typed; None where it has ended."""
+    def exchange(self, readings: Sequence[float], pressed: bool = False, typed: bytes = b"") -> Reply | None:
+        """Send it `READINGS`, its button and typed bytes; None after its end."""
         return self._exchange(f"{struct.pack('<5d', *readings, pressed).hex()} {typed.hex()}")
 
-    def interrupt(self) -> Told | None:
-        """Ask it to stop, as the brick's system does: whatever it waits for raises `SystemExit`."""
+    def interrupt(self) -> Reply | None:
+        """Request its stop, as the brick's system does: its next wait raises `SystemExit`."""
         return self._exchange("stop")
 
     def signal(self, number: int) -> None:
@@ -76,19 +76,19 @@ class Script:
         self.stop()
         self._folder.cleanup()
 
-    def _exchange(self, line: str) -> Told | None:
+    def _exchange(self, line: str) -> Reply | None:
         given, answers = self._pipes()
         try:
             given.write(line + "\n")
             given.flush()
         except BrokenPipeError:
-            pass  # it has ended; what it said is still there
+            pass  # it has ended; its output is still in the pipe
         for answer in answers:
             if answer.startswith(MARK):
                 packed = bytes.fromhex(answer[1:].strip())
                 clock, left, right, *row = struct.unpack(f"<{len(packed) // 8}d", packed)
-                return Told(clock, None if math.isnan(left + right) else (left, right), tuple(row))
-            self.said.append(answer.rstrip("\n"))
+                return Reply(clock, None if math.isnan(left + right) else (left, right), tuple(row))
+            self.lines.append(answer.rstrip("\n"))
         return None
 
     def _pipes(self) -> tuple[IO[str], IO[str]]:

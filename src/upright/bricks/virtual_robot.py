@@ -6,7 +6,7 @@ from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from upright.bricks.brick import Hardware, feel
+from upright.bricks.brick import Hardware, set_readings
 from upright.bricks.hub import VirtualHub
 from upright.bricks.lcp import VirtualBrick
 from upright.bricks.line import Line
@@ -26,7 +26,7 @@ class VirtualRobot:
     def __init__(self, hardware: Hardware, world: World) -> None:
         self.world, self._hardware = world, hardware
         self._period, self._next = round(world.period * 1e6), 0
-        feel(hardware, world.raw())
+        set_readings(hardware, world.raw())
         hardware.world = self.reach
 
     def reach(self, time: int) -> None:
@@ -36,7 +36,7 @@ class VirtualRobot:
             self._next += self._period
             duties = (motors[LEFT].duty, motors[RIGHT].duty)
             self.world.step(duties, any(motor.mode for motor in motors))
-            feel(self._hardware, self.world.raw())
+            set_readings(self._hardware, self.world.raw())
             self._hardware.tick(self._period // 1000)
 
     def wait(self, seconds: float) -> None:

@@ -9,50 +9,25 @@ import math
 import operator
 import struct
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from upright.bricks.processor import Processor, copied, holder
 from upright.bricks.rxe import SCALARS, Code, InvalidProgram, Type
-
-if TYPE_CHECKING:
-    from upright.bricks.vm import Machine
 
 Step = Callable[[], int | None]
 """Does one instruction; where it returns a word's number, the program goes on there."""
-Maker = Callable[["Machine", Code], Step]
+Maker = Callable[[Processor, Code], Step]
 
 END = -1
 COMPARE = (operator.lt, operator.gt, operator.le, operator.ge, operator.eq, operator.ne)
-_SINGLE = struct.Struct("<f")
-_WIDTH = {Type.UBYTE: 8, Type.SBYTE: 8, Type.UWORD: 16, Type.SWORD: 16, Type.ULONG: 32, Type.SLONG: 32, Type.MUTEX: 32}
-_SIGNED = frozenset({Type.SBYTE, Type.SWORD, Type.SLONG})
-
-
-def holder(kind: Type) -> Callable[[Any], Any]:
-    """What a number becomes when it is stored as that type."""
-    if kind is Type.FLOAT:
-        return lambda x: _SINGLE.unpack(_SINGLE.pack(x))[0]
-    if kind not in _WIDTH:
-        raise InvalidProgram(f"a number is stored in a {kind.name.lower()}")
-    width, low = 1 << _WIDTH[kind], -(1 << _WIDTH[kind] - 1) if kind in _SIGNED else 0
-
-    def wrap(x: Any) -> int:
-        if x != int(x):
-            raise InvalidProgram(f"{x} is stored as an integer", expected="a whole number", hint="trunc it first")
-        return (int(x) - low) % width + low
-
-    return wrap
 
 
 def signed(word: int) -> int:
     return word - 0x10000 if word & 0x8000 else word
 
 
-def copied(value: Any) -> Any:
-    return value.copy() if isinstance(value, bytearray | list) else 0 if value is None else value
-
-
 def _binary(operation: Callable[[Any, Any], Any]) -> Maker:
-    def make(m: Machine, code: Code) -> Step:
+    def make(m: Processor, code: Code) -> Step:
         target, a, b = code.args
         cells, store = m.cells, m.store(target)
         return lambda: store(operation(cells[a], cells[b]))
@@ -61,39 +36,39 @@ def _binary(operation: Callable[[Any, Any], Any]) -> Maker:
 
 
 def _unary(operation: Callable[[Any], Any]) -> Maker:
-    def make(m: Machine, code: Code) -> Step:
+    def make(m: Processor, code: Code) -> Step:
         cells, store, source = m.cells, m.store(code.args[0]), code.args[1]
         return lambda: store(operation(cells[source]))
 
     return make
 
 
-def _compare(m: Machine, code: Code) -> Step:
+def _compare(m: Processor, code: Code) -> Step:
     return _binary(COMPARE[code.condition])(m, code)
 
 
-def _test(m: Machine, code: Code) -> Step:
+def _test(m: Processor, code: Code) -> Step:
     compare = COMPARE[code.condition]
     return _unary(lambda a: compare(a, 0))(m, code)
 
 
-def _branch_compare(m: Machine, code: Code) -> Step:
+def _branch_compare(m: Processor, code: Code) -> Step:
     cells, compare, there = m.cells, COMPARE[code.condition], code.at + signed(code.args[0])
     a, b = code.args[1:]
     return lambda: there if compare(cells[a], cells[b]) else None
 
 
-def _branch_test(m: Machine, code: Code) -> Step:
+def _branch_test(m: Processor, code: Code) -> Step:
     cells, compare, there = m.cells, COMPARE[code.condition], code.at + signed(code.args[0])
     return lambda: there if compare(cells[code.args[1]], 0) else None
 
 
-def _jump(_: Machine, code: Code) -> Step:
+def _jump(_: Processor, code: Code) -> Step:
     there = code.at + signed(code.args[0])
     return lambda: there
 
 
-def _subcall(m: Machine, code: Code) -> Step:
+def _subcall(m: Processor, code: Code) -> Step:
     clump, back = code.args
     there, after, returns = m.program.clumps[clump], code.at + code.length, m.returns
 
@@ -104,19 +79,19 @@ def _subcall(m: Machine, code: Code) -> Step:
     return step
 
 
-def _subreturn(m: Machine, code: Code) -> Step:
+def _subreturn(m: Processor, code: Code) -> Step:
     return lambda: m.returns[code.args[0]]
 
 
-def _end(_m: Machine, _code: Code) -> Step:
+def _end(_m: Processor, _code: Code) -> Step:
     return lambda: END
 
 
-def _nothing(_m: Machine, _code: Code) -> Step:
+def _nothing(_m: Processor, _code: Code) -> Step:
     return lambda: None
 
 
-def _move(m: Machine, code: Code) -> Step:
+def _move(m: Processor, code: Code) -> Step:
     target, source = code.args
     cells, kind = m.cells, m.program.entries[target].type
     if kind is Type.ARRAY:
@@ -127,12 +102,12 @@ def _move(m: Machine, code: Code) -> Step:
     return _unary(_same)(m, code)
 
 
-def _set(m: Machine, code: Code) -> Step:
+def _set(m: Processor, code: Code) -> Step:
     store, value = m.store(code.args[0]), signed(code.args[1])
     return lambda: store(value)
 
 
-def _index(m: Machine, code: Code) -> Step:
+def _index(m: Processor, code: Code) -> Step:
     target, source, place = code.args
     cells, store, where = m.cells, m.store(target), m.number(place)
 
@@ -143,20 +118,20 @@ def _index(m: Machine, code: Code) -> Step:
     return step
 
 
-def _replace(m: Machine, code: Code) -> Step:
+def _replace(m: Processor, code: Code) -> Step:
     target, source, place, value = code.args
     cells, where, hold = m.cells, m.number(place), holder(m.program.element(target))
 
     def step() -> None:
         if target != source:
             cells[target] = copied(cells[source])
-        found: Any = cells[target]
-        found[_inside(found, where())] = hold(cells[value])
+        values: Any = cells[target]
+        values[_inside(values, where())] = hold(cells[value])
 
     return step
 
 
-def _array(m: Machine, target: int, make: Callable[[], Sequence[Any]]) -> Step:
+def _array(m: Processor, target: int, make: Callable[[], Sequence[Any]]) -> Step:
     cells, kind = m.cells, m.program.element(target)
     hold = holder(kind)
 
@@ -167,32 +142,32 @@ def _array(m: Machine, target: int, make: Callable[[], Sequence[Any]]) -> Step:
     return step
 
 
-def _array_init(m: Machine, code: Code) -> Step:
+def _array_init(m: Processor, code: Code) -> Step:
     cells, count = m.cells, m.number(code.args[2])
     return _array(m, code.args[0], lambda: [cells[code.args[1]]] * int(count()))
 
 
-def _array_build(m: Machine, code: Code) -> Step:
+def _array_build(m: Processor, code: Code) -> Step:
     cells = m.cells
     return _array(m, code.args[0], lambda: [x for a in code.args[1:] for x in _several(cells[a])])
 
 
-def _string_join(m: Machine, code: Code) -> Step:
+def _string_join(m: Processor, code: Code) -> Step:
     cells = m.cells
     return lambda: cells.__setitem__(code.args[0], bytearray(b"".join(_text(cells[a]) for a in code.args[1:]) + b"\0"))
 
 
-def _subset(m: Machine, code: Code) -> Step:
+def _subset(m: Processor, code: Code) -> Step:
     cells, first, count = m.cells, m.number(code.args[2]), m.number(code.args[3], 0xFFFF)
     return _array(m, code.args[0], lambda: cells[code.args[1]][first() : first() + count()])  # type: ignore[index]
 
 
-def _size(m: Machine, code: Code) -> Step:
+def _size(m: Processor, code: Code) -> Step:
     cells, store = m.cells, m.store(code.args[0])
     return lambda: store(len(cells[code.args[1]]))  # type: ignore[arg-type]
 
 
-def _flatten(m: Machine, code: Code) -> Step:
+def _flatten(m: Processor, code: Code) -> Step:
     cells, target, leaves = m.cells, code.args[0], m.leaves(code.args[1])
     kinds = [m.program.entries[leaf].type for leaf in leaves]
     if not SCALARS.issuperset(kinds):
@@ -201,7 +176,7 @@ def _flatten(m: Machine, code: Code) -> Step:
     return lambda: cells.__setitem__(target, bytearray(layout.pack(*(cells[i] for i in leaves)) + b"\0"))
 
 
-def _unflatten(m: Machine, code: Code) -> Step:
+def _unflatten(m: Processor, code: Code) -> Step:
     target, failed, source, _ = code.args
     layout = struct.Struct("<" + m.program.entries[target].type.format)
     cells, store, fail = m.cells, m.store(target), m.store(failed)
@@ -215,45 +190,38 @@ def _unflatten(m: Machine, code: Code) -> Step:
     return step
 
 
-def _to_bytes(m: Machine, code: Code) -> Step:
-    cells = m.cells
-    return lambda: cells.__setitem__(code.args[0], bytearray(_text(cells[code.args[1]])))
+def _converted(conversion: Callable[[Any], bytes]) -> Maker:
+    """Stores bytes made from one variable."""
+
+    def make(m: Processor, code: Code) -> Step:
+        cells, (target, source) = m.cells, code.args
+        return lambda: cells.__setitem__(target, bytearray(conversion(cells[source])))
+
+    return make
 
 
-def _to_string(m: Machine, code: Code) -> Step:
-    cells = m.cells
-    return lambda: cells.__setitem__(code.args[0], bytearray(bytes(cells[code.args[1]]) + b"\0"))  # type: ignore[arg-type]
-
-
-def _number_text(m: Machine, code: Code) -> Step:
-    cells = m.cells
-    return lambda: cells.__setitem__(code.args[0], bytearray(f"{cells[code.args[1]]:g}".encode() + b"\0"))
-
-
-def _get_input(m: Machine, code: Code) -> Step:
+def _get_input(m: Processor, code: Code) -> Step:
     store, port = m.store(code.args[0]), m.number(code.args[1])
     return lambda: store(m.now().get_input(port(), code.args[2]))
 
 
-def _set_input(m: Machine, code: Code) -> Step:
+def _set_input(m: Processor, code: Code) -> Step:
     value, port = m.number(code.args[0]), m.number(code.args[1])
     return lambda: m.now().set_input(port(), code.args[2], value())
 
 
-def _get_output(m: Machine, code: Code) -> Step:
+def _get_output(m: Processor, code: Code) -> Step:
     store, port = m.store(code.args[0]), m.number(code.args[1])
     return lambda: store(m.now().get_output(port(), code.args[2]))
 
 
-def _set_output(m: Machine, code: Code) -> Step:
-    cells, settings = (
-        m.cells,
-        [(item, m.number(value)) for item, value in zip(code.args[1::2], code.args[2::2], strict=True)],
-    )
+def _set_output(m: Processor, code: Code) -> Step:
+    cells = m.cells
+    settings = [(item, m.number(value)) for item, value in zip(code.args[1::2], code.args[2::2], strict=True)]
     return lambda: m.now().set_output(_several(cells[code.args[0]]), [(item, read()) for item, read in settings])
 
 
-def _system_call(m: Machine, code: Code) -> Step:
+def _system_call(m: Processor, code: Code) -> Step:
     cells, number, leaves = m.cells, code.args[0], m.leaves(code.args[1])
     holds = [None if m.program.entries[i].type is Type.ARRAY else holder(m.program.entries[i].type) for i in leaves]
 
@@ -266,17 +234,17 @@ def _system_call(m: Machine, code: Code) -> Step:
     return step
 
 
-def _tick(m: Machine, code: Code) -> Step:
+def _tick(m: Processor, code: Code) -> Step:
     store = m.store(code.args[0])
     return lambda: store(m.time // 1000)
 
 
-def _wait(m: Machine, code: Code) -> Step:
+def _wait(m: Processor, code: Code) -> Step:
     value = m.number(code.args[0])
     return lambda: m.sleep(value())
 
 
-def _wait_short(m: Machine, code: Code) -> Step:
+def _wait_short(m: Processor, code: Code) -> Step:
     return lambda: m.sleep(code.args[0])
 
 
@@ -327,7 +295,8 @@ INSTRUCTIONS: dict[int, Maker] = {
     0x0B: _binary(operator.lshift), 0x0C: _binary(lambda a, b: (a & 0xFFFFFFFF) >> b), 0x0D: _binary(operator.lshift),
     0x0E: _binary(operator.rshift), 0x11: _compare, 0x12: _test, 0x15: _index, 0x16: _replace, 0x17: _size,
     0x18: _array_build, 0x19: _subset, 0x1A: _array_init, 0x1B: _move, 0x1C: _set, 0x1D: _flatten, 0x1E: _unflatten,
-    0x1F: _number_text, 0x21: _string_join, 0x23: _to_bytes, 0x24: _to_string, 0x25: _jump, 0x26: _branch_compare,
+    0x1F: _converted(lambda x: f"{x:g}".encode() + b"\0"), 0x21: _string_join, 0x23: _converted(_text),
+    0x24: _converted(lambda x: bytes(x) + b"\0"), 0x25: _jump, 0x26: _branch_compare,
     0x27: _branch_test, 0x28: _system_call, 0x29: _end, 0x2A: _end, 0x2B: _end, 0x2C: _nothing, 0x2D: _nothing,
     0x2E: _subcall, 0x2F: _subreturn, 0x30: _set_input, 0x31: _set_output, 0x32: _get_input, 0x33: _get_output,
     0x34: _wait, 0x35: _tick, 0x36: _unary(math.sqrt), 0x37: _unary(abs), 0x64: _wait_short, 0x65: _wait,

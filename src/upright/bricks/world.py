@@ -17,8 +17,8 @@ from upright.robots import Kit, Robot
 
 
 class World:
-    """`robot` in the electronics of `kit` as the sensors and motors of a `target` meet it; `pushes` count from its
-    release. `fallen` says whether it lies; then it stays there and its motors turn freely."""
+    """`robot` in the electronics of `kit`, with the sensors and motors of a `target`; `pushes` are timed from its
+    release. Once `fallen` it stays where it lies, and its motors turn freely."""
 
     def __init__(
         self,
@@ -51,7 +51,8 @@ class World:
         """One period under both `duties` [%]; `driven` lets the robot go for good."""
         self.released = self.released or driven
         if self.released and not self.fallen:
-            self._now = self._plant.step(self._volts(duties), combined(self._pushes, self._now.t, self._robot))
+            volts = self._kit.battery.volts([duty / 100 for duty in duties])
+            self._now = self._plant.step(volts, combined(self._pushes, self._now.t, self._robot))
             self.fallen = self._now.fallen
 
     def raw(self) -> dict[str, float]:
@@ -65,19 +66,12 @@ class World:
 
     def _read(self, channel: str, value: float) -> float:
         raw = self._raw[channel]
-        found = value / raw.scale
+        reading = value / raw.scale
         if channel == COMPASS:  # counts clockwise
-            return float(-round(found) % 360)
+            return float(-round(reading) % 360)
         if channel == GYRO:
-            found += round(OFFSET / raw.scale) if raw.whole else OFFSET / raw.scale
-        return float(round(found)) if raw.whole else found
-
-    def _volts(self, duties: Sequence[float]) -> tuple[float, float]:
-        """Each duty times the battery's voltage under both."""
-        left, right = (duty / 100 for duty in duties)
-        battery = self._kit.battery
-        voltage = battery.voltage / (1 + battery.sag * (abs(left) + abs(right)))
-        return left * voltage, right * voltage
+            reading += round(OFFSET / raw.scale) if raw.whole else OFFSET / raw.scale
+        return float(round(reading)) if raw.whole else reading
 
     def close(self) -> None:
         self._plant.close()

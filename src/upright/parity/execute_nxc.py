@@ -5,7 +5,7 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from upright.bricks.brick import Hardware, feel
+from upright.bricks.brick import Hardware, set_readings
 from upright.bricks.rxe import Executable, read_rxe
 from upright.bricks.vm import Machine
 from upright.compiled.program import Program
@@ -49,7 +49,7 @@ class NxcExecutor:
         self._machine = Machine(self._executable, self.hardware, COST)
 
     def step(self, raw: Values) -> Values:
-        feel(self.hardware, {channel: raw[name] for name, channel in self._program.channels.items()})
+        set_readings(self.hardware, {channel: raw[name] for name, channel in self._program.channels.items()})
         calibrated, before = self._read("ready"), self._machine.executed
         self._until_it_rests()
         if not calibrated:
@@ -75,11 +75,11 @@ class NxcExecutor:
 
 def _symbols(text: str) -> dict[str, int]:
     """Name → number from the table that nbc writes: number and name in the first two columns."""
-    found: dict[str, int] = {}
+    numbers: dict[str, int] = {}
     for line in text.splitlines():
-        if line.startswith("#") and found:
+        if line.startswith("#") and numbers:
             break  # the code follows
         columns = line.split("\t")
         if len(columns) >= 3 and columns[0].isdigit():
-            found[columns[1]] = int(columns[0])
-    return found
+            numbers[columns[1]] = int(columns[0])
+    return numbers

@@ -28,30 +28,30 @@ class PythonExecutor:
             copy.unlink()
 
     @property
-    def said(self) -> list[str]:
-        """The program's own lines."""
-        return self._script.said
+    def lines(self) -> list[str]:
+        """The program's output."""
+        return self._script.lines
 
     def start(self) -> None:
         self._script.start()
 
     def step(self, raw: Values) -> Values:
-        told = self._script.exchange([raw[name] for name in READINGS], self.pressed)
-        if told is None:
-            raise ExecutionFailed(f"the program ended: {self.said[-1] if self.said else 'it said nothing'}")
-        self.duties = told.duties or (0.0, 0.0)
-        return dict(zip(self._names, told.row, strict=True)) if told.row else {}
+        reply = self._script.exchange([raw[name] for name in READINGS], self.pressed)
+        if reply is None:
+            raise ExecutionFailed(f"the program ended: {self.lines[-1] if self.lines else 'without output'}")
+        self.duties = reply.duties or (0.0, 0.0)
+        return dict(zip(self._names, reply.row, strict=True)) if reply.row else {}
 
     def signal(self, number: int) -> None:
         """Send the program a signal of the system, as a terminal that hangs up does."""
         self._script.signal(number)
 
     def finish(self) -> list[str]:
-        """Press the button and return everything that the program has said, its log last."""
+        """Press the button and return the program's output, its log last."""
         resting = [0.0, 0.0, 0.0, 8000.0]
         while self._script.exchange(resting, pressed=True):
             pass
-        return self.said
+        return self.lines
 
     def close(self) -> None:
         self._script.close()

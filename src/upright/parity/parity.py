@@ -206,12 +206,9 @@ class Executed:
             self.steps += 1
 
     def _volts(self, out: Values) -> tuple[float, float]:
-        full, battery = self._program.full, self._kit.battery
-        if not full:
+        if not self._program.full:
             return out["applied_left"], out["applied_right"]
-        left, right = out["duty_left"], out["duty_right"]
-        volts = battery.voltage / (full + battery.sag * (abs(left) + abs(right)))
-        return left * volts, right * volts
+        return self._kit.battery.volts([out[f"duty_{side}"] / self._program.full for side in SIDES])
 
 
 def comparable(program: Program, numbers: str) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 
@@ -65,6 +66,16 @@ class Battery:
         _check_not_negative("battery sag", self.sag)
         if not self.voltage > 0:
             raise InvalidRobot(f"battery voltage is {self.voltage:g} V", expected="more than zero")
+
+    def loaded(self, load: float) -> float:
+        """Voltage [V] while `load` [V], the sum of both commands' magnitudes, is driven."""
+        return self.voltage - self.sag * load
+
+    def volts(self, duties: Sequence[float]) -> tuple[float, float]:
+        """Voltages [V] at two motors driven by duty (−1 to 1) of the loaded battery: V = voltage − sag V Σ|duty|."""
+        left, right = duties
+        loaded = self.voltage / (1 + self.sag * (abs(left) + abs(right)))
+        return left * loaded, right * loaded
 
 
 @dataclass(frozen=True, kw_only=True)
