@@ -234,7 +234,7 @@ def _programme(fault: Fault, robot: Robot, kit: Kit, rng: np.random.Generator) -
     mass = robot.body_mass + 2 * robot.wheel_mass
     knock = 0.12 * mass
     pushes: list[Any] = [
-        Impulse(impulse=float(rng.uniform(-1, 1)) * knock, at_time=float(rng.uniform(0.6, fault.onset - 0.8)),
+        Impulse(impulse=float(rng.uniform(-1, 1)) * knock, start=float(rng.uniform(0.6, fault.onset - 0.8)),
                 duration=0.02)
         for _ in range(int(rng.integers(0, 3)))
     ]  # fmt: skip
@@ -246,7 +246,7 @@ def _programme(fault: Fault, robot: Robot, kit: Kit, rng: np.random.Generator) -
     provoked = fault.cause == "wheel slip" or fault.way == "limit"
     after = [float(rng.uniform(0.3, 2.5)) for _ in range(2)] if provoked else []
     pushes += [
-        Impulse(impulse=fault.sign * float(rng.uniform(0.5, 1.0)) * knock, at_time=fault.onset + t, duration=0.02)
+        Impulse(impulse=fault.sign * float(rng.uniform(0.5, 1.0)) * knock, start=fault.onset + t, duration=0.02)
         for t in after
     ]
     if fault.cause == "push too large":

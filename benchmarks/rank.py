@@ -27,7 +27,7 @@ from upright.fleet.ensemble import Ensemble
 from upright.fleet.vary import Family
 from upright.robots import Kit, Robot
 
-PUSH = Impulse(impulse=0.2, at_time=0.5)  # more than half of what the default regulator survives
+PUSH = Impulse(impulse=0.2, start=0.5)  # more than half of what the default regulator survives
 SECONDS = 4.0
 SCORES = ("peak_pitch", "rms_pitch", "travel")
 VOLTS, LEANS = (0.3, 0.6, 1.0, 1.7, 3.0), (0.6, 1.8)  # factors on the largest accepted command and pitch

@@ -31,7 +31,7 @@ vary = ["spread", "delay=0..0.004"]
 
 [[scenario]]
 name = "knock"
-push = [{ kind = "impulse", impulse = 0.25, at_time = 0.2 }]
+push = [{ kind = "impulse", impulse = 0.25, start = 0.2 }]
 """
 CHUNKS = 12  # two cases of 120 robots, 20 at a time
 
@@ -127,7 +127,7 @@ def test_a_chunk_cut_off_by_a_crash_is_run_again(spec, alone, tmp_path):
 
 def test_the_size_of_a_chunk_changes_no_robot(alone):
     table = {"n": 120, "seed": 3, "seconds": 1.0, "vary": ["spread", "delay=0..0.004"], "chunk": 120}
-    table["scenario"] = [{"name": "knock", "push": [{"kind": "impulse", "impulse": 0.25, "at_time": 0.2}]}]
+    table["scenario"] = [{"name": "knock", "push": [{"kind": "impulse", "impulse": 0.25, "start": 0.2}]}]
     ensemble = campaign_of(table).cases[0].ensemble  # without the grid: the kit's own dead zone
     at_once = ensemble.run(range(120))
     in_parts = [ensemble.run(range(start, start + 40)) for start in (0, 40, 80)]

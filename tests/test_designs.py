@@ -103,7 +103,7 @@ def test_lqg_equals_lqr_when_everything_is_measured_without_noise():
     design = lqr(NXT, 0.01)
     controller = lqg(NXT, IDEAL, 0.01, design.Q, design.R, reads=TRUE_STATE)
     body = LinearBody(linearise(NXT), NXT, period=0.01)
-    log = run(body, controller, Impulse(impulse=0.02, at_time=0.5), seconds=3)
+    log = run(body, controller, Impulse(impulse=0.02, start=0.5), seconds=3)
     state = np.column_stack([log[name] for name in TRUE_STATE])
     command = np.column_stack([log["command/left"], log["command/right"]])
     assert np.allclose(command, -state @ design.gain.T, atol=0.01 * np.abs(command).max())

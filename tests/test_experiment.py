@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
+from upright.cli.options import push as push_of
 from upright.control import Estimated, StateFeedback, kalman, lqr
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.experiment import Drive, Hold, Impulse, Push, Slope, Turn, run
@@ -74,8 +75,13 @@ def test_pushes_add_up_with_their_moments():
 
 
 def test_an_impulse_is_its_time_integral():
-    log = run(NonlinearBody(NXT, period=0.001), lqr(NXT, 0.001), Impulse(impulse=0.02, at_time=0.1), seconds=0.3)
+    log = run(NonlinearBody(NXT, period=0.001), lqr(NXT, 0.001), Impulse(impulse=0.02, start=0.1), seconds=0.3)
     assert log["push/force"].sum() * 0.001 == pytest.approx(0.02, rel=1e-12)
+
+
+def test_the_command_line_s_impulse_starts_like_a_force():
+    expected = Impulse(impulse=0.02, start=0.1)
+    assert push_of("impulse:0.02,start=0.1") == push_of("impulse:0.02,at_time=0.1") == expected
 
 
 def test_a_slope_is_held_by_leaning_uphill():

@@ -164,7 +164,7 @@ def test_pushes_of_each_robot_are_those_of_the_single_run():
 
 
 def test_a_fleets_numbers_are_those_of_the_single_run():
-    programme = (Impulse(impulse=0.05, at_time=0.2), Slope(angle=0.02, start=1.0))
+    programme = (Impulse(impulse=0.05, start=0.2), Slope(angle=0.02, start=1.0))
     ensemble = bare(family=Family(ROBOT, spreads=spread("com_height=±10%", ROBOT)), pushes=programme,
                     references=(Drive(speed=0.05, start=0.5),))  # fmt: skip
     found = ensemble.run(range(3))

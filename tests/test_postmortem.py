@@ -52,7 +52,7 @@ def logged(
     fault = bench.Fault(cause, way, ONSET, size)
     body = bench.FaultyBody(Twin(nominal), kit, fault, 1)
     law = bench.FaultyController(designed(robot, design), fault, body)
-    knock = Impulse(impulse=0.05 * nominal.body_mass, at_time=0.7, duration=0.02)
+    knock = Impulse(impulse=0.05 * nominal.body_mass, start=0.7, duration=0.02)
     log = run(body, law, [knock, *after], reference=wanted, seconds=seconds, seed=2)
     names = [n for n in log.channels if n.startswith(("sensor/", "command/", "reference/"))]
     keep = np.setdiff1d(np.arange(len(log)), law.skipped)
@@ -76,7 +76,7 @@ def mourned() -> PostMortem:
     return post_mortem(weakened(), NXT, KIT)
 
 
-KNOCKS = [Impulse(impulse=0.08 * MASS, at_time=ONSET + t, duration=0.02) for t in (0.4, 1.6)]
+KNOCKS = [Impulse(impulse=0.08 * MASS, start=ONSET + t, duration=0.02) for t in (0.4, 1.6)]
 TOO_MUCH = Push(force=1.0 * MASS / 0.1, start=ONSET, duration=0.1)  # 1 m/s, several times what its motors bring back
 TOO_FAST = Drive(speed=0.75, start=ONSET)  # [m/s] beyond the 0.66 that 8 V reach against the back EMF
 
@@ -109,7 +109,7 @@ def left_alone(command: float) -> Log:
     none = np.zeros((0, 0))
     still = LinearController(none, none, none, none, none, np.zeros((2, 3)), np.zeros((2, 6)), RAW, kit.period)
     body = Electronics(Twin(NXT), kit)
-    log = run(body, still, [Impulse(impulse=1e-4, at_time=1.0, duration=0.02)], seconds=6.0, seed=2)
+    log = run(body, still, [Impulse(impulse=1e-4, start=1.0, duration=0.02)], seconds=6.0, seed=2)
     assert log.origin["outcome"]["fell"]
     names = [n for n in log.channels if n.startswith("sensor/")]
     constant = {f"command/{side}": np.full(len(log), command) for side in ("left", "right")}

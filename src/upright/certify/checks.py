@@ -106,7 +106,7 @@ def standard_pushes(robot: Robot) -> dict[str, Any]:
     return {
         f"hold at {FRONT:+.2f} rad": Hold(pitch=FRONT, until=RELEASE),
         f"hold at {BACK:+.2f} rad": Hold(pitch=BACK, until=RELEASE),
-        f"knock by {KNOCK:g} m/s": Impulse(impulse=KNOCK * robot.body_mass, at_time=1.0, duration=0.02),
+        f"knock by {KNOCK:g} m/s": Impulse(impulse=KNOCK * robot.body_mass, start=1.0, duration=0.02),
     }
 
 

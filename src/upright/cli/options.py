@@ -17,7 +17,7 @@ JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for program
 
 PUSH_HELP = (
     "What pushes the robot, repeatable; they add up. hold:RAD,until=S keeps the pitch and lets go; "
-    "force:N,start=S,duration=S pushes; impulse:NS,at_time=S knocks. Each takes height=M above the axle "
+    "force:N,start=S,duration=S pushes; impulse:NS,start=S knocks. Each takes height=M above the axle "
     "(default: the centre of mass)."
 )
 
@@ -78,6 +78,7 @@ def push(text: str) -> Any:
         )
     if kind.strip() not in kinds:
         raise UnknownName("push", kind.strip(), kinds)
+    rest = rest.replace("at_time=", "start=")  # what an impulse's start was called in older scripts
     return programme(kinds[kind.strip()], rest, f"--push {kind.strip()}")
 
 

@@ -113,7 +113,7 @@ def largest_knock(plant: Body, controller: Controller, way: float, seed: int) ->
     mass = robot.body_mass + 2 * robot.wheel_mass
 
     def stands(sizes: Array, _: Any) -> NDArray[np.bool_]:
-        knock = Impulse(impulse=way * float(sizes[0]), at_time=STRUCK, duration=KNOCK)
+        knock = Impulse(impulse=way * float(sizes[0]), start=STRUCK, duration=KNOCK)
         log = run(plant, controller, knock, seconds=STRUCK + KNOCK + WATCHED, seed=seed)
         return np.array([not outcome_of(log).fell])
 

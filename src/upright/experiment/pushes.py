@@ -37,10 +37,10 @@ class Push:
 
 @dataclass(frozen=True, kw_only=True)
 class Impulse:
-    """A short push of `impulse` [N s] at time `at_time` [s], spread evenly over `duration` [s]."""
+    """A short push of `impulse` [N s] from `start` [s] on, spread evenly over `duration` [s]."""
 
     impulse: float
-    at_time: float = 1.0
+    start: float = 1.0
     duration: float = 0.01
     height: float | None = None
 
@@ -49,7 +49,7 @@ class Impulse:
 
     def at(self, t: float, robot: Robot) -> Disturbance:
         return Push(
-            force=self.impulse / self.duration, start=self.at_time, duration=self.duration, height=self.height
+            force=self.impulse / self.duration, start=self.start, duration=self.duration, height=self.height
         ).at(t, robot)
 
 

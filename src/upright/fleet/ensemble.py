@@ -180,16 +180,14 @@ def release(push: Any) -> float:
     """When a push ends [s]; 0 for what never does."""
     if isinstance(push, Hold):
         return push.until
-    if isinstance(push, Impulse):
-        return push.at_time + push.duration
-    return push.start + push.duration if isinstance(push, Push) else 0.0
+    return push.start + push.duration if isinstance(push, Push | Impulse) else 0.0
 
 
 def _push_row(push: Any, robots: Any) -> tuple[Any, float, float, float]:
     height = math.nan if getattr(push, "height", None) is None else float(push.height)
     kinds: dict[type, Callable[[], tuple[Any, float, float, float]]] = {
         Push: lambda: (push.force, height, push.start, push.duration),
-        Impulse: lambda: (push.impulse / push.duration, height, push.at_time, push.duration),
+        Impulse: lambda: (push.impulse / push.duration, height, push.start, push.duration),
         Hold: lambda: (push.force(robots), height, push.start, push.until - push.start),
     }
     if type(push) not in kinds:

@@ -36,7 +36,7 @@ class Pushing:
             self._tug = (t + TUG, size if strike.what == "tug_left" else -size)
             self._active.append((t + TUG, Push(force=size, start=t, duration=TUG, height=0.0)))
         elif strike.what == "impulse":
-            self._active.append((t + KNOCK, Impulse(impulse=size, at_time=t, duration=KNOCK)))
+            self._active.append((t + KNOCK, Impulse(impulse=size, start=t, duration=KNOCK)))
         else:
             self._active.append((t + HOLD, Hold(pitch=size, start=t, until=t + HOLD)))
 
