@@ -377,16 +377,17 @@ def judged(work: tuple[str, int, str]) -> Told:
 
 
 def _examined(case: Planted, told: Told) -> Told:
-    from upright.diagnose.evidence import gathered
+    from upright.diagnose.evidence import gather
     from upright.diagnose.verdict import ranked
 
     nominal = Robot.preset(case.robot)
     kit = Kit.preset(nominal.kit)
     began = time.process_time()
-    seen = gathered(case.log, nominal, kit, case.controller, lambda _: None)
+    _, evidence = gather(case.log, nominal, kit, case.controller, lambda _: None)
     seconds = time.process_time() - began
-    said = [ranked(evidence) for evidence in (replace(seen, law=None, stable=None), seen)]
-    plain, with_file = (causes[0].name if causes else NO_FALL for causes in said)
+    plain = with_file = NO_FALL
+    if evidence is not None:
+        plain, with_file = (ranked(e)[0].name for e in (replace(evidence, match=None, stable=None), evidence))
     return replace(told, without=plain, with_file=with_file, seconds=seconds)
 
 

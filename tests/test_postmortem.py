@@ -22,7 +22,7 @@ from upright.cli.main import main
 from upright.control import LinearController, make_controller, write_controller
 from upright.control.delay import RAW
 from upright.diagnose import PostMortem, post_mortem
-from upright.diagnose.path import track
+from upright.diagnose.innovations import follow
 from upright.diagnose.verdict import CANNOT_TELL, CAUSES, NO_FALL
 from upright.errors import InvalidLog, InvalidRobot
 from upright.experiment import Drive, Impulse, Push, run
@@ -128,9 +128,8 @@ def test_the_robot_as_it_should_be_leaves_its_dead_time_to_no_fault() -> None:
     # those of its noise, and the filter is not surprised by more than half again (χ² with some hundreds of readings)
     twipr, kit = Robot.preset("twipr"), Kit.preset("twipr")
     log = logged(bench.NO_FALL, robot="twipr", seconds=3.0)
-    found = track(log, twipr, kit)
-    use = (found.row >= 0) & np.isfinite(found.s) & (found.then > 1.0)
-    assert np.mean(found.e[use] ** 2 / found.s[use]) < 1.5
+    found = follow(log, twipr, kit)
+    assert np.mean(found.between(1.0, np.inf).whitened ** 2) < 1.5
 
 
 def test_changed_gain_is_told_to_its_number_with_the_file() -> None:

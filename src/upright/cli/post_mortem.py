@@ -49,7 +49,7 @@ def post_mortem(
             find_robot(robot) if robot else None,
             find_kit(kit) if kit else None,
             read_controller(controller) if controller else None,
-            find_mapping(mapping) if mapping else None,
+            mapping=find_mapping(mapping) if mapping else None,
             progress=show,
         )
     if output:

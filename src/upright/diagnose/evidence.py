@@ -1,10 +1,11 @@
-"""All that is measured of a fall before anything is decided: hypotheses, the law, lost rows, pushes, demands."""
+"""All that is measured of a fall before anything is decided: fault fits, commands, lost rows, pushes, demands."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -12,24 +13,13 @@ from numpy.typing import NDArray
 
 from upright.atomic import finite
 from upright.control import Controller
-from upright.diagnose.fall import (
-    Fall,
-    Motion,
-    before,
-    fall,
-    falling,
-    frozen_rows,
-    limit,
-    lost_rows,
-    motion,
-    stale_rows,
-)  # fmt: skip
-from upright.diagnose.faults import Bank, bank
-from upright.diagnose.fits import Fit, Pushed, fits
-from upright.diagnose.law import Law, by_file, references
-from upright.diagnose.mend import Window, dropped, mended, searched, sharpened
-from upright.diagnose.path import Track, tangent, track
-from upright.errors import SpecMismatch
+from upright.diagnose.fall import authority, fall_time, falling, frozen_rows, limit, lost_rows, stale_rows
+from upright.diagnose.fault_fits import FaultFit, PushEstimate, fits
+from upright.diagnose.innovations import FilterRun, follow
+from upright.diagnose.law import CommandMatch, matched, references
+from upright.diagnose.remedy import Window, dropped, remedied, searched, sharpened
+from upright.diagnose.signatures import Bank
+from upright.errors import SpecMismatch, UprightError
 from upright.physics.dynamics import motor_damping, motor_gain
 from upright.physics.linear import linearise
 from upright.robots import Kit, Robot
@@ -37,18 +27,25 @@ from upright.signals import Log
 
 Array = NDArray[np.float64]
 
-SECONDS = 4.0  # [s] before the fall that are judged: a fault that shows itself earlier has not made it fall
+SECONDS = 4.0  # [s] before the fall that are judged: a fault that shows earlier has not made it fall
 EXCURSION = 1.2  # [s] before the fall in which a push or a demand must lie to be its cause
-LOST = 20.0  # times their usual scale at which innovations say that the filter has lost the robot
-FOREIGN = 20.0
-"""Scale of the innovations before the fall from which the robot is not the one that was given."""
-
+ORDINARY_END = 1.0  # [s] before the fall up to which innovations count as ordinary
+MEDIAN = 0.455  # of χ² with one degree of freedom, by which the median of squares becomes their scale
+LOST = 20.0  # times the ordinary NIS at which the filter has lost the robot, over the log's last `LOST_SECONDS`
+LOST_SECONDS = 0.4  # [s]
+FOREIGN = 20.0  # ordinary NIS from which the robot is not the one that was given
 TIPPING = 0.35  # [rad] lean at the log's end that is a fall where the filter has lost the robot as well
+UNEXPLAINED, BETTER = 1.5, 5.0  # NIS over the ordinary one, or nats, that pushes leave to other faults to explain
+REPEATING = 1.5  # [s] before the fall in which two repeated readings make dropped samples a hypothesis
+LAST_SECONDS = (0.2, 0.3, 0.5)  # [s] before the fall over which commands are compared with the file's
+SAME = 0.9999  # fraction of the commands' difference that a gain explains where it was wrong from the start
+LIMIT, AT_LIMIT = 0.95, 0.98  # of the largest command: at the limit for a second's count, and where it is to be sure
+SMALL_EXCURSION = 0.1  # of the last excursion's peak, below which its rows do not count
+FEWEST_FREE = 4  # rows with motors below their limit, for a median of how they helped
+PLOTTED_NIS = 0.1  # [s] over which the NIS of the figure is averaged
 
-LATEST = (0.2, 0.3, 0.5)  # [s] before the fall over which commands are compared with the law's
 
-
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Series:
     """The last seconds by sample: time [s], pitch [rad], pitch rate [rad/s], command over the largest, how much of the
     motors' reach is used up, and the mean of e²/s over the readings of a tenth of a second, which lies between `low`
@@ -67,7 +64,7 @@ class Series:
     def none(cls) -> Series:
         """Nothing to draw."""
         empty = np.zeros(0)
-        return cls(empty, empty, empty, empty, empty, empty)
+        return cls(t=empty, pitch=empty, pitch_rate=empty, command=empty, reserve=empty, nis=empty)
 
     def to_json(self) -> dict[str, Any]:
         """As lists, to six digits."""
@@ -76,173 +73,187 @@ class Series:
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> Series:
-        """The inverse of `to_json`."""
-        arrays: dict[str, Any] = {
-            k: np.array([math.nan if x is None else x for x in v]) for k, v in data.items() if isinstance(v, list)
-        }
-        band: dict[str, Any] = {k: math.nan if data[k] is None else float(data[k]) for k in ("low", "high")}
-        return cls(**arrays, **band)
+        """The inverse of `to_json`; null is NaN."""
+        numbers: dict[str, Any] = {name: np.array(values, dtype=np.float64) for name, values in data.items()}
+        bounds: dict[str, Any] = {name: float(numbers.pop(name)) for name in ("low", "high")}
+        return cls(**numbers, **bounds)
 
 
 def _rounded(values: Array) -> list[float | None]:
     return [float(f"{v:.6g}") if math.isfinite(v) else None for v in values.tolist()]
 
 
-@dataclass(frozen=True, eq=False)
-class Evidence:
-    """What was found. `fits` are the hypotheses, the likeliest first, `none` the one of pushes alone. A push is worth
-    `tilt` [rad] of lean for each N s, and for each N s and m of height; `lean_limit` is the lean that no motor brings
-    back. `law` is the recorded commands against the file's. `lost` is the share of periods without a row in the last
-    second, and before it. `saturated` is the share of the last excursion with motors at their limit, `pegged` that of
-    the last second; `stuck` says that no command changed in the last seconds.
-    """
+@dataclass(frozen=True)
+class Toppling:
+    """What fells the robot: the lean [rad] that each N s of a push is worth (`per_impulse`), and each N s m of its
+    height (`per_height`), and the `largest` lean [rad] that the motors bring back."""
 
-    found: Track
-    fall: Fall | None
-    usual: float
-    misfit: float
-    fits: tuple[Fit, ...]
-    none: Fit | None
-    tilt: tuple[float, float]
-    lean_limit: float
-    law: Law | None
-    stable: bool | None
-    lost: tuple[float, float]
-    demand: float
-    demanded_at: float
-    top_speed: float
-    driven: bool
+    per_impulse: float
+    per_height: float
+    largest: float
+
+    def lean(self, push: PushEstimate) -> float:
+        """The lean [rad] that a push gives the robot."""
+        return (self.per_impulse + push.height * self.per_height) * push.impulse
+
+
+@dataclass(frozen=True)
+class MotorUse:
+    """How the motors were used before the fall: fraction of the last excursion at the limit (`saturated`) and of the
+    last second (`pegged`), whether no command changed (`stuck`), changes of the command's sign a second (`swings`), and
+    the median of what they gave over what would have stopped the fall, where they had more (`help`)."""
+
     saturated: float
     pegged: float
     stuck: bool
     swings: float
     help: float
+
+
+@dataclass(frozen=True)
+class Demand:
+    """The largest sudden change of the reference speed, `jump` [m/s] `at` a time [s], and the motors' `top_speed`."""
+
+    jump: float
+    at: float
+    top_speed: float
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Evidence:
+    """What was measured of a fall at the time `fell_at` [s].
+
+    `fits` are the hypotheses, the likeliest first. `ordinary` is the scale of the innovations before the fall, `nis`
+    their mean square in the window. `match` compares the recorded commands with the file's, whose loop is `stable`.
+    `lost` is the fraction of periods without a row in the last second, and before it; `battery` the voltage [V] before
+    and at the fall. `demand` is None where the references never change.
+    """
+
+    run: FilterRun
+    fell_at: float
+    ordinary: float
+    nis: float
+    fits: tuple[FaultFit, ...]
+    toppling: Toppling
+    motors: MotorUse
+    match: CommandMatch | None
+    stable: bool | None
+    lost: tuple[float, float]
+    demand: Demand | None
     battery: tuple[float, float]
     notes: tuple[str, ...]
 
-    def worth(self, push: Pushed) -> float:
-        """The lean [rad] that a push gives the robot."""
-        return (self.tilt[0] + push.height * self.tilt[1]) * push.impulse
+    @cached_property
+    def pushes_only(self) -> FaultFit:
+        """The hypothesis of pushes without any fault."""
+        return _pushes_only(self.fits)
 
 
-def gathered(
+def _pushes_only(several: Sequence[FaultFit]) -> FaultFit:
+    return next(fit for fit in several if fit.fault == "none")
+
+
+def gather(
     log: Log, robot: Robot, kit: Kit, controller: Controller | None, show: Callable[[float], None]
-) -> Evidence:
-    """All evidence of one log; where it did not fall nothing but the track is looked at."""
-    found = track(log, robot, kit)
-    fallen = fall(found)
-    window = _window(found, fallen.at if fallen else float(found.then[-1]))
+) -> tuple[FilterRun, Evidence | None]:
+    """The filter along a log, and all evidence of its fall; None where it did not fall."""
+    run = follow(log, robot, kit)
+    fell_at = fall_time(run)
+    window = _window(run, float(run.t[-1]) if fell_at is None else fell_at)
     show(0.1)
-    if fallen is None and not _lost(found, window):
-        return _nothing(found, window.usual)
-    first = _bank(found, window)
+    if fell_at is None and not _lost(run, window):
+        return run, None
+    bank = window.bank(run, pushes_only=False)
     show(0.4)
-    all_fits = fits(first)
-    if _unexplained(all_fits, first):
-        all_fits += searched(found, window)
-    if fallen is None:
-        fallen = _seen_at_last(found, all_fits)
-        if fallen is None:
-            return _nothing(found, window.usual)
-    all_fits = sharpened(found, all_fits, window, first)
-    frozen = frozen_rows(found)
-    recent = (log.t > fallen.at - 1.5) & (log.t <= fallen.at)
-    if frozen[recent].sum() >= 2:
+    several = fits(bank)
+    if _unexplained(several, bank):
+        several += searched(run, window)
+    if fell_at is None:
+        fell_at = _hidden_fall(run, several)
+        if fell_at is None:
+            return run, None
+    several = sharpened(run, several, window, bank)
+    frozen = frozen_rows(run)
+    if frozen[(log.t > fell_at - REPEATING) & (log.t <= fell_at)].sum() >= 2:
         stale = stale_rows(log) & (log.t >= log.t[np.flatnonzero(frozen)[0]] - 0.1)
-        all_fits = sorted([*all_fits, dropped(found, stale, window, first)], key=lambda f: -f.score)
+        several = sorted([*several, dropped(run, stale, window, bank)], key=lambda f: -f.score)
     show(0.9)
-    return _evidence(found, fallen, window, first, all_fits, controller)
+    return run, _evidence(run, fell_at, window, bank, several, controller)
 
 
-def _window(found: Track, end: float) -> Window:
-    readings = (found.row >= 0) & np.isfinite(found.s)
-    early = readings & (found.then < end - 1.0)
+def _window(run: FilterRun, end: float) -> Window:
+    readings = run.readings
+    early = readings & (run.t < end - ORDINARY_END)
     part = early if early.sum() > 100 else readings
-    usual = float(np.median(found.e[part] ** 2 / found.s[part])) / 0.455  # the median of χ² with one degree
-    return Window(end, SECONDS, max(1.0, usual))
+    return Window(end, SECONDS, max(1.0, float(np.median(run.innovation[part] ** 2 / run.variance[part])) / MEDIAN))
 
 
-def _bank(found: Track, window: Window) -> Bank:
-    part = before(found, window.end, window.seconds)
-    return bank(part, tangent(part), (part.row >= 0) & np.isfinite(part.s), window.usual)
+def _lost(run: FilterRun, window: Window) -> bool:
+    """Whether innovations at the log's end show that the filter is far from the robot."""
+    last = run.only(run.t > window.end - LOST_SECONDS).whitened
+    return bool(len(last)) and float(np.mean(last**2)) > LOST * window.usual
 
 
-def _lost(found: Track, window: Window) -> bool:
-    """Whether innovations at the log's end say that the filter is far from the robot."""
-    last = (found.row >= 0) & np.isfinite(found.s) & (found.then > window.end - 0.4)
-    return bool(last.any()) and float(np.mean(found.e[last] ** 2 / found.s[last])) > LOST * window.usual
+def _hidden_fall(run: FilterRun, several: Sequence[FaultFit]) -> float | None:
+    """The time of the fall [s] that shows where the likeliest fault is taken out of the log."""
+    for fit in several:
+        freed = remedied(run, fit) if fit.fault in ("bias", "delay") else None
+        fell_at = fall_time(freed) if freed is not None else None
+        if fell_at is not None:
+            return fell_at
+    # a log of delayed readings ends before they show the floor
+    return float(run.t[-1]) if abs(run.after[-1, 0]) > TIPPING else None
 
 
-def _seen_at_last(found: Track, all_fits: Sequence[Fit]) -> Fall | None:
-    """The fall that shows itself where the likeliest fault is taken out of the log."""
-    for fit in (f for f in all_fits if f.fault in ("bias", "late")):
-        freed = mended(found, fit)
-        seen = fall(freed) if freed is not None else None
-        if seen is not None:
-            return seen
-    last = float(found.after[-1, 0])  # a log of late readings ends before they show the floor
-    return Fall(float(found.then[-1]), 1 if last > 0 else -1) if abs(last) > TIPPING else None
-
-
-def _unexplained(all_fits: Sequence[Fit], first: Bank) -> bool:
+def _unexplained(several: Sequence[FaultFit], bank: Bank) -> bool:
     """Whether anything is left to explain that pushes do not."""
-    none = next(f for f in all_fits if f.fault == "none")
-    return none.left > 1.5 * first.scale or max(f.score for f in all_fits) > none.score + 5
-
-
-def _nothing(found: Track, usual: float) -> Evidence:
-    nan = math.nan
-    return Evidence(
-        found, None, usual, nan, (), None, (nan, nan), nan, None, None, (nan, nan), nan, nan, nan, False, nan, nan,
-        False, nan, nan, (nan, nan), (),
-    )  # fmt: skip
+    none = _pushes_only(several)
+    return none.nis > UNEXPLAINED * bank.scale or max(f.score for f in several) > none.score + BETTER
 
 
 def _evidence(
-    found: Track, fallen: Fall, window: Window, first: Bank, all_fits: Sequence[Fit], controller: Controller | None
+    run: FilterRun,
+    end: float,
+    window: Window,
+    bank: Bank,
+    several: Sequence[FaultFit],
+    controller: Controller | None,
 ) -> Evidence:
-    log, robot, end = found.log, found.robot, fallen.at
-    moved, most = motion(found), limit(found.robot, found.kit, found.asked)
-    mode, model = falling(robot), linearise(robot)
-    none = next(f for f in all_fits if f.fault == "none")
-    tilt = float(mode.w @ model.E[:, 0]), float(mode.w @ model.E[:, 1])
-    law, stable, notes = _law(found, controller, end)
-    demand, at = _demand(log, robot, end)
-    share, swings, helped = _excursion(moved, mode.w, end)
-    late = (moved.t > end - 1.0) & (moved.t <= end)
-    pegged = float((np.abs(moved.command[late]) > 0.95).mean())
-    stuck = not np.ptp(found.asked[(log.t > end - EXCURSION) & (log.t <= end)], axis=0).any()
+    log, robot = run.log, run.robot
+    most, mode, model = limit(robot, run.kit, run.asked), falling(robot), linearise(robot)
+    match, stable, notes = _match(run, controller, end)
     if window.usual > FOREIGN:
         notes = (*notes, _foreign(window.usual))
-    top = motor_gain(robot) * most / motor_damping(robot) * robot.wheel_radius if motor_damping(robot) else math.inf
     return Evidence(
-        found, fallen, window.usual, float(np.mean(first.y**2)), tuple(all_fits), none, tilt,
-        abs(mode.b) * most / mode.pole, law, stable,
-        (lost_rows(log, found.kit.period, end - 1, end), lost_rows(log, found.kit.period, log.t[0], end - 1)),
-        demand, at, top, bool(np.ptp(references(log)) > 0), share, pegged, stuck, swings, helped, _battery(log, end),
-        notes,
+        run=run, fell_at=end, ordinary=window.usual, nis=float(np.mean(bank.y**2)), fits=tuple(several),
+        toppling=Toppling(float(mode.w @ model.E[:, 0]), float(mode.w @ model.E[:, 1]), abs(mode.b) * most / mode.pole),
+        motors=_motor_use(run, mode.w, end), match=match, stable=stable,
+        lost=(lost_rows(log, run.kit.period, end - 1, end), lost_rows(log, run.kit.period, log.t[0], end - 1)),
+        demand=_demand(log, robot, most, end), battery=_battery(log, end), notes=notes,
     )  # fmt: skip
 
 
-def _foreign(usual: float) -> str:
+def _foreign(ordinary: float) -> str:
     return (
-        "the robot that was given does not follow this log even before the fall: innovations are "
-        f"{math.sqrt(usual):.0f} times what they should be; calibrate it first (`upright calibrate`), or name the "
-        "right one"
+        "the given robot does not fit this log even before the fall: innovations are "
+        f"{math.sqrt(ordinary):.0f} times what they should be; calibrate it first (`upright calibrate`), or name the "
+        "right robot"
     )
 
 
-def _law(found: Track, controller: Controller | None, end: float) -> tuple[Law | None, bool | None, tuple[str, ...]]:
-    """The law over the shortest stretch before the fall that shows it best, and whether its loop is stable."""
+def _match(
+    run: FilterRun, controller: Controller | None, end: float
+) -> tuple[CommandMatch | None, bool | None, tuple[str, ...]]:
+    """The comparison over the time before the fall that shows it best, and whether the file's loop is stable."""
     if controller is None:
         return None, None, ()
     try:
-        laws = [by_file(found, controller, end - seconds, end) for seconds in LATEST]
+        several = [matched(run, controller, end - seconds, end) for seconds in LAST_SECONDS]
     except SpecMismatch as error:
         return None, None, (f"the controller was not replayed: {error}",)
-    best = max(laws, key=lambda law: law.share)
-    stable = _stable(controller, found.robot, found.kit)
-    if best.known or best.share > 0.9999:  # a gain that was wrong from earlier on
+    best = max(several, key=lambda match: match.explained)
+    stable = _stable(controller, run.robot, run.kit)
+    if best.known or best.explained > SAME:
         return best, stable, ()
     note = "the controller's file does not give the commands of this log, not even before the trouble"
     return best, stable, (note,)
@@ -250,7 +261,6 @@ def _law(found: Track, controller: Controller | None, end: float) -> tuple[Law |
 
 def _stable(controller: Controller, robot: Robot, kit: Kit) -> bool | None:
     from upright.certify.certificate import linear_margins
-    from upright.errors import UprightError
 
     try:
         margins: Any = linear_margins(controller, robot, kit)
@@ -259,60 +269,69 @@ def _stable(controller: Controller, robot: Robot, kit: Kit) -> bool | None:
     return None if margins is None else bool(margins.stable)
 
 
-def _demand(log: Log, robot: Robot, end: float) -> tuple[float, float]:
-    """The largest sudden change of the wanted speed [m/s] before the fall, and when it came."""
-    speed = references(log)[:, 3] * robot.wheel_radius
-    late = np.flatnonzero((log.t > end - 1.3 * EXCURSION) & (log.t <= end))
-    if len(late) < 2:
-        return 0.0, math.nan
-    jumps = np.abs(np.diff(speed[late]))
+def _demand(log: Log, robot: Robot, most: float, end: float) -> Demand | None:
+    """The largest sudden change of the reference speed before the fall."""
+    targets = references(log)
+    if not np.ptp(targets):
+        return None
+    damping = motor_damping(robot)
+    top = motor_gain(robot) * most / damping * robot.wheel_radius if damping else math.inf
+    rows = np.flatnonzero((log.t > end - 1.3 * EXCURSION) & (log.t <= end))
+    if len(rows) < 2:
+        return Demand(0.0, math.nan, top)
+    jumps = np.abs(np.diff(targets[rows, 3] * robot.wheel_radius))
     i = int(np.argmax(jumps))
-    return float(jumps[i]), float(log.t[late[i + 1]])
+    return Demand(float(jumps[i]), float(log.t[rows[i + 1]]), top)
 
 
-def _excursion(moved: Motion, w: Array, end: float) -> tuple[float, float, float]:
-    """Of the last excursion: share of saturated samples, changes of the command's sign a second before, and the
-    median of what the motors gave over what it would have taken to stop the fall, where they had more to give."""
-    inside = moved.t <= end
-    xi = moved.states[inside] @ w
+def _motor_use(run: FilterRun, w: Array, end: float) -> MotorUse:
+    """Of the last excursion, which begins where the falling mode `w` last changed its sign."""
+    motors, log = authority(run), run.log
+    inside = motors.t <= end
+    xi = motors.states[inside] @ w
     start = len(xi) - 1
     while start > 0 and np.sign(xi[start - 1]) == np.sign(xi[-1]):
         start -= 1
     rows = np.arange(start, len(xi))
-    rows = rows[np.abs(xi[rows]) > 0.1 * np.abs(xi[rows]).max()]
-    late = inside & (moved.t > end - EXCURSION)
-    swings = float((np.diff(np.sign(moved.command[late])) != 0).sum()) / EXCURSION
-    if not len(rows):
-        return math.nan, swings, math.nan
-    full = np.abs(moved.command[rows]) > 0.98
+    rows = rows[np.abs(xi[rows]) > SMALL_EXCURSION * np.abs(xi[rows]).max()]
+    full = np.abs(motors.command[rows]) > AT_LIMIT
     free = rows[~full]
-    helped = float(np.median(moved.help[free] / np.maximum(moved.reserve[free], 1e-6))) if len(free) >= 4 else math.nan
-    return float(full.mean()), swings, helped
+    helped = motors.help[free] / np.maximum(motors.reserve[free], 1e-6)
+    recent = motors.command[inside & (motors.t > end - EXCURSION)]
+    second = motors.command[inside & (motors.t > end - 1.0)]
+    return MotorUse(
+        saturated=float(full.mean()) if len(rows) else math.nan,
+        pegged=float((np.abs(second) > LIMIT).mean()),
+        stuck=not np.ptp(run.asked[(log.t > end - EXCURSION) & (log.t <= end)], axis=0).any(),
+        swings=float((np.diff(np.sign(recent)) != 0).sum()) / EXCURSION,
+        help=float(np.median(helped)) if len(free) >= FEWEST_FREE else math.nan,
+    )
 
 
 def _battery(log: Log, end: float) -> tuple[float, float]:
     """The battery's voltage before and in the last half second [V], NaN where it was not logged."""
-    if "sensor/battery" not in log:
-        return math.nan, math.nan
-    volts = log["sensor/battery"]
-    early, late = volts[log.t < end - 2.0], volts[(log.t > end - 0.5) & (log.t <= end)]
-    return tuple(float(np.nanmedian(v)) if len(v) and np.isfinite(v).any() else math.nan for v in (early, late))  # type: ignore[return-value]
+
+    def median(rows: NDArray[np.bool_]) -> float:
+        volts = log["sensor/battery"][rows] if "sensor/battery" in log else np.zeros(0)
+        return float(np.nanmedian(volts)) if np.isfinite(volts).any() else math.nan
+
+    return median(log.t < end - 2.0), median((log.t > end - 0.5) & (log.t <= end))
 
 
-def series_of(seen: Evidence) -> Series:
-    """The last seconds, or the whole log's last ones where it did not fall."""
-    found = seen.found
-    end = seen.fall.at if seen.fall else float(found.then[-1])
-    moved = motion(found)
-    keep = (moved.t > end - SECONDS) & (moved.t <= end + 0.2)
-    readings = (found.row >= 0) & np.isfinite(found.s)
-    t, ratio = found.then[readings], found.e[readings] ** 2 / found.s[readings]
-    sums, edges = np.concatenate([[0.0], np.cumsum(ratio)]), np.searchsorted(t, moved.t[keep])
-    back = np.searchsorted(t, moved.t[keep] - 0.1)
-    nis = (sums[edges] - sums[back]) / np.maximum(edges - back, 1)
-    low, high = _band(float(np.median(edges - back)) if keep.any() else 1.0)
-    pitch, rate = moved.states[keep, 0], moved.states[keep, 1]
-    return Series(moved.t[keep], pitch, rate, moved.command[keep], moved.reserve[keep], nis, low, high)
+def series_of(run: FilterRun, end: float) -> Series:
+    """The last seconds before `end` [s]."""
+    motors = authority(run)
+    keep = (motors.t > end - SECONDS) & (motors.t <= end + 0.2)
+    t = run.t[run.readings]
+    sums, edges = np.concatenate([[0.0], np.cumsum(run.whitened**2)]), np.searchsorted(t, motors.t[keep])
+    count = edges - np.searchsorted(t, motors.t[keep] - PLOTTED_NIS)
+    nis = (sums[edges] - sums[edges - count]) / np.maximum(count, 1)
+    low, high = _band(float(np.median(count)) if keep.any() else 1.0)
+    states = motors.states[keep]
+    return Series(
+        t=motors.t[keep], pitch=states[:, 0], pitch_rate=states[:, 1], command=motors.command[keep],
+        reserve=motors.reserve[keep], nis=nis, low=low, high=high,
+    )  # fmt: skip
 
 
 def _band(count: float) -> tuple[float, float]:

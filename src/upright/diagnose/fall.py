@@ -1,16 +1,16 @@
-"""Whether and when a robot fell, and how it stood in the seconds before: lean, saturation, dropped readings, swings."""
+"""Whether and when a robot fell, and the seconds before: lean, the motors' authority, lost rows, repeated readings."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.control.delay import rolling
 from upright.control.mpc import largest_command
-from upright.diagnose.path import Track
+from upright.diagnose.innovations import FilterRun
 from upright.doctor.finding import Record
 from upright.doctor.segments import fall as tipped
 from upright.physics.linear import linearise
@@ -21,39 +21,33 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 FELL = 0.8  # [rad] lean at the end of a log that only falling robots have, unless they swung as far before
-LEANING = 0.7  # [rad] up to which the seconds before are looked at
-GAP = 1.5  # periods between two rows from which one is missing
+LEANING = 0.7  # [rad] lean that counts as the fall: up to it the seconds before are examined
+LOST_END = 0.2  # [s] before the log's end at which the filter has stopped where the robot toppled
+PLAUSIBLE = 0.4  # [rad] of the filter's pitch where a fall begins: beyond, the filter has lost the robot
+STILL_GRAINS = 2  # encoder steps that wheels must turn before a repeated reading cannot be true
 
 
-@dataclass(frozen=True)
-class Fall:
-    """When the robot's lean passed `LEANING` for the last time, `at` [s], and which way it `went` (±1)."""
+def fall_time(run: FilterRun) -> float | None:
+    """When the lean passed `LEANING` for the last time [s] before the log ends or the robot lies; None without a fall.
 
-    at: float
-    went: int
-
-
-def fall(found: Track) -> Fall | None:
-    """The fall in which the log ends, or after which the robot lies; None where there is none.
-
-    Either the gyro's sum turns farther than ever before and never back, or the filter's pitch ends beyond `FELL`.
+    Either the integrated gyro turns more than ever before and never back, or the filter's pitch ends beyond `FELL`.
     """
-    t, rate = found.log.t, gyro(found.log)
-    turned = tipped(_record(found.log))
+    t, rate = run.log.t, gyro(run.log)
+    turned = tipped(_record(run.log))
     if turned and turned[0].span:
         start = turned[0].span[0]
         first = int(np.searchsorted(t, start))
         angle = np.concatenate([[0.0], np.cumsum(rate[first:-1] * np.diff(t[first:]))])
-        lean = angle + _lean_at(found, start)
+        lean = angle + _lean_at(run, start)
         out = np.flatnonzero(np.abs(lean) > LEANING)
         last = first + int(out[0]) if len(out) else len(t) - 1
-        return Fall(float(t[last]), int(np.sign(angle[-1])) or 1)
-    pitch = found.after[:, 0]
-    lost = found.then[-1] < t[-1] - 0.2
+        return float(t[last])
+    pitch = run.after[:, 0]
+    lost = run.t[-1] < t[-1] - LOST_END
     if abs(pitch[-1]) < FELL and not lost:
         return None
     upright = np.flatnonzero(np.abs(pitch) < LEANING)
-    return Fall(float(found.then[upright[-1]]), int(np.sign(pitch[-1])))
+    return float(run.t[upright[-1]])
 
 
 def gyro(log: Log) -> Array:
@@ -63,14 +57,14 @@ def gyro(log: Log) -> Array:
     return np.interp(log.t, log.t[there], rate[there]) - float(np.median(rate[there]))
 
 
-def _lean_at(found: Track, t: float) -> float:
+def _lean_at(run: FilterRun, t: float) -> float:
     """The filter's pitch at t, where it is plausible."""
-    i = min(int(np.searchsorted(found.then, t)), len(found.then) - 1)
-    return float(np.clip(found.after[i, 0], -0.4, 0.4))
+    i = min(int(np.searchsorted(run.t, t)), len(run.t) - 1)
+    return float(np.clip(run.after[i, 0], -PLAUSIBLE, PLAUSIBLE))
 
 
 def _record(log: Log) -> Record:
-    """What the doctor's check of falls reads; angles of wheels whose rates alone were logged are their sums."""
+    """What the doctor's check of falls reads; wheel angles are summed where only rates were logged."""
     steps = np.diff(log.t, prepend=log.t[0])
     channels = dict(log.channels)
     for side in ("left", "right"):
@@ -78,13 +72,6 @@ def _record(log: Log) -> Record:
         if rate in log:
             channels[f"sensor/encoder_{side}"] = np.cumsum(np.nan_to_num(log[rate]) * steps)
     return Record(log.t, channels, log.units)
-
-
-def before(found: Track, end: float, seconds: float) -> Track:
-    """The part of a track that ends at `end` [s] and is at most `seconds` long."""
-    keep = (found.then >= end - seconds) & (found.then <= end)
-    names = ("then", "row", "sample", "e", "s", "gains", "before", "after", "command")
-    return replace(found, **{name: getattr(found, name)[keep] for name in names})
 
 
 @dataclass(frozen=True)
@@ -103,17 +90,13 @@ def falling(robot: Robot) -> Falling:
     index = int(np.argmax(np.real(values)))
     w = np.real(vectors)[:, index]
     w = w / w[model.states.index("pitch")]
-    whole = np.zeros(6)
-    names = ("pitch", "pitch_rate", "wheel", "wheel_rate", "yaw", "yaw_rate")
-    for name, value in zip(model.states, w, strict=True):
-        whole[names.index(name)] = value
-    return Falling(float(np.real(values)[index]), whole, float((w @ model.B).sum()))
+    return Falling(float(np.real(values)[index]), w, float((w @ model.B).sum()))
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
-    """By sample up to the fall: time, command's mean over its limit, the falling mode over what the motors can still
-    bring back (`reserve`; 1 is lost), how far the motors `help` (1: all they can, −1: the wrong way), and states."""
+class Authority:
+    """The motors' authority by sample: time [s], mean command over its limit, the falling mode over what the motors can
+    still bring back (`reserve`; 1 is lost), how they `help` (1: all they can, −1: the wrong way), and the states."""
 
     t: Array
     command: Array
@@ -122,27 +105,27 @@ class Motion:
     states: Array
 
 
-def motion(found: Track) -> Motion:
-    """What the robot and its motors did."""
-    commands = found.row < 0
-    states = found.after[commands][:, :6]
-    sample = found.sample[commands]
-    mode, most = falling(found.robot), limit(found.robot, found.kit, found.asked)
-    command = found.asked[sample].mean(axis=1) / most
+def authority(run: FilterRun) -> Authority:
+    """What the robot did, and what its motors could still do."""
+    commands = run.row < 0
+    states = run.after[commands][:, :6]
+    sample = run.sample[commands]
+    mode, most = falling(run.robot), limit(run.robot, run.kit, run.asked)
+    command = run.asked[sample].mean(axis=1) / most
     xi = states @ mode.w
     reserve = np.abs(xi) * mode.pole / (abs(mode.b) * most)
-    helped = -np.sign(xi) * np.sign(mode.b) * np.clip(command, -1, 1)
-    return Motion(found.then[commands], command, reserve, helped, states)
+    help_ = -np.sign(xi) * np.sign(mode.b) * np.clip(command, -1, 1)
+    return Authority(run.t[commands], command, reserve, help_, states)
 
 
 def limit(robot: Robot, kit: Kit, asked: Array) -> float:
-    """The largest command: the kit's, or the largest that was asked where the kit has no end."""
+    """The largest command: the kit's, or the largest that was asked where the kit has no limit."""
     most = largest_command(robot, kit)
     return most if math.isfinite(most) else float(np.abs(asked).max())
 
 
 def lost_rows(log: Log, period: float, start: float, stop: float) -> float:
-    """The share of periods between two times [s] in which the loop did not run."""
+    """The fraction of periods between two times [s] that have no row: the loop did not run."""
     t = log.t[(log.t >= start) & (log.t <= stop)]
     if len(t) < 3:
         return 0.0
@@ -151,23 +134,23 @@ def lost_rows(log: Log, period: float, start: float, stop: float) -> float:
 
 
 def stale_rows(log: Log) -> Mask:
-    """Rows in which every sensor says exactly what it said before."""
+    """Rows in which every sensor repeats its last reading exactly."""
     names = [n for n in log.channels if n.startswith("sensor/") and "battery" not in n]
     readings = np.column_stack([log[n] for n in names])
     return np.concatenate([[False], (np.diff(readings, axis=0) == 0).all(axis=1)])
 
 
-def frozen_rows(found: Track) -> Mask:
-    """Stale rows in which the wheels turned by two grains or more: no sensor repeats itself then."""
-    log, stale = found.log, stale_rows(found.log)
-    commands = found.row < 0
+def frozen_rows(run: FilterRun) -> Mask:
+    """Stale rows in which the wheels turned by more than `STILL_GRAINS` encoder steps."""
+    log, stale = run.log, stale_rows(run.log)
+    commands = run.row < 0
     turned = np.zeros(len(log))
-    turned[found.sample[commands]] = np.abs(found.after[commands, 3] - found.after[commands, 1]) * log.period
-    grain = max((s.quantum for n, s in found.kit.sensors.items() if "encoder" in n), default=0.0)
-    return stale & (turned > 2 * grain)
+    turned[run.sample[commands]] = np.abs(run.after[commands, 3] - run.after[commands, 1]) * log.period
+    grain = max((s.quantum for n, s in run.kit.sensors.items() if "encoder" in n), default=0.0)
+    return stale & (turned > STILL_GRAINS * grain)
 
 
 def without(log: Log, rows: Mask) -> Log:
-    """The log with the readings of some rows taken out; its commands stay."""
+    """The log without the readings of some rows; its commands stay."""
     channels = {n: np.where(rows, np.nan, v) if n.startswith("sensor/") else v for n, v in log.channels.items()}
     return Log(log.t, channels, log.units, log.origin)

@@ -1,4 +1,4 @@
-"""The law behind the commands: the recorded ones against those of the controller's file."""
+"""The recorded commands against those of the controller's file on the same readings."""
 
 from __future__ import annotations
 
@@ -9,86 +9,84 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.control import Controller
-from upright.diagnose.path import Track, driven
+from upright.diagnose.innovations import FilterRun, driven
 from upright.errors import SpecMismatch
 from upright.robots import Kit
 from upright.signals import Log
 from upright.signals.signal import STATE_NAMES
 
 Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
+
+
+EXACT_BEFORE = 0.05  # rms misfit over rms command, below which the file describes the commands
+READY = 0.95  # of a period: a command that arrives this late in one holds at its end
+NOTHING = 1e-12  # [command²] that keeps a division by zero away
 
 
 @dataclass(frozen=True)
-class Law:
-    """How the recorded commands compare with the file's: the `gain` by which they are larger in the last part, how well
-    that fits (`share` of the difference explained), and the `misfit` before (rms over rms)."""
+class CommandMatch:
+    """How the recorded commands compare with the file's: the `gain` by which they are larger in the last part, the
+    fraction of the difference that this gain has `explained`, and the `misfit` before (rms over rms)."""
 
     gain: float
-    share: float
+    explained: float
     misfit: float
 
     @property
     def known(self) -> bool:
-        """Whether the law describes the earlier commands."""
-        return self.misfit < 0.05
+        """Whether the file describes the earlier commands."""
+        return self.misfit < EXACT_BEFORE
 
 
-def replay(found: Track, controller: Controller) -> Array:
+def replay(run: FilterRun, controller: Controller) -> Array:
     """What the controller gives on the recorded readings, (samples, 2).
 
-    It is told what the motors did as the kit would have it: a dead time of whole periods, and its limits. Raises
+    It is given the applied command as the kit would have it: a dead time of whole periods, and its limits. Raises
     `SpecMismatch` where the log lacks what it reads.
     """
-    log, reads = found.log, controller.spec.reads
+    log, reads = run.log, controller.spec.reads
     missing = [name for name in reads if name not in log]
     if missing:
         raise SpecMismatch(f"the {controller.spec.kind} reads {', '.join(missing)}", expected="channels of the log")
-    readings, wanted = np.column_stack([log[n] for n in reads]), references(log)
-    told = _told(found, controller.spec.period)
+    readings, targets = np.column_stack([log[n] for n in reads]), references(log)
+    applied = _applied(run, controller.spec.period)
     controller.reset()
-    said = np.empty((len(log), 2))
+    commands = np.empty((len(log), 2))
     for i in range(len(log)):
-        said[i] = controller.step(readings[i], wanted[i])
-        controller.applied(told[i].tolist())
+        commands[i] = controller.step(readings[i], targets[i])
+        controller.applied(applied[i].tolist())
     controller.reset()
-    return said
+    return commands
 
 
 def references(log: Log) -> Array:
-    """The wanted states (samples, 6), zero where they were not logged."""
+    """The reference states (samples, 6), zero where they were not logged."""
     columns = [f"reference/{name}" for name in STATE_NAMES]
     return np.column_stack([log[n] if n in log else np.zeros(len(log)) for n in columns])
 
 
-def _told(found: Track, period: float) -> Array:
+def _applied(run: FilterRun, period: float) -> Array:
     """The command at the motors at the end of each period."""
-    log = found.log
+    log = run.log
     if "command/left" in log and "applied/left" in log:
         return np.column_stack([log["applied/left"], log["applied/right"]])
-    late = periods_late(found.kit, period)
-    sent = driven(found.asked, found.kit, found.robot.command_unit)
-    return np.vstack([np.zeros((late, 2)), sent[: len(sent) - late]])
+    periods = delay_periods(run.kit, period)
+    sent = driven(run.asked, run.kit, run.robot.command_unit)
+    return np.vstack([np.zeros((periods, 2)), sent[: len(sent) - periods]])
 
 
-def periods_late(kit: Kit, period: float) -> int:
+def delay_periods(kit: Kit, period: float) -> int:
     """How many periods before the end of one the command was decided that then holds."""
-    return max(0, math.ceil((kit.delay + kit.jitter / 2) / period - 0.95))
+    return max(0, math.ceil((kit.delay + kit.jitter / 2) / period - READY))
 
 
-def by_file(found: Track, controller: Controller, onset: float, end: float) -> Law:
+def matched(run: FilterRun, controller: Controller, onset: float, end: float) -> CommandMatch:
     """The recorded commands from `onset` to `end` [s] against the file's."""
-    said = replay(found, controller)
-    t = found.log.t
-    early, late = t < onset, (t >= onset) & (t <= end)
-    return _law(said, found.asked, early if early.any() else late, late)
-
-
-def _law(said: Array, asked: Array, early: Mask, late: Mask) -> Law:
-    n = min(len(early), len(said), len(asked))
-    said, asked, early, late = said[:n], asked[:n], early[:n], late[:n]
-    misfit = float(np.sqrt(((asked - said)[early] ** 2).mean() / max((asked[early] ** 2).mean(), 1e-12)))
-    a, b = asked[late].ravel(), said[late].ravel()
-    gain = float(a @ b) / max(float(b @ b), 1e-12) if len(a) else 1.0
+    given, asked, t = replay(run, controller), run.asked, run.log.t
+    last = (t >= onset) & (t <= end)
+    early = t < onset if (t < onset).any() else last
+    misfit = float(np.sqrt(((asked - given)[early] ** 2).mean() / max((asked[early] ** 2).mean(), NOTHING)))
+    a, b = asked[last].ravel(), given[last].ravel()
+    gain = float(a @ b) / max(float(b @ b), NOTHING) if len(a) else 1.0
     plain, scaled = float(((a - b) ** 2).sum()), float(((a - gain * b) ** 2).sum())
-    return Law(gain, 1 - scaled / max(plain, 1e-12), misfit)
+    return CommandMatch(gain, 1 - scaled / max(plain, NOTHING), misfit)

@@ -2,8 +2,8 @@
 
     post_mortem(log, robot, kit, controller) → PostMortem
 
-Whether the robot or the law behind its commands changed, and how, is decided by what each possible fault foretells of
-the last seconds (`faults`, `law`, `verdict`); docs/post-mortem.md says how well.
+What each possible fault predicts for the last seconds decides whether the robot or its controller changed, and how
+(`signatures`, `law`, `verdict`); docs/post-mortem.md says how well.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from upright.atomic import finite
 from upright.control import Controller, controller_hash
-from upright.diagnose.evidence import Evidence, Series, gathered, series_of
+from upright.diagnose.evidence import Evidence, Series, gather, series_of
 from upright.diagnose.verdict import CANNOT_TELL, NO_FALL, Cause, ranked
 from upright.errors import InvalidLog, InvalidRobot
 from upright.logs.mapping import Mapping as Columns
@@ -32,7 +32,7 @@ Array = NDArray[np.float64]
 KIND, VERSION = "upright post-mortem", 1
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class PostMortem:
     """Why a robot fell: the `verdict` is the likeliest of `causes`, "it did not fall" or "cannot tell".
 
@@ -66,8 +66,8 @@ class PostMortem:
         wrong += ["the causes are not in order"] if odds != sorted(odds, reverse=True) else []
         wrong += [f"the likelihoods sum to {sum(odds):.3f}"] if odds and abs(sum(odds) - 1) > 1e-6 else []
         wrong += ["a cause stands beside no fall"] if self.causes and not self.fell else []
-        late = self.fell and self.onset > self.fell_at
-        return wrong + ([f"the trouble begins at {self.onset:g} s, after the fall"] if late else [])
+        after = self.fell and self.onset > self.fell_at
+        return wrong + ([f"the trouble begins at {self.onset:g} s, after the fall"] if after else [])
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is not known."""
@@ -86,14 +86,14 @@ class PostMortem:
             causes = tuple(_cause(one) for one in listed)
             times: dict[str, Any] = {name: _number(given.pop(name)) for name in ("fell_at", "onset")}
             lists: dict[str, Any] = {name: tuple(given.pop(name)) for name in ("missing", "notes")}
-            found = cls(causes=causes, series=Series.from_json(given.pop("series")), **times, **lists, **given)
-            if wrong := found.check():
+            result = cls(causes=causes, series=Series.from_json(given.pop("series")), **times, **lists, **given)
+            if wrong := result.check():
                 raise ValueError(wrong[0])
         except (KeyError, TypeError, ValueError, AttributeError) as error:
             raise InvalidLog(
                 f"this is no post-mortem ({type(error).__name__}: {error})", expected="JSON by upright post-mortem"
             ) from None
-        return found
+        return result
 
     def __str__(self) -> str:
         by = f" under {self.controller}" if self.controller else ""
@@ -111,91 +111,76 @@ def post_mortem(
     robot: Robot | None = None,
     kit: Kit | None = None,
     controller: Controller | None = None,
+    *,
     mapping: Columns | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> PostMortem:
     """Why the robot of this log fell.
 
-    `robot` (default: that of the log's origin) is the robot as it should be, `kit` (default: the robot's own) its
-    electronics, `controller` what should have driven it; with it the recorded commands are compared with the law's.
-    `mapping` says which column of a foreign file is what. Raises `InvalidLog` for what is no log, `InvalidRobot` where
-    no robot is given or named in the log.
+    `robot` (default: that of the log's origin) is the robot without faults, `kit` (default: the robot's own) its
+    electronics, `controller` what should have driven it; with it the recorded commands are compared with its own.
+    `mapping` names the columns of a foreign file. Raises `InvalidLog` for what is no log, `InvalidRobot` where no robot
+    is given or named in the log.
     """
-    show = progress or _unwatched
     log = source if isinstance(source, Log) else raw_log(source, mapping)
     nominal = robot or robot_of(log)
     parts = kit or kit_of(log, nominal)
-    name, mark = (controller.spec.kind, controller_hash(controller)) if controller else ("", "")
-    missing = lacking(log)
-    head: dict[str, Any] = {
-        "robot": nominal.name,
-        "kit": parts.name,
-        "controller": name,
-        "hash": mark,
-        "rows": len(log),
-    }
-    if missing:
-        notes = ("without these nothing can be said of the robot's motion",)
+    head: dict[str, Any] = {"robot": nominal.name, "kit": parts.name, "rows": len(log)}
+    head |= {"controller": controller.spec.kind if controller else ""}
+    head |= {"hash": controller_hash(controller) if controller else ""}
+    if missing := missing_channels(log):
+        notes = ("without these the robot's motion is unknown",)
         return PostMortem(
-            CANNOT_TELL,
-            (),
-            fell_at=math.nan,
-            onset=math.nan,
-            missing=missing,
-            notes=notes,
-            series=Series.none(),
-            **head,
-        )
-    seen = gathered(log, nominal, parts, controller, show)
-    causes = ranked(seen)
-    verdict = causes[0].name if causes else NO_FALL
-    onset = causes[0].onset if causes else math.nan
-    fell_at = seen.fall.at if seen.fall else math.nan
-    wanted = _wanted(seen, verdict)
+            verdict=CANNOT_TELL, causes=(), fell_at=math.nan, onset=math.nan, missing=missing, notes=notes,
+            series=Series.none(), **head,
+        )  # fmt: skip
+    run, evidence = gather(log, nominal, parts, controller, progress or (lambda _: None))
+    if evidence is None:
+        return PostMortem(
+            verdict=NO_FALL, causes=(), fell_at=math.nan, onset=math.nan, missing=(), notes=(),
+            series=series_of(run, float(run.t[-1])), **head,
+        )  # fmt: skip
+    causes = ranked(evidence)
+    verdict = causes[0].name
     return PostMortem(
-        verdict, causes, fell_at=fell_at, onset=onset, missing=wanted, notes=seen.notes, series=series_of(seen), **head
-    )
+        verdict=verdict, causes=causes, fell_at=evidence.fell_at, onset=causes[0].onset,
+        missing=_helpful(evidence) if verdict == CANNOT_TELL else (), notes=evidence.notes,
+        series=series_of(run, evidence.fell_at), **head,
+    )  # fmt: skip
 
 
-def _unwatched(share: float) -> None:
-    """Nobody watches the `share` done."""
+def missing_channels(log: Log) -> tuple[str, ...]:
+    """What a log lacks of commands, gyro and encoders, without which the motion is unknown."""
 
-
-def lacking(log: Log) -> tuple[str, ...]:
-    """What a log lacks of commands, gyro and encoders, without which no motion is told."""
-
-    def says(name: str) -> bool:
+    def holds(name: str) -> bool:
         return name in log and bool(np.isfinite(log[name]).any())
 
     def moves(name: str) -> bool:
-        return says(name) and float(np.nanmax(log[name]) - np.nanmin(log[name])) > 0
+        return holds(name) and float(np.nanmax(log[name]) - np.nanmin(log[name])) > 0
 
-    commands = any(all(says(f"{prefix}/{side}") for side in ("left", "right")) for prefix in ("command", "applied"))
-    found = [] if commands else ["commands (command/left and command/right)"]
-    found += [] if moves("sensor/gyro") else ["a gyro (sensor/gyro)"]
-    return tuple(found + ([] if any(moves(n) for pair in RATES.items() for n in pair) else ["encoders"]))
+    commands = any(all(holds(f"{prefix}/{side}") for side in ("left", "right")) for prefix in ("command", "applied"))
+    missing = [] if commands else ["commands (command/left and command/right)"]
+    missing += [] if moves("sensor/gyro") else ["a gyro (sensor/gyro)"]
+    return tuple(missing + ([] if any(moves(n) for pair in RATES.items() for n in pair) else ["encoders"]))
 
 
-def _wanted(seen: Evidence, verdict: str) -> tuple[str, ...]:
-    """What would help where nothing could be told."""
-    if verdict != CANNOT_TELL:
-        return ()
-    return tuple(
-        ["the controller's file"] * (seen.law is None) + ["the references, if it was driven"] * (not seen.driven)
-    )
+def _helpful(evidence: Evidence) -> tuple[str, ...]:
+    """What would help where no cause is likely."""
+    files = ["the controller's file"] if evidence.match is None else []
+    return (*files, *(["the references, if it was driven"] if evidence.demand is None else []))
 
 
 def robot_of(log: Log) -> Robot:
     """The robot that the log's origin names, with its numbers; `InvalidRobot` where it names none."""
-    said: Any = log.origin.get("robot")
-    if not isinstance(said, dict) or "name" not in said:
-        raise InvalidRobot("the log does not say of which robot it is", expected="a robot", hint="name it with --robot")
-    if said["name"] in preset_names() and not set(PARAMETERS) & set(said):
-        return Robot.preset(said["name"])
+    origin: Any = log.origin.get("robot")
+    if not isinstance(origin, dict) or "name" not in origin:
+        raise InvalidRobot("the log names no robot", expected="a robot", hint="name it with --robot")
+    preset = Robot.preset(origin["name"]) if origin["name"] in preset_names() else None
+    if preset and not set(PARAMETERS) & set(origin):
+        return preset
     try:
-        base = Robot.preset(said["name"]) if said["name"] in preset_names() else None
-        numbers: dict[str, Any] = {name: float(said[name]) for name in PARAMETERS}
-        return base.replace(**numbers) if base else Robot(name=said["name"], drive=said["drive"], **numbers)
+        numbers: dict[str, Any] = {name: float(origin[name]) for name in PARAMETERS}
+        return preset.replace(**numbers) if preset else Robot(name=origin["name"], drive=origin["drive"], **numbers)
     except (KeyError, TypeError, ValueError) as error:
         raise InvalidRobot(f"the log's robot is broken ({error})", hint="name it with --robot") from None
 

@@ -1,4 +1,4 @@
-"""Wheels that slip: what a floor that holds no more than a share of the weight does to the innovations."""
+"""Wheels that slip: what a floor that holds no more than a fraction of the weight does to the innovations."""
 
 from __future__ import annotations
 
@@ -7,30 +7,30 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.diagnose.path import Tangent, Track
+from upright.diagnose.innovations import FilterRun
 from upright.physics.dynamics import motor_damping, motor_torque
 
 Array = NDArray[np.float64]
 
 
-def slipping(found: Track, flow: Tangent, onset: Array, grip: Array) -> tuple[Array, NDArray[np.bool_]]:
+def slipping(run: FilterRun, onset: Array, grip: Array) -> tuple[Array, NDArray[np.bool_]]:
     """What slipping adds to the innovations (events, hypotheses), and whether a hypothesis slips at all.
 
     The sums of the equations of a robot on a floor of force f, M_t ẍ + M L (ψ̈ cos ψ − ψ̇² sin ψ) = f, are those of
     rolling with a slip s = Rθ̈ − ẍ that acts as the force M_t s at the axle and the moment M L cos ψ s. A slipping
     wheel loses its load and runs up within milliseconds, so that s falls off within a span by the motor's damping.
     """
-    p = found.robot
-    free, per_force, per_torque = _slip_acceleration(found)
+    p = run.robot
+    free, per_force, per_torque = _slip_acceleration(run)
     total, lever, damping = p.body_mass + 2 * p.wheel_mass, p.body_mass * p.com_height, 2 * motor_damping(p)
     most = grip * total * p.gravity
-    delta, said = np.zeros((found.size, len(grip))), np.zeros((len(found.then), len(grip)))
+    error, response = np.zeros((run.gains.shape[1], len(grip))), np.zeros((len(run.t), len(grip)))
     speed, slipped = np.zeros(len(grip)), np.zeros(len(grip), dtype=np.bool_)
-    for i, span in enumerate(found.spans):
+    for i, span in enumerate(run.spans):
         if span > 1e-9:
-            own = free[i] - per_torque[i] * damping * (delta[3] - delta[1])
+            own = free[i] - per_torque[i] * damping * (error[3] - error[1])
             needed = -own / per_force[i]
-            sliding = (speed != 0) | ((found.then[i] >= onset) & (np.abs(needed) > most))
+            sliding = (speed != 0) | ((run.t[i] >= onset) & (np.abs(needed) > most))
             way = np.where(speed != 0, np.sign(speed), np.sign(needed))
             rate = per_torque[i] * damping / p.wheel_radius
             falls_off = -math.expm1(-rate * span) / (rate * span) if rate * span > 1e-6 else 1.0
@@ -39,20 +39,16 @@ def slipping(found: Track, flow: Tangent, onset: Array, grip: Array) -> tuple[Ar
             s = np.where(grips, -speed / span, s)
             speed = np.where(grips, 0.0, speed + s * span)
             slipped |= s != 0
-            entered = flow.gamma[i][:, 2] * total + flow.gamma[i][:, 3] * lever
-            delta[:6] = flow.phi[i] @ delta[:6] + entered[:, None] * s
-        row = found.row[i]
-        if row >= 0 and np.isfinite(found.s[i]):
-            error = -(found.reads[row] @ delta)
-            delta += np.outer(found.gains[i], error)
-            said[i] = error / math.sqrt(found.s[i])
-    return said, slipped
+            entered = run.tangent.gamma[i][:, 2] * total + run.tangent.gamma[i][:, 3] * lever
+            error[:6] = run.tangent.phi[i] @ error[:6] + entered[:, None] * s
+        response[i] = run.corrected(i, error)
+    return response, slipped
 
 
-def _slip_acceleration(found: Track) -> tuple[Array, Array, Array]:
+def _slip_acceleration(run: FilterRun) -> tuple[Array, Array, Array]:
     """Rθ̈ − ẍ [m/s²] without any force of the floor, and what a newton of it and a newton metre of the motors add
     (events,)."""
-    p, x, u = found.robot, found.before, found.command
+    p, x, u = run.robot, run.before, run.command
     cos, sin, rate = np.cos(x[:, 0]), np.sin(x[:, 0]), x[:, 3] - x[:, 1]
     turn = p.track / (2 * p.wheel_radius) * x[:, 5]
     torque = motor_torque(u[:, 0], rate - turn, p, np) + motor_torque(u[:, 1], rate + turn, p, np)

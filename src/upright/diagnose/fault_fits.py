@@ -1,0 +1,139 @@
+"""How well each signature of a bank explains the innovations, and which pushes it needs beside it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.diagnose.innovations import FilterRun
+from upright.diagnose.signatures import Bank, Signature, beside, biases, unknown_parameters
+
+Array = NDArray[np.float64]
+
+VISIBLE_SLIP = 3.0  # standard deviations of a reading, from which a slip shows
+MOST_PUSHES = 3  # that may come beside a fault
+PUSH_GAP = 0.1  # [s] between two pushes: several at once, up and down, would follow whatever is wrong with the model
+SUDDEN = {"step": 0.12, "ramp": 0.4}  # [s] after its onset in which an offset shows, before the filter loses the robot
+TRIED = 3  # signatures of each kind, by their squares alone, that are tried with pushes beside them
+LEAST_GAIN = 3.0  # nats that a push must add to the score beyond the price of its numbers
+FAULT_NUMBERS, PUSH_NUMBERS = 2, 3  # free numbers: size and onset; size, start and length
+CORRELATED = 3.0  # readings of one sample share what is wrong with the model, and count as one
+
+
+@dataclass(frozen=True)
+class PushEstimate:
+    """A push from `start` to `stop` [s] of `impulse` [N s] at `height` [m] above the axle, and the `score` it adds."""
+
+    start: float
+    stop: float
+    impulse: float
+    height: float
+    score: float
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class FaultFit:
+    """A fault (or "none") that explains the innovations by `score`, the log likelihood ratio [nats] less the penalty.
+
+    `size` is in the fault's own unit from `onset` [s] on, `pushes` stand beside it. `explained` is the fraction of the
+    squares that it explains, `nis` the mean square that it leaves.
+    """
+
+    fault: str
+    way: str = ""
+    onset: float = math.nan
+    size: float = 0.0
+    score: float = -math.inf
+    pushes: tuple[PushEstimate, ...] = ()
+    explained: float = math.nan
+    nis: float = math.nan
+
+
+def fits(bank: Bank) -> list[FaultFit]:
+    """The best of each kind of fault, and of none, each with the pushes that it needs; the likeliest first."""
+    best = [with_pushes(bank)]
+    for kind in dict.fromkeys((one.fault, one.way) for one in bank.faults):
+        some = [one for one in bank.faults if (one.fault, one.way) == kind]
+        some.sort(key=lambda one: _least_squares(bank.y, one)[1])
+        best.append(max((with_pushes(bank, one) for one in some[:TRIED]), key=lambda f: f.score))
+    best += [_sudden(bank, way) for way in SUDDEN if any(one.way == way for one in bank.faults)]
+    return sorted(best, key=lambda f: -f.score)
+
+
+def _sudden(bank: Bank, way: str) -> FaultFit:
+    """The gyro's offset that explains most of what follows within `SUDDEN` of its onset, before the filter is lost."""
+    offsets = [one for one in bank.faults if (one.fault, one.way) == ("bias", way)]
+    onsets = np.array([one.onset for one in offsets])
+    inside = (bank.then[:, None] >= onsets) & (bank.then[:, None] < onsets + SUDDEN[way])
+    A = np.column_stack([one.values[: len(inside)] for one in offsets]) * inside
+    dots, squares = A.T @ bank.y[: len(inside)], np.maximum((A**2).sum(axis=0), 1e-12)
+    i = int(np.argmax(dots**2 / squares))
+    return with_pushes(bank, offsets[i], amplitude=-float(dots[i] / squares[i]))
+
+
+def _least_squares(y: Array, signature: Signature) -> tuple[float, float]:
+    """The amplitude of least squares, and the squares that it leaves."""
+    a = signature.values
+    amplitude = -float(a @ y) / max(float(a @ a), 1e-12) if signature.free else 1.0
+    return amplitude, float(((y + amplitude * a) ** 2).sum())
+
+
+def with_pushes(
+    bank: Bank, signature: Signature | None = None, *, against: Bank | None = None, amplitude: float | None = None
+) -> FaultFit:
+    """A hypothesis (None: no fault, or one that the bank's run was freed of before, `against` the bank of the run as it
+    was) with the pushes that it needs beside it."""
+    y, spent, size = bank.y, FAULT_NUMBERS if against or signature else 0, 0.0
+    if signature is not None:
+        size = _least_squares(y, signature)[0] if amplitude is None else amplitude
+        y = y + size * signature.values
+    first = against or bank
+    best, pushes = _score(first, y, spent), list[PushEstimate]()
+    free = np.ones(len(bank.pushes), dtype=np.bool_)
+    starts, stops = (np.array([getattr(p, edge) for p in bank.pushes]) for edge in ("onset", "stop"))
+    for _ in range(MOST_PUSHES if bank.pushes else 0):
+        dots = bank.matrix.T @ y
+        i = int(np.argmax(np.where(free, dots**2 / bank.squares, 0.0)))
+        force = -float(dots[i] / bank.squares[i])
+        after = y + force * bank.matrix[:, i]
+        score = _score(first, after, spent + PUSH_NUMBERS)
+        if score < best + LEAST_GAIN:
+            break
+        push = bank.pushes[i]
+        pushes.append(PushEstimate(push.onset, push.stop, force * (push.stop - push.onset), push.size, score - best))
+        y, best, spent = after, score, spent + PUSH_NUMBERS
+        free &= (starts > push.stop + PUSH_GAP) | (stops < push.onset - PUSH_GAP)
+    nis = float(y @ y) / len(y)
+    explained = 1 - nis / max(float(first.y @ first.y) / len(first.y), 1e-12)
+    fit = FaultFit(fault="none", score=best, pushes=tuple(pushes), explained=explained, nis=nis)
+    if signature is None:
+        return fit
+    onset = _first_slip(bank, signature) if signature.fault == "slip" else signature.onset
+    size = size if signature.free else signature.size
+    return replace(fit, fault=signature.fault, way=signature.way, onset=onset, size=size)
+
+
+def _first_slip(bank: Bank, slip: Signature) -> float:
+    """When a slip first shows in a reading by more than its noise: a floor may be slippery long before."""
+    shows = np.flatnonzero(np.abs(slip.values[: len(bank.then)]) > VISIBLE_SLIP)
+    return float(bank.then[shows[0]]) if len(shows) else slip.onset
+
+
+def _score(bank: Bank, rest: Array, spent: int) -> float:
+    """Log likelihood [nats] against nothing at all, of readings whose noise has any scale from the usual one up, less
+    the penalty for `spent` free numbers."""
+    size = len(bank.y)
+    n, floor = size / CORRELATED, size * bank.scale
+    squares = (rest @ rest) * size / len(rest)
+    return n / 2 * math.log((bank.y @ bank.y + floor) / (squares + floor)) - spent * math.log(n)
+
+
+def remaining_bias(run: FilterRun, fit: FaultFit) -> float:
+    """The gyro's offset that a run still has from the onset of `fit` on, by least squares."""
+    offset = next(one for one in biases(run, np.array([fit.onset])) if one.way == fit.way)
+    basis = unknown_parameters(run)
+    y = beside(basis, run.whitened)
+    return _least_squares(y, replace(offset, values=beside(basis, offset.values)))[0]

@@ -1,0 +1,215 @@
+"""The last seconds of a log through the predictor, and how each possible fault would have shown in its innovations.
+
+The filter of `calibrate` follows the log with the robot without faults. A fault enters the robot at one place: a
+command that does not arrive, a force, a shift of a reading. What it does to the innovations follows from a small one
+sent through the same filter, linearised along its path (Willsky and Jones 1976).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.bodies.electronics import drive
+from upright.calibrate.filter_log import FilteredLog, filter_log
+from upright.errors import InvalidLog
+from upright.physics.dynamics import Disturbance, derivative
+from upright.physics.integrate import rk4_step
+from upright.physics.linear import linearise
+from upright.robots import Kit, Robot
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+
+PROCESS_NOISE = 0.03
+"""Standard deviation of the process noise over the rms command, and over 1 N for a robot of 0.6 kg: what a robot known
+from its sources needs."""
+
+DRY_FRICTION_NOISE = 0.1
+"""The same over the dry friction, which the sources know to a fifth and which varies along a wheel's turn."""
+
+FULL_RANGE = 0.98  # of a sensor's range: a reading beyond it is clipped and says nothing of the motion
+
+INPUTS = ("left", "right", "force", "moment")
+"""What can enter between two events: command errors of both motors, a force at the axle [N], a moment [N m]."""
+
+_STEP = 1e-4  # [SI] of a finite difference: truncation and rounding both near 1e-8 of it
+_SPREAD_STEP = 0.01  # of its spread, by which a parameter is moved for a finite difference
+_STIFF = 0.7  # largest |pole| h of a Runge–Kutta step
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class FilterRun(FilteredLog):
+    """The filter of a `robot` in its `kit` along a log, whose controller `asked` for commands (samples, 2)."""
+
+    robot: Robot
+    kit: Kit
+    log: Log
+    asked: Array
+
+    @property
+    def spans(self) -> Array:
+        """Time [s] that ends with each event."""
+        return np.diff(self.t, prepend=self.t[0])
+
+    @property
+    def readings(self) -> NDArray[np.bool_]:
+        """Which events are readings that the filter used."""
+        return (self.row >= 0) & np.isfinite(self.variance)
+
+    @property
+    def whitened(self) -> Array:
+        """Innovations of the readings over their standard deviations."""
+        return self.innovation[self.readings] / np.sqrt(self.variance[self.readings])
+
+    def between(self, start: float, end: float) -> FilterRun:
+        """The events from `start` to `end` [s]."""
+        return self.only((self.t >= start) & (self.t <= end))
+
+    def only(self, keep: NDArray[np.bool_] | slice) -> FilterRun:
+        """Some of the events."""
+        names = ("t", "row", "sample", "innovation", "variance", "gains", "before", "after", "command")
+        return replace(self, **{name: getattr(self, name)[keep] for name in names})
+
+    def corrected(self, i: int, error: Array, shift: Array | float = 0.0) -> Array | float:
+        """What errors (states, faults) of the state and a `shift` of the reading add to the whitened innovation of
+        event i; `error` is corrected in place, as the filter does."""
+        if self.row[i] < 0 or not np.isfinite(self.variance[i]):
+            return 0.0
+        innovation = -(self.reads[self.row[i]] @ error) - shift
+        error += np.outer(self.gains[i], innovation)
+        return innovation / math.sqrt(self.variance[i])
+
+    @cached_property
+    def tangent(self) -> Tangent:
+        """The flow between events, linearised along the path."""
+        return tangent(self)
+
+
+def asked_of(log: Log) -> tuple[str, str]:
+    """The channels of what the controller asked for: the commands, or what was applied where only that was logged."""
+    for prefix in ("command", "applied"):
+        if f"{prefix}/left" in log and f"{prefix}/right" in log:
+            return f"{prefix}/left", f"{prefix}/right"
+    raise InvalidLog("the log has no commands", expected="channels command/left and command/right")
+
+
+def driven(asked: Array, kit: Kit, unit: str, charge: float = 1.0, *, pwm: bool = True) -> Array:
+    """What the kit's driver makes of commands (n, 2) with the fraction `charge` of the battery's voltage; with `pwm` a
+    command is a duty, so that it shrinks with the battery, else only the limit does."""
+    scale = charge if pwm else 1.0
+    motor = replace(kit.motor, limit=charge * kit.motor.limit)
+    weaker = replace(kit, motor=motor, battery=replace(kit.battery, voltage=charge * kit.battery.voltage))
+    return np.array([drive((scale * left, scale * right), weaker, unit)[0] for left, right in asked.tolist()])
+
+
+def follow(log: Log, robot: Robot, kit: Kit, sent: Array | None = None) -> FilterRun:
+    """The nominal robot's filter along the whole of `log`, with the commands `sent` (samples, 2) at its motors (None:
+    what the kit makes of those asked for); raises `InvalidLog` where it cannot follow."""
+    names = asked_of(log)
+    asked = np.column_stack([log[n] for n in names])
+    if sent is None:
+        sent = driven(asked, kit, robot.command_unit)
+    others = {n: v for n, v in log.channels.items() if not n.startswith(("applied/", "truth/", "command/"))}
+    channels = {n: _inside(v, kit, n) for n, v in others.items()} | dict(zip(names, sent.T, strict=True))
+    result = filter_log(
+        Log(log.t, channels), robot, kit,
+        delay=_dead_time(names[0], kit), disturbance=PROCESS_NOISE, friction=DRY_FRICTION_NOISE,
+    )  # fmt: skip
+    return FilterRun(**vars(result), robot=robot, kit=kit, log=log, asked=asked)
+
+
+def _dead_time(name: str, kit: Kit) -> float:
+    """From a command in the channel `name` to the motor [s]; what was applied had waited its whole periods before."""
+    waited = 0 if name.startswith("command/") else math.floor(kit.delay / kit.period + 1e-9)
+    return kit.delay - waited * kit.period + kit.jitter / 2
+
+
+def _inside(values: Array, kit: Kit, name: str) -> Array:
+    """Readings at the end of a sensor's range say nothing more."""
+    sensor = kit.sensors.get(name)
+    if sensor is None or not math.isfinite(sensor.range):
+        return values
+    return np.where(np.abs(values) < FULL_RANGE * sensor.range, values, np.nan)
+
+
+@dataclass(frozen=True, eq=False)
+class Tangent:
+    """How the state after each span answers the state before it, `phi` (n, 6, 6), and what enters during the span,
+    `gamma` (n, 6, 4), in the order of `INPUTS`."""
+
+    phi: Array
+    gamma: Array
+
+
+_MOVED = (0, 1, 3, 5)  # the states on which the motion depends
+
+
+def tangent(run: FilterRun) -> Tangent:
+    """The flow between events, linearised along the path by finite differences."""
+    n, count = len(run.t), len(_MOVED)
+    x = np.repeat(run.before[None, :, :6], 1 + count + len(INPUTS), axis=0)
+    u = np.repeat(run.command[None], len(x), axis=0)
+    w = np.zeros((len(x), n, 2))
+    for i, state in enumerate(_MOVED):
+        x[1 + i, :, state] += _STEP
+    for i in range(2):
+        u[1 + count + i, :, i] += _STEP
+        w[3 + count + i, :, i] += _STEP
+    end = _flown(run.robot, run.robot, x, u, w, run.spans)
+    slopes = (end[1:] - end[0]) / _STEP
+    phi = np.zeros((n, 6, 6))
+    phi[:, 2, 2] = phi[:, 4, 4] = 1.0
+    for i, state in enumerate(_MOVED):
+        phi[:, :, state] = slopes[i]
+    return Tangent(phi, np.moveaxis(slopes[count:], 0, 2))
+
+
+def misfits(run: FilterRun, spreads: Mapping[str, float]) -> Array:
+    """What enters the state over each span (events, 6, parameters) where a parameter is larger by its spread."""
+    x, u, w = run.before[None, :, :6], run.command[None], np.zeros((1, len(run.t), 2))
+    usual = _flown(run.robot, run.robot, x, u, w, run.spans)[0]
+    numbers = run.robot.numbers()
+    moved = [numbers | {name: numbers[name] + _SPREAD_STEP * size} for name, size in spreads.items()]
+    others = [(_flown(run.robot, SimpleNamespace(**p), x, u, w, run.spans)[0] - usual) / _SPREAD_STEP for p in moved]
+    return np.moveaxis(np.reshape(others, (len(spreads), *usual.shape)), 0, 2)
+
+
+def _flown(robot: Robot, p: Any, x: Array, u: Array, w: Array, spans: Array) -> Array:
+    """States (lanes, n, 6) of parameters `p` after `spans` [s] under commands u (lanes, n, 2), forces and moments w
+    (lanes, n, 2), in steps that are short enough for `robot`."""
+    fastest = float(np.abs(linearise(robot).poles()).max())
+    steps = max(1, math.ceil(float(spans.max()) * fastest / _STIFF))
+    force = w[..., 0] + 1e-12  # a moment alone is a force of next to nothing, far up
+    push = Disturbance(force, w[..., 1] / force)
+    left, right = u[..., 0], u[..., 1]
+    state = tuple(x[..., i] for i in range(6))
+    for _ in range(steps):
+        state = rk4_step(lambda s: derivative(s, (left, right), p, push, np), state, spans / steps)  # type: ignore[arg-type]
+    return np.stack(state, axis=-1)
+
+
+def answer(run: FilterRun, entered: Array, shifted: Array | None = None) -> Array:
+    """What faults add to the innovations, over their standard deviations (events, faults).
+
+    `entered` (events, 4, faults) is what enters during each span in the order of `INPUTS`, `shifted` (events, faults)
+    what the fault adds to a reading. An innovation under the fault is the one of the run plus this.
+    """
+    return propagated(run, np.einsum("nij,njm->nim", run.tangent.gamma, entered), shifted)
+
+
+def propagated(run: FilterRun, pushed: Array, shifted: Array | None = None) -> Array:
+    """The same for what a fault adds to the state over each span, `pushed` (events, 6, faults)."""
+    n, faults = len(run.t), pushed.shape[2]
+    error, response = np.zeros((run.gains.shape[1], faults)), np.zeros((n, faults))
+    for i in range(n):
+        error[:6] = run.tangent.phi[i] @ error[:6] + pushed[i]
+        response[i] = run.corrected(i, error, 0.0 if shifted is None else shifted[i])
+    return response

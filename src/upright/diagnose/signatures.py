@@ -1,0 +1,170 @@
+"""What each possible fault adds to the innovations: a bank of signatures, each with its size and its onset.
+
+Every fault is a signal with few free numbers that enters the filter of `innovations` at one place. The likelihood
+ratio is that of Willsky and Jones (1976), with the noise's scale unknown, so that a filter whose robot is a little
+wrong proves no fault by that, and with a penalty for each free number (Schwarz 1978).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.certify.certificate import uncertainty
+from upright.diagnose.innovations import FilterRun, answer, misfits, propagated
+from upright.diagnose.slip import slipping
+from upright.robots import Robot
+
+Array = NDArray[np.float64]
+
+ONSET_STEP = 0.06  # [s] between the onsets of the grid
+PUSH_STEP = 0.03  # [s] between the edges of pushes
+PUSH_LENGTHS = (1, 2, 3, 5, 7, 10)  # of pushes, in steps of `PUSH_STEP`
+YOUNGEST = 0.12  # [s] before the lean passes `LEANING`: what comes later is too late to be a cause
+GRIPS = (0.003, 0.006, 0.01, 0.015, 0.02, 0.025, 0.03, 0.04, 0.05, 0.06, 0.08, 0.1, 0.15, 0.2)  # friction coefficients
+HEIGHTS = (0.0, 1.0, 2.0)  # of a push above the axle, over that of the centre of mass
+RISES = (0.1, 1.0)  # [s] in which a steady load grows to its size
+VISIBLE = (
+    "wheel_mass", "wheel_radius", "wheel_inertia", "body_mass", "com_height", "pitch_inertia", "rotor_inertia",
+    "motor_resistance", "back_emf", "motor_friction", "coulomb_friction",
+)  # fmt: skip
+"""Parameters that a filter in pitch may have wrong."""
+
+SPREAD_FRACTION = 0.5
+"""Of the sources' spreads, by which the robot may differ from the nominal one (see `verdict`)."""
+
+LARGEST_SPREAD = 0.08
+"""Most that a parameter may be off, as a fraction of its value; settled likewise."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Signature:
+    """What one fault adds to the whitened innovations, `values` (readings,), `free` in amplitude or of fixed `size`."""
+
+    fault: str
+    onset: float
+    values: Array
+    way: str = ""
+    size: float = 0.0
+    free: bool = True
+    stop: float = math.inf
+
+
+@dataclass(frozen=True, eq=False)
+class Bank:
+    """The window's whitened innovations `y` at the times `then`, the `scale` of ordinary ones, the signatures of all
+    faults, those of `pushes`, and the latter's values as a `matrix` (readings, pushes) with its column `squares`."""
+
+    y: Array
+    then: Array
+    scale: float
+    faults: list[Signature]
+    pushes: list[Signature]
+    matrix: Array
+    squares: Array
+
+
+def bank(run: FilterRun, scale: float, *, pushes_only: bool = False) -> Bank:
+    """All hypotheses on a part of a run, or `pushes_only` where the fault was taken out of the log."""
+    basis, use = unknown_parameters(run), run.readings
+    start, last = float(run.t[0]), float(run.t[-1]) - YOUNGEST
+    onsets = np.arange(start, last, ONSET_STEP)
+    faults: list[Signature] = []
+    if not pushes_only:
+        faults = [*biases(run, np.arange(start, last, run.log.period)), *_loads(run, onsets), *_slips(run, onsets)]
+        faults = [replace(one, values=beside(basis, one.values)) for one in faults]
+    pushes = _pushes(run, np.arange(start, last, PUSH_STEP))
+    matrix = beside(basis, np.array([one.values for one in pushes]).reshape(len(pushes), int(use.sum())).T)
+    squares = np.maximum((matrix**2).sum(axis=0), 1e-12)
+    return Bank(beside(basis, run.whitened), run.t[use], scale, faults, pushes, matrix, squares)
+
+
+def unknown_parameters(run: FilterRun) -> Array:
+    """An orthonormal basis of what parameters that differ within their spreads do, below it one row for each.
+
+    A row weighs as much as the innovations are larger than they should be: beside noise of that scale no parameter is
+    known worse than its spread says.
+    """
+    known = spreads(run.robot)
+    wrong = propagated(run, misfits(run, known))[run.readings]
+    scale = max(1.0, float(np.sqrt(np.mean(run.whitened**2))))
+    return np.linalg.qr(np.vstack([wrong, scale * np.eye(len(known))]))[0]
+
+
+def spreads(robot: Robot) -> dict[str, float]:
+    """Standard deviations of the parameters that a balancing robot shows, as its sources have them, within limits."""
+    known = uncertainty(robot)
+    values = robot.numbers()
+    return {
+        n: min(SPREAD_FRACTION * known[n], LARGEST_SPREAD * values[n]) for n in VISIBLE if known.get(n) and values[n]
+    }
+
+
+def beside(basis: Array, values: Array) -> Array:
+    """What is left of innovations (readings, …) when the robot may differ from the nominal one within its spreads: a
+    ridge regression, written as one more row for each parameter."""
+    whole = np.concatenate([values, np.zeros((basis.shape[1], *values.shape[1:]))])
+    return whole - basis @ (basis.T @ whole)
+
+
+def _pushes(run: FilterRun, onsets: Array) -> list[Signature]:
+    """Forces of some time at some heights, free in size; none where the window is shorter than the shortest."""
+    edges = [(i, i + d) for i in range(len(onsets)) for d in PUSH_LENGTHS if i + d < len(onsets)]
+    if not edges:
+        return []
+    n, middle = len(onsets), run.t - run.spans / 2
+    on = middle[:, None] >= onsets
+    entered = np.zeros((len(run.t), 4, 2 * n))
+    entered[:, 2, :n], entered[:, 3, n:] = on, on
+    steps = answer(run, entered)[run.readings]
+    first, last = np.array(edges).T
+    force, moment = steps[:, first] - steps[:, last], steps[:, n + first] - steps[:, n + last]
+    return [
+        Signature(fault="push", onset=float(onsets[i]), stop=float(onsets[j]), size=h, values=one)
+        for h in (height * run.robot.com_height for height in HEIGHTS)
+        for i, j, one in zip(first, last, (force + h * moment).T, strict=True)
+    ]
+
+
+def _loads(run: FilterRun, onsets: Array) -> list[Signature]:
+    """A force at the axle that grows from the onset on, and stays."""
+    middle = (run.t - run.spans / 2)[:, None]
+    loads: list[Signature] = []
+    for rise in RISES:
+        entered = np.zeros((len(run.t), 4, len(onsets)))
+        entered[:, 2] = np.clip((middle - onsets) / rise, 0.0, 1.0)
+        response = answer(run, entered)[run.readings].T
+        loads += [
+            Signature(fault="load", way=f"within {rise:g} s", onset=float(t), values=one)
+            for t, one in zip(onsets, response, strict=True)
+        ]
+    return loads
+
+
+def biases(run: FilterRun, onsets: Array) -> list[Signature]:
+    """An offset of the gyro, as a step or as a ramp, from each onset on."""
+    gyro = (run.row == run.rows.index("sensor/gyro"))[:, None]
+    elapsed = np.maximum(run.t[:, None] - onsets, 0.0)
+    nothing = np.zeros((len(run.t), 4, len(onsets)))
+    offsets: list[Signature] = []
+    for way, shift in (("step", (elapsed > 0) * 1.0), ("ramp", elapsed)):
+        response = answer(run, nothing, shift * gyro)[run.readings].T
+        offsets += [
+            Signature(fault="bias", way=way, onset=float(t), values=one)
+            for t, one in zip(onsets, response, strict=True)
+        ]
+    return offsets
+
+
+def _slips(run: FilterRun, onsets: Array) -> list[Signature]:
+    """Wheels that slip wherever the floor would have to hold them by more than `grip` times the weight."""
+    onset, grip = (grid.ravel() for grid in np.meshgrid(onsets[::2], GRIPS))
+    response, slipped = slipping(run, onset, grip)
+    values = response[run.readings].T
+    return [
+        Signature(fault="slip", onset=float(onset[i]), size=float(grip[i]), values=values[i], free=False)
+        for i in np.flatnonzero(slipped)
+    ]
