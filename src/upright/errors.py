@@ -43,6 +43,10 @@ class InvalidController(UprightError):
     """A gain of the wrong size, or a controller file that cannot be read."""
 
 
+class InvalidPlugin(UprightError):
+    """A controller or body from outside the package that cannot be loaded, or that lacks part of the contract."""
+
+
 class SpecMismatch(UprightError):
     """A body and a controller that do not fit each other."""
 

@@ -1,6 +1,7 @@
 """What answers a command: models and the twin, and the electronics round any of them.
 
-`BODIES` names every body there is; a new one is one file and one line here.
+`BODIES` names every body there is: a new one is one file and one line here, `my.py:Cart`, or an entry point of the
+group `upright.bodies` in another package.
 """
 
 from collections.abc import Callable
@@ -11,8 +12,8 @@ from upright.bodies.body import Sample as Sample
 from upright.bodies.electronics import Electronics as Electronics
 from upright.bodies.models import LinearBody as LinearBody
 from upright.bodies.models import NonlinearBody as NonlinearBody
-from upright.errors import UnknownName
 from upright.physics.linear import linearise
+from upright.plugins import Registry, made
 from upright.robots import Robot
 
 
@@ -34,18 +35,24 @@ def _pybricks(robot: Robot) -> Body:
     return PybricksBody(robot)
 
 
-BODIES: dict[str, Callable[[Robot], Body]] = {
-    "twin": _twin,
-    "nonlinear": NonlinearBody,
-    "published": lambda robot: NonlinearBody(robot, "published"),
-    "linear": lambda robot: LinearBody(linearise(robot), robot),
-    "nxt": _nxt,
-    "pybricks": _pybricks,
-}
+BODIES: Registry[Callable[[Robot], Body]] = Registry(
+    "body",
+    "upright.bodies",
+    {
+        "twin": _twin,
+        "nonlinear": NonlinearBody,
+        "published": lambda robot: NonlinearBody(robot, "published"),
+        "linear": lambda robot: LinearBody(linearise(robot), robot),
+        "nxt": _nxt,
+        "pybricks": _pybricks,
+    },
+    lambda name, plugin: lambda robot: made(f"body {name}", Body, plugin, robot),
+)
 
 
 def make_body(name: str, robot: Robot) -> Body:
-    """The registered body of that name round `robot`; `UnknownName` lists them."""
-    if name not in BODIES:
-        raise UnknownName("body", name, BODIES)
+    """The body of that name round `robot`: registered, installed, or `file.py:Class`.
+
+    Raises `UnknownName`, which lists them, or `InvalidPlugin` for one from outside that cannot be made.
+    """
     return BODIES[name](robot)

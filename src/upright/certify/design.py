@@ -8,7 +8,15 @@ from pathlib import Path
 from typing import Any
 
 from upright.certify.analysis import Analysis, analyse
-from upright.control import Controller, controller_hash, make_controller, robust, write_controller
+from upright.control import (
+    Controller,
+    controller_hash,
+    design_of,
+    make_controller,
+    residual_of,
+    robust,
+    write_controller,
+)  # fmt: skip
 from upright.errors import InvalidController, SpecMismatch
 from upright.fleet.vary import known
 from upright.robots import Kit, Robot, find_kit, find_robot
@@ -34,24 +42,23 @@ class Designed:
 
     def facts(self) -> dict[str, Any]:
         """Method, robot, kit, period [s], channels read, hash, and the residual of the equations that were solved."""
-        check = getattr(self.controller, "check", None)
         return {
             "method": self.method, "robot": self.robot.name, "kit": self.kit.name,
             "period": self.controller.spec.period, "reads": list(self.controller.spec.reads),
-            "residual": float(check()) if check else None, "hash": controller_hash(self.controller),
+            "residual": residual_of(self.controller), "hash": controller_hash(self.controller),
         }  # fmt: skip
 
     def to_json(self) -> dict[str, Any]:
         """The facts, what the method says of its design, and the analysis or the reason for none."""
-        record: Any = getattr(self.controller, "design", None)
-        own = record.to_json() if hasattr(record, "to_json") else None
+        record = design_of(self.controller)
+        own = record.to_json() if record else None
         return self.facts() | {"design": own, "analysis": self.analysis.to_json() if self.analysis else self.remark}
 
     def __str__(self) -> str:
-        record: Any = getattr(self.controller, "design", None)
+        record = design_of(self.controller)
         facts = {name: ", ".join(v) if isinstance(v, list) else v for name, v in self.facts().items() if v is not None}
         lines = [*(f"{name:<10}{value}" for name, value in facts.items()), ""]
-        words: list[str] = record.words() if hasattr(record, "words") else []
+        words = record.words() if record else []
         return "\n".join([*lines, *words, "", str(self.analysis or self.remark)])
 
 

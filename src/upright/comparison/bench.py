@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from upright.bodies import Body, Electronics, make_body
 from upright.certify.checks import Course, driver, watched
 from upright.comparison.comparison import compare
-from upright.control import Controller, make_controller
+from upright.control import CONTROLLERS, Controller, make_controller
 from upright.control.uncertain import draw
 from upright.errors import UprightError
 from upright.experiment import Hold, Impulse, outcome_of, run
@@ -22,7 +22,6 @@ from upright.robots import Kit, Robot
 
 Array = NDArray[np.float64]
 
-METHODS = ("lqr", "lqi", "lqg", "pid", "hinf", "mpc", "sliding", "robust")
 PUSHES = {"front": 0.1, "back": -0.12}
 """Pitch [rad] at which each push holds the robot (Herrera et al. 2015, section 3.2)."""
 UNTIL, SECONDS = 3.0, 7.0  # [s]
@@ -66,15 +65,17 @@ def bench_controllers(
     kit: Kit,
     body: str = "twin",
     seed: int = 1,
-    methods: Sequence[str] = METHODS,
+    methods: Sequence[str] = (),
     progress: Callable[[float], None] = lambda _share: None,
     knocks: bool = True,
 ) -> tuple[BenchRow, ...]:
-    """Each of `methods` on the sensors of `kit` through both pushes of the paper, held until 3 s and released; with
-    `knocks` also the largest impulse that each recovers from, which takes ten runs a row.
+    """Each of `methods` (none: all registered ones that are `benched`) on the sensors of `kit` through both pushes of
+    the paper, held until 3 s and released; with `knocks` also the largest impulse that each recovers from, which takes
+    ten runs a row.
 
     A method that has no design for this robot gets a row that says why.
     """
+    methods = methods or [name for name, method in CONTROLLERS.items() if method.benched]
     rows, drawn = list[BenchRow](), draw(robot, DRAWN, seed)
     for method in methods:
         for side in PUSHES:

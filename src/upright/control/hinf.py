@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.control.delay import GYRO, RAW, SampledRobot, sampled
+from upright.control.design import Design
 from upright.control.estimators import measurement_matrix
 from upright.control.family import halves, sides
 from upright.control.linear_controller import LinearController
@@ -86,7 +87,7 @@ class Channel:
 
 
 @dataclass(frozen=True, eq=False)
-class Hinf:
+class Hinf(Design):
     """Both channels of a design: `forward` (both motors alike) and `turning` (opposed)."""
 
     forward: Channel

@@ -5,12 +5,13 @@ from __future__ import annotations
 from array import array
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from upright.control.controller import Controller, ControllerSpec
+from upright.control.design import Design
 from upright.control.estimators import Estimated, Kalman
 from upright.control.feedback import StateFeedback
 from upright.errors import InvalidController
@@ -18,12 +19,6 @@ from upright.errors import InvalidController
 Array = NDArray[np.float64]
 
 MATRICES = ("A", "By", "Br", "Ba", "C", "Dy", "Dr", "S", "Sy")
-
-
-class Design(Protocol):
-    """How a controller was found: `check()` re-computes a residual from the design's own fields (zero is perfect)."""
-
-    def check(self) -> float: ...
 
 
 @dataclass(eq=False)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from upright.control.delay import RAW, SampledRobot, sampled
+from upright.control.design import Design
 from upright.control.filtering import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, riccati, riccati_residual, weight_matrix
@@ -19,7 +20,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Lqg:
+class Lqg(Design):
     """u = u_r − K (x̂ − r) with K from Q, R and the cost P of `riccati`, and x̂ from the `filter`."""
 
     filter: Filter
@@ -32,6 +33,11 @@ class Lqg:
         """The larger of both Riccati residuals."""
         plant = self.filter.seen.plant
         return max(self.filter.check(), riccati_residual(plant.A, plant.B, self.Q, self.R, self.P))
+
+    @property
+    def gain(self) -> Array:
+        """K, the six states first."""
+        return self.K
 
 
 def lqg(

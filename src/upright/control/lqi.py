@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from upright.control.delay import RAW, sampled
+from upright.control.design import Design
 from upright.control.filtering import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqg import command_weight
@@ -28,7 +29,7 @@ SERVO = ("wheel", "pitch", "wheel_rate", "pitch_rate")
 
 
 @dataclass(frozen=True, eq=False)
-class Lqi:
+class Lqi(Design):
     """u = u_r r − K (x̂ − r) − k_i ∫(θ̂ − θ_r), from Q, R and the cost P of `servo`, the plant with its integral."""
 
     filter: Filter
@@ -41,6 +42,11 @@ class Lqi:
     def check(self) -> float:
         """The larger of both Riccati residuals."""
         return max(self.filter.check(), riccati_residual(self.servo.A, self.servo.B, self.Q, self.R, self.P))
+
+    @property
+    def gain(self) -> Array:
+        """K, the six states first."""
+        return self.K
 
 
 def lqi(

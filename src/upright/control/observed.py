@@ -10,7 +10,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
 from upright.control.delay import RAW, sampled
+from upright.control.design import Design
 from upright.control.feedback import StateFeedback
 from upright.control.filtering import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
@@ -18,9 +22,11 @@ from upright.control.observer import observer, output_feedback
 from upright.errors import SpecMismatch
 from upright.robots import Kit, Robot
 
+Array = NDArray[np.float64]
+
 
 @dataclass(frozen=True, eq=False)
-class Observed:
+class Observed(Design):
     """A `feedback` behind a `filter`."""
 
     filter: Filter
@@ -29,6 +35,11 @@ class Observed:
     def check(self) -> float:
         """The larger of the residuals of both."""
         return max(self.filter.check(), self.feedback.check())
+
+    @property
+    def gain(self) -> Array:
+        """That of the feedback."""
+        return self.feedback.gain
 
 
 def observed(

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.control.delay import rolling
+from upright.control.design import Design
 from upright.control.filtering import Filter
-from upright.control.linear_controller import Design, LinearController
+from upright.control.linear_controller import LinearController
 from upright.physics.linear import linearise
 from upright.robots import Robot
 

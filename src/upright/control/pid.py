@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.control.delay import RAW, SampledRobot, rolling, sampled
+from upright.control.design import Design
 from upright.control.filtering import DISTURBED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqi import unwound
@@ -61,7 +62,7 @@ class Gains:
 
 
 @dataclass(frozen=True, eq=False)
-class Pid:
+class Pid(Design):
     """The tuned `gains`, the `filter` that gives them the state, and the `margin` min |1 + L| at the motors."""
 
     filter: Filter

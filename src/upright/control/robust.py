@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from upright.atomic import finite
 from upright.control.delay import SampledRobot, sampled
+from upright.control.design import Design
 from upright.control.family import Family, Plane, family, halves, plane, sides
 from upright.control.filtering import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.guaranteed import Guaranteed, guaranteed
@@ -63,7 +64,7 @@ class Costs:
 
 
 @dataclass(frozen=True, eq=False)
-class Robust:
+class Robust(Design):
     """The gain k (m,) on the filter's pitch plane, found by `method`, beside plain LQR on the same sensors.
 
     Costs are over draws that no design has seen; `inequalities` are those of the other method, or None with `why`.

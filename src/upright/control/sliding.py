@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from upright.control.controller import ControllerSpec
 from upright.control.delay import RAW, sampled
+from upright.control.design import Design
 from upright.control.filtering import RECOVERED, Disturbed, kalman_filter
 from upright.control.lqg import Lqg, regulated
 from upright.control.observer import Observer, observer, steady_state
@@ -23,7 +24,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Sliding:
+class Sliding(Design):
     """The surface S with S B = I, from the cost P of the regulator `base`; `keep` of s is left each period.
 
     On s = 0 the state moves by A − B S A, which lowers xᵀPx at least as much as the regulator itself does.

@@ -1,0 +1,62 @@
+"""The record of how a controller was found: its residual, its gain, and what else a page or a command shows of it."""
+
+from __future__ import annotations
+
+from typing import Any, Protocol, runtime_checkable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.control.controller import Controller
+
+Array = NDArray[np.float64]
+
+
+class Design:
+    """What every record of a design offers; a method says more by overriding."""
+
+    def check(self) -> float:
+        """A residual computed anew from the record's own fields: zero is perfect."""
+        raise NotImplementedError
+
+    @property
+    def gain(self) -> Array | None:
+        """K (2, 6 or more) of u = −K x on the robot's six states first; None where there is no such matrix."""
+        return None
+
+    def words(self) -> list[str]:
+        """Sentences on the result; none by default."""
+        return []
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers; by default the gain alone."""
+        return {} if self.gain is None else {"gain": self.gain.tolist()}
+
+
+@runtime_checkable
+class _Checked(Protocol):
+    """What computes its own residual."""
+
+    def check(self) -> float: ...
+
+
+def design_of(controller: Controller) -> Design | None:
+    """The record of the controller's design, through an estimator in front of it; None where nothing is recorded."""
+    record = getattr(_inner(controller), "design", None)
+    return record if isinstance(record, Design) else None
+
+
+def gain_of(controller: Controller) -> Array | None:
+    """K (2, 6) of u = −K x on the robot's six states, None of a controller that has no such gain."""
+    record = design_of(controller)
+    gain = getattr(_inner(controller), "gain", None) if record is None else record.gain
+    return None if gain is None else np.asarray(gain, dtype=np.float64)[:, :6]
+
+
+def residual_of(controller: Controller) -> float | None:
+    """What the controller's own `check()` gives, None of one that has nothing to check."""
+    return float(controller.check()) if isinstance(controller, _Checked) else None
+
+
+def _inner(controller: Any) -> Any:
+    return getattr(controller, "controller", controller)

@@ -1,0 +1,137 @@
+"""The registry of methods of design: what each takes, what it costs, and how to find one by name, file or package."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from os import PathLike
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.control.controller import Controller
+from upright.control.estimators import Estimated, complementary
+from upright.control.files import read_controller
+from upright.control.hinf import hinf
+from upright.control.lqg import lqg
+from upright.control.lqi import LARGEST_INTEGRAL, lqi
+from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, Lqr, bryson, lqr
+from upright.control.mpc import mpc
+from upright.control.observed import observed
+from upright.control.pid import pid
+from upright.control.robust import robust
+from upright.control.sliding import sliding
+from upright.errors import InvalidController
+from upright.plugins import Registry, made
+from upright.robots import Kit, Robot
+from upright.signals import STATE_NAMES
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Method:
+    """A method of design in the registry: `make(robot, kit, dt)` gives a controller.
+
+    A `weighted` one takes `largest` too, the largest accepted deviation of each state (6,) [rad, rad/s, …], and
+    `command`, the largest usual command of a motor, both by keyword (Bryson's rule). `slow` takes more than a second to
+    design, `reads_truth` needs the true state, and `benched` says whether it belongs in a table of all controllers.
+    """
+
+    make: Callable[..., Controller]
+    name: str = ""
+    weighted: bool = False
+    slow: bool = False
+    reads_truth: bool = False
+    benched: bool = True
+
+    def __call__(
+        self,
+        robot: Robot,
+        kit: Kit,
+        dt: float,
+        *,
+        largest: Sequence[float] = LARGEST_STATE,
+        command: float | None = None,
+    ) -> Controller:
+        """The controller for `robot` under `kit` every `dt` [s].
+
+        Raises `InvalidController` for other than six deviations, or for weights where the method takes none.
+        """
+        if len(largest) != len(STATE_NAMES):
+            raise InvalidController(f"{len(largest)} largest deviations", expected="six, one for each state")
+        size = LARGEST_COMMAND[robot.command_unit] if command is None else command
+        if self.weighted:
+            return self.make(robot, kit, dt, largest=tuple(largest), command=size)
+        if command is not None or tuple(largest) != LARGEST_STATE:
+            raise InvalidController(f"{self.name or 'this method'} takes no weights", expected="its defaults")
+        return self.make(robot, kit, dt)
+
+
+def _by_weights(
+    method: Callable[[Robot, Kit, float, Array, Array], Controller], integral: tuple[float, ...] = ()
+) -> Callable[..., Controller]:
+    """`method` of Q and R, as `make` of a weighted entry; `integral` are the largest values of further states."""
+
+    def make(robot: Robot, kit: Kit, dt: float, *, largest: Sequence[float], command: float) -> Controller:
+        return method(robot, kit, dt, bryson([*largest, *integral]), bryson([command] * 2))
+
+    return make
+
+
+def _lqr(robot: Robot, _kit: Kit, dt: float, Q: Array, R: Array) -> Lqr:
+    return lqr(robot, dt, Q, R)
+
+
+def _observed(robot: Robot, kit: Kit, dt: float, Q: Array, R: Array) -> Controller:
+    return observed(lqr(robot, dt, Q, R), robot, kit)
+
+
+def _complementary(robot: Robot, kit: Kit, dt: float, Q: Array, R: Array) -> Controller:
+    return Estimated(lqr(robot, dt, Q, R), complementary(robot, kit, dt))
+
+
+OURS = (
+    Method(name="lqr", make=_by_weights(_observed), weighted=True),  # the baseline of all others
+    Method(name="lqr-complementary", make=_by_weights(_complementary), weighted=True, benched=False),
+    Method(name="lqi", make=_by_weights(lqi, (LARGEST_INTEGRAL,)), weighted=True),
+    Method(name="lqg", make=_by_weights(lqg), weighted=True),
+    Method(name="pid", make=pid, slow=True),
+    Method(name="hinf", make=hinf, slow=True),
+    Method(name="mpc", make=_by_weights(mpc), weighted=True),
+    Method(name="sliding", make=_by_weights(sliding), weighted=True),
+    Method(name="robust", make=robust, weighted=True, slow=True),
+    Method(name="lqr-state", make=_by_weights(_lqr), weighted=True, reads_truth=True, benched=False),
+)
+
+
+def _plugin(name: str, thing: Any) -> Method:
+    """A method from outside: a `Method`, or whatever makes a controller of (robot, kit, dt)."""
+    given = thing if isinstance(thing, Method) else Method(make=thing)
+    make = given.make
+
+    def checked(robot: Robot, kit: Kit, dt: float, **weights: Any) -> Controller:
+        return made(f"controller {name}", Controller, lambda: make(robot, kit, dt, **weights))
+
+    return replace(given, name=name, make=checked)
+
+
+CONTROLLERS: Registry[Method] = Registry("controller", "upright.controllers", {m.name: m for m in OURS}, _plugin)
+"""Every method of design: ours, those of installed packages, and `CONTROLLERS["my.py:Rod"]`."""
+
+
+def make_controller(name: str, robot: Robot, kit: Kit, dt: float) -> Controller:
+    """The controller by the method of that name, designed for `robot` under `kit` every `dt` [s]."""
+    return CONTROLLERS[name](robot, kit, dt)
+
+
+def find_controller(controller: Controller | str | PathLike[str], robot: Robot, kit: Kit, dt: float) -> Controller:
+    """The controller itself, the one in a `.json` file, or by the method of that name or of `file.py:Name`.
+
+    Raises `UnknownName`, or `InvalidPlugin` for a file or a package whose controller cannot be made.
+    """
+    if not isinstance(controller, str | PathLike):
+        return controller
+    name = str(controller)
+    return read_controller(name) if name.endswith(".json") else make_controller(name, robot, kit, dt)
