@@ -1,8 +1,8 @@
 """The balancing program, written once: what `trace` writes down here is what every target runs.
 
 reading = scale · (raw − offset), kept within the sensor's range; positions enter the memory by what they moved
-u = the law's output; duty = whole(full · u / battery), without what the dead zone swallows and within ±full
-applied = duty · battery / full, which the law's memory gets in place of what it asked for
+u = the controller's output; duty = whole(full · u / battery), zero in the dead zone and within ±full
+applied = duty · battery / full, which enters the controller's memory in place of u
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from upright.compiled.program import Program
 from upright.compiled.tracer import Form, Tracer
 from upright.control.controller import Controller, controller_hash
 from upright.errors import SpecMismatch
-from upright.firmware.law import law_of
+from upright.firmware.incremental import incremental
 from upright.firmware.readings import calibrate, inputs, moved, reading
 from upright.firmware.setup import (
     BALANCING,
@@ -57,41 +57,50 @@ def trace(
 ) -> Program:
     """The program of `controller` for `robot` on `kit`'s electronics.
 
-    `reference` adds the wanted state as inputs (a robot that only stands needs none); encoders are followed within
-    ±`travel` [rad]. Raises `InvalidController` for a controller that is no fixed sum of products, `SpecMismatch` where
-    target, robot and controller do not fit, `UnknownName` for the target.
+    `reference` adds the reference state as inputs (a robot that only stands needs none); encoders are followed within
+    ±`travel` [rad]. Raises `InvalidController` for a controller that is not a fixed sum of products, `SpecMismatch`
+    where target, robot and controller do not fit, `UnknownName` for the target.
     """
-    law, place = law_of(controller).by_increments(POSITIONS), find_target(target)
-    if law.spec.command_unit != robot.command_unit:
-        raise SpecMismatch(f"the controller commands {law.spec.command_unit}", expected=f"{robot.command_unit}")
-    setup = Setup(law, kit, driver(robot, kit, place), place, travel, reference)
+    inner, place = incremental(controller, POSITIONS), find_target(target)
+    linear = inner.linear
+    if linear.command_unit != robot.command_unit:
+        raise SpecMismatch(f"the controller commands {linear.command_unit}", expected=f"{robot.command_unit}")
+    setup = Setup(inner, kit, driver(robot, kit, place), place, travel, reference)
     if not math.isfinite(setup.strongest):
         raise SpecMismatch(
-            f"kit '{kit.name}' sets no limit to a command", expected="a battery or a motor's limit",
+            f"kit '{kit.name}' does not limit the command", expected="a battery or a motor's limit",
             hint="name the robot's own kit",
         )  # fmt: skip
     t = Tracer()
     raw = inputs(t, setup)
     held = calibrate(t, setup, raw)
     at_start = t.block("calibrate")
-    y = [reading(t, setup, raw, channel, held) for channel in law.spec.reads]
-    steps = [moved(t, setup, raw, channel) for channel in law.spec.reads]
+    y = [reading(t, setup, raw, channel, held) for channel in linear.reads]
+    steps = [moved(t, setup, raw, channel) for channel in linear.reads]
     bounds = _bounds(setup)
-    sizes = np.full(len(law.A), UNPROVEN) if bounds is None else bounds
+    sizes = np.full(len(linear.A), UNPROVEN) if bounds is None else bounds
     w = [t.state(f"w{i}", "1", bound) for i, bound in enumerate(sizes.tolist())]
-    z = [_counted(t, state, i, law.X[i], steps) for i, state in enumerate(w)]
+    z = [_counted(t, state, i, inner.X[i], steps) for i, state in enumerate(w)]
     r = _reference(t, setup)
     pitch = _pitch(t, setup, z, y)
     u = _command(t, setup, z, y, r)
     a = _applied(t, setup, u, raw)
     command = t.block("command")
-    _remember(t, setup, w, z, y, r, u, _arrived(t, setup, a), bounds is not None)
+    arrived, switching = _arrived(t, setup, a), inner.switching
+    pairs = [
+        (linear.A, z),
+        (linear.By, y),
+        (linear.Br, r),
+        *([(switching.Bu, u)] if switching else []),
+        (linear.Ba, arrived),
+    ]
+    _remember(t, w, [sum((_dot(M[i], v) for M, v in pairs), Form()) for i in range(len(w))], bounds is not None)
     _stop(t, setup, pitch, raw)
     update = t.block("update")
-    made_for = (robot.name, kit.name, law.spec.kind, controller_hash(controller), target)
+    made_for = (robot.name, kit.name, linear.kind, controller_hash(controller), target)
     units = {form.name: channel for channel, form in raw.items()}
     return Program(
-        *made_for, law.spec.period, version("upright"), setup.driver.unit, setup.driver.full, bounds is not None,
+        *made_for, linear.period, version("upright"), setup.driver.unit, setup.driver.full, bounds is not None,
         setup.lag, units, {name: setup.raw(channel).scale for name, channel in units.items()}, t.variables,
         at_start, command, update,
     )  # fmt: skip
@@ -103,29 +112,29 @@ def _counted(t: Tracer, state: Form, index: int, row: Array, steps: list[Form | 
 
 
 def _bounds(setup: Setup) -> Array | None:
-    steps = np.full(len(setup.law.spec.reads), FASTEST * setup.law.spec.period)
-    y = np.array([HEADING if c == COMPASS else largest(setup.kit, c, setup.travel) for c in setup.law.spec.reads])
+    linear = setup.linear
+    y = np.array([HEADING if c == COMPASS else largest(setup.kit, c, setup.travel) for c in linear.reads])
     r = np.array(REFERENCE_RANGE) if setup.reference else np.zeros(6)
-    u = np.full(2, setup.typed if setup.law.sliding else 0.0)
-    return setup.law.bounds(steps, y, r, u, np.full(2, setup.strongest))
+    u, a = np.full(2, setup.typed if setup.incremental.switching else 0.0), np.full(2, setup.strongest)
+    return setup.incremental.bounds(change=np.full(len(y), FASTEST * linear.period), y=y, r=r, u=u, a=a)
 
 
 def _reference(t: Tracer, setup: Setup) -> list[Form | float]:
-    """The wanted state as inputs, where it does anything."""
-    law, found = setup.law, list[Form | float]()
-    for i, name in enumerate(STATE_NAMES):
-        acts = setup.reference and bool(law.Br[:, i].any() or law.Dr[:, i].any())
-        form = t.input(f"wanted_{name}", STATE_UNITS[i], REFERENCE_RANGE[i]) if acts else 0.0
-        found.append(form)
-    return found
+    """The reference state as inputs; a constant zero for states that the controller does not compare."""
+    linear, switching = setup.linear, setup.incremental.switching
+    rows = np.vstack([linear.Br, linear.Dr, *([switching.Dr] if switching else [])])
+    return [
+        t.input(f"reference_{name}", unit, most) if setup.reference and rows[:, i].any() else 0.0
+        for i, (name, unit, most) in enumerate(zip(STATE_NAMES, STATE_UNITS, REFERENCE_RANGE, strict=True))
+    ]
 
 
 def _pitch(t: Tracer, setup: Setup, z: list[Form], y: list[Form]) -> Form:
-    """The controller's opinion of the pitch, or where it has none the gyro's integral, which forgets in `TILT_TIME`."""
-    law = setup.law
-    if law.S is not None and law.Sy is not None:
-        return t.let("pitch", _dot(law.S, z) + _dot(law.Sy, y), "rad", UPSIDE_DOWN, output=True)
-    rate, dt = y[law.spec.reads.index(GYRO)], law.spec.period
+    """The controller's estimate of the pitch, or without one the gyro's integral, which decays over `TILT_TIME`."""
+    linear = setup.linear
+    if len(linear.S):
+        return t.let("pitch", _dot(linear.S[0], z) + _dot(linear.Sy[0], y), "rad", UPSIDE_DOWN, output=True)
+    rate, dt = y[linear.reads.index(GYRO)], linear.period
     tilt = t.state("tilt", "rad", UPSIDE_DOWN)
     pitch = t.let("pitch", (tilt + rate * dt) * (1 - dt / TILT_TIME), "rad", UPSIDE_DOWN, output=True)
     t.commit(tilt, pitch)
@@ -133,21 +142,19 @@ def _pitch(t: Tracer, setup: Setup, z: list[Form], y: list[Form]) -> Form:
 
 
 def _command(t: Tracer, setup: Setup, z: list[Form], y: list[Form], r: list[Form | float]) -> list[Form]:
-    """What the law asks of each motor, in the command's unit."""
-    law, most, unit = setup.law, setup.typed, setup.driver.unit
-    rows = [_dot(law.C[i], z) + _dot(law.Dy[i], y) + _dot(law.Dr[i], r) for i in range(len(law.C))]
-    names = ("command_left", "command_right")
-    if not law.sliding:
-        return [t.let(name, row, unit, most, output=True) for name, row in zip(names, rows, strict=True)]
-    found: list[Form] = []
-    for side, name, surface, linear in zip(("left", "right"), names, rows[:2], rows[2:], strict=True):
-        s = t.let(f"surface_{side}", surface * (1 / law.layer), "1", 1.0)
-        found.append(t.let(name, linear - s * law.reach, unit, most, output=True))
-    return found
+    """The controller's command to each motor."""
+    linear, switching, u = setup.linear, setup.incremental.switching, list[Form]()
+    for i, side in enumerate(SIDES):
+        row = _dot(linear.C[i], z) + _dot(linear.Dy[i], y) + _dot(linear.Dr[i], r)
+        if switching:
+            surface = _dot(switching.C[i], z) + _dot(switching.Dy[i], y) + _dot(switching.Dr[i], r)
+            row -= t.let(f"surface_{side}", surface * (1 / switching.layer), "1", 1.0) * switching.reach
+        u.append(t.let(f"command_{side}", row, setup.driver.unit, setup.typed, output=True))
+    return u
 
 
 def _applied(t: Tracer, setup: Setup, u: list[Form], raw: dict[str, Form]) -> list[Form]:
-    """What the motors really get: without the dead zone, within the limit, in whole steps of the battery's voltage."""
+    """The applied commands: zero in the dead zone, within the limit, in whole steps of the battery's voltage."""
     d, full = setup.driver, float(setup.driver.full)
     awake = [_awake(t, d, form, side) for form, side in zip(u, SIDES, strict=True)]
     if not full:
@@ -160,32 +167,32 @@ def _applied(t: Tracer, setup: Setup, u: list[Form], raw: dict[str, Form]) -> li
     battery = t.limit("battery", volts, d.lowest, d.highest, "V")
     per_volt = t.quotient("per_volt", full, battery, "1/V")
     step = t.let("step", battery * (1 / full), "V")
-    found: list[Form] = []
+    applied: list[Form] = []
     for form, side in zip(awake, SIDES, strict=True):
-        wanted = t.product(f"wanted_duty_{side}", form, per_volt, "1")
-        limited = t.limit(f"limited_duty_{side}", wanted, -full, full, "1")
+        exact = t.product(f"wanted_duty_{side}", form, per_volt, "1")
+        limited = t.limit(f"limited_duty_{side}", exact, -full, full, "1")
         duty = t.whole(f"duty_{side}", limited, "1")
-        found.append(t.product(f"applied_{side}", duty, step, "V", output=True))
-    return found
+        applied.append(t.product(f"applied_{side}", duty, step, "V", output=True))
+    return applied
 
 
 def _arrived(t: Tracer, setup: Setup, a: list[Form]) -> list[Form]:
-    """What reaches the motors now: applied `lag` periods ago."""
+    """The commands that reach the motors now, applied `lag` periods ago."""
     if not setup.lag:
         return a
-    found: list[Form] = []
+    arrived: list[Form] = []
     for form, side in zip(a, SIDES, strict=True):
         unit, most = setup.driver.unit, t.variables[form.name].most
         line = [t.state(f"sent_{side}_{k}", unit, most) for k in range(1, setup.lag + 1)]
         for k, (place, before) in enumerate(zip(line[1:], line, strict=False), 2):
             t.commit(place, t.let(f"next_sent_{side}_{k}", before, unit))
         t.commit(line[0], form)
-        found.append(line[-1])
-    return found
+        arrived.append(line[-1])
+    return arrived
 
 
 def _awake(t: Tracer, d: Driver, command: Form, side: str) -> Form:
-    """The command, or zero where the dead zone would swallow it anyway, within the driver's limit."""
+    """The command within the driver's limit, zero in the dead zone."""
     value = command
     if d.dead_zone:
         size = t.absolute(f"size_{side}", command, d.unit)
@@ -195,16 +202,12 @@ def _awake(t: Tracer, d: Driver, command: Form, side: str) -> Form:
     return value
 
 
-def _remember(
-    t: Tracer, setup: Setup, w: list[Form], z: list[Form], y: list[Form], r: list[Form | float], u: list[Form],
-    a: list[Form], proven: bool,
-) -> None:  # fmt: skip
-    """The law's memory for the next period, kept within its range where that is not proven."""
-    law, after = setup.law, list[Form]()
-    for i, state in enumerate(w):
-        row = _dot(law.A[i], z) + _dot(law.By[i], y) + _dot(law.Br[i], r) + _dot(law.Bu[i], u) + _dot(law.Ba[i], a)
-        most, keep = t.variables[state.name].most, t.claim if proven else t.let
-        after.append(keep(f"next_w{i}", row, "1", most))
+def _remember(t: Tracer, w: list[Form], rows: Sequence[Form], proven: bool) -> None:
+    """The memory `w` of the next period from its `rows`, limited to its range where that is not proven."""
+    keep = t.claim if proven else t.let
+    after = [
+        keep(f"next_{state.name}", row, "1", t.variables[state.name].most) for state, row in zip(w, rows, strict=True)
+    ]
     for state, value in zip(w, after, strict=True):
         t.commit(state, value)
 

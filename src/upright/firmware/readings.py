@@ -21,19 +21,19 @@ from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, SI, large
 
 def inputs(t: Tracer, setup: Setup) -> dict[str, Form]:
     """The raw readings, by channel."""
-    reads = setup.law.spec.reads
+    reads = setup.linear.reads
     if missing := [channel for channel in (*ENCODERS, GYRO) if channel not in reads]:
         raise InvalidController(f"the controller does not read {missing[0]}", expected="both encoders and the gyro")
-    found: dict[str, Form] = {}
+    raws: dict[str, Form] = {}
     for channel in reads:
         raw, most = setup.raw(channel), largest(setup.kit, channel, setup.travel) / setup.raw(channel).scale
         most *= GYRO_MARGIN if channel == GYRO else 1.0
         name = "raw_" + channel.removeprefix("sensor/")
-        found[channel] = t.input(name, raw.unit, math.ceil(most) if raw.whole else most, raw.whole)
+        raws[channel] = t.input(name, raw.unit, math.ceil(most) if raw.whole else most, raw.whole)
     if setup.driver.full:
         raw = setup.raw(BATTERY)
-        found[BATTERY] = t.input("raw_battery", raw.unit, 2 * setup.driver.highest / raw.scale, raw.whole, low=0.0)
-    return found
+        raws[BATTERY] = t.input("raw_battery", raw.unit, 2 * setup.driver.highest / raw.scale, raw.whole, low=0.0)
+    return raws
 
 
 @dataclass(frozen=True)
@@ -48,17 +48,17 @@ def calibrate(t: Tracer, setup: Setup, raw: dict[str, Form]) -> Held:
     """The gyro's mean over a second in which its readings stay within what a still gyro scatters; else anew."""
     most, (unit, count) = t.variables[raw[GYRO].name].most, (setup.raw(GYRO).unit, setup.periods(CALIBRATION_TIME))
     offset = t.state("gyro_offset", unit, most)
-    seen, total = t.state("still", "1", float(count), True), t.state("gyro_total", unit, most * count)
+    counted, total = t.state("still", "1", float(count), True), t.state("gyro_total", unit, most * count)
     low, high = t.state("gyro_low", unit, most), t.state("gyro_high", unit, most)
     g = t.let("gyro_now", raw[GYRO], unit, most)
     lower = t.choose("lower", g, low, g, low, unit)
     higher = t.choose("higher", high, g, g, high, unit)
     spread = t.let("gyro_spread", higher - lower, unit)
-    fresh = t.choose("counted", spread, _scatter(setup), seen, 0.0, "1", whole=True)  # moved: counted from nothing
+    fresh = t.choose("counted", spread, _scatter(setup), counted, 0.0, "1", whole=True)  # moved: counted from nothing
     before = t.choose("summed", fresh, 0.5, 0.0, total, unit)
     more = t.let("more", fresh + 1.0, "1")
     total_now = t.let("gyro_sum", before + g, unit)
-    t.commit(seen, t.limit("counted_now", more, 0.0, float(count), "1"))
+    t.commit(counted, t.limit("counted_now", more, 0.0, float(count), "1"))
     t.commit(total, t.limit("gyro_sum_kept", total_now, -most * count, most * count, unit))
     t.commit(low, t.choose("gyro_least", fresh, 0.5, g, lower, unit))
     t.commit(high, t.choose("gyro_most", fresh, 0.5, g, higher, unit))
@@ -114,7 +114,7 @@ def _heading(t: Tracer, raw: Form, held: Held, scale: float) -> Form:
 
 def moved(t: Tracer, setup: Setup, raw: dict[str, Form], channel: str) -> Form | float:
     """How far a position has moved since the period before [SI], within what a wheel can do; 0 for a rate."""
-    name, scale, most = channel.removeprefix("sensor/"), setup.raw(channel).scale, FASTEST * setup.law.spec.period
+    name, scale, most = channel.removeprefix("sensor/"), setup.raw(channel).scale, FASTEST * setup.linear.period
     if channel in ENCODERS:
         variable = t.variables[raw[channel].name]
         before = t.state(f"before_{name}", variable.unit, variable.most, variable.whole)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from upright.firmware.law import Law
+from upright.control.linear_controller import LinearController
+from upright.firmware.incremental import Incremental
 from upright.firmware.targets import COMPASS, ENCODERS, Driver, Raw, Target
 from upright.robots import Kit
 
@@ -36,12 +37,17 @@ REFERENCE_RANGE = (0.5, 5.0, 1000.0, 40.0, 1000.0, 20.0)  # in those units
 class Setup:
     """What the steps of the trace share."""
 
-    law: Law
+    incremental: Incremental
     kit: Kit
     driver: Driver
     target: Target
     travel: float
     reference: bool
+
+    @property
+    def linear(self) -> LinearController:
+        """The controller's matrices."""
+        return self.incremental.linear
 
     @property
     def strongest(self) -> float:
@@ -60,8 +66,8 @@ class Setup:
     @property
     def lag(self) -> int:
         """After how many whole periods a command reaches the motors."""
-        return math.floor((self.kit.delay + self.kit.jitter / 2) / self.law.spec.period + 1e-9)
+        return math.floor((self.kit.delay + self.kit.jitter / 2) / self.linear.period + 1e-9)
 
     def periods(self, time: float) -> int:
         """How many periods that time [s] takes."""
-        return max(1, round(time / self.law.spec.period))
+        return max(1, round(time / self.linear.period))

@@ -38,8 +38,7 @@ class Connection:
             raise MissingTool("nxt-python is not installed", hint="pip install 'upright[nxt]'")
         self._port, self._patience = port, patience
         self._process = subprocess.Popen(
-            # -P keeps this folder, and with it this very file, out of the way of nxt-python's package `nxt`
-            [sys.executable, "-P", str(Path(__file__).with_name("nxt_process.py")), port],
+            [sys.executable, str(Path(__file__).with_name("nxt_process.py")), port],
             text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
         )  # fmt: skip
         self._answers: queue.Queue[str] = queue.Queue()

@@ -107,7 +107,7 @@ class Readings:
 
     def raw(self, channels: Mapping[str, float], offset: float = 0.0) -> dict[str, float]:
         """`channels` by name [SI] as raw readings by input; `offset` [raw] is added to the gyro's."""
-        idle = {v.name: 0.0 for v in self._program.of(Kind.INPUT)}  # the wanted state, where it is an input
+        idle = {v.name: 0.0 for v in self._program.of(Kind.INPUT)}  # the reference, where it is an input
         return idle | {name: self._one(name, channel, channels, offset) for name, channel in self.channels.items()}
 
     def still(self, count: int, seed: int = 0) -> Iterator[dict[str, float]]:
@@ -176,8 +176,8 @@ class Executed:
             return 0.0, 0.0
         channels = dict(zip(self.spec.reads, measurement.tolist(), strict=True))
         raw = self._readings.raw(channels, self._readings.offset)
-        wanted = {f"wanted_{n}": float(v) for n, v in zip(STATE_NAMES, reference, strict=True)}
-        out = self._executor.step(raw | {n: v for n, v in wanted.items() if n in self._program.variables})
+        states = {f"reference_{n}": float(v) for n, v in zip(STATE_NAMES, reference, strict=True)}
+        out = self._executor.step(raw | {n: v for n, v in states.items() if n in self._program.variables})
         if not out:
             raise ExecutionFailed("the program still calibrates after a second of stillness")
         self._compare(channels, raw, out, reference)

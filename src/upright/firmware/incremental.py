@@ -1,0 +1,149 @@
+"""A controller as a program runs it: its memory counted from where the positions are, and how large it can grow."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from decimal import Decimal, localcontext
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.control.controller import Controller
+from upright.control.linear_controller import LinearController, as_linear
+from upright.control.sliding import SlidingMode
+from upright.errors import InvalidController
+from upright.physics.linear import FADING, impulse_norm
+
+Array = NDArray[np.float64]
+
+ROUNDING = 1e-11  # relative to the numbers it is computed from: a smaller result is rounding
+DIGITS = 50
+SPARE = 1.01  # margin for the truncated tail of a response and for rounding
+
+
+@dataclass(frozen=True, eq=False)
+class Switching:
+    """The part of a sliding mode that is not linear: u loses `reach` · sat(s / `layer`), s = C z + Dy y + Dr r (2,).
+
+    The memory is driven by Bu u as well, u being the command before the motors' limits.
+    """
+
+    C: Array
+    Dy: Array
+    Dr: Array
+    Bu: Array
+    reach: float
+    layer: float
+
+
+@dataclass(frozen=True, eq=False)
+class Incremental:
+    """`linear` with its memory z = w − X Δ: w⁺ = A z + By y + Br r + Ba a, u = C z + Dy y + Dr r, x̂ = S z + Sy y.
+
+    Δ (m,) is the change of each reading since the period before. X (n, m) = (I − A)⁻¹ By takes positions out of the
+    memory: they grow without end, and in single precision a memory of them would hold the difference of two large
+    numbers. `switching` is None for a linear controller.
+    """
+
+    linear: LinearController
+    X: Array
+    switching: Switching | None = None
+
+    def bounds(self, *, change: Array, y: Array, r: Array, u: Array, a: Array) -> Array | None:
+        """Bound of each |w| while Δ, y, r, u and a stay within the sizes given, from w = 0.
+
+        The exact bound, Σ_k |A^k B| s for inputs of size s (the l1 norm of the impulse response); None for a memory
+        that grows by itself, as that of a controller may that is unstable without its robot.
+        """
+        linear, Bu = self.linear, np.zeros((len(self.linear.A), 2)) if self.switching is None else self.switching.Bu
+        if np.abs(np.linalg.eigvals(linear.A)).max(initial=0.0) > FADING:
+            return None
+        entering = np.hstack([linear.A @ self.X, linear.By, linear.Br, Bu, linear.Ba])
+        return _rounded_up(impulse_norm(linear.A, entering) @ np.concatenate([change, y, r, u, a]) * SPARE)
+
+
+def incremental(controller: Controller, channels: Sequence[str]) -> Incremental:
+    """A linear or sliding controller with the readings of `channels` taken out of its memory.
+
+    Raises `InvalidController` for any other, with the reason.
+    """
+    linear, switching = _parts(controller)
+    positions = np.array([name in channels for name in linear.reads])
+    steady = _solved(linear.A, linear.By * positions)
+    X = _clean(_floats(steady), np.ones(linear.By.shape))
+
+    def direct(C: Array, D: Array) -> Array:
+        return _clean(_added(C, D, steady), np.abs(C) @ np.abs(X) + np.abs(D))
+
+    Sy = direct(linear.S, linear.Sy) if len(linear.S) else linear.Sy
+    changed = replace(linear, By=linear.By * ~positions, Dy=direct(linear.C, linear.Dy), Sy=Sy)
+    return Incremental(changed, X, switching and replace(switching, Dy=direct(switching.C, switching.Dy)))
+
+
+def _parts(controller: Controller) -> tuple[LinearController, Switching | None]:
+    spec = controller.spec
+    if spec.reads_truth:
+        raise InvalidController(
+            f"a {spec.kind} reads the true state, which no robot measures", hint="put an estimator in front of it"
+        )
+    if isinstance(controller, SlidingMode):
+        m = controller.memory
+        linear = LinearController(
+            m.A, m.By, np.zeros((len(m.A), 6)), m.Ba, m.C[2:], m.Dy[2:], m.Dr[2:], controller.reads, controller.period,
+            m.S, m.Sy, controller.command_unit, controller.kind,
+        )  # fmt: skip
+        return linear, Switching(m.C[:2], m.Dy[:2], m.Dr[:2], m.Bu, controller.reach, controller.layer)
+    try:
+        return as_linear(controller), None
+    except InvalidController:
+        raise InvalidController(
+            f"a {spec.kind} cannot become a program: its step is not a fixed sum of products",
+            expected="a linear controller (lqr behind a Kalman filter, lqi, lqg, pid, hinf, robust) or a sliding one",
+        ) from None
+
+
+def _rounded_up(values: Array) -> Array:
+    """To the next number of three digits, so that rounding elsewhere does not show in a program."""
+    return np.array([float(f"{v * 1.005:.2e}") for v in values.tolist()])
+
+
+def _solved(A: Array, B: Array) -> list[list[Decimal]]:
+    """(I − A)⁻¹ B to 50 digits by elimination, so that every machine prints the same program."""
+    with localcontext() as context:
+        context.prec = DIGITS
+        n = len(A)
+        rows = [[Decimal(v) for v in (*row, *right)] for row, right in zip(A.tolist(), B.tolist(), strict=True)]
+        for i, row in enumerate(rows):
+            row[:n] = [Decimal(int(i == j)) - v for j, v in enumerate(row[:n])]
+        for i in range(n):
+            best = max(range(i, n), key=lambda k: abs(rows[k][i]))
+            rows[i], rows[best] = rows[best], rows[i]
+            rows[i] = [v / rows[i][i] for v in rows[i]]
+            for k in range(n):
+                if k != i and rows[k][i]:
+                    factor = rows[k][i]
+                    rows[k] = [v - factor * w for v, w in zip(rows[k], rows[i], strict=True)]
+        return [row[n:] for row in rows]
+
+
+def _added(C: Array, D: Array, X: list[list[Decimal]]) -> Array:
+    """C X + D, rounded once."""
+    with localcontext() as context:
+        context.prec = DIGITS
+        columns = list(zip(*X, strict=True)) or [()] * D.shape[1]
+        sums = [
+            [sum((Decimal(c) * x for c, x in zip(row, column, strict=True)), Decimal(d))
+             for d, column in zip(direct, columns, strict=True)]
+            for row, direct in zip(C.tolist(), D.tolist(), strict=True)
+        ]  # fmt: skip
+        return _floats(sums)
+
+
+def _floats(values: list[list[Decimal]]) -> Array:
+    return np.array([[float(v) for v in row] for row in values])
+
+
+def _clean(values: Array, size: Array) -> Array:
+    """`values` without what is rounding beside numbers of that `size`."""
+    return np.where(np.abs(values) > ROUNDING * size, values, 0.0)
