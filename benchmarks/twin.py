@@ -25,7 +25,7 @@ def agreement(robot: Robot) -> None:
         twin = turning.drive(Twin(robot), feedback, rate)
         for model in ("complete", "published"):
             log = turning.drive(NonlinearBody(robot, model), feedback, rate)
-            pitch, wheel = (turning.off(log, twin, state) for state in ("pitch", "wheel_rate"))
+            pitch, wheel = (turning.deviation(log, twin, state) for state in ("pitch", "wheel_rate"))
             numbers = (pitch.rms, pitch.largest, wheel.rms, wheel.largest)
             print(
                 f"{rate:>12g}{model:>12}"

@@ -8,7 +8,7 @@ import pytest
 
 from upright.paper import printed
 from upright.paper.derivation import derive
-from upright.paper.errata import WITNESS, Case, errata, prove
+from upright.paper.errata import WITNESS, Equation, errata, prove
 
 PROVABLE = [e for e in errata() if e.check is not None]
 
@@ -67,10 +67,10 @@ def test_a_correction_that_is_wrong_is_refused():
     assert sound.check is not None
 
     def swapped(d):
-        return tuple(Case(c.equation, c.corrected, c.printed, c.derived) for c in sound.check(d))
+        return tuple(Equation(c.equation, c.corrected, c.printed, c.derived) for c in sound.check(d))
 
     def no_misprint(d):
-        return tuple(Case(c.equation, c.corrected, c.corrected, c.derived) for c in sound.check(d))
+        return tuple(Equation(c.equation, c.corrected, c.corrected, c.derived) for c in sound.check(d))
 
     for check in (swapped, no_misprint):
         assert not proof_of(dataclasses.replace(sound, check=check)).holds

@@ -23,7 +23,7 @@ from upright.comparison import compare
 from upright.control import lqr
 from upright.errors import UprightError
 from upright.paper import controllers, equations, printed, pushes, regulator, turning
-from upright.paper.finding import BEYOND, NOT_AS_PRINTED, REPRODUCED, Finding
+from upright.paper.claim import BEYOND, NOT_AS_PRINTED, REPRODUCED, Claim
 from upright.paper.reproduce import Reproduction, reproduce
 from upright.robots import Robot
 from upright.signals import STATE, Log
@@ -48,8 +48,8 @@ def done(tmp_path_factory: pytest.TempPathFactory) -> Reproduction:
 
 
 @pytest.fixture(scope="session")
-def parts(done: Reproduction) -> dict[str, Finding]:
-    return {finding.part: finding for finding in done.findings}
+def parts(done: Reproduction) -> dict[str, Claim]:
+    return {claim.part: claim for claim in done.claims}
 
 
 class Links(HTMLParser):
@@ -77,8 +77,8 @@ def test_the_page_fetches_nothing(done: Reproduction) -> None:
 
 def test_the_page_shows_every_finding_and_no_bad_number(done: Reproduction) -> None:
     text = (done.folder / "report.html").read_text("utf-8")
-    for finding in done.findings:
-        assert escape(f"{finding.part} {finding.title}", quote=False).replace("'", "&#39;") in text
+    for claim in done.claims:
+        assert escape(f"{claim.part} {claim.title}", quote=False).replace("'", "&#39;") in text
     body = re.sub(r"<(script|style)\b.*?</\1>", "", text, flags=re.DOTALL)
     said = re.sub(r"<[^>]+>", " ", body)
     assert not re.search(r"\bnan\b|\binf\b|\bNone\b(?! of)|\bTrue\b|\bFalse\b", said)
@@ -96,7 +96,7 @@ def test_results_are_json_without_nan(done: Reproduction) -> None:
 
 
 def test_logs_are_written_whole(done: Reproduction) -> None:
-    named = {name: log for finding in done.findings for name, log in finding.logs.items()}
+    named = {name: log for claim in done.claims for name, log in claim.logs.items()}
     assert {path.stem for path in (done.folder / "logs").iterdir()} == set(named)
     for name, log in named.items():
         again = Log.load(done.folder / "logs" / f"{name}.parquet")
@@ -107,7 +107,7 @@ def test_logs_are_written_whole(done: Reproduction) -> None:
 
 
 @pytest.mark.parametrize(("part", "verdict"), VERDICTS.items())
-def test_verdicts(parts: dict[str, Finding], part: str, verdict: str) -> None:
+def test_verdicts(parts: dict[str, Claim], part: str, verdict: str) -> None:
     assert parts[part].verdict == verdict
     assert len(parts[part].summary) > 40  # it says why
 
@@ -116,7 +116,7 @@ def test_the_table_at_the_end_names_every_part(done: Reproduction) -> None:
     lines = str(done).splitlines()
     heads = [line for line in lines if line and line[0].isdigit()]
     assert [line.split()[0] for line in heads] == [*VERDICTS, "5e", "6"]
-    assert all(line.endswith(f.verdict) for line, f in zip(heads, done.findings, strict=True))
+    assert all(line.endswith(f.verdict) for line, f in zip(heads, done.claims, strict=True))
     reasons = [line for line in lines if line.startswith("    ")]
     assert len(reasons) >= len(heads)  # every part says why, in a sentence below it
     assert "report.html" in lines[-1]
@@ -126,7 +126,7 @@ def test_the_table_at_the_end_names_every_part(done: Reproduction) -> None:
 
 
 @pytest.mark.parametrize("model", ["published", "complete"])
-def test_the_equations_are_the_derived_ones(parts: dict[str, Finding], model: str) -> None:
+def test_the_equations_are_the_derived_ones(parts: dict[str, Claim], model: str) -> None:
     # 20 terms and a 2×2 solve that loses a factor of 10, at ε = 2e-16: 4e-14, with room for cancelling terms
     assert parts["1a"].numbers["largest_relative_difference"][model] < 1e-12
 
@@ -138,7 +138,7 @@ def test_a_wrong_equation_would_be_seen(monkeypatch: pytest.MonkeyPatch) -> None
     assert equations.disagreement("published", Robot.preset("nxtway-gs")) > 1e-6
 
 
-def test_every_misprint_of_motion_is_proved(parts: dict[str, Finding]) -> None:
+def test_every_misprint_of_motion_is_proved(parts: dict[str, Claim]) -> None:
     numbers = parts["1b"].numbers
     # facts: (1); J_w; (3); (10); (13); sign of (16); α of (16); 2J_w of (19); J_m and L_2 of (24): ten in equations,
     # and three of notation: the dot of (19), the ½ of (30), the number in section 3.1
@@ -164,7 +164,7 @@ def test_terms_of_each_equation_add_up_to_nothing() -> None:
         assert any(not term.kept for term in mine)
 
 
-def test_left_out_terms_grow_with_the_yaw_rate(parts: dict[str, Finding]) -> None:
+def test_left_out_terms_grow_with_the_yaw_rate(parts: dict[str, Claim]) -> None:
     shares = parts["2a"].numbers["share_of_largest_kept_term"]
     spin = shares["M L R φ̇² sin ψ"]
     # φ̇² at nearly the same lean: 36 times from 1 to 6 rad/s, less where the turn itself changes the motion
@@ -173,7 +173,7 @@ def test_left_out_terms_grow_with_the_yaw_rate(parts: dict[str, Finding]) -> Non
 
 
 @pytest.mark.parametrize("state", ["pitch", "wheel_rate"])
-def test_mujoco_sides_with_the_complete_model(parts: dict[str, Finding], state: str) -> None:
+def test_mujoco_sides_with_the_complete_model(parts: dict[str, Claim], state: str) -> None:
     off = parts["2b"].numbers["off_the_twin"]
     for rate in ("3", "6"):
         assert off[rate]["published"][state]["rms"] > 2 * off[rate]["complete"][state]["rms"]
@@ -181,7 +181,7 @@ def test_mujoco_sides_with_the_complete_model(parts: dict[str, Finding], state: 
     assert off["6"]["published"][state]["rms"] > 0.01  # facts: 0.9 % at 3.3 rad/s, and growing with φ̇²
 
 
-def test_stiffer_contact_goes_to_the_complete_model_only(parts: dict[str, Finding]) -> None:
+def test_stiffer_contact_goes_to_the_complete_model_only(parts: dict[str, Claim]) -> None:
     limits = list(parts["2b"].numbers["pitch_rms_by_contact_time"].values())
     soft, stiff = limits[0], limits[-1]
     assert stiff["complete"] < soft["complete"] / 2.5  # first order in the contact time, which is four times shorter
@@ -192,13 +192,15 @@ def test_difference_from_the_twin_is_measured_right() -> None:
     t = np.arange(5) * 0.1
     twin = Log(t, {"truth/pitch": [0, 1, -2, 1, 0]}, {"truth/pitch": "rad"})
     model = Log(t, {"truth/pitch": [0.1, 1.1, -1.9, 1.1, -0.1]}, {"truth/pitch": "rad"})
-    assert turning.off(model, twin, "pitch") == turning.Off(pytest.approx(0.05), pytest.approx(0.05))  # 0.1 of 2
+    assert turning.deviation(model, twin, "pitch") == turning.Deviation(
+        pytest.approx(0.05), pytest.approx(0.05)
+    )  # 0.1 of 2
 
 
 # Chapter 3
 
 
-def test_the_printed_linear_model_is_found_again(parts: dict[str, Finding]) -> None:
+def test_the_printed_linear_model_is_found_again(parts: dict[str, Claim]) -> None:
     numbers = parts["3a"].numbers
     blocks = list(numbers["misfit"].values())
     assert blocks[0]["last_digits"] <= 2  # facts: four physical numbers fit all 24 entries to 0.8 of the last digit
@@ -211,7 +213,7 @@ def test_the_printed_linear_model_is_found_again(parts: dict[str, Finding]) -> N
     assert np.abs(np.linalg.eigvals(np.array(numbers["A"]))).max() == pytest.approx(1.0707, abs=5e-4)
 
 
-def test_real_sensors_bias_the_regression(parts: dict[str, Finding]) -> None:
+def test_real_sensors_bias_the_regression(parts: dict[str, Claim]) -> None:
     numbers = parts["3b"].numbers
     # log(1.0707)/0.01: the unstable pole of the printed model
     assert numbers["true_unstable_pole"] == pytest.approx(math.log(1.0707) / 0.01, rel=0.005)
@@ -221,7 +223,7 @@ def test_real_sensors_bias_the_regression(parts: dict[str, Finding]) -> None:
 # Chapter 4
 
 
-def test_the_regulator_of_the_printed_weights_is_another(parts: dict[str, Finding]) -> None:
+def test_the_regulator_of_the_printed_weights_is_another(parts: dict[str, Claim]) -> None:
     clean = np.array(parts["4"].numbers["dlqr_without_noise"])[0]
     # facts, half a unit of the last digit each
     assert (np.abs(clean[:4] - [-65.2, -8.56, -0.0066, -0.976]) < [0.05, 0.005, 0.00005, 0.0005]).all()
@@ -231,7 +233,7 @@ def test_the_regulator_of_the_printed_weights_is_another(parts: dict[str, Findin
     assert parts["4"].numbers["nearest_relative_distance"] > 0.1  # facts: no permutation of Q with any r gives them
 
 
-def test_where_the_printed_gains_hold(parts: dict[str, Finding]) -> None:
+def test_where_the_printed_gains_hold(parts: dict[str, Claim]) -> None:
     loops = parts["4"].numbers["largest_eigenvalue"]
     assert loops["printed A, B as printed"] == pytest.approx(1.0094, abs=5e-5)  # facts: yaw slowly diverges
     assert loops["printed A, B, yaw inputs turned"] < 1
@@ -254,16 +256,16 @@ def test_the_search_finds_a_gain_that_is_there(monkeypatch: pytest.MonkeyPatch) 
 
 
 @pytest.mark.parametrize("part", PUSHED)
-def test_nothing_falls_and_the_hold_is_reached(parts: dict[str, Finding], part: str) -> None:
-    finding = parts[part]
-    hold = finding.numbers["hold"]
+def test_nothing_falls_and_the_hold_is_reached(parts: dict[str, Claim], part: str) -> None:
+    claim = parts[part]
+    hold = claim.numbers["hold"]
     robot = Robot.preset("nxtway-gs" if part in ("5a", "5b") else "herrera2015")
     weight = robot.body_mass * robot.gravity * robot.com_height
     # statics with the force at the centre of mass: MgL sin ψ = −F (L cos ψ + R)
     force = -weight * math.sin(hold) / (robot.com_height * math.cos(hold) + robot.wheel_radius)
-    assert finding.numbers["force"] == pytest.approx(force, rel=1e-12)
-    assert len(finding.logs) == 3
-    for name, log in finding.logs.items():
+    assert claim.numbers["force"] == pytest.approx(force, rel=1e-12)
+    assert len(claim.logs) == 3
+    for name, log in claim.logs.items():
         assert log.t[-1] == pytest.approx(pushes.SECONDS - printed.PERIOD)  # to the end: it did not fall
         held = (log.t > pushes.RELEASE - 1) & (log.t < pushes.RELEASE)
         # 5 %: the linear model has sin ψ = ψ, 0.3 %, and the regulator still creeps; the twin also has its sensors
@@ -271,7 +273,7 @@ def test_nothing_falls_and_the_hold_is_reached(parts: dict[str, Finding], part: 
         assert np.abs(log["truth/pitch"][-100:]).max() < 0.1 * abs(hold)  # and it came back
 
 
-def test_claims_follow_from_their_cases(parts: dict[str, Finding]) -> None:
+def test_claims_follow_from_their_cases(parts: dict[str, Claim]) -> None:
     cases, claims = parts["5e"].numbers["cases"], parts["5e"].numbers["claims"]
     assert len(cases) == 4
     fastest = [case["settling"]["linear"] <= min(case["settling"].values()) for case in cases.values()]
@@ -293,7 +295,7 @@ def planted(decay: float, yaw: float = 0.0, sign: float = 1.0) -> Log:
     return Log(t, values, units)
 
 
-def measured(**options: dict[str, float]) -> pushes.Claims:
+def measured(**options: dict[str, float]) -> pushes.Measured:
     logs = {"twin": {"decay": 2.0}, "nonlinear": {"decay": 2.0}, "linear": {"decay": 2.0}} | options
     return pushes.measure(compare({name: planted(**given) for name, given in logs.items()}))
 
@@ -325,16 +327,16 @@ def test_a_folder_that_cannot_be_made_is_one_clear_line(tmp_path: Any) -> None:
     assert "\n" not in str(caught.value)
 
 
-def test_a_finding_keeps_its_numbers_as_plain_json(parts: dict[str, Finding]) -> None:
-    for finding in parts.values():
-        json.dumps(finding.to_json(), allow_nan=False)
+def test_a_finding_keeps_its_numbers_as_plain_json(parts: dict[str, Claim]) -> None:
+    for claim in parts.values():
+        json.dumps(claim.to_json(), allow_nan=False)
     assert replace(parts["4"], verdict=BEYOND).section().verdict is not None
 
 
 # Chapter 6
 
 
-def test_every_kind_of_controller_is_in_the_table(parts: dict[str, Finding]) -> None:
+def test_every_kind_of_controller_is_in_the_table(parts: dict[str, Claim]) -> None:
     rows = parts["6"].numbers["rows"]
     assert parts["6"].verdict == BEYOND
     assert {row["controller"] for row in rows} == set(controllers.METHODS)

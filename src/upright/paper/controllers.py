@@ -1,9 +1,9 @@
-"""Chapter 6, beyond the paper: every controller under the paper's pushes."""
+"""Chapter 6, beyond the paper: seven controllers under the paper's pushes."""
 
 from __future__ import annotations
 
 from upright.comparison.bench import BenchRow, bench_controllers, bench_json
-from upright.paper.finding import BEYOND, Finding, Progress, silent
+from upright.paper.claim import BEYOND, Claim, Progress, silent
 from upright.report import Table
 from upright.report.page import Cell
 from upright.robots import Kit, Robot
@@ -11,17 +11,17 @@ from upright.robots import Kit, Robot
 METHODS = ("lqr", "lqi", "lqg", "pid", "hinf", "mpc", "sliding")
 
 
-def chapter(robot: Robot, kit: Kit, progress: Progress = silent) -> Finding:
+def chapter(robot: Robot, kit: Kit, progress: Progress = silent) -> Claim:
     """Seven kinds of controllers on the twin of `robot` with its kit's sensors, held and released as in chapter 5."""
     rows = bench_controllers(robot, kit, methods=METHODS, progress=progress, knocks=False)
     held = [name for name in METHODS if all(row.holds for row in rows if row.controller == name)]
     least = min((row for row in rows if row.holds), key=lambda row: row.travel or 0.0)
     summary = (
-        f"{len(held)} of {len(METHODS)} kinds of controllers hold {robot.name} on its sensors through both pushes. "
-        f"The paper's regulator lets it roll away to find the voltage that holds; {least.controller} travels least, "
-        f"{least.travel:.2g} rad of wheel."
+        f"{len(held)} of {len(METHODS)} controllers balance {robot.name} on its sensors through both pushes. The "
+        "paper's state feedback has no integral action, so the robot rolls away under a constant force; "
+        f"{least.controller} travels least, {least.travel:.2g} rad of wheel."
     )
-    return Finding(
+    return Claim(
         "6", "Every controller under the same pushes", BEYOND, summary, {"rows": bench_json(rows)}, [_table(rows)]
     )
 
@@ -36,7 +36,7 @@ def _table(rows: tuple[BenchRow, ...]) -> Table:
         "travel [rad]",
         "effort [V² s]",
         "saturated",
-        "drawn robots that fall",
+        "falls, random robots",
     ]
     cells: list[list[Cell]] = [
         [r.controller, r.push, r.outcome, r.peak, r.settling, r.travel, r.effort, r.saturated, r.spread] for r in rows
@@ -44,6 +44,6 @@ def _table(rows: tuple[BenchRow, ...]) -> Table:
     return Table(
         header,
         cells,
-        "Held until 3 s, then released; twin on its kit's sensors, and 200 robots over the spreads",
+        "Held until 3 s, then released: the twin with its kit's sensors, and 200 random robots",
         digits=3,
     )

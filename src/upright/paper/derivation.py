@@ -94,8 +94,8 @@ class Derivation:
 
         s = self.symbols
         names = [signal.name for signal in STATE] + ["left", "right", *Disturbance._fields, *PARAMETERS]
-        wanted = [e.subs(self.definitions) for e in self.accelerations]
-        compiled = sp.lambdify([getattr(s, n) for n in names], wanted, modules=namespace, cse=True, dummify=True)
+        expressions = [e.subs(self.definitions) for e in self.accelerations]
+        compiled = sp.lambdify([getattr(s, n) for n in names], expressions, modules=namespace, cse=True, dummify=True)
 
         def evaluate(x: Sequence[Any], u: Sequence[Any], p: Any, w: Disturbance = CALM) -> tuple[Any, Any, Any]:
             return tuple(compiled(*x, *u, *w, *(getattr(p, n) for n in PARAMETERS)))  # type: ignore[return-value]

@@ -9,9 +9,9 @@ from dataclasses import asdict, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.paper.claim import NOT_AS_PRINTED, REPRODUCED, Claim, Progress, silent
 from upright.paper.derivation import Derivation, Model, derive
 from upright.paper.errata import WITNESS, Erratum, Proof, errata, prove
-from upright.paper.finding import NOT_AS_PRINTED, REPRODUCED, Finding, Progress, silent
 from upright.physics.dynamics import accelerations
 from upright.report import Maths, Table
 from upright.report.page import Cell, Item
@@ -25,7 +25,7 @@ VOLTS = 9.0  # [V] six full batteries of the NXT brick
 ROUNDING = 1e-12  # some 20 terms in float64 and a 2×2 solve that loses a factor of 10: 4e-14, and room for cancelling
 
 
-def chapter(progress: Progress = silent) -> list[Finding]:
+def chapter(progress: Progress = silent) -> list[Claim]:
     """Whether the corrected equations are the derived ones, and every misprint with its proof."""
     progress(0.0)
     model = _model()
@@ -36,8 +36,8 @@ def chapter(progress: Progress = silent) -> list[Finding]:
 
 
 def disagreement(model: Model, robot: Robot, seed: int = 0) -> float:
-    """Largest difference of `physics.dynamics` from the derivation, over `STATES` random states and voltages, as a
-    share of the largest acceleration of each."""
+    """Largest difference of `physics.dynamics` from the derivation, over `STATES` random states and voltages,
+    relative to the largest acceleration of each."""
     rng = np.random.default_rng(seed)
     derived = derive(model).evaluator("math")
     largest = 0.0
@@ -50,19 +50,19 @@ def disagreement(model: Model, robot: Robot, seed: int = 0) -> float:
 
 
 def without_loads(derivation: Derivation) -> Derivation:
-    """The same without push, slope and dry friction, which the paper has not."""
+    """The same without push, slope and dry friction, which the paper does not model."""
     s = derivation.symbols
     return replace(derivation, force=derivation.force.subs({s.force: 0, s.slope: 0, s.coulomb_friction: 0}))
 
 
-def _model() -> Finding:
+def _model() -> Claim:
     robot = Robot.preset("nxtway-gs")
     models: tuple[Model, Model] = ("published", "complete")
     off = {model: disagreement(model, robot) for model in models}
     summary = (
-        "The equations of this package, which are (11) to (24) with their misprints mended, agree with those that "
+        "The equations of this package, which are (11) to (24) with their misprints corrected, agree with those that "
         f"SymPy derives from the energies to {_power(max(off.values()))} of the largest acceleration over {STATES} "
-        "random states and voltages; and so do those of the complete model, which chapter 2 is about."
+        "random states and voltages. So do those of the complete model (chapter 2)."
     )
     items: list[Item] = [
         "Derived with the rolling constraint put into the energies before they are differentiated, as in the paper and "
@@ -72,33 +72,33 @@ def _model() -> Finding:
     ]
     verdict = REPRODUCED if max(off.values()) < ROUNDING else NOT_AS_PRINTED
     numbers = {"states": STATES, "largest_relative_difference": off}
-    return Finding("1a", "The nonlinear model, eqs. (11)–(24), mended", verdict, summary, numbers, items)
+    return Claim("1a", "The nonlinear model, eqs. (11)–(24), corrected", verdict, summary, numbers, items)
 
 
-def _misprints(proofs: Mapping[Erratum, Proof | None]) -> Finding:
+def _misprints(proofs: Mapping[Erratum, Proof | None]) -> Claim:
     proved = {erratum: proof for erratum, proof in proofs.items() if proof is not None}
     holding = sum(proof.holds for proof in proved.values())
     worst = max(proof.printed_residual for proof in proved.values())
     least = min(proof.printed_residual for proof in proved.values())
     summary = (
         f"{len(proofs)} misprints, {len(proved)} of them in equations of motion. Against the derivation {holding} of "
-        f"{len(proved)} are proved: the mended form equals it identically, the printed one does not. Each alone is off "
-        f"by {100 * least:.1f} % to {100 * worst:.0f} % of the derived value when NXTway-GS leans {WITNESS['pitch']:g} "
-        f"rad, rolls at {WITNESS['wheel_rate']:g} rad/s and turns at {WITNESS['yaw_rate']:g} rad/s. "
-        f"The other {len(proofs) - len(proved)} are slips of notation."
+        f"{len(proved)} are proved: the corrected form equals it identically, the printed one does not. Each alone "
+        f"is off by {100 * least:.1f} % to {100 * worst:.0f} % of the derived value when NXTway-GS leans "
+        f"{WITNESS['pitch']:g} rad, rolls at {WITNESS['wheel_rate']:g} rad/s and turns at {WITNESS['yaw_rate']:g} "
+        f"rad/s. The other {len(proofs) - len(proved)} are slips of notation."
     )
     numbers = {
-        "errata": [_record(erratum, proof) for erratum, proof in proofs.items()],
+        "errata": [_as_json(erratum, proof) for erratum, proof in proofs.items()],
         "proved": holding, "provable": len(proved), "witness": WITNESS,
     }  # fmt: skip
     items: list[Item] = [_table(proofs), "What the derivation gives for the equations in which they stand:"]
     items.extend(Maths(line) for line in _derived(proved))
-    return Finding("1b", "The equations as printed: the errata", NOT_AS_PRINTED, summary, numbers, items)
+    return Claim("1b", "The equations as printed: the errata", NOT_AS_PRINTED, summary, numbers, items)
 
 
-def _record(erratum: Erratum, proof: Proof | None) -> dict[str, object]:
-    said = {name: getattr(erratum, name) for name in ("equations", "printed", "corrected", "why")}
-    return {**said, "proof": asdict(proof) if proof else None}
+def _as_json(erratum: Erratum, proof: Proof | None) -> dict[str, object]:
+    record = {name: getattr(erratum, name) for name in ("equations", "printed", "corrected", "why")}
+    return {**record, "proof": asdict(proof) if proof else None}
 
 
 def _table(proofs: Mapping[Erratum, Proof | None]) -> Table:
@@ -125,7 +125,7 @@ def _derived(proofs: Mapping[Erratum, Proof]) -> list[str]:
     return [f"{', '.join(names)}\n{form}" for form, names in forms.items()]
 
 
-def _power(share: float) -> str:
-    """A share as a power of ten above it, such as 10⁻¹³; zero as 'the last digit'."""
+def _power(fraction: float) -> str:
+    """The power of ten above a fraction, such as 10⁻¹³; zero as 'the last digit'."""
     raised = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-    return "10" + str(math.ceil(math.log10(share))).translate(raised) if share else "the last digit"
+    return "10" + str(math.ceil(math.log10(fraction))).translate(raised) if fraction else "the last digit"

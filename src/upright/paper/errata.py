@@ -1,8 +1,8 @@
 """Misprints in the equations of Herrera et al. (2015), each proved against the derivation.
 
-An erratum is wrong in one place only: its printed form repeats that one misprint and is right elsewhere, so that
-each misprint is seen alone. The proof holds when the corrected form equals the derivation identically, the printed
-one does not, and at `WITNESS` the printed one is off by a stated share of the derived value.
+Each erratum is tested alone: its printed form has that one misprint and is correct elsewhere. The proof holds when
+the corrected form equals the derivation identically and the printed one does not; at `WITNESS` the relative error of
+the printed form is stated.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ WITNESS = dict(zip((*STATE_NAMES, "left", "right"), (0.1, 0.5, 0.0, 4.0, 0.3, 3.
 """The state [rad, rad/s] and voltages where NXTway-GS measures each misprint: leaning, rolling and turning at once."""
 
 
-class Case(NamedTuple):
+class Equation(NamedTuple):
     """One equation with the misprint, without it, and as derived."""
 
     equation: str
@@ -30,7 +30,7 @@ class Case(NamedTuple):
     derived: Any
 
 
-Check = Callable[[Derivation], tuple[Case, ...]]
+Check = Callable[[Derivation], tuple[Equation, ...]]
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class Erratum:
 
 @dataclass(frozen=True)
 class Proof:
-    """Largest errors of the printed and the corrected forms at `WITNESS`, as shares of the derived value; the derived
+    """Largest errors of the printed and the corrected forms at `WITNESS`, relative to the derived value; the derived
     form of the first equation as plain text; and whether each equation is proved."""
 
     printed_residual: float
@@ -67,8 +67,8 @@ def prove(erratum: Erratum, derivation: Derivation | None = None) -> Proof | Non
         return None
     derivation = derivation or derive("published")
     cases = erratum.check(derivation)
-    printed = [_share(case.printed, case.derived, derivation) for case in cases]
-    corrected = [_share(case.corrected, case.derived, derivation) for case in cases]
+    printed = [_relative_error(case.printed, case.derived, derivation) for case in cases]
+    corrected = [_relative_error(case.corrected, case.derived, derivation) for case in cases]
     holds = all(_equal(c.corrected, c.derived) and not _equal(c.printed, c.derived) for c in cases)
     return Proof(max(printed), max(corrected), plain(cases[0].derived), holds and min(printed) > max(corrected))
 
@@ -81,7 +81,7 @@ def _equal(one: Any, other: Any) -> bool:
     return bool(tidy(numerator) == 0)
 
 
-def _share(form: Any, derived: Any, d: Derivation) -> float:
+def _relative_error(form: Any, derived: Any, d: Derivation) -> float:
     """|form − derived| / |derived| for NXTway-GS at `WITNESS`."""
     truth = float(derived.subs(_witness(d)))
     return abs(float(form.subs(_witness(d))) - truth) / abs(truth)
@@ -172,66 +172,66 @@ def _yaw_acc(k: SimpleNamespace) -> Any:
     return (k.turning - k.drag - k.coriolis) / k.a33
 
 
-def _second_term(d: Derivation) -> tuple[Case, ...]:
+def _second_term(d: Derivation) -> tuple[Equation, ...]:
     k, (wheel, pitch, _) = _parts(d.symbols), _second()
     wrong, right = (k.a11 * wheel + k.a12 * acc - k.centrifugal for acc in (wheel, pitch))
-    return (Case("(1)", wrong, right, _side(d, 0)[0]),)
+    return (Equation("(1)", wrong, right, _side(d, 0)[0]),)
 
 
-def _body_inertia(d: Derivation) -> tuple[Case, ...]:
+def _body_inertia(d: Derivation) -> tuple[Equation, ...]:
     s, (wheel, pitch, _) = d.symbols, _second()
     right = _parts(s)
     wrong = _parts(s, a22=right.a22 - s.pitch_inertia + s.wheel_inertia)
     pitch_acc, wheel_acc, _ = _calm(d)
     side_wrong, side_right = (k.a12 * wheel + k.a22 * pitch - k.toppling for k in (wrong, right))
     return (
-        Case("(2), (12)", side_wrong, side_right, _side(d, 1)[0]),
-        Case("Δ, (19)", _delta(wrong), _delta(right), -d.mass[:2, :2].det()),
-        Case("(14)", _pitch_acc(wrong), _pitch_acc(right), pitch_acc),
-        Case("(15), (22)", _wheel_acc(wrong), _wheel_acc(right), wheel_acc),
+        Equation("(2), (12)", side_wrong, side_right, _side(d, 1)[0]),
+        Equation("Δ, (19)", _delta(wrong), _delta(right), -d.mass[:2, :2].det()),
+        Equation("(14)", _pitch_acc(wrong), _pitch_acc(right), pitch_acc),
+        Equation("(15), (22)", _wheel_acc(wrong), _wheel_acc(right), wheel_acc),
     )
 
 
-def _yaw_variable(d: Derivation) -> tuple[Case, ...]:
+def _yaw_variable(d: Derivation) -> tuple[Equation, ...]:
     k, (wheel, _, yaw) = _parts(d.symbols), _second()
     wrong, right = (k.a33 * acc + k.coriolis for acc in (wheel, yaw))
-    return (Case("(3), (13)", wrong, right, _side(d, 2)[0]),)
+    return (Equation("(3), (13)", wrong, right, _side(d, 2)[0]),)
 
 
-def _yaw_force(d: Derivation) -> tuple[Case, ...]:
+def _yaw_force(d: Derivation) -> tuple[Equation, ...]:
     s, k = d.symbols, _parts(d.symbols)
     wrong = s.track / (2 * s.wheel_radius) * (s.left - s.right) - k.drag
-    return (Case("(10)", wrong, k.turning - k.drag, _side(d, 2)[1]),)
+    return (Equation("(10)", wrong, k.turning - k.drag, _side(d, 2)[1]),)
 
 
-def _yaw_drag(d: Derivation) -> tuple[Case, ...]:
+def _yaw_drag(d: Derivation) -> tuple[Equation, ...]:
     s, k = d.symbols, _parts(d.symbols)
-    return (Case("(13)", k.turning - k.drag * s.wheel_radius, k.turning - k.drag, _side(d, 2)[1]),)
+    return (Equation("(13)", k.turning - k.drag * s.wheel_radius, k.turning - k.drag, _side(d, 2)[1]),)
 
 
-def _yaw_case(equation: str, d: Derivation, **misprints: Any) -> tuple[Case, ...]:
-    return (Case(equation, _yaw_acc(_parts(d.symbols, **misprints)), _yaw_acc(_parts(d.symbols)), _calm(d)[2]),)
+def _yaw_case(equation: str, d: Derivation, **misprints: Any) -> tuple[Equation, ...]:
+    return (Equation(equation, _yaw_acc(_parts(d.symbols, **misprints)), _yaw_acc(_parts(d.symbols)), _calm(d)[2]),)
 
 
-def _coriolis_sign(d: Derivation) -> tuple[Case, ...]:
+def _coriolis_sign(d: Derivation) -> tuple[Equation, ...]:
     return _yaw_case("(16), (24)", d, coriolis=-_parts(d.symbols).coriolis)
 
 
-def _missing_alpha(d: Derivation) -> tuple[Case, ...]:
+def _missing_alpha(d: Derivation) -> tuple[Equation, ...]:
     return _yaw_case("(16)", d, turning=_parts(d.symbols).turning / d.symbols.alpha)
 
 
-def _two_wheels(d: Derivation) -> tuple[Case, ...]:
+def _two_wheels(d: Derivation) -> tuple[Equation, ...]:
     s, right = d.symbols, _parts(d.symbols)
     wrong = _parts(s, a11=right.a11 - s.wheel_inertia)
-    return (Case("(19)", _delta(wrong), _delta(right), -d.mass[:2, :2].det()),)
+    return (Equation("(19)", _delta(wrong), _delta(right), -d.mass[:2, :2].det()),)
 
 
-def _hub(d: Derivation) -> tuple[Case, ...]:
+def _hub(d: Derivation) -> tuple[Equation, ...]:
     return _yaw_case("(24)", d, hub=d.symbols.rotor_inertia)
 
 
-def _lost_square(d: Derivation) -> tuple[Case, ...]:
+def _lost_square(d: Derivation) -> tuple[Equation, ...]:
     return _yaw_case("(24)", d, swing=d.symbols.body_mass * _undefined(d.symbols))
 
 

@@ -13,7 +13,7 @@ from upright.control import Controller, Estimated, StateFeedback, kalman
 from upright.control.excited import Excited, random_binary
 from upright.experiment import run
 from upright.paper import printed
-from upright.paper.finding import BEYOND, NOT_AS_PRINTED, REPRODUCED, Finding
+from upright.paper.claim import BEYOND, NOT_AS_PRINTED, REPRODUCED, Claim
 from upright.paper.regression import LeastSquares, least_squares, rebuild_states, unstable_pole
 from upright.physics.linear import LinearModel, linearise
 from upright.report import Table
@@ -23,17 +23,17 @@ from upright.signals import STATE, STATE_NAMES, Log
 
 Array = NDArray[np.float64]
 
-SMALL = 0.3  # [V] of excitation: pitch stays within 3 mrad, where sin ψ = ψ to 2e-6
+SMALL = 0.3  # [V] excitation; pitch stays within 3 mrad, where sin ψ = ψ to 2e-6
 LAST_DIGIT = 1e-4  # (34) and (35) are printed to four decimals, trailing zeros left out
-MORE = 3  # times the data: a bias stays, noise would shrink by √3
+MORE = 3  # times the data: random errors shrink by √3, a bias remains
 PITCH = (0, 1, 2, 3)
 YAW = (4, 5)
-NOISE = (5, 4)  # the printed −0.0007 of heading on its own rate: no heading turns a robot, so it is noise
+NOISE = (5, 4)  # the printed −0.0007 from heading to yaw rate: heading exerts no torque, so this entry is noise
 
 
 @dataclass(frozen=True)
 class Misfit:
-    """How far a fitted block is from the printed one: the largest difference in units of the last printed digit."""
+    """Largest difference between a fitted block and the printed one, in units of the last printed digit."""
 
     block: str
     units: float
@@ -55,7 +55,7 @@ def identify(robot: Robot, feedback: StateFeedback, seed: int = 1) -> tuple[Log,
 def from_sensors(
     robot: Robot, feedback: StateFeedback, kit: Kit, samples: int = printed.SAMPLES, seed: int = 1
 ) -> tuple[Log, LeastSquares]:
-    """The same regression from what the twin's sensors say, states rebuilt as the paper's robot has them."""
+    """The same regression from the twin's sensors, with states rebuilt as on the paper's robot."""
     controller: Controller = Excited(Estimated(feedback, kalman(robot, kit)), random_binary(samples, 1.0, seed))
     log = run(Electronics(Twin(robot), kit), controller, seconds=samples * printed.PERIOD, seed=seed)
     return log, least_squares(rebuild_states(log, robot), _applied(log), printed.PERIOD)
@@ -72,15 +72,15 @@ def misfits(model: LinearModel) -> tuple[Misfit, ...]:
     )
 
 
-def chapter(robot: Robot, feedback: StateFeedback, kit: Kit) -> list[Finding]:
-    """The fit to true states, which the paper reports, and the fit to real sensors, which it would have had."""
+def chapter(robot: Robot, feedback: StateFeedback, kit: Kit) -> list[Claim]:
+    """The fit to true states, which reproduces the paper, and the fit to sensor readings, which is biased."""
     log, fit = identify(robot, feedback)
     sensed, biased = from_sensors(robot, feedback, kit)
     longer = from_sensors(robot, feedback, kit, MORE * printed.SAMPLES)[1]
     return [_fitted(log, fit), _biased(robot, sensed, biased, longer)]
 
 
-def _fitted(log: Log, fit: LeastSquares) -> Finding:
+def _fitted(log: Log, fit: LeastSquares) -> Claim:
     blocks = misfits(fit.model)
     offset = float(np.abs(fit.offset).max())
     good = blocks[0].agrees and blocks[1].agrees and fit.full_rank
@@ -105,7 +105,7 @@ def _fitted(log: Log, fit: LeastSquares) -> Finding:
         _matrices("A and B, printed in (34) and (35)", printed.A, printed.B),
     ]
     verdict = REPRODUCED if good else NOT_AS_PRINTED
-    return Finding(
+    return Claim(
         "3a",
         "Linear model by least squares, eqs. (33)–(35)",
         verdict,
@@ -116,18 +116,18 @@ def _fitted(log: Log, fit: LeastSquares) -> Finding:
     )
 
 
-def _biased(robot: Robot, log: Log, fit: LeastSquares, longer: LeastSquares) -> Finding:
+def _biased(robot: Robot, log: Log, fit: LeastSquares, longer: LeastSquares) -> Claim:
     true = unstable_pole(linearise(robot).c2d(printed.PERIOD))
-    found, with_more = unstable_pole(fit.model), unstable_pole(longer.model)
+    estimated, with_more = unstable_pole(fit.model), unstable_pole(longer.model)
     summary = (
-        "From the twin's sensors (encoders of 1°, gyro with noise and bias) the same regression puts the unstable pole "
-        f"at {cell_text(found, 3)} 1/s, where it is {cell_text(true, 3)} 1/s: noise in the regressors biases least "
-        f"squares, and {MORE} times the data does not repair it ({cell_text(with_more, 3)} 1/s)."
+        "From the twin's sensors (encoders of 1°, gyro with noise and bias) the same regression puts the unstable "
+        f"pole at {cell_text(estimated, 3)} 1/s (true value: {cell_text(true, 3)} 1/s). Noise in the regressors "
+        f"biases least squares, and {MORE} times the data does not remove the bias ({cell_text(with_more, 3)} 1/s)."
     )
     reference = linearise(robot).c2d(printed.PERIOD)
     relative = float(np.linalg.norm(fit.model.A[:4, :4] - reference.A[:4, :4]) / np.linalg.norm(reference.A[:4, :4]))
     numbers = {
-        "unstable_pole": found,
+        "unstable_pole": estimated,
         "unstable_pole_with_more_data": with_more,
         "true_unstable_pole": true,
         "relative_error_of_A": relative,
@@ -137,7 +137,7 @@ def _biased(robot: Robot, log: Log, fit: LeastSquares, longer: LeastSquares) -> 
         _matrices("A and B, from the sensors", fit.model.A, fit.model.B),
         _matrices("A and B, of the robot linearised", reference.A, reference.B),
     ]
-    return Finding(
+    return Claim(
         "3b",
         "The same regression on real sensors is biased",
         BEYOND,

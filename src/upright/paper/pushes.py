@@ -14,7 +14,7 @@ from upright.comparison import Comparison, compare
 from upright.control import Controller, Estimated, StateFeedback, kalman
 from upright.experiment import Hold, run
 from upright.paper import printed
-from upright.paper.finding import NOT_AS_PRINTED, REPRODUCED, Finding, Progress, silent
+from upright.paper.claim import NOT_AS_PRINTED, REPRODUCED, Claim, Progress, silent
 from upright.physics.linear import LinearModel
 from upright.report import Figure, Table
 from upright.report.comparing import fit_tables, metrics_table, state_figure
@@ -32,12 +32,12 @@ FIGURES = {
 NAMED = {"front": "figures 5 to 10", "back": "figures 12 and 13"}
 
 YAW_NEGLIGIBLE = math.radians(1.0)  # what the paper's compass resolves
-ALIKE = 0.8  # correlation with the twin from which a reader would call two curves alike
+ALIKE = 0.8  # correlation with the twin above which two curves count as alike
 
 
 @dataclass(frozen=True, eq=False)
-class Trial:
-    """A robot with the regulator and the identified linear model it is tried with; `why` this regulator."""
+class RegulatedRobot:
+    """A robot, its regulator, and its identified linear model; `why` explains the choice of regulator."""
 
     robot: Robot
     feedback: StateFeedback
@@ -46,8 +46,8 @@ class Trial:
 
 
 @dataclass(frozen=True)
-class Claims:
-    """What the paper says of its figures, measured on one robot under one push."""
+class Measured:
+    """The quantities behind the paper's claims, measured on one robot under one push."""
 
     correlation: float  # smallest of ψ and θ, both models, with the twin
     settling: dict[str, float]  # of pitch to 5 % after the release [s]
@@ -71,21 +71,21 @@ class Claims:
         return self.settling["linear"] < others - printed.PERIOD / 2  # closer than half a sample is a tie
 
 
-def chapter(trials: Sequence[Trial], kit: Kit, progress: Progress = silent) -> list[Finding]:
-    """One finding for each robot and push, and one for the paper's claims over all of them."""
-    findings: list[Finding] = []
-    claims: dict[str, Claims] = {}
+def chapter(trials: Sequence[RegulatedRobot], kit: Kit, progress: Progress = silent) -> list[Claim]:
+    """One result for each robot and push, and one for the paper's claims over all of them."""
+    claims: list[Claim] = []
+    measured: dict[str, Measured] = {}
     for trial in trials:
         for side in PUSHES:
-            progress(len(claims) / (len(trials) * len(PUSHES)))
+            progress(len(measured) / (len(trials) * len(PUSHES)))
             comparison = push(trial, side, kit)
             name = f"{trial.robot.name}, {side} push"
-            claims[name] = measure(comparison)
-            findings.append(_shown(trial, side, comparison, claims[name], f"5{'abcd'[len(findings)]}"))
-    return [*findings, _claims(claims)]
+            measured[name] = measure(comparison)
+            claims.append(_shown(trial, side, comparison, measured[name], f"5{'abcd'[len(claims)]}"))
+    return [*claims, _tested(measured)]
 
 
-def push(trial: Trial, side: str, kit: Kit) -> Comparison:
+def push(trial: RegulatedRobot, side: str, kit: Kit) -> Comparison:
     """The robot held at the paper's pitch and released: the twin on its sensors, both models on their true states.
 
     The models have the kit's battery and nothing else of its electronics, like the paper's simulations.
@@ -101,8 +101,8 @@ def push(trial: Trial, side: str, kit: Kit) -> Comparison:
     return compare(logs)
 
 
-def measure(comparison: Comparison) -> Claims:
-    """The paper's claims as numbers."""
+def measure(comparison: Comparison) -> Measured:
+    """The quantities of the paper's claims."""
     logs = comparison.logs
     length = min(len(log) for log in logs.values())
     twin = logs["twin"]
@@ -113,86 +113,87 @@ def measure(comparison: Comparison) -> Claims:
     ]
     yaw = max(float(np.abs(log["truth/yaw"]).max()) for log in logs.values())
     settling = {name: numbers.settling_5 for name, numbers in comparison.metrics.items()}
-    return Claims(float(min(correlations)), settling, yaw)
+    return Measured(float(min(correlations)), settling, yaw)
 
 
-def _shown(trial: Trial, side: str, comparison: Comparison, claims: Claims, part: str) -> Finding:
+def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: Measured, part: str) -> Claim:
     robot = trial.robot
     stood = not any(numbers.fell for numbers in comparison.metrics.values())
     force = Hold(pitch=PUSHES[side], until=RELEASE).force(robot)
     fits = {name: cell_text(fit["pitch"], 2) for name, fit in comparison.fits.items()}
     summary = (
         f"Held at {cell_text(PUSHES[side])} rad by {cell_text(force, 2)} N at the centre of mass and let go, pitch "
-        f"settles to 5 % in {_times(claims.settling)}; its fit to the twin is {fits['nonlinear']} % for the nonlinear "
-        f"and {fits['linear']} % for the linear model. {trial.why}"
+        f"settles to 5 % in {_times(measured.settling)}; its fit to the twin is {fits['nonlinear']} % for the "
+        f"nonlinear and {fits['linear']} % for the linear model. {trial.why}"
     )
-    figures = [_figure(comparison, claims, state, number) for state, number in FIGURES[side].items()]
+    figures = [_figure(comparison, measured, state, number) for state, number in FIGURES[side].items()]
     title = f"{robot.name}: force on the {side}, {NAMED[side]}"
-    items = [metrics_table(comparison), _restless(comparison), *_fits(comparison, claims), *figures]
+    items = [metrics_table(comparison), _restless(comparison), *_fits(comparison, measured), *figures]
     numbers = {"force": force, "hold": PUSHES[side], **comparison.to_json()}
     logs = {f"{robot.name}-{side}-{name}": log for name, log in comparison.logs.items()}
     verdict = REPRODUCED if stood else NOT_AS_PRINTED
-    return Finding(part, title, verdict, summary, numbers, items, logs)
+    return Claim(part, title, verdict, summary, numbers, items, logs)
 
 
 def _restless(comparison: Comparison) -> str:
-    """How far the twin stays from rest, which decides its settling time as much as its dynamics do."""
+    """The twin's residual oscillation, which affects its settling time as much as its dynamics do."""
     twin = comparison.logs["twin"].between(SECONDS - 2.0, SECONDS)
     swing = float(np.abs(twin["truth/pitch"]).max())
     band = 0.05 * float(np.abs(comparison.logs["twin"].between(RELEASE, SECONDS)["truth/pitch"]).max())
     outside = "wider" if swing > band else "narrower"
     return (
-        "The twin never comes quite to rest: steps of encoders and driver, the motors' dead zone and the gyro's noise "
-        f"keep its pitch swinging by up to {cell_text(1000 * swing, 2)} mrad in the last 2 s, {outside} than 5 % "
-        f"({cell_text(1000 * band, 2)} mrad). The models have none of these and settle by their poles alone."
+        "The twin never settles completely: encoder and driver resolution, the motors' dead zone and gyro noise keep "
+        f"its pitch oscillating by up to {cell_text(1000 * swing, 2)} mrad in the last 2 s, {outside} than the 5 % "
+        f"band ({cell_text(1000 * band, 2)} mrad). The models have none of these: their poles alone set the settling "
+        "time."
     )
 
 
-def _fits(comparison: Comparison, claims: Claims) -> list[Table]:
-    """The fits, without those of yaw where there is no yaw to be fitted."""
+def _fits(comparison: Comparison, measured: Measured) -> list[Table]:
+    """The fits; those of yaw only where the robot turns."""
     tables = fit_tables(comparison)
-    if not claims.yaw_negligible:
+    if not measured.yaw_negligible:
         return tables
     return [replace(t, rows=[[*row[:-2], "negligible", "negligible"] for row in t.rows]) for t in tables]
 
 
-def _figure(comparison: Comparison, claims: Claims, state: str, number: int) -> Figure:
+def _figure(comparison: Comparison, measured: Measured, state: str, number: int) -> Figure:
     drawn = state_figure(comparison, state)
-    if state in ("yaw", "yaw_rate") and claims.yaw_negligible:
-        degrees = cell_text(math.degrees(claims.largest_yaw), 2)
+    if state in ("yaw", "yaw_rate") and measured.yaw_negligible:
+        degrees = cell_text(math.degrees(measured.largest_yaw), 2)
         title = f"Yaw is negligible: at most {degrees} degrees in any run, where the compass reads whole ones"
         # rounding errors alone are no curve: there the axis shows what the compass could tell
-        limits = None if claims.largest_yaw > YAW_NEGLIGIBLE / 100 else (-YAW_NEGLIGIBLE, YAW_NEGLIGIBLE)
+        limits = None if measured.largest_yaw > YAW_NEGLIGIBLE / 100 else (-YAW_NEGLIGIBLE, YAW_NEGLIGIBLE)
         panels = [replace(panel, limits=limits) for panel in drawn.panels]
         drawn = replace(drawn, title=title, panels=panels, note="")
     return replace(drawn, title=f"Figure {number} again. {drawn.title}")
 
 
-def _claims(claims: dict[str, Claims]) -> Finding:
-    every = list(claims.values())
+def _tested(measured: dict[str, Measured]) -> Claim:
+    every = list(measured.values())
     verdicts = {
         "shapes are alike": all(c.alike for c in every),
         "settling times differ": all(c.settling_differs for c in every),
         "the linear model settles fastest": all(c.linear_fastest for c in every),
         "yaw is negligible": all(c.yaw_negligible for c in every),
     }
-    said = "; ".join(f"{claim}: {'holds' if holds else 'does not hold'}" for claim, holds in verdicts.items())
+    text = "; ".join(f"{claim}: {'holds' if holds else 'does not hold'}" for claim, holds in verdicts.items())
     fastest = sum(c.linear_fastest for c in every)
     summary = (
-        f"{said[0].upper()}{said[1:]}. A claim holds where it does for both robots and both pushes; the linear model "
+        f"{text[0].upper()}{text[1:]}. A claim holds where it does for both robots and both pushes; the linear model "
         f"is the fastest in {fastest} of {len(every)} cases."
     )
-    numbers = {"claims": verdicts, "cases": {name: vars(c) for name, c in claims.items()}}
+    numbers = {"claims": verdicts, "cases": {name: vars(c) for name, c in measured.items()}}
     verdict = REPRODUCED if all(verdicts.values()) else NOT_AS_PRINTED
-    return Finding("5e", "The paper's findings, tested as claims", verdict, summary, numbers, _claim_tables(claims))
+    return Claim("5e", "The paper's conclusions, tested", verdict, summary, numbers, _claim_tables(measured))
 
 
-def _claim_tables(claims: dict[str, Claims]) -> list[Table]:
-    settling: list[list[Cell]] = [[name, *c.settling.values(), c.linear_fastest] for name, c in claims.items()]
+def _claim_tables(measured: dict[str, Measured]) -> list[Table]:
+    settling: list[list[Cell]] = [[name, *c.settling.values(), c.linear_fastest] for name, c in measured.items()]
     shapes: list[list[Cell]] = [
-        [name, c.correlation, c.alike, math.degrees(c.largest_yaw), c.yaw_negligible] for name, c in claims.items()
+        [name, c.correlation, c.alike, math.degrees(c.largest_yaw), c.yaw_negligible] for name, c in measured.items()
     ]
-    runs = [f"{name} [s]" for name in next(iter(claims.values())).settling]
+    runs = [f"{name} [s]" for name in next(iter(measured.values())).settling]
     caption = f"Smallest correlation with the twin ({ALIKE:g} and more counts as alike), and largest yaw"
     return [
         Table(

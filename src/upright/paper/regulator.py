@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from upright.control import Lqr, StateFeedback, dlqr
 from upright.paper import printed
-from upright.paper.finding import NOT_AS_PRINTED, Finding
+from upright.paper.claim import NOT_AS_PRINTED, Claim
 from upright.physics.linear import LinearModel, linearise
 from upright.report import PointFigure, PointSet, Table
 from upright.report.page import cell_text
@@ -36,8 +36,8 @@ def without_noise(A: Array, B: Array) -> LinearModel:
     return LinearModel(clean, B, dt=printed.PERIOD)
 
 
-def chapter(light: Robot) -> Finding:
-    """The regulator of the printed A, B, Q, R beside the printed gains, and the proof that those do not follow.
+def chapter(light: Robot) -> Claim:
+    """The regulator of the printed A, B, Q, R beside the printed gains, and the proof that the two differ.
 
     `light` is the robot of reference [4], on which the printed gains are tried too.
     """
@@ -51,12 +51,13 @@ def chapter(light: Robot) -> Finding:
         light.name: _radius(linearise(light).c2d(printed.PERIOD), feedback),
     }
     summary = (
-        f"dlqr of the printed A, B, Q, R gives a pitch gain of {cell_text(clean.gain[0, 0], 3)} where "
-        f"{cell_text(printed.KU1[0], 3)} is printed, and a wheel gain of {cell_text(clean.gain[0, 2], 2)} where "
-        f"{cell_text(printed.KU1[2], 2)} is printed. None of the 30 different orders of the diagonal of Q with R = "
-        f"r·I, r from 1 to 10⁴, comes nearer than {100 * nearest:.0f} % (RMS over the six gains). The printed gains "
-        f"hold the printed robot (largest |eigenvalue| {loops['printed A, B, yaw inputs turned']:.4f} with the yaw "
-        f"sign settled, {loops['printed A, B as printed']:.4f} without) but not {light.name} ({loops[light.name]:.1f})."
+        f"dlqr of the printed A, B, Q, R gives a pitch gain of {cell_text(clean.gain[0, 0], 3)} (printed: "
+        f"{cell_text(printed.KU1[0], 3)}) and a wheel gain of {cell_text(clean.gain[0, 2], 2)} (printed: "
+        f"{cell_text(printed.KU1[2], 2)}). With the 30 different orders of the diagonal of Q and R = r·I, r from 1 "
+        f"to 10⁴, the smallest distance from the printed gains is {100 * nearest:.0f} % (RMS over the six gains). "
+        "The printed gains stabilise the printed model (largest |eigenvalue| "
+        f"{loops['printed A, B, yaw inputs turned']:.4f} with the yaw sign corrected, "
+        f"{loops['printed A, B as printed']:.4f} without) but not {light.name} ({loops[light.name]:.1f})."
     )
     numbers = {
         "dlqr_as_printed": as_printed.gain.tolist(), "dlqr_without_noise": clean.gain.tolist(),
@@ -64,7 +65,7 @@ def chapter(light: Robot) -> Finding:
         "nearest_relative_distance": nearest, "nearest_Q": permutation, "nearest_r": price, "largest_eigenvalue": loops,
     }  # fmt: skip
     items = [_gains(clean.gain, as_printed.gain), _stability(loops), _poles(feedback, clean)]
-    return Finding("4", "The regulator and its gains, eqs. (36)–(38)", NOT_AS_PRINTED, summary, numbers, items)
+    return Claim("4", "The regulator and its gains, eqs. (36)–(38)", NOT_AS_PRINTED, summary, numbers, items)
 
 
 def nearest_gain() -> tuple[float, list[float], float]:

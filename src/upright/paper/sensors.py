@@ -7,7 +7,7 @@ import math
 from upright.control.delay import rolling
 from upright.errors import UprightError
 from upright.identify.identify import Comparison, identify_all, study_of
-from upright.paper.finding import BEYOND, Finding, Progress, silent
+from upright.paper.claim import BEYOND, Claim, Progress, silent
 from upright.physics.linear import unstable_pole
 from upright.report.identification import pole_table, trial_table
 from upright.report.page import Item, Table, cell_text
@@ -15,17 +15,17 @@ from upright.robots import Kit, Robot
 from upright.signals import Log
 
 REPEATS = 20
-"""Repeated logs behind intervals and biases: their scatter is known to a sixth, which a page needs no better."""
+"""Simulated repetitions behind each interval and bias: 20 give a standard deviation to 16 % (1/√(2·19))."""
 
 
-def chapter(robot: Robot, kit: Kit, log: Log, progress: Progress = silent) -> Finding:
+def chapter(robot: Robot, kit: Kit, log: Log, progress: Progress = silent) -> Claim:
     """All identifiers on the twin's `log` of 3b, beside the truth, and the regulators designed on their models."""
     try:
         compared = identify_all(study_of(log, robot, kit, runs=REPEATS), progress=progress)
     except UprightError as error:
-        return Finding("3c", TITLE, BEYOND, f"No model comes of the twin's log: {error}", {})
+        return Claim("3c", TITLE, BEYOND, f"No model was identified from the twin's log: {error}", {})
     true = unstable_pole(rolling(robot))
-    return Finding("3c", TITLE, BEYOND, _summary(compared, true), _numbers(compared, true), _items(compared))
+    return Claim("3c", TITLE, BEYOND, _summary(compared, true), _numbers(compared, true), _items(compared))
 
 
 TITLE = "The same sensors, other ways to the linear model"
@@ -35,17 +35,17 @@ def _summary(compared: Comparison, true: float) -> str:
     poles = {name: model.pole for name, model in compared.models.items()}
     inside = [name for name, pole in poles.items() if pole.low <= true <= pole.high]
     holding = [name for name, trial in compared.trials.items() if trial.holds]
-    said = (
-        f"The robot falls at {cell_text(true, 3)} 1/s, which lies in the 95 % interval of {_listed(inside)}; a "
-        f"regulator designed on the model holds the twin for {_listed(holding)}."
+    text = (
+        f"The true unstable pole, {cell_text(true, 3)} 1/s, lies in the 95 % interval of {_listed(inside)}. The "
+        f"regulator designed on the identified model balances the twin for {_listed(holding)}."
     )
     least = poles.get("least-squares")
     if least is None or math.isnan(least.bias):
-        return said
+        return text
     return (
-        f"{said} Least squares says {cell_text(least.value, 3)} 1/s; logs repeated in the loop of a consistent model "
-        f"show a bias of {cell_text(least.bias, 2)} ± {cell_text(2 * least.bias_error, 1)} 1/s, without which it would "
-        f"say {cell_text(least.corrected, 3)} 1/s."
+        f"{text} Least squares estimates {cell_text(least.value, 3)} 1/s. Simulated closed-loop logs of a consistent "
+        f"model show its bias: {cell_text(least.bias, 2)} ± {cell_text(2 * least.bias_error, 1)} 1/s. The corrected "
+        f"estimate is {cell_text(least.corrected, 3)} 1/s."
     )
 
 
@@ -59,12 +59,12 @@ def _items(compared: Comparison) -> list[Item]:
         for name, model in compared.models.items()
     ]
     one_step = Table(
-        ["method", "gyro", "wheels", "turn"], rows, "One step ahead, fit [%] on what was held out", digits=3
+        ["method", "gyro", "wheels", "turn"], rows, "One-step prediction: fit [%] on held-out data", digits=3
     )
     why = (
-        "Total least squares takes errors in the states for white and unknown to the controller, which feedback makes "
-        "untrue. Instruments, the subspace method and calibration make allowance for the loop: the first by signals "
-        "that no noise has moved, the others by predictors whose errors are new to everything before them."
+        "Total least squares assumes white errors that are independent of the controller, which feedback "
+        "contradicts. The other three methods account for the loop: instrumental variables by signals free of noise, "
+        "the subspace method and calibration by predictors whose innovations are white."
     )
     return [
         pole_table(compared),

@@ -1,4 +1,4 @@
-"""Chapter 2: what the published model leaves out, and MuJoCo as judge.
+"""Chapter 2: terms missing from the published model, with MuJoCo as the reference.
 
 The published equations put the rolling constraint into the Lagrangian before differentiating, which a non-holonomic
 constraint does not allow, and take the body's roll inertia for its yaw inertia. Both matter only to a robot that turns.
@@ -16,7 +16,7 @@ from upright.bodies import Body, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.control import StateFeedback, lqr
 from upright.experiment import Drive, Turn, run
-from upright.paper.finding import BEYOND, Finding, Progress, silent
+from upright.paper.claim import BEYOND, Claim, Progress, silent
 from upright.physics.dynamics import accelerations, mass_matrix, motor_damping, motor_gain
 from upright.report import Figure, Panel, Table, Trace
 from upright.report.page import Cell, cell_text
@@ -52,14 +52,14 @@ class Term:
 
 
 @dataclass(frozen=True)
-class Off:
-    """How far a model is from the twin in one state: RMS and largest difference over the twin's peak."""
+class Deviation:
+    """A model's difference from the twin in one state: RMS and largest, relative to the twin's peak."""
 
     rms: float
     largest: float
 
 
-def chapter(progress: Progress = silent) -> list[Finding]:
+def chapter(progress: Progress = silent) -> list[Claim]:
     """The size of the terms left out at each yaw rate, and both models against the twin."""
     robot = Robot.preset("nxtway-gs")
     feedback = lqr(robot, PERIOD)
@@ -73,7 +73,7 @@ def chapter(progress: Progress = silent) -> list[Finding]:
 
 
 def bodies(robot: Robot) -> dict[str, Body]:
-    """The twin, both models, and the complete one without its roll inertia, which shows what the rolling alone does."""
+    """The twin, both models, and the complete one without a separate roll inertia: the effect of rolling alone."""
     return {
         "twin": Twin(robot, PERIOD),
         "complete": NonlinearBody(robot, "complete", PERIOD),
@@ -83,7 +83,7 @@ def bodies(robot: Robot) -> dict[str, Body]:
 
 
 def drive(body: Body, feedback: StateFeedback, rate: float) -> Log:
-    """`body` from rest under `feedback`, told to drive at `WHEEL_RATE` and to turn at `rate` [rad/s]."""
+    """`body` from rest under `feedback`; the reference is `WHEEL_RATE` forward and yaw at `rate` [rad/s]."""
     reference = [Drive(speed=WHEEL_RATE * body.spec.robot.wheel_radius), Turn(rate=rate)]
     return run(body, feedback, reference=reference, seconds=SECONDS)
 
@@ -124,25 +124,25 @@ def terms(robot: Robot, log: Log) -> list[Term]:
     return [Term(equation, text, values[log.t >= JOLT], kept) for equation, text, values, kept in listed]
 
 
-def share(term: Term, listed: Sequence[Term]) -> float:
+def relative_size(term: Term, listed: Sequence[Term]) -> float:
     """The RMS of `term` over that of the largest term kept in its equation."""
     return term.rms / max(other.rms for other in listed if other.kept and other.equation == term.equation)
 
 
-def off(log: Log, twin: Log, state: str) -> Off:
-    """How far `log` is from the twin's in one state."""
+def deviation(log: Log, twin: Log, state: str) -> Deviation:
+    """The difference of `log` from the twin's in one state."""
     difference, peak = np.abs(log[f"truth/{state}"] - twin[f"truth/{state}"]), np.abs(twin[f"truth/{state}"]).max()
-    return Off(float(np.sqrt(np.mean(difference**2)) / peak), float(difference.max() / peak))
+    return Deviation(float(np.sqrt(np.mean(difference**2)) / peak), float(difference.max() / peak))
 
 
 def _twin(robot: Robot, contact: float) -> Twin:
     return Twin(robot, PERIOD, contact_time=contact, timestep=contact / 2)
 
 
-def _sizes(robot: Robot, logs: Mapping[float, Mapping[str, Log]]) -> Finding:
+def _sizes(robot: Robot, logs: Mapping[float, Mapping[str, Log]]) -> Claim:
     listed = {rate: terms(robot, runs["complete"]) for rate, runs in logs.items()}
     left_out = {
-        term.text: {rate: share(listed[rate][i], listed[rate]) for rate in RATES}
+        term.text: {rate: relative_size(listed[rate][i], listed[rate]) for rate in RATES}
         for i, term in enumerate(listed[SHOWN])
         if not term.kept
     }
@@ -150,16 +150,16 @@ def _sizes(robot: Robot, logs: Mapping[float, Mapping[str, Log]]) -> Finding:
     kept = {term.text: term.rms for term in listed[SHOWN] if term.kept and term.equation == "φ"}
     beside = next(term.rms for term in listed[SHOWN] if term.text == DRIFT) / kept[CORIOLIS]
     summary = (
-        "Rolling without slip is non-holonomic, and the right equations have two more terms: "
-        f"−{SPIN} on the left of the "
-        f"θ equation and +{DRIFT} on the left of the φ equation. At {_rates()} rad/s of yaw the first has "
-        f"{_shares(spin)} % of the size of the largest term kept in its equation, the second {_shares(drift)} %, "
-        f"{beside:.0f} times the Coriolis term that the model does keep (RMS along the run). A body with "
-        f"a roll inertia J_ρ of its own adds the terms with J_ρ − J_φ. All of them vanish while a robot goes straight."
+        f"Rolling without slip is a non-holonomic constraint; the correct equations have two more terms: −{SPIN} on "
+        f"the left of the θ equation and +{DRIFT} on the left of the φ equation. At {_rates()} rad/s of yaw the "
+        f"first has {_percentages(spin)} % of the size of the largest term kept in its equation, the second "
+        f"{_percentages(drift)} %, {beside:.0f} times the Coriolis term that the model keeps (RMS along the run). A "
+        "body whose roll inertia J_ρ differs from J_φ adds the terms with J_ρ − J_φ. All of them vanish in straight "
+        "motion."
     )
-    numbers = {"share_of_largest_kept_term": {text: _keyed(shares) for text, shares in left_out.items()}}
+    numbers = {"share_of_largest_kept_term": {text: _keyed(fractions) for text, fractions in left_out.items()}}
     title = "Terms that the published model leaves out"
-    return Finding("2a", title, BEYOND, summary, numbers, [_term_table(listed)])
+    return Claim("2a", title, BEYOND, summary, numbers, [_term_table(listed)])
 
 
 def _term_table(listed: Mapping[float, Sequence[Term]]) -> Table:
@@ -174,29 +174,29 @@ def _term_table(listed: Mapping[float, Sequence[Term]]) -> Table:
     return Table(header, rows, caption, digits=3)
 
 
-def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, Log]) -> Finding:
+def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, Log]) -> Claim:
     errors = {
         rate: {
-            name: {state: off(log, runs["twin"], state) for state in JUDGED.values()}
+            name: {state: deviation(log, runs["twin"], state) for state in JUDGED.values()}
             for name, log in runs.items()
             if name != "twin"
         }
         for rate, runs in logs.items()
     }
     limits = {
-        contact: {name: off(logs[SHOWN][name], twin, "pitch").rms for name in ("complete", "published")}
+        contact: {name: deviation(logs[SHOWN][name], twin, "pitch").rms for name in ("complete", "published")}
         for contact, twin in stiffened.items()
     }
     soft, stiff = (limits[c] for c in (CONTACTS[0], CONTACTS[-1]))
     at = errors[SHOWN]
     complete, published = (_percent(at[name]["pitch"].rms) for name in ("complete", "published"))
     summary = (
-        f"MuJoCo, which knows nothing of either derivation, sides with the complete model: turning at {SHOWN:g} rad/s "
-        f"its pitch is {complete} of the peak off the twin’s (RMS), that of the published one {published}. "
-        "What limits the agreement is the twin’s contact, which slips a little while it settles, most of all in the "
-        f"jolt of the start: from a contact time of {1000 * CONTACTS[0]:g} ms to {1000 * CONTACTS[-1]:g} ms the "
-        f"complete model’s error falls from {_percent(soft['complete'])} to {_percent(stiff['complete'])}, the "
-        f"published model’s stays ({_percent(soft['published'])}, {_percent(stiff['published'])})."
+        f"MuJoCo, which uses neither derivation, agrees with the complete model: turning at {SHOWN:g} rad/s, its pitch "
+        f"differs from the twin’s by {complete} of the peak (RMS), that of the published model by {published}. "
+        "The remaining difference comes from the twin’s contact, which slips slightly, most at the start. When the "
+        f"contact time falls from {1000 * CONTACTS[0]:g} ms to {1000 * CONTACTS[-1]:g} ms, the complete model’s error "
+        f"falls from {_percent(soft['complete'])} to {_percent(stiff['complete'])}; the published model’s does not "
+        f"({_percent(soft['published'])}, {_percent(stiff['published'])})."
     )
     numbers = {
         "off_the_twin": {
@@ -207,15 +207,15 @@ def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, L
     }
     items = [_error_table(errors), _contact_table(limits), _pitch_figure(logs[SHOWN], at), _error_figure(logs, errors)]
     saved = {f"turning-{name}": log for name, log in logs[SHOWN].items() if name in ("twin", "complete", "published")}
-    return Finding("2b", "MuJoCo as judge of the two models", BEYOND, summary, numbers, items, saved)
+    return Claim("2b", "MuJoCo as the reference for both models", BEYOND, summary, numbers, items, saved)
 
 
-def _error_table(errors: Mapping[float, Mapping[str, Mapping[str, Off]]]) -> Table:
+def _error_table(errors: Mapping[float, Mapping[str, Mapping[str, Deviation]]]) -> Table:
     rows: list[list[Cell]] = []
     for rate, models in errors.items():
         for name, of in models.items():
-            shares = [100 * value for state in JUDGED.values() for value in (of[state].rms, of[state].largest)]
-            rows.append([f"{rate:g}", name, *shares])
+            fractions = [100 * value for state in JUDGED.values() for value in (of[state].rms, of[state].largest)]
+            rows.append([f"{rate:g}", name, *fractions])
     header = ["yaw [rad/s]", "model", *(f"{text}, {kind}" for text in JUDGED for kind in ("RMS", "largest"))]
     return Table(header, rows, "Difference from the twin [% of the twin’s peak]", digits=2)
 
@@ -228,19 +228,19 @@ def _contact_table(limits: Mapping[float, Mapping[str, float]]) -> Table:
     return Table(["contact time [ms]", "complete [%]", "published [%]"], rows, caption, digits=2)
 
 
-def _pitch_figure(runs: Mapping[str, Log], at: Mapping[str, Mapping[str, Off]]) -> Figure:
+def _pitch_figure(runs: Mapping[str, Log], at: Mapping[str, Mapping[str, Deviation]]) -> Figure:
     drawn = ("twin", "complete", "published")
     pitch = Panel("pitch ψ", "rad", [Trace(n, runs[n].t, runs[n]["truth/pitch"], style=i) for i, n in enumerate(drawn)])
     complete, published = (_percent(at[name]["pitch"].rms) for name in ("complete", "published"))
     title = (
-        f"Turning at {SHOWN:g} rad/s: pitch of the complete model is {complete} off the twin, "
-        f"of the published one {published} (RMS over peak)"
+        f"Turning at {SHOWN:g} rad/s: pitch of the complete model differs from the twin's by {complete}, "
+        f"that of the published one by {published} (RMS over peak)"
     )
     return Figure(title, [pitch, _difference(runs, "pitch ψ minus the twin's")])
 
 
 def _error_figure(
-    logs: Mapping[float, Mapping[str, Log]], errors: Mapping[float, Mapping[str, Mapping[str, Off]]]
+    logs: Mapping[float, Mapping[str, Log]], errors: Mapping[float, Mapping[str, Mapping[str, Deviation]]]
 ) -> Figure:
     panels = [_difference(runs, f"pitch ψ minus the twin's at {rate:g} rad/s of yaw") for rate, runs in logs.items()]
     worst = {name: max(of[name]["pitch"].largest for of in errors.values()) for name in ("complete", "published")}
@@ -264,13 +264,13 @@ def _percent(part: float) -> str:
     return f"{cell_text(100 * part, 2)} %"
 
 
-def _keyed(shares: Mapping[float, float]) -> dict[str, float]:
-    return {f"{rate:g}": value for rate, value in shares.items()}
+def _keyed(fractions: Mapping[float, float]) -> dict[str, float]:
+    return {f"{rate:g}": value for rate, value in fractions.items()}
 
 
 def _rates() -> str:
     return ", ".join(f"{rate:g}" for rate in RATES)
 
 
-def _shares(of: Mapping[float, float]) -> str:
+def _percentages(of: Mapping[float, float]) -> str:
     return ", ".join(f"{100 * value:.2g}" for value in of.values())

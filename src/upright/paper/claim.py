@@ -1,4 +1,4 @@
-"""What came of trying to reproduce one claim of the paper."""
+"""The result of reproducing one claim of the paper."""
 
 from __future__ import annotations
 
@@ -20,15 +20,16 @@ _LEVEL = {REPRODUCED: "good", NOT_AS_PRINTED: "warn", BEYOND: "info"}
 Progress = Callable[[float], None]
 
 
-def silent(_share: float) -> None:
-    """Progress that nobody watches."""
+def silent(_fraction: float) -> None:
+    """Progress that is not shown."""
 
 
 @dataclass(frozen=True, eq=False)
-class Finding:
-    """One claim: `part` of the paper, `title`, `verdict`, one `summary` line with its numbers, and what shows it.
+class Claim:
+    """One claim: `part` of the paper, `title`, `verdict`, a `summary` with its numbers, and the evidence.
 
-    `numbers` are plain JSON; `items` what the page shows; `logs` the runs it rests on, by file name without suffix.
+    `numbers` are plain JSON; `items` the figures and tables of the page;
+    `logs` the runs behind it, by file name without suffix.
     """
 
     part: str
@@ -45,7 +46,7 @@ class Finding:
         return textwrap.fill(f"{first}.", width, initial_indent="    ", subsequent_indent="    ")
 
     def section(self) -> Section:
-        """The finding as a section of the page."""
+        """The claim as a section of the page."""
         verdict = Verdict(self.verdict, _LEVEL[self.verdict])
         return Section(f"{self.part} {self.title}", [self.summary, *self.items], verdict)
 
