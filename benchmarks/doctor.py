@@ -26,7 +26,7 @@ from upright.control.excited import Excited, random_binary
 from upright.doctor.doctor import Diagnosis, doctor
 from upright.errors import UprightError
 from upright.experiment import Drive, Push, Turn, run
-from upright.logs.readers import Table
+from upright.logs.readers import RawTable
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -142,18 +142,18 @@ def false_alarms(name: str, log: Log, diagnosis: Diagnosis) -> list[str]:
     return wrong
 
 
-Plant = Callable[[Log, np.random.Generator], Log | Table]
+Plant = Callable[[Log, np.random.Generator], Log | RawTable]
 
 
-def changed(log: Log, changes: dict[str, Any], t: Any = None) -> Log | Table:
+def changed(log: Log, changes: dict[str, Any], t: Any = None) -> Log | RawTable:
     """The log with some channels, and perhaps the time, replaced; a table where the time no longer increases."""
     columns = {"t": log.t if t is None else np.asarray(t), **log.channels, **changes}
-    return Table(columns, dict(log.units))
+    return RawTable(columns, dict(log.units))
 
 
-def rows(log: Log, keep: Any, t: Any = None) -> Table:
+def rows(log: Log, keep: Any, t: Any = None) -> RawTable:
     """These rows, at their own times or at `t`."""
-    return Table(
+    return RawTable(
         {"t": log.t[keep] if t is None else t, **{n: x[keep] for n, x in log.channels.items()}}, dict(log.units)
     )
 
@@ -171,91 +171,91 @@ def _late(seconds: float, *names: str) -> Plant:
     return lambda log, _: changed(log, {name: np.interp(log.t - seconds, log.t, log[name]) for name in names})
 
 
-def _percent(log: Log, _: np.random.Generator) -> Log | Table:
+def _percent(log: Log, _: np.random.Generator) -> Log | RawTable:
     names = [f"{p}/{s}" for p in ("applied", "command") for s in ("left", "right")]
     return changed(log, {name: log[name] / log["sensor/battery"] * 100 for name in names})
 
 
-def _percent_alone(log: Log, rng: np.random.Generator) -> Log | Table:
+def _percent_alone(log: Log, rng: np.random.Generator) -> Log | RawTable:
     table = _percent(log, rng)
-    assert isinstance(table, Table)
-    return Table({n: x for n, x in table.columns.items() if n != "sensor/battery"}, table.units)
+    assert isinstance(table, RawTable)
+    return RawTable({n: x for n, x in table.columns.items() if n != "sensor/battery"}, table.units)
 
 
-def _integrated(log: Log, _: np.random.Generator) -> Log | Table:
+def _integrated(log: Log, _: np.random.Generator) -> Log | RawTable:
     return changed(log, {GYRO: np.cumsum(log[GYRO]) * log.period})
 
 
-def _rates(log: Log, _: np.random.Generator) -> Log | Table:
+def _rates(log: Log, _: np.random.Generator) -> Log | RawTable:
     return changed(log, {name: np.gradient(log[name], log.t) for name in (LEFT, RIGHT)})
 
 
-def _swapped(log: Log, _: np.random.Generator) -> Log | Table:
+def _swapped(log: Log, _: np.random.Generator) -> Log | RawTable:
     return changed(log, {LEFT: log[RIGHT], RIGHT: log[LEFT]})
 
 
-def _jitter(log: Log, rng: np.random.Generator) -> Log | Table:
+def _jitter(log: Log, rng: np.random.Generator) -> Log | RawTable:
     stamps = log.t + rng.uniform(-0.3, 0.3, len(log)) * log.period
     return changed(log, {}, stamps - stamps[0])
 
 
-def _gap(log: Log, _: np.random.Generator) -> Table:
+def _gap(log: Log, _: np.random.Generator) -> RawTable:
     return rows(log, np.concatenate([np.arange(400), np.arange(480, len(log))]))
 
 
-def _dropped(log: Log, rng: np.random.Generator) -> Table:
+def _dropped(log: Log, rng: np.random.Generator) -> RawTable:
     return rows(log, np.sort(rng.choice(len(log), size=int(0.97 * len(log)), replace=False)))
 
 
-def _held_samples(log: Log, rng: np.random.Generator) -> Log | Table:
+def _held_samples(log: Log, rng: np.random.Generator) -> Log | RawTable:
     gyro = log[GYRO].copy()
     for k in rng.choice(np.arange(1, len(log)), size=len(log) // 12, replace=False):
         gyro[k] = gyro[k - 1]
     return changed(log, {GYRO: gyro})
 
 
-def _backwards(log: Log, _: np.random.Generator) -> Table:
+def _backwards(log: Log, _: np.random.Generator) -> RawTable:
     t = log.t.copy()
     t[700:] -= 6.5
     return rows(log, np.arange(len(log)), t)
 
 
-def _disordered(log: Log, rng: np.random.Generator) -> Table:
+def _disordered(log: Log, rng: np.random.Generator) -> RawTable:
     order = np.arange(len(log))
     for k in rng.choice(np.arange(10, len(log) - 10), size=8, replace=False):
         order[[k, k + 1]] = order[[k + 1, k]]
     return rows(log, order)
 
 
-def _twice(log: Log, rng: np.random.Generator) -> Table:
+def _twice(log: Log, rng: np.random.Generator) -> RawTable:
     return rows(log, np.sort(np.concatenate([np.arange(len(log)), rng.choice(len(log), 10, replace=False)])))
 
 
-def _milliseconds(log: Log, _: np.random.Generator) -> Log | Table:
+def _milliseconds(log: Log, _: np.random.Generator) -> Log | RawTable:
     return changed(log, {}, log.t * 1000)
 
 
-def _clipped(log: Log, _: np.random.Generator) -> Log | Table:
+def _clipped(log: Log, _: np.random.Generator) -> Log | RawTable:
     names = [f"{p}/{s}" for p in ("applied", "command") for s in ("left", "right")]
     level = float(np.quantile(np.abs(log["applied/left"]), 0.85))
     return changed(log, {name: np.clip(log[name], -level, level) for name in names})
 
 
-def _gyro_clipped(log: Log, _: np.random.Generator) -> Log | Table:
+def _gyro_clipped(log: Log, _: np.random.Generator) -> Log | RawTable:
     level = float(np.quantile(np.abs(log[GYRO]), 0.93))
     return changed(log, {GYRO: np.clip(log[GYRO], -level, level)})
 
 
-def _biased(log: Log, _: np.random.Generator) -> Log | Table:
+def _biased(log: Log, _: np.random.Generator) -> Log | RawTable:
     return changed(log, {GYRO: log[GYRO] + 0.12})
 
 
-def _coarse(log: Log, _: np.random.Generator) -> Log | Table:
+def _coarse(log: Log, _: np.random.Generator) -> Log | RawTable:
     step = np.radians(7.5)
     return changed(log, {name: np.round(log[name] / step) * step for name in (LEFT, RIGHT)})
 
 
-def _leaning(log: Log, _: np.random.Generator) -> Log | Table:
+def _leaning(log: Log, _: np.random.Generator) -> Log | RawTable:
     """A complementary filter with a time constant of 0.2 s on the accelerometer's pitch."""
     lean = np.arctan2(-log["sensor/accel_forward"], log["sensor/accel_up"])
     angle = np.zeros(len(log))
@@ -264,7 +264,7 @@ def _leaning(log: Log, _: np.random.Generator) -> Log | Table:
     return changed(log, {"estimate/pitch": angle})
 
 
-def _held(log: Log, rng: np.random.Generator) -> Log | Table:
+def _held(log: Log, rng: np.random.Generator) -> Log | RawTable:
     """Held by hand from 4 to 5.5 s: nothing moves, the gyro makes its noise."""
     held = (log.t >= 4) & (log.t < 5.5)
     after = log.t >= 5.5
@@ -373,7 +373,7 @@ CASES: Sequence[Case] = (
 )  # fmt: skip
 
 
-def planted(case: Case, seed: int) -> Log | Table:
+def planted(case: Case, seed: int) -> Log | RawTable:
     """The log of a case with its fault in it."""
     options = dict(case.options)
     if options.pop("fall", False):

@@ -17,7 +17,7 @@ from upright.doctor.doctor import Diagnosis, doctor
 from upright.errors import InvalidLog
 from upright.experiment import Hold, run
 from upright.logs.mapping import Mapping, Source
-from upright.logs.readers import Table, read_table
+from upright.logs.readers import RawTable, read_table
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -102,6 +102,21 @@ def test_truth_is_not_read() -> None:
     assert doctor(liar).findings == doctor(log).findings
 
 
+@pytest.mark.parametrize("periods", [2, 4, 6, 7, 20])
+def test_a_pause_is_a_gap_and_dropped_rows_are_not(periods: int) -> None:
+    """A step of up to five periods is rows that were dropped, and is interpolated; a longer one is a pause of the
+    recording, and is left. Five is the rule of docs/logs.md; the rows are cut out of one run, all else is equal."""
+    log = made("nxt")
+    keep = np.ones(len(log), dtype=bool)
+    keep[500 : 500 + periods - 1] = False
+    cut = RawTable({"t": log.t[keep], **{name: x[keep] for name, x in log.channels.items()}}, dict(log.units))
+    diagnosis = doctor(cut)
+    expected = "time/gap" if periods > 5 else "time/dropped"
+    assert [code for code in diagnosis.codes() if code in ("time/gap", "time/dropped")] == [expected]
+    repaired, step = diagnosis.repaired(), periods * log.period
+    assert np.diff(repaired.t).max() == pytest.approx(step if periods > 5 else log.period, rel=1e-6)
+
+
 def still(n: int) -> dict[str, np.ndarray]:
     rng = np.random.Generator(np.random.Philox(1))
     return {name: rng.normal(size=n) for name in (bench.LEFT, bench.RIGHT, bench.GYRO)}
@@ -118,7 +133,7 @@ def still(n: int) -> dict[str, np.ndarray]:
 )
 def test_what_is_no_log_gets_one_line(columns: dict[str, np.ndarray], said: str) -> None:
     with pytest.raises(InvalidLog, match=said):
-        doctor(Table(columns))
+        doctor(RawTable(columns))
 
 
 def test_text_in_a_channel_gets_one_line(tmp_path: Path) -> None:
@@ -130,7 +145,7 @@ def test_text_in_a_channel_gets_one_line(tmp_path: Path) -> None:
 def test_dead_channels_are_named() -> None:
     log = made("nxt")
     columns = {"t": log.t, **log.channels, bench.GYRO: np.zeros(len(log)), "sensor/compass": np.full(len(log), np.nan)}
-    found = {(f.code, f.channel) for f in doctor(Table(columns, dict(log.units))).findings}
+    found = {(f.code, f.channel) for f in doctor(RawTable(columns, dict(log.units))).findings}
     assert {("channel/constant", bench.GYRO), ("channel/empty", "sensor/compass")} <= found
 
 
@@ -141,7 +156,7 @@ def test_noise_is_no_robot_and_breaks_nothing(seed: int) -> None:
     names = [bench.LEFT, bench.RIGHT, bench.GYRO, "applied/left", "applied/right", "estimate/pitch"]
     columns = {name: rng.normal(size=400) * 10.0 ** rng.uniform(-3, 3) for name in names}
     columns[names[seed]][rng.choice(400, 40)] = np.nan
-    doctor(Table({"t": np.cumsum(rng.uniform(0.001, 0.02, 400)), **columns}))
+    doctor(RawTable({"t": np.cumsum(rng.uniform(0.001, 0.02, 400)), **columns}))
 
 
 MEASURED = {
@@ -195,7 +210,7 @@ def test_ev3way_units_are_found_without_its_mapping(shared: Path) -> None:
            "applied/left": "pwm_l", "applied/right": "pwm_r", "sensor/battery": "batt_mV"}  # fmt: skip
     channels = {name: Source(column=column) for name, column in raw.items()}
     channels |= {name: Source(column=channels[name].column, unit="deg") for name in (bench.LEFT, bench.RIGHT)}
-    diagnosis = doctor(table, Mapping("raw", Source(column="t_ms"), channels))
+    diagnosis = doctor(table, mapping=Mapping("raw", Source(column="t_ms"), channels))
     found = {(f.code, f.channel): f.repair for f in diagnosis.findings}
     assert ("time/unit", "t") in found
     assert found["units/scale", "sensor/battery"] == "divide by 1000"

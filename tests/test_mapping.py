@@ -10,7 +10,7 @@ import pytest
 
 from upright.errors import InvalidLog, UnknownName
 from upright.logs.mapping import UNITS, Mapping, Source, apply, channels_of, mappings, propose
-from upright.logs.readers import Table, read_table
+from upright.logs.readers import RawTable, read_table
 from upright.signals import Log
 
 T = np.array([0.0, 0.01, 0.02, 0.03])
@@ -66,7 +66,7 @@ def test_json_mat_parquet_and_mcap_give_the_same_numbers(tmp_path: Path) -> None
         ("uneven.json", '{"t": [0, 1], "a": [1]}', "unequal lengths"),
         ("nothing.mat", "no mat file", "MAT file cannot be read"),
         ("nothing.parquet", "no parquet", "Parquet cannot be read"),
-        ("twice.csv", "t,a,a\n0,1,2\n", "there twice"),
+        ("twice.csv", "t,a,a\n0,1,2\n", "appears twice"),
     ],
 )
 def test_garbage_gets_one_line(tmp_path: Path, name: str, text: str, said: str) -> None:
@@ -90,8 +90,8 @@ def mapped(**channels: Source) -> Mapping:
     return Mapping("m", Source(column="ms", unit="ms"), names)
 
 
-def table(**columns: list[float]) -> Table:
-    return Table({"ms": T * 1000, **{name: np.array(values) for name, values in columns.items()}})
+def table(**columns: list[float]) -> RawTable:
+    return RawTable({"ms": T * 1000, **{name: np.array(values) for name, values in columns.items()}})
 
 
 EQUAL = [
@@ -181,7 +181,7 @@ def test_a_wrong_mapping_gets_one_line(tmp_path: Path, text: str, error: type[Ex
 
 def test_names_with_units_are_guessed() -> None:
     names = ["time_ms", "gyro_dps", "encLeft_deg", "encRight_deg", "pwm_left", "pwm_right", "vbat_mV", "pitch_deg"]
-    guess = propose(Table({name: np.zeros(3) for name in names}))
+    guess = propose(RawTable({name: np.zeros(3) for name in names}))
     assert guess.time == Source(column="time_ms", unit="ms")
     assert {name: (s.column, s.unit) for name, s in guess.channels.items()} == {
         "sensor/gyro": ("gyro_dps", "deg/s"),
@@ -196,7 +196,7 @@ def test_names_with_units_are_guessed() -> None:
 
 def test_nothing_recognised_gets_one_line() -> None:
     with pytest.raises(InvalidLog, match="no time is recognised among alpha, beta"):
-        propose(Table({"alpha": np.zeros(3), "beta": np.zeros(3)}))
+        propose(RawTable({"alpha": np.zeros(3), "beta": np.zeros(3)}))
 
 
 REAL = {

@@ -1,4 +1,4 @@
-"""`upright doctor`: what is wrong with a log, and its repair."""
+"""`upright doctor`: faults of a log, and their repair."""
 
 from __future__ import annotations
 
@@ -15,13 +15,14 @@ from upright.errors import UprightError
 def doctor(
     log: Annotated[Path, typer.Argument(help="A log of any program: .csv, .txt, .json, .mat, .parquet, .mcap.")],
     mapping: Annotated[
-        str | None, typer.Option(help="A mapping by name (twipr, ev3way, …) or TOML file (default: what seems to fit).")
+        str | None,
+        typer.Option(help="A mapping by name (twipr, ev3way, …) or TOML file (default: by columns)."),
     ] = None,
     robot: Annotated[
-        str | None, typer.Option("--robot", "-r", help="The robot, where it is known: sharpens the checks of units.")
+        str | None, typer.Option("--robot", "-r", help="The robot, if known: sharpens the checks of units.")
     ] = None,
     fix: Annotated[Path | None, typer.Option(help="Write the repaired log: .parquet, .csv or .mcap.")] = None,
-    write_mapping: Annotated[Path | None, typer.Option(help="Write the mapping that was used, to edit it.")] = None,
+    write_mapping: Annotated[Path | None, typer.Option(help="Write the mapping that was used, for editing.")] = None,
     as_json: JsonOption = False,
 ) -> None:
     """Examine a log: units, signs, sides, time, delays, saturation, bias, falls.
@@ -29,15 +30,11 @@ def doctor(
     Prints each finding with its evidence and repair. Exit code 0 whatever is found.
     """
     from upright.doctor.doctor import doctor as examine
-    from upright.logs.mapping import find_mapping
-    from upright.robots import find_robot
 
     for target in (fix, write_mapping):
         _check_new(target, log)
     with progress("examining") as show:
-        diagnosis = examine(
-            log, find_mapping(mapping) if mapping else None, find_robot(robot) if robot else None, progress=show
-        )
+        diagnosis = examine(log, robot, mapping=mapping, progress=show)
     written = diagnosis.repaired().save(fix) if fix else None
     if write_mapping:
         write_mapping.write_text(diagnosis.mapping.to_toml(), encoding="utf-8")
@@ -57,5 +54,5 @@ def _check_new(target: Path | None, log: Path) -> None:
     check_folder(target)
     if target.exists() and log.exists() and target.samefile(log):
         raise UprightError(
-            f"{target} is the log itself", expected="another file", hint="the old log is never written over"
+            f"{target} is the log itself", expected="another file", hint="another name: a log is never overwritten"
         )

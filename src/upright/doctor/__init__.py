@@ -1,1 +1,1 @@
-"""What the log doctor looks for, one file for each family of checks."""
+"""The log doctor: checks of a log, one file for each family of faults."""

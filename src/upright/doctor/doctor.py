@@ -1,7 +1,7 @@
-"""The log doctor: what is wrong with a log, by how much, and the repair.
+"""The log doctor: faults of a log, their size, and their repair.
 
-Checks run in stages, and each stage reads the record as the fixes of the stages before have mended it: a delay is
-measured on radians, not on degrees.
+Checks run in stages. Each stage reads the record as repaired by the stages before it: a delay is measured on radians,
+not on degrees.
 """
 
 from __future__ import annotations
@@ -20,21 +20,21 @@ from upright.doctor.finding import SEVERITIES, Finding, Record
 from upright.doctor.fixes import repaired
 from upright.errors import InvalidLog
 from upright.logs.mapping import Mapping, channels_of, find_mapping, propose
-from upright.logs.readers import Table, read_table, table_of
+from upright.logs.readers import RawTable, read_table, table_of
 from upright.robots import Robot, find_robot
 from upright.signals import Log
 
 Check = Callable[[Record], list[Finding]]
 
 _FEWEST = 20
-"""Rows below which nothing about motion can be said."""
+"""Fewest rows from which a motion can be judged."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Diagnosis:
-    """All findings on one log, worst first; `mapping` is what was read as what.
+    """All findings on one log, worst first; `mapping` says which column was read as which channel.
 
-    `str()` is a short table, `to_json()` plain data, `repaired()` the log with every fix done.
+    `str()` is a short table, `to_json()` plain data, `repaired()` the log with every repair applied.
     """
 
     source: str
@@ -56,13 +56,12 @@ class Diagnosis:
         return [finding.code for finding in self.findings]
 
     def repaired(self) -> Log:
-        """The log with every fix done, in the order of the stages; raises `InvalidLog` if it is no log even then."""
-        record = self._raw
-        for finding in sorted(self.findings, key=lambda finding: _STAGE_OF.get(finding.code, 0)):
-            for fix in finding.fixes:
-                record = repaired(record, fix)
-        said = [f"{finding.code} {finding.channel}: {finding.repair}" for finding in self.findings if finding.fixes]
-        return Log(record.t, record.channels, record.units, {**self._origin, "repaired": said})
+        """The log with every repair applied, in the order of the stages; raises `InvalidLog` if the result is no "
+        "valid log."""
+        in_order = sorted(self.findings, key=lambda finding: _STAGE_OF.get(finding.code, 0))
+        record = _repaired(self._raw, in_order)
+        repairs = [f"{finding.code} {finding.channel}: {finding.repair}" for finding in self.findings if finding.fixes]
+        return Log(record.t, record.channels, record.units, {**self._origin, "repaired": repairs})
 
     def to_json(self) -> dict[str, Any]:
         """As plain data for programs."""
@@ -80,7 +79,7 @@ class Diagnosis:
         head = f"{self.source or 'log'}: {self.rows} rows, {self.seconds:.4g} s, every {self.period * 1e3:.4g} ms"
         head += "" if self.mapping.name == "ours" else f", read as '{self.mapping.name}'"
         if not self.findings:
-            return f"{head}\nnothing found"
+            return f"{head}\nno faults"
         lines = [head]
         for finding in self.findings:
             text = f"{finding.evidence}" + (f" → {finding.repair}" if finding.repair else "")
@@ -90,36 +89,44 @@ class Diagnosis:
         return "\n".join(lines)
 
 
-def doctor(
-    source: str | Path | Table | Log,
-    mapping: Mapping | str | Path | None = None,
-    robot: Robot | str | Path | None = None,
-    progress: Callable[[float], None] | None = None,
-) -> Diagnosis:
-    """Examine a log, a table or a file.
+def _silent(fraction: float) -> None:
+    """Progress that is not shown."""
 
-    `mapping` says which column is what (None: `propose` guesses); a known `robot` sharpens the checks of units. Both
-    may be names or files. `progress` is called with the fraction done. Raises `InvalidLog` for a file without a log.
+
+def doctor(
+    source: str | Path | RawTable | Log,
+    robot: Robot | str | Path | None = None,
+    *,
+    mapping: Mapping | str | Path | None = None,
+    progress: Callable[[float], None] = _silent,
+) -> Diagnosis:
+    """Examine a log, a table or the file of any program: units, signs, sides, time, delays, saturation, bias, falls.
+
+    `robot` and `mapping` may be names or files. A known robot sharpens the checks of units; without a mapping
+    `logs.mapping.propose` chooses one. `progress` is called with the fraction done. Raises `InvalidLog` where the
+    source is no log, `UnknownName` for an unknown name.
     """
-    table = table_of(source) if isinstance(source, Log) else source if isinstance(source, Table) else read_table(source)
+    table = (
+        table_of(source) if isinstance(source, Log) else source if isinstance(source, RawTable) else read_table(source)
+    )
     chosen = find_mapping(mapping) if mapping else propose(table)
+    known = find_robot(robot) if robot else None
     raw = _record(table, chosen)
-    findings, timed = _examine(raw, find_robot(robot) if robot else None, progress or _unwatched)
+    findings, timed = _examine(raw, known, progress)
     order = {severity: i for i, severity in enumerate(SEVERITIES)}
     ranked = tuple(sorted(findings, key=lambda finding: order[finding.severity]))
     origin = dict(table.origin) | ({"file": table.source, "mapping": chosen.name} if table.source else {})
     seconds = float(timed.t[-1] - timed.t[0])
-    return Diagnosis(table.source, chosen, ranked, len(raw.t), seconds, timed.period, raw, origin)
+    return Diagnosis(
+        source=table.source, mapping=chosen, findings=ranked, rows=len(raw.t), seconds=seconds, period=timed.period,
+        _raw=raw, _origin=origin,
+    )  # fmt: skip
 
 
-def _unwatched(share: float) -> None:
-    """Nobody watches the `share` done."""
-
-
-def _record(table: Table, mapping: Mapping) -> Record:
-    t, channels, said = channels_of(mapping, table)
-    seen = {name: values for name, values in channels.items() if not name.startswith("truth/")}
-    record = Record(t, seen, {**said, **{name: unit for name, unit in table.units.items() if name in seen}})
+def _record(table: RawTable, mapping: Mapping) -> Record:
+    t, channels, units = channels_of(mapping, table)
+    measured = {name: values for name, values in channels.items() if not name.startswith("truth/")}
+    record = Record(t, measured, units | {name: unit for name, unit in table.units.items() if name in measured})
     if len(t) < _FEWEST:
         raise InvalidLog(
             f"the log has {len(t)} row{'' if len(t) == 1 else 's'}", expected=f"at least {_FEWEST} to judge a motion"
@@ -132,7 +139,7 @@ def _record(table: Table, mapping: Mapping) -> Record:
         raise InvalidLog(
             f"the time, column '{mapping.time.column}', never changes", likely="another column is the time"
         )
-    if not any(np.isfinite(values).any() for name, values in seen.items() if name.startswith("sensor/")):
+    if not any(np.isfinite(values).any() for name, values in measured.items() if name.startswith("sensor/")):
         raise InvalidLog(
             "no sensor holds a number", expected="encoders or a gyro", likely="a recording without its sensors"
         )
@@ -166,11 +173,11 @@ _STAGE_OF = {
     "time/jitter": 20,
     "segment/fall": 21,
 }  # fmt: skip
-"""Order in which the fixes are done; those that change the rows come last, so that times in them still hold."""
+"""Order of the repairs. Those that change the rows come last, so that the times in the others stay valid."""
 
 
 def _examine(raw: Record, robot: Robot | None, progress: Callable[[float], None]) -> tuple[list[Finding], Record]:
-    """All findings, and the record as it was when its time had been mended but nothing cut from it."""
+    """All findings, and the record with its time repaired but before a fall was cut from it."""
     record, timed, findings = raw, raw, list[Finding]()
     stages = _stages(robot)
     done, total = 0, sum(len(stage) for stage in stages)
@@ -180,7 +187,7 @@ def _examine(raw: Record, robot: Robot | None, progress: Callable[[float], None]
             fresh += [finding for finding in check(record) if not _known(finding, findings)]
             done += 1
             progress(done / total)
-        record = _mended(record, fresh)
+        record = _without_empty(_repaired(record, fresh), fresh)
         timed = timed if any(finding.code == "segment/fall" for finding in (*findings, *fresh)) else record
         findings += fresh
     return findings, timed
@@ -190,9 +197,12 @@ def _known(finding: Finding, findings: Sequence[Finding]) -> bool:
     return any((finding.code, finding.channel) == (old.code, old.channel) for old in findings)
 
 
-def _mended(record: Record, findings: Sequence[Finding]) -> Record:
-    for finding in findings:
-        for fix in finding.fixes:
-            record = repaired(record, fix)
+def _repaired(record: Record, findings: Sequence[Finding]) -> Record:
+    for fix in (fix for finding in findings for fix in finding.fixes):
+        record = repaired(record, fix)
+    return record
+
+
+def _without_empty(record: Record, findings: Sequence[Finding]) -> Record:
     empty = {finding.channel for finding in findings if finding.code == "channel/empty"}
     return Record(record.t, {n: x for n, x in record.channels.items() if n not in empty}, record.units)

@@ -1,4 +1,4 @@
-"""What a check reads, and what it hands over: a record, findings, and the fixes that repair it."""
+"""What a check reads (a record) and returns (findings, with the fixes that repair the record)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 SEVERITIES = ("error", "warning", "note")
-"""What makes the log lie, what spoils a fit unless it is taken into account, and what is good to know."""
+"""error: the log is wrong; warning: a fit must account for it; note: information."""
+
+GAP = 5.0
+"""[periods] A longer step is a pause of the recording; shorter ones are dropped rows or jitter."""
 
 LEFT, RIGHT, GYRO = "sensor/encoder_left", "sensor/encoder_right", "sensor/gyro"
 BATTERY, COMPASS, PITCH = "sensor/battery", "sensor/compass", "estimate/pitch"
@@ -21,9 +24,9 @@ FORWARD, UP = "sensor/accel_forward", "sensor/accel_up"
 
 @dataclass(frozen=True, eq=False)
 class Record:
-    """A log before it is one: time [s] that may repeat or run backwards, and channels that may be anything.
+    """A log before validation: time [s] may repeat or run backwards, channels may hold anything.
 
-    `truth/…` is never in it: a doctor reads what a real robot has.
+    It never contains `truth/…`: the doctor reads only what a real robot measures.
     """
 
     t: Array
@@ -43,7 +46,7 @@ class Record:
 
     @property
     def commands(self) -> tuple[str, str] | None:
-        """The channels of what drove the motors: applied where it was logged, else commanded."""
+        """The command channels: `applied/…` where logged, else `command/…`."""
         for prefix in ("applied", "command"):
             if f"{prefix}/left" in self and f"{prefix}/right" in self:
                 return f"{prefix}/left", f"{prefix}/right"
@@ -66,7 +69,7 @@ class Record:
 
 @dataclass(frozen=True)
 class Fix:
-    """One repair: what to do (see `fixes.FIXES`) to which channels with which numbers."""
+    """One repair: its `kind` (see `fixes.FIXES`), its channels and its numbers."""
 
     kind: str
     channels: tuple[str, ...] = ()
@@ -75,8 +78,8 @@ class Fix:
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing that is so: `code` (family/name), `severity`, `channel`, the `evidence` as a sentence with its numbers,
-    the `repair` in words, what `fixes` does it, and from when to when [s] where it is not the whole log."""
+    """One fault: `code` (family/name), `severity`, `channel`, the `evidence` as a sentence with its numbers, the
+    `repair` in words, the `fixes` that do it, and its `span` [s] where it does not concern the whole log."""
 
     code: str
     severity: str
@@ -88,26 +91,25 @@ class Finding:
 
     def to_json(self) -> dict[str, Any]:
         """As plain data."""
-        said: dict[str, Any] = {
-            name: getattr(self, name) for name in ("code", "severity", "channel", "evidence", "repair")
-        }
-        return said | ({"from": self.span[0], "until": self.span[1]} if self.span else {})
+        names = ("code", "severity", "channel", "evidence", "repair")
+        plain: dict[str, Any] = {name: getattr(self, name) for name in names}
+        return plain | ({"from": self.span[0], "until": self.span[1]} if self.span else {})
 
 
 def error(code: str, channel: str, evidence: str, repair: str = "", *fixes: Fix) -> Finding:
-    """A finding that makes the log lie."""
+    """A finding of severity `error`."""
     return Finding(code, "error", channel, evidence, repair, fixes)
 
 
 def warning(
     code: str, channel: str, evidence: str, repair: str = "", *fixes: Fix, span: tuple[float, float] | None = None
 ) -> Finding:
-    """A finding that spoils a fit unless it is taken into account."""
+    """A finding of severity `warning`."""
     return Finding(code, "warning", channel, evidence, repair, fixes, span)
 
 
 def note(
     code: str, channel: str, evidence: str, repair: str = "", *, span: tuple[float, float] | None = None
 ) -> Finding:
-    """A finding that is good to know."""
+    """A finding of severity `note`."""
     return Finding(code, "note", channel, evidence, repair, (), span)

@@ -1,16 +1,17 @@
-"""The mends: pure functions from a record and numbers to a record."""
+"""Repairs: pure functions from a record and numbers to a record."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from upright.doctor.finding import Array, Fix, Record
 
 
 def repaired(record: Record, fix: Fix) -> Record:
-    """`record` with one fix done."""
+    """`record` with one fix applied."""
     return FIXES[fix.kind](record, fix)
 
 
@@ -41,12 +42,12 @@ def _integrate(record: Record, fix: Fix) -> Record:
 
 
 def _earlier(record: Record, fix: Fix) -> Record:
-    """The channels read `numbers[0]` [s] earlier, which takes their delay out; the last rows keep the last reading."""
+    """Shift the channels by `numbers[0]` [s], which removes their delay; the last rows keep the last reading."""
     return _each(record, fix, lambda x: np.interp(record.t + fix.numbers[0], record.t, x))
 
 
 def _percent(record: Record, fix: Fix) -> Record:
-    """Per cent of the last of the channels, the battery."""
+    """Per cent to volts, by the battery voltage (the last channel)."""
     *commands, battery = fix.channels
     return record.changed({name: record[name] * record[battery] / 100 for name in commands})
 
@@ -80,13 +81,13 @@ def _cut(record: Record, fix: Fix) -> Record:
 
 
 def _even(record: Record, fix: Fix) -> Record:
-    """Straight lines between the rows, read at even times of `numbers[0]` [s]."""
+    """Linear interpolation at even steps of `numbers[0]` [s]."""
     t = record.t[0] + np.arange(int((record.t[-1] - record.t[0]) / fix.numbers[0] + 1e-6) + 1) * fix.numbers[0]
     return Record(t, {name: np.interp(t, record.t, x) for name, x in record.channels.items()}, record.units)
 
 
 def _bridge(record: Record, fix: Fix) -> Record:
-    """Stale readings (equal to the one before, among moving ones) replaced by a straight line over them."""
+    """Replace stale readings (repeated while the channel moves) by linear interpolation."""
 
     def change(x: Array) -> Array:
         fresh = ~stale(x)
@@ -96,7 +97,7 @@ def _bridge(record: Record, fix: Fix) -> Record:
 
 
 def _fill(record: Record, fix: Fix) -> Record:
-    """Missing readings replaced by a straight line over them."""
+    """Replace missing readings by linear interpolation."""
 
     def change(x: Array) -> Array:
         fine = np.isfinite(x)
@@ -105,25 +106,31 @@ def _fill(record: Record, fix: Fix) -> Record:
     return _each(record, fix, change)
 
 
-def stale(x: Array) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
-    """Readings that repeat the one before although the readings round them move on by more than three of their grains.
+def stale(x: Array) -> NDArray[np.bool_]:
+    """Readings that repeat the previous one although their neighbours change by more than three quantisation steps.
 
-    The slope is taken from the neighbours that are not in question, x[k−1] and x[k+1], so that a slow signal, which
-    repeats honestly, is left alone.
+    The slope is taken from the other neighbours, x[k−1] and x[k+1]; a slow signal, which repeats by quantisation,
+    is not marked.
     """
-    found = np.zeros(len(x), dtype=bool)
+    repeats = np.zeros(len(x), dtype=bool)
     if len(x) < 5:
-        return found
+        return repeats
     grain = grain_of(x)
     same = x[2:-1] == x[1:-2]
     before, after = x[1:-2] - x[:-3], x[3:] - x[2:-1]
     moving = (np.abs(after) >= 4 * grain) & (np.abs(before) >= 1.5 * grain) & (before * after > 0)
-    found[2:-1] = same & moving
-    return found
+    repeats[2:-1] = same & moving
+    return repeats
+
+
+def runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First and last-plus-one row of each run of True."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(np.int8), [0]])))
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
 def grain_of(x: Array) -> float:
-    """The smallest step between two readings that a tenth of a per cent of the steps are as small as (0: no steps)."""
+    """Quantisation step: the 0.1 % quantile of the nonzero steps between readings (0 where there are none)."""
     steps = np.abs(np.diff(x))
     steps = np.sort(steps[steps > 1e-12 * (1 + float(np.nanmax(np.abs(x))))])
     return float(steps[len(steps) // 1000]) if len(steps) else 0.0

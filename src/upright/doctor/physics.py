@@ -1,4 +1,4 @@
-"""What the laws of motion say of a record: two regressions in which no number of the robot is known.
+"""Two regressions on the equations of motion that need no parameter of the robot.
 
 With δ the wheels' angle relative to the body (what encoders read), ψ the pitch and u the command, the model's two rows
 give, near the upright,
@@ -6,9 +6,9 @@ give, near the upright,
     pendulum   δ⃛ = −q ψ⃛ + p ψ̇      q = (a11 + 2 a12 + a22)/(a11 + a12) > 1,   p = MgL/(a11 + a12)
     motor      u = A δ̈ + B ψ̈ + D δ̇ + C sign δ̇      no gravity in it; A, B, C, D ≥ 0
 
-(the sum of both rows has no motor in it; the first row no gravity). No term stands on both sides, so that one sensor's
-noise cannot correlate with itself. Derivatives are those of a Gaussian kernel, one for all channels, which
-leaves linear equations true and quantisation small.
+(the sum of both rows contains no motor torque, the first row no gravity). No sensor stands on both sides, so that its
+noise is not correlated with itself. Derivatives are those of a Gaussian kernel, the same for all channels, which keeps
+linear equations valid and attenuates quantisation.
 """
 
 from __future__ import annotations
@@ -20,23 +20,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.doctor.finding import GYRO, LEFT, PITCH, RIGHT, Array, Record
+from upright.doctor.finding import GAP, GYRO, LEFT, PITCH, RIGHT, Array, Record
 
 WIDTHS = (0.03, 0.06)
-"""Standard deviations [s] of the kernel: band limits of 5 and 2.7 Hz, round the motion of balancing robots."""
+"""Standard deviations [s] of the kernel: band limits of 5 and 2.7 Hz, about the motion of balancing robots."""
 
-_MOST_ROWS = 6_000  # of a regression, spread over the log; more of them change nothing that is reported
-_MOST_ANSWERS = 20_000  # rows; an answer is small, so more of them count
-_TRIM = 0.9  # share of the rows that are kept: what pushes, slips and stops spoil is the rest
-_REACH = 0.12  # [s] largest delay that is looked for
+_MOST_ROWS = 6_000  # of a regression, spread over the log; more do not change the findings
+_MOST_RESPONSE_ROWS = 20_000  # of a response, which is small against the noise
+_TRIM = 0.9  # fraction of the rows that are kept: pushes, slip and stops affect the rest
+_REACH = 0.12  # [s] largest delay of the search
 _LEAST_ROWS = 100
 
 
-@dataclass(frozen=True, eq=False)
-class Motion:
-    """Encoders, gyro and commands at even times `period` [s]; what the record lacks is None; `good` rows are no gap.
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Resampled:
+    """Encoders, gyro and commands, resampled every `period` [s]; None where missing; `good` rows lie in no gap.
 
-    Without a gyro the rate of the logged pitch estimate stands in for it, and `gyro_name` says so.
+    Without a gyro, `gyro` is the rate of the logged pitch estimate, and `gyro_name` is that channel.
     """
 
     t: Array
@@ -55,9 +55,9 @@ class Motion:
 
 
 @dataclass(frozen=True)
-class Fit:
+class LaggedFit:
     """Coefficients of a regression, its R² on the rows kept, the lag [s] of the first regressor's channel, and how
-    `sharp` that is: what is left unexplained two rows off it, over what is left at it."""
+    `sharp` it is: the residual two rows away over the residual at the lag."""
 
     values: tuple[float, ...]
     r2: float
@@ -65,8 +65,8 @@ class Fit:
     sharp: float = 1.0
 
 
-def motion(record: Record) -> Motion | None:
-    """The record at even times, or None where there are no encoders or too few rows."""
+def motion(record: Record) -> Resampled | None:
+    """The record resampled at even times; None without encoders or with too few rows."""
     if LEFT not in record or RIGHT not in record or len(record.t) < _LEAST_ROWS:
         return None
     period = record.period
@@ -80,12 +80,14 @@ def motion(record: Record) -> Motion | None:
         return np.interp(t, record.t[fine], values[fine]) if fine.sum() > 1 else np.zeros(len(t))
 
     after = np.clip(np.searchsorted(record.t, t, side="right"), 1, len(record.t) - 1)
-    good = (record.t[after] - record.t[after - 1]) < 5 * period
+    good = (record.t[after] - record.t[after - 1]) < GAP * period
     name = GYRO if GYRO in record else PITCH
     gyro = even(GYRO) if GYRO in record else np.gradient(even(PITCH), period) if PITCH in record else None
     pair = record.commands
     commands = (even(pair[0]), even(pair[1])) if pair else None
-    return Motion(t, period, even(LEFT), even(RIGHT), gyro, commands, good, name)
+    return Resampled(
+        t=t, period=period, left=even(LEFT), right=even(RIGHT), gyro=gyro, commands=commands, good=good, gyro_name=name
+    )
 
 
 def smooth(values: Array, period: float, width: float, order: int = 0) -> Array:
@@ -101,7 +103,7 @@ def widths(period: float) -> tuple[float, ...]:
     return tuple(dict.fromkeys(max(width, 2 * period) for width in WIDTHS))
 
 
-def _rows(m: Motion, width: float) -> NDArray[np.intp]:
+def _rows(m: Resampled, width: float) -> NDArray[np.intp]:
     margin = int((4 * width + _REACH) / m.period) + 2
     inside = np.arange(margin, len(m.t) - margin)
     near = int(4 * width / m.period) + 1
@@ -112,7 +114,7 @@ def _rows(m: Motion, width: float) -> NDArray[np.intp]:
 
 
 def _regress(y: Array, X: Array, positive: bool) -> tuple[Array, float, NDArray[Any]]:
-    """Trimmed least squares with an intercept (its own column is taken out), and R² on the rows kept."""
+    """Trimmed least squares with an intercept, R² on the rows kept, and these rows."""
     keep = np.ones(len(y), dtype=bool)
     values, r2 = np.zeros(X.shape[1]), 0.0
     for last in (False, False, True):
@@ -132,16 +134,16 @@ def _regress(y: Array, X: Array, positive: bool) -> tuple[Array, float, NDArray[
 
 
 def lagged(
-    m: Motion, width: float, target: Array, shifted: list[Array], fixed: list[Array], *, positive: bool = False,
+    m: Resampled, width: float, target: Array, shifted: list[Array], fixed: list[Array], *, positive: bool = False,
     reach: tuple[float, float] = (-_REACH, _REACH),
-) -> Fit:  # fmt: skip
-    """The fit of `target` on `shifted` (read `lag` later, in whole and part rows) and `fixed` with the best lag.
+) -> LaggedFit:  # fmt: skip
+    """The fit of `target` on `shifted` (read `lag` later, to a fraction of a row) and `fixed` with the best lag.
 
-    Rows are trimmed at the best lag of a first pass, so that all lags of the second are judged on the same rows.
+    Rows are trimmed at the best lag of a first pass, so that the second compares all lags on the same rows.
     """
     rows = _rows(m, width)
     if len(rows) < _LEAST_ROWS // 2 or not target[rows].any():
-        return Fit((), 0.0)
+        return LaggedFit((), 0.0)
     shifts = np.arange(round(reach[0] / m.period), round(reach[1] / m.period) + 1)
     X0 = np.column_stack([x[rows] for x in fixed]) if fixed else np.empty((len(rows), 0))
 
@@ -149,20 +151,20 @@ def lagged(
         return np.column_stack([*(x[rows + shift] for x in shifted), X0])
 
     def quick(keep: NDArray[Any]) -> Array:
-        return np.array([_share(target[rows][keep], design(s)[keep], positive) for s in shifts.tolist()])
+        return np.array([_r_squared(target[rows][keep], design(s)[keep], positive) for s in shifts.tolist()])
 
     best = int(shifts[int(np.argmax(quick(np.ones(len(rows), dtype=bool))))])
     keep = _regress(target[rows], design(best), positive)[2]
-    shares = quick(keep)
-    i = int(np.argmax(shares))
-    part = _vertex(shares, i)
+    r2s = quick(keep)
+    i = int(np.argmax(r2s))
+    part = _vertex(r2s, i)
     values, r2, _ = _regress(target[rows], design(int(shifts[i])), positive)
-    left_over = 1 - shares[[j for j in (i - 2, i, i + 2) if 0 <= j < len(shares)]]
-    sharp = float(np.sort(left_over)[1] / max(1 - shares[i], 1e-12))
-    return Fit(tuple(values.tolist()), r2, float((shifts[i] + part) * m.period), sharp)
+    left_over = 1 - r2s[[j for j in (i - 2, i, i + 2) if 0 <= j < len(r2s)]]
+    sharp = float(np.sort(left_over)[1] / max(1 - r2s[i], 1e-12))
+    return LaggedFit(tuple(values.tolist()), r2, float((shifts[i] + part) * m.period), sharp)
 
 
-def _share(y: Array, X: Array, positive: bool) -> float:
+def _r_squared(y: Array, X: Array, positive: bool) -> float:
     centred, z = X - X.mean(axis=0), y - y.mean()
     Z = centred / np.maximum(np.sqrt((centred**2).mean(axis=0)), 1e-300)
     gram, side, power = Z.T @ Z, Z.T @ z, float(z @ z)
@@ -182,38 +184,39 @@ def _solved(gram: Array, side: Array, positive: bool) -> Array:
     return nnls(factor.T, np.linalg.solve(factor, side))[0]
 
 
-def _vertex(shares: Array, i: int) -> float:
-    """Where between the neighbours of the largest share a parabola has its top, in rows."""
-    if not 0 < i < len(shares) - 1:
+def _vertex(r2s: Array, i: int) -> float:
+    """The vertex of the parabola through the largest R² and its neighbours, in rows from the largest."""
+    if not 0 < i < len(r2s) - 1:
         return 0.0
-    a, b, c = shares[i - 1 : i + 2].tolist()
+    a, b, c = r2s[i - 1 : i + 2].tolist()
     return 0.5 * (a - c) / (a - 2 * b + c) if a - 2 * b + c < 0 else 0.0
 
 
-def pendulum(m: Motion, wheel: Array, *, gyro_order: int = 0, wheel_order: int = 0) -> Fit:
-    """q and p of δ⃛ = −q ψ⃛ + p ψ̇, and how much later than the wheel the gyro is [s].
+def pendulum(m: Resampled, wheel: Array, *, gyro_order: int = 0) -> LaggedFit:
+    """q and p of δ⃛ = −q ψ⃛ + p ψ̇, and the delay of the gyro behind the wheel [s].
 
-    `gyro_order=1` takes the gyro's channel for an angle and −1 for an acceleration; `wheel_order=−1` the encoder's
-    for a rate.
+    `gyro_order=1` reads the gyro's channel as an angle.
     """
-    fits: list[Fit] = []
+    fits: list[LaggedFit] = []
     assert m.gyro is not None
     for width in widths(m.period):
-        target = smooth(wheel, m.period, width, 3 + wheel_order)
+        target = smooth(wheel, m.period, width, 3)
         change = -smooth(m.gyro, m.period, width, 2 + gyro_order)
         level = smooth(m.gyro, m.period, width, gyro_order)
         fits.append(lagged(m, width, target, [change, level], []))
     return max(fits, key=lambda fit: fit.r2)
 
 
-def motor(m: Motion, command: Array, left: Array, right: Array, gyro: Array | None, gyro_lag: float = 0.0) -> Fit:
-    """A, D, C (both wheels), B ≥ 0 of the motor equation, and how much later than the command the wheels answer [s].
+def motor(
+    m: Resampled, command: Array, left: Array, right: Array, gyro: Array | None, gyro_lag: float = 0.0
+) -> LaggedFit:
+    """A, D, C (both wheels), B ≥ 0 of the motor equation, and the delay of the wheels behind the command [s].
 
-    A held command acts half a period after its row; that is not counted as a delay.
+    The half period of a held command is not counted as a delay.
     """
-    fits: list[Fit] = []
+    fits: list[LaggedFit] = []
     for width in widths(m.period):
-        half = smooth(_late(command, 0.5), m.period, width)
+        half = smooth(_delayed(command, 0.5), m.period, width)
         mean = (left + right) / 2
         rub = sum(_sign(x, m.period, width) for x in (left, right)) / 2
         parts = [smooth(mean, m.period, width, 2), smooth(mean, m.period, width, 1), np.asarray(rub)]
@@ -224,9 +227,9 @@ def motor(m: Motion, command: Array, left: Array, right: Array, gyro: Array | No
     return max(fits, key=lambda fit: fit.r2)
 
 
-def _late(values: Array, share: float) -> Array:
-    """`values` half a row later: what a command held over its period does in the mean."""
-    return np.concatenate([values[:1], (1 - share) * values[1:] + share * values[:-1]])
+def _delayed(values: Array, fraction: float) -> Array:
+    """`values` delayed by a fraction of a row; half a row is the mean delay of a held command."""
+    return np.concatenate([values[:1], (1 - fraction) * values[1:] + fraction * values[:-1]])
 
 
 def _sign(values: Array, period: float, width: float) -> Array:
@@ -236,30 +239,32 @@ def _sign(values: Array, period: float, width: float) -> Array:
 
 
 def backward_rate(angle: Array, period: float) -> Array:
-    """The last difference quotient: unlike a central one it knows nothing of what follows."""
+    """The backward difference quotient, which is causal."""
     return np.diff(angle, prepend=angle[:1]) / period
 
 
 @dataclass(frozen=True, eq=False)
-class Answer:
-    """What an unforeseen unit of command does to a channel 0, 1, 2, … rows later, with the t-value of each, and the
-    standard deviation of what is unforeseen in the command."""
+class Response:
+    """Response of a channel to one unit of unpredictable command 0, 1, 2, … rows later, the t-value of each, and the
+    standard deviation of the unpredictable part (`surprise`)."""
 
     gain: Array
     t_value: Array
     surprise: float
 
 
-def answers(m: Motion, u: Array, channels: dict[str, Array], order: int = 6, reach: int = 14) -> dict[str, Answer]:
-    """The response of each of `channels` to the part of the command `u` that the past does not foretell.
+def responses(
+    m: Resampled, u: Array, channels: dict[str, Array], order: int = 6, reach: int = 14
+) -> dict[str, Response]:
+    """The response of each of `channels` to the part of the command `u` that the past does not predict.
 
-    Regressing what follows on the command of row k with all of the past (and of row k) given is free of the bias that
-    feedback gives to a plain cross-correlation (Jordà 2005, local projections).
+    Regressing later rows on the command of row k, with the past and row k as further regressors, is free of the bias
+    that feedback gives to a cross-correlation (Jordà 2005, local projections).
     """
     rows = np.arange(order + 1, len(u) - reach - 1)
     near = np.convolve(~m.good, np.ones(2 * (order + reach)), mode="same") > 0.5
     rows = rows[~near[rows]]
-    rows = rows[:: max(1, len(rows) // _MOST_ANSWERS)]
+    rows = rows[:: max(1, len(rows) // _MOST_RESPONSE_ROWS)]
     if len(rows) < _LEAST_ROWS:
         return {}
     past = [x[rows - i] for x in channels.values() for i in range(order)] + [u[rows - i] for i in range(1, order + 1)]
@@ -270,16 +275,18 @@ def answers(m: Motion, u: Array, channels: dict[str, Array], order: int = 6, rea
 
     surprise = rest(u[rows])
     power = float(surprise @ surprise)
-    if power <= 1e-8 * float(u[rows] @ u[rows]) or power == 0:  # rounding is no surprise
+    if power <= 1e-8 * float(u[rows] @ u[rows]) or power == 0:  # rounding errors only
         return {}
-    return {name: _answer(rest, surprise, power, x, rows, reach) for name, x in channels.items()}
+    return {name: _response(rest, surprise, power, x, rows, reach) for name, x in channels.items()}
 
 
-def _answer(rest: Callable[[Array], Array], surprise: Array, power: float, x: Array, rows: Any, reach: int) -> Answer:
+def _response(
+    rest: Callable[[Array], Array], surprise: Array, power: float, x: Array, rows: Any, reach: int
+) -> Response:
     gain, t_value = np.zeros(reach), np.zeros(reach)
     for j in range(reach):
         y = rest(x[rows + j])
         gain[j] = float(surprise @ y) / power
         spread = np.sqrt(float(((y - gain[j] * surprise) ** 2).mean()) / power)
         t_value[j] = gain[j] / spread if spread > 0 else 0.0
-    return Answer(gain, t_value, float(np.sqrt(power / len(rows))))
+    return Response(gain, t_value, float(np.sqrt(power / len(rows))))

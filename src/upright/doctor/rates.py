@@ -1,4 +1,4 @@
-"""A controller that runs faster than the log."""
+"""A controller that runs at a higher rate than the log."""
 
 from __future__ import annotations
 
@@ -7,28 +7,26 @@ import numpy as np
 from upright.doctor.delays import command_delay
 from upright.doctor.finding import Finding, Record, note, warning
 from upright.doctor.fixes import grain_of
-from upright.doctor.physics import Motion, answers, backward_rate, motion, motor, pendulum
+from upright.doctor.physics import Resampled, backward_rate, motion, motor, pendulum, responses
 
-_SURE = 3.0  # standard deviations by which the answer must fall short
-_GRAINS = 3.0  # a surprise of less than so many steps of the command is the driver's rounding, not the controller's
-
-
-_LAW = 0.98  # R² of the motor equation from which its lag is known to a few hundredths of a row
-_SHARP = 2.0  # how sharp the lag must be: a slow motion fits any
-_EARLY = 0.05  # rows by which the wheels may seem to answer before a command that was held
+_SURE = 3.0  # standard deviations by which the response must be too small
+_GRAINS = 3.0  # [quantisation steps of the command] a smaller unpredictable part is rounding in the driver
+_LAW = 0.98  # R² of the motor equation above which its lag is accurate to a few hundredths of a row
+_SHARP = 2.0  # smallest sharpness of the lag: a slow motion fits any lag
+_EARLY = 0.05  # [rows] tolerated lead of the wheels over a held command
 
 
 def faster_controller(record: Record) -> list[Finding]:
-    """Wheels that answer before the command, or hardly at all to what is unforeseen in it."""
+    """Wheels that respond before the command, or hardly at all to its unpredictable part."""
     m = motion(record)
     if m is None or m.commands is None or record.torque_driven:
         return []
     return _too_early(m) or _swallowed(m)
 
 
-def _too_early(m: Motion) -> list[Finding]:
-    """An effect before its cause: a command that is held from row to row acts half a row late in the mean, and no dead
-    time is negative; one that moves on between the rows acts at once."""
+def _too_early(m: Resampled) -> list[Finding]:
+    """An effect before its cause: a command held from row to row acts half a row later in the mean, and no dead time is
+    negative; a command that changes between the rows acts earlier."""
     assert m.commands is not None
     mean, lag = (m.commands[0] + m.commands[1]) / 2, 0.0
     if m.gyro is not None:
@@ -37,39 +35,37 @@ def _too_early(m: Motion) -> list[Finding]:
     fit = motor(m, mean, m.left, m.right, m.gyro, lag)
     if fit.r2 < _LAW or fit.sharp < _SHARP or fit.lag > -_EARLY * m.period:
         return []
-    said = f"the wheels answer {-fit.lag * 1e3:.1f} ms before the command, were it held for {m.period * 1e3:.3g} ms "
-    said += f"(motor equation, R² {fit.r2:.3f}): the motors got other commands between the rows"
-    repair = "log at the controller's rate; a one-step regression on this log is biased"
-    return [warning("samples/controller", "command", said, repair)]
+    evidence = f"if commands were held for {m.period * 1e3:.3g} ms, the wheels would lead by {-fit.lag * 1e3:.1f} ms "
+    evidence += f"(motor equation, R² {fit.r2:.3f}): the commands changed between the rows"
+    repair = "log at the controller's rate; one-step regression on this log is biased"
+    return [warning("samples/controller", "command", evidence, repair)]
 
 
-def _swallowed(m: Motion) -> list[Finding]:
-    """Wheels that hardly answer to what is unforeseen in a logged command.
+def _swallowed(m: Resampled) -> list[Finding]:
+    """Wheels that hardly respond to the unpredictable part of a logged command.
 
-    Were a command held from its row to the next, its unforeseen part would move the wheels as the motor equation says.
-    Under a faster controller the logged value is only one of several between two rows, and its surprises pass at once.
-    Friction can swallow them as well, so this stays a note.
+    The unpredictable part of a held command moves the wheels as the motor equation says. Under a faster controller the
+    logged value is one of several between two rows, and its effect is smaller. Friction can cause the same, so this is
+    a note.
     """
     measured = held(m)
     if measured is None:
         return []
-    share, spread = measured
-    if share + _SURE * spread > 1:
+    fraction, spread = measured
+    if fraction + _SURE * spread > 1:
         return []
-    said = (
-        f"what is unforeseen in a command moves the wheels only {max(share, 0):.0%} (± {2 * spread:.0%}) as far as if "
-    )
-    said += f"it were held for {m.period * 1e3:.3g} ms: the motors got other commands between the rows, or friction "
-    said += "swallows the small ones"
-    repair = "if the controller is faster, log at its rate; a one-step regression on this log is biased"
-    return [note("samples/controller", "command", said, repair)]
+    evidence = f"the unpredictable part of the command moves the wheels {max(fraction, 0):.0%} (± {2 * spread:.0%}) of "
+    evidence += f"the distance expected if held for {m.period * 1e3:.3g} ms: the commands changed between the rows, or "
+    evidence += "friction absorbs the small ones"
+    repair = "if the controller is faster, log at its rate; one-step regression on this log is biased"
+    return [note("samples/controller", "command", evidence, repair)]
 
 
-def held(m: Motion) -> tuple[float, float] | None:
-    """Measured over expected answer of the wheels to an unforeseen command, with its standard deviation.
+def held(m: Resampled) -> tuple[float, float] | None:
+    """Measured over expected response of the wheels to an unpredictable command, with its standard deviation.
 
-    By the motor equation a unit of command, held for one row and no longer, turns the wheels by T/D in all, after a
-    first-order lag of (A − B/q)/D; the first three rows' share of that is what is expected at least.
+    By the motor equation a unit of command held for one row turns the wheels by T/D in all, with a first-order lag of
+    (A − B/q)/D; the part of it within the first three rows is expected at least.
     """
     assert m.commands is not None
     mean, lag, q = (m.commands[0] + m.commands[1]) / 2, 0.0, 0.0
@@ -79,16 +75,16 @@ def held(m: Motion) -> tuple[float, float] | None:
     fit = motor(m, mean, m.left, m.right, m.gyro, lag)
     if fit.r2 < 0.9 or len(fit.values) < 2 or fit.values[1] <= 0:
         return None
-    seen = {"wheel": backward_rate(m.wheel, m.period)} | ({"gyro": m.gyro} if m.gyro is not None else {})
-    answer = answers(m, mean, seen, reach=10).get("wheel")
-    if answer is None or answer.surprise < _GRAINS * max(grain_of(command) for command in m.commands):
+    channels = {"wheel": backward_rate(m.wheel, m.period)} | ({"gyro": m.gyro} if m.gyro is not None else {})
+    response = responses(m, mean, channels, reach=10).get("wheel")
+    if response is None or response.surprise < _GRAINS * max(grain_of(command) for command in m.commands):
         return None
     inertia = fit.values[0] - (fit.values[3] / q if q > 0 and len(fit.values) > 3 else 0.0)
     keep = np.exp(-m.period * fit.values[1] / max(inertia, 0.1 * fit.values[0], 0.05 * m.period * fit.values[1]))
     dead = command_delay(m, lag)
     first = 1 + int((dead[0] if dead else 0.0) / m.period)
     rows = slice(first, first + 3)
-    gain, t = answer.gain[rows], answer.t_value[rows]
+    gain, t = response.gain[rows], response.t_value[rows]
     if len(gain) < 3 or not t.all():
         return None
     expected = (1 + (1 - keep) * keep**2 / np.log(keep)) / fit.values[1]

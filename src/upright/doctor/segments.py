@@ -1,4 +1,4 @@
-"""Parts of a log in which the robot does not balance: it falls, lies, stands still, slips, or something pushes it."""
+"""Parts of a log without free balancing: falls, standstill, slip and pushes."""
 
 from __future__ import annotations
 
@@ -7,21 +7,16 @@ from numpy.typing import NDArray
 
 from upright.doctor.delays import CLEAR
 from upright.doctor.finding import LEFT, PITCH, Array, Finding, Fix, Record, note, warning
-from upright.doctor.physics import Motion, motion, pendulum, smooth, widths
+from upright.doctor.fixes import runs
+from upright.doctor.physics import Resampled, motion, pendulum, smooth, widths
 
-_STILL = 0.4  # [s] shortest stand that is told: longer than the turning points of any balancing
-_MOST = 10  # events of one kind that are told
-_TIPPED = 0.5  # [rad] lean from which a robot that stays there, or goes on, has fallen
-
-
-def runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """First and last-plus-one row of each run of True."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(np.int8), [0]])))
-    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+_STILL = 0.4  # [s] shortest standstill that is reported, longer than the turning points of balancing
+_MOST = 10  # reported events of one kind
+_TIPPED = 0.5  # [rad] one-sided turn of the pitch beyond which a robot that does not return has fallen
 
 
-def lean(record: Record, m: Motion) -> Array:
-    """Pitch [rad] from the gyro, or the logged estimate without one; only differences over seconds are meant."""
+def lean(record: Record, m: Resampled) -> Array:
+    """Pitch [rad] from the gyro, or the logged estimate without one; valid for differences over seconds."""
     if m.gyro is None:
         return np.interp(m.t, record.t, record[PITCH]) if PITCH in record else np.zeros(len(m.t))
     return np.cumsum(m.gyro - np.median(m.gyro)) * m.period
@@ -49,26 +44,26 @@ def fall(record: Record) -> list[Finding]:
 
 
 def _lies(rate: Array, peak: float, period: float) -> bool:
-    """Whether after the impact and its bounces the rest is still, compared with the fall."""
+    """Whether the robot is at rest after the impact, compared with the fall."""
     rest = rate[round(0.5 / period) :]
     return len(rest) * period > 0.2 and float(np.sqrt(np.mean(rest**2))) < 0.03 * peak
 
 
-def _fell(m: Motion, first: int, turn: float, fastest: float, ends: bool) -> Finding:
+def _fell(m: Resampled, first: int, turn: float, fastest: float, ends: bool) -> Finding:
     start = float(m.t[first])
-    how = "the log ends in it" if ends else "and then lies still"
-    said = f"from t = {start:.3g} s the pitch runs away by {turn:.2g} rad at up to {fastest:.2g} rad/s, {how}"
+    how = "where the log ends" if ends else "and then the robot lies still"
+    evidence = f"from t = {start:.3g} s the pitch turns by {turn:.2g} rad at up to {fastest:.2g} rad/s, {how}"
     cut = Fix("cut", numbers=(float(m.t[0]) - 1.0, start - 0.1))
     span = start, float(m.t[-1])
-    return warning("segment/fall", m.gyro_name, said, f"use t < {start - 0.1:.3g} s", cut, span=span)
+    return warning("segment/fall", m.gyro_name, evidence, f"use t < {start - 0.1:.3g} s", cut, span=span)
 
 
-def _pitch_rate(record: Record, m: Motion) -> Array:
+def _pitch_rate(record: Record, m: Resampled) -> Array:
     return m.gyro if m.gyro is not None else np.gradient(lean(record, m), m.period)
 
 
 def still(record: Record) -> list[Finding]:
-    """Stretches in which neither wheel turns and the gyro only makes noise: held, lying, or stuck by friction."""
+    """Intervals in which neither wheel turns and the gyro reads only noise: held, lying, or stuck by friction."""
     m = motion(record)
     if m is None:
         return []
@@ -77,34 +72,36 @@ def still(record: Record) -> list[Finding]:
     moved, swings = np.convolve(left + right, np.ones(count) / count, mode="same"), np.abs(smooth(rate, m.period, 0.05))
     level = max(0.02 * float(np.percentile(left + right, 95)), 1e-6)
     calm = (moved < level) & (swings < max(3 * _noise(rate), 0.03 * float(np.percentile(swings, 95))))
-    found = [(a, b) for a, b in runs(calm) if (b - a) * m.period >= _STILL]
-    if sum(b - a for a, b in found) > 0.98 * len(calm):
+    intervals = [(a, b) for a, b in runs(calm) if (b - a) * m.period >= _STILL]
+    if sum(b - a for a, b in intervals) > 0.98 * len(calm):
         return []
-    return [_stood(record, m, a, b, rate) for a, b in found[:_MOST]]
+    return [_standing(record, m, a, b, rate) for a, b in intervals[:_MOST]]
 
 
-def _stood(record: Record, m: Motion, a: int, b: int, rate: Array) -> Finding:
+def _standing(record: Record, m: Resampled, a: int, b: int, rate: Array) -> Finding:
     start, end = float(m.t[a]), float(m.t[b - 1])
     driven = float(np.abs((m.commands[0] + m.commands[1])[a:b] / 2).mean()) if m.commands is not None else 0.0
     unit = record.units.get(record.commands[0], "") if record.commands else ""
-    said = f"from {start:.3g} to {end:.3g} s (rows {a} to {b - 1}) the wheels stand and the gyro only scatters by "
-    said += (
-        f"{rate[a:b].std():.2g} rad/s under a mean command of {driven:.2g} {unit}: a free robot would fall, so it is "
+    evidence = (
+        f"from {start:.3g} to {end:.3g} s (rows {a} to {b - 1}) the wheels stand still and the gyro reads noise of "
     )
-    said += "held, lies, or friction holds it"
-    return note("segment/still", m.gyro_name, said, "leave these rows out of a fit", span=(start, end))
+    evidence += (
+        f"{rate[a:b].std():.2g} rad/s, with a mean command of {driven:.2g} {unit}: held by hand, lying, or stuck "
+    )
+    evidence += "by friction"
+    return note("segment/still", m.gyro_name, evidence, "exclude these rows from a fit", span=(start, end))
 
 
 def _noise(rate: Array) -> float:
-    """Standard deviation of white noise from second differences, which motion hardly has."""
+    """Standard deviation of white noise, from second differences, to which motion contributes little."""
     return float(np.median(np.abs(np.diff(rate, 2))) / 0.6745 / np.sqrt(6)) if len(rate) > 3 else 0.0
 
 
 def slips(record: Record) -> list[Finding]:
-    """Wheels that spin without moving the robot, and pushes: where the pendulum's law fails for a moment.
+    """Wheel slip and pushes: short violations of the pendulum equation.
 
-    A push gives its momentum to the robot, so the misfit of δ̈ has one sign; a wheel that slips spins up and is braked
-    again when it grips, so the misfit has two that cancel.
+    A push adds momentum, so the residual of δ̈ has one sign; a slipping wheel spins up and is braked when it grips, so
+    the residual has both signs and a mean near zero.
     """
     m = motion(record)
     if m is None or m.gyro is None:
@@ -125,23 +122,23 @@ def slips(record: Record) -> list[Finding]:
     return _events(m, miss, loud, scatter)
 
 
-def _events(m: Motion, miss: Array, loud: NDArray[np.bool_], scatter: float) -> list[Finding]:
+def _events(m: Resampled, miss: Array, loud: NDArray[np.bool_], scatter: float) -> list[Finding]:
     join = max(1, round(0.25 / m.period))
     near = np.convolve(loud, np.ones(2 * join + 1), mode="same") > 0.5
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for a, b in runs(near)[:_MOST]:
         part = miss[a:b]
         largest = float(np.abs(part).max())
         both = min(float(part.max()), float(-part.min())) / largest
         balance = abs(float(part.sum())) / float(np.abs(part).sum())
         span = float(m.t[a + join]), float(m.t[b - 1 - join])
-        said = f"from {span[0]:.3g} to {span[1]:.3g} s the wheels' acceleration misses the pendulum's law by up to "
-        said += f"{largest:.3g} rad/s², {largest / scatter:.0f} times the usual"
+        evidence = f"from {span[0]:.3g} to {span[1]:.3g} s the wheels deviate from the pendulum equation by up to "
+        evidence += f"{largest:.3g} rad/s², {largest / scatter:.0f} standard deviations"
         if both > 0.35 and balance < 0.35:
-            said += ", forth and back again: the wheels slip"
-            found.append(warning("segment/slip", LEFT, said, "leave these rows out of a fit", span=span))
+            evidence += ", in both directions: the wheels slip"
+            findings.append(warning("segment/slip", LEFT, evidence, "exclude these rows from a fit", span=span))
         else:
-            said += ": something pushes the robot"
-            repair = "leave these rows out of a fit, or say the push"
-            found.append(note("segment/push", LEFT, said, repair, span=span))
-    return found
+            evidence += ", in one direction: a push"
+            repair = "exclude these rows from a fit, or log the push"
+            findings.append(note("segment/push", LEFT, evidence, repair, span=span))
+    return findings

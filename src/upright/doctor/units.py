@@ -1,4 +1,4 @@
-"""Units: which scale of gyro, encoders and commands makes a robot that can exist."""
+"""Units: the scale of gyro, encoders and commands that gives a physically possible robot."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from upright.doctor.finding import (
 )  # fmt: skip
 from upright.doctor.fixes import grain_of
 from upright.doctor.motion import TRUSTED
-from upright.doctor.physics import Motion, lagged, motion, motor, pendulum, smooth, widths
+from upright.doctor.physics import Resampled, lagged, motion, motor, pendulum, smooth, widths
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.robots import Robot
 
@@ -33,7 +33,7 @@ STANDARD_GRAVITY = 9.80665
 
 @dataclass(frozen=True)
 class _Suspect:
-    """A channel group that may be `factor` times too large because of `why`."""
+    """A channel group that may be too large by `factor`; `why` is the mistake in words."""
 
     group: str
     factor: float
@@ -41,19 +41,19 @@ class _Suspect:
 
 
 _SUSPECTS = (
-    _Suspect("gyro", 1 / DEGREE, "degrees a second for radians a second"),
-    _Suspect("gyro", 10.0, "tenths of radians a second for radians a second"),
+    _Suspect("gyro", 1 / DEGREE, "degrees per second instead of radians per second"),
+    _Suspect("gyro", 10.0, "tenths of a radian per second instead of radians per second"),
     _Suspect("gyro", DEGREE, "converted from degrees twice"),
-    _Suspect("gyro", 1000.0, "milliradians a second for radians a second"),
-    _Suspect("gyro", 1000.0 / DEGREE, "thousandths of a degree a second for radians a second"),
-    _Suspect("encoder", 1 / DEGREE, "degrees for radians"),
-    _Suspect("encoder", 10.0, "tenths of radians for radians"),
-    _Suspect("encoder", 1 / math.tau, "turns for radians"),
+    _Suspect("gyro", 1000.0, "milliradians per second instead of radians per second"),
+    _Suspect("gyro", 1000.0 / DEGREE, "millidegrees per second instead of radians per second"),
+    _Suspect("encoder", 1 / DEGREE, "degrees instead of radians"),
+    _Suspect("encoder", 10.0, "tenths of a radian instead of radians"),
+    _Suspect("encoder", 1 / math.tau, "turns instead of radians"),
     _Suspect("encoder", DEGREE, "converted from degrees twice"),
 )
 
 _FAULT = 6.0
-"""Price of a fault in natural logarithms of odds: one log in 400 has a given unit wrong."""
+"""Prior of a fault in natural log odds: one log in 400 has a given unit wrong."""
 
 # Logarithms of usual values and their spreads over known robots: q from 1.2 (low, heavy wheels) to 15 (tall, slender),
 # p = MgL/(a11 + a12) < g/R, motors of 0.05 to 1.5 V s/rad, pitch of 0.002 to 1 rad, wheels of 0.2 to 40 rad/s.
@@ -81,7 +81,7 @@ def expected(robot: Robot | None) -> dict[str, tuple[float, float]]:
 
 
 def scales(record: Record, robot: Robot | None = None) -> list[Finding]:
-    """Gyro and encoders against each other and against what a robot can be."""
+    """Scales of gyro and encoders, against each other and against possible robots."""
     m = motion(record)
     if m is None or m.gyro is None or m.gyro_name != GYRO:
         return []
@@ -89,30 +89,30 @@ def scales(record: Record, robot: Robot | None = None) -> list[Finding]:
     if fit.r2 < TRUSTED or not fit.values or fit.values[0] <= 0 or fit.values[1] <= 0:
         return []
     usual = expected(robot)
-    seen = _seen(record, m, fit.values)
+    estimated = _estimated(record, m, fit.values)
     by_gravity = _gyro_by_gravity(record, m)
-    plain = _penalty(seen, usual, by_gravity, _Suspect("none", 1.0, ""))
-    graded = sorted((_FAULT + _penalty(seen, usual, by_gravity, s), i) for i, s in enumerate(_SUSPECTS))
+    plain = _penalty(estimated, usual, by_gravity, _Suspect("none", 1.0, ""))
+    graded = sorted((_FAULT + _penalty(estimated, usual, by_gravity, s), i) for i, s in enumerate(_SUSPECTS))
     if graded[0][0] >= plain:
         return []
-    return [_wrong(_SUSPECTS[graded[0][1]], seen, plain - graded[0][0], by_gravity)]
+    return [_wrong(_SUSPECTS[graded[0][1]], estimated, plain - graded[0][0], by_gravity)]
 
 
-def _seen(record: Record, m: Motion, values: tuple[float, ...]) -> dict[str, float]:
-    """What the log says as it stands: q, p, pitch and wheel rate, the grains, and back-EMF of a voltage drive."""
+def _estimated(record: Record, m: Resampled, values: tuple[float, ...]) -> dict[str, float]:
+    """Estimates from the log as it stands: q, p, pitch, wheel rate, resolutions, and back-EMF of a voltage drive."""
     assert m.gyro is not None
     width = widths(m.period)[-1]
     swing = np.cumsum(smooth(m.gyro, m.period, width)) * m.period
     fast = swing - smooth(swing, m.period, 8 * width)
-    seen = {"q": values[0], "p": values[1], "pitch": 2 * float(fast.std())}
-    seen["wheel_rate"] = float(np.abs(smooth(m.wheel, m.period, width, 1)).mean()) + 1e-6
-    seen["grain"] = min(grain_of(record[LEFT]), grain_of(record[RIGHT]))
-    seen["gyro_grain"] = grain_of(record[GYRO])
+    estimated = {"q": values[0], "p": values[1], "pitch": 2 * float(fast.std())}
+    estimated["wheel_rate"] = float(np.abs(smooth(m.wheel, m.period, width, 1)).mean()) + 1e-6
+    estimated["grain"] = min(grain_of(record[LEFT]), grain_of(record[RIGHT]))
+    estimated["gyro_grain"] = grain_of(record[GYRO])
     emf = back_emf(record, m)
-    return seen | ({"back_emf": emf} if emf else {})
+    return estimated | ({"back_emf": emf} if emf else {})
 
 
-def back_emf(record: Record, m: Motion) -> float:
+def back_emf(record: Record, m: Resampled) -> float:
     """Volts for each rad/s of a steady wheel, by the motor equation; 0 for another drive or where it does not fit."""
     if m.commands is None or record.torque_driven:
         return 0.0
@@ -120,8 +120,8 @@ def back_emf(record: Record, m: Motion) -> float:
     return fit.values[1] if fit.r2 > 0.8 and len(fit.values) > 1 else 0.0
 
 
-def _gyro_by_gravity(record: Record, m: Motion) -> float:
-    """How many times too large the gyro is by the accelerometer, 0 where there is none or it cannot tell.
+def _gyro_by_gravity(record: Record, m: Resampled) -> float:
+    """The factor by which the gyro is too large according to the accelerometer; 0 where it is undetermined.
 
     For small angles the accelerometer's pitch obeys ψ̇_a = ψ̇ − (R/g) θ⃛: it is regressed on the gyro, the gyro's second
     derivative and δ⃛.
@@ -138,41 +138,46 @@ def _gyro_by_gravity(record: Record, m: Motion) -> float:
     return 1 / fit.values[0] if fit.r2 > 0.7 and fit.values and fit.values[0] else 0.0
 
 
-def _penalty(seen: dict[str, float], usual: dict[str, tuple[float, float]], gravity: float, s: _Suspect) -> float:
-    """Minus the logarithm of how usual the robot is, after the suspect's scale has been put right."""
+def _penalty(estimated: dict[str, float], usual: dict[str, tuple[float, float]], gravity: float, s: _Suspect) -> float:
+    """Negative log prior density of the robot that results from correcting the suspect's scale."""
     gyro = s.factor if s.group == "gyro" else 1.0
     wheel = s.factor if s.group == "encoder" else 1.0
     divide = {"q": wheel / gyro, "p": wheel / gyro, "pitch": gyro, "wheel_rate": wheel, "back_emf": 1 / wheel}
     total = 0.0
     for name, divisor in divide.items():
-        if name in seen:
+        if name in estimated:
             centre, spread = usual[name]
-            total += ((math.log(seen[name] / divisor) - centre) / spread) ** 2 / 2
-    if seen["q"] / divide["q"] < 1.0:
-        total += 20 * (1 - seen["q"] / divide["q"])  # no mass is negative: the law itself demands q > 1
-    total += 8.0 * (seen["grain"] / wheel > 0.3)  # [rad] twenty steps a turn and nobody balances
-    total += 8.0 * (seen["gyro_grain"] / gyro > 0.5)  # [rad/s] nor on 30 degrees a second
+            total += ((math.log(estimated[name] / divisor) - centre) / spread) ** 2 / 2
+    if estimated["q"] / divide["q"] < 1.0:
+        total += 20 * (1 - estimated["q"] / divide["q"])  # masses are positive: q > 1
+    total += 8.0 * (estimated["grain"] / wheel > 0.3)  # [rad] no robot balances on twenty counts per turn
+    total += 8.0 * (estimated["gyro_grain"] / gyro > 0.5)  # [rad/s] nor on steps of 30 degrees per second
     if gravity:
         total += (math.log(abs(gravity) / gyro) / 0.3) ** 2 / 2
     return total
 
 
-def _wrong(s: _Suspect, seen: dict[str, float], odds: float, gravity: float) -> Finding:
+def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float) -> Finding:
     ratio = s.factor if s.group == "encoder" else 1 / s.factor
-    said = f"{s.why}: as logged the pendulum's law has q = {seen['q']:.3g} and p = {seen['p']:.3g} 1/s² (robots: "
-    said += f"1.2 to 15, 10 to 500), repaired {seen['q'] / ratio:.3g} and {seen['p'] / ratio:.3g}; odds e^{odds:.0f}"
+    evidence = (
+        f"{s.why}: as logged, the pendulum equation has q = {estimated['q']:.3g} and p = {estimated['p']:.3g} 1/s² "
+    )
+    evidence += f"(robots: 1.2 to 15, 10 to 500); repaired: {estimated['q'] / ratio:.3g} and "
+    evidence += f"{estimated['p'] / ratio:.3g}; log odds {odds:.0f}"
     if gravity and s.group == "gyro":
-        said += f"; against gravity it is {abs(gravity):.3g} times too large"
+        evidence += f"; by the accelerometer it is {abs(gravity):.3g} times too large"
     channels = (GYRO,) if s.group == "gyro" else (LEFT, RIGHT)
-    return _divide(channels, said, s.factor)
+    return _divide(channels, evidence, s.factor)
 
 
-def _divide(channels: tuple[str, ...], said: str, divisor: float) -> Finding:
-    return error("units/scale", channels[0], said, f"divide by {divisor:.6g}", Fix("scale", channels, (1 / divisor,)))
+def _divide(channels: tuple[str, ...], evidence: str, divisor: float) -> Finding:
+    return error(
+        "units/scale", channels[0], evidence, f"divide by {divisor:.6g}", Fix("scale", channels, (1 / divisor,))
+    )
 
 
 def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
-    """Per cent, or millivolts, for volts: by the battery, by the motors' back-EMF and by the size of the numbers."""
+    """Per cent or millivolts instead of volts: by battery voltage, back-EMF and magnitude."""
     names, m = record.commands, motion(record)
     if names is None or record.torque_driven:
         return []
@@ -191,41 +196,43 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     best = min(options, key=lambda name: penalty(options[name]))
     if penalty(options[best]) + _FAULT >= penalty(1.0):
         return []
-    said = f"{best} for volts: they reach {largest:.3g}" + (f" on a battery of {battery:.3g} V" if battery else "")
+    evidence = f"{best} instead of volts: they reach {largest:.3g}" + (
+        f" on a battery of {battery:.3g} V" if battery else ""
+    )
     if emf:
-        said += f", and the motors' back-EMF would be {emf:.3g} V s/rad, after the repair {emf / options[best]:.3g}"
+        evidence += f"; back-EMF {emf:.3g} V s/rad as logged, {emf / options[best]:.3g} V s/rad repaired"
     also = tuple(n for n in ("command/left", "command/right") if n in record and n not in names)
     if best == "per cent" and battery:
         fix = Fix("percent", (*names, *also, BATTERY))
-        return [error("units/command", names[0], said, "multiply by the battery over 100", fix)]
-    repair = f"divide by {options[best]:.4g}" + ("" if best == "millivolts" else ", taking 7.5 V for the battery")
-    return [error("units/command", names[0], said, repair, Fix("scale", (*names, *also), (1 / options[best],)))]
+        return [error("units/command", names[0], evidence, "multiply by the battery over 100", fix)]
+    repair = f"divide by {options[best]:.4g}" + ("" if best == "millivolts" else ", assuming a battery of 7.5 V")
+    return [error("units/command", names[0], evidence, repair, Fix("scale", (*names, *also), (1 / options[best],)))]
 
 
 def constants(record: Record) -> list[Finding]:
-    """Battery and accelerometer, against what batteries give and what the earth pulls."""
-    found: list[Finding] = []
+    """Battery and accelerometer, against usual voltages and gravity."""
+    findings: list[Finding] = []
     if BATTERY in record:
         volts = float(np.nanmedian(record[BATTERY]))
         if 100 < volts < 1e5:
-            found.append(_divide((BATTERY,), f"millivolts for volts: its median is {volts:.4g}", 1000.0))
+            findings.append(_divide((BATTERY,), f"millivolts instead of volts: the median is {volts:.4g}", 1000.0))
     if FORWARD in record and UP in record:
         weight = float(np.nanmedian(np.hypot(record[FORWARD], record[UP])))
         for why, pull in (("g", 1 / STANDARD_GRAVITY), ("thousandths of g", 1000 / STANDARD_GRAVITY)):
             if 0.7 < weight / (pull * STANDARD_GRAVITY) < 1.4:
-                said = f"{why} for m/s²: the median of its length is {weight:.3g}, gravity's 9.81"
-                found.append(_divide((FORWARD, UP), said, pull))
-    return found
+                evidence = f"{why} instead of m/s²: the median magnitude is {weight:.3g}, gravity is 9.81"
+                findings.append(_divide((FORWARD, UP), evidence, pull))
+    return findings
 
 
 def estimates(record: Record) -> list[Finding]:
-    """Pitch estimate and compass, against gyro and encoders that have been put right."""
+    """Pitch estimate and compass, against the repaired gyro and encoders."""
     m = motion(record)
     return _pitch(record, m) + _heading(record, m) if m is not None else []
 
 
 _FACTORS = {
-    "degrees for radians": 1 / DEGREE,
+    "degrees instead of radians": 1 / DEGREE,
     "radians × 10": 10.0,
     "degrees × 10": 10 / DEGREE,
     "milliradians": 1000.0,
@@ -234,8 +241,8 @@ _FACTORS = {
 }
 
 
-def _pitch(record: Record, m: Motion) -> list[Finding]:
-    """The rate of a pitch estimate over the gyro is 1, in any unit of neither."""
+def _pitch(record: Record, m: Resampled) -> list[Finding]:
+    """The rate of the pitch estimate relative to the gyro, which should be 1."""
     if PITCH not in record or m.gyro is None or m.gyro_name != GYRO or not np.isfinite(record[PITCH]).all():
         return []
     even, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
@@ -243,8 +250,8 @@ def _pitch(record: Record, m: Motion) -> list[Finding]:
     return _slope(PITCH, fit.values[0] if fit.values else 0.0, fit.r2, "gyro")
 
 
-def _heading(record: Record, m: Motion) -> list[Finding]:
-    """A compass over the encoders' turn is R/W in size: of a tenth to one, or 57 times that in degrees."""
+def _heading(record: Record, m: Resampled) -> list[Finding]:
+    """The compass relative to the turn of the wheels: R/W, from 0.1 to 1, or 57 times that in degrees."""
     if COMPASS not in record or not np.isfinite(record[COMPASS]).all():
         return []
     even, width = np.interp(m.t, record.t, record[COMPASS]), 4 * widths(m.period)[-1]
@@ -254,19 +261,21 @@ def _heading(record: Record, m: Motion) -> list[Finding]:
     slope = abs(float(a @ b / (b @ b)))
     if slope < 4:
         return []
-    said = f"degrees for radians: it turns {slope:.3g} rad for each rad between the wheels; robots have R/W of 0.1 to 1"
-    return [_divide((COMPASS,), said, 1 / DEGREE)]
+    evidence = (
+        f"degrees instead of radians: it turns {slope:.3g} rad per rad between the wheels; robots have R/W of 0.1 to 1"
+    )
+    return [_divide((COMPASS,), evidence, 1 / DEGREE)]
 
 
 def _slope(channel: str, slope: float, r2: float, against: str) -> list[Finding]:
     if r2 < 0.7 or not slope or 0.5 < slope < 2.0:
         return []
-    said = f"its rate is {slope:.3g} times the {against} (R² {r2:.2f}), where it should be 1"
+    evidence = f"its rate is {slope:.3g} times the {against} (R² {r2:.2f}), where it should be 1"
     if -2 < slope < -0.5:
-        return [error("motion/flipped", channel, said, "multiply by −1", Fix("scale", (channel,), (-1.0,)))]
+        return [error("motion/flipped", channel, evidence, "multiply by −1", Fix("scale", (channel,), (-1.0,)))]
     if slope < 0:
         return []
     why = min(_FACTORS, key=lambda name: abs(math.log(slope / _FACTORS[name])))
     if abs(math.log(slope / _FACTORS[why])) > 0.4:
-        return [_divide((channel,), said, slope)]
-    return [_divide((channel,), f"{why}: {said}", _FACTORS[why])]
+        return [_divide((channel,), evidence, slope)]
+    return [_divide((channel,), f"{why}: {evidence}", _FACTORS[why])]

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidLog, UnknownName
-from upright.logs.readers import Table
+from upright.logs.readers import RawTable
 from upright.signals import Log
 from upright.signals.header import TIME
 from upright.signals.signal import KNOWN
@@ -40,8 +40,8 @@ class Source:
     """Where one channel comes from: sign · scale · factor of `unit` · column (· channel `times`) + offset.
 
     `times` names another mapped channel that multiplies this one: per cent of a battery becomes volts. `integrate` sums
-    a rate over the time steps, exactly undoing the difference quotient that made it; `delay` [s] is how late the
-    reading is, and it is read that much earlier.
+    a rate over the time steps, which inverts the difference quotient exactly; `delay` [s] is the delay of the reading,
+    which is removed.
     """
 
     column: str
@@ -66,7 +66,7 @@ class Source:
 
 @dataclass(frozen=True)
 class Mapping:
-    """`time` and `channels` (our name → source) and `constants` (our name → value in our unit)."""
+    """`time`, `channels` (our name → source) and `constants` (our name → value in our unit)."""
 
     name: str
     time: Source
@@ -76,14 +76,14 @@ class Mapping:
 
     @classmethod
     def preset(cls, name: str) -> Mapping:
-        """A mapping that is shipped; `UnknownName` lists them."""
+        """A shipped mapping by name; `UnknownName` lists them."""
         if name not in mappings():
             raise UnknownName("mapping", name, mappings())
         return _read(files("upright.logs").joinpath("mappings", f"{name}.toml").read_text("utf-8"), name)
 
     @classmethod
     def load(cls, path: str | Path) -> Mapping:
-        """A mapping from a TOML file; raises `InvalidLog` with one line."""
+        """A mapping from a TOML file; raises `InvalidLog`."""
         source = Path(path).expanduser()
         try:
             text = source.read_text("utf-8")
@@ -93,14 +93,14 @@ class Mapping:
 
     def to_toml(self) -> str:
         """The text that `load` reads back as this mapping."""
-        lines = [f"name = {_quoted(self.name)}", f"about = {_quoted(self.about)}", "", "[time]", *_said(self.time)]
+        lines = [f"name = {_quoted(self.name)}", f"about = {_quoted(self.about)}", "", "[time]", *_lines(self.time)]
         if self.constants:
             lines += ["", "[constants]", *(f"{_quoted(name)} = {value!r}" for name, value in self.constants.items())]
         for name, source in self.channels.items():
-            lines += ["", f"[channels.{_quoted(name)}]", *_said(source)]
+            lines += ["", f"[channels.{_quoted(name)}]", *_lines(source)]
         return "\n".join(lines) + "\n"
 
-    def fits(self, table: Table) -> bool:
+    def fits(self, table: RawTable) -> bool:
         """Whether the table has every column this mapping reads."""
         return all(source.column in table.columns for source in (self.time, *self.channels.values()))
 
@@ -112,7 +112,7 @@ def mappings() -> list[str]:
 
 
 def find_mapping(name: Mapping | str | Path) -> Mapping:
-    """The mapping itself, a shipped one by name, or one from a file."""
+    """A mapping as given, a shipped one by name, or one from a file."""
     if isinstance(name, Mapping):
         return name
     return Mapping.preset(str(name)) if str(name) in mappings() else _from_file(name)
@@ -126,20 +126,20 @@ def _from_file(name: str | Path) -> Mapping:
 
 def _read(text: str, where: str) -> Mapping:
     try:
-        said = tomllib.loads(text)
+        entries = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise InvalidLog(f"mapping {where} is no TOML ({error})") from None
-    if not (isinstance(said.get("time"), dict) and isinstance(said.get("channels"), dict)):
+        raise InvalidLog(f"mapping {where} is not valid TOML ({error})") from None
+    if not (isinstance(entries.get("time"), dict) and isinstance(entries.get("channels"), dict)):
         raise InvalidLog(f"mapping {where} is incomplete", expected='[time] and [channels."our/name"] with column = …')
-    channels = {name: _source(entry, f"{where}, {name}") for name, entry in said["channels"].items()}
-    constants = {name: float(value) for name, value in said.get("constants", {}).items()}
+    channels = {name: _source(entry, f"{where}, {name}") for name, entry in entries["channels"].items()}
+    constants = {name: float(value) for name, value in entries.get("constants", {}).items()}
     for name, source in channels.items():
         if source.times and source.times not in {*channels, *constants}:
             raise InvalidLog(
-                f"mapping {where}: {name} is times '{source.times}'", expected="a mapped channel or constant"
+                f"mapping {where}: {name} has times = '{source.times}'", expected="a mapped channel or constant"
             )
-    return Mapping(str(said.get("name", "")), _source(said["time"], f"{where}, time"), channels, constants,
-                   str(said.get("about", "")))  # fmt: skip
+    return Mapping(str(entries.get("name", "")), _source(entries["time"], f"{where}, time"), channels, constants,
+                   str(entries.get("about", "")))  # fmt: skip
 
 
 def _source(entry: Any, where: str) -> Source:
@@ -155,7 +155,7 @@ def _source(entry: Any, where: str) -> Source:
         raise InvalidLog(f"mapping {where}: {error}") from None
 
 
-def _said(source: Source) -> list[str]:
+def _lines(source: Source) -> list[str]:
     default = Source(column="")
     values = {f.name: getattr(source, f.name) for f in fields(Source)}
     kept = {name: value for name, value in values.items() if name == "column" or value != getattr(default, name)}
@@ -168,8 +168,8 @@ def _quoted(text: str) -> str:
     return json.dumps(text, ensure_ascii=False)
 
 
-def channels_of(mapping: Mapping, table: Table) -> tuple[Array, dict[str, Array], dict[str, str]]:
-    """Time [s] as it stands in the file, the mapped channels and their units: rows unchanged, delays left in."""
+def channels_of(mapping: Mapping, table: RawTable) -> tuple[Array, dict[str, Array], dict[str, str]]:
+    """Time [s] as in the file, the mapped channels and their units; rows and delays are unchanged."""
     t = _values(mapping.time, table)
     channels = {name: np.full(len(t), value) for name, value in mapping.constants.items()}
     units = {name: KNOWN[name].unit if name in KNOWN else "" for name in channels}
@@ -183,8 +183,9 @@ def channels_of(mapping: Mapping, table: Table) -> tuple[Array, dict[str, Array]
     return t, {name: channels[name] for name in (*mapping.channels, *mapping.constants)}, units
 
 
-def apply(mapping: Mapping, table: Table) -> Log:
-    """The table as a log in our channels, with the delays of the mapping taken out (rows without data are cut off).
+def apply(mapping: Mapping, table: RawTable) -> Log:
+    """The table as a log in our channels. The delays of the mapping are removed, and incomplete rows at the ends
+    cut off.
 
     Raises `InvalidLog` where a column is missing or holds text, or where the time does not increase.
     """
@@ -195,7 +196,7 @@ def apply(mapping: Mapping, table: Table) -> Log:
 
 
 def undelayed(log: Log, delays: Mapped[str, float]) -> Log:
-    """`log` with these channels read that much [s] earlier, cut to the rows for which every reading is there."""
+    """`log` with these channels shifted earlier by their delays [s], cut to the rows that are complete."""
     channels = dict(log.channels)
     for name, delay in delays.items():
         channels[name] = np.interp(log.t + delay, log.t, log[name])
@@ -205,7 +206,7 @@ def undelayed(log: Log, delays: Mapped[str, float]) -> Log:
     return Log(log.t[keep], {name: values[keep] for name, values in channels.items()}, log.units, log.origin)
 
 
-def _values(source: Source, table: Table) -> Array:
+def _values(source: Source, table: RawTable) -> Array:
     return table.column(source.column) * (source.sign * source.scale * UNITS[source.unit][0])
 
 
@@ -220,13 +221,13 @@ def _unit(name: str, source: Source, units: Mapped[str, str]) -> str:
     if source.integrate:
         si = si.removesuffix("/s")
     if name in KNOWN and si not in ("V", "N m"):
-        return KNOWN[name].unit  # a scale has made it so: metres a second over the radius are radians a second
+        return KNOWN[name].unit  # the scale converts it: metres per second over the radius are radians per second
     return si
 
 
-def identity(table: Table) -> Mapping:
-    """The mapping of a file that already has our names: `t` and channels with a '/'."""
-    # A known channel that holds text is mapped as well, so that reading it says so.
+def identity(table: RawTable) -> Mapping:
+    """The mapping of a file with our own names: `t`, and channels with a '/'."""
+    # A known channel that holds text is mapped too, so that reading it raises the error.
     names = [name for name in table.columns if name != TIME and "/" in name] + [n for n in table.text if n in KNOWN]
     return Mapping("ours", Source(column=TIME, unit="s"), {name: Source(column=name) for name in names})
 
@@ -249,7 +250,7 @@ _WORDS: Sequence[tuple[str, str]] = (
     (r"\b(?:heading|compass|yaw)(?: (?:rad|deg))?$", "sensor/compass"),
     (r"^(?:t|time\w*|ts|clock|seconds|sec)\b", TIME),
 )
-"""Words by which foreign programs call our channels, the more particular first."""
+"""Names of our channels in other programs, the more specific first."""
 
 _SUFFIXES: Sequence[tuple[str, str]] = (
     (r"\brad(?:ps| s|s)\b", "rad/s"), (r"\bdeg(?:ps| s|s)\b|\bdps\b", "deg/s"), (r"\bdeg\b", "deg"),
@@ -258,11 +259,11 @@ _SUFFIXES: Sequence[tuple[str, str]] = (
 )  # fmt: skip
 
 
-def propose(table: Table) -> Mapping:
-    """The mapping that seems to fit: ours, a shipped one whose columns are all there, or a guess from the names.
+def propose(table: RawTable) -> Mapping:
+    """A mapping by the table's columns: ours, a shipped one whose columns are all present, or a guess from the names.
 
-    The guess takes units that stand in the names; what it gets wrong (sign, unit, sides) the doctor finds by physics.
-    Raises `InvalidLog` when no time or nothing else is recognised.
+    The guess takes units from the names; wrong signs, units and sides are found by the doctor.
+    Raises `InvalidLog` when no time or no channel is recognised.
     """
     if TIME in table.columns and any(name in KNOWN for name in (*table.columns, *table.text)):
         return identity(table)
@@ -273,26 +274,26 @@ def propose(table: Table) -> Mapping:
     return _guess(table)
 
 
-def _guess(table: Table) -> Mapping:
-    found: dict[str, Source] = {}
+def _guess(table: RawTable) -> Mapping:
+    sources: dict[str, Source] = {}
     for column in table.columns:
         name = _recognised(column)
         key = name.removeprefix("rate of ")
-        if name and key not in found:
-            found[key] = Source(column=column, unit=_named_unit(column, table), integrate=name != key)
-    time = found.pop(TIME, None)
-    if time is None or not found:
+        if name and key not in sources:
+            sources[key] = Source(column=column, unit=_named_unit(column, table), integrate=name != key)
+    time = sources.pop(TIME, None)
+    if time is None or not sources:
         raise InvalidLog(
             f"no {'time' if time is None else 'channel'} is recognised among {', '.join(list(table.columns)[:12])}",
-            hint="write a mapping (docs/logs.md) and give it with --mapping",
+            hint="a mapping (docs/logs.md), given with --mapping",
         )
-    battery = "sensor/battery" in found
-    for name, source in found.items():
+    battery = "sensor/battery" in sources
+    for name, source in sources.items():
         if source.unit == "%" and battery:
-            found[name] = Source(column=source.column, unit="%", times="sensor/battery")
+            sources[name] = Source(column=source.column, unit="%", times="sensor/battery")
         elif source.unit == "%":
-            found[name] = Source(column=source.column)
-    return Mapping("guess", time, found, about="guessed from the names of the columns; check it")
+            sources[name] = Source(column=source.column)
+    return Mapping("guess", time, sources, about="guessed from the names of the columns; check it")
 
 
 def _plain(column: str) -> str:
@@ -305,7 +306,7 @@ def _recognised(column: str) -> str:
     return next((name for pattern, name in _WORDS if re.search(pattern, words)), "")
 
 
-def _named_unit(column: str, table: Table) -> str:
+def _named_unit(column: str, table: RawTable) -> str:
     if table.units.get(column, "") in UNITS and table.units.get(column):
         return table.units[column]
     words = _plain(column)

@@ -1,4 +1,4 @@
-"""A log file of any program as raw sensors in our channels, for whatever learns from it."""
+"""The entry point for foreign logs: a file of any program as raw sensors and commands in our channels."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ RATES = {
     "sensor/encoder_left": "sensor/encoder_rate_left",
     "sensor/encoder_right": "sensor/encoder_rate_right",
 }
-"""What a wheel's rate relative to the body is called where it was logged instead of the angle."""
+"""Angle channel → the channel of its rate, for logs that hold the rate instead."""
 
 
 def raw_log(source: LogSource, mapping: Mapping | str | Path | None = None) -> Log:
     """The log in the file `source`, read through `mapping` (default: the one that fits its columns); a `Log` as it is.
 
-    An encoder that the mapping gets by summing a logged rate is given back as that rate: its errors are those of the
-    rate, and would add up in the sum. Raises `InvalidLog`.
+    An encoder that the mapping integrates from a logged rate is returned as that rate, since the errors of a rate add
+    up in its integral. Raises `InvalidLog` for a file that cannot be read, `UnknownName` for an unknown mapping.
     """
     if isinstance(source, Log):
         return source

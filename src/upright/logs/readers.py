@@ -25,11 +25,11 @@ _NOTE = "# upright-log: "
 
 
 @dataclass(frozen=True, eq=False)
-class Table:
+class RawTable:
     """`columns` of equal length by name, as they stand in the file `source`.
 
-    `units` says the unit of those columns whose file told it; `text` names the columns that hold no numbers, each with
-    what stands there; `comments` are the lines before the header; `origin` is what one of our own logs says of itself.
+    `units` holds the units that the file states; `text` names the columns without numbers, each with an example;
+    `comments` are the lines before the header; `origin` is the origin of one of our own logs.
     """
 
     columns: Mapping[str, Array]
@@ -43,7 +43,7 @@ class Table:
         return len(next(iter(self.columns.values()), ()))
 
     def column(self, name: str) -> Array:
-        """One column; raises `InvalidLog` for one that is not there or that holds text."""
+        """One column; raises `InvalidLog` for one that is missing or holds text."""
         if name in self.text:
             raise InvalidLog(f"column '{name}' holds {self.text[name]}", expected="numbers", hint="correct that cell")
         if name not in self.columns:
@@ -51,15 +51,15 @@ class Table:
         return self.columns[name]
 
 
-def read_table(path: str | PathLike[str]) -> Table:
+def read_table(path: str | PathLike[str]) -> RawTable:
     """Read a log of any program: .csv, .txt, .log, .tsv, .dat, .json, .mat, .parquet or .mcap.
 
     A text file may have comment lines with # or %, commas, semicolons, tabs or spaces between its columns, decimal
-    commas beside semicolons, and no header: columns are then called c1, c2, …. Raises `InvalidLog` with one line.
+    commas beside semicolons, and no header: columns are then called c1, c2, …. Raises `InvalidLog`.
     """
     source = Path(path).expanduser()
     if not source.is_file():
-        raise InvalidLog(f"there is no file {source}", hint="look at the path again")
+        raise InvalidLog(f"there is no file {source}", hint="check the path")
     try:
         if source.stat().st_size == 0:
             raise InvalidLog("the file is empty", likely="a recording that was never closed")
@@ -70,17 +70,17 @@ def read_table(path: str | PathLike[str]) -> Table:
         raise InvalidLog(f"{source.name}: {error}") from None
     except OSError as error:
         raise InvalidLog(f"{source} cannot be read: {error.strerror or error}") from None
-    return Table(table.columns, table.units, table.text, table.comments, source.name, table.origin)
+    return RawTable(table.columns, table.units, table.text, table.comments, source.name, table.origin)
 
 
-def table_of(log: Log) -> Table:
+def table_of(log: Log) -> RawTable:
     """A log as a table with the columns `t` and its channels."""
-    return Table({TIME: log.t, **log.channels}, {TIME: "s", **log.units}, origin=log.origin)
+    return RawTable({TIME: log.t, **log.channels}, {TIME: "s", **log.units}, origin=log.origin)
 
 
 @dataclass(frozen=True)
 class _Dialect:
-    """How a text file is laid out: separator, names, and where the numbers begin (line of the file, from 0)."""
+    """Layout of a text file: separator, column names, and the first line of numbers (from 0)."""
 
     separator: str
     names: Sequence[str]
@@ -89,7 +89,7 @@ class _Dialect:
     decimal: str
 
 
-def _text(path: Path) -> Table:
+def _text(path: Path) -> RawTable:
     raw = path.read_bytes()
     if raw.lstrip()[:1] in (b"{", b"["):
         return _json(path)
@@ -103,7 +103,7 @@ def _text(path: Path) -> Table:
     note = next((line for line in dialect.comments if line.startswith(_NOTE)), "")
     units, origin = understand(note.removeprefix(_NOTE)) if note else ({}, {})
     columns, text = _parse(raw, dialect)
-    return Table(columns, units, text, dialect.comments, origin=origin)
+    return RawTable(columns, units, text, dialect.comments, origin=origin)
 
 
 def _dialect(lines: Sequence[str]) -> _Dialect:
@@ -123,7 +123,7 @@ def _dialect(lines: Sequence[str]) -> _Dialect:
     names = [cell.strip() for cell in cells]
     twice = [name for i, name in enumerate(names) if name in names[:i]]
     if twice:
-        raise InvalidLog(f"column '{twice[0]}' is there twice", hint="rename or drop one")
+        raise InvalidLog(f"column '{twice[0]}' appears twice", hint="rename or drop one")
     return _Dialect(separator, names, first + 1, tuple(comments), decimal)
 
 
@@ -156,9 +156,9 @@ def _parse(raw: bytes, dialect: _Dialect) -> tuple[dict[str, Array], dict[str, s
     try:
         table = pc.read_csv(io.BytesIO(body), read_options=reading, convert_options=options, parse_options=parsing)
     except pa.ArrowInvalid as error:
-        said = " ".join(str(error).split())[:160]
+        reason = " ".join(str(error).split())[:160]
         raise InvalidLog(
-            f"the rows cannot be read ({said})",
+            f"the rows cannot be read ({reason})",
             expected=f"{len(names)} values in each",
             likely="a row that was cut off",
         ) from None
@@ -189,17 +189,17 @@ def _first_text(values: Sequence[Any]) -> str:
     return "text"
 
 
-def _json(path: Path) -> Table:
+def _json(path: Path) -> RawTable:
     try:
-        said: Any = json.loads(path.read_text("utf-8-sig"))
+        content: Any = json.loads(path.read_text("utf-8-sig"))
     except (ValueError, UnicodeDecodeError) as error:
         raise InvalidLog(f"the JSON cannot be read ({error})", likely="a recording that was cut off") from None
-    if isinstance(said, list) and said and all(isinstance(row, dict) for row in cast("list[Any]", said)):
-        rows = cast("list[dict[str, Any]]", said)
-        said = {name: [row.get(name) for row in rows] for name in rows[0]}
-    if not isinstance(said, dict):
+    if isinstance(content, list) and content and all(isinstance(row, dict) for row in cast("list[Any]", content)):
+        rows = cast("list[dict[str, Any]]", content)
+        content = {name: [row.get(name) for row in rows] for name in rows[0]}
+    if not isinstance(content, dict):
         raise InvalidLog("the JSON holds no columns", expected='{"name": [numbers], …} or a list of such rows')
-    lists = {name: value for name, value in cast("dict[str, Any]", said).items() if isinstance(value, list)}
+    lists = {name: value for name, value in cast("dict[str, Any]", content).items() if isinstance(value, list)}
     return _equal({name: _listed(cast("list[Any]", value)) for name, value in lists.items()})
 
 
@@ -210,47 +210,47 @@ def _listed(values: list[Any]) -> Array | str:
         return _first_text(values)
 
 
-def _equal(columns: Mapping[str, Array | str]) -> Table:
+def _equal(columns: Mapping[str, Array | str]) -> RawTable:
     numbers = {name: value for name, value in columns.items() if not isinstance(value, str) and value.ndim == 1}
     text = {name: value for name, value in columns.items() if isinstance(value, str)}
     lengths = sorted({len(value) for value in numbers.values()})
     if len(lengths) > 1:
         shown = ", ".join(f"{name} {len(value)}" for name, value in list(numbers.items())[:6])
         raise InvalidLog(f"columns of unequal lengths: {shown}", expected="one value for each sample")
-    return Table(numbers, text=text)
+    return RawTable(numbers, text=text)
 
 
-def _mat(path: Path) -> Table:
+def _mat(path: Path) -> RawTable:
     from scipy.io import loadmat
 
     try:
         content: dict[str, Any] = loadmat(path, squeeze_me=True, struct_as_record=True)
     except OSError:
         raise
-    except Exception as error:  # whatever a parser of binary records stumbles over in damaged bytes
+    except Exception as error:  # damaged bytes make the parser raise any exception
         hint = "save it in MATLAB with '-v7'" if isinstance(error, NotImplementedError) else "export it again"
         raise InvalidLog(f"the MAT file cannot be read ({' '.join(str(error).split())[:80]})", hint=hint) from None
-    found: dict[str, Array] = {}
+    columns: dict[str, Array] = {}
     for name, value in content.items():
         if not name.startswith("__"):
-            _collect(name, value, found)
-    longest = max((len(value) for value in found.values()), default=0)
-    return Table({name: value for name, value in found.items() if len(value) == longest})
+            _collect(name, value, columns)
+    longest = max((len(value) for value in columns.values()), default=0)
+    return RawTable({name: value for name, value in columns.items() if len(value) == longest})
 
 
-def _collect(name: str, value: Any, found: dict[str, Array]) -> None:
+def _collect(name: str, value: Any, columns: dict[str, Array]) -> None:
     array = np.asarray(value)
     if array.dtype.names:
         for part in array.dtype.names:
-            _collect(f"{name}.{part}", array[part].item() if array.ndim == 0 else array[part], found)
+            _collect(f"{name}.{part}", array[part].item() if array.ndim == 0 else array[part], columns)
     elif array.dtype.kind in "fiub" and array.ndim == 1:
-        found[name] = array.astype(np.float64)
+        columns[name] = array.astype(np.float64)
     elif array.dtype.kind in "fiub" and array.ndim == 2:
         for i in range(array.shape[1]):
-            found[f"{name}_{i + 1}"] = array[:, i].astype(np.float64)
+            columns[f"{name}_{i + 1}"] = array[:, i].astype(np.float64)
 
 
-def _parquet(path: Path) -> Table:
+def _parquet(path: Path) -> RawTable:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
@@ -262,14 +262,14 @@ def _parquet(path: Path) -> Table:
     note = (table.schema.metadata or {}).get(b"upright-log")
     units, origin = understand(note) if note is not None else ({}, {})
     columns, text = _sorted({name: table.column(name) for name in table.column_names})
-    return Table(columns, units, text, origin=origin)
+    return RawTable(columns, units, text, origin=origin)
 
 
-def _mcap(path: Path) -> Table:
+def _mcap(path: Path) -> RawTable:
     return table_of(Log.load(path))
 
 
-READERS: dict[str, Callable[[Path], Table]] = {
+READERS: dict[str, Callable[[Path], RawTable]] = {
     ".json": _json, ".mat": _mat, ".parquet": _parquet, ".mcap": _mcap,
 }  # fmt: skip
 """Suffix → reader; every other suffix is read as text."""

@@ -1,4 +1,4 @@
-"""A log as the predictor takes it: events of commands and raw readings, and what is known before the first of them."""
+"""A log as input of the predictor: events (commands and raw readings) and the prior of the first state."""
 
 from __future__ import annotations
 
@@ -20,21 +20,21 @@ ROWS = (
     "sensor/gyro", "sensor/compass",
 )  # fmt: skip
 SENSOR = {name: next(kind for kind in ("encoder", "gyro", "compass") if kind in name) for name in ROWS}
-"""Which readings share one dead time and one noise."""
+"""The sensor of each reading: one dead time and one noise for each sensor."""
 
 STATES = ("pitch", "pitch_rate", "wheel", "wheel_rate", "yaw", "yaw_rate", "gyro_bias", "compass_offset")
 FEWEST = 100
-"""Samples below which nothing is calibrated."""
+"""Fewest samples for a calibration."""
 
 FIRST_SPREAD = (0.2, 0.5, 1e-2, 5.0, 1e-2, 2.0, 0.05, 0.5)
-"""What is known of the first state before any reading: one standard deviation, in rad and rad/s; of wheel and yaw
-beyond what the encoders say, since where they count from is free."""
+"""Standard deviations of the first state before any reading [rad, rad/s]; those of wheel and yaw are relative to the
+encoders, whose zero is arbitrary."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Recording:
     """Events in the order of the log: `kind` (−1: a command, else the row of `rows`), `when` [s], `value` (a reading,
-    or the row of `commands` (n, 2)), `fitted` (whether the event belongs to the fitted part, not to the held-out one).
+    or the row of `commands` (n, 2)), `fitted` (True for the fitted part, False for the held-out part).
     """
 
     rows: tuple[str, ...]
@@ -49,18 +49,18 @@ class Recording:
 
     @property
     def sensors(self) -> tuple[str, ...]:
-        """Encoder, gyro, compass: those that are read."""
+        """The sensors of the log, among encoder, gyro and compass."""
         return tuple(dict.fromkeys(SENSOR[row] for row in self.rows))
 
     def order(self, delays: Mapping[str, float]) -> Whole:
-        """The events in the command's time."""
-        late = np.array([delays[SENSOR[row]] for row in self.rows] + [0.0])
-        return np.lexsort((self.kind, self.when - late[self.kind])).astype(np.int64)
+        """Indices of the events in the order of the commands' time, with the delays of the sensors removed."""
+        delay = np.array([delays[SENSOR[row]] for row in self.rows] + [0.0])
+        return np.lexsort((self.kind, self.when - delay[self.kind])).astype(np.int64)
 
 
 def record(log: Log, robot: Robot, *, skip: float = 0.0, held_out: float = 0.25) -> Recording:
-    """The events of `log`, of whose length the last share `held_out` is not fitted; readings of the first `skip` [s]
-    are left out, since they answer commands from before the log.
+    """The events of `log`. The last fraction `held_out` of its length is not fitted. Readings of the first `skip` [s]
+    are omitted, since they respond to commands from before the log.
 
     Raises `InvalidLog` where there are no commands, fewer than two sensors, or too few samples.
     """
@@ -79,8 +79,8 @@ def record(log: Log, robot: Robot, *, skip: float = 0.0, held_out: float = 0.25)
     when = np.concatenate(whens)
     first, P0 = _start(log, robot, rows)
     return Recording(
-        rows, np.concatenate(kinds).astype(np.int64), when, np.concatenate(values), commands, when <= last, first, P0,
-        log.period,
+        rows=rows, kind=np.concatenate(kinds).astype(np.int64), when=when, value=np.concatenate(values),
+        commands=commands, fitted=when <= last, first=first, P0=P0, period=log.period,
     )  # fmt: skip
 
 
@@ -92,7 +92,7 @@ def head(recording: Recording, seconds: float) -> Recording:
 
 
 def commanded(log: Log) -> str:
-    """What the commands of a log are called: "applied" where it says what reached the motors, else "command", or ""."""
+    """The prefix of a log's commands: "applied" where logged, else "command", or "" without any."""
     return next((p for p in ("applied", "command") if f"{p}/left" in log and f"{p}/right" in log), "")
 
 
@@ -105,12 +105,14 @@ def _commands(log: Log) -> Array:
         )  # fmt: skip
     commands = np.column_stack([log[f"{prefix}/left"], log[f"{prefix}/right"]])
     if not np.isfinite(commands).all():
-        raise InvalidLog(f"{prefix}: a command is missing (NaN)", expected="every command", hint="cut the log there")
+        raise InvalidLog(
+            f"{prefix}: a command is missing (NaN)", expected="a command in every row", hint="cut the log there"
+        )
     return np.ascontiguousarray(commands)
 
 
 def _rows(log: Log) -> tuple[str, ...]:
-    """The raw sensors that say something; two encoders that always agree are one encoder written twice."""
+    """The raw sensors that vary; two encoders that always agree are one encoder logged twice."""
     rows = [
         name
         for name in ROWS
@@ -128,12 +130,12 @@ def _rows(log: Log) -> tuple[str, ...]:
 
 
 def one_encoder(log: Log) -> bool:
-    """Whether both encoder channels hold the same numbers, as where only their mean was logged."""
+    """Whether both encoder channels are identical, as in logs of their mean."""
     return np.array_equal(log["sensor/encoder_left"], log["sensor/encoder_right"], equal_nan=True)
 
 
 def reading_matrix(rows: Sequence[str], size: int, turn: Array) -> Array:
-    """How each row reads the state (rows, states, lanes), for W/(2R) = `turn` (lanes,)."""
+    """The sensor matrix C (rows, states, lanes), for W/(2R) = `turn` (lanes,)."""
     C = np.zeros((len(rows), size, len(turn)))
     for i, name in enumerate(rows):
         if SENSOR[name] == "encoder":
@@ -170,13 +172,13 @@ def _first(reading: Array) -> float:
 
 
 def first_noise(recording: Recording, kit: Kit) -> dict[str, float]:
-    """Variance of each sensor as the kit and the grain of its readings have it."""
-    found: dict[str, float] = {}
+    """Variance of each sensor, by the kit and the resolution of its readings."""
+    variances: dict[str, float] = {}
     for row, name in enumerate(recording.rows):
         known = kit.sensors.get(name, Sensor())
         grain = _grain(recording.value[recording.kind == row])
-        found[SENSOR[name]] = max(known.noise**2 + known.quantum**2 / 12, grain**2 / 12, 1e-10)
-    return found
+        variances[SENSOR[name]] = max(known.noise**2 + known.quantum**2 / 12, grain**2 / 12, 1e-10)
+    return variances
 
 
 def _grain(reading: Array) -> float:
