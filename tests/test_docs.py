@@ -1,33 +1,152 @@
-"""What the documents show works: their Python runs, and their links lead somewhere."""
+"""What the documents show works: Python runs, commands are understood and the quick ones run, TOML is read by what it
+is for, and links lead somewhere. An example that cannot run has a fence of `text`."""
+
+from __future__ import annotations
 
 import math
 import re
+import shlex
+import shutil
+import tomllib
 from pathlib import Path
 
 import pytest
+from typer.main import get_command
 
-from upright.bodies import Body
-from upright.robots import Robot
+from upright.bodies import Body, Electronics
+from upright.bodies.twin import Twin
+from upright.cli.main import app, main
+from upright.control import lqg
+from upright.control.excited import Excited, random_binary
+from upright.experiment import run
+from upright.logs.mapping import Mapping
+from upright.robots import Kit, Robot
+from upright.signals import Log
 
 ROOT = Path(__file__).parents[1]
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+LANGUAGES = {"python", "sh", "toml", "text"}
+QUICK = {"doctor", "design", "compare", "linearise", "robots"}
+"""Commands of at most a second or two, which are executed; the others have tests of their own, and are parsed here."""
+
+FENCE = re.compile(r"^```(\w*)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 
 
-def python_blocks(page: Path) -> list[str]:
-    return re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+def blocks(page: Path, language: str) -> list[str]:
+    return [text for name, text in FENCE.findall(page.read_text("utf-8")) if name == language]
+
+
+def commands(page: Path) -> list[list[str]]:
+    """Every command line of a page's shell examples as words, lines joined and comments dropped."""
+    lines = [line for block in blocks(page, "sh") for line in block.replace("\\\n", " ").splitlines()]
+    return [shlex.split(part, comments=True) for line in lines for part in line.split(" && ") if part.strip()]
+
+
+def with_(language: str) -> list[Path]:
+    return [page for page in PAGES if blocks(page, language)]
+
+
+@pytest.fixture(scope="module")
+def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the files that the pages speak of: logs made by a twin, its robot, and a controller."""
+    folder = tmp_path_factory.mktemp("workshop")
+    robot, kit = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+    controller = lqg(robot, kit)
+    excitation = random_binary(int(12 / kit.period), 1.0, seed=1)
+    log = run(Electronics(Twin(robot), kit), Excited(controller, excitation), seconds=12.0, seed=1)
+    measured = {name: values for name, values in log.channels.items() if not name.startswith("truth/")}
+    units = {name: log.units[name] for name in measured}
+    for name in ("run.csv", "first.parquet", "spike.parquet"):
+        Log(log.t, measured, units, log.origin).save(folder / name)
+    robot.save(folder / "robot.toml")
+    robot.save(folder / "mine.toml")
+    mapping = next(text for text in blocks(ROOT / "docs" / "logs.md", "toml") if "[channels" in text)
+    (folder / "m.toml").write_text(mapping, "utf-8")
+    return folder
+
+
+@pytest.fixture
+def bench(workshop: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A copy of the workshop to work in."""
+    shutil.copytree(workshop, tmp_path, dirs_exist_ok=True)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
-def test_python_in_the_documents_runs(page, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
+def test_every_example_stands_in_a_fence_that_names_its_language(page: Path) -> None:
+    text = page.read_text("utf-8")
+    assert {name for name, _ in FENCE.findall(text)} <= LANGUAGES
+    assert re.findall(r"\n\n {4}(?![-*] ).*", FENCE.sub("", text)) == []
+
+
+@pytest.mark.parametrize("page", with_("python"), ids=lambda page: page.name)
+def test_python_in_the_documents_runs(page: Path, bench: Path) -> None:
     names: dict[str, object] = {"__name__": "example"}
-    for block in python_blocks(page):
+    for block in blocks(page, "python"):
         exec(compile(block, str(page), "exec"), names)
 
 
-def test_the_example_body_keeps_the_contract():
+@pytest.mark.parametrize("page", with_("sh"), ids=lambda page: page.name)
+def test_commands_in_the_documents_are_understood(page: Path) -> None:
+    for words in commands(page):
+        if words[0] == "python" and words[1].endswith(".py"):
+            assert (ROOT / words[1]).exists(), words
+        if words[0] == "upright":
+            understood(words[1:])
+
+
+def understood(words: list[str]) -> None:
+    """Parse a command as the program does, without executing it; an unknown command or option raises."""
+    root = get_command(app)
+    todo = [root]
+    while todo:
+        command = todo.pop()
+        if command is not root:
+            command.callback = lambda **_: None
+        todo += getattr(command, "commands", {}).values()
+    root.main(words, prog_name="upright", standalone_mode=False)
+
+
+@pytest.mark.parametrize("words", ["simulat", "simulate --bodi twin", "robots shw nxtway-gs", "compare"])
+def test_a_wrong_command_is_not_understood(words: str) -> None:
+    with pytest.raises(Exception, match="(?i)no such|missing"):
+        understood(words.split())
+
+
+OUTPUTS = {"-o", "--output", "--report", "--fix", "--save", "--write-mapping"}
+
+
+def quick(page: Path) -> list[list[str]]:
+    return [words for words in commands(page) if words[0] == "upright" and words[1] in QUICK]
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if quick(page)], ids=lambda page: page.name)
+def test_quick_commands_in_the_documents_run(page: Path, bench: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for words in quick(page):
+        inputs = [word for option, word in zip(words, words[1:], strict=False) if option not in OUTPUTS]
+        missing = [word for word in inputs if re.search(r"\.(csv|parquet|json|toml)$", word) and not Path(word).exists()]
+        if not missing:  # what an earlier command of the page writes that is only parsed
+            assert main(words[1:]) == 0, (words, capsys.readouterr().err)
+
+
+def test_the_toml_of_the_documents_is_read() -> None:
+    for page in with_("toml"):
+        for block in blocks(page, "toml"):
+            tomllib.loads(block)
+
+
+def test_the_example_mapping_and_kit_are_read(bench: Path) -> None:
+    mapping = Mapping.load("m.toml")
+    assert mapping.channels["applied/left"].times == "sensor/battery"
+    kit = next(text for text in blocks(ROOT / "docs" / "add-a-robot.md", "toml") if "my-board" in text)
+    Path("kit.toml").write_text(kit, "utf-8")
+    assert Kit.load("kit.toml").sensors["sensor/gyro"].noise == 0.002
+
+
+def test_the_example_body_keeps_the_contract() -> None:
     names: dict[str, object] = {"__name__": "example"}
-    exec(python_blocks(ROOT / "docs" / "add-a-body.md")[0], names)
+    exec(blocks(ROOT / "docs" / "add-a-body.md", "python")[0], names)
     robot = Robot.preset("nxtway-gs")
     body = names["Rod"](robot)  # type: ignore[operator]
     assert isinstance(body, Body)
@@ -39,7 +158,7 @@ def test_the_example_body_keeps_the_contract():
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
-def test_links_lead_to_files_that_exist(page):
+def test_links_lead_to_files_that_exist(page: Path) -> None:
     targets = re.findall(r"\]\(([^)#]+?)(?:#[^)]*)?\)", page.read_text(encoding="utf-8"))
     missing = [t for t in targets if not t.startswith("http") and not (page.parent / t).exists()]
     assert not missing
