@@ -8,6 +8,7 @@ import re
 import shlex
 import shutil
 import tomllib
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -110,7 +111,7 @@ def understood(words: list[str]) -> None:
 
 @pytest.mark.parametrize("words", ["simulat", "simulate --bodi twin", "robots shw nxtway-gs", "compare"])
 def test_a_wrong_command_is_not_understood(words: str) -> None:
-    with pytest.raises(Exception, match="(?i)no such|missing"):
+    with pytest.raises(Exception, match=r"(?i)no such|missing"):
         understood(words.split())
 
 
@@ -124,9 +125,9 @@ def quick(page: Path) -> list[list[str]]:
 @pytest.mark.parametrize("page", [page for page in PAGES if quick(page)], ids=lambda page: page.name)
 def test_quick_commands_in_the_documents_run(page: Path, bench: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for words in quick(page):
-        inputs = [word for option, word in zip(words, words[1:], strict=False) if option not in OUTPUTS]
-        missing = [word for word in inputs if re.search(r"\.(csv|parquet|json|toml)$", word) and not Path(word).exists()]
-        if not missing:  # what an earlier command of the page writes that is only parsed
+        inputs = [word for option, word in pairwise(words) if option not in OUTPUTS]
+        files = [word for word in inputs if re.search(r"\.(csv|parquet|json|toml)$", word)]
+        if all(Path(file).exists() for file in files):  # else an earlier command, which is only parsed, writes it
             assert main(words[1:]) == 0, (words, capsys.readouterr().err)
 
 
