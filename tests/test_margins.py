@@ -58,6 +58,50 @@ def test_margins_equal_python_controls(system):
     assert found.crossover == pytest.approx(wp, rel=1e-6, nan_ok=True)  # a loop below one has no crossover
 
 
+def test_a_gain_margin_at_frequency_zero_is_found():
+    # L = −0.0753/((s + 0.86)(s + 0.23)(s + 0.47)) is real and negative at rest, and that end of the curve breaks first
+    loop = LinearModel.from_control(control.tf([-0.0753], np.poly([-0.86, -0.23, -0.47])))
+    assert margins(loop).gain_high == pytest.approx(0.86 * 0.23 * 0.47 / 0.0753, rel=1e-9)
+
+
+def stable_with(loop, factor):
+    """Whether the loop closes stably with this gain, by the poles alone."""
+    gain = factor / (1 + factor * loop.D[0, 0])
+    poles = np.linalg.eigvals(loop.A - gain * loop.B @ loop.C)
+    return bool(poles.real.max() < 0) if loop.continuous else bool(np.abs(poles).max() < 1)
+
+
+@pytest.mark.parametrize("dt", [0.0, 0.05])
+def test_gain_margins_are_where_a_sweep_of_the_gain_turns_unstable(dt):
+    # 150 random loops in each time, with one integrator in three: the poles decide, by bisection from a sweep of
+    # 1200 gains over eight decades; a loop may return between two of them, which none of these does
+    rng = np.random.default_rng(7)
+    sweep, tried = np.geomspace(1e-4, 1e4, 1200), 0
+    while tried < 150:
+        n = int(rng.integers(2, 6))
+        A, B, C = rng.normal(size=(n, n)), rng.normal(size=(n, 1)), rng.normal(size=(1, n))
+        A -= (np.linalg.eigvals(A).real.max() + rng.exponential(0.5) - 0.3) * np.eye(n)
+        if tried % 3 == 0:
+            A[:, 0] = 0.0
+        loop = LinearModel(A, B, C)
+        loop = loop if not dt else LinearModel(loop.c2d(dt).A, loop.c2d(dt).B, C, dt=dt)
+        if not stable_with(loop, 1.0):
+            continue
+        tried += 1
+        found = margins(loop)
+        ends = []
+        for gains in (sweep[sweep < 1][::-1], sweep[sweep > 1]):
+            first = next((i for i, g in enumerate(gains) if not stable_with(loop, g)), None)
+            inside, outside = (gains[first - 1] if first else 1.0, gains[first]) if first is not None else (1.0, None)
+            for _ in range(60 if outside else 0):
+                middle = math.sqrt(inside * outside)
+                inside, outside = (middle, outside) if stable_with(loop, middle) else (inside, middle)
+            ends.append(outside)
+        low, high = found.gain_low, found.gain_high
+        assert low == pytest.approx(ends[0] or 0.0, rel=1e-4, abs=1e-4), (tried, A)
+        assert (high if high < 1e4 else math.inf) == pytest.approx(ends[1] or math.inf, rel=1e-4), (tried, A)
+
+
 def test_spinning_satellite_is_fragile_although_each_loop_is_not():
     # Zhou and Doyle (1998), section 9.6: each loop alone is 1/s, yet both at once survive a gain of a tenth and no more
     plant = control.ss([[0, 10], [-10, 0]], np.eye(2), [[1, 10], [-10, 1]], 0)
@@ -113,6 +157,14 @@ def test_more_delay_than_the_margin_makes_the_robot_unstable(nominal):
         seen = sampled(NXT, replace(IDEAL, delay=share * late), 0.01, linear.reads)
         P = robot_loop(NXT, nominal, replace(IDEAL, delay=share * late)).plant
         assert Loop(P, K).stable is holds, (share, seen.delay)
+
+
+def test_the_delay_margin_is_found_at_a_thousand_periods_a_second():
+    # the same gains every 1 ms on the twin's kit: near continuous time, so that the phase margin at the crossover tells
+    # the delay too, but for the half period that holding a command costs
+    kit, feedback = replace(IDEAL, period=0.001), lqr(NXT, 0.001)
+    found = delay_margin(NXT, feedback, kit)
+    assert found == pytest.approx(margins(robot_loop(NXT, feedback, kit).at_input, (1, 1)).delay, abs=1e-3)
 
 
 def test_loop_of_a_regulator_has_the_regulators_poles(nominal, analysis):

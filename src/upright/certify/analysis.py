@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from upright.certify.gap import nu_gap, stability_margin
 from upright.certify.loop import Loop, commanded, robot_loop
-from upright.certify.margins import Margins, disk_gain, disk_margin, disk_phase, margins
+from upright.certify.margins import Margins, broken_at, disk_gain, disk_margin, disk_phase, margins
 from upright.certify.mu import Mu, parameter_mu
 from upright.control.controller import Controller, controller_hash
 from upright.control.delay import sampled
@@ -29,6 +29,7 @@ INPUTS = {"left motor": (1.0, 0.0), "right motor": (0.0, 1.0), "both motors": (1
 """Where the loop is broken at the robot's input: one motor, both alike, both opposed."""
 
 LATEST = 0.3  # [s] more delay than this no balancing robot survives
+FINEST = 1e-3  # [s] steps of delay at short periods: of their hundreds none is skipped that a robot would notice
 DRAWN = 200
 COMPARABLE = {"sensor/gyro": 1.5, "sensor/compass": 0.5}  # [rad/s], [rad]: Bryson's sizes of the readings
 _ANGLE = 1.0  # [rad] of an encoder
@@ -184,17 +185,17 @@ def _largest_gap(nominal: LinearModel, others: Sequence[LinearModel]) -> float:
 def delay_margin(robot: Robot, controller: Controller, kit: Kit, step: float = 0.2) -> float:
     """How much more dead time [s] the loop survives when the controller does not know of it; infinite beyond `LATEST`.
 
-    The dead time of the sampled robot is raised by `step` periods at a time until the loop is unstable, then bisected.
+    The dead time of the sampled robot is raised by `step` periods, or `FINEST`, at a time until the loop is unstable,
+    then bisected.
     """
     linear = near_rest(controller)
-    told = sampled(robot, kit, linear.period, linear.reads).delay
-    K = controller_of(linear, told)
+    K = controller_of(linear, sampled(robot, kit, linear.period, linear.reads).delay)
 
-    def stable(late: float) -> bool:
-        later = replace(kit, delay=kit.delay + late)
-        return Loop(commanded(sampled(robot, later, linear.period, linear.reads)), K).stable
+    def stable(more: float) -> bool:
+        delayed = replace(kit, delay=kit.delay + more)
+        return Loop(commanded(sampled(robot, delayed, linear.period, linear.reads)), K).stable
 
-    high, low, stride = 0.0, 0.0, step * linear.period
+    high, low, stride = 0.0, 0.0, max(step * linear.period, FINEST)
     while stable(high):
         low, high = high, high + stride
         if high > LATEST:
@@ -209,5 +210,4 @@ def broken(loop: Loop, direction: Sequence[float], count: int = 400) -> tuple[Ar
     """Frequencies [rad/s] and the scalar loop broken at the commands along `direction`, all else closed."""
     v = np.array(direction) / np.linalg.norm(direction)
     grid = np.geomspace(0.05, math.pi / loop.plant.dt, count)
-    S = np.linalg.inv(np.eye(len(v)) + loop.at_input.response(grid))
-    return grid, 1 / np.einsum("i,kij,j->k", v, S, v) - 1
+    return grid, broken_at(loop.at_input, v).response(grid)[:, 0, 0]

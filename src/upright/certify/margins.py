@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import KW_ONLY, asdict, dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from upright.atomic import finite
+from upright.control.state_space import continuous
 from upright.errors import InvalidModel
 from upright.physics.linear import Complex, LinearModel
 
@@ -23,6 +24,9 @@ ScalarLoop = Callable[[Array], Complex]
 
 GRID = 3000
 """Frequencies looked at; crossovers between them are found to rounding, resonances narrower than the grid are not."""
+
+_UNBOUNDED = 1e6  # a response as large as this at a crossing is that of a pole: the gain may fall a million times
+_NEARLY_REAL = 1e-3  # a zero this near the real axis, relative to its size, may be a double one that rounding has split
 
 SLOWEST = 1e-3  # [rad/s] two hours: nothing of a robot's loop is slower
 
@@ -37,6 +41,7 @@ class Margins:
     """
 
     channel: str
+    _: KW_ONLY
     gain_low: float
     gain_high: float
     phase: float
@@ -62,8 +67,8 @@ class Margins:
             return f"{self.channel}: unstable, so there is no margin."
         low = f"as weak as {self.gain_low * 100:.0f} %" if self.gain_low > 0 else "however weak"
         high = f"as strong as {self.gain_high * 100:.0f} %" if self.gain_high < 1e3 else "however strong"
-        late = f"{self.delay * 1e3:.0f} ms more delay" if math.isfinite(self.delay) else "any delay"
-        return f"{self.channel}: survives {late}, and {low} or {high} of its gain."
+        delay = f"{self.delay * 1e3:.0f} ms more delay" if math.isfinite(self.delay) else "any delay"
+        return f"{self.channel}: survives {delay}, and {low} or {high} of its gain."
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is unlimited."""
@@ -97,14 +102,21 @@ def margins(loop: LinearModel, direction: ArrayLike = (1.0,), channel: str = "th
     if loop.D.shape != (len(v), len(v)):
         raise InvalidModel(f"a direction of {len(v)} in a loop of shape {loop.D.shape}", expected="as many as channels")
     if not closed_stable(loop):
-        return Margins(channel, 1.0, 1.0, 0.0, 0.0, 0.0, math.inf, math.inf, math.nan)
-    v = v / np.linalg.norm(v)
+        return Margins(
+            channel, gain_low=1.0, gain_high=1.0, phase=0.0, delay=0.0, disk=0.0, Ms=math.inf, Mt=math.inf,
+            crossover=math.nan,
+        )  # fmt: skip
+    return _scalar_margins(broken_at(loop, v / np.linalg.norm(v)), channel)
 
-    def scalar(w: Array) -> Complex:
-        sensitivity = np.linalg.inv(np.eye(len(v)) + loop.response(w))
-        return 1 / np.einsum("i,kij,j->k", v, sensitivity, v) - 1
 
-    return scalar_margins(scalar, frequencies(loop.dt), channel, real_end=not loop.continuous)
+def broken_at(loop: LinearModel, v: Array) -> LinearModel:
+    """The scalar loop gain l, 1 + l = 0, where `loop` is broken along the unit vector v (m,) and all else is closed."""
+    others = np.eye(len(v)) - np.outer(v, v)
+    W = np.linalg.inv(np.eye(len(v)) + others @ loop.D)  # u = W (v e − (I − v vᵀ) C x)
+    back = W @ others @ loop.C
+    enters = (W @ v)[:, None]
+    C, D = v[None] @ (loop.C - loop.D @ back), v[None] @ loop.D @ enters
+    return LinearModel(loop.A - loop.B @ back, loop.B @ enters, C, D, loop.dt)
 
 
 def closed_stable(loop: LinearModel) -> bool:
@@ -116,10 +128,15 @@ def closed_stable(loop: LinearModel) -> bool:
     return LinearModel(closed, loop.B, loop.C, loop.D, loop.dt).stable
 
 
-def scalar_margins(scalar: ScalarLoop, grid: Array, channel: str, *, real_end: bool) -> Margins:
-    """Margins of a stable scalar loop from its response; `real_end` says that it is real at the grid's end (z = −1)."""
+def _scalar_margins(system: LinearModel, channel: str) -> Margins:
+    """Margins of a loop gain (1, 1) whose closed loop is stable."""
+
+    def scalar(w: Array) -> Complex:
+        return system.response(w)[:, 0, 0]
+
+    grid = frequencies(system.dt)
     loop = scalar(grid)
-    low, high = _gain_interval(scalar, grid, loop, real_end)
+    low, high = _gain_interval(system, scalar, grid)
     crossings = _roots(lambda w: np.abs(scalar(w)) - 1, grid, np.abs(loop) - 1)
     lag = np.mod(np.angle(scalar(crossings)) + math.pi, 2 * math.pi) if len(crossings) else np.empty(0)
     phase = float(np.minimum(lag, 2 * math.pi - lag).min(initial=math.inf))
@@ -127,16 +144,52 @@ def scalar_margins(scalar: ScalarLoop, grid: Array, channel: str, *, real_end: b
     disk = 1 / peak(lambda w: np.abs(1 / (1 + scalar(w)) - 0.5), grid)
     Ms, Mt = peak(lambda w: np.abs(1 / (1 + scalar(w))), grid), peak(lambda w: np.abs(1 - 1 / (1 + scalar(w))), grid)
     top = float(crossings.max()) if len(crossings) else math.nan
-    return Margins(channel, low, high, phase, delay, disk, Ms, Mt, top)
+    return Margins(
+        channel, gain_low=low, gain_high=high, phase=phase, delay=delay, disk=disk, Ms=Ms, Mt=Mt, crossover=top
+    )
 
 
-def _gain_interval(scalar: ScalarLoop, grid: Array, loop: Complex, real_end: bool) -> tuple[float, float]:
-    at = scalar(_roots(lambda w: scalar(w).imag, grid, loop.imag))
-    slow_is_real = abs(loop[0].imag) < 1e-3 * abs(loop[0].real)
-    ends = [*loop[:1][[slow_is_real]], *loop[-1:][[real_end]]]
-    real = np.append(at, ends).real
-    factors = -1 / real[real < 0]
+def _gain_interval(system: LinearModel, scalar: ScalarLoop, grid: Array) -> tuple[float, float]:
+    """The factors of gain next to one at which a pole of the closed loop lies on the border of stability.
+
+    There l is real and −1/factor: at frequency zero, at the highest one, and where Im l changes its sign. Between two
+    points of the grid it may do so twice, so that its own zeros split the grid.
+    """
+    split = np.union1d(grid, _between(real_frequencies(system)))
+    crossings = _roots(lambda w: scalar(w).imag, split, scalar(split).imag)
+    ends = [_at_zero(system), system.D[0, 0] if system.continuous else scalar(grid[-1:])[0].real]
+    real = np.append(scalar(crossings).real, ends)
+    factors = -1 / real[(real < 0) & (real > -_UNBOUNDED)]
     return float(factors[factors < 1].max(initial=0.0)), float(factors[factors > 1].min(initial=math.inf))
+
+
+def real_frequencies(system: LinearModel) -> Array:
+    """Frequencies [rad/s] above zero at which the response of a (1, 1) system is real, to rounding.
+
+    In continuous time l(s) − l(−s) = 2 s c (s² − A²)⁻¹ b, so that s² = −ω² is a zero of (A², b, c, 0); a discrete
+    system is mapped first.
+    """
+    from scipy.linalg import eigvals
+
+    mapped, n = continuous(system), len(system.A)
+    pencil = np.block([[mapped.A @ mapped.A, mapped.B], [mapped.C, np.zeros((1, 1))]])
+    zeros = np.asarray(eigvals(pencil, np.diag([1.0] * n + [0.0])), dtype=np.complex128)
+    zeros = zeros[np.isfinite(zeros)]
+    omega = np.sqrt(-zeros.real[(zeros.real < 0) & (np.abs(zeros.imag) < _NEARLY_REAL * np.abs(zeros))])
+    return np.sort(omega if system.continuous else 2 / system.dt * np.arctan(omega))
+
+
+def _between(points: Array) -> Array:
+    """Points that separate the given positive ones from each other, and from zero."""
+    return np.concatenate([points[:1] / 2, np.sqrt(points[1:] * points[:-1]), points[-1:] * 1.01])
+
+
+def _at_zero(system: LinearModel) -> float:
+    """The real response at frequency zero, infinite where a pole lies there."""
+    try:
+        return float(system.response(0.0)[0, 0, 0].real)
+    except np.linalg.LinAlgError:
+        return math.inf
 
 
 def _roots(f: Callable[[Array], Array], grid: Array, values: Array) -> Array:

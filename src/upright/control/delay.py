@@ -29,6 +29,7 @@ SIDES = ("left", "right")
 _SAME = 1e-9  # of a period: equal times may differ by rounding
 _FINEST = 1e-10  # [unit²] variance of a sensor said to be perfect, so that the filter stays defined
 _LONGEST = 50  # periods of delay: beyond, the states would be many and the loop hopeless
+_LONGEST_TIME = 0.4  # [s] of delay that is allowed at any period: more than any balancing robot survives
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,11 +75,11 @@ def sampled(robot: Robot, kit: Kit, dt: float | None = None, reads: Sequence[str
     if not (math.isfinite(period) and 0 < period <= 1):
         raise DesignFailed(f"a period of {period} s", expected="between 0 and 1 s", likely="milliseconds")
     rows = [(_sensor(kit, name), sensor_row(robot, name)) for name in reads]
-    late = max([kit.delay + kit.jitter / 2, *(sensor.delay for sensor, _ in rows)])
-    if late > _LONGEST * period:
+    longest = max([kit.delay + kit.jitter / 2, *(sensor.delay for sensor, _ in rows)])
+    if longest > max(_LONGEST * period, _LONGEST_TIME):
         raise DesignFailed(
-            f"a delay of {late:g} s at a period of {period:g} s", expected=f"at most {_LONGEST} periods",
-            hint="lengthen the period",
+            f"a delay of {longest:g} s at a period of {period:g} s",
+            expected=f"at most {_LONGEST} periods, or {_LONGEST_TIME:g} s", hint="lengthen the period",
         )  # fmt: skip
     between = _Between(robot, period, kit.delay + kit.jitter / 2)
     return _assembled(robot, kit, tuple(reads), between, rows)
