@@ -19,7 +19,7 @@ from upright.bricks.virtual_robot import COST
 from upright.control import CONTROLLERS, make_controller
 from upright.errors import UprightError
 from upright.firmware import generate
-from upright.parity import execute_arm, execute_avr, parity
+from upright.parity import execute_arm, execute_avr, executed_parity
 from upright.parity.execute import execute
 from upright.robots import Kit, Robot
 
@@ -60,7 +60,7 @@ def row(name: str, robot: Robot, kit: Kit, target: str, number: str, chip: str) 
         with tempfile.TemporaryDirectory() as folder:
             source = made.write(Path(folder) / f"balance{next(iter(made.files))}")[0]
             executor: Any = execute(source, made.program, number, chip)
-            found = parity(executor, controller, made.program, robot, kit, quantum=made.quantum)
+            found = executed_parity(executor, controller, made, robot, kit)
             cost = COSTS[chip](executor, kit.period)
             executor.close()
     except UprightError as error:

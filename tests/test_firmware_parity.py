@@ -21,14 +21,15 @@ from upright.firmware import Firmware, longest_run
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
 from upright.flight.program_logs import read_lines
 from upright.links.brick import LEFT, RIGHT
-from upright.parity import Parity, parity
+from upright.parity import Parity, executed_parity
 from upright.parity.execute import execute
 from upright.parity.execute_arm import ArmExecutor, cycles
 from upright.parity.execute_avr import FLASH, MEMORY, AvrExecutor
 from upright.parity.execute_nxc import NxcExecutor
 from upright.parity.execute_python import PythonExecutor
+from upright.parity.executed import Readings, calibrated
 from upright.parity.executor import Executor, HostExecutor
-from upright.parity.parity import SECONDS, Readings, calibrated
+from upright.parity.parity import SECONDS
 
 STEPS = round(SECONDS / 0.01)
 ALLOWED = {"double": 1e-6, "float": 1e-4, "fixed": 0.08 / 5}
@@ -51,7 +52,7 @@ def passed(found: Parity) -> None:
 def test_c_on_this_machine(tmp_path: Path, number, traps):
     source, made = written(tmp_path, "c", number=number)
     executor = HostExecutor(source, made.program, number, traps)
-    found = parity(executor, frozen(), made.program, ROBOT, NXT, quantum=made.quantum)
+    found = executed_parity(executor, frozen(), made, ROBOT, NXT)
     executor.close()
     passed(found)
     assert 0 < found.tolerance <= ALLOWED[number]
@@ -69,7 +70,7 @@ def test_a_command_that_is_off_by_a_constant(tmp_path: Path, number, added, equa
     assert text.count("out->command_left = limit(") == 1
     source.write_text(text.replace("out->command_left = limit(", f"out->command_left = limit({added:.30f}{suffix} + "))
     executor = HostExecutor(source, made.program, number)
-    found = parity(executor, frozen(), made.program, ROBOT, NXT, body="nonlinear")
+    found = executed_parity(executor, frozen(), made, ROBOT, NXT, body="nonlinear")
     executor.close()
     assert found.worst == pytest.approx(added, abs={"float": 1e-4, "double": 1e-8}[number])  # and rounding
     assert (found.duties, [p.stood for p in found.pushes]) == (0, [True, True])  # nothing else is wrong with it
@@ -79,9 +80,9 @@ def test_a_command_that_is_off_by_a_constant(tmp_path: Path, number, added, equa
 @pytest.mark.needs("gcc")
 def test_c_follows_a_reference(tmp_path: Path):
     source, made = written(tmp_path, "c", controller=designed("lqi"), number="float", reference=True)
-    wanted = [Drive(speed=0.1, start=1.0, until=6.0), Turn(rate=0.5, start=2.0, until=4.0)]
+    references = [Drive(speed=0.1, start=1.0, until=6.0), Turn(rate=0.5, start=2.0, until=4.0)]
     executor = HostExecutor(source, made.program, "float")
-    passed(parity(executor, designed("lqi"), made.program, ROBOT, NXT, reference=wanted))
+    passed(executed_parity(executor, designed("lqi"), made, ROBOT, NXT, reference=references))
 
 
 @pytest.mark.needs("gcc")
@@ -95,7 +96,7 @@ def test_a_wrong_coefficient_is_found(tmp_path: Path):
     at = right.start(1) + len("0x1.abc")
     source.write_text(text[:at] + ("0" if text[at] != "0" else "1") + text[at + 1 :], "utf-8")
     executor = HostExecutor(source, made.program, "double")
-    found = parity(executor, frozen(), made.program, ROBOT, NXT)
+    found = executed_parity(executor, frozen(), made, ROBOT, NXT)
     assert not found.passed
     assert found.worst > 1e-6
     assert all(push.stood for push in found.pushes)  # no eye would have seen it
@@ -106,7 +107,7 @@ def test_a_wrong_coefficient_is_found(tmp_path: Path):
 def test_pybricks_in_micropython(tmp_path: Path, compiled):
     source, made = written(tmp_path, "pybricks", SPIKE)
     executor = PythonExecutor(source, made.program, compiled)
-    passed(parity(executor, frozen(), made.program, ROBOT, SPIKE))
+    passed(executed_parity(executor, frozen(), made, ROBOT, SPIKE))
     check_log(executor.finish(), rows=1000, telemetry=STEPS // 10)
     executor.close()
 
@@ -137,7 +138,7 @@ def check_log(said: list[str], rows: int, telemetry: int) -> None:
 def test_ev3dev_in_cpython_stops_at_its_button(tmp_path: Path):
     source, made = written(tmp_path, "ev3dev")
     executor = PythonExecutor(source, made.program)
-    passed(parity(executor, frozen(), made.program, ROBOT, NXT))
+    passed(executed_parity(executor, frozen(), made, ROBOT, NXT))
     check_log(executor.finish(), rows=STEPS + 1, telemetry=STEPS // 10)
     executor.close()
 
@@ -259,7 +260,7 @@ def test_what_is_no_log_is_one_line(lines):
 def test_c_on_an_arm7tdmi(tmp_path: Path, number):
     source, made = written(tmp_path, "c", number=number)
     executor = ArmExecutor(source, made.program, number)
-    passed(parity(executor, frozen(), made.program, ROBOT, NXT, quantum=made.quantum))
+    passed(executed_parity(executor, frozen(), made, ROBOT, NXT))
     products = made.program.operations()
     # at least an instruction a product, and less than the 480 000 cycles of 10 ms at 48 MHz
     assert products < executor.worst.instructions <= executor.worst.cycles < 480_000
@@ -288,7 +289,7 @@ def test_cycles_are_those_of_the_manual(word, expected):
 def test_the_sketch_on_an_atmega328p(tmp_path: Path):
     source, made = written(tmp_path, "arduino")
     executor = AvrExecutor(source, made.program, "float")
-    passed(parity(executor, frozen(), made.program, ROBOT, NXT))
+    passed(executed_parity(executor, frozen(), made, ROBOT, NXT))
     executor.close()
     assert made.program.operations() < executor.worst < 160_000  # cycles of 10 ms at 16 MHz
     assert executor.code_bytes < FLASH
@@ -322,7 +323,7 @@ def compass(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Firmware, C
 def test_nxc_in_the_brick_s_machine_with_its_compass(compass):
     source, made, controller = compass
     executor = NxcExecutor(source, made.program)
-    passed(parity(executor, controller, made.program, ROBOT, NXT))
+    passed(executed_parity(executor, controller, made, ROBOT, NXT))
     # at least an instruction a product; at the 5 µs of the virtual brick still well within 10 ms
     assert made.program.operations() < executor.instructions < 2000
 

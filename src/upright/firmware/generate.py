@@ -58,8 +58,11 @@ class Firmware:
         first, target = Path(path).expanduser(), find_target(self.program.target)
         if first.suffix != target.suffix:
             raise UnknownName(f"ending of a program for {target.name}", first.suffix or first.name, [target.suffix])
-        texts = {ending: text.replace("@HEADER@", f"{first.stem}.h") for ending, text in self.files.items()}
-        return [write_text(first.with_suffix(ending), text) for ending, text in texts.items()]
+        return [write_text(first.with_suffix(ending), text) for ending, text in self.texts(first).items()]
+
+    def texts(self, path: Path) -> dict[str, str]:
+        """The files by ending, as they are written at `path`."""
+        return {ending: text.replace("@HEADER@", f"{path.stem}.h") for ending, text in self.files.items()}
 
 
 def generate(

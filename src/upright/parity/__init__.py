@@ -1,4 +1,5 @@
-"""Whether a generated program does what was designed: what executes it, and the comparison."""
+"""Whether a generated program does what was designed: its executors, and the comparison."""
 
 from upright.parity.parity import Parity as Parity
+from upright.parity.parity import executed_parity as executed_parity
 from upright.parity.parity import parity as parity

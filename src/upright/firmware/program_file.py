@@ -1,0 +1,74 @@
+"""A generated program on disk, with the robot, kit and controller that it was made from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from upright.compiled.program import Program
+from upright.control import find_controller
+from upright.control.controller import Controller, controller_hash
+from upright.errors import InvalidController
+from upright.firmware.generate import Firmware, generate, head, longest_run
+from upright.robots import Kit, Robot, find_kit, find_robot
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ProgramFile:
+    """The `text` at `path` and its `head`; `firmware` is what is generated from the same controller now."""
+
+    path: Path
+    text: str
+    head: dict[str, str]
+    robot: Robot
+    kit: Kit
+    controller: Controller
+    firmware: Firmware
+
+    @property
+    def program(self) -> Program:
+        return self.firmware.program
+
+    @property
+    def longest(self) -> int:
+        """Time [s] after which the program stops by itself; 0 for never."""
+        return longest_run(self.text)
+
+    @property
+    def as_generated(self) -> bool:
+        """Whether the text is the generated one: not edited, and not of another version."""
+        return self.text in self.firmware.texts(self.path).values()
+
+
+def read_program(
+    path: str | Path,
+    controller: Controller | str | Path,
+    robot: Robot | str | Path | None = None,
+    kit: Kit | str | Path | None = None,
+) -> ProgramFile:
+    """A program by `upright firmware`, made from that controller; robot and kit are those of its head by default.
+
+    Raises `InvalidController` for a text without a head, and for a program of another controller.
+    """
+    source, text = Path(path), read_text(path)
+    facts = head(text)
+    chosen, parts = find_robot(robot or facts["robot"]), find_kit(kit or facts["kit"])
+    design = find_controller(controller, chosen, parts, parts.period)
+    if controller_hash(design) != facts["hash"]:
+        raise InvalidController(
+            f"{source} holds another controller ({facts['hash'][:12]})", expected=controller_hash(design)[:12],
+            hint="generate the program again, or name the controller it was made from",
+        )  # fmt: skip
+    made = generate(
+        design, chosen, parts, facts["target"], number=facts["number"], hub=facts.get("hub", "prime"),
+        reference="reference" in facts, seconds=longest_run(text),
+    )  # fmt: skip
+    return ProgramFile(path=source, text=text, head=facts, robot=chosen, kit=parts, controller=design, firmware=made)
+
+
+def read_text(path: str | Path) -> str:
+    """The text of a program; `InvalidController` for a file that is not text."""
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise InvalidController(f"{path} is not text", expected="a program by upright firmware") from None
