@@ -5,17 +5,22 @@ from __future__ import annotations
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
+from typer.main import get_command
 
 from upright.atomic import write_json
 from upright.cli import main as cli
-from upright.cli.main import BUG, STOPPED, USER_ERROR, main
+from upright.cli.main import BUG, STOPPED, USER_ERROR, app, main
+from upright.cli.options import complete_controller, complete_kit, complete_robot
+from upright.control import CONTROLLERS
 from upright.errors import InvalidLog
-from upright.robots import PARAMETERS, Robot
+from upright.robots import PARAMETERS, Robot, kit_names
 
 TIME = "t,truth/pitch,truth/pitch_rate,truth/wheel,truth/wheel_rate,truth/yaw,truth/yaw_rate\n"
 ROW = ",0,0,0,0,0,0\n"
@@ -178,13 +183,47 @@ def test_a_bug_is_one_line_that_says_how_to_see_more(
 def test_ctrl_c_ends_with_130(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr(Robot, "preset", broken(KeyboardInterrupt()))
     assert main(["robots"]) == STOPPED
-    assert capsys.readouterr().err == "stopped; nothing half-written was left\n"
+    assert capsys.readouterr().err == "stopped; no incomplete file is left\n"
 
 
 def test_every_command_has_a_help_page(capsys: pytest.CaptureFixture[str]) -> None:
-    for command in ("reproduce", "robots", "simulate", "compare", "linearise"):
+    registered = get_command(app).commands  # type: ignore[attr-defined]
+    assert len(registered) == 22
+    for command in registered:
         assert main([command, "--help"]) == 0
-        assert f"Usage: upright {command}" in capsys.readouterr().out
+        page = capsys.readouterr().out
+        assert f"Usage: upright {command}" in page
+        assert "None" not in page
+
+
+def options() -> list[tuple[str, Any]]:
+    every = get_command(app).commands.items()  # type: ignore[attr-defined]
+    return [(f"{name} {option.name}", option) for name, command in every for option in command.params]
+
+
+@pytest.mark.parametrize(("where", "option"), options(), ids=[where for where, _ in options()])
+def test_every_option_has_a_short_help(where: str, option: Any) -> None:
+    """At most 20 words a sentence: a native reader's limit for one breath."""
+    assert option.help, where
+    assert max(len(sentence.split()) for sentence in re.split(r"[.;:] ", option.help)) <= 20
+
+
+def test_an_option_means_one_thing() -> None:
+    meanings: dict[str, set[str]] = {}
+    for _, option in options():
+        for flag in option.opts:
+            if flag.startswith("-"):
+                meanings.setdefault(flag, set()).add(option.name)
+    twice = {flag: names for flag, names in meanings.items() if len(names) > 1 and len(flag) == 2}
+    assert twice == {}
+
+
+def test_the_shell_completes_names_of_robots_and_kits(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "nxtway-mine.toml").touch()
+    assert complete_robot("nxtway") == ["nxtway-gs", "nxtway-mine.toml"]
+    assert complete_kit("nx") == [name for name in kit_names() if name.startswith("nx")] + ["nxtway-mine.toml"]
+    assert complete_controller("lq") == [name for name in CONTROLLERS if name.startswith("lq")]
 
 
 def test_no_argument_prints_the_help(capsys: pytest.CaptureFixture[str]) -> None:

@@ -12,7 +12,7 @@ import typer
 
 from upright.cli import options
 from upright.cli.fleet_options import Asked, asked_alike
-from upright.cli.options import JsonOption
+from upright.cli.options import DriveOption, JsonOption, PushOption, SamplesOption, StartOption, TurnOption
 from upright.cli.output import print_json, print_table, progress
 from upright.errors import InvalidScenario
 
@@ -27,36 +27,31 @@ if TYPE_CHECKING:
 def fleet(
     *,
     asked: Asked,
-    n: Annotated[int, typer.Option("-n", "--robots", help="How many robots.")] = 10000,
-    push: Annotated[
-        list[str] | None, typer.Option("--push", "-p", metavar="KIND:NUMBER,...", help=options.PUSH_HELP)
-    ] = None,
-    drive: Annotated[str | None, typer.Option(metavar="M/S[,start=S,until=S]", help="Roll at a speed.")] = None,
-    turn: Annotated[str | None, typer.Option(metavar="RAD/S[,start=S,until=S]", help="Turn.")] = None,
-    start: Annotated[str, typer.Option(help="First state, such as pitch=0.05; zero where not said.")] = "",
-    seconds: Annotated[float, typer.Option("--seconds", "-s", help="How long [s].")] = 10.0,
+    samples: SamplesOption = 10000,
+    push: PushOption = None,
+    drive: DriveOption = None,
+    turn: TurnOption = None,
+    start: StartOption = "",
+    seconds: Annotated[float, typer.Option("--seconds", "-s", help="Length of each run [s].")] = 10.0,
 ) -> None:
-    """Run many robots that differ, and say how many fall.
+    """Simulate many different robots and count the falls.
 
-    Prints the chance of a fall with its 95 % interval, and the distribution of peaks, settling, effort and travel.
+    Prints the probability of a fall with its 95 % interval, and quantiles of pitch, settling, effort and travel.
     """
-    from upright.experiment import Drive, Turn
     from upright.fleet.results import labelled, summarise
 
     asked.check()
-    if n < 1:
-        raise InvalidScenario(f"-n {n}", expected="one robot or more")
-    wanted = [(Drive, drive, "--drive"), (Turn, turn, "--turn")]
-    references = tuple(options.programme(kind, text, option) for kind, text, option in wanted if text)
-    pushes = tuple(options.push(text) for text in push or [])
+    if samples < 1:
+        raise InvalidScenario(f"-n {samples}", expected="one robot or more")
+    pushes, references = map(tuple, options.pushes_and_references(push, drive, turn))
     ensemble = asked.ensemble(pushes=pushes, references=references, start=_state(start), seconds=seconds)
     with progress("simulating") as share:
-        data = labelled(_in_parts(ensemble, n, asked.threads, share), range(n), ensemble)
+        data = labelled(_in_parts(ensemble, samples, asked.threads, share), range(samples), ensemble)
     summary = summarise(data)
     if asked.report:
         from upright.report.fleet import fleet_page
 
-        fleet_page(data, summary, f"{n} robots like {ensemble.family.robot.name}").write(asked.report)
+        fleet_page(data, summary, f"{samples} robots like {ensemble.family.robot.name}").write(asked.report)
     _say(data, str(summary), summary.to_json(), asked)
 
 
@@ -64,19 +59,19 @@ def fleet(
 def push_map(
     *,
     asked: Asked,
-    direction: Annotated[str, typer.Option(help="forward, backward or both.")] = "both",
+    direction: Annotated[str, typer.Option(help="Direction: forward, backward or both.")] = "both",
     heights: Annotated[
-        str | None, typer.Option(metavar="LOW..HIGH", help="Above the axle [m] (default: up to the body's height).")
+        str | None, typer.Option(metavar="LOW..HIGH", help="Height above the axle [m] (default: up to the body's).")
     ] = None,
-    durations: Annotated[str, typer.Option(metavar="LOW..HIGH", help="Of the push [s].")] = "0.01..0.5",
-    points: Annotated[int, typer.Option(help="Heights, and durations.")] = 64,
-    samples: Annotated[int, typer.Option(help="Robots for the band; 0 for none.")] = 200,
+    durations: Annotated[str, typer.Option(metavar="LOW..HIGH", help="Duration of the push [s].")] = "0.01..0.5",
+    points: Annotated[int, typer.Option(help="Number of heights, and of durations.")] = 64,
+    samples: Annotated[int, typer.Option("--samples", "-n", help="Robots drawn for the band; 0: none.")] = 200,
     tolerance: Annotated[float, typer.Option(help="Relative accuracy of each impulse.")] = 0.01,
-    watch: Annotated[float, typer.Option(help="Standing so long [s] after the push counts as recovered.")] = 5.0,
+    watch: Annotated[float, typer.Option(help="Time [s] after the push to count as recovered.")] = 5.0,
 ) -> None:
     """Find the largest push a robot recovers from.
 
-    By direction, height and duration, with a band of 95 % for what is not known of the robot (default: --vary spread).
+    By direction, height and duration, with a 95 % band over the uncertain parameters (default: --vary spread).
     """
     import numpy as np
 
@@ -120,16 +115,16 @@ def push_map(
 def basin(
     *,
     asked: Asked,
-    across: Annotated[str, typer.Option(metavar="STATE=LOW..HIGH", help="The first state.")] = "pitch=-1..1",
-    up: Annotated[str, typer.Option(metavar="STATE=LOW..HIGH", help="The second state.")] = "pitch_rate=-10..10",
+    across: Annotated[str, typer.Option(metavar="STATE=LOW..HIGH", help="First state.")] = "pitch=-1..1",
+    up: Annotated[str, typer.Option(metavar="STATE=LOW..HIGH", help="Second state.")] = "pitch_rate=-10..10",
     points: Annotated[int, typer.Option(help="Values of each state.")] = 101,
-    samples: Annotated[int, typer.Option(help="Robots of the family at each point; 1 is the nominal one.")] = 1,
-    start: Annotated[str, typer.Option(help="The other states, such as wheel_rate=5; zero where not said.")] = "",
-    seconds: Annotated[float, typer.Option("--seconds", "-s", help="Standing so long [s] counts as recovered.")] = 5.0,
+    samples: Annotated[int, typer.Option("--samples", "-n", help="Robots drawn at each point; 1: nominal.")] = 1,
+    start: StartOption = "",
+    seconds: Annotated[float, typer.Option("--seconds", "-s", help="Time [s] to count as recovered.")] = 5.0,
 ) -> None:
     """Find the states from which a robot recovers.
 
-    A grid over any two of the six states; with samples, the share of the family that recovers.
+    On a grid of any two of the six states; with samples, the fraction of the robots that recover.
     """
     from upright.fleet.basin import Axis
     from upright.fleet.basin import basin as cut
@@ -153,22 +148,22 @@ def basin(
 
 
 def sweep(
-    spec: Annotated[Path, typer.Argument(help="The campaign in TOML (see docs/fleet.md).")],
+    spec: Annotated[Path, typer.Argument(help="Campaign in TOML (see docs/fleet.md).")],
     *,
     folder: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Folder of the results (default: named as the file).")
+        Path | None, typer.Option("--output", "-o", help="Folder of the results (default: the file's name).")
     ] = None,
     cluster: Annotated[
-        str | None, typer.Option("--cluster", metavar="ADDRESS", help="A Dask scheduler, such as tcp://host:8786.")
+        str | None, typer.Option("--cluster", metavar="ADDRESS", help="Dask scheduler, such as tcp://host:8786.")
     ] = None,
     workers: Annotated[
-        int | None, typer.Option("--workers", help="Processes on this machine (default: one a processor); 0 for none.")
+        int | None, typer.Option("--workers", help="Processes on this machine (default: one per processor); 0: none.")
     ] = None,
     as_json: JsonOption = False,
 ) -> None:
     """Run a campaign: robots × controllers × scenarios × grid.
 
-    In chunks on Dask. A campaign that was stopped half-way goes on from what is on disk when it is started again.
+    Runs in chunks on Dask. A stopped campaign continues from its finished chunks when it is started again.
     """
     from upright.fleet.campaign import run_campaign
     from upright.fleet.sweep import read_campaign

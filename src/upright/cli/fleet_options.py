@@ -1,4 +1,4 @@
-"""What `fleet`, `push-map` and `basin` are asked alike: which robots, under what, and where the result goes."""
+"""Options that `fleet`, `push-map` and `basin` share: robots, controller and where the result goes."""
 
 from __future__ import annotations
 
@@ -12,16 +12,24 @@ from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
 
 import typer
 
-from upright.cli.options import JsonOption, RobotOption
+from upright.cli.options import (
+    CONTROLLER_HELP,
+    IdealKitOption,
+    JsonOption,
+    PosteriorOption,
+    ReportOption,
+    RobotOption,
+    SeedOption,
+    complete_controller,
+)
 from upright.cli.output import check_folder
 
 if TYPE_CHECKING:
     from upright.fleet.ensemble import Ensemble
 
 VARY_HELP = (
-    "What differs from robot to robot, repeatable: com_height=±10%, com_height=0.06..0.08, com_height=normal:5%, "
-    "com_height=normal (the robot file's own spread), the same for delay, motor.limit, sensors.gyro.noise; or 'spread' "
-    "for all parameters with the file's own."
+    "Varied number, repeatable: com_height=±10%, com_height=0.06..0.08, com_height=normal:5%, com_height=normal (the "
+    "spread of the robot's file); also delay, motor.limit, sensors.gyro.noise; or 'spread': all parameters."
 )
 
 
@@ -31,21 +39,18 @@ class Asked:
 
     robot: RobotOption = "nxtway-gs"
     controller: Annotated[
-        str, typer.Option("--controller", "-c", help="By name, or a controller.json; it must be linear.")
+        str,
+        typer.Option(
+            "--controller", "-c", help=f"{CONTROLLER_HELP}; must be linear.", autocompletion=complete_controller
+        ),
     ] = "lqr"
-    kit: Annotated[
-        str | None,
-        typer.Option("--kit", help="Electronics by name or TOML file; ideal for none (default: the robot's own)."),
-    ] = None
+    kit: IdealKitOption = None
     vary: Annotated[list[str] | None, typer.Option("--vary", metavar="NAME=...", help=VARY_HELP)] = None
-    posterior: Annotated[
-        Path | None,
-        typer.Option("--posterior", help="JSON of 'parameters', 'mean' and 'covariance', or a saved calibration."),
-    ] = None
-    seed: Annotated[int, typer.Option("--seed", help="Seed of all draws and all noise.")] = 0
-    threads: Annotated[int | None, typer.Option("--threads", min=1, help="Threads (default: one a processor).")] = None
+    posterior: PosteriorOption = None
+    seed: SeedOption = 0
+    threads: Annotated[int | None, typer.Option("--threads", min=1, help="Threads (default: all processors).")] = None
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the result: .parquet or .zarr.")] = None
-    report: Annotated[Path | None, typer.Option("--report", help="Write a page with figures: .html.")] = None
+    report: ReportOption = None
     as_json: JsonOption = False
 
     def check(self) -> None:

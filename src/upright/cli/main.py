@@ -1,4 +1,4 @@
-"""The command `upright`: its commands, and the one place where errors become a line and an exit code."""
+"""The command `upright`: its commands, and how errors become one line and an exit code."""
 
 from __future__ import annotations
 
@@ -31,35 +31,20 @@ from upright.cli.simulate import simulate
 from upright.errors import UprightError
 
 USER_ERROR, BUG, STOPPED = 2, 1, 130
-"""Exit codes: what the user can correct, what only we can, and Ctrl-C (128 + SIGINT, as shells say it)."""
+"""Exit codes: an error that the user can correct, a bug, and Ctrl-C (128 + SIGINT, as in shells)."""
 
 app = typer.Typer(name="upright", rich_markup_mode=None, context_settings={"help_option_names": ["-h", "--help"]})
-app.command()(reproduce)
+COMMANDS = (
+    reproduce, simulate, compare, linearise, design, certify, bench_controllers, post_mortem, doctor, calibrate, excite,
+    identify, fleet, push_map, basin, sweep, firmware, parity, fly, monitor, lab,
+)  # fmt: skip
+for command in COMMANDS:
+    app.command(command.__name__.replace("_", "-"))(command)
 app.add_typer(robots, name="robots")
-app.command()(simulate)
-app.command()(compare)
-app.command()(linearise)
-app.command()(design)
-app.command()(certify)
-app.command("bench-controllers")(bench_controllers)
-app.command("post-mortem")(post_mortem)
-app.command()(doctor)
-app.command()(calibrate)
-app.command()(excite)
-app.command()(identify)
-app.command()(fleet)
-app.command("push-map")(push_map)
-app.command()(basin)
-app.command()(sweep)
-app.command()(firmware)
-app.command()(parity)
-app.command()(fly)
-app.command()(monitor)
-app.command()(lab)
 
 
-def _print_version(wanted: bool) -> None:
-    if wanted:
+def _print_version(asked: bool) -> None:
+    if asked:
         from importlib.metadata import version
 
         typer.echo(f"upright {version('upright')}")
@@ -69,7 +54,7 @@ def _print_version(wanted: bool) -> None:
 @app.callback(invoke_without_command=True)
 def start(
     context: typer.Context,
-    debug: Annotated[bool, typer.Option("--debug", help="Show tracebacks; UPRIGHT_DEBUG=1 does the same.")] = False,  # noqa: ARG001 (main reads it)
+    debug: Annotated[bool, typer.Option("--debug", help="Show tracebacks, as UPRIGHT_DEBUG=1 does.")] = False,  # noqa: ARG001 (main reads it)
     version: Annotated[  # noqa: ARG001 (its callback acts)
         bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and exit.")
     ] = False,
@@ -80,7 +65,7 @@ def start(
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one command and return its exit code: 0, or 2 for what the user can correct, 1 for a bug, 130 for Ctrl-C."""
+    """Run one command and return its exit code: 0, 2 for an error of the user, 1 for a bug, 130 for Ctrl-C."""
     arguments = sys.argv[1:] if argv is None else list(argv)
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices here are small: more threads only wait for each other
     try:
@@ -92,12 +77,12 @@ def main(argv: Sequence[str] | None = None) -> int:
             raise
         return _complain(error)
     if code == STOPPED:
-        typer.secho("stopped; nothing half-written was left", err=True)
+        typer.secho("stopped; no incomplete file is left", err=True)
     return code if isinstance(code, int) else 0
 
 
 def _complain(error: Exception) -> int:
-    """Say what is wrong in one line on stderr and return the exit code."""
+    """Print the error as one line on stderr and return the exit code."""
     code = USER_ERROR
     if isinstance(error, typer.TyperException):
         message = error.format_message()
@@ -107,7 +92,7 @@ def _complain(error: Exception) -> int:
         message = f"{error.filename}: {error.strerror}"
     else:
         code = BUG
-        message = f"unexpected {type(error).__name__}: {error}; try: UPRIGHT_DEBUG=1 shows where, please report it"
+        message = f"unexpected {type(error).__name__}: {error}; try: UPRIGHT_DEBUG=1, and report the traceback"
     colour = None if "NO_COLOR" not in os.environ else False
     typer.secho(f"upright: {' '.join(message.split())}", fg="red", err=True, color=colour)
     return code

@@ -1,10 +1,11 @@
-"""What several commands parse alike: options, and the small language `KIND:NUMBER,name=NUMBER`."""
+"""Options that several commands share, and the notation `KIND:NUMBER,name=NUMBER` of pushes and references."""
 
 from __future__ import annotations
 
 import dataclasses
+import glob
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -12,14 +13,110 @@ import typer
 
 from upright.errors import InvalidController, InvalidScenario, UnknownName
 
-RobotOption = Annotated[str, typer.Option("--robot", "-r", help="A robot by name (see `upright robots`) or TOML file.")]
-JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for programs.")]
+Names = Callable[[], Iterable[str]]
+
+
+def completed(names: Names, suffix: str = "") -> Callable[[str], list[str]]:
+    """Completion in the shell: registered names, and files of that suffix."""
+
+    def complete(incomplete: str) -> list[str]:
+        files = glob.glob(f"{glob.escape(incomplete)}*{suffix}") if suffix else []
+        return [name for name in (*names(), *files) if name.startswith(incomplete)]
+
+    return complete
+
+
+def _robots() -> Iterable[str]:
+    from upright.robots import preset_names
+
+    return preset_names()
+
+
+def _kits() -> Iterable[str]:
+    from upright.robots import kit_names
+
+    return kit_names()
+
+
+def _mappings() -> Iterable[str]:
+    from upright.logs.mapping import mappings
+
+    return mappings()
+
+
+def controllers() -> Iterable[str]:
+    """Names of the registered controllers."""
+    from upright.control import CONTROLLERS
+
+    return CONTROLLERS
+
+
+def _bodies() -> Iterable[str]:
+    from upright.bodies import BODIES
+
+    return BODIES
+
+
+complete_robot = completed(_robots, ".toml")
+complete_kit = completed(_kits, ".toml")
+complete_mapping = completed(_mappings, ".toml")
+complete_controller = completed(controllers, ".json")
+complete_body = completed(_bodies)
+complete_method = completed(controllers)
+
+ROBOT_HELP = "Robot by name (see `upright robots`) or TOML file"
+KIT_HELP = "Electronics by name or TOML file"
+CONTROLLER_HELP = "Controller by name, controller.json or my.py:Name"
+
+RobotOption = Annotated[str, typer.Option("--robot", "-r", help=f"{ROBOT_HELP}.", autocompletion=complete_robot)]
+LogRobotOption = Annotated[
+    str | None,
+    typer.Option("--robot", "-r", help=f"{ROBOT_HELP} (default: the log's).", autocompletion=complete_robot),
+]
+KitOption = Annotated[
+    str | None, typer.Option("--kit", help=f"{KIT_HELP} (default: the robot's).", autocompletion=complete_kit)
+]
+IdealKitOption = Annotated[
+    str | None,
+    typer.Option("--kit", help=f"{KIT_HELP}; ideal for none (default: the robot's).", autocompletion=complete_kit),
+]
+ControllerArgument = Annotated[str, typer.Argument(help=f"{CONTROLLER_HELP}.", autocompletion=complete_controller)]
+LogArgument = Annotated[Path, typer.Argument(help="Log: .csv, .txt, .json, .mat, .parquet or .mcap.")]
+MappingOption = Annotated[
+    str | None,
+    typer.Option(help="Mapping of columns by name or TOML file (default: the one that fits).",
+                 autocompletion=complete_mapping),
+]  # fmt: skip
+PosteriorOption = Annotated[
+    Path | None, typer.Option("--posterior", help="Posterior by `upright calibrate --save` (default: the spreads).")
+]
+PeriodOption = Annotated[float | None, typer.Option(help="Period of the controller [s] (default: the kit's).")]
+AfterOption = Annotated[float | None, typer.Option("--start", help="Ignore the log before this time [s].")]
+BeforeOption = Annotated[float | None, typer.Option("--until", help="Ignore the log from this time on [s].")]
+KnownOption = Annotated[list[str] | None, typer.Option(help="Parameter taken as exact, such as body_mass; repeatable.")]
+HeldOutOption = Annotated[float, typer.Option(help="Last fraction of each log, kept for validation.")]
+SamplesOption = Annotated[int, typer.Option("--samples", "-n", help="Number of robots drawn.")]
+SeedOption = Annotated[int, typer.Option("--seed", help="Seed of all random draws and noise.")]
+BodyOption = Annotated[
+    str, typer.Option("--body", "-b", help="Body by name or my.py:Name, such as nonlinear or twin (MuJoCo).",
+                      autocompletion=complete_body),
+]  # fmt: skip
+DriveOption = Annotated[
+    str | None, typer.Option("--drive", metavar="M/S[,start=S,until=S]", help="Drive at this speed.")
+]
+TurnOption = Annotated[
+    str | None, typer.Option("--turn", metavar="RAD/S[,start=S,until=S]", help="Turn at this rate, anticlockwise.")
+]
+StartOption = Annotated[str, typer.Option("--start", help="Initial state, such as pitch=0.05; the others are zero.")]
+OutputOption = Annotated[Path | None, typer.Option("--output", "-o", help="Write the result as JSON.")]
+ReportOption = Annotated[Path | None, typer.Option("--report", help="Write a page with figures: .html.")]
+JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
 PUSH_HELP = (
-    "What pushes the robot, repeatable; they add up. hold:RAD,until=S keeps the pitch and lets go; "
-    "force:N,start=S,duration=S pushes; impulse:NS,start=S knocks. Each takes height=M above the axle "
-    "(default: the centre of mass)."
+    "Push, repeatable; pushes add up. hold:RAD,until=S holds a pitch and releases it; force:N,start=S,duration=S; "
+    "impulse:NS,start=S. Each takes height=M above the axle (default: the centre of mass)."
 )
+PushOption = Annotated[list[str] | None, typer.Option("--push", "-p", metavar="KIND:NUMBER,...", help=PUSH_HELP)]
 
 
 def number(text: str, where: str) -> float:
@@ -51,7 +148,7 @@ def named_numbers(text: str, names: Sequence[str], option: str, bare: str = "") 
 
 
 def vector(text: str, names: Sequence[str], option: str) -> list[float]:
-    """`name=NUMBER,…` as one number for each of `names`, zero where it is not given."""
+    """`name=NUMBER,…` as one number for each of `names`; the others are zero."""
     given = named_numbers(text, names, option) if text else {}
     return [given.get(name, 0.0) for name in names]
 
@@ -66,6 +163,17 @@ def programme(kind: Any, text: str, option: str) -> Any:
     return kind(**values)
 
 
+def pushes_and_references(
+    pushed: Sequence[str] | None, drive: str | None, turn: str | None, slope: str | None = None
+) -> tuple[list[Any], list[Any]]:
+    """The pushes and references of a command's options."""
+    from upright.experiment import Drive, Slope, Turn
+
+    pushes = [push(text) for text in pushed or ()] + ([programme(Slope, slope, "--slope")] if slope else [])
+    asked = ((Drive, drive, "--drive"), (Turn, turn, "--turn"))
+    return pushes, [programme(kind, text, option) for kind, text, option in asked if text]
+
+
 def push(text: str) -> Any:
     """A push from `KIND:NUMBER,name=NUMBER,…`, where KIND is hold, force or impulse."""
     from upright.experiment import Hold, Impulse, Push
@@ -78,13 +186,12 @@ def push(text: str) -> Any:
         )
     if kind.strip() not in kinds:
         raise UnknownName("push", kind.strip(), kinds)
-    rest = rest.replace("at_time=", "start=")  # what an impulse's start was called in older scripts
     return programme(kinds[kind.strip()], rest, f"--push {kind.strip()}")
 
 
 def program_text(path: Path) -> str:
-    """A program that upright firmware wrote, refused with `InvalidController` where it is no text."""
+    """The text of a program by upright firmware; raises `InvalidController` for a binary file."""
     try:
         return path.read_text(encoding="utf-8")
     except UnicodeDecodeError:
-        raise InvalidController(f"{path} is no text", expected="a program by upright firmware") from None
+        raise InvalidController(f"{path} is not text", expected="a program by upright firmware") from None

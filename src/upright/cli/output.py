@@ -2,34 +2,30 @@
 
 from __future__ import annotations
 
+import shutil
 import sys
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Callable, Collection, Generator, Iterable, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import typer
 
-from upright.atomic import json_text
+from upright.atomic import json_text, write_json
 from upright.errors import UprightError
-
-PIPED_WIDTH = 200
-"""Columns of a table that goes into a pipe or a file, where no line should be broken."""
+from upright.tables import Listing
 
 
-def print_table(header: Sequence[str], rows: Sequence[Sequence[str]], numbers: Sequence[str] = ()) -> None:
-    """Print aligned columns; those named in `numbers` are set to the right, and only the last one may wrap."""
-    from rich.console import Console
-    from rich.table import Table
-    from rich.text import Text
+class Result(Protocol):
+    """What a library function returns: it prints as text and as JSON."""
 
-    table = Table(box=None, pad_edge=False, header_style="bold")
-    for name in header:
-        last = name == header[-1]
-        table.add_column(Text(name), justify="right" if name in numbers else "left", no_wrap=not last)
-    for row in rows:
-        table.add_row(*(Text(cell) for cell in row))
-    Console(width=None if sys.stdout.isatty() else PIPED_WIDTH, highlight=False).print(table)
+    def to_json(self) -> dict[str, Any]: ...
+
+
+def print_table(header: Sequence[str], rows: Sequence[Sequence[str]], numbers: Collection[str] = ()) -> None:
+    """Print aligned columns; those named in `numbers` are set to the right, and a terminal wraps the last one."""
+    width = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
+    typer.echo(Listing(header, rows, numbers).text(width))
 
 
 def print_json(data: Any) -> None:
@@ -37,17 +33,38 @@ def print_json(data: Any) -> None:
     typer.echo(json_text(data))
 
 
+def finish(
+    result: Result, as_json: bool, *, output: Path | None = None, written: Iterable[Path | None] = (), **facts: Any
+) -> None:
+    """Write the result to `output`, print it as text or JSON with further `facts`, and name the files `written`."""
+    data = result.to_json() | facts
+    if output:
+        write_json(output, data)
+    if as_json:
+        print_json(data)
+        return
+    typer.echo("\n".join([str(result), *(f"wrote {path}" for path in (output, *written) if path)]))
+
+
 def check_folder(path: Path) -> None:
-    """Refuse a file whose folder is not there, before the work that would fill it."""
+    """Refuse a file whose folder does not exist, before the work that would fill it."""
     if not path.parent.is_dir():
         raise UprightError(f"there is no folder {path.parent} for {path.name}", hint=f"mkdir -p {path.parent}")
 
 
+def check_targets(*targets: Path | None, logs: Iterable[Path] = ()) -> None:
+    """Refuse, before the work, a file whose folder does not exist and one that would replace a log."""
+    for target in filter(None, targets):
+        check_folder(target)
+        if any(target.exists() and log.exists() and target.samefile(log) for log in logs):
+            raise UprightError(f"{target} is a log itself", expected="another file", hint="a log is never overwritten")
+
+
 @contextmanager
 def progress(label: str) -> Generator[Callable[[float], None]]:
-    """A bar on stderr where a person watches it: yields what takes the share done."""
+    """A bar on stderr in a terminal: yields what takes the fraction done."""
     if not sys.stderr.isatty():
-        yield _nobody_watches
+        yield _not_shown
         return
     from rich.console import Console
     from rich.progress import Progress
@@ -55,11 +72,11 @@ def progress(label: str) -> Generator[Callable[[float], None]]:
     with Progress(console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task(label, total=1.0)
 
-        def show(share: float) -> None:
-            bar.update(task, completed=share)
+        def show(fraction: float) -> None:
+            bar.update(task, completed=fraction)
 
         yield show
 
 
-def _nobody_watches(share: float) -> None:
-    """Show nothing of the `share` done."""
+def _not_shown(fraction: float) -> None:
+    """Show nothing of the `fraction` done."""

@@ -7,58 +7,47 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.options import JsonOption
-from upright.cli.output import check_folder, print_json, progress
+from upright.cli.options import (
+    KIT_HELP,
+    JsonOption,
+    LogArgument,
+    LogRobotOption,
+    MappingOption,
+    OutputOption,
+    ReportOption,
+    complete_kit,
+)
+from upright.cli.output import check_targets, finish, progress
 
 
 def post_mortem(
-    log: Annotated[Path, typer.Argument(help="A log with commands, encoders and gyro: .csv, .parquet, .mcap, …")],
-    robot: Annotated[
-        str | None, typer.Option("--robot", "-r", help="The robot by name or TOML file (default: that of the log).")
-    ] = None,
+    log: LogArgument,
+    *,
+    robot: LogRobotOption = None,
     kit: Annotated[
-        str | None, typer.Option(help="Electronics by name or TOML file (default: the log's, else the robot's own).")
+        str | None,
+        typer.Option(help=f"{KIT_HELP} (default: the log's, else the robot's).", autocompletion=complete_kit),
     ] = None,
     controller: Annotated[
-        Path | None, typer.Option("--controller", "-c", help="What should have driven it: controller.json.")
+        Path | None, typer.Option("--controller", "-c", help="Designed controller: controller.json.")
     ] = None,
-    mapping: Annotated[
-        str | None, typer.Option(help="A mapping by name (twipr, ev3way, …) or TOML file (default: what seems to fit).")
-    ] = None,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the result as JSON.")] = None,
-    report: Annotated[Path | None, typer.Option(help="Write a page with the last seconds: .html.")] = None,
+    mapping: MappingOption = None,
+    output: OutputOption = None,
+    report: ReportOption = None,
     as_json: JsonOption = False,
 ) -> None:
-    """Say why a robot fell, from the last seconds of its log.
+    """Diagnose a fall from the last seconds of a log.
 
-    Ranks saturation, gyro bias, dropped samples, wheel slip, weak battery, a push too large, delay grown, gain too low
-    and too high, each with its evidence and repair. Exit code 0 whatever is found, also where it did not fall.
+    Ranks saturation, gyro bias, dropped samples, wheel slip, weak battery, push, delay and wrong gain, each with
+    evidence and remedy. Exit code 0, also for a robot that did not fall.
     """
-    from upright.atomic import write_json
-    from upright.control import read_controller
     from upright.diagnose import post_mortem as examine
-    from upright.logs.mapping import find_mapping
-    from upright.robots import find_kit, find_robot
 
-    for target in (output, report):
-        if target:
-            check_folder(target)
-    with progress("looking at the last seconds") as show:
-        found = examine(
-            log,
-            find_robot(robot) if robot else None,
-            find_kit(kit) if kit else None,
-            read_controller(controller) if controller else None,
-            mapping=find_mapping(mapping) if mapping else None,
-            progress=show,
-        )
-    if output:
-        write_json(output, found.to_json())
+    check_targets(output, report, logs=[log])
+    with progress("examining the last seconds") as show:
+        result = examine(log, robot, kit, controller, mapping=mapping, progress=show)
     if report:
         from upright.report.postmortem import postmortem_page
 
-        postmortem_page(found, report)
-    if as_json:
-        print_json(found.to_json())
-        return
-    typer.echo("\n".join([str(found), *(f"wrote {path}" for path in (output, report) if path)]))
+        postmortem_page(result, report)
+    finish(result, as_json, output=output, written=(report,))

@@ -8,24 +8,21 @@ from typing import Annotated
 import typer
 
 from upright.cli.options import JsonOption
-from upright.cli.output import print_json, progress
+from upright.cli.output import finish, progress
 
 
 def reproduce(
-    folder: Annotated[
+    *,
+    output: Annotated[
         Path, typer.Option("--output", "-o", help="Folder for the page, the logs and the numbers.")
     ] = Path("herrera2015"),
     as_json: JsonOption = False,
 ) -> None:
-    """Reproduce the study of Herrera and others (2015).
+    """Reproduce the study of Herrera et al. (2015).
 
-    Its model, fit, regulator and pushes, each beside the printed numbers, and the errata of the printed text.
+    Its model, fit, regulator and pushes beside the printed numbers, and the errata of the text.
     """
     from upright.paper.reproduce import reproduce as reproduce_paper
 
-    with progress("reproducing") as share:
-        reproduction = reproduce_paper(folder, share)
-    if as_json:
-        print_json(reproduction.to_json())
-    else:
-        typer.echo(str(reproduction))
+    with progress("reproducing") as show:
+        finish(reproduce_paper(output, show), as_json)

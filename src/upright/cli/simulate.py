@@ -1,4 +1,4 @@
-"""`upright simulate`: a body under a controller, pushed; the log and its numbers."""
+"""`upright simulate`: a robot under a controller and pushes; its log and metrics."""
 
 from __future__ import annotations
 
@@ -9,81 +9,83 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from upright.cli import options
-from upright.cli.options import JsonOption, RobotOption
-from upright.cli.output import check_folder, print_json, progress
+from upright.cli.output import check_targets, finish, progress
 from upright.errors import InvalidController
 
 if TYPE_CHECKING:
     from upright.control import Controller
     from upright.robots import Kit, Robot
-    from upright.signals import Log
 
 IDEAL = "ideal"
-"""The kit that hides nothing: no electronics round the body, and controllers may read the true state."""
+"""The kit without electronics, under which controllers may read the true state."""
 
 SECONDS = 10.0
 
 
 def simulate(
     *,
-    robot: RobotOption = "nxtway-gs",
-    body: Annotated[
-        str, typer.Option("--body", "-b", help="nonlinear, published, linear or twin (MuJoCo).")
-    ] = "nonlinear",
-    kit: Annotated[
-        str | None, typer.Option(help="Electronics by name or TOML file; ideal for none (default: the robot's own).")
-    ] = None,
+    robot: options.RobotOption = "nxtway-gs",
+    body: options.BodyOption = "nonlinear",
+    kit: options.IdealKitOption = None,
     controller: Annotated[
         str | None,
-        typer.Option("--controller", "-c", help="By name or JSON file (default: lqg, or lqr-state with --kit ideal)."),
+        typer.Option(
+            "--controller",
+            "-c",
+            help=f"{options.CONTROLLER_HELP} (default: lqg; lqr-state with --kit ideal).",
+            autocompletion=options.complete_controller,
+        ),
     ] = None,
     gains: Annotated[
-        str | None,
-        typer.Option(help="u = −Kx instead: the left motor's six gains 'k1,…,k6', or a JSON file with a 2×6 'gain'."),
+        str | None, typer.Option(help="State feedback u = −Kx: six gains 'k1,…,k6', or a JSON file with a 2×6 'gain'.")
     ] = None,
-    period: Annotated[float | None, typer.Option(help="Controller's period [s] (default: the kit's).")] = None,
-    push: Annotated[
-        list[str] | None, typer.Option("--push", "-p", metavar="KIND:NUMBER,...", help=options.PUSH_HELP)
-    ] = None,
-    slope: Annotated[str | None, typer.Option(metavar="RAD[,start=S]", help="A floor that climbs.")] = None,
-    drive: Annotated[str | None, typer.Option(metavar="M/S[,start=S,until=S]", help="Roll at a speed.")] = None,
-    turn: Annotated[
-        str | None, typer.Option(metavar="RAD/S[,start=S,until=S]", help="Turn, anticlockwise positive.")
-    ] = None,
-    excite: Annotated[
-        Path | None, typer.Option(help="Add the excitation of a plan by `upright excite` to the commands.")
-    ] = None,
-    start: Annotated[str, typer.Option(help="First state, such as pitch=0.05; zero where not said.")] = "",
+    period: options.PeriodOption = None,
+    push: options.PushOption = None,
+    slope: Annotated[str | None, typer.Option(metavar="RAD[,start=S]", help="Slope of the floor.")] = None,
+    drive: options.DriveOption = None,
+    turn: options.TurnOption = None,
+    excite: Annotated[Path | None, typer.Option(help="Plan by `upright excite`, added to the commands.")] = None,
+    start: options.StartOption = "",
     lying: Annotated[float | None, typer.Option(metavar="RAD", help="Lie at this pitch, then stand up.")] = None,
-    seconds: Annotated[float | None, typer.Option("--seconds", "-s", help="How long [s] (10, or as the plan).")] = None,
-    seed: Annotated[int, typer.Option(help="Seed of all noise.")] = 0,
+    seconds: Annotated[
+        float | None, typer.Option("--seconds", "-s", help="Length of the run [s] (default: 10, or the plan's).")
+    ] = None,
+    seed: options.SeedOption = 0,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the log: .parquet, .csv or .mcap.")
     ] = None,
-    as_json: JsonOption = False,
+    report: options.ReportOption = None,
+    as_json: options.JsonOption = False,
 ) -> None:
-    """Run a model or the twin under a controller, pushed.
+    """Simulate a robot under a controller and pushes.
 
-    Prints whether it fell, the peak of its pitch, how far it rolled, and what the motors did; -o keeps the log.
+    Prints whether it fell, its largest pitch, its travel, and the effort of the motors.
     """
-    from upright.experiment import run
+    from upright.comparison import compare
+    from upright.experiment import outcome_of, run
+    from upright.report import comparison_page
     from upright.robots import find_robot
     from upright.signals import STATE_NAMES
 
-    pushes, references = _programmes(push or [], slope, drive, turn)
+    pushes, references = options.pushes_and_references(push, drive, turn, slope)
     first = options.vector(start, STATE_NAMES, "--start")
-    if output:
-        check_folder(output)
+    check_targets(output, report)
     chosen = find_robot(robot)
-    plant, brain = _fitted(chosen, body=body, kit=kit or chosen.kit, controller=controller, gains=gains, period=period)
-    brain, planned = _excited(brain, excite) if excite else (brain, SECONDS)
-    lasts = planned if seconds is None else seconds
+    plant, design = _fitted(chosen, body=body, kit=kit or chosen.kit, controller=controller, gains=gains, period=period)
+    design, planned = _excited(design, excite) if excite else (design, SECONDS)
+    length = planned if seconds is None else seconds
     if lying is not None:
-        brain, first = _standing_up(brain, chosen, kit or chosen.kit, lying, start), [lying, *[0.0] * 5]
-    with progress("simulating") as share:
-        log = run(plant, brain, pushes, reference=references, seconds=lasts, seed=seed, start=first, progress=share)
+        design, first = _standing_up(design, chosen, kit or chosen.kit, lying, start), [lying, *[0.0] * 5]
+    with progress("simulating") as show:
+        log = run(plant, design, pushes, reference=references, seconds=length, seed=seed, start=first, progress=show)
     plant.close()
-    _say(log, body, log.save(output) if output else None, as_json)
+    numbers, outcome, written = compare({body: log}), outcome_of(log), log.save(output) if output else None
+    if report:
+        comparison_page(numbers, report, title=f"{chosen.name}: {outcome}")
+    if not as_json:
+        typer.echo(f"{outcome}\n")
+    facts = {"outcome": outcome.to_json() if outcome else None, "origin": log.origin}
+    finish(numbers, as_json, written=(written, report), **facts, log=str(written) if written else None)
 
 
 def _fitted(
@@ -106,13 +108,13 @@ def _fitted(
 
 
 def _excited(controller: Controller, path: Path) -> tuple[Controller, float]:
-    """The controller with a plan's excitation, and how long this lasts [s]; says where it was made with another one."""
+    """The controller with a plan's excitation, and the plan's length [s]; warns of a plan for another controller."""
     from upright.control import controller_hash
     from upright.excite.plan import read_plan
 
     plan = read_plan(path)
     if controller_hash(controller) != plan.hash:
-        typer.echo(f"{path} was checked with another {plan.controller}: its limits are not those of this run", err=True)
+        typer.echo(f"{path} was checked with another {plan.controller}: its limits do not hold for this run", err=True)
     return plan.excited(controller), plan.seconds
 
 
@@ -148,27 +150,3 @@ def _read_gain(path: Path) -> Any:
         raise InvalidController(
             f"{path} holds no gain ({type(error).__name__}: {error})", expected='JSON such as {"gain": [[six], [six]]}'
         ) from None
-
-
-def _programmes(push: list[str], slope: str | None, drive: str | None, turn: str | None) -> tuple[list[Any], list[Any]]:
-    from upright.experiment import Drive, Slope, Turn
-
-    pushes = [options.push(text) for text in push]
-    pushes += [options.programme(Slope, slope, "--slope")] if slope else []
-    wanted = [(Drive, drive, "--drive"), (Turn, turn, "--turn")]
-    return pushes, [options.programme(kind, text, option) for kind, text, option in wanted if text]
-
-
-def _say(log: Log, label: str, written: Path | None, as_json: bool) -> None:
-    from upright.comparison import compare
-    from upright.experiment import outcome_of
-
-    numbers = compare({label: log})
-    outcome = outcome_of(log)
-    if as_json:
-        facts = {"outcome": outcome.to_json(), "origin": log.origin, "log": str(written) if written else None}
-        print_json(facts | numbers.to_json())
-        return
-    typer.echo(f"{outcome}\n\n{numbers}")
-    if written:
-        typer.echo(f"\nwrote {written}")

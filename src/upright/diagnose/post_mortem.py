@@ -19,13 +19,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.atomic import finite
-from upright.control import Controller, controller_hash
+from upright.control import Controller, controller_hash, read_controller
 from upright.diagnose.evidence import Evidence, Series, gather, series_of
 from upright.diagnose.verdict import CANNOT_TELL, NO_FALL, Cause, ranked
 from upright.errors import InvalidLog, InvalidRobot
 from upright.logs.mapping import Mapping as Columns
-from upright.logs.raw import RATES, raw_log
-from upright.robots import PARAMETERS, Kit, Robot, kit_names, preset_names
+from upright.logs.raw import RATES, LogSource, raw_log
+from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot, kit_names, preset_names
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -107,24 +107,25 @@ class PostMortem:
 
 
 def post_mortem(
-    source: str | Path | Log,
-    robot: Robot | None = None,
-    kit: Kit | None = None,
-    controller: Controller | None = None,
+    source: LogSource,
+    robot: Robot | str | None = None,
+    kit: Kit | str | None = None,
+    controller: Controller | str | Path | None = None,
     *,
-    mapping: Columns | None = None,
+    mapping: Columns | str | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> PostMortem:
     """Why the robot of this log fell.
 
     `robot` (default: that of the log's origin) is the robot without faults, `kit` (default: the robot's own) its
     electronics, `controller` what should have driven it; with it the recorded commands are compared with its own.
-    `mapping` names the columns of a foreign file. Raises `InvalidLog` for what is no log, `InvalidRobot` where no robot
+    `mapping` names the columns of a foreign file. All of them may be names or files. Raises `InvalidLog` for what is no log, `InvalidRobot` where no robot
     is given or named in the log.
     """
-    log = source if isinstance(source, Log) else raw_log(source, mapping)
-    nominal = robot or robot_of(log)
-    parts = kit or kit_of(log, nominal)
+    log = raw_log(source, mapping)
+    nominal = find_robot(robot) if robot else robot_of(log)
+    parts = find_kit(kit) if kit else kit_of(log, nominal)
+    controller = read_controller(controller) if isinstance(controller, str | Path) else controller
     head: dict[str, Any] = {"robot": nominal.name, "kit": parts.name, "rows": len(log)}
     head |= {"controller": controller.spec.kind if controller else ""}
     head |= {"hash": controller_hash(controller) if controller else ""}

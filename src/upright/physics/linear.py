@@ -15,6 +15,7 @@ from upright.errors import InvalidModel
 from upright.physics.dynamics import CALM, MODELS, Disturbance, derivative
 from upright.robots import Robot
 from upright.signals import STATE_NAMES
+from upright.tables import Listing, Shown
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -40,8 +41,15 @@ def _numbered(letter: str, count: int) -> tuple[str, ...]:
     return tuple(f"{letter}[{i}]" for i in range(count))
 
 
-@dataclass(frozen=True, eq=False)
-class LinearModel:
+def _matrix(name: str, rows: Sequence[str], columns: Sequence[str], values: Array) -> Listing:
+    """A matrix under its labels; what arithmetic leaves of a zero is shown as zero."""
+    rounded = np.where(np.abs(values) < 1e-14 * np.abs(values).max(initial=0.0), 0.0, values)
+    body = [(row, *(f"{value:.6g}" for value in line)) for row, line in zip(rows, rounded.tolist(), strict=True)]
+    return Listing((name, *columns), body, columns)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class LinearModel(Shown):
     """Deviations from (x0, u0): ẋ = f0 + A (x − x0) + B (u − u0) + E w, or x⁺ − x0 = … where `dt` is a period [s].
 
     A (n, n), B (n, m), E (n, k) for the named `disturbances`; y = C x + D u with C (p, n) and D (p, m), by default
@@ -92,6 +100,16 @@ class LinearModel:
         outputs = self.outputs or (states if every else _numbered("y", p))
         for name, labels in {"states": states, "inputs": inputs, "outputs": outputs}.items():
             object.__setattr__(self, name, tuple(labels))
+
+    def __str__(self) -> str:
+        law = "ẋ = A x + B u" if self.continuous else f"x⁺ = A x + B u, every {self.dt:g} s"
+        tables = (_matrix("A", self.states, self.states, self.A), _matrix("B", self.states, self.inputs, self.B))
+        poles = (f"  {p.real:12.6g}" + (f" {p.imag:+.6g}j" if p.imag else "") for p in self.poles())
+        return "\n\n".join([law, *map(str, tables), "\n".join(["poles", *poles])])
+
+    def __repr__(self) -> str:
+        kind = "continuous" if self.continuous else f"every {self.dt:g} s"
+        return f"LinearModel({len(self.A)} states, {len(self.inputs)} inputs, {len(self.outputs)} outputs, {kind})"
 
     @classmethod
     def gain(cls, D: ArrayLike, dt: float = 0.0) -> LinearModel:

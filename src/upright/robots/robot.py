@@ -13,6 +13,7 @@ from upright.atomic import write_text
 from upright.errors import InvalidRobot
 from upright.robots import toml
 from upright.robots.toml import Provenance
+from upright.tables import Listing
 
 PRESETS = "presets"
 
@@ -22,7 +23,7 @@ def _number(unit: str, symbol: str, default: float | None = None) -> Any:
     return field(metadata=metadata) if default is None else field(default=default, metadata=metadata)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Robot:
     """Parameters of one robot, in SI units. Symbols are those of Herrera et al. (2015) and Yamamoto (2008).
 
@@ -99,6 +100,33 @@ class Robot:
     def command_unit(self) -> str:
         """Unit of the two commands: 'V', or 'N m' for a torque drive."""
         return "V" if self.drive == "voltage" else "N m"
+
+    def __repr__(self) -> str:
+        mass = self.body_mass + 2 * self.wheel_mass
+        return f"Robot({self.name!r}: {mass:.3g} kg, centre of mass {self.com_height:.3g} m above the axle)"
+
+    def _repr_html_(self) -> str:
+        return self.listing().html(f"{self.name}: {self.drive} drive, kit {self.kit}")
+
+    def listing(self) -> Listing:
+        """Every parameter with symbol, value, spread, unit and source, as a table."""
+        header = ("parameter", "symbol", "value", "spread", "unit", "source")
+        rows = [
+            (p["name"], p["symbol"], f"{p['value']:.5g}", "guess" if p["spread"] is None else f"± {p['spread']:.2g}",
+             p["unit"], p["source"])
+            for p in self.parameters()
+        ]  # fmt: skip
+        return Listing(header, rows, ("value", "spread"))
+
+    def parameters(self) -> list[dict[str, Any]]:
+        """Name, symbol, value, unit, source and spread of every parameter; a spread of None is a guess."""
+        unknown = Provenance("not stated")
+        origins = {name: self.provenance.get(name, unknown) for name in PARAMETERS}
+        return [
+            {"name": name, "symbol": symbol, "value": getattr(self, name), "unit": unit,
+             "source": origins[name].source, "spread": origins[name].spread}
+            for name, (unit, symbol) in PARAMETERS.items()
+        ]  # fmt: skip
 
     def numbers(self) -> dict[str, float]:
         """Every physical parameter by field name, in SI units."""

@@ -1,0 +1,69 @@
+"""Tables as aligned text and as HTML, for whatever prints itself."""
+
+from __future__ import annotations
+
+import textwrap
+import unicodedata
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from html import escape
+
+
+@dataclass(frozen=True)
+class Listing:
+    """Rows of text under `header`; the columns named in `numbers` are set to the right.
+
+    >>> print(Listing(("robot", "mass"), [("nxt", "0.66")], ("mass",)))
+    robot  mass
+    nxt    0.66
+    """
+
+    header: Sequence[str]
+    rows: Sequence[Sequence[str]]
+    numbers: Collection[str] = ()
+
+    def text(self, width: int | None = None) -> str:
+        """Aligned columns; in a terminal of `width` columns the last one is wrapped."""
+        table = [self.header, *self.rows]
+        widths = [max(_length(row[i]) for row in table) for i in range(len(self.header) - 1)]
+        left = sum(widths) + 2 * len(widths)
+        return "\n".join(line for row in table for line in self._lines(row, widths, left, width))
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def html(self, title: str = "") -> str:
+        """The table as HTML under a `title`."""
+        rows = [_html_row("th", self.header), *(_html_row("td", row) for row in self.rows)]
+        return f"<table><caption>{escape(title)}</caption>{''.join(rows)}</table>"
+
+    def _lines(self, row: Sequence[str], widths: Sequence[int], left: int, width: int | None) -> list[str]:
+        right = [name in self.numbers for name in self.header]
+        cells = [_padded(cell, size, side) for cell, size, side in zip(row, widths, right, strict=False)]
+        last = row[-1]
+        if right[-1]:
+            last = _padded(last, max(_length(r[-1]) for r in (self.header, *self.rows)), True)
+        wrapped = textwrap.wrap(last, max(width - left, 20)) if width and not right[-1] else [last]
+        first, *rest = wrapped or [""]
+        return ["  ".join([*cells, first]).rstrip(), *(" " * left + line for line in rest)]
+
+
+class Shown:
+    """A result that prints itself; a notebook shows the same text."""
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{escape(str(self))}</pre>"
+
+
+def _length(text: str) -> int:
+    """Columns that the text takes: a combining accent, as in θ̇, takes none."""
+    return sum(not unicodedata.combining(letter) for letter in text)
+
+
+def _padded(text: str, width: int, right: bool) -> str:
+    space = " " * (width - _length(text))
+    return space + text if right else text + space
+
+
+def _html_row(tag: str, cells: Sequence[str]) -> str:
+    return "<tr>" + "".join(f"<{tag}>{escape(cell)}</{tag}>" for cell in cells) + "</tr>"
