@@ -150,7 +150,7 @@ def basin(
 def sweep(
     spec: Annotated[Path, typer.Argument(help="Campaign in TOML (see docs/fleet.md).")],
     *,
-    folder: Annotated[
+    output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Folder of the results (default: the file's name).")
     ] = None,
     cluster: Annotated[
@@ -171,7 +171,7 @@ def sweep(
     if workers is not None and workers < 0:
         raise InvalidScenario(f"--workers {workers}", expected="zero or more")
     campaign = read_campaign(spec)
-    place = folder or spec.with_suffix("")
+    place = output or spec.with_suffix("")
     with _countdown() as tell:
         cases = run_campaign(campaign, place, workers=workers, cluster=cluster, progress=tell)
     if as_json:

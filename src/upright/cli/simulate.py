@@ -84,7 +84,7 @@ def simulate(
         comparison_page(numbers, report, title=f"{chosen.name}: {outcome}")
     if not as_json:
         typer.echo(f"{outcome}\n")
-    facts = {"outcome": outcome.to_json() if outcome else None, "origin": log.origin}
+    facts: dict[str, Any] = {"outcome": outcome.to_json(), "origin": log.origin}
     finish(numbers, as_json, written=(written, report), **facts, log=str(written) if written else None)
 
 

@@ -119,8 +119,8 @@ def post_mortem(
 
     `robot` (default: that of the log's origin) is the robot without faults, `kit` (default: the robot's own) its
     electronics, `controller` what should have driven it; with it the recorded commands are compared with its own.
-    `mapping` names the columns of a foreign file. All of them may be names or files. Raises `InvalidLog` for what is no log, `InvalidRobot` where no robot
-    is given or named in the log.
+    `mapping` names the columns of a foreign file. All of them may be names or files. Raises `InvalidLog` for a file
+    without a log, `InvalidRobot` where no robot is given or named in the log.
     """
     log = raw_log(source, mapping)
     nominal = find_robot(robot) if robot else robot_of(log)
