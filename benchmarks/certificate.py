@@ -23,15 +23,15 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy loads; many s
 
 import numpy as np
 
-from upright.certify.certificate import certify, uncertainty
+from upright.certify.certificate import certify
 from upright.certify.checks import BATTERIES, driver, standard_pushes
 from upright.control import LinearController, as_linear, lqg, make_controller
-from upright.control.uncertain import draw
 from upright.errors import DesignFailed, InvalidRobot
 from upright.fleet.ensemble import tables
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot, find_kit
+from upright.robots.uncertainty import Uncertainty, draw
 
 ROBOTS = ("nxtway-gs", "nxtway-gs-measured", "ev3way", "herrera2015")
 DESIGNS = ("lqr", "lqg", "lqi", "pid", "hinf")
@@ -122,9 +122,9 @@ def plant(number: int, samples: int = 1000) -> Case | None:
     except (DesignFailed, InvalidRobot):
         return None
     share = float(rng.choice(KNOWN))
-    sizes = {name: share * size for name, size in uncertainty(robot).items()}
-    certificate = certify(controller, robot, met, samples=samples, seed=number, sizes=sizes, sweeps=False)
-    truth = draw(robot, 1, SEED + number, sizes)[0]
+    unknown = Uncertainty.of(robot).scaled(share)
+    certificate = certify(controller, robot, met, samples=samples, seed=number, posterior=unknown, sweeps=False)
+    truth = draw(robot, 1, SEED + number, unknown)[0]
     return Case(
         robot.name, controller.kind, f"{fault.__name__}, {share:g}", certificate.light, certificate.reasons[0],
         certificate.fell / certificate.samples, falls(controller, robot, truth, met, rng),

@@ -48,9 +48,9 @@ from upright.excite.plan import ExcitationPlan
 from upright.excite.search import SWAY
 from upright.experiment import run
 from upright.fleet.results import clopper_pearson
-from upright.fleet.vary import Family, own_spreads, read_posterior
 from upright.kernel.batch import parameters_of
 from upright.robots import Kit, Robot
+from upright.robots.uncertainty import Family, Uncertainty, read_posterior
 from upright.signals import Log
 
 PRESETS = ("nxtway-gs", "ev3way", "twipr")
@@ -67,7 +67,7 @@ def robots(name: str, count: int, seed: int, known: tuple[str, ...] = ()) -> lis
     """Drawn robots, but for what is `known`, that stand unexcited and that are rigid bodies in the twin."""
     robot = Robot.preset(name)
     kit = Kit.preset(robot.kit)
-    drawn = Family(robot, kit, own_spreads(robot, known)).draw(seed, np.arange(4 * count + 20))
+    drawn = Family(robot, kit, Uncertainty.of(robot, known)).draw(seed, np.arange(4 * count + 20))
     loop = Loop(robot, kit, make_controller("lqg", robot, kit, kit.period), SECONDS, seed)
     result = loop.run(np.zeros((1, 1, 2)), parameters_of(robot, drawn), hold=loop.periods)
     stands = np.flatnonzero(~result.fell & (result.peak[:, 0] < SWAY))

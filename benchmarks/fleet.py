@@ -38,11 +38,11 @@ from upright.experiment import Push, run
 from upright.fleet.ensemble import Ensemble
 from upright.fleet.push_map import PushGrid, push_map
 from upright.fleet.sweep import find_controller
-from upright.fleet.vary import Family, own_spreads
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.pack import constants
 from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
+from upright.robots.uncertainty import Family, Uncertainty
 
 HERE = Path(__file__).parent
 ROBOT = Robot.preset("nxtway-gs")
@@ -229,7 +229,7 @@ def equality() -> None:
 
 
 def largest_pushes() -> None:
-    family = Family(ROBOT, Kit.preset("nxt"), own_spreads(ROBOT))
+    family = Family(ROBOT, Kit.preset("nxt"), Uncertainty.of(ROBOT))
     ensemble = Ensemble(family=family, controller=find_controller("lqr", ROBOT, family.kit))
     grid = PushGrid(heights=np.linspace(0.0, ROBOT.body_height, 64), durations=np.linspace(0.01, 0.5, 64))
     wall, used = time.perf_counter(), time.process_time()

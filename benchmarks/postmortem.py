@@ -32,14 +32,13 @@ import numpy as np
 from upright.bodies import Electronics
 from upright.bodies.body import REST, Sample
 from upright.bodies.twin import Twin
-from upright.certify.certificate import uncertainty
 from upright.control import Controller, make_controller
 from upright.control.mpc import largest_command
-from upright.control.uncertain import draw
 from upright.errors import UprightError
 from upright.experiment import Drive, Impulse, Push, run
 from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Kit, Robot
+from upright.robots.uncertainty import Uncertainty, deviations, draw
 from upright.signals import Log
 
 CAUSES = (
@@ -276,7 +275,7 @@ def planted(cause: str, seed: int) -> Planted:
         design = str(rng.choice(DESIGNS))
         nominal = Robot.preset(robot)
         kit = Kit.preset(nominal.kit)
-        true = draw(nominal, 1, int(rng.integers(2**31)), _sizes(nominal))[0]
+        true = draw(nominal, 1, int(rng.integers(2**31)), Uncertainty.normal(nominal, _sizes(nominal)))[0]
         fault = _fault(cause, rng, 0.1 * (tried % 10))
         pushes, references = _programme(fault, nominal, kit, rng)
         seconds = fault.onset + AFTER
@@ -298,7 +297,7 @@ def planted(cause: str, seed: int) -> Planted:
 def _sizes(nominal: Robot) -> dict[str, float]:
     """One standard deviation of what the post-mortem does not know of the robot."""
     values = nominal.numbers()
-    return {n: min(KNOWN * s, LEAST_KNOWN * abs(values[n])) for n, s in uncertainty(nominal).items() if values[n]}
+    return {n: min(KNOWN * s, LEAST_KNOWN * abs(values[n])) for n, s in deviations(nominal).items() if values[n]}
 
 
 def _run(

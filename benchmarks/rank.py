@@ -24,8 +24,8 @@ from upright.control import Controller, Estimated, bryson, kalman, lqr
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE
 from upright.experiment import Impulse, run
 from upright.fleet.ensemble import Ensemble
-from upright.fleet.vary import Family
 from upright.robots import Kit, Robot
+from upright.robots.uncertainty import Family
 
 PUSH = Impulse(impulse=0.2, start=0.5)  # more than half of what the default regulator survives
 SECONDS = 4.0

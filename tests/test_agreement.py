@@ -33,16 +33,16 @@ from upright.cli.main import main
 from upright.comparison.bench import bench_one
 from upright.control import LinearController, as_linear, make_controller
 from upright.control.permit import permitted
-from upright.control.uncertain import draw, spreads
 from upright.errors import InvalidController, InvalidLog, NotPermitted, SpecMismatch
 from upright.experiment import Hold, run
 from upright.kernel.batch import Gains
 from upright.physics.dynamics import CALM
 from upright.robots import Kit, Robot
+from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import Log
 
 ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
-CALIBRATED = {name: 0.2 * size for name, size in spreads(ROBOT).items()}
+CALIBRATED = Uncertainty.of(ROBOT).scaled(0.2)
 LINEAR, TRIAL = LinearMargins(0.99, 0.5, 2.0, 0.02), Trial("hold", "low", 1000, 0, 0.0, 0.2, 0.1, 0.01)
 
 
@@ -57,7 +57,7 @@ def scaled(controller: LinearController, factor: float) -> LinearController:
 
 @cache
 def green() -> Certificate:
-    return certify(designed("pid"), ROBOT, KIT, samples=100, sizes=CALIBRATED, sweeps=False)
+    return certify(designed("pid"), ROBOT, KIT, samples=100, posterior=CALIBRATED, sweeps=False)
 
 
 @cache
@@ -88,7 +88,7 @@ def test_a_predictive_controller_holds_in_the_compiled_loop_as_in_run() -> None:
 def test_what_is_not_linear_is_certified_by_calling_it() -> None:
     shares: list[float] = []
     controller = make_controller("sliding", ROBOT, KIT, KIT.period)
-    found = certify(controller, ROBOT, KIT, samples=100, sizes=CALIBRATED, sweeps=False, progress=shares.append)
+    found = certify(controller, ROBOT, KIT, samples=100, posterior=CALIBRATED, sweeps=False, progress=shares.append)
     assert found.fell == 0
     assert found.linear is not None  # near rest it is linear
     assert found.linear.stable
@@ -101,7 +101,7 @@ def test_what_is_not_linear_is_certified_by_calling_it() -> None:
 def test_where_nothing_linear_is_known_it_says_so() -> None:
     measured = Robot.preset("nxtway-gs-measured")
     controller = make_controller("lqr-complementary", measured, KIT, KIT.period)
-    found = certify(controller, measured, KIT, samples=100, sizes={}, sweeps=False)
+    found = certify(controller, measured, KIT, samples=100, posterior=Uncertainty(), sweeps=False)
     assert found.linear is None
     assert Certificate.from_json(json.loads(json.dumps(found.to_json()))) == found
     light, reasons = judge(1000, 0, None, [TRIAL], 0.01)
@@ -145,7 +145,7 @@ def recording(noise: float = 0.0) -> Log:
 @pytest.mark.parametrize(("noise", "light"), [(0.0, GREEN), (0.04, AMBER), (0.3, RED)])
 def test_a_log_that_surprises_more_than_the_drawn_robots_tells_on_the_light(noise: float, light: str) -> None:
     # the gyro's quantum is 1 °/s, a scatter of 0.005 rad/s: 0.04 rad/s are several times, 0.3 far more than five times
-    found = certify(designed("pid"), ROBOT, KIT, samples=100, sizes=CALIBRATED, sweeps=False, log=recording(noise))
+    found = certify(designed("pid"), ROBOT, KIT, samples=100, posterior=CALIBRATED, sweeps=False, log=recording(noise))
     assert found.light == light
     assert [a.sensor for a in found.agreement] == ["encoder_left", "encoder_right", "gyro"]
     assert light == GREEN or "gyro surprises" in found.reasons[0]
@@ -233,8 +233,9 @@ def test_a_calibration_hands_on_its_posterior_and_longer_dead_times() -> None:
     late = SimpleNamespace(name="delay/gyro", value=0.03, verdict="visible")
     calibration: Any = SimpleNamespace(names=names, covariance=covariance, robot=ROBOT, delays=(late,))
     found = learnt(calibration, KIT)
-    assert found.sizes == pytest.approx({"com_height": 1e-3, "torque_constant": 2e-3})
-    assert found.covariance.tolist() == np.diag([1e-6, 4e-6]).tolist()
+    sizes = {s.name: s.high for s in found.uncertainty.spreads}
+    assert sizes == pytest.approx({"com_height": 1e-3, "torque_constant": 2e-3})
+    assert np.array_equal(found.uncertainty.correlation, np.eye(2))
     # 30 ms from command to gyro, of which the kit's own dead time and half its jitter are the command's
     assert found.kit.sensors["sensor/gyro"].delay == pytest.approx(0.03 - KIT.delay - KIT.jitter / 2)
     assert found.kit.sensors["sensor/encoder_left"] == KIT.sensors["sensor/encoder_left"]

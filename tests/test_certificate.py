@@ -29,17 +29,17 @@ from upright.certify.checks import RELEASE, Course, Trial, driver, standard_push
 from upright.cli import certify as command
 from upright.cli.main import main
 from upright.control import LinearController, as_linear, controller_hash, make_controller, write_controller
-from upright.control.uncertain import spreads
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.experiment import run
 from upright.fleet.results import largest_share
 from upright.report.certificate import page_of
 from upright.robots import Kit, Robot
+from upright.robots.uncertainty import Uncertainty, deviations
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "benchmarks"))
 
 ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
-CALIBRATED = {name: 0.2 * size for name, size in spreads(ROBOT).items()}
+CALIBRATED = Uncertainty.of(ROBOT).scaled(0.2)
 
 
 @cache
@@ -54,7 +54,7 @@ def scaled(controller: LinearController, factor: float) -> LinearController:
 
 @cache
 def green() -> Certificate:
-    return certify(designed("pid"), ROBOT, KIT, samples=200, sizes=CALIBRATED)
+    return certify(designed("pid"), ROBOT, KIT, samples=200, posterior=CALIBRATED)
 
 
 def test_bound_is_clopper_and_pearsons() -> None:
@@ -165,14 +165,11 @@ def test_it_is_of_one_controller() -> None:
 
 def test_a_covariance_keeps_what_is_known_together() -> None:
     # Only the product of both motor constants' errors is unknown here: draws move along one line of the plane
-    sizes = {name: CALIBRATED[name] for name in ("torque_constant", "back_emf")}
-    s = np.array(list(sizes.values()))
-    certificate = certify(
-        designed("pid"), ROBOT, KIT, samples=200, sizes=sizes, covariance=np.outer(s, s), sweeps=False
-    )
+    names = ("torque_constant", "back_emf")
+    s = np.array([0.2 * deviations(ROBOT)[name] for name in names])
+    one = Uncertainty.joint(names, [getattr(ROBOT, name) for name in names], np.outer(s, s))
+    certificate = certify(designed("pid"), ROBOT, KIT, samples=200, posterior=one, sweeps=False)
     assert certificate.light == GREEN
-    with pytest.raises(InvalidScenario, match="names"):
-        certify(designed("pid"), ROBOT, KIT, covariance=np.eye(2))
 
 
 def test_who_reads_the_truth_is_certified_for_nothing_real() -> None:

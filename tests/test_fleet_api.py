@@ -15,17 +15,18 @@ from upright.bodies import NonlinearBody
 from upright.cli.fleet import basin as basin_command
 from upright.cli.fleet import fleet as fleet_command
 from upright.control import make_controller
-from upright.errors import InvalidLog, InvalidRobot, InvalidScenario, UnknownName, UprightError
+from upright.errors import InvalidLog, InvalidScenario, UnknownName, UprightError
 from upright.experiment import Drive, Hold, Impulse, Push, Slope, run
 from upright.experiment.pushes import combined
 from upright.fleet.basin import Axis, basin
 from upright.fleet.ensemble import Ensemble, tables
 from upright.fleet.push_map import PushGrid, largest, push_map
 from upright.fleet.results import clopper_pearson, labelled, load, origin_of, save, summarise
-from upright.fleet.vary import BLOCK, Family, Posterior, Spread, own_spreads, read_posterior, spread, with_number
+from upright.fleet.vary import variation, varied, with_number
 from upright.kernel.batch import parameters_of
 from upright.report.fleet import CIVIDIS, MapFigure, basin_figure, fleet_page, map_page, push_map_figures, shade
-from upright.robots import PARAMETERS, Kit, Robot
+from upright.robots import Kit, Robot
+from upright.robots.uncertainty import Family, Uncertainty
 
 ROBOT = Robot.preset("nxtway-gs")
 NXT = Kit.preset("nxt")
@@ -40,7 +41,7 @@ def bare(**changes):
 
 
 def test_a_uniform_variation_fills_its_range_evenly():
-    drawn = Family(ROBOT, spreads=spread("com_height=±10%", ROBOT)).draw(1, range(20000))["com_height"]
+    drawn = Family(ROBOT, None, variation("com_height=±10%", ROBOT)).draw(1, range(20000))["com_height"]
     share = (drawn / ROBOT.com_height - 0.9) / 0.2
     assert 0 <= share.min() < 0.001  # of 20 000 the least is 1/20 000 on average, and above 0.001 with chance e^-20
     assert 0.999 < share.max() <= 1
@@ -48,70 +49,12 @@ def test_a_uniform_variation_fills_its_range_evenly():
 
 
 def test_a_normal_variation_has_the_spread_of_the_robots_file():
-    family = Family(ROBOT, spreads=spread("com_height=normal", ROBOT))
+    family = Family(ROBOT, None, variation("com_height=normal", ROBOT))
     drawn = family.draw(2, range(20000))["com_height"]
     known = ROBOT.provenance["com_height"].spread
     assert known == 0.0036  # the preset says 5 %
     assert abs(drawn.mean() - ROBOT.com_height) < 5 * known / math.sqrt(20000)
     assert drawn.std() == pytest.approx(known, rel=5 / math.sqrt(40000))  # five standard errors of a deviation
-
-
-def test_a_posterior_is_drawn_with_its_covariance(tmp_path):
-    names = ["com_height", "body_mass"]
-    covariance = [[1e-6, 8e-6], [8e-6, 1e-4]]  # a correlation of 0.8
-    file = tmp_path / "posterior.json"
-    file.write_text(json.dumps({"parameters": names, "mean": [0.072, 0.6], "covariance": covariance}))
-    drawn = Family(ROBOT, posterior=read_posterior(file)).draw(3, range(20000))
-    sampled = np.cov([drawn[name] for name in names])
-    # relative standard error of a variance √(2/n) = 1 %, of this covariance √((1 + 1/0.64)/n) = 1.1 %: five of them
-    np.testing.assert_allclose(sampled, covariance, rtol=0.055)
-
-
-def test_a_calibrations_own_file_is_a_posterior(tmp_path):
-    file = tmp_path / "calibration.json"
-    names = ["com_height", "encoder_delay"]
-    file.write_text(json.dumps({"robot": {"com_height": 0.07}, "names": names, "covariance": [[1e-6, 0], [0, 1e-6]]}))
-    found = read_posterior(file)
-    assert found.names == ("com_height",)  # a dead time is no parameter of the robot
-    assert found.mean.tolist() == [0.07]
-
-
-def test_any_part_of_a_family_is_drawn_by_itself():
-    family = Family(ROBOT, NXT, (*own_spreads(ROBOT), *spread("delay=0..0.01", ROBOT, NXT)))
-    whole = family.draw(7, range(2 * BLOCK))
-    some = np.array([5, BLOCK + 3, BLOCK - 1, 5])  # out of order, twice, and from two blocks
-    part = family.draw(7, some)
-    for name, values in whole.items():
-        assert (part[name] == values[some]).all()
-    assert (family.draw(8, some)["delay"] != part["delay"]).all()
-
-
-def test_possible_robots_are_those_that_can_be_made():
-    wide = tuple(Spread(name, "normal", value, 0.5 * abs(value) + 0.01) for name, value in ROBOT.numbers().items())
-    family = Family(ROBOT, spreads=wide)
-    rng = np.random.Generator(np.random.Philox(1))
-    values = np.abs(np.array(list(ROBOT.numbers().values())) * (1 + 0.3 * rng.standard_normal((400, len(wide)))))
-    values[::7, rng.integers(0, len(wide), 58)] *= -1
-    values[::11, list(PARAMETERS).index("track")] = 3.5  # beyond the largest robot
-    made = []
-    for row in values.tolist():
-        try:
-            made.append(bool(ROBOT.replace(**dict(zip(family.names, row, strict=True)))))
-        except InvalidRobot:
-            made.append(False)
-    assert family.possible(values).tolist() == made
-    assert 0.1 < np.mean(made) < 0.9  # both kinds are well represented, else the test would say nothing
-
-
-def test_what_no_robot_can_be_is_drawn_again():
-    family = Family(ROBOT, spreads=spread("pitch_inertia=±30%", ROBOT))
-    drawn = family.draw(0, range(2000))["pitch_inertia"]
-    most = ROBOT.yaw_inertia + ROBOT.roll_inertia  # the triangle inequality, one way and the other
-    least = ROBOT.roll_inertia - ROBOT.yaw_inertia
-    assert drawn.min() >= least > 0.7 * ROBOT.pitch_inertia
-    assert drawn.max() <= most
-    with pytest.raises(InvalidRobot, match="vary less"):
-        Family(ROBOT, spreads=(Spread("com_height", "uniform", -2.0, -1.0),)).draw(0, range(10))
 
 
 @pytest.mark.parametrize(
@@ -122,21 +65,14 @@ def test_what_no_robot_can_be_is_drawn_again():
         ("com_height=10%", InvalidScenario, "±10%"),
         ("com_height=0.08..0.06", InvalidScenario, "low end"),
         ("com_height=±x%", InvalidScenario, "finite number"),
-        ("coulomb_friction=±10%", InvalidScenario, "share of zero"),
+        ("coulomb_friction=±10%", InvalidScenario, "percentage of zero"),
         ("motor.limit=±10%", InvalidScenario, "infinity"),
         ("stiction_rate=normal", InvalidScenario, "normal:5%"),
     ],
 )
 def test_a_variation_that_makes_no_sense_says_why(text, error, says):
     with pytest.raises(error, match=says):
-        spread(text, ROBOT, NXT)
-
-
-def test_a_name_varies_once():
-    with pytest.raises(InvalidScenario, match="twice"):
-        Family(ROBOT, spreads=spread("com_height=±10%", ROBOT) * 2)
-    with pytest.raises(InvalidRobot, match="covariance"):
-        Posterior(("com_height", "body_mass"), np.zeros(2), np.array([[1.0, 2.0], [2.0, 1.0]]))  # correlation of 2
+        variation(text, ROBOT, NXT)
 
 
 def test_a_number_of_the_kit_is_replaced_by_its_dotted_name():
@@ -165,7 +101,7 @@ def test_pushes_of_each_robot_are_those_of_the_single_run():
 
 def test_a_fleets_numbers_are_those_of_the_single_run():
     programme = (Impulse(impulse=0.05, start=0.2), Slope(angle=0.02, start=1.0))
-    ensemble = bare(family=Family(ROBOT, spreads=spread("com_height=±10%", ROBOT)), pushes=programme,
+    ensemble = bare(family=Family(ROBOT, None, variation("com_height=±10%", ROBOT)), pushes=programme,
                     references=(Drive(speed=0.05, start=0.5),))  # fmt: skip
     found = ensemble.run(range(3))
     for i in range(3):
@@ -182,7 +118,7 @@ def test_a_fleets_numbers_are_those_of_the_single_run():
 
 def test_a_robot_does_the_same_in_any_company():
     ensemble = Ensemble(
-        family=Family(ROBOT, NXT, own_spreads(ROBOT)), controller=make_controller("lqr", ROBOT, NXT, 0.01),
+        family=Family(ROBOT, NXT, Uncertainty.of(ROBOT)), controller=make_controller("lqr", ROBOT, NXT, 0.01),
         pushes=(Impulse(impulse=0.2),), seconds=2.0, seed=5,
     )  # fmt: skip
     whole = ensemble.run(range(150), threads=2)
@@ -203,7 +139,7 @@ def test_the_interval_of_a_share_is_clopper_and_pearsons():
 
 @pytest.fixture(scope="module")
 def results():
-    family = Family(ROBOT, spreads=(*spread("com_height=±10%", ROBOT), *spread("motor_resistance=±20%", ROBOT)))
+    family = Family(ROBOT, None, varied(["com_height=±10%", "motor_resistance=±20%"], ROBOT))
     ensemble = bare(family=family, start=(0.5, 0, 0, 0, 0, 0), seconds=2.0, seed=11)
     return labelled(ensemble.run(range(100)), range(100), ensemble)
 
@@ -267,10 +203,10 @@ def test_the_search_finds_a_known_threshold():
 
 @pytest.fixture(scope="module")
 def small_map():
-    ensemble = bare(family=Family(ROBOT, spreads=spread("com_height=±5%", ROBOT)))
+    ensemble = bare(family=Family(ROBOT, None, variation("com_height=±5%", ROBOT)))
     # without a limit of the motors a linear regulator throws a robot far; a kit with one makes it fall earlier
     kit = Kit(name="limited", motor=Kit.preset("ideal").motor.__class__(limit=8.0))
-    ensemble = bare(family=Family(ROBOT, kit, ensemble.family.spreads))
+    ensemble = bare(family=Family(ROBOT, kit, ensemble.family.uncertainty))
     grid = PushGrid(heights=np.array([0.05, 0.1, 0.144]), durations=np.array([0.02, 0.1, 0.2]))
     return ensemble, push_map(ensemble, grid, samples=20, nodes=(3, 2), watch=3.0)
 
@@ -334,7 +270,7 @@ def test_a_basin_is_symmetric_holds_upright_and_agrees_with_single_runs():
 
 
 def test_a_basin_over_a_family_is_a_share():
-    family = Family(ROBOT, spreads=spread("motor_resistance=±60%", ROBOT))
+    family = Family(ROBOT, None, variation("motor_resistance=±60%", ROBOT))
     data = basin(bare(family=family), Axis("pitch", 0.0, 1.3, 9), Axis("wheel_rate", -20, 20, 3), samples=8)
     assert set(np.unique(data["recovered"].values * 8)) <= set(range(9))
     with pytest.raises(UnknownName, match="pitch_rate"):

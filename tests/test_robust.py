@@ -1,6 +1,5 @@
 """One controller for many robots: its inequalities, its costs by other routes, and what it says of itself."""
 
-from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -16,11 +15,11 @@ from upright.control.lqr import LARGEST_STATE, bryson, lqr
 from upright.control.observed import observed
 from upright.control.observer import observer
 from upright.control.robust import Costs, Robust, robust
-from upright.control.uncertain import FARTHEST, draw, spreads
-from upright.errors import DesignFailed, UnknownName
+from upright.errors import DesignFailed
 from upright.experiment import Drive, Hold, Turn, run
 from upright.physics.linear import linearise
-from upright.robots import Kit, Provenance, Robot
+from upright.robots import Kit, Robot
+from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import STATE_NAMES
 
 pytest.importorskip("cvxpy")
@@ -156,50 +155,11 @@ def test_dead_time_is_part_of_the_design():
     # 53 ms: a gain designed without them falls at once; of draws within a fifth of the spreads none is unstable
     robot = Robot.preset("twipr")
     kit = Kit.preset("twipr")
-    sizes = {name: 0.2 * size for name, size in spreads(robot).items()}
-    found = robust(robot, kit, sizes=sizes, tried=20).design
+    found = robust(robot, kit, uncertainty=Uncertainty.of(robot).scaled(0.2), tried=20).design
     assert found.own.fell == 0
 
 
-def test_draws_are_robots_within_their_spreads_and_repeat_with_the_seed():
-    sizes = spreads(NXT)
-    for robot in draw(NXT, 50, seed=7):
-        for name, size in sizes.items():
-            assert abs(getattr(robot, name) - getattr(NXT, name)) <= FARTHEST * size * (1 + 1e-12)
-    assert draw(NXT, 3, seed=7) == draw(NXT, 3, seed=7)
-    assert draw(NXT, 3, seed=7) != draw(NXT, 3, seed=8)
-
-
-def test_a_gears_teeth_are_counted_unless_a_spread_is_stated():
-    assert "gear_ratio" not in spreads(NXT)  # its source calls it an estimate: a guess
-    stated = {**NXT.provenance, "gear_ratio": Provenance("slips", 0.01)}
-    assert spreads(NXT.replace(provenance=stated))["gear_ratio"] == 0.01
-
-
-def test_a_covariance_correlates_the_draws():
-    # both parameters move together exactly: 200 draws have the correlation to rounding
-    sizes = {"body_mass": 0.02, "com_height": 0.004}
-    covariance = np.outer(list(sizes.values()), list(sizes.values()))
-    robots = draw(NXT, 200, sizes=sizes, covariance=covariance)
-    pairs = np.array([[r.body_mass, r.com_height] for r in robots])
-    assert np.corrcoef(pairs.T)[0, 1] == pytest.approx(1.0, abs=1e-9)
-
-
-def test_a_robots_own_correlations_are_drawn():
-    # ρ = 0.9 of 500 draws cut at two deviations: the sample's own error is (1 − ρ²)/√500 = 0.01; the rest, which is
-    # named in no pair, stays independent, to 1/√500 = 0.045
-    robot = replace(NXT, correlation={("com_height", "body_mass"): 0.9})
-    pairs = np.array([[r.body_mass, r.com_height, r.track] for r in draw(robot, 500)])
-    found = np.corrcoef(pairs.T)
-    assert found[0, 1] == pytest.approx(0.9, abs=0.03)
-    assert abs(found[0, 2]) < 0.15
-
-
 def test_what_cannot_be_is_refused():
-    with pytest.raises(UnknownName, match="did you mean 'body_mass'"):
-        draw(NXT, 2, sizes={"bodymass": 0.1})
-    with pytest.raises(DesignFailed, match="covariance"):
-        draw(NXT, 2, sizes={"body_mass": 0.1}, covariance=np.array([[-1.0]]))
     slow = models(drawn(), 0.5)  # e-folded 40 times between two commands
     with pytest.raises(DesignFailed, match="no one gain"):
         guaranteed(slow, W, PRICE, 1 / np.sqrt(np.diag(W)))

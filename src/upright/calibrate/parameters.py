@@ -19,13 +19,11 @@ from numpy.typing import NDArray
 from upright.errors import UnknownName
 from upright.physics.dynamics import motor_damping, motor_gain
 from upright.robots import PARAMETERS, Robot
+from upright.robots.robot import MAY_BE_ZERO
+from upright.robots.uncertainty import GUESS, roll_bounds, stated
 
 Array = NDArray[np.float64]
 
-GUESS = math.log(2.0)
-"""Standard deviation of the logarithm of a positive number that is called a guess: right within a factor of two."""
-
-MAY_BE_ZERO = ("rotor_inertia", "back_emf", "motor_friction", "wheel_friction", "coulomb_friction")
 ELECTRICAL = ("motor_resistance", "back_emf", "torque_constant")
 NEVER = ("gear_ratio", "stiction_rate", "body_depth", "body_height", "roll_inertia")
 """What no log is asked: a convention, a smoothing (the predictor's friction is dry), two measures for drawing,
@@ -92,8 +90,7 @@ def parameters_of(
 
 def _physical(robot: Robot, name: str) -> Parameter:
     value, unit = getattr(robot, name), PARAMETERS[name][0]
-    source = robot.provenance.get(name)
-    spread = None if source is None else source.spread
+    spread = stated(robot, name)
     guess = spread is None
     if name in MAY_BE_ZERO:
         return Parameter(name, unit, value, _scale(robot, name) if spread is None else spread, "linear", 0.0, guess)
@@ -101,21 +98,19 @@ def _physical(robot: Robot, name: str) -> Parameter:
 
 
 def _roll_share(robot: Robot) -> Parameter:
-    low, high = _rigid(robot.pitch_inertia, robot.yaw_inertia)
+    low, high = roll_bounds(robot.pitch_inertia, robot.yaw_inertia)
     share = min(max((robot.roll_inertia - low) / (high - low), 0.02), 0.98)
-    source = robot.provenance.get("roll_inertia")
-    guess = source is None or source.spread is None
-    spread = ANYWHERE if source is None or source.spread is None else min(source.spread / (high - low), ANYWHERE)
-    return Parameter(ROLL_SHARE, "1", share, spread, "linear", 0.0, guess)
-
-
-def _rigid(pitch: Any, yaw: Any) -> tuple[Any, Any]:
-    """Between which roll inertias a body is rigid."""
-    return np.abs(pitch - yaw), pitch + yaw
+    spread = stated(robot, "roll_inertia")
+    size = ANYWHERE if spread is None else min(spread / (high - low), ANYWHERE)
+    return Parameter(ROLL_SHARE, "1", share, size, "linear", 0.0, guess=spread is None)
 
 
 def _scale(robot: Robot, name: str) -> float:
-    """How large a loss or a rotor of unknown size may well be [its unit]: what the rest of the robot would notice."""
+    """How large a loss or a rotor of unknown size may well be [its unit]: what the rest of the robot would notice.
+
+    That is wider than a guess (`robots.uncertainty`), which leaves a zero at zero: a log is to find what no source
+    names, and the prior is only to keep the fit finite.
+    """
     mass = (2 * robot.wheel_mass + robot.body_mass) * robot.wheel_radius**2 + 2 * robot.wheel_inertia
     stall = motor_gain(robot) * 0.3 if robot.drive == "voltage" else 0.0  # [N m] what 0.3 V give, a motor's dead zone
     scale = {
@@ -143,7 +138,7 @@ def with_values(robot: Robot, values: Mapping[str, float]) -> Robot:
 
 def roll_inertia(p: Any, share: Any) -> Any:
     """J_ρ of parameters `p` (numbers or arrays), at this `share` of the way between its bounds."""
-    low, high = _rigid(p.pitch_inertia, p.yaw_inertia)
+    low, high = roll_bounds(p.pitch_inertia, p.yaw_inertia)
     return low + share * (high - low)
 
 

@@ -19,9 +19,9 @@ from upright.control.delay import sampled
 from upright.control.lqr import LARGEST_COMMAND
 from upright.control.near_rest import near_rest
 from upright.control.state_space import controller_of
-from upright.control.uncertain import draw
 from upright.physics.linear import Complex, LinearModel
 from upright.robots import Kit, Robot
+from upright.robots.uncertainty import draw
 
 Array = NDArray[np.float64]
 

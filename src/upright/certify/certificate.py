@@ -15,7 +15,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from upright.atomic import finite
 from upright.calibrate.calibrate import calibrate
@@ -27,15 +26,12 @@ from upright.certify.loop import robot_loop
 from upright.certify.margins import margins
 from upright.control import find_controller
 from upright.control.controller import Controller, controller_hash
-from upright.control.uncertain import draw, spreads
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.fleet.results import largest_share
-from upright.fleet.vary import known
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
 from upright.robots import Kit, Robot, find_kit, find_robot
-
-Array = NDArray[np.float64]
+from upright.robots.uncertainty import Uncertainty, draw, find_posterior
 
 GREEN = "green"
 
@@ -150,38 +146,34 @@ def certify(
     samples: int = 1000,
     seed: int = 0,
     robots: Sequence[Robot] | None = None,
-    sizes: Mapping[str, float] | None = None,
-    covariance: Array | None = None,
     sweeps: bool = True,
     threads: int | None = None,
     log: LogSource | None = None,
     mapping: Columns | str | None = None,
-    posterior: str | Path | None = None,
+    posterior: Uncertainty | str | Path | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Certificate:
-    """The certificate of `controller` for `robot` with `kit`, over `robots` or `samples` draws round `robot`.
+    """The certificate of `controller` for `robot` with `kit`, over `robots` or `samples` draws.
 
-    Draws are normal in the parameters named by `sizes` (None: the spreads of the robot's sources); `covariance` (n, n),
-    such as a calibration's, in the order of `sizes` replaces their squares. `sweeps` adds further dead times and other
-    periods, on which the light does not depend. Controller, robot and kit may be names or files.
+    `posterior` (an `Uncertainty`, or a file by `upright calibrate --save`) is what is known of the robot, whose medians
+    are then the robot; by default robots are drawn from what its sources leave open. `log` is a recording of this
+    robot, read through `mapping`: the robot is calibrated from it first where there is no `posterior`, and it is
+    compared with what is assumed. `sweeps` adds further dead times and other periods, on which the light does not
+    depend. Controller, robot and kit may be names or files.
 
-    `log` is a recording of this robot, read through `mapping`: the robot is calibrated from it first where no `sizes`
-    are given, and it is compared with what is assumed. `posterior` is a file by `upright calibrate --save` instead.
     A controller that is not linear is called for each robot, so that 1000 samples take minutes; `progress` is told the
     share done. Raises `SpecMismatch` for a controller that does not fit, `InvalidScenario` for too few samples,
     `InvalidLog` for a log that cannot be compared.
     """
-    if log and posterior:
-        raise InvalidController("both a log and a posterior", expected="one of them: the log gives its own posterior")
-    nominal = find_robot(robot)
+    nominal, unknown = find_robot(robot), find_posterior(posterior)
     parts, recording = find_kit(kit or nominal.kit), None if log is None else raw_log(log, mapping)
-    if recording and sizes is None and robots is None:
+    if recording and unknown is None and robots is None:
         calibrated = learnt(calibrate(recording, nominal, parts, progress=progress), parts)
-        nominal, parts, sizes, covariance = calibrated.robot, calibrated.kit, calibrated.sizes, calibrated.covariance
-    elif posterior:
-        nominal, sizes, covariance = known(nominal, posterior)
+        nominal, parts, unknown = calibrated.robot, calibrated.kit, calibrated.uncertainty
+    elif unknown:
+        nominal = unknown.middle(nominal)
     design = find_controller(controller, nominal, parts, parts.period)
-    family = _family(nominal, samples, seed, sizes, covariance) if robots is None else list(robots)
+    family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
     _check_family(family, nominal)
     course = Course(driver(design, nominal, parts), nominal, family, parts, seed, threads)
     if progress:
@@ -205,11 +197,6 @@ def read_certificate(path: str | Path) -> Certificate:
         raise InvalidController(f"cannot read {path}: {error.strerror}", expected="a certificate file") from None
     except ValueError as error:
         raise InvalidController(f"{path} is broken ({error})", expected="JSON by upright certify") from None
-
-
-def uncertainty(robot: Robot) -> dict[str, float]:
-    """One standard deviation of each number not known of the robot."""
-    return spreads(robot)
 
 
 def linear_margins(controller: Controller, robot: Robot, kit: Kit) -> LinearMargins | None:
@@ -284,14 +271,6 @@ def _laborious(found: Sequence[Trial]) -> list[str]:
         if getattr(worst, name) > limit:
             said.append(f"{words[name].format(getattr(worst, name))} after a {worst.push} at {worst.battery} battery")
     return said
-
-
-def _family(
-    robot: Robot, samples: int, seed: int, sizes: Mapping[str, float] | None, covariance: Array | None
-) -> list[Robot]:
-    if covariance is not None and sizes is None:
-        raise InvalidScenario("a covariance without names", expected="sizes with its parameters, in its order")
-    return draw(robot, samples, seed, sizes, covariance)
 
 
 def _check_family(family: Sequence[Robot], robot: Robot) -> None:

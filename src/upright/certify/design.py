@@ -18,8 +18,8 @@ from upright.control import (
     write_controller,
 )  # fmt: skip
 from upright.errors import InvalidController, SpecMismatch
-from upright.fleet.vary import known
 from upright.robots import Kit, Robot, find_kit, find_robot
+from upright.robots.uncertainty import Uncertainty, find_posterior
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,21 +68,21 @@ def design(
     kit: Kit | str | None = None,
     *,
     period: float | None = None,
-    posterior: str | PathLike[str] | None = None,
+    posterior: Uncertainty | str | PathLike[str] | None = None,
 ) -> Designed:
     """The controller of that `method` for a robot with `kit` (None: its own), every `period` [s] (None: the kit's).
 
-    `posterior`, a file by `upright calibrate --save`, puts the robot at its mean; the method robust alone uses it.
+    `posterior`, such as a file by `upright calibrate --save`, puts the robot at its medians; the method robust alone uses it.
     Raises `UnknownName` for a method that is not registered, `DesignFailed` where it has no solution.
     """
-    nominal = find_robot(robot)
+    nominal, unknown = find_robot(robot), find_posterior(posterior)
     parts = find_kit(kit or nominal.kit)
     dt = parts.period if period is None else period
-    if posterior is None:
+    if unknown is None:
         controller = make_controller(method, nominal, parts, dt)
     elif method == "robust":
-        nominal, sizes, covariance = known(nominal, Path(posterior))
-        controller = robust(nominal, parts, dt, sizes=sizes, covariance=covariance)
+        nominal = unknown.middle(nominal)
+        controller = robust(nominal, parts, dt, uncertainty=unknown)
     else:
         raise InvalidController(f"a posterior with {method}", expected="the method robust, which alone uses it")
     try:

@@ -4,24 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import numpy as np
-from numpy.typing import NDArray
-
 from upright.calibrate.calibration import HELD, Calibration
 from upright.logs.recording import SENSOR
 from upright.robots import PARAMETERS, Kit, Robot
-
-Array = NDArray[np.float64]
+from upright.robots.uncertainty import Uncertainty
 
 
 @dataclass(frozen=True, eq=False)
 class Learnt:
-    """A robot with its kit; draws are jointly normal with `covariance` (n, n), in the order of `sizes`."""
+    """A robot with its kit, and the posterior of its parameters."""
 
     robot: Robot
     kit: Kit
-    sizes: dict[str, float]
-    covariance: Array
+    uncertainty: Uncertainty
 
 
 def learnt(found: Calibration, kit: Kit) -> Learnt:
@@ -31,13 +26,13 @@ def learnt(found: Calibration, kit: Kit) -> Learnt:
     it does not show all of them.
     """
     rows = [i for i, name in enumerate(found.names) if name in PARAMETERS]
-    covariance = found.covariance[np.ix_(rows, rows)]
-    deviations = np.sqrt(np.maximum(np.diag(covariance), 0.0)).tolist()
-    sizes = dict(zip([found.names[i] for i in rows], deviations, strict=True))
+    names = [found.names[i] for i in rows]
+    mean = [getattr(found.robot, name) for name in names]
+    uncertainty = Uncertainty.joint(names, mean, found.covariance[rows][:, rows])
     late = {e.name.removeprefix("delay/"): e.value for e in found.delays if e.verdict != HELD}
     told = kit.delay + kit.jitter / 2
     sensors = {
         name: replace(sensor, delay=max(sensor.delay, late.get(SENSOR.get(name, ""), 0.0) - told))
         for name, sensor in kit.sensors.items()
     }
-    return Learnt(found.robot, replace(kit, sensors=sensors), sizes, covariance)
+    return Learnt(found.robot, replace(kit, sensors=sensors), uncertainty)

@@ -24,13 +24,17 @@ from upright.control.controller import Controller
 from upright.control.delay import sampled
 from upright.control.near_rest import near_rest
 from upright.control.state_space import controller_of
-from upright.control.uncertain import FARTHEST, spreads
 from upright.errors import InvalidModel, InvalidRobot
 from upright.physics.linear import Complex, LinearModel
 from upright.robots import Kit, Robot
+from upright.robots.uncertainty import deviations
 
 Array = NDArray[np.float64]
 POINTS = 100
+
+REACH = 2.0
+"""Standard deviations from the middle of an interval to its ends: 95 % of a normal distribution."""
+
 _SMALL = 1e-6  # a parameter that moves no entry of M by more than this share of the largest move does not count
 _RANK = 1e-3  # singular values below this share of a parameter's largest are left out
 _REFINED = 30  # frequencies at which the quick bound is replaced by the best, at most
@@ -78,11 +82,11 @@ def upper_bound(matrix: Complex, blocks: Sequence[Block]) -> float:
 def parameter_mu(
     robot: Robot, controller: Controller, kit: Kit, intervals: Mapping[str, float] | None = None, points: int = POINTS
 ) -> Mu:
-    """μ of the loop over `intervals`, half-widths by parameter (None: `FARTHEST` of the preset's spreads).
+    """μ of the loop over `intervals`, half-widths by parameter (None: `REACH` standard deviations).
 
     Infinite bounds where the nominal loop is unstable. Raises `InvalidController` where the controller is not linear.
     """
-    chosen = dict(intervals or {name: FARTHEST * size for name, size in spreads(robot).items()})
+    chosen = dict(intervals or {name: REACH * size for name, size in deviations(robot).items()})
     linear = near_rest(controller)
     delay = sampled(robot, kit, linear.period, linear.reads).delay
     K = controller_of(linear, delay)

@@ -67,13 +67,14 @@ class Asked:
         """The fleet; what varies is `vary` where nothing else is said."""
         from upright.fleet.ensemble import Ensemble
         from upright.fleet.sweep import electronics, find_controller
-        from upright.fleet.vary import Family, read_posterior, spread
+        from upright.fleet.vary import varied
         from upright.robots import find_robot
+        from upright.robots.uncertainty import Family, read_posterior
 
         robot = find_robot(self.robot)
         kit = electronics(self.kit or robot.kit)
-        spreads = tuple(s for text in self.vary or vary for s in spread(text, robot, kit))
-        family = Family(robot, kit, spreads, read_posterior(self.posterior) if self.posterior else None)
+        posterior = read_posterior(self.posterior) if self.posterior else None
+        family = Family(robot, kit, varied(self.vary or vary, robot, kit, posterior))
         controller = find_controller(self.controller, robot, kit)
         return Ensemble(family=family, controller=controller, seed=self.seed, **scenario)
 

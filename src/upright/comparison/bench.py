@@ -14,11 +14,11 @@ from upright.bodies import Body, Electronics, make_body
 from upright.certify.checks import Course, driver, watched
 from upright.comparison.comparison import compare
 from upright.control import CONTROLLERS, Controller, make_controller
-from upright.control.uncertain import draw
 from upright.errors import UprightError
 from upright.experiment import Hold, Impulse, outcome_of, run
 from upright.fleet.push_map import CEILING, FLOOR, largest
 from upright.robots import Kit, Robot
+from upright.robots.uncertainty import draw
 
 Array = NDArray[np.float64]
 

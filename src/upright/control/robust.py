@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -27,9 +27,9 @@ from upright.control.guaranteed import Guaranteed, guaranteed
 from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, lqr
 from upright.control.observer import observer, output_feedback
-from upright.control.uncertain import draw
 from upright.errors import DesignFailed
 from upright.robots import Kit, Robot
+from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
@@ -124,8 +124,7 @@ def robust(
     dt: float | None = None,
     *,
     robots: Sequence[Robot] | None = None,
-    sizes: Mapping[str, float] | None = None,
-    covariance: Array | None = None,
+    uncertainty: Uncertainty | None = None,
     largest: Sequence[float] = LARGEST_STATE,
     command: float | None = None,
     tried: int = DRAWN,
@@ -133,13 +132,12 @@ def robust(
 ) -> LinearController:
     """One controller on the sensors of `kit` for `robot` and for every one of `robots` (None: `tried` draws).
 
-    Draws are normal in the parameters named by `sizes` (None: the spreads of the robot's sources); `covariance` (n, n),
-    such as a calibration's, in the order of `sizes` replaces their squares. Bryson's rule gives the weights: `largest`
-    accepted state (6,), largest `command` of each motor. The verdict is over as many draws again that the design has
-    not seen. Raises `DesignFailed` where no gain stabilises the nominal robot.
+    Draws are from the `uncertainty` (None: what the robot's sources leave open). Bryson's rule gives the weights:
+    `largest` accepted state (6,), largest `command` of each motor. The verdict is over as many draws again that the
+    design does not know. Raises `DesignFailed` where no gain stabilises the nominal robot.
     """
-    near = draw(robot, tried, seed, sizes, covariance) if robots is None else list(robots)
-    fresh = draw(robot, tried, seed + 1, sizes, covariance) if robots is None else near
+    near = draw(robot, tried, seed, uncertainty) if robots is None else list(robots)
+    fresh = draw(robot, tried, seed + 1, uncertainty) if robots is None else near
     seen, *others = [sampled(each, kit, dt) for each in (robot, *near)]
     task = _Task(robot, seen, [plane(other) for other in others], bryson(largest), command)
     best = min((_descended(task, *start) for start in _starts(task)), key=lambda found: found[0])

@@ -13,10 +13,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.certify.certificate import uncertainty
 from upright.diagnose.innovations import FilterRun, answer, misfits, propagated
 from upright.diagnose.slip import slipping
 from upright.robots import Robot
+from upright.robots.uncertainty import deviations
 
 Array = NDArray[np.float64]
 
@@ -96,7 +96,7 @@ def unknown_parameters(run: FilterRun) -> Array:
 
 def spreads(robot: Robot) -> dict[str, float]:
     """Standard deviations of the parameters that a balancing robot shows, as its sources have them, within limits."""
-    known = uncertainty(robot)
+    known = deviations(robot)
     values = robot.numbers()
     return {
         n: min(SPREAD_FRACTION * known[n], LARGEST_SPREAD * values[n]) for n in VISIBLE if known.get(n) and values[n]

@@ -18,8 +18,8 @@ from upright.errors import InvalidScenario
 from upright.excite.loop import Loop
 from upright.excite.plan import ExcitationPlan, Limits
 from upright.excite.search import Progress, Search
-from upright.fleet.vary import Family, Posterior, own_spreads, read_posterior
 from upright.robots import Kit, Robot, find_kit, find_robot
+from upright.robots.uncertainty import Family, Uncertainty, find_posterior
 
 ENOUGH = 1.1
 """Intervals may be a tenth wider than with all that the limits allow: that takes a half to a quarter of the energy."""
@@ -35,7 +35,7 @@ def excite(
     limits: Limits | None = None,
     enough: float = ENOUGH,
     known: Sequence[str] = (),
-    posterior: Posterior | str | PathLike[str] | None = None,
+    posterior: Uncertainty | str | PathLike[str] | None = None,
     samples: int = 600,
     seed: int = 0,
     progress: Progress | None = None,
@@ -44,8 +44,8 @@ def excite(
 
     `focus` names the parameters in question (none: all), `known` those that are exact. Of what the `limits` allow no
     more is used than is `enough` for intervals at most so many times as wide (1: all of it). `samples` robots are drawn
-    from the spreads of the robot's sources, or from `posterior`, whose mean is then the robot. Robot, kit, controller
-    and posterior may be names or files.
+    from the `posterior`, whose medians are then the robot, or from what the robot's sources leave open. Robot, kit,
+    controller and posterior may be names or files.
 
     Raises `UnknownName`, `InvalidScenario`, `SpecMismatch` for a controller that does not fit, `DesignFailed` where it
     does not hold the robot or no limit can be kept.
@@ -53,15 +53,13 @@ def excite(
     if not 1 <= enough < math.inf:
         raise InvalidScenario(f"enough is {enough:g}", expected="1 or a little more")
     show = progress or _unwatched
-    joint = read_posterior(posterior) if isinstance(posterior, str | PathLike) else posterior
-    nominal = find_robot(robot)
-    if joint:
-        mean = dict(zip(joint.names, joint.mean.tolist(), strict=True))
-        nominal = nominal.replace(**mean, provenance=nominal.provenance)
+    nominal, unknown = find_robot(robot), find_posterior(posterior)
+    if unknown:
+        nominal = unknown.middle(nominal).replace(provenance=nominal.provenance)
     parts = find_kit(kit or nominal.kit)
     holding = find_controller(controller or "lqg", nominal, parts, parts.period)
     design = Search(Loop(nominal, parts, holding, seconds, seed), limits or Limits(), tuple(known), tuple(focus))
-    design.draw(Family(nominal, parts, () if joint else own_spreads(nominal, known), joint), samples)
+    design.draw(Family(nominal, parts, unknown or Uncertainty.of(nominal, known)), samples)
     show(0.1)
     design.begin()
     show(0.25)

@@ -16,9 +16,9 @@ from upright.excite.information import added, best_shares, fisher, problem_of, q
 from upright.excite.loop import APPLIED, Loop, stacked
 from upright.excite.plan import Checked, ExcitationPlan, Limits, Predicted, Tried
 from upright.excite.signals import mixture, signals
-from upright.fleet.vary import Family
 from upright.kernel.batch import NAMES, FleetResult, parameters_of
 from upright.robots import PARAMETERS
+from upright.robots.uncertainty import Family
 from upright.signals import Log
 
 Array = NDArray[np.float64]

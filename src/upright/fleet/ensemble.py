@@ -18,9 +18,9 @@ from upright.control import Controller, controller_hash
 from upright.errors import InvalidScenario
 from upright.experiment.pushes import Hold, Impulse, Push, Slope
 from upright.experiment.references import Drive, Turn
-from upright.fleet.vary import BLOCK, Family, described
 from upright.kernel.batch import FleetBatch, FleetResult, Gains, parameters_of
 from upright.robots import PARAMETERS
+from upright.robots.uncertainty import BLOCK, Family, Uncertainty
 
 Array = NDArray[np.float64]
 Index = NDArray[Any] | range
@@ -90,7 +90,7 @@ class Ensemble:
 
     def nominal(self) -> Ensemble:
         """The same with nothing varied, at the same step."""
-        family = dataclasses.replace(self.family, spreads=(), posterior=None)
+        family = dataclasses.replace(self.family, uncertainty=Uncertainty())
         return dataclasses.replace(self, family=family, steps=self.substeps)
 
     def batch(self, index: Index) -> FleetBatch:
@@ -129,7 +129,7 @@ class Ensemble:
         return {
             "robot": {"name": family.robot.name, "drive": family.robot.drive, **family.robot.numbers()},
             "kit": _limited(kit),
-            "vary": described(family),
+            "vary": family.uncertainty.to_json(),
             "controller": {**controller.to_json(), "hash": controller_hash(controller)},
             "scenario": scenario,
             "seed": self.seed,

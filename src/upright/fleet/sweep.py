@@ -14,8 +14,9 @@ from upright.errors import InvalidController, InvalidScenario, UnknownName
 from upright.experiment import Drive, Hold, Impulse, Push, Slope, Turn
 from upright.fleet.campaign import CHUNK, Campaign, Case
 from upright.fleet.ensemble import Ensemble
-from upright.fleet.vary import Family, read_posterior, spread, with_number
+from upright.fleet.vary import varied, with_number
 from upright.robots import Kit, Robot, find_kit, find_robot
+from upright.robots.uncertainty import Family, read_posterior
 
 Table = Mapping[str, Any]
 
@@ -80,10 +81,9 @@ def _case(
     controller = find_controller(_beside(controller_name, folder), robot, kit)
     for name, value in point.items():  # the controller is made for the robot as it stands in its file
         robot, kit = with_number(name, float(value), robot, kit)
-    spreads = [s for text in table.get("vary", []) for s in spread(text, robot, kit)]
     posterior = read_posterior(folder / table["posterior"]) if "posterior" in table else None
     ensemble = Ensemble(
-        family=Family(robot, kit, tuple(spreads), posterior),
+        family=Family(robot, kit, varied(table.get("vary", ()), robot, kit, posterior)),
         controller=controller,
         pushes=tuple(_programme(p, PUSHES, where) for p in scenario.get("push", [])),
         references=tuple(_programme(r, REFERENCES, where) for r in scenario.get("reference", [])),

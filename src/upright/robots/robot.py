@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import math
-from collections.abc import Mapping
+import operator
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 from upright.atomic import write_text
 from upright.errors import InvalidRobot
@@ -66,9 +68,9 @@ class Robot:
 
     def __post_init__(self) -> None:
         _check_numbers(self)
-        _check_drive(self)
-        _check_body(self)
-        _check_unstable(self)
+        for rule in _RULES:
+            if not rule.holds(self):
+                raise rule.error(self)
 
     @classmethod
     def preset(cls, name: str) -> Robot:
@@ -139,8 +141,8 @@ PARAMETERS: dict[str, tuple[str, str]] = {
 """Field name → (unit, symbol) of every physical parameter, in order."""
 
 _ELECTRICAL = ("motor_resistance", "torque_constant", "back_emf")
+MAY_BE_ZERO = ("rotor_inertia", "back_emf", "motor_friction", "wheel_friction", "coulomb_friction")
 _LARGEST = 3.0  # [m] no balancing robot is larger
-_MAY_BE_ZERO = {"rotor_inertia", "back_emf", "motor_friction", "wheel_friction", "coulomb_friction"}
 
 
 def preset_names() -> tuple[str, ...]:
@@ -155,55 +157,106 @@ def find_robot(robot: Robot | str | Path) -> Robot:
     return Robot.load(robot) if toml.is_path(robot) else Robot.preset(str(robot))
 
 
+def possible(p: Any) -> Any:
+    """Whether the numbers of `p`, with the fields of `Robot`, are those of a robot that `Robot` accepts: a bool, or an
+    array (n,) where they are arrays over n robots. They are finite."""
+    return functools.reduce(operator.and_, (rule.holds(p) for rule in _RULES))
+
+
+class _Rule(NamedTuple):
+    """What holds of every robot, of one number or of arrays of them, and the error where it does not."""
+
+    holds: Callable[[Any], Any]
+    error: Callable[[Robot], InvalidRobot]
+
+
+def _sign(name: str) -> _Rule:
+    unit, zero = PARAMETERS[name][0], name in MAY_BE_ZERO
+    lower = "zero or more" if zero else "more than zero"
+
+    def holds(p: Any) -> Any:
+        return getattr(p, name) >= 0 if zero else getattr(p, name) > 0
+
+    def error(robot: Robot) -> InvalidRobot:
+        value = f"{name} is {getattr(robot, name):g} {unit}"
+        return InvalidRobot(f"{robot.name}: {value}", expected=lower, likely="a slip of the sign")
+
+    return _Rule(holds, error)
+
+
+def _size(name: str) -> _Rule:
+    def holds(p: Any) -> Any:
+        return getattr(p, name) <= _LARGEST
+
+    def error(robot: Robot) -> InvalidRobot:
+        value = f"{name} is {getattr(robot, name):g} m"
+        return InvalidRobot(f"{robot.name}: {value}", expected=f"at most {_LARGEST:g} m", likely="millimetres")
+
+    return _Rule(holds, error)
+
+
+def _triangle(p: Any) -> Any:
+    """No inertia exceeds the sum of the other two, but for rounding."""
+    pitch, yaw, roll = p.pitch_inertia, p.yaw_inertia, p.roll_inertia
+    most = 1 + 1e-9
+    return (pitch <= (yaw + roll) * most) & (yaw <= (pitch + roll) * most) & (roll <= (pitch + yaw) * most)
+
+
+def _not_rigid(robot: Robot) -> InvalidRobot:
+    inertias = {"pitch": robot.pitch_inertia, "yaw": robot.yaw_inertia, "roll": robot.roll_inertia}
+    largest = max(inertias, key=lambda axis: inertias[axis])
+    others = sum(inertias.values()) - inertias[largest]
+    return InvalidRobot(
+        f"{robot.name}: {largest}_inertia {inertias[largest]:g} kg m² exceeds the sum of the other two, {others:g}",
+        expected="principal inertias that obey the triangle inequality, as those of any rigid body do",
+        likely="an inertia about the axle given for one about the centre of mass",
+    )
+
+
+def _unelectric(p: Any) -> Any:
+    return p.drive == "voltage" or (
+        (p.motor_resistance == 1) & (p.torque_constant == 1) & (p.back_emf == 0)
+    )  # fmt: skip
+
+
+def _electric(robot: Robot) -> InvalidRobot:
+    electrical = tuple(getattr(robot, name) for name in _ELECTRICAL)
+    return InvalidRobot(
+        f"{robot.name}: a torque drive with electrical numbers (R_m, K_t, K_b) = {electrical}",
+        expected="none, since the command is the torque itself",
+        hint='leave motor_resistance, torque_constant and back_emf out, or set drive = "voltage"',
+    )
+
+
+def _stands(p: Any) -> Any:
+    return p.com_height > 0
+
+
+def _hangs(robot: Robot) -> InvalidRobot:
+    return InvalidRobot(
+        f"{robot.name}: com_height is {robot.com_height:g} m, so the robot has no unstable pole",
+        expected="a centre of mass above the axle",
+        likely="a slip of the sign, or a hanging pendulum",
+    )
+
+
+_RULES = (
+    *(_sign(name) for name in PARAMETERS if name != "com_height"),
+    _Rule(_unelectric, _electric),
+    *(_size(name) for name in ("wheel_radius", "track", "com_height")),
+    _Rule(_triangle, _not_rigid),
+    _Rule(_stands, _hangs),
+)
+
+
 def _check_numbers(robot: Robot) -> None:
     for name, (unit, _) in PARAMETERS.items():
         value = getattr(robot, name)
         if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
             raise InvalidRobot(f"{robot.name}: {name} is {value!r}", expected=f"a finite number [{unit}]")
         object.__setattr__(robot, name, float(value))
-        if name != "com_height" and (value < 0 or (value == 0 and name not in _MAY_BE_ZERO)):
-            lower = "zero or more" if name in _MAY_BE_ZERO else "more than zero"
-            raise InvalidRobot(f"{robot.name}: {name} is {value:g} {unit}", expected=lower, likely="a slip of the sign")
-
-
-def _check_drive(robot: Robot) -> None:
     if robot.drive not in ("voltage", "torque"):
         raise InvalidRobot(f"{robot.name}: drive is '{robot.drive}'", expected="'voltage' or 'torque'")
-    electrical = tuple(getattr(robot, name) for name in _ELECTRICAL)
-    if robot.drive == "torque" and electrical != (1.0, 1.0, 0.0):
-        raise InvalidRobot(
-            f"{robot.name}: a torque drive with electrical numbers (R_m, K_t, K_b) = {electrical}",
-            expected="none, since the command is the torque itself",
-            hint='leave motor_resistance, torque_constant and back_emf out, or set drive = "voltage"',
-        )
-
-
-def _check_body(robot: Robot) -> None:
-    sizes = ("wheel_radius", "track", "com_height")
-    for name in (name for name in sizes if getattr(robot, name) > _LARGEST):
-        raise InvalidRobot(
-            f"{robot.name}: {name} is {getattr(robot, name):g} m",
-            expected=f"at most {_LARGEST:g} m",
-            likely="millimetres",
-        )
-    inertias = {"pitch": robot.pitch_inertia, "yaw": robot.yaw_inertia, "roll": robot.roll_inertia}
-    largest = max(inertias, key=lambda axis: inertias[axis])
-    others = sum(inertias.values()) - inertias[largest]
-    if inertias[largest] > others * (1 + 1e-9):
-        raise InvalidRobot(
-            f"{robot.name}: {largest}_inertia {inertias[largest]:g} kg m² exceeds the sum of the other two, {others:g}",
-            expected="principal inertias that obey the triangle inequality, as those of any rigid body do",
-            likely="an inertia about the axle given for one about the centre of mass",
-        )
-
-
-def _check_unstable(robot: Robot) -> None:
-    if robot.com_height <= 0:
-        raise InvalidRobot(
-            f"{robot.name}: com_height is {robot.com_height:g} m, so the robot has no unstable pole",
-            expected="a centre of mass above the axle",
-            likely="a slip of the sign, or a hanging pendulum",
-        )
 
 
 def _written(name: str, robot: Robot) -> str:
