@@ -72,8 +72,8 @@ def design(
 ) -> Designed:
     """The controller of that `method` for a robot with `kit` (None: its own), every `period` [s] (None: the kit's).
 
-    `posterior`, such as a file by `upright calibrate --save`, puts the robot at its medians; the method robust alone uses it.
-    Raises `UnknownName` for a method that is not registered, `DesignFailed` where it has no solution.
+    `posterior`, such as a file by `upright calibrate --save`, puts the robot at its medians; the method robust alone
+    uses it. Raises `UnknownName` for a method that is not registered, `DesignFailed` where it has no solution.
     """
     nominal, unknown = find_robot(robot), find_posterior(posterior)
     parts = find_kit(kit or nominal.kit)
