@@ -158,6 +158,14 @@ def test_what_no_robot_can_be_is_drawn_again():
         Family(ROBOT, uncertainty=Uncertainty((Spread("com_height", "uniform", -2.0, -1.0),))).draw(0, range(10))
 
 
+def test_the_other_inertias_keep_their_spreads_whatever_the_roll_inertia():
+    sizes = {name: 0.25 * getattr(ROBOT, name) for name in ("pitch_inertia", "yaw_inertia", "roll_inertia")}
+    values = drawn(Uncertainty.normal(ROBOT, sizes))
+    for name in ("pitch_inertia", "yaw_inertia"):
+        assert values[name].mean() == pytest.approx(getattr(ROBOT, name), rel=5 * 0.25 / math.sqrt(N))
+        assert values[name].std() == pytest.approx(sizes[name], rel=5 / math.sqrt(2 * N))
+
+
 def test_a_roll_inertia_follows_the_other_two():
     values = drawn(variation("pitch_inertia=±30%", ROBOT))
     pitch, roll = values["pitch_inertia"], values["roll_inertia"]

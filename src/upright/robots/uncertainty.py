@@ -8,8 +8,9 @@
   balance, and a certificate must not count on it. A calibration does leave room for it (`calibrate.parameters`).
 - A gear ratio that is a guess stays, since teeth can be counted. Numbers for drawing and smoothing stay too.
 
-Distributions are not cut. Where the numbers make no robot (`robot.possible`), all of them are drawn again. A roll
-inertia that is not drawn itself follows the other two, as far as the triangle inequality asks.
+Distributions are not cut. Where the numbers make no robot (`robot.possible`), all of them are drawn again. But for the
+roll inertia: it is moved to the nearest that a rigid body with the other two has, since it matters least, and drawing
+again would narrow all three.
 """
 
 from __future__ import annotations
@@ -45,6 +46,7 @@ BLOCK = 4096
 TRIES = 200
 _PURPOSE = 0x76617279  # "vary" in ASCII: a stream apart from the kernel's noise under the same seed
 _ROLL = "roll_inertia"
+_BODY = ("pitch_inertia", "yaw_inertia", _ROLL)
 
 
 @dataclass(frozen=True)
@@ -172,8 +174,8 @@ class Uncertainty:
 
     def middle(self, robot: Robot) -> Robot:
         """`robot` with the medians in place of its own numbers."""
-        numbers = {s.name: np.array([s.middle]) for s in self.spreads if s.name in PARAMETERS}
-        return robot.replace(**{n: float(v[0]) for n, v in (numbers | _followed(robot, numbers)).items()})
+        numbers = {s.name: s.middle for s in self.spreads if s.name in PARAMETERS}
+        return robot.replace(**{name: float(value) for name, value in _rigid(robot, numbers).items()})
 
     def at(self, fraction: Array) -> Array:
         """Numbers (n, k) for `fraction` (n, k), independent and uniform in (0, 1)."""
@@ -204,9 +206,8 @@ class Family:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What differs from robot to robot: the uncertain numbers, and a roll inertia that follows the others."""
-        own = self.uncertainty.names
-        return (*own, _ROLL) if _follows(own) else own
+        """What differs from robot to robot: the uncertain numbers, and the roll inertia where another one differs."""
+        return tuple(_rigid(self.robot, dict.fromkeys(self.uncertainty.names, 1.0)))
 
     def draw(self, seed: int, index: ArrayLike) -> dict[str, Array]:
         """The numbers (n,) of the robots number `index` (n,), by name.
@@ -261,9 +262,8 @@ class Family:
         )  # fmt: skip
 
     def _rows(self, fraction: Array) -> Array:
-        own = self.uncertainty.at(fraction)
-        column = dict(zip(self.uncertainty.names, own.T, strict=True))
-        return np.column_stack([own, *_followed(self.robot, column).values()])
+        column = dict(zip(self.uncertainty.names, self.uncertainty.at(fraction).T, strict=True))
+        return np.column_stack(list(_rigid(self.robot, column).values()))
 
 
 def draw(robot: Robot, count: int, seed: int = 0, uncertainty: Uncertainty | None = None) -> list[Robot]:
@@ -330,16 +330,13 @@ def _spread(robot: Robot, name: str, size: float) -> Spread:
     return Spread(name, "lognormal", value, GUESS) if guess else Spread(name, "normal", value, size)
 
 
-def _follows(names: Sequence[str]) -> bool:
-    return _ROLL not in names and ("pitch_inertia" in names or "yaw_inertia" in names)
-
-
-def _followed(robot: Robot, column: Mapping[str, Array]) -> dict[str, Array]:
-    """The roll inertia (n,) nearest to the robot's own that the others in `column` allow, where it is to follow."""
-    if not _follows(list(column)):
-        return {}
-    low, high = roll_bounds(*(column.get(n, getattr(robot, n)) for n in ("pitch_inertia", "yaw_inertia")))
-    return {_ROLL: np.clip(robot.roll_inertia, low, high)}
+def _rigid(robot: Robot, numbers: Mapping[str, Any]) -> dict[str, Any]:
+    """The `numbers` by name, with the nearest roll inertia that a rigid body of the others has, where one is drawn."""
+    if not any(name in _BODY for name in numbers):
+        return dict(numbers)
+    pitch, yaw, roll = (numbers.get(name, getattr(robot, name)) for name in _BODY)
+    low, high = roll_bounds(pitch, yaw)
+    return {**numbers, _ROLL: np.clip(roll, low, high)}
 
 
 def _root(correlation: ArrayLike, size: int) -> Array:
