@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import dataclasses
 import json
 import random
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any, get_args, get_type_hints
 
 import pytest
+from annotated_types import Interval
 
 from upright.lab import messages
 from upright.lab.codec import KINDS, InvalidMessage, decode, encode, plain
@@ -17,8 +17,8 @@ from upright.lab.messages import (
     Change,
     Drag,
     Hello,
+    Notice,
     Play,
-    Said,
     Save,
     Scrub,
     Setup,
@@ -87,15 +87,15 @@ def test_what_is_no_message_is_refused_in_one_line(text):
 
 
 def test_numbers_that_json_lacks_become_null():
-    shot = Snapshot(1, 0.0, ((float("nan"), 1.0),), (), (float("inf"),), (), 0, False)
+    shot = Snapshot(n=1, t=0.0, x=((float("nan"), 1.0),), e=(), f=(float("inf"),), r=(), s=0, paused=False)
     sent = json.loads(encode(shot))
     assert sent["x"] == [[None, 1.0]]
     assert sent["f"] == [None]
 
 
 def test_a_message_is_plain_data_whatever_it_holds():
-    assert plain(Said("info", "π ψ")) == {"level": "info", "text": "π ψ"}
-    assert "π" in encode(Said("info", "π"))
+    assert plain(Notice("info", "π ψ")) == {"level": "info", "text": "π ψ", "kind": "Notice"}
+    assert "π" in encode(Notice("info", "π"))
 
 
 def hostile(rng: random.Random) -> str:
@@ -140,8 +140,9 @@ def test_hostile_text_is_a_message_within_its_bounds_or_refused():
             continue
         passed += 1
         assert type(message) in KINDS.values()
-        for field in dataclasses.fields(message):
-            if "low" in field.metadata:
-                assert field.metadata["low"] <= getattr(message, field.name) <= field.metadata["high"]
+        for name, hint in get_type_hints(type(message), include_extras=True).items():
+            for limit in getattr(hint, "__metadata__", ()):
+                if isinstance(limit, Interval):
+                    assert limit.ge <= getattr(message, name) <= limit.le
         assert decode(encode(message)) == message
     assert 0 < passed < 2500  # both happen

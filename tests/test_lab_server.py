@@ -59,7 +59,7 @@ class Room:
     def __init__(self, door: Door | None = None) -> None:
         self.stage = HereStage()
         self.hub = Hub(door or Door(), [self.stage])
-        self.stage.listen(None, self.hub._heard)
+        self.stage.listen(None, self.hub._on_words)
 
     def page(self, key: str, **hello: Any) -> Client:
         client = Client(key, Mailbox())
@@ -141,10 +141,10 @@ def test_events_are_in_order_and_never_dropped():
     box = Mailbox()
     client = Client("a", box)
     for i in range(MOST_EVENTS):
-        box.event(json.dumps({"kind": "Said", "n": i}))
+        box.event(json.dumps({"kind": "Notice", "n": i}))
     assert [m["n"] for m in heard(client)] == list(range(MOST_EVENTS))
     for i in range(MOST_EVENTS + 1):
-        box.event(json.dumps({"kind": "Said", "n": i}))
+        box.event(json.dumps({"kind": "Notice", "n": i}))
     assert heard(client) == []  # it is let go rather than told half
     assert box.overflown
 
@@ -238,7 +238,7 @@ def heard_history(room: Room, client: Client) -> list[dict[str, Any]]:
 def test_a_setup_that_cannot_be_is_said_and_another_stands_there(room):
     client = room.page("a", setup=Setup(robot="nobody"))
     said = heard(client)
-    assert any(m["kind"] == "Said" and "nobody" in m["text"] for m in said)
+    assert any(m["kind"] == "Notice" and "nobody" in m["text"] for m in said)
     assert "Changed" in kinds(said)
 
 
@@ -401,7 +401,7 @@ def test_a_log_is_sent_examined_and_fetched_over_the_wire(served, tmp_path):
         address = f"{served}upload/{welcome['session']}"
         sent = httpx.post(address, params={"what": "log", "name": "../../mine.csv"}, content=found.content)
         assert sent.json() == {"name": "in-mine.csv"}
-        assert _until(socket, lambda m: m["kind"] in ("Found", "Said"))["kind"] == "Found"
+        assert _until(socket, lambda m: m["kind"] in ("JobResult", "Notice"))["kind"] == "JobResult"
         assert httpx.post(address, params={"what": "log", "name": "x.exe"}, content=b"x").status_code == 400
         assert httpx.post(f"{served}upload/none", params={"name": "x.csv"}, content=b"x").status_code == 404
         assert httpx.get(f"{served}files/{'0' * 32}/run.csv").status_code == 404
@@ -418,7 +418,7 @@ def test_huge_binary_and_broken_frames_close_only_their_own_line(served):
         with _page(served) as (binary, _):
             for _ in range(50):
                 binary.send(random.Random(1).randbytes(500))
-            assert _until(binary, lambda m: m["kind"] == "Said")["level"] == "error"
+            assert _until(binary, lambda m: m["kind"] == "Notice")["level"] == "error"
         shot = _until(live, lambda m: m["kind"] == "Snapshot")
         assert shot["x"]
 

@@ -21,12 +21,12 @@ from upright.lab.messages import (
     Change,
     Changed,
     Drag,
-    Found,
-    Lit,
+    JobResult,
+    Light,
     Made,
+    Notice,
     Play,
     Recovered,
-    Said,
     Save,
     Scrub,
     Setup,
@@ -37,7 +37,7 @@ from upright.lab.messages import (
     Strike,
     Uploaded,
 )  # fmt: skip
-from upright.lab.plant import COARSE, FINE, Tugged, loaded
+from upright.lab.plant import COARSE, FINE, Pulled, loaded
 from upright.lab.ring import Ring
 from upright.lab.session import KEPT, Session
 from upright.lab.straight import Straight
@@ -60,7 +60,7 @@ def attended(session: Session, desk: InlineDesk) -> list[object]:
     """All that the session says once its desk has done everything."""
     while words := desk.poll():
         for (_, job), status, result in words:
-            session.told(job, status, result)
+            session.reported(job, status, result)
     return session.events()
 
 
@@ -133,8 +133,8 @@ def test_a_push_from_behind_leans_the_robot_forward_at_first(tmp_path, bodies, f
 def test_a_tug_is_a_force_at_one_end_of_the_axle(tmp_path):
     """At rest without a controller: ψ̈ and θ̈ of that force at the axle, and φ̈ = −F W/2 over the yaw inertia."""
     dt = 1e-5  # [s] the fastest pole is −270 1/s: rates are accelerations times dt to half of 2.7 permille
-    body = Tugged(NonlinearBody(ROBOT, period=dt))
-    body.tug(0.5)
+    body = Pulled(NonlinearBody(ROBOT, period=dt))
+    body.pull(0.5)
     found = body.step((0.0, 0.0), Disturbance(0.5, 0.0, 0.0))
     _, pitch_acc, _, wheel_acc, _, _ = derivative((0.0,) * 6, (0.0, 0.0), ROBOT, Disturbance(0.5, 0.0, 0.0))
     yaw_acc = -0.5 * ROBOT.track / 2 / mass_matrix(1.0, 0.0, ROBOT)[3]
@@ -144,7 +144,7 @@ def test_a_tug_is_a_force_at_one_end_of_the_axle(tmp_path):
 
 def test_the_two_wheels_are_tugged_alike(tmp_path):
     turns = []
-    for what in ("tug_left", "tug_right"):
+    for what in ("pull_left", "pull_right"):
         session, _ = a_session(tmp_path, replace(MODEL, controller="off", kit="ideal"))
         session.handle(Strike(what, 0.5))
         session.handle(Step(1))
@@ -216,10 +216,10 @@ def test_weights_and_gains_reach_the_controller(tmp_path):
 
 def test_the_light_follows_and_a_spoilt_gain_is_red(tmp_path):
     session, desk = a_session(tmp_path)
-    assert only(Lit, attended(session, desk))[-1].light == "green"
+    assert only(Light, attended(session, desk))[-1].light == "green"
     session.handle(Change(replace(MODEL, controller="gains", gains=(-3.0, 0.0, 0.0, 0.0, 0.0, 0.0))))
     events = attended(session, desk)
-    assert [lit.light for lit in only(Lit, events)] == ["none", "red"]  # gravity alone asks for more than 3 V/rad
+    assert [lit.light for lit in only(Light, events)] == ["none", "red"]  # gravity alone asks for more than 3 V/rad
     assert not only(Analysed, events)[-1].stable
 
 
@@ -337,7 +337,7 @@ def test_what_cannot_be_is_said_and_changes_nothing(tmp_path, setup):
     session.events()
     before = session.lanes
     session.handle(Change(setup))
-    (said,) = only(Said, session.events())
+    (said,) = only(Notice, session.events())
     assert said.level == "error"
     assert "\n" not in said.text
     assert session.setup == MODEL
@@ -367,17 +367,17 @@ def test_the_doctor_examines_the_run_and_an_uploaded_file(tmp_path):
     for _ in range(5):
         session.advance(1.0)
     session.handle(Start("doctor"))
-    (found,) = only(Found, attended(session, desk))
+    (found,) = only(JobResult, attended(session, desk))
     assert found.job == "doctor"
     session.handle(Save("csv"))
     attended(session, desk)
     (tmp_path / "run.csv").rename(tmp_path / "in-mine.csv")
     session.handle(Uploaded("log", str(tmp_path / "in-mine.csv"), "in-mine.csv"))
-    (again,) = only(Found, attended(session, desk))
+    (again,) = only(JobResult, attended(session, desk))
     assert {row[1] for row in again.rows} == {row[1] for row in found.rows}
     for path in ("../../etc/passwd", "/etc/passwd", "nothing.csv"):
         session.handle(Start("doctor", path))
-        assert only(Said, attended(session, desk))[0].level == "error"
+        assert only(Notice, attended(session, desk))[0].level == "error"
 
 
 def test_an_uploaded_robot_stands_there_with_its_numbers(tmp_path):
@@ -394,7 +394,7 @@ def test_an_uploaded_robot_stands_there_with_its_numbers(tmp_path):
 def test_a_calibrated_model_joins_as_a_further_trace(tmp_path):
     session, _ = a_session(tmp_path)
     learnt = ROBOT.replace(com_height=0.08)
-    session.told("calibrate", "done", (learnt, Found("calibrate", "", "", (), (), True)))
+    session.reported("calibrate", "done", (learnt, JobResult("calibrate", "", "", (), (), True)))
     assert [lane.name for lane in session.lanes] == ["nonlinear", "calibrated"]
     assert session.lanes[1].body.spec.robot == learnt
 
@@ -431,7 +431,7 @@ def test_every_preset_and_family_of_the_catalogue_can_be_chosen(tmp_path):
         session.handle(Change(replace(MODEL, controller=family)))
         session.advance(0.05)
         assert session.setup.controller == family
-    assert not only(Said, session.events())
+    assert not only(Notice, session.events())
 
 
 def test_a_job_in_a_process_reports_and_can_be_killed(tmp_path):

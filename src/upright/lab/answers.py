@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from upright.atomic import finite
 from upright.errors import InvalidLog, UprightError
 from upright.lab.messages import (
     VERSION,
@@ -20,9 +20,9 @@ from upright.lab.messages import (
     Keep,
     Look,
     Made,
+    Notice,
     Progress,
     RobotInfo,
-    Said,
     Start,
     Welcome,
 )  # fmt: skip
@@ -60,15 +60,18 @@ def changed(session: Session, busy: bool) -> Changed:
     robot, kit, main = session.plant.robot, session.plant.kit, session.lanes[0]
     limit, setup = main.body.spec.limit, session.setup
     look = Look(
-        robot.wheel_radius, robot.track, robot.body_height, robot.body_depth, robot.com_height, setup.payload,
-        setup.payload_height, robot.command_unit, limit if math.isfinite(limit) else None,
-        robot.body_mass * robot.gravity,
+        wheel_radius=robot.wheel_radius, track=robot.track, body_height=robot.body_height, body_depth=robot.body_depth,
+        com_height=robot.com_height, payload=setup.payload, payload_height=setup.payload_height,
+        command_unit=robot.command_unit, limit=finite(limit), weight=robot.body_mass * robot.gravity,
     )  # fmt: skip
     voltage = kit.battery.voltage
     numbers = {"delay": kit.delay, "dead_zone": kit.motor.dead_zone, "voltage": voltage if voltage < 1e6 else -1.0}
     spec = main.controller.spec
     names = tuple(lane.name for lane in session.lanes)
-    return Changed(setup, look, names, kit.period, spec.kind, spec.reads_truth, numbers, busy)
+    return Changed(
+        setup=setup, look=look, bodies=names, period=kit.period, controller=spec.kind, truth=spec.reads_truth,
+        kit=numbers, busy=busy,
+    )  # fmt: skip
 
 
 def standing(session: Session) -> list[Any]:
@@ -76,13 +79,13 @@ def standing(session: Session) -> list[Any]:
     robot = session.plant.robot
     model = linearise(robot)
     poles = tuple((round(float(p.real), 3), round(float(p.imag), 3)) for p in model.poles())
-    weight = robot.body_mass * robot.gravity * robot.com_height
-    lever = robot.body_mass * robot.com_height * robot.wheel_radius
-    inertias = tuple(float(a) for a in mass_matrix(1.0, 0.0, robot))
-    alpha, beta = float(motor_gain(robot)), float(motor_damping(robot))
-    swing, half_track = float(yaw_swing(robot, "complete")), robot.track / (2 * robot.wheel_radius)
-    numbers = (inertias, alpha, beta, weight, lever, swing, half_track)
-    return [Equations(*numbers, _rows(model.A), _rows(model.B), poles)]
+    equations = Equations(
+        inertias=tuple(float(a) for a in mass_matrix(1.0, 0.0, robot)), alpha=float(motor_gain(robot)),
+        beta=float(motor_damping(robot)), weight=robot.body_mass * robot.gravity * robot.com_height,
+        lever=robot.body_mass * robot.com_height * robot.wheel_radius, swing=float(yaw_swing(robot, "complete")),
+        half_track=robot.track / (2 * robot.wheel_radius), A=_rows(model.A), B=_rows(model.B), poles=poles,
+    )  # fmt: skip
+    return [equations]
 
 
 def _rows(matrix: Any) -> tuple[tuple[float, ...], ...]:
@@ -107,7 +110,7 @@ def keeping(session: Session, what: Keep) -> tuple[str, tuple[Any, ...]]:
     if what == "robot":
         return f"keep {what}", (session.calibrated or session.plant.nominal, path)
     if what == "replay":
-        events = [Welcome(VERSION, "", "alone", ""), catalogue(), *session.told_once()]
+        events = [Welcome(VERSION, "", "alone", ""), catalogue(), *session.standing_events()]
         return f"keep {what}", ([*events, *session.moments()], path)
     logs = session.logs()
     if not logs:
@@ -123,15 +126,15 @@ def _recorded(session: Session) -> Any:
 
 
 def _designed(session: Session, result: Any) -> list[Any]:
-    controller, found = result
-    events: list[Any] = [found]
+    controller, analysis = result
+    events: list[Any] = [analysis]
     if controller is not None:
         try:
             session.designed(controller)
         except UprightError as error:
-            return [Said("error", str(error))]
+            return [Notice("error", str(error))]
         events.append(session.changed())
-    if isinstance(found, Analysed):
+    if isinstance(analysis, Analysed):
         events += session.follow()
     return events
 
@@ -149,18 +152,18 @@ def _examined(session: Session, result: Any) -> list[Any]:  # noqa: ARG001
 
 
 def _calibrated(session: Session, result: Any) -> list[Any]:
-    robot, found = result
+    robot, table = result
     session.calibrated = robot
     names = tuple(dict.fromkeys((*session.setup.bodies, "calibrated")))
     session.handle(Change(replace(session.setup, bodies=names)))
-    return [found, Progress("calibrate", 1.0)]
+    return [table, Progress("calibrate", 1.0)]
 
 
 def _read(session: Session, result: Any) -> list[Any]:
     kit = result.kit if result.kit in kit_names() else session.setup.kit
     setup = replace(session.setup, robot=result.name, numbers=result.numbers(), drive=result.drive, kit=kit)
     session.handle(Change(replace(setup, largest=(), gains=())))
-    return [Said("info", f"{result.name}: read")]
+    return [Notice("info", f"{result.name}: read")]
 
 
 def _made(session: Session, result: Any) -> list[Any]:  # noqa: ARG001

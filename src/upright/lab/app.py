@@ -89,7 +89,7 @@ def _asset(name: str) -> Response:
     folder = static() / "assets"
     known = {entry.name for entry in folder.iterdir()} if folder.is_dir() else set()
     if name not in known:
-        return Response("not found", 404)
+        return Response("not event", 404)
     kind = TYPES.get(name.rpartition(".")[2], "application/octet-stream")
     return Response((folder / name).read_bytes(), media_type=kind)
 
@@ -98,7 +98,7 @@ def _download(hub: Hub, session: str, name: str) -> Response:
     folder = hub.folder(session)
     known = {entry.name for entry in folder.iterdir()} if folder else set()
     if folder is None or name not in known or name.startswith("."):
-        return Response("not found", 404)
+        return Response("not event", 404)
     return FileResponse(folder / name, filename=name, content_disposition_type="attachment")
 
 
@@ -135,7 +135,7 @@ async def _talk(lab: Lab, hub: Hub, socket: WebSocket) -> None:
 
 async def _next(socket: WebSocket) -> str:
     """The next message as text; binary ones are no messages."""
-    found = await socket.receive()
-    if found["type"] == "websocket.disconnect":
-        raise WebSocketDisconnect(found.get("code", 1000))
-    return found.get("text") or ""
+    event = await socket.receive()
+    if event["type"] == "websocket.disconnect":
+        raise WebSocketDisconnect(event.get("code", 1000))
+    return event.get("text") or ""

@@ -69,7 +69,7 @@ class Scores:
     here: set[str] = field(default_factory=set[str])
     _rows: dict[str, tuple[Any, ...]] = field(default_factory=dict[str, tuple[Any, ...]])
 
-    def heard(self, rows: list[tuple[Any, ...]]) -> None:
+    def update(self, rows: list[tuple[Any, ...]]) -> None:
         """Remember the latest rows (session, pitch, fallen, best, effort, controller)."""
         self._rows |= {row[0]: row for row in rows if row[0] in self.names}
 

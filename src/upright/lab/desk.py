@@ -147,15 +147,15 @@ class _Clerk:
         self._pipe.close()
 
 
-def _unwatched(share: float) -> None:
-    """Nobody watches the `share` done."""
+def _unwatched(fraction: float) -> None:
+    """Nobody watches the `fraction` done."""
 
 
 def _work(pipe: Connection) -> None:
     """The clerk's own loop: it ends when the pipe does."""
 
-    def report(share: float) -> None:
-        pipe.send(("progress", round(share, 3)))
+    def report(fraction: float) -> None:
+        pipe.send(("progress", round(fraction, 3)))
 
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     _be_modest()

@@ -16,7 +16,7 @@ from upright.errors import UprightError
 from upright.lab.classroom import CLASS_SETUP, MOST_ALONE, MOST_STUDENTS, Door, NotAdmitted, Role, Scores
 from upright.lab.codec import InvalidMessage, decode, encode
 from upright.lab.mailbox import Mailbox
-from upright.lab.messages import VERSION, Ack, Board, Broadcast, Change, Hello, Refused, Said, Setup, Welcome
+from upright.lab.messages import VERSION, Ack, Board, Broadcast, Change, Hello, Notice, Refused, Setup, Welcome
 from upright.lab.stage_process import StageLink, Words
 
 BURST, STEADY = 400.0, 200.0  # messages at once, and a second, from one client
@@ -69,7 +69,7 @@ class Hub:
         """Listen to the stages, from within the running event loop."""
         loop = asyncio.get_running_loop()
         for stage in self._stages:
-            stage.listen(loop, self._heard)
+            stage.listen(loop, self._on_words)
 
     def close(self) -> None:
         """Stop the stages and remove every session's folder."""
@@ -89,7 +89,7 @@ class Hub:
         except (InvalidMessage, NotAdmitted) as error:
             self._wrong(client, error)
         except UprightError as error:
-            client.box.event(encode(Said("error", str(error))))
+            client.box.event(encode(Notice("error", str(error))))
 
     def leave(self, client: Client) -> None:
         """The page is gone; its session is kept for a while."""
@@ -199,14 +199,14 @@ class Hub:
         if isinstance(error, NotAdmitted) or client.wrong > PATIENCE:
             self._let_go(client, str(error))
         else:
-            client.box.event(encode(Said("error", str(error))))
+            client.box.event(encode(Notice("error", str(error))))
 
     def _let_go(self, client: Client, why: str) -> None:
         client.closed = why
         client.box.event(encode(Refused(why)))
 
-    def _heard(self, words: Words) -> None:
-        """What a stage has said, on the event loop."""
+    def _on_words(self, words: Words) -> None:
+        """What a stage reports, on the event loop."""
         for kind, name, content in words:
             entry = self.entries.get(name)
             if kind == "snapshot" and entry:
@@ -220,7 +220,7 @@ class Hub:
                 for text in texts if key in entry.clients else ():
                     entry.clients[key].box.event(text)
             elif kind == "scores" and self.door.is_class:
-                self.scores.heard(content)
+                self.scores.update(content)
                 self._show(self.scores.board())
             elif kind == "stats":
                 self.stats.put_nowait(content)

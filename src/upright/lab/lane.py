@@ -12,7 +12,7 @@ from upright.bodies import Body
 from upright.control import Controller
 from upright.errors import UprightError
 from upright.experiment.loop import Stepper
-from upright.lab.plant import Tugged
+from upright.lab.plant import Pulled
 from upright.lab.ring import Ring
 from upright.physics.dynamics import Disturbance
 from upright.signals import Log
@@ -33,7 +33,7 @@ class Lane:
     def __init__(
         self,
         name: str,
-        inner: Tugged,
+        inner: Pulled,
         body: Body,
         controller: Controller,
         start: Sequence[float],
@@ -53,11 +53,11 @@ class Lane:
         """The command (left, right) that was really applied last."""
         return self._loop.now.applied
 
-    def step(self, reference: Array, disturbance: Disturbance, tug: float) -> None:
-        """One period towards the state `reference` (6,) under `disturbance` and a `tug` [N]."""
+    def step(self, reference: Array, disturbance: Disturbance, pull: float) -> None:
+        """One period towards the state `reference` (6,) under `disturbance` and a `pull` [N]."""
         if self.fallen:
             return
-        self._inner.tug(tug)
+        self._inner.pull(pull)
         try:
             self._ring.append(self._loop.step(reference, lambda _: disturbance))
             self.fallen = self._loop.now.fallen

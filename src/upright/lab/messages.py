@@ -1,37 +1,29 @@
 """What page and session say to each other: frozen dataclasses, which are also the types of the page.
 
 Snapshots are of the moment: the latest wins, and a client holds at most one that it has not acknowledged. Everything
-else is an event: ordered, never dropped. `web/src/messages.ts` is generated from this file by `lab.typescript`.
+else is an event: ordered, never dropped. `web/src/messages.ts` is generated from this file by `lab.typescript`; `codec`
+has pydantic check what a client sends against these types and their limits.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any, Literal
+from dataclasses import KW_ONLY, dataclass, field
+from typing import Annotated, Any, ClassVar, Literal
 
-VERSION = 2
+from annotated_types import Interval, MaxLen
+
+from upright.lab.message_types import MOST_ITEMS, STRICT, NamedNumbers, Numbers, Text, Whole, message
+
+VERSION = 3
 """Raised whenever a message changes; a page of another version is refused with a sentence that says what to do."""
 
-LONGEST_TEXT = 200
-MOST_ITEMS = 64
-
-
-def number(low: float, high: float, default: float | None = None) -> Any:
-    """A field whose number is refused outside [low, high]."""
-    metadata = {"low": low, "high": high}
-    return field(metadata=metadata) if default is None else field(default=default, metadata=metadata)
-
-
 BodyName = Literal["twin", "nonlinear", "linear", "published", "calibrated"]
-Family = Literal[
-    "lqg", "lqr", "lqr-complementary", "lqr-state", "lqi", "pid", "hinf", "mpc", "sliding", "robust", "gains", "off"
-]
 Job = Literal["certify", "doctor", "calibrate", "design"]
 Keep = Literal["csv", "parquet", "report", "replay", "controller", "robot"]
-Blow = Literal["front", "back", "impulse", "tug_left", "tug_right"]
+PushName = Literal["front", "back", "impulse", "pull_left", "pull_right"]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Setup:
     """Everything that a link restores.
 
@@ -41,139 +33,141 @@ class Setup:
     are Bryson's sizes of the six states and of the command; `gains` are the left motor's, for the family of that name.
     """
 
-    robot: str = "nxtway-gs"
-    numbers: dict[str, float] = field(default_factory=dict[str, float])
+    robot: Text = "nxtway-gs"
+    numbers: NamedNumbers = field(default_factory=dict[str, float])
     drive: Literal["", "voltage", "torque"] = ""
-    kit: str = "nxt"
-    noise: float = number(0, 20, 1.0)
-    delay: float = number(-1, 0.05, -1.0)
-    voltage: float = number(-1, 60, -1.0)
-    dead_zone: float = number(-1, 5, -1.0)
-    grip: float = number(0.02, 10, 10.0)
-    bodies: tuple[BodyName, ...] = ("twin", "nonlinear", "linear")
-    controller: Family = "lqg"
-    largest: tuple[float, ...] = ()
-    gains: tuple[float, ...] = ()
-    payload: float = number(0, 5, 0.0)
-    payload_height: float = number(0, 1, 0.15)
-    slope: float = number(-0.35, 0.35, 0.0)
-    seed: int = number(0, 2**31, 0)
+    kit: Text = "nxt"
+    noise: Annotated[float, Interval(ge=0, le=20)] = 1.0
+    delay: Annotated[float, Interval(ge=-1, le=0.05)] = -1.0
+    voltage: Annotated[float, Interval(ge=-1, le=60)] = -1.0
+    dead_zone: Annotated[float, Interval(ge=-1, le=5)] = -1.0
+    grip: Annotated[float, Interval(ge=0.02, le=10)] = 10.0
+    bodies: Annotated[tuple[BodyName, ...], MaxLen(MOST_ITEMS)] = ("twin", "nonlinear", "linear")
+    controller: Text = "lqg"
+    largest: Numbers = ()
+    gains: Numbers = ()
+    payload: Annotated[float, Interval(ge=0, le=5)] = 0.0
+    payload_height: Annotated[float, Interval(ge=0, le=1)] = 0.15
+    slope: Annotated[float, Interval(ge=-0.35, le=0.35)] = 0.0
+    seed: Annotated[int, Interval(ge=0, le=2**31)] = 0
+
+    __pydantic_config__: ClassVar[dict[str, Any]] = STRICT
 
 
-@dataclass(frozen=True)
+@message
 class Hello:
     """The first message of a page: its version, the session that it had, its token and name in a class."""
 
-    version: int
-    session: str = ""
-    token: str = ""
-    name: str = ""
+    version: Whole
+    session: Text = ""
+    token: Text = ""
+    name: Text = ""
     setup: Setup | None = None
 
 
-@dataclass(frozen=True)
+@message
 class Ack:
     """Snapshot `n` has been drawn."""
 
-    n: int
+    n: Whole
 
 
-@dataclass(frozen=True)
+@message
 class Change:
     """The whole set-up, as it should be from now on."""
 
     setup: Setup
 
 
-@dataclass(frozen=True)
+@message
 class Drag:
     """The mouse pushes the body with `force` [N] at `height` [m] above the axle until the next such message."""
 
-    force: float = number(-500, 500)
-    height: float = number(-3, 3)
+    force: Annotated[float, Interval(ge=-500, le=500)]
+    height: Annotated[float, Interval(ge=-3, le=3)]
 
 
-@dataclass(frozen=True)
+@message
 class Strike:
-    """A push by name: the paper's holds to a pitch [rad], an impulse [N s], or a tug on one wheel [N]."""
+    """A push by name: the paper's holds to a pitch [rad], an impulse [N s], or a pull at one wheel [N]."""
 
-    what: Blow
-    size: float = number(-100, 100)
+    what: PushName
+    size: Annotated[float, Interval(ge=-100, le=100)]
 
 
-@dataclass(frozen=True)
+@message
 class Steer:
     """Roll at `speed` [m/s] and turn at `rate` [rad/s] from now on."""
 
-    speed: float = number(-3, 3)
-    rate: float = number(-10, 10)
+    speed: Annotated[float, Interval(ge=-3, le=3)]
+    rate: Annotated[float, Interval(ge=-10, le=10)]
 
 
-@dataclass(frozen=True)
+@message
 class Play:
     """Pause, or run at `speed` times wall time."""
 
     paused: bool
-    speed: float = number(0.01, 4, 1.0)
+    speed: Annotated[float, Interval(ge=0.01, le=4)] = 1.0
 
 
-@dataclass(frozen=True)
+@message
 class Step:
     """While paused: go on by so many of the controller's periods."""
 
-    periods: int = number(1, 1000, 1)
+    periods: Annotated[int, Interval(ge=1, le=1000)] = 1
 
 
-@dataclass(frozen=True)
+@message
 class Scrub:
     """While paused: show the moment `back` [s] before now."""
 
-    back: float = number(0, 60)
+    back: Annotated[float, Interval(ge=0, le=60)]
 
 
-@dataclass(frozen=True)
+@message
 class StandUp:
     """Put the robot at rest at the lean `pitch` [rad]."""
 
-    pitch: float = number(-1.2, 1.2, 0.0)
+    pitch: Annotated[float, Interval(ge=-1.2, le=1.2)] = 0.0
 
 
-@dataclass(frozen=True)
+@message
 class Start:
     """Begin a job; `file` names a log that was uploaded, '' the run that is being recorded."""
 
     job: Job
-    file: str = ""
+    file: Text = ""
 
 
-@dataclass(frozen=True)
+@message
 class Cancel:
     """Kill the job."""
 
     job: Job
 
 
-@dataclass(frozen=True)
+@message
 class Save:
     """Make a file of the run so far, to be downloaded."""
 
     what: Keep
 
 
-@dataclass(frozen=True)
+@message
 class Broadcast:
     """The teacher gives everyone this set-up, and stands every robot up."""
 
     setup: Setup
 
 
-@dataclass(frozen=True)
+@message
 class Uploaded:
     """A file that lies in the session's folder; only the server says so."""
 
     what: Literal["log", "robot"]
-    path: str
-    name: str
+    path: Text
+    name: Text
 
 
 ClientMessage = (
@@ -201,7 +195,7 @@ class RobotInfo:
     numbers: dict[str, float]
 
 
-@dataclass(frozen=True)
+@message
 class Catalogue:
     """What there is to choose."""
 
@@ -214,7 +208,7 @@ class Catalogue:
     command: dict[str, float]
 
 
-@dataclass(frozen=True)
+@message
 class Welcome:
     """The answer to `Hello`. `files` is where the session's files are asked for."""
 
@@ -224,14 +218,14 @@ class Welcome:
     files: str
 
 
-@dataclass(frozen=True)
+@message
 class Refused:
     """Why this page cannot go on, and what to do; the connection is closed after it."""
 
     reason: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Look:
     """What the page draws the robot from [m, kg], and what the command is limited to."""
 
@@ -247,10 +241,11 @@ class Look:
     weight: float
 
 
-@dataclass(frozen=True)
+@message
 class Changed:
     """The set-up as it is now, what the robot looks like and what stands in each row of the snapshots."""
 
+    _: KW_ONLY
     setup: Setup
     look: Look
     bodies: tuple[str, ...]
@@ -261,27 +256,29 @@ class Changed:
     busy: bool = False
 
 
-@dataclass(frozen=True)
+@message
 class Analysed:
     """The present loop: `gain` (2, 6) where it has one, margins, closed-loop poles, and `L` broken at both motors: ω
     [rad/s], Re and Im in three rows."""
 
+    _: KW_ONLY
     stable: bool
     words: str
     gain: tuple[tuple[float, ...], ...]
-    gain_low: float | None
-    gain_high: float | None
-    phase: float | None
-    delay: float | None
-    poles: tuple[tuple[float, ...], ...]
-    L: tuple[tuple[float, ...], ...]
+    gain_low: float | None = None
+    gain_high: float | None = None
+    phase: float | None = None
+    delay: float | None = None
+    poles: tuple[tuple[float, ...], ...] = ()
+    L: tuple[tuple[float, ...], ...] = ()
 
 
-@dataclass(frozen=True)
+@message
 class Equations:
     """The numbers of the present model: upright a11, a12, a22, a33, α, β, M g L, M L R, what a lean adds to a33, W/2R,
     and the linear model about upright."""
 
+    _: KW_ONLY
     inertias: tuple[float, ...]
     alpha: float
     beta: float
@@ -294,25 +291,25 @@ class Equations:
     poles: tuple[tuple[float, ...], ...]
 
 
-@dataclass(frozen=True)
-class Lit:
+@message
+class Light:
     """The certificate's light: "green", "amber", "red", or "none" while it is computed, with its reasons."""
 
     light: Literal["green", "amber", "red", "none"]
     reasons: tuple[str, ...]
 
 
-@dataclass(frozen=True)
+@message
 class Progress:
     """How far a job is, from 0 to 1."""
 
     job: Job
-    share: float
+    fraction: float
 
 
-@dataclass(frozen=True)
-class Found:
-    """What a job found, as text for people, and the rows of its table."""
+@message
+class JobResult:
+    """What came of a job, as text for people, and the rows of its table."""
 
     job: Job
     title: str
@@ -322,7 +319,7 @@ class Found:
     ok: bool
 
 
-@dataclass(frozen=True)
+@message
 class Made:
     """A file to be downloaded under `name`."""
 
@@ -331,15 +328,15 @@ class Made:
     url: str
 
 
-@dataclass(frozen=True)
-class Said:
+@message
+class Notice:
     """A sentence for the user: what went wrong, or what was done."""
 
     level: Literal["info", "error"]
     text: str
 
 
-@dataclass(frozen=True)
+@message
 class Recovered:
     """A push of `impulse` [N s] from which the robot came back, its `effort` [u² s], and the largest so far."""
 
@@ -349,7 +346,7 @@ class Recovered:
     fell: bool
 
 
-@dataclass(frozen=True)
+@message
 class History:
     """What was recorded before the page came: time, and ψ, ψ̇, θ, θ̇, φ, φ̇ of every body in turn."""
 
@@ -357,12 +354,13 @@ class History:
     rows: tuple[tuple[float, ...], ...]
 
 
-@dataclass(frozen=True)
+@message
 class Snapshot:
     """A moment. `x`: a row for each body with the six states, both applied commands and whether it fell; `e`: the
-    first controller's estimate; `f`: push [N], its height [m], slope [rad], tug [N]; `r`: reference wheel and yaw angle
-    [rad]; `s`: 1 and 2 for the left and right motor at its limit; `back` [s]: how long ago, while scrubbing."""
+    first controller's estimate; `f`: push [N], its height [m], slope [rad], pull at a wheel [N]; `r`: reference wheel
+    and yaw angle [rad]; `s`: 1 and 2 for the left and right motor at its limit; `back` [s]: how long ago, scrubbing."""
 
+    _: KW_ONLY
     n: int
     t: float
     x: tuple[tuple[float, ...], ...]
@@ -387,7 +385,7 @@ class Student:
     controller: str
 
 
-@dataclass(frozen=True)
+@message
 class Board:
     """Everybody in the class; like a snapshot, the latest wins."""
 
@@ -395,6 +393,6 @@ class Board:
 
 
 ServerMessage = (
-    Welcome | Refused | Changed | Analysed | Equations | Lit | Progress | Found | Made | Said | Recovered | History
-    | Snapshot | Board | Catalogue
+    Welcome | Refused | Changed | Analysed | Equations | Light | Progress | JobResult | Made | Notice | Recovered
+    | History | Snapshot | Board | Catalogue
 )  # fmt: skip

@@ -183,13 +183,13 @@ def gain_of(controller: Controller) -> tuple[tuple[float, ...], ...]:
     inner = controller.controller if isinstance(controller, Estimated) else controller
     design = getattr(inner, "design", None)
     places = ((inner, "gain"), (getattr(design, "feedback", None), "gain"), (design, "gain"), (design, "K"))
-    gain = next((found for place, name in places if (found := getattr(place, name, None)) is not None), None)
+    gain = next((value for place, name in places if (value := getattr(place, name, None)) is not None), None)
     if gain is None or np.ndim(gain) != 2 or np.shape(gain)[1] < 6:
         return ()
     return tuple(tuple(float(k) for k in row[:6]) for row in np.asarray(gain))
 
 
-class Tugged:
+class Pulled:
     """`body` whose wheels can be pulled at the ends of the axle.
 
     A horizontal force F there is that force on the axle and a moment ∓F W/2 about the vertical, which opposed commands
@@ -201,7 +201,7 @@ class Tugged:
         self._turn = body.spec.robot.wheel_radius / (2 * motor_gain(body.spec.robot))
         self.twist = 0.0
 
-    def tug(self, force: float) -> None:
+    def pull(self, force: float) -> None:
         """Pull the left end with `force` [N], or the right one with minus that, until told otherwise."""
         self.twist = force * self._turn
 
@@ -211,27 +211,27 @@ class Tugged:
     def step(self, command: Any, disturbance: Disturbance = CALM) -> Sample:
         if not self.twist:
             return self.body.step(command, disturbance)
-        found = self.body.step((command[0] + self.twist, command[1] - self.twist), disturbance)
-        return replace(found, applied=(float(command[0]), float(command[1])))
+        result = self.body.step((command[0] + self.twist, command[1] - self.twist), disturbance)
+        return replace(result, applied=(float(command[0]), float(command[1])))
 
     def close(self) -> None:
         self.body.close()
 
 
-def body_of(name: str, plant: Plant, setup: Setup, period: float, calibrated: Robot | None = None) -> Tugged:
+def body_of(name: str, plant: Plant, setup: Setup, period: float, calibrated: Robot | None = None) -> Pulled:
     """The body of that name, not yet behind its electronics."""
     if name == "twin":
         from upright.bodies.twin import Twin
 
-        return Tugged(Twin(plant.robot, period, timestep=TWIN_STEP, contact_time=2 * TWIN_STEP, grip=setup.grip))
+        return Pulled(Twin(plant.robot, period, timestep=TWIN_STEP, contact_time=2 * TWIN_STEP, grip=setup.grip))
     if name == "linear":
         # The linear model is of what the controller knows: no payload, no other floor.
-        return Tugged(LinearBody(linearise(plant.nominal), plant.nominal, period))
+        return Pulled(LinearBody(linearise(plant.nominal), plant.nominal, period))
     robot = calibrated if name == "calibrated" and calibrated else plant.robot
-    return Tugged(Straight(robot, "published" if name == "published" else "complete", period))
+    return Pulled(Straight(robot, "published" if name == "published" else "complete", period))
 
 
-def behind(body: Tugged, kit: Kit) -> Body:
+def behind(body: Pulled, kit: Kit) -> Body:
     """The body behind its kit's electronics, bare where the kit hides nothing."""
     plain = kit.name == "ideal" and kit.delay == 0 and kit.motor.dead_zone == 0 and math.isinf(kit.battery.voltage)
     return body if plain else Electronics(body, kit)

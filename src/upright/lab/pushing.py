@@ -1,4 +1,4 @@
-"""What is being done to the robot at this moment: the mouse, pushes by name, tugs, and what came of each."""
+"""What is being done to the robot at this moment: the mouse, pushes by name, pulls, and what came of each."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from upright.robots import Robot
 
 HOLD = 3.0  # [s] a hold of this length lets every preset come to rest against it
 KNOCK = 0.02  # [s] that an impulse takes
-TUG = 0.3  # [s] that a wheel is pulled
+PULL = 0.3  # [s] that a wheel is pulled
 
 UPRIGHT, STILL, CALM_FOR = 0.05, 0.4, 1.0
 """A robot has recovered that leans less [rad] and turns less [rad/s] for so long [s]."""
@@ -27,32 +27,32 @@ class Pushing:
     force: float = 0.0
     height: float = 0.0
     _active: list[tuple[float, PushProgramme]] = field(default_factory=list[tuple[float, PushProgramme]])
-    _tug: tuple[float, float] = (0.0, 0.0)
+    _pull: tuple[float, float] = (0.0, 0.0)
 
     def strike(self, strike: Strike, t: float) -> None:
         """Begin a push by name at time `t`."""
         size = strike.size
-        if strike.what in ("tug_left", "tug_right"):
-            self._tug = (t + TUG, size if strike.what == "tug_left" else -size)
-            self._active.append((t + TUG, Push(force=size, start=t, duration=TUG, height=0.0)))
+        if strike.what in ("pull_left", "pull_right"):
+            self._pull = (t + PULL, size if strike.what == "pull_left" else -size)
+            self._active.append((t + PULL, Push(force=size, start=t, duration=PULL, height=0.0)))
         elif strike.what == "impulse":
             self._active.append((t + KNOCK, Impulse(impulse=size, start=t, duration=KNOCK)))
         else:
             self._active.append((t + HOLD, Hold(pitch=size, start=t, until=t + HOLD)))
 
     def at(self, t: float, slope: float, robot: Robot) -> tuple[Disturbance, float]:
-        """What acts on the robot from `t` on, and the tug [N]."""
+        """What acts on the robot from `t` on, and the pull [N]."""
         if not self._active and not self.force:
             return Disturbance(slope=slope), 0.0
         self._active = [(end, push) for end, push in self._active if t < end]
         parts = [push for _, push in self._active]
-        felt = combined([*parts, Push(force=self.force, start=t, duration=1.0, height=self.height)], t, robot)
-        tug = self._tug[1] if t < self._tug[0] else 0.0
-        return felt._replace(slope=slope), tug
+        disturbance = combined([*parts, Push(force=self.force, start=t, duration=1.0, height=self.height)], t, robot)
+        pull = self._pull[1] if t < self._pull[0] else 0.0
+        return disturbance._replace(slope=slope), pull
 
     def clear(self) -> None:
         """Let go of everything."""
-        self.force, self._active, self._tug = 0.0, [], (0.0, 0.0)
+        self.force, self._active, self._pull = 0.0, [], (0.0, 0.0)
 
 
 @dataclass

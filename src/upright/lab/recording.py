@@ -20,7 +20,7 @@ MARK = "<!-- recording -->"
 def replay_page(messages: Sequence[Any], path: Path) -> Path:
     """Write the page with its script, style and `messages` inside."""
     page = inlined(page_text())
-    data = [{"kind": type(m).__name__} | plain(m) for m in messages]
+    data = [plain(m) for m in messages]
     text = json.dumps(data, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
     return write_text(path, page.replace(MARK, f'<script type="application/json" id="recording">{text}</script>'))
 
@@ -41,8 +41,8 @@ def page_text() -> str:
 def inlined(page: str) -> str:
     """The page with every script and style sheet inside it."""
 
-    def script(found: re.Match[str]) -> str:
-        code = _read(found[1]).replace("</script", "<\\/script")
+    def script(match: re.Match[str]) -> str:
+        code = _read(match[1]).replace("</script", "<\\/script")
         return f'<script type="module">{code}</script>'
 
     page = re.sub(r'<link rel="modulepreload"[^>]*>', "", page)

@@ -1,7 +1,7 @@
 """A session: bodies side by side under controllers of their own, and everything a page can ask of them.
 
 It knows nothing of HTTP, of processes or of wall time: messages go in by `handle`, simulated time by `advance`, what a
-desk has done by `told`; snapshots and events come out. The same sequence of these gives the same robots, bit for bit.
+desk has done by `reported`; snapshots and events come out. The same sequence gives the same robots, bit for bit.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ from upright.lab.messages import (
     Changed,
     Drag,
     History,
-    Lit,
+    Light,
+    Notice,
     Play,
     Progress,
-    Said,
     Save,
     Scrub,
     Setup,
@@ -53,7 +53,7 @@ LONGEST = 1.0  # [s] of simulated time in one go
 SHOWN = 0.04  # [s] between two rows of the history that a page gets when it comes
 _STATE = (4, 3, 3, 3, 4, 3)  # decimals of the six states that a page can draw
 _LANE = (*_STATE, 2, 2, 0)
-_FELT = (3, 4, 4, 3)
+_DISTURBANCE = (3, 4, 4, 3)
 
 
 class Session:
@@ -86,7 +86,7 @@ class Session:
         try:
             self._handlers()[type(message)](message)
         except UprightError as error:
-            self._events.append(Said("error", str(error)))
+            self._events.append(Notice("error", str(error)))
 
     def advance(self, seconds: float) -> None:
         """Let `seconds` of simulated time pass, unless paused."""
@@ -98,16 +98,16 @@ class Session:
             self._owed -= period
             self._period()
 
-    def told(self, job: str, status: str, result: Any) -> None:
+    def reported(self, job: str, status: str, result: Any) -> None:
         """The desk's word on a job: "progress", "done" or "failed"."""
         if status == "progress":
             self._events.append(Progress(job, result))  # type: ignore[arg-type]
         elif status == "failed":
             self._failed(job, str(result))
         else:
-            found = answers.ANSWERS[job](self, result)
-            self._known |= {type(event): event for event in found if isinstance(event, Analysed | Lit)}
-            self._events += found
+            answer = answers.ANSWERS[job](self, result)
+            self._known |= {type(event): event for event in answer if isinstance(event, Analysed | Light)}
+            self._events += answer
 
     # What goes out
 
@@ -150,16 +150,16 @@ class Session:
 
     def welcome(self) -> list[Any]:
         """The events that tell a page that comes late what stands here."""
-        return [answers.catalogue(), *self.told_once(), self.history()]
+        return [answers.catalogue(), *self.standing_events(), self.history()]
 
-    def told_once(self) -> list[Any]:
+    def standing_events(self) -> list[Any]:
         """The set-up, its equations, and what was found of its loop so far."""
         return [self.changed(), *answers.standing(self), *self._known.values()]
 
     def logs(self) -> dict[str, Log]:
         """The run of every body since the last change, at most the last minute; nothing before the first period."""
-        found = {lane.name: lane.log() for lane in self.lanes}
-        return {name: log for name, log in found.items() if log is not None}
+        logs = {lane.name: lane.log() for lane in self.lanes}
+        return {name: log for name, log in logs.items() if log is not None}
 
     def close(self) -> None:
         """Free what the bodies hold."""
@@ -170,18 +170,18 @@ class Session:
 
     def _period(self) -> None:
         dt, t = self.plant.kit.period, self.t
-        felt, tug = self._pushing.at(t, self.setup.slope, self.plant.robot)
+        disturbance, pull = self._pushing.at(t, self.setup.slope, self.plant.robot)
         self._steered(dt)
         for lane in self.lanes:
             stood = not lane.fallen
-            lane.step(self._target, felt, tug)
+            lane.step(self._target, disturbance, pull)
             if stood and lane.fallen and lane.trouble:
-                self._events.append(Said("error", lane.trouble))
+                self._events.append(Notice("error", lane.trouble))
         self._periods += 1
         main = self.lanes[0]
-        ended = self.score.watch(dt, felt.force, main.state(), main.applied, main.fallen)
+        ended = self.score.watch(dt, disturbance.force, main.state(), main.applied, main.fallen)
         self._events += [ended] if ended else []
-        self._record(felt, tug)
+        self._record(disturbance, pull)
 
     def _steered(self, dt: float) -> None:
         speed, rate = self._steer
@@ -189,22 +189,25 @@ class Session:
         _, _, wheel, _, yaw, _ = self._target.tolist()
         self._target = np.array([0.0, 0.0, wheel + rolling * dt, rolling, yaw + rate * dt, rate])
 
-    def _record(self, felt: Disturbance, tug: float) -> None:
+    def _record(self, disturbance: Disturbance, pull: float) -> None:
         main = self.lanes[0]
         row = [self.t]
         for lane in self.lanes:
             row += [*lane.state(), *lane.applied, float(lane.fallen)]
         opinion = main.estimate() or [0.0] * 6
-        wanted = (self._target[2] + main.offset[2], self._target[4] + main.offset[4])
-        self._shown.append([*row, *opinion, *felt, tug, *wanted, main.saturated()])
+        reference = (self._target[2] + main.offset[2], self._target[4] + main.offset[4])
+        self._shown.append([*row, *opinion, *disturbance, pull, *reference, main.saturated()])
 
     def _moment(self, row: Sequence[float], lanes: int, n: int) -> Snapshot:
         end = 1 + 9 * lanes
         x = tuple(_round(row[1 + 9 * i : 10 + 9 * i], _LANE) for i in range(lanes))
         estimate = _round(row[end : end + 6], _STATE) if self.lanes[0].controller.spec.estimates else ()
-        felt, wanted = _round(row[end + 6 : end + 10], _FELT), _round(row[end + 10 : end + 12], (3, 3))
+        disturbance, reference = _round(row[end + 6 : end + 10], _DISTURBANCE), _round(row[end + 10 : end + 12], (3, 3))
         at_limit = int(row[end + 12])
-        return Snapshot(n, round(row[0], 3), x, estimate, felt, wanted, at_limit, self.paused, round(self._back, 2))
+        return Snapshot(
+            n=n, t=round(row[0], 3), x=x, e=estimate, f=disturbance, r=reference, s=at_limit, paused=self.paused,
+            back=round(self._back, 2),
+        )  # fmt: skip
 
     def _build(self, start: Sequence[float], states: dict[str, list[float]] | None = None) -> None:
         """New lanes, each from its own body's state where it had one."""
@@ -266,7 +269,7 @@ class Session:
     def follow(self) -> list[Any]:
         """Have the certificate's light computed for the controller that was designed last, or say that it is not."""
         if not self._certified:
-            return [Lit("none", ("in a class the light is computed when it is asked for",))]
+            return [Light("none", ("in a class the light is computed when it is asked for",))]
         self._desk.submit((self.name, "light"), "light", (self.setup,), alone=True)
         return []
 
@@ -310,7 +313,7 @@ class Session:
             raise
         self._events += [self.changed(), *answers.standing(self)]
         if redesign:
-            self._events.append(Lit("none", ()))
+            self._events.append(Light("none", ()))
             self._known.clear()
 
     def _stand(self, message: StandUp) -> None:
@@ -352,7 +355,7 @@ class Session:
 
     def _cancel(self, message: Cancel) -> None:
         self._desk.cancel((self.name, message.job))
-        self._events += [Progress(message.job, 1.0), Said("info", f"{message.job}: stopped")]
+        self._events += [Progress(message.job, 1.0), Notice("info", f"{message.job}: stopped")]
 
     def _save(self, message: Save) -> None:
         task, args = answers.keeping(self, message.what)
@@ -367,7 +370,7 @@ class Session:
     def _failed(self, job: str, reason: str) -> None:
         if job == "design":
             self._busy = ""
-        self._events += [Said("error", reason), Progress(job, 1.0)]  # type: ignore[arg-type]
+        self._events += [Notice("error", reason), Progress(job, 1.0)]  # type: ignore[arg-type]
 
 
 def _round(values: Sequence[float], digits: Sequence[int]) -> tuple[float, ...]:

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 from upright.errors import UprightError
 from upright.lab.codec import encode
 from upright.lab.desk import ProcessDesk
-from upright.lab.messages import Said, Setup
+from upright.lab.messages import Notice, Setup
 
 if TYPE_CHECKING:
     from upright.lab.session import Session
@@ -45,7 +45,7 @@ class _Seat:
 
     session: Session
     at: float
-    seen: float
+    last: float
     watched: int = 0
     shown: tuple[Any, ...] = ()
 
@@ -57,7 +57,7 @@ class Stage:
         self._options, self._desk = options, ProcessDesk()
         self._seats: dict[str, _Seat] = {}
         self._out: list[tuple[str, str, Any]] = []
-        self._scored, self._late = 0.0, deque[float](maxlen=REMEMBERED)
+        self._scored, self._delays = 0.0, deque[float](maxlen=REMEMBERED)
 
     def take(self, word: tuple[Any, ...], now: float) -> None:
         """One word of the server: open, close, watch or message, each of a session, or stats."""
@@ -73,10 +73,10 @@ class Stage:
 
     def tick(self, now: float, due: float) -> list[tuple[str, str, Any]]:
         """Run every watched session up to `now`, which should have been `due`; what there is to say."""
-        self._late.append(now - due)
+        self._delays.append(now - due)
         for (name, job), status, result in self._desk.poll():
             if name in self._seats:
-                self._seats[name].session.told(job, status, result)
+                self._seats[name].session.reported(job, status, result)
         for name, seat in self._seats.items():
             self._run(name, seat, now)
         if now - self._scored >= SCORED:
@@ -100,7 +100,7 @@ class Stage:
         try:
             session = Session(setup, self._desk, Path(folder), **options)
         except UprightError as error:
-            self._out.append(("event", name, encode(Said("error", str(error)))))
+            self._out.append(("event", name, encode(Notice("error", str(error)))))
             session = Session(Setup(bodies=setup.bodies or ("nonlinear",)), self._desk, Path(folder), **options)
         self._seats[name] = _Seat(session, now, now)
 
@@ -119,8 +119,8 @@ class Stage:
             self._seats.pop(name).session.close()
 
     def _run(self, name: str, seat: _Seat, now: float) -> None:
-        session, since = seat.session, now - seat.seen
-        seat.seen = now
+        session, since = seat.session, now - seat.last
+        seat.last = now
         seat.at = max(seat.at, now - FORGIVEN) if seat.watched else now
         span = min(now - seat.at, HASTE * since, HURRIED)
         seat.at += span
@@ -137,7 +137,7 @@ class Stage:
 
     def _stats(self) -> dict[str, Any]:
         simulated = {name: seat.session.t for name, seat in self._seats.items()}
-        return {"late": list(self._late), "simulated": simulated, "cpu": time.process_time()}
+        return {"late": list(self._delays), "simulated": simulated, "cpu": time.process_time()}
 
 
 def perform(pipe: Connection, options: Options) -> None:

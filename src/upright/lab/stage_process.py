@@ -16,9 +16,9 @@ Words = Sequence[tuple[str, str, Any]]
 
 
 class StageLink(Protocol):
-    """What the hub needs of a stage: words go in at once, and what it says is handed to `heard` on the event loop."""
+    """What the hub needs of a stage: words go in at once, and what it says is handed to `receive` on the event loop."""
 
-    def listen(self, loop: asyncio.AbstractEventLoop, heard: Callable[[Words], None]) -> None: ...
+    def listen(self, loop: asyncio.AbstractEventLoop, receive: Callable[[Words], None]) -> None: ...
 
     def say(self, *word: Any) -> None: ...
 
@@ -37,13 +37,13 @@ class StageProcess:
         self._words: queue.SimpleQueue[tuple[Any, ...] | None] = queue.SimpleQueue()
         threading.Thread(target=self._talk, daemon=True).start()
 
-    def listen(self, loop: asyncio.AbstractEventLoop, heard: Callable[[Words], None]) -> None:
-        """Hand everything the stage says to `heard` on the event loop."""
+    def listen(self, loop: asyncio.AbstractEventLoop, receive: Callable[[Words], None]) -> None:
+        """Hand everything the stage says to `receive` on the event loop."""
 
         def drain() -> None:
             with contextlib.suppress(EOFError, OSError, RuntimeError):
                 while True:
-                    loop.call_soon_threadsafe(heard, self._pipe.recv())
+                    loop.call_soon_threadsafe(receive, self._pipe.recv())
 
         threading.Thread(target=drain, daemon=True).start()
 

@@ -1,4 +1,4 @@
-"""What a desk can do: each takes a function that is told the share done, then its arguments."""
+"""What a desk can do: each takes a function that is told the fraction done, then its arguments."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from upright.atomic import finite
 from upright.control import Controller
 from upright.errors import InvalidController, SpecMismatch
 from upright.lab.codec import encode
-from upright.lab.messages import Analysed, Found, Lit, Setup
+from upright.lab.messages import Analysed, JobResult, Light, Setup
 from upright.lab.plant import design as design_of
 from upright.lab.plant import design_part, gain_of, plant_of
 from upright.robots import Kit, Robot
@@ -29,18 +29,18 @@ REMEMBERED = 64
 _KNOWN: dict[str, tuple[Controller, Analysed]] = {}
 
 
-def design(report: Report, setup: Setup, wanted: bool) -> tuple[Controller | None, Analysed]:
-    """The controller where it is `wanted`, and what linear theory says of its loop."""
+def design(report: Report, setup: Setup, keep: bool) -> tuple[Controller | None, Analysed]:
+    """The controller where it is to be kept, and what linear theory says of its loop."""
     part = encode(design_part(setup))
     if part not in _KNOWN:
         plant = plant_of(setup)
         controller = design_of(setup, plant.nominal, plant.kit)
         report(0.3)
         _KNOWN[part] = controller, analysed(controller, plant.nominal, plant.kit)
-    controller, found = _KNOWN[part]
+    controller, analysis = _KNOWN[part]
     if len(_KNOWN) > REMEMBERED:
         _KNOWN.pop(next(iter(_KNOWN)))
-    return (controller if wanted else None), found
+    return (controller if keep else None), analysis
 
 
 def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
@@ -52,16 +52,17 @@ def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
     try:
         loop = robot_loop(robot, controller, kit)
     except (InvalidController, SpecMismatch) as error:
-        return Analysed(False, str(error).split(";")[0], gain, None, None, None, None, (), ())
+        return Analysed(stable=False, words=str(error).split(";")[0], gain=gain)
     poles = tuple((round(float(p.real), 5), round(float(p.imag), 5)) for p in loop.closed.poles())
+    curve = _curve(broken, loop, INPUTS)
     if not loop.stable:
         words = f"The loop is unstable: its largest pole is at |z| = {abs(loop.closed.poles()[0]):.4f}."
-        return Analysed(False, words, gain, None, None, None, None, poles, _curve(broken, loop, INPUTS))
+        return Analysed(stable=False, words=words, gain=gain, poles=poles, L=curve)
     m = margins(loop.at_input, INPUTS["both motors"], "both motors")
     delay = min(m.delay, delay_margin(robot, controller, kit))
     return Analysed(
-        True, m.words(), gain, m.gain_low, finite(m.gain_high), finite(m.phase), finite(delay), poles,
-        _curve(broken, loop, INPUTS),
+        stable=True, words=m.words(), gain=gain, gain_low=m.gain_low, gain_high=finite(m.gain_high),
+        phase=finite(m.phase), delay=finite(delay), poles=poles, L=curve,
     )  # fmt: skip
 
 
@@ -70,7 +71,7 @@ def _curve(broken: Any, loop: Any, inputs: Any) -> tuple[tuple[float, ...], ...]
     return tuple(tuple(float(f"{v:.4g}") for v in row) for row in (omega, L.real, L.imag))
 
 
-def light(report: Report, setup: Setup) -> Lit:  # noqa: ARG001 (it is over before a share could be shown)
+def light(report: Report, setup: Setup) -> Light:  # noqa: ARG001 (it is over before a fraction could be shown)
     """The light that follows a change, over fewer robots than a certificate."""
     from upright.certify import certify
 
@@ -79,60 +80,60 @@ def light(report: Report, setup: Setup) -> Lit:  # noqa: ARG001 (it is over befo
     try:
         found = certify(controller, plant.nominal, plant.kit, samples=QUICK, sweeps=False, threads=1)
     except SpecMismatch as error:
-        return Lit("none", (str(error).split(";")[0],))
-    return Lit(found.light, found.reasons)  # type: ignore[arg-type]
+        return Light("none", (str(error).split(";")[0],))
+    return Light(found.light, found.reasons)  # type: ignore[arg-type]
 
 
-def certify(report: Report, setup: Setup) -> tuple[Lit, Found]:
+def certify(report: Report, setup: Setup) -> tuple[Light, JobResult]:
     """The whole certificate, as `upright certify` gives it."""
     from upright.certify import certify as certified
 
     plant = plant_of(setup)
     report(0.1)
     controller = design_of(setup, plant.nominal, plant.kit)
-    found = certified(controller, plant.nominal, plant.kit, threads=1)
+    certificate = certified(controller, plant.nominal, plant.kit, threads=1)
     rows = tuple(
         (t.push, t.battery, f"{t.fell}/{t.runs}", f"{t.saturated:.0%}", f"{t.travel:.2f}", f"{t.peak:.3f}")
-        for t in found.trials
+        for t in certificate.trials
     )
     header = ("push", "battery", "fell", "saturated", "travel [m]", "peak [rad]")
-    title = f"{found.controller} on {found.robot}: {found.light}"
-    lit = Lit(found.light, found.reasons)  # type: ignore[arg-type]
-    return lit, Found("certify", title, "\n".join(found.reasons), header, rows, found.light != "red")
+    title = f"{certificate.controller} on {certificate.robot}: {certificate.light}"
+    lit = Light(certificate.light, certificate.reasons)  # type: ignore[arg-type]
+    return lit, JobResult("certify", title, "\n".join(certificate.reasons), header, rows, certificate.light != "red")
 
 
-def doctor(report: Report, source: Path | Log, robot: Robot) -> Found:
+def doctor(report: Report, source: Path | Log, robot: Robot) -> JobResult:
     """What is wrong with a log."""
     from upright.doctor.doctor import doctor as examine
 
-    found = examine(source, robot=robot, progress=report)
-    rows = tuple((f.severity, f.code, f.channel, f.evidence, f.repair) for f in found.findings)
-    name = Path(found.source).name if found.source else "this run"
-    title = f"{name}: {found.rows} rows, {found.seconds:.1f} s, every {1e3 * found.period:.3g} ms"
-    text = "" if rows else "Nothing found: this log can be used as it is."
-    return Found("doctor", title, text, ("", "what", "channel", "evidence", "repair"), rows, found.healthy)
+    diagnosis = examine(source, robot=robot, progress=report)
+    rows = tuple((f.severity, f.code, f.channel, f.evidence, f.repair) for f in diagnosis.findings)
+    name = Path(diagnosis.source).name if diagnosis.source else "this run"
+    title = f"{name}: {diagnosis.rows} rows, {diagnosis.seconds:.1f} s, every {1e3 * diagnosis.period:.3g} ms"
+    text = "" if rows else "Nothing diagnosis: this log can be used as it is."
+    return JobResult("doctor", title, text, ("", "what", "channel", "evidence", "repair"), rows, diagnosis.healthy)
 
 
-def calibrate(report: Report, source: Path | Log, robot: Robot, kit: Kit) -> tuple[Robot, Found]:
+def calibrate(report: Report, source: Path | Log, robot: Robot, kit: Kit) -> tuple[Robot, JobResult]:
     """The robot's parameters from a log of raw sensors and commands."""
     from upright.calibrate.calibrate import calibrate as learn
     from upright.logs.raw import raw_log
 
     log = source if isinstance(source, Log) else raw_log(source)
-    found = learn(_raw(log), robot, kit, progress=report)
-    estimates = (*found.parameters, *found.combinations)
+    calibration = learn(_raw(log), robot, kit, progress=report)
+    estimates = (*calibration.parameters, *calibration.combinations)
     rows = tuple((e.name, f"{e.value:.4g}", f"{e.low:.4g} … {e.high:.4g}", f"{e.prior:.4g}", e.unit, e.verdict)
                  for e in estimates)  # fmt: skip
     header = ("parameter", "value", "95 %", "prior", "unit", "what the log tells")
-    text = "\n".join((*found.notes, *found.unseen))
-    title = f"{robot.name} from {found.samples} samples"
-    return found.robot, Found("calibrate", title, text, header, rows, not found.check())
+    text = "\n".join((*calibration.notes, *calibration.unseen))
+    title = f"{robot.name} from {calibration.samples} samples"
+    return calibration.robot, JobResult("calibrate", title, text, header, rows, not calibration.check())
 
 
 def _raw(log: Log) -> Log:
     """Sensors and commands alone: a calibration must not see the truth."""
-    seen = {n: x for n, x in log.channels.items() if n.startswith(("sensor/", "command/", "applied/"))}
-    return Log(log.t, seen, {n: u for n, u in log.units.items() if n in seen}, log.origin)
+    measured = {n: x for n, x in log.channels.items() if n.startswith(("sensor/", "command/", "applied/"))}
+    return Log(log.t, measured, {n: u for n, u in log.units.items() if n in measured}, log.origin)
 
 
 def robot(report: Report, path: str) -> Robot:  # noqa: ARG001 (it is over at once)

@@ -9,26 +9,27 @@ import json
 import types
 from dataclasses import fields, is_dataclass
 from pathlib import Path
-from typing import Any, Literal, get_args, get_origin
+from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 from upright.lab import messages
-from upright.lab.codec import hints_of, plain
+from upright.lab.codec import plain
 
 TARGET = Path(__file__).parent / "web" / "src" / "messages.ts"
+
+NAMES = ("BodyName", "Job", "Keep", "PushName")
 
 _SCALARS: dict[Any, str] = {str: "string", float: "number", int: "number", bool: "boolean", type(None): "null"}
 
 
 def generate() -> str:
     """The whole of `messages.ts`."""
-    kinds = [k for k in vars(messages).values() if is_dataclass(k) and isinstance(k, type)]
-    tagged = {*get_args(messages.ClientMessage), *get_args(messages.ServerMessage)}
+    names = vars(messages).values()
+    kinds = [k for k in names if isinstance(k, type) and is_dataclass(k) and k.__module__ == messages.__name__]
     parts = [
         "// Generated from src/upright/lab/messages.py by python -m upright.lab.typescript; do not edit.",
         f"export const VERSION = {messages.VERSION};",
-        *(f"export type {name} = {_type(getattr(messages, name))};" for name in ("BodyName", "Family", "Job", "Keep")),
-        f"export type Blow = {_type(messages.Blow)};",
-        *(_interface(kind, kind in tagged) for kind in kinds),
+        *(f"export type {name} = {_type(getattr(messages, name))};" for name in NAMES),
+        *map(_interface, kinds),
         f"export const DEFAULT_SETUP: Setup = {json.dumps(plain(messages.Setup()))};",
         _union("ClientMessage", messages.ClientMessage),
         _union("ServerMessage", messages.ServerMessage),
@@ -42,11 +43,11 @@ def write() -> Path:
     return TARGET
 
 
-def _interface(kind: type, tagged: bool) -> str:
-    hints = hints_of(kind)
-    head = [f'  kind: "{kind.__name__}";'] if tagged else []
-    lines = [f"  {f.name}: {_type(hints[f.name])};" for f in fields(kind)]
-    return "\n".join([f"export interface {kind.__name__} {{", *head, *lines, "}"])
+def _interface(kind: type) -> str:
+    hints = get_type_hints(kind)
+    names = sorted((f.name for f in fields(kind)), key=lambda name: name != "kind")  # the kind first
+    lines = [f"  {name}: {_type(hints[name])};" for name in names]
+    return "\n".join([f"export interface {kind.__name__} {{", *lines, "}"])
 
 
 def _type(hint: Any) -> str:

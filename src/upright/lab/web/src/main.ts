@@ -141,7 +141,7 @@ class Page {
   }
 
   private pushes(): HTMLElement {
-    const strike = (what: "front" | "back" | "impulse" | "tug_left" | "tug_right", size: number) => () => store.send({ kind: "Strike", what, size });
+    const strike = (what: "front" | "back" | "impulse" | "pull_left" | "pull_right", size: number) => () => store.send({ kind: "Strike", what, size });
     const weight = () => store.changed?.look.weight ?? 6;
     const size = slider(t("size"), { low: 0.01, high: 0.5, log: true, show: (v) => t("newtons", { force: `${v.toFixed(2)}` }) + " s", key: "knock" }, (v) => (this.knock = v));
     size.set(this.knock);
@@ -149,8 +149,8 @@ class Page {
       button(t("front"), strike("front", 0.1), { title: t("frontTip"), "data-key": "front" }),
       button(t("backPush"), strike("back", -0.12), { title: t("backTip"), "data-key": "back" }),
       button(t("impulse"), () => strike("impulse", this.knock)(), { "data-key": "impulse" }), size.root,
-      button(t("tugLeft"), () => strike("tug_left", 0.25 * weight())(), { "data-key": "tug_left" }),
-      button(t("tugRight"), () => strike("tug_right", 0.25 * weight())(), { "data-key": "tug_right" }),
+      button(t("pullLeft"), () => strike("pull_left", 0.25 * weight())(), { "data-key": "pull_left" }),
+      button(t("pullRight"), () => strike("pull_right", 0.25 * weight())(), { "data-key": "pull_right" }),
       button(t("tilt"), () => store.send({ kind: "StandUp", pitch: 0.1 }), { "data-key": "tilt" }),
       button(t("standUp"), () => this.stand(), { "data-key": "stand", className: "main" }));
   }
@@ -228,13 +228,13 @@ class Page {
         else this.update();
         break;
       }
-      case "Analysed": case "Lit": this.lamp(); this.update(); break;
+      case "Analysed": case "Light": this.lamp(); this.update(); break;
       case "Equations": if (this.tab === "See") this.see.show(); break;
       case "Snapshot": this.transported(); break;
-      case "Progress": this.identify.progress(message.job, message.share); if (message.job === "certify") this.busy(message.share < 1); break;
-      case "Found": this.identify.found(); this.toast(message.title, message.ok ? "info" : "error"); if (latestLog && this.tab === "Identify") this.identify.build(); break;
+      case "Progress": this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.busy(message.fraction < 1); break;
+      case "JobResult": this.identify.found(); this.toast(message.title, message.ok ? "info" : "error"); if (latestLog && this.tab === "Identify") this.identify.build(); break;
       case "Made": this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(t("made", { name: message.name }), "info"); break;
-      case "Said": this.toast(message.text, message.level); break;
+      case "Notice": this.toast(message.text, message.level); break;
       case "Recovered": this.recovered(message.impulse, message.best, message.fell); break;
       case "Board": if (this.tab === "Class") replace(this.classRoot, ...board(store)); break;
     }

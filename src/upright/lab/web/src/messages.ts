@@ -1,16 +1,14 @@
 // Generated from src/upright/lab/messages.py by python -m upright.lab.typescript; do not edit.
 
-export const VERSION = 2;
+export const VERSION = 3;
 
 export type BodyName = "twin" | "nonlinear" | "linear" | "published" | "calibrated";
-
-export type Family = "lqg" | "lqr" | "lqr-complementary" | "lqr-state" | "lqi" | "pid" | "hinf" | "mpc" | "sliding" | "robust" | "gains" | "off";
 
 export type Job = "certify" | "doctor" | "calibrate" | "design";
 
 export type Keep = "csv" | "parquet" | "report" | "replay" | "controller" | "robot";
 
-export type Blow = "front" | "back" | "impulse" | "tug_left" | "tug_right";
+export type PushName = "front" | "back" | "impulse" | "pull_left" | "pull_right";
 
 export interface Setup {
   robot: string;
@@ -23,7 +21,7 @@ export interface Setup {
   dead_zone: number;
   grip: number;
   bodies: ("twin" | "nonlinear" | "linear" | "published" | "calibrated")[];
-  controller: "lqg" | "lqr" | "lqr-complementary" | "lqr-state" | "lqi" | "pid" | "hinf" | "mpc" | "sliding" | "robust" | "gains" | "off";
+  controller: string;
   largest: number[];
   gains: number[];
   payload: number;
@@ -59,7 +57,7 @@ export interface Drag {
 
 export interface Strike {
   kind: "Strike";
-  what: "front" | "back" | "impulse" | "tug_left" | "tug_right";
+  what: "front" | "back" | "impulse" | "pull_left" | "pull_right";
   size: number;
 }
 
@@ -112,6 +110,7 @@ export interface Broadcast {
 }
 
 export interface Uploaded {
+  kind: "Uploaded";
   what: "log" | "robot";
   path: string;
   name: string;
@@ -207,8 +206,8 @@ export interface Equations {
   poles: number[][];
 }
 
-export interface Lit {
-  kind: "Lit";
+export interface Light {
+  kind: "Light";
   light: "green" | "amber" | "red" | "none";
   reasons: string[];
 }
@@ -216,11 +215,11 @@ export interface Lit {
 export interface Progress {
   kind: "Progress";
   job: "certify" | "doctor" | "calibrate" | "design";
-  share: number;
+  fraction: number;
 }
 
-export interface Found {
-  kind: "Found";
+export interface JobResult {
+  kind: "JobResult";
   job: "certify" | "doctor" | "calibrate" | "design";
   title: string;
   text: string;
@@ -236,8 +235,8 @@ export interface Made {
   url: string;
 }
 
-export interface Said {
-  kind: "Said";
+export interface Notice {
+  kind: "Notice";
   level: "info" | "error";
   text: string;
 }
@@ -308,11 +307,11 @@ export type ServerMessage =
   | Changed
   | Analysed
   | Equations
-  | Lit
+  | Light
   | Progress
-  | Found
+  | JobResult
   | Made
-  | Said
+  | Notice
   | Recovered
   | History
   | Snapshot

@@ -2,7 +2,7 @@
 import { button, digits, fresh, h, replace, select, slider, table, throttled } from "./dom";
 import type { Slider } from "./dom";
 import { toLink } from "./link";
-import type { BodyName, Family, Job, Keep, Setup } from "./messages";
+import type { BodyName, Job, Keep, Setup } from "./messages";
 import { STATES, SYMBOLS, UNITS, store } from "./store";
 import { named, t } from "./texts";
 import { legendEntry } from "./charts";
@@ -35,7 +35,7 @@ export class ControllerPanel extends Panel {
     this.shape = "";
     const families = (store.catalogue?.families ?? []).map((f): [string, string] => [f.name, named(f.name)]);
     const choice = select(t("family"), families, store.setup.controller, (v) => {
-      store.change({ controller: v as Family, gains: v === "gains" && !store.setup.gains.length ? this.present() : store.setup.gains });
+      store.change({ controller: v, gains: v === "gains" && !store.setup.gains.length ? this.present() : store.setup.gains });
     }, "controller");
     const certify = button(t("fullCertificate"), () => store.send({ kind: "Start", job: "certify", file: "" }), { "data-key": "certify" });
     replace(
@@ -247,14 +247,14 @@ export let latestLog = "";
 
 async function send(file: File, what: "log" | "robot"): Promise<void> {
   const address = `upload/${store.session}?what=${what}&name=${encodeURIComponent(file.name)}`;
-  store.hear({ kind: "Said", level: "info", text: t("uploaded", { name: file.name }) });
+  store.hear({ kind: "Notice", level: "info", text: t("uploaded", { name: file.name }) });
   try {
     const answer = await fetch(address, { method: "POST", body: file });
     const said = (await answer.json()) as { name?: string; error?: string };
-    if (said.error) store.hear({ kind: "Said", level: "error", text: said.error });
+    if (said.error) store.hear({ kind: "Notice", level: "error", text: said.error });
     else if (what === "log") latestLog = said.name ?? "";
   } catch {
-    store.hear({ kind: "Said", level: "error", text: t("lost") });
+    store.hear({ kind: "Notice", level: "error", text: t("lost") });
   }
 }
 

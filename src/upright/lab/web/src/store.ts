@@ -1,6 +1,6 @@
 // What the page knows: the latest snapshot, the traces of the last seconds, the set-up, and who wants to hear of it.
 import { DEFAULT_SETUP } from "./messages";
-import type { Analysed, Board, Catalogue, Changed, ClientMessage, Equations, Found, Lit, ServerMessage, Setup, Snapshot } from "./messages";
+import type { Analysed, Board, Catalogue, Changed, ClientMessage, Equations, JobResult, Light, ServerMessage, Setup, Snapshot } from "./messages";
 
 export const STATES = ["pitch", "pitch_rate", "wheel", "wheel_rate", "yaw", "yaw_rate"] as const;
 export const UNITS = ["rad", "rad/s", "rad", "rad/s", "rad", "rad/s"];
@@ -66,9 +66,9 @@ export class Store {
   catalogue: Catalogue | null = null;
   analysed: Analysed | null = null;
   equations: Equations | null = null;
-  lit: Lit | null = null;
+  lit: Light | null = null;
   board: Board | null = null;
-  found: Found | null = null;
+  found: JobResult | null = null;
   role = "alone";
   session = "";
   files = "";
@@ -102,9 +102,9 @@ export class Store {
       case "Changed": this.changedTo(message); break;
       case "Analysed": this.analysed = message; break;
       case "Equations": this.equations = message; break;
-      case "Lit": this.lit = message; break;
+      case "Light": this.lit = message; break;
       case "Board": this.board = message; break;
-      case "Found": this.found = message; break;
+      case "JobResult": this.found = message; break;
       case "History": this.filled(message.t, message.rows); break;
     }
     for (const listener of this.listeners) listener(message);

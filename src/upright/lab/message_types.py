@@ -1,0 +1,32 @@
+"""What the fields of a client's messages may hold, and what makes a class a message."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal, TypeVar, dataclass_transform
+
+from annotated_types import Interval, MaxLen, Predicate
+
+LONGEST_TEXT = 200
+MOST_ITEMS = 64
+
+
+Text = Annotated[str, MaxLen(LONGEST_TEXT), Predicate(str.isprintable)]
+Number = Annotated[float, Interval(ge=-1e12, le=1e12)]
+Whole = Annotated[int, Interval(ge=-(2**53), le=2**53)]
+Numbers = Annotated[tuple[Number, ...], MaxLen(MOST_ITEMS)]
+NamedNumbers = Annotated[dict[Text, Number], MaxLen(MOST_ITEMS)]
+
+STRICT = {"extra": "forbid", "strict": True, "allow_inf_nan": False}
+"""How pydantic reads these classes: nothing unknown, nothing converted, no NaN."""
+
+T = TypeVar("T")
+
+
+@dataclass_transform(frozen_default=True)
+def message(cls: type[T]) -> type[T]:
+    """A frozen dataclass with a last field `kind`, the class's name, by which JSON tells messages apart."""
+    name: Any = cls.__name__
+    cls.__annotations__["kind"] = Literal[name]
+    cls.kind, cls.__pydantic_config__ = name, STRICT  # type: ignore[attr-defined]
+    return dataclass(frozen=True)(cls)
