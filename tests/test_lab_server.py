@@ -246,6 +246,8 @@ def test_a_class_needs_its_token_and_a_name(classroom):
     assert kinds(heard(classroom.page("a"))) == ["Refused"]
     assert kinds(heard(classroom.page("b", token="guess", name="Ana"))) == ["Refused"]
     assert kinds(heard(classroom.page("c", token="students"))) == ["Refused"]
+    (refused,) = heard(classroom.page("c2", token="students", name="   "))  # blanks alone are no name
+    assert "your name is missing" in refused["reason"]
     assert heard(classroom.page("d", token="students", name="Ana"))[0]["role"] == "student"
     assert heard(classroom.page("e", token="teacher"))[0]["role"] == "teacher"
     assert len(token()) == 8

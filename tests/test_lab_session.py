@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.control import lqg
+from upright.control import CONTROLLERS, ControllerSpec, lqg
 from upright.experiment import Hold, run
 from upright.lab.answers import catalogue
+from upright.lab.codec import decode, encode
 from upright.lab.desk import InlineDesk, ProcessDesk
 from upright.lab.messages import (
     Analysed,
@@ -37,7 +38,7 @@ from upright.lab.messages import (
     Strike,
     Uploaded,
 )  # fmt: skip
-from upright.lab.plant import COARSE, FINE, Pulled, loaded
+from upright.lab.plant import COARSE, FINE, Pulled, families, is_slow, loaded
 from upright.lab.ring import Ring
 from upright.lab.session import KEPT, Session
 from upright.lab.straight import Straight
@@ -426,12 +427,57 @@ def test_every_preset_and_family_of_the_catalogue_can_be_chosen(tmp_path):
         session.handle(Change(setup))
         session.advance(0.05)
         assert session.setup == setup, robot.name
-    quick = [f.name for f in listed.families if f.name not in ("pid", "hinf", "robust")]
+    quick = [f.name for f in listed.families if not is_slow(f.name)]
+    assert {f.name for f in listed.families} == {*CONTROLLERS, "gains", "off"}
     for family in quick:
         session.handle(Change(replace(MODEL, controller=family)))
         session.advance(0.05)
         assert session.setup.controller == family
     assert not only(Notice, session.events())
+
+
+class Rod:
+    """A controller of somebody else: the same small voltage for ever."""
+
+    def __init__(self, robot: Robot, kit: Kit, dt: float) -> None:
+        self.spec = ControllerSpec("rod", (), dt, robot.command_unit)
+
+    def reset(self) -> None: ...
+
+    def step(self, measurement: object, reference: object) -> tuple[float, float]:
+        return 0.5, 0.5
+
+    def estimate(self) -> tuple[float, ...]:
+        return ()
+
+    def applied(self, command: object) -> None: ...
+
+    def to_json(self) -> dict[str, object]:
+        return {"kind": "rod"}
+
+
+def test_a_registered_plug_in_is_a_family_like_ours(tmp_path, monkeypatch):
+    monkeypatch.setattr(CONTROLLERS, "_own", {**CONTROLLERS._own})
+    CONTROLLERS.register("rod", Rod)
+    CONTROLLERS.register("bent", lambda robot, kit, dt: 1 / 0)
+    assert {"rod", "bent"} <= {family.name for family in families()}
+    session, desk = a_session(tmp_path, certified=False)
+    session.handle(decode(encode(Change(replace(MODEL, controller="rod", largest=(1.0,) * 7)))))
+    session.advance(0.1)
+    assert session.lanes[0].controller.spec.kind == "rod"
+    assert session.logs()["nonlinear"]["command/left"][-1] == 0.5
+    assert only(Analysed, attended(session, desk))[-1].gain == ()  # it has no known linear form, and says so
+    session.handle(Change(replace(MODEL, controller="bent")))
+    assert "ZeroDivisionError" in only(Notice, session.events())[-1].text
+    assert session.setup.controller == "rod"
+
+
+def test_a_page_cannot_have_a_file_s_code_run(tmp_path):
+    (tmp_path / "evil.py").write_text("from pathlib import Path\nPath(__file__).with_suffix('.ran').touch()\nX = print")
+    session, _ = a_session(tmp_path)
+    session.handle(Change(replace(MODEL, controller=f"{tmp_path}/evil.py:X")))
+    assert "expected one of" in only(Notice, session.events())[-1].text
+    assert not (tmp_path / "evil.ran").exists()
 
 
 def test_a_job_in_a_process_reports_and_can_be_killed(tmp_path):

@@ -7,21 +7,15 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
-import numpy as np
-
 from upright.bodies import Body, Electronics, LinearBody, Sample
 from upright.bodies.body import REST
-from upright.control import CONTROLLERS, Controller, ControllerSpec, Estimated, StateFeedback, bryson, lqr, observed
-from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE
-from upright.errors import InvalidController, UnknownName
+from upright.control import CONTROLLERS, Controller, ControllerSpec, Method, StateFeedback, observed
+from upright.errors import InvalidController, InvalidPlugin, UnknownName
 from upright.lab.messages import FamilyInfo, Setup
 from upright.lab.straight import Straight
 from upright.physics.dynamics import CALM, Disturbance, motor_gain
 from upright.physics.linear import linearise
 from upright.robots import PARAMETERS, Kit, Robot
-
-SLOW = {"pid", "hinf", "robust"}
-"""Families whose design takes longer than a few frames, so that it is made beside the loop."""
 
 FINE, COARSE = 0.002, 0.01
 """[s] that one step of a body takes: alone, and in a class where thirty share a machine; a kit's times round to it."""
@@ -124,69 +118,54 @@ class Off:
         return {"kind": "off", "period": self.spec.period, "command_unit": self.spec.command_unit}
 
 
-WEIGHTED = {"lqr", "lqr-complementary", "lqr-state", "lqg", "lqi", "mpc", "sliding", "robust"}
+BY_HAND, OFF = "gains", "off"
+"""Families of the page that are no methods of design: six gains by hand, and no controller at all."""
 
 
 def families() -> tuple[FamilyInfo, ...]:
-    """Every controller family of the page."""
-    names = [*CONTROLLERS, "gains", "off"]
-    return tuple(FamilyInfo(name, name in WEIGHTED, name == "lqr-state") for name in names)
+    """Every controller family of the page: the registered methods that can be loaded, then the page's own two."""
+    known = [FamilyInfo(name, m.weighted, m.reads_truth) for name in CONTROLLERS if (m := _loadable(name))]
+    return (*known, FamilyInfo(BY_HAND, False, False), FamilyInfo(OFF, False, False))
+
+
+def is_slow(family: str) -> bool:
+    """Whether a design takes longer than a few frames, so that it is made beside the loop."""
+    method = _loadable(family) if family in CONTROLLERS else None
+    return method is not None and method.slow
+
+
+def _loadable(name: str) -> Method | None:
+    try:
+        return CONTROLLERS[name]
+    except InvalidPlugin:
+        return None
 
 
 def design(setup: Setup, robot: Robot, kit: Kit) -> Controller:
     """The set-up's controller for `robot`; raises an `UprightError` where it has none."""
-    dt, family = kit.period, setup.controller
-    if family == "off":
-        return Off(dt, robot.command_unit)
-    if family == "gains":
+    family = setup.controller
+    if family == OFF:
+        return Off(kit.period, robot.command_unit)
+    if family == BY_HAND:
         return _by_hand(setup, robot, kit)
-    sizes = _sizes(setup, robot)
-    if family not in WEIGHTED or sizes is None:
-        return CONTROLLERS[family](robot, kit, dt)
-    return _weighted(family, robot, kit, *sizes)
+    if family not in CONTROLLERS:  # a page must not name a file, whose code would run here
+        raise UnknownName("controller", family, [*CONTROLLERS, BY_HAND, OFF])
+    method, weights = CONTROLLERS[family], _weights(setup)
+    return method(robot, kit, kit.period, **(weights if method.weighted else {}))
 
 
-def _sizes(setup: Setup, robot: Robot) -> tuple[list[float], float] | None:
+def _weights(setup: Setup) -> dict[str, Any]:
+    """The set-up's largest deviations, by the names that a weighted method takes; none for its defaults."""
     if not setup.largest:
-        return None
-    default = (*LARGEST_STATE, LARGEST_COMMAND[robot.command_unit])
-    if len(setup.largest) != len(default):
-        raise InvalidController(f"{len(setup.largest)} largest deviations", expected=f"{len(default)}, or none")
-    return list(setup.largest[:6]), setup.largest[6]
-
-
-def _weighted(family: str, robot: Robot, kit: Kit, states: list[float], command: float) -> Controller:
-    from upright.control import lqg, lqi, mpc, robust, sliding
-    from upright.control.estimators import complementary
-    from upright.control.lqi import LARGEST_INTEGRAL
-
-    dt, Q, R = kit.period, bryson(states), bryson([command] * 2)
-    if family == "robust":
-        return robust(robot, kit, dt, largest=states, command=command)
-    if family == "lqi":
-        return lqi(robot, kit, dt, bryson([*states, LARGEST_INTEGRAL]), R)
-    if family in ("lqg", "mpc", "sliding"):
-        return {"lqg": lqg, "mpc": mpc, "sliding": sliding}[family](robot, kit, dt, Q, R)
-    gain = lqr(robot, dt, Q, R)
-    if family == "lqr-state":
-        return gain
-    return observed(gain, robot, kit) if family == "lqr" else Estimated(gain, complementary(robot, kit, dt))
+        return {}
+    if len(setup.largest) != 7:
+        raise InvalidController(f"{len(setup.largest)} largest deviations", expected="7 (6 states, 1 command), or none")
+    return {"largest": setup.largest[:6], "command": setup.largest[6]}
 
 
 def _by_hand(setup: Setup, robot: Robot, kit: Kit) -> Controller:
     feedback = StateFeedback.symmetric(setup.gains or (0.0,) * 6, kit.period, command_unit=robot.command_unit)
     return feedback if kit.name == "ideal" else observed(feedback, robot, kit)
-
-
-def gain_of(controller: Controller) -> tuple[tuple[float, ...], ...]:
-    """The gain (2, 6) on the six states, of a controller that has one; nothing otherwise."""
-    inner = controller.controller if isinstance(controller, Estimated) else controller
-    design = getattr(inner, "design", None)
-    places = ((inner, "gain"), (getattr(design, "feedback", None), "gain"), (design, "gain"), (design, "K"))
-    gain = next((value for place, name in places if (value := getattr(place, name, None)) is not None), None)
-    if gain is None or np.ndim(gain) != 2 or np.shape(gain)[1] < 6:
-        return ()
-    return tuple(tuple(float(k) for k in row[:6]) for row in np.asarray(gain))
 
 
 class Pulled:

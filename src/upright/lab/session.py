@@ -41,7 +41,7 @@ from upright.lab.messages import (
     Strike,
     Uploaded,
 )  # fmt: skip
-from upright.lab.plant import FINE, SLOW, Off, Plant, behind, body_of, design, design_part, plant_of
+from upright.lab.plant import FINE, Off, Plant, behind, body_of, design, design_part, is_slow, plant_of
 from upright.lab.pushing import Pushing, Score
 from upright.lab.ring import Ring
 from upright.physics.dynamics import CALM, Disturbance
@@ -245,7 +245,7 @@ class Session:
 
     def _begin_design(self, setup: Setup, plant: Plant) -> tuple[Controller, str]:
         """The controller at once, or nothing but gravity until the desk has it; its loop is analysed beside."""
-        slow = setup.controller in SLOW
+        slow = is_slow(setup.controller)
         controller = None if slow else design(setup, plant.nominal, plant.kit)
         self._desk.submit((self.name, "design"), "design", (setup, slow))
         standing = getattr(self, "_designed", None)

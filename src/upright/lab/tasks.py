@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import Any
 
 from upright.atomic import finite
-from upright.control import Controller
+from upright.control import Controller, gain_of
 from upright.errors import InvalidController, SpecMismatch
 from upright.lab.codec import encode
 from upright.lab.messages import Analysed, JobResult, Light, Setup
 from upright.lab.plant import design as design_of
-from upright.lab.plant import design_part, gain_of, plant_of
+from upright.lab.plant import design_part, plant_of
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -48,7 +48,8 @@ def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
     from upright.certify import margins, robot_loop
     from upright.certify.analysis import INPUTS, broken, delay_margin
 
-    gain = gain_of(controller)
+    K = gain_of(controller)
+    gain = () if K is None else tuple(tuple(row) for row in K.tolist())
     try:
         loop = robot_loop(robot, controller, kit)
     except (InvalidController, SpecMismatch) as error:
