@@ -166,10 +166,10 @@ def test_a_shipped_mapping_reads_back_from_what_it_writes(tmp_path: Path, name: 
     ("text", "error", "said"),
     [
         ("time = 3", InvalidLog, "incomplete"),
-        ("= 3", InvalidLog, "no TOML"),
+        ("= 3", InvalidLog, "not valid TOML"),
         ('[time]\ncolumn = "t"\n[channels.x]\ncolumn = "a"\nunit = "furlong"', InvalidLog, "furlong"),
         ('[time]\ncolumn = "t"\n[channels.x]\ncolumn = "a"\ncolour = 1', UnknownName, "colour"),
-        ('[time]\ncolumn = "t"\n[channels.x]\ncolumn = "a"\ntimes = "b"', InvalidLog, "times 'b'"),
+        ('[time]\ncolumn = "t"\n[channels.x]\ncolumn = "a"\ntimes = "b"', InvalidLog, "times = 'b'"),
         ('[time]\ncolumn = "t"\n[channels.x]\nunit = "V"', InvalidLog, "no column"),
     ],
 )
