@@ -26,7 +26,7 @@ from upright.bodies import Electronics
 from upright.bodies.twin import Twin
 from upright.calibrate.calibrate import annealed, calibrate, prepared, refined
 from upright.calibrate.calibration import VISIBLE
-from upright.calibrate.fitting import Problem
+from upright.calibrate.fitting import Problem, events_of
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.summary import rolling_pole
 from upright.control import Estimated, kalman, lqr, make_controller
@@ -183,11 +183,8 @@ def scipy_time(problem: Problem, limits: dict[str, float], whole: bool) -> None:
     def residuals(at: np.ndarray) -> np.ndarray:
         nonlocal calls
         calls += 1
-        reads, delays, constants = settled.lanes(recording, at[:, None])
-        e = innovations(
-            settled.order(recording, at), recording.kind, recording.when, recording.value, recording.commands, reads,
-            delays, constants, recording.first[:, None], path.gains, settled.longest,
-        )[use, 0]  # fmt: skip
+        events, lanes = events_of(recording, settled.order(recording, at)), settled.lanes(recording, at[:, None])
+        e = innovations(events, lanes, recording.first[:, None], path.gains, settled.longest)[use, 0]
         return np.concatenate([e / np.sqrt(path.s[use]), at])
 
     bounds = ([p.least for p in settled.parameters], np.inf)
@@ -221,7 +218,7 @@ def solve_ivp_pass(problem: Problem, z: np.ndarray, gains: np.ndarray) -> np.nda
 
     recording = problem.recordings[0]
     robot = with_values(problem.robot, {p.name: float(p.value(z[i])) for i, p in enumerate(problem.parameters)})
-    reads = problem.lanes(recording, z[:, None])[0][:, :, 0]
+    reads = problem.lanes(recording, z[:, None]).reads[:, :, 0]
     moment = recording.when - problem.own_delays(recording, z)
     x, u, found, now = recording.first.copy(), recording.commands[0], np.full(len(moment), np.nan), None
     for event in problem.order(recording, z):

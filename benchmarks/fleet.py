@@ -33,6 +33,7 @@ from typing import Any
 import numpy as np
 
 from upright.bodies import NonlinearBody
+from upright.compiled.generated import Constants
 from upright.control import Estimated, kalman, lqr
 from upright.experiment import Push, run
 from upright.fleet.ensemble import Ensemble
@@ -47,7 +48,13 @@ from upright.robots.uncertainty import Family, Uncertainty
 HERE = Path(__file__).parent
 ROBOT = Robot.preset("nxtway-gs")
 PERIOD, STRIDE, STEP = 0.01, 10, 0.001
-CONSTANTS = (3, 4, 5, 8, 9, 10, 11, 14, 15, 16, 19, 20, 21, 22)
+CONSTANTS = [
+    Constants._fields.index(name)
+    for name in (
+        "motor_damping", "centrifugal", "weight", "motor_torque", "lever", "rolling_damping", "turning_lever",
+        "yaw_coriolis", "yaw_lever", "yaw_damping", "yaw_motor_torque", "rotor_coupling", "pitch_inertia", "yaw_swing",
+    )
+]  # fmt: skip
 """Which of the kernel's the C needs, in the order of its enum."""
 
 FLAGS = ("-O3", "-march=native", "-ffast-math", "-mprefer-vector-width=512", "-shared", "-fPIC")

@@ -2,7 +2,7 @@
  *
  * Blocks of LANES robots as structures of arrays, each robot with its own constants; state feedback held over `stride`
  * steps of the classical Runge-Kutta method. Compiled with -O3 -march=native -ffast-math -mprefer-vector-width=512.
- * REAL is double or float. The constants are those of upright.fleet.generated, as is their order (see the enum there).
+ * REAL is double or float. The constants are those of upright.compiled.generated, chosen by name in fleet.py.
  */
 #include <math.h>
 #include <string.h>
@@ -17,8 +17,8 @@
 typedef REAL real;
 typedef struct { real pitch, wheel, yaw; } accelerations;
 
-enum { DAMPING, SWING, WEIGHT, MOTOR, LEVER, DRAG, LEVER_YAW, CORIOLIS, LEVER_TURN, DRAG_YAW, MOTOR_YAW, ROTOR, INERTIA,
-       LEAN, CONSTANTS };
+enum { MOTOR_DAMPING, CENTRIFUGAL, WEIGHT, MOTOR_TORQUE, LEVER, ROLLING_DAMPING, TURNING_LEVER, YAW_CORIOLIS, YAW_LEVER,
+       YAW_DAMPING, YAW_MOTOR_TORQUE, ROTOR_COUPLING, PITCH_INERTIA, YAW_SWING, CONSTANTS };
 
 static inline real sine(real x, real z)
 {
@@ -42,12 +42,12 @@ static inline accelerations motion(real pitch, real pitch_rate, real wheel_rate,
                                    real (*restrict c)[LANES], int i)
 {
     real z = pitch * pitch, s = sine(pitch, z), cs = cosine(z);
-    real a12 = C(LEVER) * cs + C(ROTOR), a33 = 1 + C(LEAN) * s * s, det = C(INERTIA) - a12 * a12;
+    real a12 = C(LEVER) * cs - C(ROTOR_COUPLING), a33 = 1 + C(YAW_SWING) * s * s, det = C(PITCH_INERTIA) - a12 * a12;
     real over = 1 / (det * a33), spin = yaw_rate * yaw_rate;
-    real torque = drive + C(DAMPING) * pitch_rate;
-    real wheel = C(DRAG) * wheel_rate - torque + s * (C(LEVER) * pitch_rate * pitch_rate + C(LEVER_YAW) * spin);
-    real lean = torque - C(DAMPING) * wheel_rate + s * (C(WEIGHT) + C(SWING) * spin * cs);
-    real yaw = turn + yaw_rate * (C(DRAG_YAW) + s * (C(CORIOLIS) * pitch_rate * cs + C(LEVER_TURN) * wheel_rate));
+    real torque = drive + C(MOTOR_DAMPING) * pitch_rate;
+    real wheel = torque - C(ROLLING_DAMPING) * wheel_rate + s * (C(LEVER) * pitch_rate * pitch_rate + C(TURNING_LEVER) * spin);
+    real lean = C(MOTOR_DAMPING) * wheel_rate - torque + s * (C(WEIGHT) + C(CENTRIFUGAL) * spin * cs);
+    real yaw = turn - yaw_rate * (C(YAW_DAMPING) + s * (C(YAW_CORIOLIS) * pitch_rate * cs + C(YAW_LEVER) * wheel_rate));
     accelerations a;
     a.pitch = (lean - a12 * wheel) * (over * a33);
     a.wheel = wheel - a12 * a.pitch;
@@ -60,7 +60,7 @@ static void advance(real (*restrict x)[LANES], real (*restrict c)[LANES], real (
     const real half = h / 2, sixth = h / 6;
     for (int i = 0; i < LANES; i++) {
         real p = x[0][i], dp = x[1][i], dw = x[3][i], dy = x[5][i];
-        real drive = C(MOTOR) * (u[0][i] + u[1][i]), turn = C(MOTOR_YAW) * (u[0][i] - u[1][i]);
+        real drive = C(MOTOR_TORQUE) * (u[0][i] + u[1][i]), turn = C(YAW_MOTOR_TORQUE) * (u[1][i] - u[0][i]);
         accelerations k1 = motion(p, dp, dw, dy, drive, turn, c, i);
         real dp2 = dp + half * k1.pitch;
         accelerations k2 = motion(p + half * dp, dp2, dw + half * k1.wheel, dy + half * k1.yaw, drive, turn, c, i);

@@ -18,7 +18,7 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import HELD, VISIBLE, Calibration
-from upright.calibrate.fitting import DRIVEN, FELT, normal_equations, objective
+from upright.calibrate.fitting import DRIVEN, LEVEL, events_of, normal_equations, objective
 from upright.calibrate.parameters import ROLL_SHARE, parameters_of, with_values
 from upright.calibrate.threads import side_by_side
 from upright.control import Estimated, kalman, lqr, make_controller
@@ -65,11 +65,8 @@ def test_the_predictor_integrates_the_equations_of_physics() -> None:
     z = np.zeros(len(problem.parameters))
     order = problem.order(recording, z)[:120]
     start = np.array([0.05, 0.1, 0.2, -0.5, 0.3, 0.4, 0.0, 0.0])
-    reads, delays, constants = problem.lanes(recording, z[:, None])
-    e = innovations(
-        order, recording.kind, recording.when, recording.value, recording.commands, reads, delays, constants,
-        start[:, None], np.zeros((len(recording.kind), 8)), 1e-3,
-    )  # fmt: skip
+    events, lanes = events_of(recording, order), problem.lanes(recording, z[:, None])
+    e = innovations(events, lanes, start[:, None], np.zeros((len(recording.kind), 8)), 1e-3)
     last = order[recording.kind[order] == recording.rows.index("sensor/gyro")][-1]
     begin = recording.when[order[0]] - problem.own_delays(recording, z)[order[0]]
     end = recording.when[last] - problem.own_delays(recording, z)[last]
@@ -97,12 +94,8 @@ def test_slopes_at_fixed_gains_are_those_of_the_innovations() -> None:
     J = problem.slopes(recording, z, path.gains)
 
     def errors(at: np.ndarray) -> np.ndarray:
-        reads, delays, constants = problem.lanes(recording, at[:, None])
-        order = problem.order(recording, z)
-        return innovations(
-            order, recording.kind, recording.when, recording.value, recording.commands, reads, delays, constants,
-            recording.first[:, None], path.gains, problem.longest,
-        )[:, 0]  # fmt: skip
+        events, lanes = events_of(recording, problem.order(recording, z)), problem.lanes(recording, at[:, None])
+        return innovations(events, lanes, recording.first[:, None], path.gains, problem.longest)[:, 0]
 
     there = recording.kind >= 0
     for i, p in enumerate(problem.parameters):
@@ -115,13 +108,13 @@ def test_slopes_at_fixed_gains_are_those_of_the_innovations() -> None:
 
 
 def test_constants_that_no_level_floor_shows_do_nothing() -> None:
-    """Those that are left out of `FELT`, so that no slope by them is ever taken, move no innovation."""
+    """Those that are left out of `LEVEL`, so that no slope by them is ever taken, move no innovation."""
     problem, _ = prepared([twin_log(5.0)], PRIOR, NXT, (), 0.0)
     recording, z = problem.recordings[0], np.zeros(len(problem.parameters))
     path, (q, _) = problem.filtered(recording, z), problem.by_parameter(z)
-    deaf = [i for i in range(DRIVEN) if i not in FELT]
-    slopes = problem.felt_slopes(recording, q, np.maximum(np.abs(q), 1.0), path.gains, deaf)
-    assert deaf
+    absent = [i for i in range(DRIVEN) if i not in LEVEL]
+    slopes = problem.coefficient_slopes(recording, q, np.maximum(np.abs(q), 1.0), path.gains, absent)
+    assert absent
     assert not np.nan_to_num(slopes).any()
 
 

@@ -1,5 +1,6 @@
 """The trace: generated text is current, and says what the one definition of the dynamics says."""
 
+import inspect
 import math
 from pathlib import Path
 from types import SimpleNamespace
@@ -8,9 +9,12 @@ import numba
 import numpy as np
 import pytest
 
-from upright.compiled import generated, generated_motion
+from upright.compiled import generated, generated_motion, trace_motion
 from upright.compiled.generate import sources
-from upright.physics.dynamics import Disturbance, accelerations
+from upright.compiled.trace_constants import Constants
+from upright.compiled.trace_print import P
+from upright.errors import InvalidModel
+from upright.physics.dynamics import CALM, Disturbance, accelerations
 from upright.robots import Robot
 
 ROUGH = Robot.preset("nxtway-gs").replace(coulomb_friction=0.004, wheel_friction=0.001)  # no parameter without effect
@@ -28,7 +32,7 @@ def test_the_generated_files_are_current():
 
 VARIANTS = {
     "smooth": (0.0, 0.0), "coulomb": (ROUGH.coulomb_friction, 0.0), "slope": (0.0, SLOPE),
-    "coulomb_slope": (ROUGH.coulomb_friction, SLOPE),
+    "coulomb_slope": (ROUGH.coulomb_friction, SLOPE), "free": (0.0, 0.0),
 }  # fmt: skip
 """The generated accelerations, and the dry friction [N m] and the slope [rad] that each may have."""
 
@@ -36,13 +40,51 @@ VARIANTS = {
 @pytest.mark.parametrize("model", ["complete", "published"])
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_the_generated_accelerations_equal_the_definition(variant, model):
-    """With the friction and slope that a variant has."""
+    """With the friction, slope and push that a variant has."""
     friction, slope = VARIANTS[variant]
     p = {**ROUGH.numbers(), "coulomb_friction": friction}
-    true = accelerations(X, U, SimpleNamespace(**p), Disturbance(FORCE, MOMENT / FORCE, slope), math, model)
+    push = CALM if variant == "free" else Disturbance(FORCE, MOMENT / FORCE, slope)
+    true = accelerations(X, U, SimpleNamespace(**p), push, math, model)
     c = generated.constants(list(p.values()), float(model == "complete"))
+    values = {
+        **dict(zip(("pitch", "pitch_rate", "wheel", "wheel_rate", "yaw", "yaw_rate"), X, strict=True)),
+        **dict(zip(("left", "right"), U, strict=True)), "force": FORCE, "moment": MOMENT,
+        "sin_slope": math.sin(slope), "cos_slope": math.cos(slope), **c._asdict(),
+    }  # fmt: skip
     compiled = getattr(generated_motion, f"accelerations_{variant}")
     traced = numba.njit(lambda arguments: compiled(*arguments), error_model="numpy")
-    moving = (X[0], X[1], X[3], X[4], X[5])
-    found = traced((*map(float, (*moving, *U, FORCE, MOMENT, math.sin(slope), math.cos(slope), *c)),))
+    found = traced(tuple(float(values[name]) for name in inspect.signature(compiled.py_func).parameters))
     assert np.abs(np.subtract(found, true)).max() <= ROUNDING * np.abs(true).max()
+
+
+def test_constants_are_the_textbook_s():
+    """Each by the formula of docs/model.md, in numbers; the generator refuses products without a name itself."""
+    p = ROUGH
+    c = generated.constants(list(p.numbers().values()), 1.0)
+    rotors = p.gear_ratio**2 * p.rotor_inertia
+    a11 = (2 * p.wheel_mass + p.body_mass) * p.wheel_radius**2 + 2 * p.wheel_inertia + 2 * rotors
+    a22 = p.body_mass * p.com_height**2 + p.pitch_inertia + 2 * rotors
+    volt = p.gear_ratio * p.torque_constant / p.motor_resistance
+    assert c.motor_torque == pytest.approx(volt / a11, rel=ROUNDING)
+    assert c.motor_damping == pytest.approx(2 * (volt * p.back_emf + p.motor_friction) / a11, rel=ROUNDING)
+    assert c.coulomb_torque == pytest.approx(p.coulomb_friction / a11, rel=ROUNDING)
+    assert c.rotor_coupling == pytest.approx(2 * rotors / a11, rel=ROUNDING)
+    assert c.pitch_inertia == pytest.approx(a22 / a11, rel=ROUNDING)
+    assert c.half_track == pytest.approx(p.track / (2 * p.wheel_radius), rel=ROUNDING)
+
+
+def test_a_product_without_a_name_stops_the_generator():
+    known = Constants()
+    assert str(known.of(P.wheel_radius)) == "wheel_radius"
+    assert str(known.of(-P.gravity)) == "-gravity"
+    with pytest.raises(InvalidModel, match="need body_mass"):
+        known.of(P.body_mass)
+    with pytest.raises(InvalidModel, match="do not need"):
+        known.check()
+
+
+def test_another_step_than_the_classical_one_is_not_printed(monkeypatch):
+    """Were `rk4_step` changed, the printed step could not go on as it was."""
+    monkeypatch.setattr(trace_motion, "rk4_step", lambda f, x, h: [a + h * k for a, k in zip(x, f(x), strict=True)])
+    with pytest.raises((InvalidModel, IndexError)):
+        trace_motion._RungeKutta()

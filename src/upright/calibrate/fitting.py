@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,10 +17,13 @@ from numpy.typing import NDArray
 from upright.calibrate.electronics import driven
 from upright.calibrate.parameters import Parameter, columns
 from upright.calibrate.threads import CORES, side_by_side
-from upright.compiled.generated import CONSTANTS, constants
+from upright.compiled.generated import LANES, Constants, constants
 from upright.logs.recording import SENSOR, Recording, reading_matrix
 from upright.physics.linear import linearise
 from upright.robots import PARAMETERS, Robot
+
+if TYPE_CHECKING:
+    from upright.calibrate.predictor import Events, Lanes
 
 Array = NDArray[np.float64]
 
@@ -34,21 +38,25 @@ STIFF = 0.7  # largest |pole| h of a Runge–Kutta step: an error of 0.1 % of th
 ROLLING = 0.004  # [s] longest step: within one a wheel's rate is taken for straight where dry friction stops it
 SLIDING = 0.001  # [s] the same for a robot known to have dry friction: its error is 0.03 % of the friction then
 NUDGE = 1e-4  # of the prior's deviation: central differences are right to 1e-8, and rounding stays below
-DRIVEN, DELAYS = CONSTANTS, CONSTANTS + 3
-"""Where among the coefficients begins what drives the robot, and where the dead times."""
-TURN, DRY, ZONE = 0, 7, DRIVEN + 2
-FELT = (0, 3, 4, 5, 7, 8, 9, 10, 11, 14, 15, 16, 19, 20, 21, 22)
-"""Of the constants of the equations of motion those that a level floor shows; the rest belong to slopes and pushes."""
+AT = Constants(*range(len(Constants._fields)))
+"""Where each named constant of the equations stands among the coefficients."""
+DRIVEN, DELAYS = len(AT), len(AT) + 3
+"""Where among the coefficients begins what drives the robot, and where the delays."""
+ZONE = DRIVEN + 2
+LEVEL = (
+    AT.half_track, AT.motor_damping, AT.centrifugal, AT.weight, AT.coulomb_torque, AT.motor_torque, AT.lever,
+    AT.rolling_damping, AT.turning_lever, AT.yaw_coriolis, AT.yaw_lever, AT.yaw_damping, AT.yaw_motor_torque,
+    AT.rotor_coupling, AT.pitch_inertia, AT.yaw_swing,
+)  # fmt: skip
+"""The constants that a robot on a level floor shows; the rest belong to slopes and pushes."""
 EXACT = 7e-4
 """How right the equations are (root mean square): with the same numbers they and MuJoCo, whose contacts yield a little,
 differ by 0.04 % in pitch and 0.07 % in the wheel rate (docs/twin.md), and no real robot is nearer to either."""
-COUPLING, INERTIA = 20, 21
-"""Among the constants what couples pitch and wheels at any pitch, and the inertia in pitch, both over the wheels'."""
 TURNED = 1.5e-3
 """How right the coupling is where there is dry friction, of the geometric mean of both inertias: wheels that turn back,
 which MuJoCo does at the end of a time step, differ by what a rotor of 0.1 % of all that rolls would do."""
 EQUATION = "equation/"
-EQUATIONS = tuple(Parameter(f"{EQUATION}{i}", "1", 0.0, EXACT, "linear") for i in FELT)
+EQUATIONS = tuple(Parameter(f"{EQUATION}{i}", "1", 0.0, EXACT, "linear") for i in LEVEL)
 """By what share each constant of the equations is off: estimated beside the parameters, and never told."""
 OUTLIER = 4.0  # deviations beyond which an innovation counts linearly (Huber 1964)
 
@@ -117,14 +125,14 @@ class Problem:
         """What the predictor is made of (coefficients, lanes), for the lanes of z (parameters, lanes): the constants of
         the equations of motion, what drives them, and the dead time of each sensor."""
         numbers = columns(self.robot, self.asked, z)
-        c = np.empty((CONSTANTS, z.shape[1]))
+        c = np.empty((len(AT), z.shape[1]))
         for row, value in zip(c, constants([getattr(numbers, name) for name in PARAMETERS], 1.0), strict=True):
             row[:] = value
         if len(z) > len(self.asked):
-            size = c[list(FELT)]
+            size = c[list(LEVEL)]
             if self.robot.coulomb_friction:
-                size[FELT.index(COUPLING)] = TURNED / EXACT * np.sqrt(c[INERTIA])
-            c[list(FELT)] += EXACT * size * z[len(self.asked) :]
+                size[LEVEL.index(AT.rotor_coupling)] = TURNED / EXACT * np.sqrt(c[AT.pitch_inertia])
+            c[list(LEVEL)] += EXACT * size * z[len(self.asked) :]
         return np.concatenate([c, driven(self.asked, z), [*self.late(z).values()]])
 
     def by_parameter(self, z: Array) -> tuple[Array, Array]:
@@ -132,15 +140,18 @@ class Problem:
         q = self.coefficients(around(z))
         return q[:, -1], slopes_of(q)
 
-    def built(self, recording: Recording, q: Array) -> tuple[Array, Array, Array]:
-        """Reading matrix, delays of the rows, and constants with what drives them, of the coefficients q."""
-        late = dict(zip(self.delays, q[DELAYS:], strict=True))
-        delays = np.array([late[SENSOR[row]] for row in recording.rows])
-        return reading_matrix(recording.rows, len(recording.first), q[TURN]), delays, q[:DELAYS]
+    def lanes_of(self, recording: Recording, q: Array) -> Lanes:
+        """What the predictor takes of the coefficients q (coefficients, lanes)."""
+        from upright.calibrate.predictor import Lanes
 
-    def lanes(self, recording: Recording, z: Array) -> tuple[Array, Array, Array]:
-        """Reading matrix, delays of the rows, and the kernel's constants with what drives it, for the lanes of z."""
-        return self.built(recording, self.coefficients(z))
+        delay = dict(zip(self.delays, q[DELAYS:], strict=True))
+        delays = np.array([delay[SENSOR[row]] for row in recording.rows])
+        reads = reading_matrix(recording.rows, len(recording.first), q[AT.half_track])
+        return Lanes(reads, delays, np.ascontiguousarray(q[:DELAYS]))
+
+    def lanes(self, recording: Recording, z: Array) -> Lanes:
+        """The same for z (parameters, lanes)."""
+        return self.lanes_of(recording, self.coefficients(z))
 
     def own_delays(self, recording: Recording, z: Array) -> Array:
         """Dead time [s] of each event (events,): zero for commands."""
@@ -154,22 +165,14 @@ class Problem:
 
     def filtered(self, recording: Recording, z: Array, *, keep: bool = False, until: float = np.inf) -> Path:
         """The filter at z (parameters,) along a recording, up to the time `until` [s]."""
-        from upright.calibrate.predictor import WIDE, kalman_path
+        from upright.calibrate.predictor import WIDE, Noise, kalman_path
 
-        reads, delays, constants = self.lanes(recording, z[:, None])
-        size = len(recording.first)
-        order = self.order(recording, z)
-        order = order[recording.when[order] <= until]
-        gains = np.zeros((len(recording.kind), size))
-        states = np.zeros((len(recording.kind) if keep else 0, size))
-        R = np.exp([self.noise[SENSOR[row]] for row in recording.rows])
-        e, s = kalman_path(
-            order, recording.kind, recording.when, recording.value, recording.commands,
-            np.ascontiguousarray(reads[:, :, 0]), np.ascontiguousarray(delays[:, 0]),
-            np.repeat(constants, WIDE, axis=1), recording.first, recording.P0, self.process(size),
-            np.exp(self.noise.get(JITTER, -np.inf)), R, self.longest, gains, states,
-        )  # fmt: skip
-        return Path(e, s, gains, states)
+        size, order = len(recording.first), self.order(recording, z)
+        readings = np.exp([self.noise[SENSOR[row]] for row in recording.rows])
+        noise = Noise(recording.P0, self.process(size), np.exp(self.noise.get(JITTER, -np.inf)), readings)
+        events = events_of(recording, order[recording.when[order] <= until])
+        lanes = self.lanes(recording, np.repeat(z[:, None], WIDE, axis=1))
+        return Path(*kalman_path(events, lanes, recording.first, noise, self.longest, keep))
 
     def process(self, size: int) -> Array:
         """Covariance (2, size, size) of the process noise a second: while both wheels move, and while one sticks."""
@@ -182,25 +185,24 @@ class Problem:
             Q[:, 7, 7] = 1e-10
         return Q
 
-    def felt_slopes(self, recording: Recording, q: Array, unit: Array, gains: Array, rows: Sequence[int]) -> Array:
+    def coefficient_slopes(
+        self, recording: Recording, q: Array, unit: Array, gains: Array, rows: Sequence[int]
+    ) -> Array:
         """∂e/∂q (events, rows) of those `rows` of the coefficients q, each in its `unit`, at fixed gains: by lanes a
         nudge either side, or two above zero for what may not be negative."""
-        from upright.calibrate.predictor import LANES, innovations
+        from upright.calibrate.predictor import innovations
 
-        order = recording.order(dict(zip(self.delays, q[DELAYS:].tolist(), strict=True)))
+        events = events_of(recording, recording.order(dict(zip(self.delays, q[DELAYS:].tolist(), strict=True))))
         low = q - NUDGE * unit
-        low[[DRY, ZONE]] = np.maximum(low[[DRY, ZONE]], 0.0)
+        low[[AT.coulomb_torque, ZONE]] = np.maximum(low[[AT.coulomb_torque, ZONE]], 0.0)
 
         def of(part: NDArray[np.int64]) -> Array:
             count = len(part)
             lanes = np.repeat(q[:, None], 2 * count, axis=1)
             lanes[part, np.arange(count)] = low[part] + 2 * NUDGE * unit[part]
             lanes[part, count + np.arange(count)] = low[part]
-            reads, delays, constants = self.built(recording, lanes)
-            e = innovations(
-                order, recording.kind, recording.when, recording.value, recording.commands, reads, delays, constants,
-                np.repeat(recording.first[:, None], 2 * count, axis=1), gains, self.longest,
-            )  # fmt: skip
+            first = np.repeat(recording.first[:, None], 2 * count, axis=1)
+            e = innovations(events, self.lanes_of(recording, lanes), first, gains, self.longest)
             return (e[:, :count] - e[:, count:]) / (2 * NUDGE)
 
         parts = min(len(rows), max(CORES, -(-2 * len(rows) // LANES)))
@@ -210,7 +212,14 @@ class Problem:
         """∂e/∂z (events, parameters) at fixed gains."""
         q, C = self.by_parameter(z)
         unit, rows = units(C)
-        return self.felt_slopes(recording, q, unit, gains, rows) @ (C[rows] / unit[rows, None])
+        return self.coefficient_slopes(recording, q, unit, gains, rows) @ (C[rows] / unit[rows, None])
+
+
+def events_of(recording: Recording, order: NDArray[np.int64]) -> Events:
+    """The events of a recording for the predictor, those in `order`."""
+    from upright.calibrate.predictor import Events
+
+    return Events(order, recording.kind, recording.when, recording.value, recording.commands)
 
 
 def around(z: Array) -> Array:
@@ -230,9 +239,9 @@ def slopes_of(values: Array) -> Array:
 
 def units(C: Array) -> tuple[Array, list[int]]:
     """How far the prior lets each coefficient be off (coefficients,), from its slopes C (coefficients, parameters), and
-    the rows of those that move and are felt."""
+    the rows of those that move and that a level floor shows."""
     unit = np.sqrt((C**2).sum(axis=1))
-    return unit, [i for i in (*FELT, *range(DRIVEN, len(C))) if unit[i] > 0]
+    return unit, [i for i in (*LEVEL, *range(DRIVEN, len(C))) if unit[i] > 0]
 
 
 @dataclass(frozen=True, eq=False)
@@ -240,8 +249,8 @@ class Normal:
     """What Gauss–Newton needs at z: objective −log posterior (up to a constant), gradient and Hessian, and by event the
     whitened innovations and their slopes (of the fitted events that are readings).
 
-    The slopes are those by the coefficients, `felt` (events, rows) in `unit`, times the coefficients' own: so what the
-    equations cannot tell apart, the Hessian cannot either.
+    The slopes are those by the coefficients, `by_coefficient` (events, rows) in `unit`, times the coefficients' own:
+    what the equations cannot tell apart, the Hessian cannot either.
     """
 
     objective: float
@@ -249,7 +258,7 @@ class Normal:
     hessian: Array
     whitened: Array
     slopes: Array
-    felt: Array
+    by_coefficient: Array
     rows: list[int]
     unit: Array
 
@@ -293,13 +302,16 @@ def normal_equations(problem: Problem, z: Array, paths: Sequence[Path], value: f
     for recording, path in zip(problem.recordings, paths, strict=True):
         use = fitted_readings(recording, path)
         deviation = np.sqrt(path.s[use])
-        felt = problem.felt_slopes(recording, q, unit, path.gains, rows)[use] / deviation[:, None]
+        by_coefficient = problem.coefficient_slopes(recording, q, unit, path.gains, rows)[use] / deviation[:, None]
         whites.append(path.e[use] / deviation)
-        parts.append(np.where(np.isfinite(felt), felt, 0.0))
-    r, felt = np.concatenate(whites), np.concatenate(parts)
+        parts.append(np.where(np.isfinite(by_coefficient), by_coefficient, 0.0))
+    r, by_coefficient = np.concatenate(whites), np.concatenate(parts)
     by_parameter = C[rows] / unit[rows, None]
-    J = felt @ by_parameter
+    J = by_coefficient @ by_parameter
     weight = huber_weight(r)
     gradient = z + problem.temper * (J.T @ (weight * r))
-    hessian = np.eye(len(z)) + problem.temper * by_parameter.T @ (felt.T @ (weight[:, None] * felt)) @ by_parameter
-    return Normal(value, gradient, hessian, r, J, felt, rows, unit)
+    hessian = (
+        np.eye(len(z))
+        + problem.temper * by_parameter.T @ (by_coefficient.T @ (weight[:, None] * by_coefficient)) @ by_parameter
+    )
+    return Normal(value, gradient, hessian, r, J, by_coefficient, rows, unit)

@@ -55,8 +55,8 @@ def _foreseen(problem: Problem, z: Array, normal: Normal, damping: float) -> Arr
     """
     rows, unit = normal.rows, normal.unit[normal.rows]
     least = np.maximum([p.least for p in problem.parameters], z - FAR)
-    weighed = normal.weight[:, None] * normal.felt
-    information, g = problem.temper * normal.felt.T @ weighed, problem.temper * weighed.T @ normal.whitened
+    weighed = normal.weight[:, None] * normal.by_coefficient
+    information, g = problem.temper * normal.by_coefficient.T @ weighed, problem.temper * weighed.T @ normal.whitened
     A = information + damping * np.diag(np.diag(information))
     q0 = problem.coefficients(z[:, None])[rows, 0] / unit
 

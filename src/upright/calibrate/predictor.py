@@ -1,6 +1,6 @@
-"""The predictor in innovation form: one robot and its neighbours through a log, side by side.
+"""The predictor in innovation form: one robot and its neighbours through a log, lane by lane.
 
-Time here is that of the command: a sensor whose dead time is d says at t what the robot did at t − d. So every log is a
+Time here is that of the command: a sensor of delay d shows at t what the robot did at t − d. So every log is a
 sequence of events, commands at t and readings at t − d, gone through in that order; between them the equations of
 motion are integrated. Any delay is exact and fractional, clocks may be uneven, readings may be missing, and the
 innovations are those of the log's own likelihood, since a command depends only on readings that come before it here
@@ -11,13 +11,33 @@ from __future__ import annotations
 
 import math
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numba
 import numpy as np
 
-from upright.compiled.generated import CONSTANTS
-from upright.compiled.generated_motion import accelerations_smooth
+from upright.compiled.generated import (
+    COULOMB_TORQUE,
+    HALF_TRACK,
+    LEFT,
+    LEVER,
+    MOTOR_DAMPING,
+    MOTOR_TORQUE,
+    PITCH,
+    PITCH_INERTIA,
+    PITCH_RATE,
+    RIGHT,
+    ROTOR_COUPLING,
+    ROW,
+    WHEEL_RATE,
+    WORK,
+    YAW_MOTOR_TORQUE,
+    YAW_RATE,
+    YAW_SWING,
+    Constants,
+)
+from upright.compiled.generated_motion import accelerations_free, constants_free, rk4_free
+from upright.compiled.jit import get, put
 
 _compile: Any = numba.njit  # its stubs know fewer options than it has
 njit: Any = partial(_compile, cache=True, nogil=True, error_model="numpy")
@@ -27,68 +47,103 @@ inlined: Any = partial(_compile, error_model="numpy", forceinline=True, no_cpyth
 """A function for other compiled functions, put into its callers and vectorised there across lanes."""
 
 STATES = 6
-MOVED = (0, 1, 3, 5)
-"""The states on which the motion depends: pitch and the three rates."""
-RATES = (1, 3, 5)
+MOVING = (PITCH, PITCH_RATE, WHEEL_RATE, YAW_RATE)
+"""The states on which the motion depends: angles of wheel and yaw shift nothing on a level floor."""
+RATES = (PITCH_RATE, WHEEL_RATE, YAW_RATE)
 
 WIDE = 8
 """Lanes of the filter: the state and four neighbours; eight are moved faster than five."""
 
-LANES = 64
-"""Most lanes of one call: beyond, their states leave the fastest memory."""
-
-ROW, SPAN, CONSTANT = LANES, STATES, STATES + 1
-DRIVE = CONSTANT + CONSTANTS
-DRY, STOPS, LEFT, RIGHT, OLD = DRIVE + 3, DRIVE + 4, DRIVE + 5, DRIVE + 6, DRIVE + 7
-STUCK = OLD + STATES
-"""A block is one array of rows, `ROW` apart, of one number for each lane: the states, the time to move, the robot's
-constants, what drives it (factors of both motors, dead zone), its dry friction as a command, whether a wheel stops, the
-commands that arrive, the states before the step, and whether a wheel has stopped. One array and a fixed distance let
-the compiler take several lanes at once."""
+DRIVE_LEFT, DRIVE_RIGHT, DEAD_ZONE, SPAN, FRICTION, REVERSAL, STUCK, START, ROWS = (
+    WORK + row for row in (0, 1, 2, 3, 4, 5, 6, 7, 7 + STATES)
+)
+"""Rows of a block after those of the kernel's, one number for each lane: factors of both motors and their dead zone;
+the time to move [s]; dry friction as a command; negative where a wheel turned back; whether one has since the row was
+cleared; the state before the step."""
 
 SWEEPS = 20  # of Gauss and Seidel over both wheels, at most: each halves the error at least
-PASSES = 3  # in which the answer to friction, known to a few hundredths, is corrected, at most
-SETTLED = 1e-10  # [rad/s] of a wheel, to which friction is found
-
-COMMAND = -1
-"""The kind of an event that is a command; any other kind is the row of a sensor."""
+PASSES = 3  # in which the response to friction, known to a few hundredths, is corrected, at most
+SETTLED = 1e-10  # [rad/s] of a wheel, to which friction is solved for
 
 TOPPLED = 3.0  # [rad] pitch beyond which a lane is lost: the sine is right to 1e-7 until there
+INSTANT = 1e-12  # [s] events closer than this are one: nothing moves between them
 _NUDGE = 1e-6  # a step in the state to differentiate the flow: error and rounding both near 1e-9
 
 
-@inlined
-def _acc(w: Any, i: Any, left: Any, right: Any, pitch: Any, pitch_rate: Any, wheel_rate: Any, yaw_rate: Any) -> Any:
-    """ψ̈, θ̈, φ̈ of lane i on a level floor that pushes nothing, without dry friction."""
-    return accelerations_smooth(
-        pitch, pitch_rate, wheel_rate, 0.0, yaw_rate, left, right, 0.0, 0.0, 0.0, 1.0,
-        w[7 * ROW + i], w[8 * ROW + i], w[9 * ROW + i], w[10 * ROW + i], w[11 * ROW + i], w[12 * ROW + i],
-        w[13 * ROW + i], w[14 * ROW + i], w[15 * ROW + i], w[16 * ROW + i], w[17 * ROW + i], w[18 * ROW + i],
-        w[19 * ROW + i], w[20 * ROW + i], w[21 * ROW + i], w[22 * ROW + i], w[23 * ROW + i], w[24 * ROW + i],
-        w[25 * ROW + i], w[26 * ROW + i], w[27 * ROW + i], w[28 * ROW + i], w[29 * ROW + i], w[30 * ROW + i],
-    )  # fmt: skip
+class Events(NamedTuple):
+    """The n events of a log. Of a reading `kind` is its sensor's row, of a command −1; `when` [s] is the log's time;
+    `value` is the reading, or which of the `commands` (c, 2). `order` lists those to go through, in the command's time.
+    """
+
+    order: Any
+    kind: Any
+    when: Any
+    value: Any
+    commands: Any
+
+
+class Lanes(NamedTuple):
+    """Robots that go through the same events: how each sensor row `reads` the state (rows, states, lanes), the `delays`
+    of the rows (rows, lanes) [s], and the `robots` (constants and 3, lanes): the named constants of the equations, the
+    factors of both motors and the dead zone."""
+
+    reads: Any
+    delays: Any
+    robots: Any
+
+
+class Noise(NamedTuple):
+    """Covariance of the first state `start` (s, s); of the process noise a second, `process` (2, s, s): while both
+    wheels move, and while one sticks or turns back; variance of the moments at which commands arrive, `jitter` [s²];
+    variance of each sensor row, `readings` (rows,)."""
+
+    start: Any
+    process: Any
+    jitter: Any
+    readings: Any
+
+
+class _Flow(NamedTuple):
+    """Room for the flow of one robot: its block, times of start and stop (2, WIDE), ∂x(stop)/∂x(start) (6, 6), and
+    what the product of two matrices needs (6, s)."""
+
+    block: Any
+    times: Any
+    phi: Any
+    product: Any
 
 
 @inlined
-def _runge_kutta(
-    w: Any, i: Any, d: Any, left: Any, right: Any, p0: Any, v0: Any, r0: Any, w0: Any, f0: Any, y0: Any
-) -> Any:  # fmt: skip
-    """One classical Runge–Kutta step of d [s] of lane i. Angles of wheel and yaw drive nothing on a level floor, so
-    their slopes are the rates' own."""
-    a, b = 0.5 * d, d / 6
-    pa, wa, ya = _acc(w, i, left, right, p0, v0, w0, y0)
-    v1, w1, y1 = v0 + a * pa, w0 + a * wa, y0 + a * ya
-    pb, wb, yb = _acc(w, i, left, right, p0 + a * v0, v1, w1, y1)
-    v2, w2, y2 = v0 + a * pb, w0 + a * wb, y0 + a * yb
-    pc, wc, yc = _acc(w, i, left, right, p0 + a * v1, v2, w2, y2)
-    v3, w3, y3 = v0 + d * pc, w0 + d * wc, y0 + d * yc
-    pd, wd, yd = _acc(w, i, left, right, p0 + d * v2, v3, w3, y3)
-    pitch = p0 + b * (v0 + 2 * (v1 + v2) + v3)
+def _state(w: Any, row: Any, i: Any) -> Any:
+    """The six numbers of lane i from `row` on."""
     return (
-        pitch if abs(pitch) < TOPPLED else np.nan, v0 + b * (pa + 2 * (pb + pc) + pd),
-        r0 + b * (w0 + 2 * (w1 + w2) + w3), w0 + b * (wa + 2 * (wb + wc) + wd),
-        f0 + b * (y0 + 2 * (y1 + y2) + y3), y0 + b * (ya + 2 * (yb + yc) + yd),
+        get(w, row, i), get(w, row + 1, i), get(w, row + 2, i),
+        get(w, row + 3, i), get(w, row + 4, i), get(w, row + 5, i),
     )  # fmt: skip
+
+
+@inlined
+def _put_state(w: Any, row: Any, i: Any, x: Any) -> None:
+    put(w, row, i, x[0])
+    put(w, row + 1, i, x[1])
+    put(w, row + 2, i, x[2])
+    put(w, row + 3, i, x[3])
+    put(w, row + 4, i, x[4])
+    put(w, row + 5, i, x[5])
+
+
+@inlined
+def _wheel_rates(x: Any, half: Any) -> Any:
+    """Rates of both wheels relative to the body [rad/s] at the state x, for W/(2R) = `half`."""
+    mean, turn = x[3] - x[1], half * x[5]
+    return mean - turn, mean + turn
+
+
+@inlined
+def _stepped(w: Any, i: Any, x: Any, d: Any, left: Any, right: Any) -> Any:
+    """The state x of lane i one step of d [s] on, under the friction `left` and `right` of its wheels, as commands."""
+    new = rk4_free(*x, d, get(w, LEFT, i) - left, get(w, RIGHT, i) - right, *constants_free(w, i))
+    return (new[0] if abs(new[0]) < TOPPLED else np.nan, new[1], new[2], new[3], new[4], new[5])
 
 
 @njit
@@ -96,45 +151,41 @@ def _advance(w: Any, count: Any, steps: Any) -> None:
     """One step of span/steps [s] for the first `count` lanes of the block `w`: each wheel's dry friction against its
     motion, and where that would turn it back within the step, what it really gives."""
     for i in range(count):
-        d, half, dry = w[SPAN * ROW + i] / steps, w[CONSTANT * ROW + i], w[DRY * ROW + i]
-        p0, v0, r0 = w[i], w[ROW + i], w[2 * ROW + i]
-        w0, f0, y0 = w[3 * ROW + i], w[4 * ROW + i], w[5 * ROW + i]
-        left = dry if w0 - v0 - half * y0 >= 0 else -dry
-        right = dry if w0 - v0 + half * y0 >= 0 else -dry
-        p, v, r, o, f, y = _runge_kutta(
-            w, i, d, w[LEFT * ROW + i] - left, w[RIGHT * ROW + i] - right, p0, v0, r0, w0, f0, y0
-        )  # fmt: skip
-        w[STOPS * ROW + i] = min(left * (o - v - half * y), right * (o - v + half * y))
-        w[OLD * ROW + i], w[(OLD + 1) * ROW + i], w[(OLD + 2) * ROW + i] = p0, v0, r0
-        w[(OLD + 3) * ROW + i], w[(OLD + 4) * ROW + i], w[(OLD + 5) * ROW + i] = w0, f0, y0
-        w[i], w[ROW + i], w[2 * ROW + i] = p, v, r
-        w[3 * ROW + i], w[4 * ROW + i], w[5 * ROW + i] = o, f, y
+        d, half, dry = get(w, SPAN, i) / steps, get(w, HALF_TRACK, i), get(w, FRICTION, i)
+        x = _state(w, PITCH, i)
+        before_left, before_right = _wheel_rates(x, half)
+        left = dry if before_left >= 0 else -dry
+        right = dry if before_right >= 0 else -dry
+        new = _stepped(w, i, x, d, left, right)
+        after_left, after_right = _wheel_rates(new, half)
+        put(w, REVERSAL, i, min(left * after_left, right * after_right))
+        _put_state(w, START, i, x)
+        _put_state(w, PITCH, i, new)
     for i in range(count):
-        if w[STOPS * ROW + i] < 0:
-            _stop(w, i, w[SPAN * ROW + i] / steps)
-            w[STUCK * ROW + i] = 1.0
+        if get(w, REVERSAL, i) < 0:
+            _stop(w, i, get(w, SPAN, i) / steps)
+            put(w, STUCK, i, 1.0)
 
 
 @njit
-def _answers(w: Any, i: Any, d: Any) -> Any:
+def _responses(w: Any, i: Any, d: Any) -> Any:
     """By how much a unit of command over d [s] changes the wheels' rate relative to the body: its own and the other's.
 
     From the accelerations' response to equal and to opposite commands, each with the motors' damping over the step.
     """
-    c = (CONSTANT * ROW) + i
-    sine = math.sin(w[(OLD) * ROW + i])
-    a12 = w[c + 9 * ROW] * math.sqrt(1 - sine * sine) + w[c + 20 * ROW]
-    a22 = w[c + 21 * ROW]
-    mean = -2 * w[c + 8 * ROW] * (1 + 2 * a12 + a22) / (a22 - a12 * a12)
-    turn = -2 * w[c + 19 * ROW] * w[c] / (1 + w[c + 22 * ROW] * sine * sine)
-    loss = d * w[c + 3 * ROW] / (2 * w[c + 8 * ROW])
+    sine = math.sin(get(w, START, i))
+    a12 = get(w, LEVER, i) * math.sqrt(1 - sine * sine) - get(w, ROTOR_COUPLING, i)
+    a22, volt = get(w, PITCH_INERTIA, i), get(w, MOTOR_TORQUE, i)
+    mean = 2 * volt * (1 + 2 * a12 + a22) / (a22 - a12 * a12)
+    turn = 2 * get(w, YAW_MOTOR_TORQUE, i) * get(w, HALF_TRACK, i) / (1 + get(w, YAW_SWING, i) * sine * sine)
+    loss = d * get(w, MOTOR_DAMPING, i) / (2 * volt)
     mean *= d / (1 + mean * loss * (0.5 + mean * loss / 12))
     turn *= d / (1 + turn * loss * (0.5 + turn * loss / 12))
     return (mean + turn) / 2, (mean - turn) / 2
 
 
 @njit
-def _held(first: Any, free: Any, own: Any, dry: Any) -> Any:
+def _mean_friction(first: Any, free: Any, own: Any, dry: Any) -> Any:
     """Mean dry friction of a wheel over a step, from its first rate and its last rate without friction.
 
     The rate is taken for straight: up to the moment at which it vanishes friction is full; from there the wheel sticks,
@@ -152,136 +203,149 @@ def _held(first: Any, free: Any, own: Any, dry: Any) -> Any:
 @njit
 def _stop(w: Any, i: Any, d: Any) -> None:
     """The step of lane i again, in which a wheel stops: friction is such that it sticks or turns back."""
-    half, dry = w[CONSTANT * ROW + i], w[DRY * ROW + i]
-    mean, turn = w[(OLD + 3) * ROW + i] - w[(OLD + 1) * ROW + i], half * w[(OLD + 5) * ROW + i]
-    first_left, first_right = mean - turn, mean + turn
+    half, dry = get(w, HALF_TRACK, i), get(w, FRICTION, i)
+    start = _state(w, START, i)
+    first_left, first_right = _wheel_rates(start, half)
     left, right = dry if first_left >= 0 else -dry, dry if first_right >= 0 else -dry
-    own, other = _answers(w, i, d)
+    own, other = _responses(w, i, d)
     for _ in range(PASSES):
-        mean, turn = w[3 * ROW + i] - w[ROW + i], half * w[5 * ROW + i]
-        free_left = mean - turn + own * left + other * right
-        free_right = mean + turn + own * right + other * left
+        last_left, last_right = _wheel_rates(_state(w, PITCH, i), half)
+        free_left = last_left + own * left + other * right
+        free_right = last_right + own * right + other * left
         before_left, before_right = left, right
         for _ in range(SWEEPS):
-            was = left
-            left = _held(first_left, free_left - other * right, own, dry)
-            right = _held(first_right, free_right - other * left, own, dry)
-            if abs(left - was) * own < SETTLED:
+            before = left
+            left = _mean_friction(first_left, free_left - other * right, own, dry)
+            right = _mean_friction(first_right, free_right - other * left, own, dry)
+            if abs(left - before) * own < SETTLED:
                 break
         if (abs(left - before_left) + abs(right - before_right)) * own < SETTLED:
             break
-        w[i], w[ROW + i], w[2 * ROW + i], w[3 * ROW + i], w[4 * ROW + i], w[5 * ROW + i] = _runge_kutta(
-            w, i, d, w[LEFT * ROW + i] - left, w[RIGHT * ROW + i] - right,
-            w[OLD * ROW + i], w[(OLD + 1) * ROW + i], w[(OLD + 2) * ROW + i],
-            w[(OLD + 3) * ROW + i], w[(OLD + 4) * ROW + i], w[(OLD + 5) * ROW + i],
-        )  # fmt: skip
+        _put_state(w, PITCH, i, _stepped(w, i, start, d, left, right))
 
 
 @inlined
-def _through(command: Any, zone: Any) -> Any:
+def _beyond(command: Any, zone: Any) -> Any:
     """What a dead zone leaves of a command: nothing inside, all of it outside, and between 0.9 and 1.1 of the zone a
-    straight way from one to the other, so that its size can be estimated."""
+    straight line from one to the other, so that its size can be estimated."""
     return command * min(1.0, max(0.0, 5 * abs(command) / max(zone, 1e-9) - 4.5))
+
+
+@inlined
+def _drives(w: Any, i: Any, u: Any) -> Any:
+    """What reaches both motors of lane i of the command u (2,)."""
+    zone = get(w, DEAD_ZONE, i)
+    return get(w, DRIVE_LEFT, i) * _beyond(u[0], zone), get(w, DRIVE_RIGHT, i) * _beyond(u[1], zone)
 
 
 @njit
 def _move(w: Any, count: Any, u: Any, start: Any, stop: Any, longest: Any) -> None:
-    """Each lane from its `start` to its `stop` [s], in as many steps as the farthest needs."""
-    farthest = 0.0
+    """Each lane from its `start` to its `stop` [s], in as many steps as the longest span needs."""
+    span = 0.0
     for i in range(count):
-        w[SPAN * ROW + i] = stop[i] - start[i]
-        farthest = max(farthest, abs(stop[i] - start[i]))
+        put(w, SPAN, i, stop[i] - start[i])
+        span = max(span, abs(stop[i] - start[i]))
         start[i] = stop[i]
-    if farthest >= 1e-12:
+    if span >= INSTANT:
         for i in range(count):
-            w[LEFT * ROW + i] = w[DRIVE * ROW + i] * _through(u[0], w[(DRIVE + 2) * ROW + i])
-            w[RIGHT * ROW + i] = w[(DRIVE + 1) * ROW + i] * _through(u[1], w[(DRIVE + 2) * ROW + i])
-        steps = max(1, math.ceil(farthest / longest))
+            left, right = _drives(w, i, u)
+            put(w, LEFT, i, left)
+            put(w, RIGHT, i, right)
+        steps = max(1, math.ceil(span / longest))
         for _ in range(steps):
             _advance(w, count, steps)
 
 
+_FIRST, _CONSTANTS = HALF_TRACK, len(Constants._fields)
+
+
 @njit
-def _block(c: Any) -> Any:
-    """The block of lanes with constants c (constants, lanes), their states zero."""
-    w = np.zeros((STUCK + 1) * ROW)
-    for j in range(c.shape[0]):
-        for i in range(c.shape[1]):
-            w[(CONSTANT + j) * ROW + i] = c[j, i]
-    for i in range(c.shape[1]):
-        w[DRY * ROW + i] = max(0.0, -c[7, i] / c[8, i])
+def _block(robots: Any) -> Any:
+    """The block of lanes of these robots (constants and 3, lanes), their states zero."""
+    w = np.zeros(ROWS * ROW)
+    for i in range(robots.shape[1]):
+        for j in range(_CONSTANTS):
+            put(w, _FIRST + j, i, robots[j, i])
+        for j in range(3):
+            put(w, DRIVE_LEFT + j, i, robots[_CONSTANTS + j, i])
+        put(w, FRICTION, i, max(0.0, get(w, COULOMB_TORQUE, i) / get(w, MOTOR_TORQUE, i)))
     return w
 
 
 @njit
-def innovations(  # noqa: PLR0912 (the inner loop, unrolled by hand over what a block holds)
-    order: Any, kind: Any, when: Any, value: Any, commands: Any, reads: Any, delays: Any, c: Any, first: Any,
-    gains: Any, longest: Any,
-) -> Any:  # fmt: skip
-    """e (events, lanes) of lanes that differ in `reads` (rows, states, lanes), `delays` (rows, lanes), `c`
-    (constants, lanes) and `first` (states, lanes), all corrected by the same `gains` (events, states); NaN for a lane
-    that toppled.
-    """
-    lanes, size = c.shape[1], first.shape[0]
-    w, extra, u = _block(c), first[STATES:].copy(), commands[0].copy()
+def _errors(w: Any, offsets: Any, C: Any, value: Any, error: Any) -> None:
+    """Each lane's `error` (lanes,): the reading `value` less what C (states, lanes) reads of its state."""
+    for i in range(len(error)):
+        error[i] = value
     for j in range(STATES):
-        w[j * ROW : j * ROW + lanes] = first[j]
-    now, then, error = np.zeros(lanes), np.zeros(lanes), np.zeros(lanes)
-    found = np.full((len(kind), lanes), np.nan)
-    for place in range(len(order)):
-        event = order[place]
-        row = kind[event]
-        for i in range(lanes):
-            then[i] = when[event] - (delays[row, i] if row >= 0 else 0.0)
-        if place == 0:
-            now[:] = then
-        _move(w, lanes, u, now, then, longest)
-        if row < 0:
-            u[:] = commands[int(value[event])]
-            continue
-        for i in range(lanes):
-            error[i] = value[event]
-        for j in range(STATES):
-            for i in range(lanes):
-                error[i] -= reads[row, j, i] * w[j * ROW + i]
-        for j in range(STATES, size):
-            for i in range(lanes):
-                error[i] -= reads[row, j, i] * extra[j - STATES, i]
-        for j in range(STATES):
-            for i in range(lanes):
-                w[j * ROW + i] += gains[event, j] * error[i]
-        for j in range(STATES, size):
-            for i in range(lanes):
-                extra[j - STATES, i] += gains[event, j] * error[i]
-        found[event] = error
-    return found
+        for i in range(len(error)):
+            error[i] -= C[j, i] * get(w, PITCH + j, i)
+    for j in range(len(offsets)):
+        for i in range(len(error)):
+            error[i] -= C[STATES + j, i] * offsets[j, i]
 
 
 @njit
-def _flow(w: Any, x: Any, u: Any, start: Any, stop: Any, longest: Any, phi: Any, times: Any) -> None:
-    """Moves x from `start` to `stop` [s] and writes ∂x(stop)/∂x(start) of the six states into `phi`.
-
-    Angles of wheel and yaw shift nothing, so four neighbours suffice: pitch, and the three rates.
-    """
-    for i in range(WIDE):
-        times[0, i], times[1, i] = start, stop
-        for j in range(STATES):
-            w[j * ROW + i] = x[j]
-    for i in range(4):
-        w[MOVED[i] * ROW + 1 + i] += _NUDGE
-    w[STUCK * ROW] = 0.0
-    _move(w, times.shape[1], u, times[0], times[1], longest)
+def _shift(w: Any, offsets: Any, gain: Any, error: Any) -> None:
+    """Each lane's state corrected by the `gain` (states,) times its `error` (lanes,)."""
     for j in range(STATES):
-        base = w[j * ROW]
-        x[j] = base
-        for i in range(4):
-            phi[j, MOVED[i]] = (w[j * ROW + 1 + i] - base) / _NUDGE
+        for i in range(len(error)):
+            put(w, PITCH + j, i, get(w, PITCH + j, i) + gain[j] * error[i])
+    for j in range(len(offsets)):
+        for i in range(len(error)):
+            offsets[j, i] += gain[STATES + j] * error[i]
+
+
+@njit
+def innovations(events: Events, lanes: Lanes, first: Any, gains: Any, longest: Any) -> Any:
+    """Innovations (events, lanes) of lanes from their `first` states (states, lanes), all corrected by the same `gains`
+    (events, states), in Runge–Kutta steps of at most `longest` [s]; NaN for a lane that toppled and for commands."""
+    count = first.shape[1]
+    w, offsets, u = _block(lanes.robots), first[STATES:].copy(), events.commands[0].copy()
+    for i in range(count):
+        for j in range(STATES):
+            put(w, PITCH + j, i, first[j, i])
+    now, then, error = np.zeros(count), np.zeros(count), np.zeros(count)
+    result = np.full((len(events.kind), count), np.nan)
+    for place in range(len(events.order)):
+        event = events.order[place]
+        row = events.kind[event]
+        for i in range(count):
+            then[i] = events.when[event] - (lanes.delays[row, i] if row >= 0 else 0.0)
+        if place == 0:
+            now[:] = then
+        _move(w, count, u, now, then, longest)
+        if row < 0:
+            u[:] = events.commands[int(events.value[event])]
+            continue
+        _errors(w, offsets, lanes.reads[row], events.value[event], error)
+        _shift(w, offsets, gains[event], error)
+        result[event] = error
+    return result
+
+
+@njit
+def _flow(room: _Flow, x: Any, u: Any, start: Any, stop: Any, longest: Any) -> None:
+    """Moves x from `start` to `stop` [s] and writes ∂x(stop)/∂x(start) of the six states into `room.phi`."""
+    w, phi = room.block, room.phi
+    for i in range(WIDE):
+        room.times[0, i], room.times[1, i] = start, stop
+        for j in range(STATES):
+            put(w, PITCH + j, i, x[j])
+    for i in range(len(MOVING)):
+        put(w, MOVING[i], 1 + i, get(w, MOVING[i], 1 + i) + _NUDGE)
+    put(w, STUCK, 0, 0.0)
+    _move(w, WIDE, u, room.times[0], room.times[1], longest)
+    for j in range(STATES):
+        x[j] = get(w, PITCH + j, 0)
+        for i in range(len(MOVING)):
+            phi[j, MOVING[i]] = (get(w, PITCH + j, 1 + i) - x[j]) / _NUDGE
         phi[j, 2] = 1.0 if j == 2 else 0.0
         phi[j, 4] = 1.0 if j == 4 else 0.0
 
 
 @njit
-def _spread(P: Any, phi: Any, Q: Any, h: Any, scratch: Any) -> None:
+def _predict(P: Any, phi: Any, Q: Any, h: Any, product: Any) -> None:
     """P ← Φ P Φᵀ + Q h, for Φ that is the identity beyond the six states."""
     size = P.shape[0]
     for i in range(STATES):
@@ -289,14 +353,14 @@ def _spread(P: Any, phi: Any, Q: Any, h: Any, scratch: Any) -> None:
             total = 0.0
             for k in range(STATES):
                 total += phi[i, k] * P[k, j]
-            scratch[i, j] = total
+            product[i, j] = total
     for i in range(STATES):
         for j in range(i, size):
-            total = scratch[i, j]
+            total = product[i, j]
             if j < STATES:
                 total = 0.0
                 for k in range(STATES):
-                    total += scratch[i, k] * phi[j, k]
+                    total += product[i, k] * phi[j, k]
             P[i, j] = total
             P[j, i] = total
     for i in range(size):
@@ -305,66 +369,69 @@ def _spread(P: Any, phi: Any, Q: Any, h: Any, scratch: Any) -> None:
 
 
 @njit
-def _arrives(w: Any, x: Any, u: Any, new: Any) -> Any:
-    """Puts the new command into `u`, and returns by how much ψ̇, θ̇ and φ̇ lag for each second that it is late."""
-    zone = w[(DRIVE + 2) * ROW]
-    before = _acc(w, 0, w[DRIVE * ROW] * _through(u[0], zone), w[(DRIVE + 1) * ROW] * _through(u[1], zone),
-                  x[0], x[1], x[3], x[5])  # fmt: skip
-    u[:] = new
-    after = _acc(w, 0, w[DRIVE * ROW] * _through(u[0], zone), w[(DRIVE + 1) * ROW] * _through(u[1], zone),
-                 x[0], x[1], x[3], x[5])  # fmt: skip
+def _correct(x: Any, P: Any, C: Any, error: Any, variance: Any, gain: Any) -> Any:
+    """State and covariance with a scalar reading C x of this noise `variance`, which is off by `error` from zero state;
+    fills `gain` and returns innovation and its variance."""
+    size = len(x)
+    for i in range(size):
+        gain[i] = 0.0
+        for j in range(size):
+            gain[i] += P[i, j] * C[j]
+        error -= C[i] * x[i]
+    for i in range(size):
+        variance += C[i] * gain[i]
+    for i in range(size):
+        for j in range(size):
+            P[i, j] -= gain[i] * gain[j] / variance
+    for i in range(size):
+        gain[i] /= variance
+        x[i] += gain[i] * error
+    return error, variance
+
+
+@njit
+def _response_to_delay(w: Any, x: Any, old: Any, new: Any) -> Any:
+    """By how much ψ̇, θ̇ and φ̇ lag for each second that the command `new` arrives late after `old`."""
+    constants = constants_free(w, 0)
+    before = accelerations_free(x[0], x[1], x[3], x[5], *_drives(w, 0, old), *constants)
+    after = accelerations_free(x[0], x[1], x[3], x[5], *_drives(w, 0, new), *constants)
     return after[0] - before[0], after[1] - before[1], after[2] - before[2]
 
 
 @njit
-def kalman_path(  # noqa: PLR0912 (the inner loop, unrolled by hand over what a state holds)
-    order: Any, kind: Any, when: Any, value: Any, commands: Any, reads: Any, delays: Any, c: Any, first: Any, P0: Any,
-    Q: Any, jitter: Any, noise: Any, longest: Any, gains: Any, states: Any,
-) -> Any:  # fmt: skip
-    """The extended Kalman filter along one log: innovations e (events,) and their variances s (events,).
+def kalman_path(events: Events, lanes: Lanes, first: Any, noise: Noise, longest: Any, keep: bool) -> Any:
+    """The extended Kalman filter along one log, from the state `first` (s,), in steps of at most `longest` [s].
 
-    `c` (constants, WIDE) are the robot's, in every lane. Fills `gains` (events, states) and, where it has rows,
-    `states` (events, states) after each event. `Q` (2, states, states) is the covariance of the process noise per
-    second while both wheels move, and while one sticks or turns back; `jitter` the variance [s²] of the moments at
-    which commands arrive; `noise` that of each sensor row.
+    `lanes` holds the one robot `WIDE` times. Returns innovations (events,), their variances (events,), gains (events,
+    s) and, with `keep`, the state after each event (events, s), else none; NaN, or zero, from where it toppled.
     """
-    size = len(first)
-    x, P, u = first.copy(), P0.copy(), commands[0].copy()
-    phi, scratch, seen = np.zeros((STATES, STATES)), np.zeros((STATES, size)), np.zeros(size)
-    w, times = _block(c), np.zeros((2, WIDE))
-    e, s = np.full(len(kind), np.nan), np.full(len(kind), np.nan)
+    size, many = len(first), len(events.kind)
+    x, P, u = first.copy(), noise.start.copy(), events.commands[0].copy()
+    w = _block(lanes.robots)
+    room = _Flow(w, np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((STATES, size)))
+    e, s, gains = np.full(many, np.nan), np.full(many, np.nan), np.zeros((many, size))
+    states = np.zeros((many if keep else 0, size))
     now = -np.inf
-    for event in order:
-        row = kind[event]
-        then = when[event] - (delays[row] if row >= 0 else 0.0)
+    for event in events.order:
+        row = events.kind[event]
+        then = events.when[event] - (lanes.delays[row, 0] if row >= 0 else 0.0)
         now = max(now, then) if now == -np.inf else now
-        if then - now > 1e-12:
-            _flow(w, x, u, now, then, longest, phi, times)
-            _spread(P, phi, Q[int(w[STUCK * ROW])], then - now, scratch)
+        if then - now > INSTANT:
+            _flow(room, x, u, now, then, longest)
+            _predict(P, room.phi, noise.process[int(get(w, STUCK, 0))], then - now, room.product)
             now = then
         if not abs(x[0]) < TOPPLED:
-            return e, s
+            break
         if row < 0:
-            late = _arrives(w, x, u, commands[int(value[event])])
+            new = events.commands[int(events.value[event])]
+            lag = _response_to_delay(w, x, u, new)
+            u[:] = new
             for i in range(len(RATES)):
                 for j in range(len(RATES)):
-                    P[RATES[i], RATES[j]] += jitter * late[i] * late[j]
+                    P[RATES[i], RATES[j]] += noise.jitter * lag[i] * lag[j]
         else:
-            error, variance = value[event], noise[row]
-            for i in range(size):
-                seen[i] = 0.0
-                for j in range(size):
-                    seen[i] += P[i, j] * reads[row, j]
-                error -= reads[row, i] * x[i]
-            for i in range(size):
-                variance += reads[row, i] * seen[i]
-            for i in range(size):
-                gains[event, i] = seen[i] / variance
-                x[i] += gains[event, i] * error
-            for i in range(size):
-                for j in range(size):
-                    P[i, j] -= seen[i] * seen[j] / variance
-            e[event], s[event] = error, variance
-        if len(states) > 0:
+            C = lanes.reads[row, :, 0]
+            e[event], s[event] = _correct(x, P, C, events.value[event], noise.readings[row], gains[event])
+        if keep:
             states[event] = x
-    return e, s
+    return e, s, gains, states

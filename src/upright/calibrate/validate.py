@@ -230,13 +230,11 @@ def _variation(recording: Recording, order: Whole, moment: Array, edges: Array) 
 
 def _free(problem: Problem, recording: Recording, z: Array, order: Whole, before: Whole, firsts: Array) -> Array:
     """Errors (events, lanes) of a free simulation over the events of `order` from the first states (states, lanes)."""
-    from upright.calibrate.predictor import innovations
+    from upright.calibrate.predictor import Events, innovations
 
-    reads, delays, constants = problem.lanes(recording, np.repeat(z[:, None], firsts.shape[1], axis=1))
-    still = np.zeros((len(recording.kind), len(firsts)))
+    lanes = problem.lanes(recording, np.repeat(z[:, None], firsts.shape[1], axis=1))
     skipped = int(recording.value[before[0]]) if len(before) else 0
     value = np.where(recording.kind < 0, recording.value - skipped, recording.value)
-    return innovations(
-        order, recording.kind, recording.when, value, np.ascontiguousarray(recording.commands[skipped:]), reads, delays,
-        constants, firsts, still, problem.longest,
-    )  # fmt: skip
+    commands = np.ascontiguousarray(recording.commands[skipped:])
+    events = Events(order, recording.kind, recording.when, value, commands)
+    return innovations(events, lanes, firsts, np.zeros((len(recording.kind), len(firsts))), problem.longest)

@@ -8,19 +8,30 @@ from typing import Any
 
 import sympy as sp
 
-from upright.compiled.trace import ROWS, trace
+from upright.compiled.trace import ROWS
+from upright.compiled.trace_constants import NAMED
 from upright.compiled.trace_motion import motions, work_rows
 from upright.compiled.trace_print import function
 from upright.robots.robot import PARAMETERS
 
 
+def _constants_class() -> str:
+    """The named constants, each with its formula."""
+    width = max(map(len, NAMED))
+    lines = [f"{name + ': Any':<{width + 5}}  # {meaning}" for name, (_, meaning) in NAMED.items()]
+    document = (
+        '"""The products of a robot\'s parameters in its equations of motion; a11 and a33 of the upright robot."""'
+    )
+    return "\n".join(
+        ["class Constants(NamedTuple):", f"    {document}", "", *(f"    {line}" for line in lines), "", ""]
+    )
+
+
 def _constants_function() -> str:
     """A robot's constants from its parameters, in the order of `PARAMETERS`."""
-    lines = [f"{name} = p[{i}]" for i, name in enumerate(PARAMETERS)]
-    shared, formulas = sp.cse(list(trace().constants.values()), sp.numbered_symbols("t"))
-    lines += [f"{name} = {_code(formula)}" for name, formula in shared]
-    lines.append(f"return ({', '.join(map(_code, formulas))})")
-    return function("constants(p, complete)", lines, None)
+    shared, formulas = sp.cse([sp.factor_terms(formula) for formula, _ in NAMED.values()], sp.numbered_symbols("t"))
+    lines = [f"{', '.join(PARAMETERS)} = p", *(f"{name} = {_code(formula)}" for name, formula in shared)]
+    return function("constants(p, complete)", [*lines, f"return Constants({', '.join(map(_code, formulas))})"], None)
 
 
 def _code(formula: Any) -> str:
@@ -30,20 +41,21 @@ def _code(formula: Any) -> str:
 
 def sources() -> dict[str, str]:
     """The text of each generated file, by name."""
-    work = len(ROWS) + len(trace().constants)
-    size = f"LANES, ROW, SIZE = {LANES}, {ROW}, {work + work_rows()} * {ROW}"
-    rows = [
-        size,
-        f"CONSTANTS = {len(trace().constants)}",
-        *(f"{n.upper()} = {i}" for i, n in enumerate([*ROWS, "c0"])),
-        f"WORK, WORK_ROWS = {work}, {work_rows()}",
+    rows = [*ROWS, *NAMED]
+    layout = [
+        f"LANES, ROW, SIZE = {LANES}, {ROW}, {len(rows) + work_rows()} * {ROW}",
+        *(f"{name.upper()} = {row}" for row, name in enumerate(rows)),
+        f"WORK, WORK_ROWS = {len(rows)}, {work_rows()}",
         "",
     ]
+    parts = [HEADER, IMPORTS, "\n".join(layout), _constants_class(), _constants_function()]
     return {
-        "generated.py": "\n\n".join([HEADER, "\n".join(rows), _constants_function()]).rstrip() + "\n",
+        "generated.py": "\n\n".join(parts).rstrip() + "\n",
         "generated_motion.py": "\n\n".join([HEADER, *motions()]).rstrip() + "\n",
     }
 
+
+IMPORTS = "from typing import Any, NamedTuple"
 
 HEADER = """# Generated from physics.dynamics: do not edit. Written again by: python -m upright.compiled.generate
 # ruff: noqa

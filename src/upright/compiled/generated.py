@@ -3,8 +3,9 @@
 # fmt: off
 # pyright: basic
 
+from typing import Any, NamedTuple
+
 LANES, ROW, SIZE = 64, 80, 59 * 80
-CONSTANTS = 24
 PITCH = 0
 PITCH_RATE = 1
 WHEEL = 2
@@ -19,52 +20,84 @@ FORCE = 10
 MOMENT = 11
 SIN_SLOPE = 12
 COS_SLOPE = 13
-C0 = 14
+HALF_TRACK = 14
+WHEEL_RADIUS = 15
+GRAVITY = 16
+MOTOR_DAMPING = 17
+CENTRIFUGAL = 18
+WEIGHT = 19
+MOMENT_RESPONSE = 20
+COULOMB_TORQUE = 21
+MOTOR_TORQUE = 22
+LEVER = 23
+ROLLING_DAMPING = 24
+TURNING_LEVER = 25
+SLOPE_WEIGHT = 26
+FORCE_RESPONSE = 27
+YAW_CORIOLIS = 28
+YAW_LEVER = 29
+YAW_DAMPING = 30
+YAW_WEIGHT = 31
+YAW_COULOMB_TORQUE = 32
+YAW_MOTOR_TORQUE = 33
+ROTOR_COUPLING = 34
+PITCH_INERTIA = 35
+YAW_SWING = 36
+STICTION_RATE_SQUARED = 37
 WORK, WORK_ROWS = 38, 21
 
 
+class Constants(NamedTuple):
+    """The products of a robot's parameters in its equations of motion; a11 and a33 of the upright robot."""
+
+    half_track: Any             # W/(2R): wheel angle, from the mean, per angle of yaw
+    wheel_radius: Any           # R [m]
+    gravity: Any                # g [m/s²]
+    motor_damping: Any          # 2β/a11 [1/s]: both motors' torque lost per rate of wheel and body
+    centrifugal: Any            # (ML² + J_ρ − J_φ)/a11: pitch acceleration per yaw rate², times sin ψ cos ψ
+    weight: Any                 # MgL/a11 [1/s²]: the moment of gravity on the leaning body
+    moment_response: Any        # 1/a11 [1/(kg m²)]: what a moment on the body gives
+    coulomb_torque: Any         # τ_c/a11 [1/s²]: dry friction of one motor
+    motor_torque: Any           # α/a11 [1/(V s²)]: the torque of a volt on one motor
+    lever: Any                  # MLR/a11: the coupling of pitch and wheels, times cos ψ
+    rolling_damping: Any        # 2(β + f_w)/a11 [1/s]: motors' and wheels' damping of the wheel rate
+    turning_lever: Any          # MLR/a11, or 0 in the published model: per yaw rate², times sin ψ
+    slope_weight: Any           # (M + 2m)gR/a11 [1/s²]
+    force_response: Any         # R/a11 [1/(kg m)]: what a horizontal force on the body gives
+    yaw_coriolis: Any           # 2(ML² + J_ρ − J_φ)/a33: yaw acceleration per pitch rate and yaw rate
+    yaw_lever: Any              # MLR/a33, or 0 in the published model: per wheel and yaw rate, times sin ψ
+    yaw_damping: Any            # 2(W/2R)²(β + f_w)/a33 [1/s]: motors' and wheels' damping of yaw
+    yaw_weight: Any             # MgL/a33 [1/s²]: gravity's moment about the vertical on a slope
+    yaw_coulomb_torque: Any     # (W/2R)τ_c/a33 [1/s²]: dry friction of one motor, in yaw
+    yaw_motor_torque: Any       # (W/2R)α/a33 [1/(V s²)]: the torque of a volt, in yaw
+    rotor_coupling: Any         # 2n²J_m/a11: the rotors' part of a12
+    pitch_inertia: Any          # a22/a11: inertia in pitch over that of all that rolls
+    yaw_swing: Any              # (ML² + J_ρ − J_φ)/a33: what a lean adds to the inertia in yaw, times sin² ψ
+    stiction_rate_squared: Any  # ω_c² [rad²/s²]: of the smoothed dry friction
+
+
+
 def constants(p, complete):
-    wheel_mass = p[0]
-    wheel_radius = p[1]
-    wheel_inertia = p[2]
-    body_mass = p[3]
-    track = p[4]
-    com_height = p[5]
-    pitch_inertia = p[6]
-    yaw_inertia = p[7]
-    roll_inertia = p[8]
-    rotor_inertia = p[9]
-    gear_ratio = p[10]
-    motor_resistance = p[11]
-    back_emf = p[12]
-    torque_constant = p[13]
-    motor_friction = p[14]
-    wheel_friction = p[15]
-    coulomb_friction = p[16]
-    stiction_rate = p[17]
-    gravity = p[18]
-    body_depth = p[19]
-    body_height = p[20]
+    wheel_mass, wheel_radius, wheel_inertia, body_mass, track, com_height, pitch_inertia, yaw_inertia, roll_inertia, rotor_inertia, gear_ratio, motor_resistance, back_emf, torque_constant, motor_friction, wheel_friction, coulomb_friction, stiction_rate, gravity, body_depth, body_height = p
     t0 = (1/2)*track/wheel_radius
-    t1 = gear_ratio*torque_constant
-    t2 = back_emf*t1 + motor_friction*motor_resistance
-    t3 = (wheel_radius * wheel_radius)
-    t4 = (gear_ratio * gear_ratio)*rotor_inertia
-    t5 = 2*t4
-    t6 = 2*wheel_mass
-    t7 = 1/(body_mass*t3 + t3*t6 + t5 + 2*wheel_inertia)
-    t8 = 1/motor_resistance
-    t9 = t7*t8
-    t10 = 2*t9
-    t11 = body_mass*(com_height * com_height)
-    t12 = complete*roll_inertia - complete*yaw_inertia + t11
-    t13 = body_mass*com_height
-    t14 = gravity*t13
-    t15 = t7*wheel_radius
-    t16 = t13*t15
-    t17 = motor_resistance*wheel_friction + t2
-    t18 = (1/2)*(track * track)
-    t19 = t18/t3
-    t20 = 1/(t18*wheel_mass + t19*t4 + t19*wheel_inertia + yaw_inertia)
-    t21 = t0*t20
-    return (t0, wheel_radius, gravity, -t10*t2, t12*t7, t14*t7, t7, coulomb_friction*t7, -t1*t9, t16, -t10*t17, complete*t16, -gravity*t15*(body_mass + t6), t15, -2*t12*t20, -complete*t13*t20*wheel_radius, -t17*t19*t20*t8, t14*t20, coulomb_friction*t21, -t1*t21*t8, -t5*t7, t7*(pitch_inertia + t11 + t5), t12*t20, (stiction_rate * stiction_rate))
+    t1 = gear_ratio*torque_constant/motor_resistance
+    t2 = back_emf*t1 + motor_friction
+    t3 = (gear_ratio * gear_ratio)*rotor_inertia
+    t4 = 2*t3
+    t5 = (wheel_radius * wheel_radius)
+    t6 = body_mass + 2*wheel_mass
+    t7 = 1/(t4 + t5*t6 + 2*wheel_inertia)
+    t8 = 2*t7
+    t9 = body_mass*(com_height * com_height)
+    t10 = complete*(roll_inertia - yaw_inertia) + t9
+    t11 = body_mass*com_height
+    t12 = gravity*t11
+    t13 = t7*wheel_radius
+    t14 = t11*t13
+    t15 = t2 + wheel_friction
+    t16 = 1/t5
+    t17 = (1/2)*(track * track)
+    t18 = 1/(t17*(t16*(t3 + wheel_inertia) + wheel_mass) + yaw_inertia)
+    t19 = t10*t18
+    t20 = t0*t18
+    return Constants(t0, wheel_radius, gravity, t2*t8, t10*t7, t12*t7, t7, coulomb_friction*t7, t1*t7, t14, t15*t8, complete*t14, gravity*t13*t6, t13, 2*t19, complete*t11*t18*wheel_radius, t15*t16*t17*t18, t12*t18, coulomb_friction*t20, t1*t20, t4*t7, t7*(pitch_inertia + t4 + t9), t19, (stiction_rate * stiction_rate))

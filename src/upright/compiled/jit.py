@@ -196,7 +196,7 @@ def get(typingctx: Any, block: Any, row: Any, lane: Any) -> Any:
     """The number of robot `lane` in a row of a block."""
 
     def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        return builder.load(_lane(builder, *args))
+        return builder.load(_lane(builder, _address(context, builder, block, args[0]), *args[1:]))
 
     return block.dtype(block, types.int64, types.int64), codegen
 
@@ -206,7 +206,7 @@ def put(typingctx: Any, block: Any, row: Any, lane: Any, value: Any) -> Any:
     """Writes it."""
 
     def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        builder.store(args[3], _lane(builder, *args[:3]))
+        builder.store(args[3], _lane(builder, _address(context, builder, block, args[0]), *args[1:3]))
         return context.get_dummy_value()
 
     return types.void(block, types.int64, types.int64, block.dtype), codegen

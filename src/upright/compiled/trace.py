@@ -17,8 +17,8 @@ from typing import Any
 
 import sympy as sp
 
+from upright.compiled.trace_constants import A11, A33, NAMED, Constants, either
 from upright.compiled.trace_print import (
-    COMPLETE,
     COS,
     COS_SLOPE,
     COS_YAW,
@@ -45,13 +45,12 @@ from upright.physics.dynamics import Disturbance, accelerations, mass_matrix
 
 @dataclass(frozen=True)
 class Traced:
-    """`constants`: name → formula in the robot's parameters, in order. The rest in the names of those constants and of
-    `STATE` and `HELD`: `forces` Q_ψ, Q_θ, Q_φ, inertias `a12`, `a22`, `a33`, and the slip `rates` of left and right."""
+    """The equations in the names of `NAMED`, `STATE` and `HELD`: `forces` Q_ψ, Q_θ, Q_φ, inertias a12, a22, a33, and
+    the slip `rates` of left and right."""
 
-    constants: dict[str, Any]
-    forces: tuple[Any, Any, Any]
-    inertias: tuple[Any, Any, Any]
-    rates: tuple[Any, Any]
+    forces: tuple[Any, ...]
+    inertias: tuple[Any, ...]
+    rates: tuple[Any, ...]
 
 
 class Maths:
@@ -76,28 +75,6 @@ class Maths:
         return rate / slip
 
 
-class _Constants:
-    """Names for products of parameters alone, each formula once."""
-
-    def __init__(self) -> None:
-        self.formulas: dict[Any, Any] = {}
-
-    def of(self, formula: Any) -> Any:
-        """A symbol, or minus one, that stands for `formula`."""
-        formula = sp.factor_terms(formula)
-        if formula.is_number or sp.cancel(formula).is_number:
-            return sp.cancel(formula)
-        if -formula in self.formulas:
-            return -self.formulas[-formula]
-        return self.formulas.setdefault(formula, sp.Symbol(f"c{len(self.formulas)}", real=True))
-
-    def polynomial(self, expression: Any, divisor: Any = 1) -> Any:
-        """`expression` / `divisor` with the coefficient of every dynamic monomial replaced by a constant."""
-        poly = sp.Poly(sp.expand(expression), *DYNAMIC)
-        monomials = [(sp.prod(g**e for g, e in zip(DYNAMIC, powers, strict=True)), k) for powers, k in poly.terms()]
-        return sp.Add(*[self.of(k / divisor) * m for m, k in monomials])
-
-
 def _forces(model: str) -> tuple[Any, Any, Any, list[Any]]:
     """Q_ψ, Q_θ, Q_φ of the dynamics, got back from its accelerations, and the slip rates."""
     slope = sp.Symbol("slope", real=True)
@@ -114,36 +91,29 @@ def _forces(model: str) -> tuple[Any, Any, Any, list[Any]]:
     return one.coeff(b11), two.coeff(b22), yaw_acc * a33, xp.slips
 
 
-def _either(complete: Any, published: Any) -> Any:
-    """The complete model's expression where COMPLETE is 1, the published one's where it is 0."""
-    complete, published = sp.expand(complete), sp.expand(published)
-    return published + COMPLETE * (complete - published)
-
-
 @cache
 def trace() -> Traced:
     """Both models of `physics.dynamics` in one."""
     *complete, rates = _forces("complete")
     *published, _ = _forces("published")
-    pitch_force, wheel_force, yaw_force = map(_either, complete, published)
-    a11, a12, a22, a33 = map(_either, mass_matrix(COS, SIN, P), mass_matrix(COS, SIN, P, "published"))
-    upright = sp.expand(a33).subs(SIN, 0)
-    known = _Constants()
-    for formula in (P.track / (2 * P.wheel_radius), P.wheel_radius, P.gravity):
-        known.of(formula)  # first, because the sensors read them too
-    forces = (
-        known.polynomial(pitch_force, a11),
-        known.polynomial(wheel_force, a11),
-        known.polynomial(yaw_force, upright),
+    pitch_force, wheel_force, yaw_force = map(either, complete, published)
+    _, a12, a22, a33 = map(either, mass_matrix(COS, SIN, P), mass_matrix(COS, SIN, P, "published"))
+    known = Constants()
+    for formula in (P.wheel_radius, P.gravity, P.stiction_rate**2):
+        known.of(formula)  # what the accelerometer reads, and the smoothing of dry friction
+    forces = tuple(
+        known.polynomial(force, DYNAMIC, divisor)
+        for force, divisor in ((pitch_force, A11), (wheel_force, A11), (yaw_force, A33))
     )
-    inertias = (known.polynomial(a12, a11), known.polynomial(a22, a11), known.polynomial(a33, upright))
-    slip_rates = tuple(known.polynomial(rate) for rate in rates)
-    known.of(P.stiction_rate**2)
-    constants = {symbol.name: formula for formula, symbol in known.formulas.items()}
-    return Traced(constants, forces, inertias, (slip_rates[0], slip_rates[1]))
+    inertias = tuple(known.polynomial(a, DYNAMIC, divisor) for a, divisor in ((a12, A11), (a22, A11), (a33, A33)))
+    slips = tuple(known.polynomial(rate, DYNAMIC) for rate in rates)
+    known.check()
+    return Traced(forces, inertias, slips)
 
 
 ROWS = ("pitch", "pitch_rate", "wheel", "wheel_rate", "yaw", "yaw_rate", "h", "lived", *map(str, HELD))
 """What a block holds for each robot before its constants, by row."""
+
+CONSTANTS = tuple(NAMED)
 
 STAGE = ("pitch", "pitch_rate", "wheel_rate", "yaw", "yaw_rate")

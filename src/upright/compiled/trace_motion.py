@@ -1,22 +1,26 @@
-"""The third part of the trace: the accelerations and the step of Runge and Kutta, as source text for the kernel.
+"""The accelerations and the step of Runge and Kutta, as source text for the kernel and the calibration's predictor.
 
-A step is written twice, with the same arithmetic. `step_…` moves one robot and keeps everything in registers.
-`advance_…` moves a block by one loop for each stage, with the accelerations between them in rows of the block: a loop
-over a whole step is so long that a processor cannot look ahead to the next robots while it waits for its results.
+The step is `physics.integrate.rk4_step`, run over symbols. It is written twice, with the same arithmetic. `rk4_…` moves
+one robot and keeps everything in registers. `advance_…` moves a block by one loop for each stage, with the
+accelerations between them in rows of the block: a loop over a whole step is so long that a processor cannot look ahead
+to the next robots while it waits for its results.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from functools import cache
 from typing import Any
 
 import sympy as sp
 
-from upright.compiled.trace import ROWS, STAGE, Maths, trace
+from upright.compiled.trace import CONSTANTS, ROWS, STAGE, Maths, trace
 from upright.compiled.trace_print import (
     COS_SLOPE,
+    FORCE,
     HELD,
+    MOMENT,
     PITCH,
     PITCH_RATE,
     SIN_SLOPE,
@@ -31,67 +35,142 @@ from upright.compiled.trace_print import (
     factored,
     function,
 )
+from upright.errors import InvalidModel
+from upright.physics.integrate import rk4_step
 from upright.physics.sensing import accelerometer
 
-VARIANTS = {"smooth": (False, False), "coulomb": (True, False), "slope": (False, True), "coulomb_slope": (True, True)}
-"""Name → whether with Coulomb friction and whether on a floor that may slope."""
+_SMOOTH, _LEVEL, _CALM = {SLIP_LEFT: 0, SLIP_RIGHT: 0}, {SIN_SLOPE: 0, COS_SLOPE: 1}, {FORCE: 0, MOMENT: 0}
+VARIANTS = {
+    "smooth": {**_SMOOTH, **_LEVEL}, "coulomb": _LEVEL, "slope": _SMOOTH, "coulomb_slope": {},
+    "free": {**_SMOOTH, **_LEVEL, **_CALM},
+}  # fmt: skip
+"""Name → what it leaves out: dry friction, a floor that slopes, and, for the predictor alone, pushes."""
+FOR_BLOCKS = tuple(name for name in VARIANTS if name != "free")
 
 IMPORTS = """from upright.compiled.generated import WORK
 from upright.compiled.jit import absolute, align_stack, fma, get, inlined, mul, positive, put, reciprocal, sqrt
 from upright.compiled.lane_math import sincos, sincos_any"""
 
 _ANGLES = ("pitch", "wheel", "yaw")
+_STATES = ROWS[:6]
+_H = sp.Symbol("h")
+_STEP = {sp.Integer(1): "h", sp.Rational(1, 2): "half"}
 
 
 def motions() -> list[str]:
     """The parts of `generated_motion.py`."""
-    return [IMPORTS, *(text for name, variant in VARIANTS.items() for text in _functions(name, *variant))]
+    return [IMPORTS, *(text for name in VARIANTS for text in _Work(name).functions())]
 
 
 def work_rows() -> int:
     """Rows of a block that `advance_…` needs between its loops."""
-    return max(len(_Work(name, *variant).rows) for name, variant in VARIANTS.items())
+    return max(len(_Work(name).rows) for name in FOR_BLOCKS)
 
 
-def _functions(name: str, coulomb: bool, slope: bool) -> list[str]:
-    work = _Work(name, coulomb, slope)
-    return [*work.accelerations(), work.step(), work.advance(), work.specific_force()]
+class _RungeKutta:
+    """`rk4_step` over symbols: what each stage is evaluated at, and the state one step on."""
+
+    def __init__(self) -> None:
+        self.stages: list[list[Any]] = []
+        start = sp.symbols(_STATES)
+        end = rk4_step(self._slopes, start, _H)  # type: ignore[arg-type]
+        names = {sp.Symbol(name): expression for k in (1, 2, 3) for name, expression in self._named(k)}
+        for _ in range(3):  # a stage's rates are those of the stage before it
+            end = [sp.expand(sp.sympify(value).xreplace(names)) for value in end]
+        for name, value in zip(_STATES, end, strict=True):
+            if sp.expand(value - _END[name]) != 0:
+                raise InvalidModel(f"rk4_step gives {value} for {name}", expected=f"{_END[name]}, which is printed")
+
+    def _slopes(self, x: Sequence[Any]) -> list[Any]:
+        self.stages.append(list(x))
+        k = str(len(self.stages))
+        rates = [sp.Symbol(f"{n}_rate{k if k != '1' else ''}") for n in _ANGLES]
+        accelerations = sp.symbols([f"{n}_acc{k}" for n in _ANGLES])
+        return [value for pair in zip(rates, accelerations, strict=True) for value in pair]
+
+    def _named(self, k: int) -> list[tuple[str, Any]]:
+        return [(f"{name}{k + 1}", value) for name, value in zip(_STATES, self.stages[k], strict=True)]
+
+    def lines(self, k: int, moving: Iterable[str]) -> list[str]:
+        """The states that stage `k` (from 1) is evaluated at, those in `moving` alone."""
+        return [f"{name} = {_increment(value)}" for name, value in self._named(k - 1) if name[:-1] in moving]
+
+
+def _increment(expression: Any) -> str:
+    """x + h s or x + h s/2 in one rounding."""
+    number, slope = expression.coeff(_H).as_coeff_Mul()
+    return f"fma({_STEP[number]}, {slope}, {expression.coeff(_H, 0)})"
+
+
+@cache
+def _runge_kutta() -> _RungeKutta:
+    return _RungeKutta()
+
+
+def _ends() -> dict[str, Any]:
+    """The state one step on, in the accelerations of the four stages (Nyström's form of the classical method)."""
+    end: dict[str, Any] = {}
+    for n in _ANGLES:
+        angle, rate = sp.symbols([n, f"{n}_rate"])
+        one, two, three, four = sp.symbols([f"{n}_acc{k}" for k in (1, 2, 3, 4)])
+        end[n] = sp.expand(angle + _H * (rate + _H / 6 * (one + two + three)))
+        end[f"{n}_rate"] = sp.expand(rate + _H / 6 * (one + 2 * two + 2 * three + four))
+    return end
+
+
+_END = _ends()
 
 
 class _Work:
     """The source texts of one variant, whose `held` values are the same in all stages of a step."""
 
-    def __init__(self, name: str, coulomb: bool, slope: bool) -> None:
-        self.name, self.slope = name, slope
-        self._moving = ("pitch", "yaw") if slope else ("pitch",)
-        self._held_lines, self._lines, self._result = _parted(_acceleration_lines(coulomb=coulomb, slope=slope))
-        self._constants = _used([*self._lines, self._result], trace().constants)
-        self._held_constants = _used(self._held_lines, trace().constants)
-        self.held = _used([*self._lines, self._result], [line.split(" = ")[0] for line in self._held_lines])
+    def __init__(self, name: str) -> None:
+        self.name, self.slope = name, SIN_SLOPE not in VARIANTS[name]
+        self._moving = [n for n in STAGE if n != "yaw" or self.slope]
+        self._held_lines, self._lines, self._result = _parted(_acceleration_lines(VARIANTS[name]))
+        lines = [*self._lines, self._result]
+        self._constants, self._held_constants = _used(lines, CONSTANTS), _used(self._held_lines, CONSTANTS)
+        self._inputs = _used(self._held_lines, map(str, HELD))
+        self.held = _used(lines, [line.split(" = ")[0] for line in self._held_lines])
+        self._all = _used([*self._held_lines, *lines], CONSTANTS)
         accelerations = [f"{angle}_acc{k}" for k in (1, 2, 3) for angle in _ANGLES]
-        rates = [f"{angle}_rate{k}" for k in (2, 3) for angle in self._moving]
+        rates = [f"{n}_rate{k}" for k in (2, 3) for n in _ANGLES if n in self._moving]
         self._stages = [*accelerations, *rates]
         self.rows = {name: f"WORK + {row}" for row, name in enumerate([*self._stages, *self.held])}
 
+    def functions(self) -> list[str]:
+        """All texts of the variant."""
+        texts = [*self.accelerations(), self.constants(), self.rk4()]
+        return [*texts, self.step(), self.advance(), self.specific_force()] if self.name in FOR_BLOCKS else texts
+
     def accelerations(self) -> list[str]:
         """What is held over a step, the accelerations from it, and both in one."""
-        held, constants = f"{', '.join(self.held)}", list(trace().constants)
-        one = [*map(str, HELD), *self._held_constants]
-        two = [*STAGE, *self.held, *self._constants]
-        both = [f"{held} = held_{self.name}({', '.join(one)})", f"return moved_{self.name}({', '.join(two)})"]
-        all_ = [*STAGE, *map(str, HELD), *constants]
+        one = ", ".join([*self._inputs, *self._held_constants])
+        two = ", ".join([*self._moving, *self.held, *self._constants])
+        both = ", ".join([*self._moving, *self._inputs, *self._all])
         return [
-            function(f"held_{self.name}({', '.join(one)})", [*self._held_lines, f"return {held}"]),
-            function(f"moved_{self.name}({', '.join(two)})", [*self._lines, self._result]),
-            function(f"accelerations_{self.name}({', '.join(all_)})", both),
+            function(f"held_{self.name}({one})", [*self._held_lines, f"return {', '.join(self.held)}"]),
+            function(f"moved_{self.name}({two})", [*self._lines, self._result]),
+            function(f"accelerations_{self.name}({both})", [self._hold(), f"return moved_{self.name}({two})"]),
         ]
+
+    def constants(self) -> str:
+        """The constants of robot `i` of a block that the variant needs, in the order that `rk4_…` takes them."""
+        return function(f"constants_{self.name}(w, i)", [f"return {self._get(self._all)}"])
+
+    def rk4(self) -> str:
+        """The state one step on."""
+        lines = [self._hold(), *(line for k in (1, 2, 3, 4) for line in self._stage(k, recall=False)), *_sums()]
+        arguments = ", ".join([*_STATES, "h", *self._inputs, *self._all])
+        return function(f"rk4_{self.name}({arguments})", [*lines, f"return {', '.join(f'new_{n}' for n in _STATES)}"])
 
     def step(self) -> str:
         """The one robot of a block by one step."""
-        lines = [self._hold(), *(line for k in (1, 2, 3, 4) for line in self._stage(k, recall=False)), *_sums()]
-        lines = [*self._load([*lines, *_STORE]), *lines, *_STORE]
-        body = ["i = 0", *lines]
-        return function(f"step_{self.name}(w, count, fallen, now)", body, None)
+        arguments = ", ".join([*_STATES, "h", *self._inputs])
+        call = f"{', '.join(f'new_{n}' for n in _STATES)} = rk4_{self.name}({arguments}, *constants_{self.name}(w, i))"
+        return function(
+            f"step_{self.name}(w, count, fallen, now)", ["i = 0", *self._load([call, *_STORE]), call, *_STORE], None
+        )
 
     def advance(self) -> str:
         """All robots of a block by one step; one whose pitch leaves ±fallen gets a step of zero from then on."""
@@ -108,53 +187,44 @@ class _Work:
         tilt = sp.Symbol("slope", real=True)
         x = (PITCH, PITCH_RATE, sp.Symbol("wheel"), WHEEL_RATE, YAW, YAW_RATE)
         forces = accelerometer(x, sp.Symbol("wheel_acc", real=True), P, tilt, Maths(tilt))
-        known = {P.wheel_radius: sp.Symbol("c1"), P.gravity: sp.Symbol("c2")}
-        forward, up = (_shorter(sp.expand(f.xreplace(known)), coulomb=False, slope=self.slope) for f in forces)
+        forward, up = (sp.expand(f).subs(VARIANTS[self.name]) for f in forces)
         printer = Printer()
         results = [printer.value(factored(forward)), printer.value(factored(up))]
-        arguments = ", ".join([*STAGE, *self.held, *self._constants])
         body = [
             self._hold(),
-            f"_, wheel_acc, _ = moved_{self.name}({arguments})",
+            f"_, wheel_acc, _ = moved_{self.name}({', '.join([*self._moving, *self.held, *self._constants])})",
             "s, c = sincos(pitch)",
             *(["sin_yaw, cos_yaw = sincos_any(yaw)"] if self.slope else []),
             *printer.lines,
             *(f"put(w, out + {k}, i, {result})" for k, result in enumerate(results)),
         ]
-        lines = ["for i in range(count):"]
-        lines += [f"    {line}" for line in [*self._load(body), *body]]
+        lines = ["for i in range(count):", *(f"    {line}" for line in [*self._load(body), *body])]
         return function(f"specific_force_{self.name}(w, count, out)", lines, None)
 
     def _hold(self) -> str:
-        return f"{', '.join(self.held)} = held_{self.name}({', '.join([*map(str, HELD), *self._held_constants])})"
+        return f"{', '.join(self.held)} = held_{self.name}({', '.join([*self._inputs, *self._held_constants])})"
 
     def _stage(self, k: int, *, recall: bool) -> list[str]:
         """The accelerations of stage `k` from those before it. With `recall` no line of another stage is at hand."""
-        if k == 1:
-            return [self._moved(1, {})]
-        step = "h" if k == 4 else "half"
-        lines = ["half = mul(h, 0.5)"] if k == 2 or (recall and k == 3) else []
-        for n in _ANGLES:
-            if n in self._moving:
-                lines.append(f"{n}{k} = fma({step}, {n}_rate{k - 1 if k > 2 else ''}, {n})")
-            lines.append(f"{n}_rate{k} = fma({step}, {n}_acc{k - 1}, {n}_rate)")
-        return [*lines, self._moved(k, {n: f"{n}{k}" for n in (*self._moving, *(f"{n}_rate" for n in _ANGLES))})]
-
-    def _moved(self, k: int, at: dict[str, str]) -> str:
-        found = ", ".join(f"{angle}_acc{k}" for angle in _ANGLES)
-        arguments = [*(at.get(name, name) for name in STAGE), *self.held, *self._constants]
-        return f"{found} = moved_{self.name}({', '.join(arguments)})"
+        half = ["half = mul(h, 0.5)"] if k == 2 or (recall and k == 3) else []
+        at = [f"{n}{k}" if k > 1 and n in self._moving else n for n in self._moving]
+        arguments = ", ".join([*at, *self.held, *self._constants])
+        lines = _runge_kutta().lines(k, self._moving) if k > 1 else []
+        return [*half, *lines, f"{', '.join(f'{n}_acc{k}' for n in _ANGLES)} = moved_{self.name}({arguments})"]
 
     def _load(self, lines: Sequence[str]) -> list[str]:
         """Loads of the rows that `lines` need and do not make themselves."""
-        places = {name: str(row) for row, name in enumerate([*ROWS, *trace().constants])}
-        places |= self.rows
         made = {name for line in lines for name in line.split(" = ")[0].split(", ")}
-        return [f"{name} = get(w, {places[name]}, i)" for name in _used(lines, places) if name not in made]
+        names = [name for name in _used(lines, [*ROWS, *CONSTANTS, *self.rows]) if name not in made]
+        return [f"{', '.join(names)} = {self._get(names)}"]
+
+    def _get(self, names: Iterable[str]) -> str:
+        places = {name: str(row) for row, name in enumerate([*ROWS, *CONSTANTS])} | self.rows
+        return ", ".join(f"get(w, {places[name]}, i)" for name in names)
 
 
 def _sums() -> list[str]:
-    """From the four stages to the state one step on (Nyström's form of the classical method)."""
+    """`_END`, with the sums that angle and rate share."""
     lines = ["sixth = mul(h, 1 / 6)"]
     for n in _ANGLES:
         lines.append(f"{n}_middle = {n}_acc2 + {n}_acc3")
@@ -165,7 +235,7 @@ def _sums() -> list[str]:
 
 
 _STORE = [
-    *(f"put(w, {row}, i, new_{name})" for row, name in enumerate(ROWS[:6])),
+    *(f"put(w, {row}, i, new_{name})" for row, name in enumerate(_STATES)),
     f"put(w, {ROWS.index('lived')}, i, now if positive(h) else lived)",
     f"put(w, {ROWS.index('h')}, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))",
 ]
@@ -182,12 +252,12 @@ def _used(lines: Iterable[str], names: Iterable[str]) -> list[str]:
 
 def _parted(lines: Sequence[str]) -> tuple[list[str], list[str], str]:
     """Lines that need nothing but what is held and constants, the other lines, and the one that returns."""
-    known = {*map(str, HELD), *trace().constants, "fma"}
+    known = {*map(str, HELD), *CONSTANTS, "fma"}
     held, rest = list[str](), list[str]()
     for line in lines[:-1]:
         name, _, text = line.partition(" = ")
         words = _words([text])
-        alone = words <= known and not words <= set(trace().constants)
+        alone = words <= known and not words <= set(CONSTANTS)
         (held if alone else rest).append(line)
         known |= {name} if alone else set()
     return held, rest, lines[-1]
@@ -200,16 +270,10 @@ def _split(expression: Any) -> Any:
     return factored(sp.Add(*held)), factored(sp.Add(*[term for term in terms if term not in held]))
 
 
-def _shorter(expression: Any, *, coulomb: bool, slope: bool) -> Any:
-    """Without what a level floor or a robot without Coulomb friction does not need."""
-    level = {SIN_SLOPE: 0, COS_SLOPE: 1}
-    smooth = {SLIP_LEFT: 0, SLIP_RIGHT: 0}
-    return expression.subs({**({} if slope else level), **({} if coulomb else smooth)})
-
-
-def _acceleration_lines(*, coulomb: bool, slope: bool) -> list[str]:
-    """The body of a function that gives ψ̈, θ̈, φ̈, with one reciprocal for all its divisions."""
+def _acceleration_lines(absent: dict[Any, int]) -> list[str]:
+    """The body of a function that gives ψ̈, θ̈, φ̈ without what is `absent`, with one reciprocal for all its divisions."""
     traced, out = trace(), Printer()
+    coulomb, slope = SLIP_LEFT not in absent, SIN_SLOPE not in absent
     out.put("s, c", "sincos(pitch)")
     if slope:
         out.put("sin_yaw, cos_yaw", "sincos_any(yaw)")
@@ -220,13 +284,12 @@ def _acceleration_lines(*, coulomb: bool, slope: bool) -> list[str]:
     if coulomb:
         for side, rate in zip(("left", "right"), traced.rates, strict=True):
             out.put(f"rate_{side}", out.value(rate))
-            square = list(trace().constants)[-1]
-            below.append(out.put(f"root_{side}", f"sqrt(fma(rate_{side}, rate_{side}, {square}))"))
+            below.append(out.put(f"root_{side}", f"sqrt(fma(rate_{side}, rate_{side}, stiction_rate_squared))"))
     over = _reciprocals(out, below)
     if coulomb:
         out.put("slip_left", f"rate_left * {over[2]}")
         out.put("slip_right", f"rate_right * {over[3]}")
-    force = [_split(_shorter(f, coulomb=coulomb, slope=slope)) for f in traced.forces]
+    force = [_split(f.subs(absent)) for f in traced.forces]
     for name, (held, _) in zip(("held_pitch", "held_wheel", "held_yaw"), force, strict=True):
         out.put(name, out.value(held))
     pitch, wheel, yaw = (

@@ -9,8 +9,8 @@ from __future__ import annotations
 from typing import Any
 
 from upright.compiled.generated import (
-    C0,
     FORCE,
+    HALF_TRACK,
     LEFT,
     LIVED,
     MOMENT,
@@ -275,7 +275,7 @@ def sense(w: Any, count: int, kind: int, out: int) -> None:
     if kind <= ENCODER_RIGHT:
         side = -1.0 if kind == ENCODER_LEFT else 1.0
         for i in range(count):
-            turn = mul(get(w, C0, i), side)
+            turn = mul(get(w, HALF_TRACK, i), side)
             put(w, out, i, fma(turn, get(w, YAW, i), get(w, WHEEL, i)) - get(w, PITCH, i))
     else:
         source = PITCH_RATE if kind == GYRO else YAW if kind == COMPASS else FELT + kind - ACCEL_FORWARD

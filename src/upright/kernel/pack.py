@@ -72,7 +72,7 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
     block.take(6, batch.start)
     block.take(2, np.array([[h, 0.0]]))
     block.take(6, np.array([[0.0, 0.0, 0.0, 0.0, 0.0, 1.0]]))  # nothing commanded, no push, a level floor
-    block.take(g.CONSTANTS, constants(batch))
+    block.take(len(g.Constants._fields), constants(batch))
     block.take(g.WORK_ROWS)
     block.take(b.KIT_SIZE, kit.motor)
     block.take(b.COUNTED, np.where(np.arange(b.COUNTS, b.REFERENCE) == b.OUTSIDE, -1.0, 0.0)[None])
@@ -96,7 +96,7 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
 
 
 def constants(batch: FleetBatch) -> Array:
-    """(·, CONSTANTS): each robot's constants of the traced dynamics."""
+    """(·, constants): each robot's constants of the traced dynamics."""
     if isinstance(batch.model, str):
         complete: Any = float(batch.model == "complete")
         if len(batch.parameters) == 1:  # one robot's numbers are quicker by themselves than as arrays of one
