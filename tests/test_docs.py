@@ -20,7 +20,8 @@ from upright.cli.main import app, main
 from upright.control import lqg
 from upright.control.excited import Excited, random_binary
 from upright.experiment import run
-from upright.logs.mapping import Mapping
+from upright.logs.mapping import Mapping, propose
+from upright.logs.readers import read_table
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -53,16 +54,15 @@ def workshop(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("workshop")
     robot, kit = Robot.preset("nxtway-gs"), Kit.preset("nxt")
     controller = lqg(robot, kit)
-    excitation = random_binary(int(12 / kit.period), 1.0, seed=1)
-    log = run(Electronics(Twin(robot), kit), Excited(controller, excitation), seconds=12.0, seed=1)
+    excitation = random_binary(int(8 / kit.period), 1.0, seed=1)
+    log = run(Electronics(Twin(robot), kit), Excited(controller, excitation), seconds=8.0, seed=1)
     measured = {name: values for name, values in log.channels.items() if not name.startswith("truth/")}
     units = {name: log.units[name] for name in measured}
     for name in ("run.csv", "first.parquet", "spike.parquet"):
         Log(log.t, measured, units, log.origin).save(folder / name)
     robot.save(folder / "robot.toml")
     robot.save(folder / "mine.toml")
-    mapping = next(text for text in blocks(ROOT / "docs" / "logs.md", "toml") if "[channels" in text)
-    (folder / "m.toml").write_text(mapping, "utf-8")
+    (folder / "m.toml").write_text(propose(read_table(folder / "run.csv")).to_toml(), "utf-8")
     return folder
 
 
@@ -137,9 +137,11 @@ def test_the_toml_of_the_documents_is_read() -> None:
             tomllib.loads(block)
 
 
-def test_the_example_mapping_and_kit_are_read(bench: Path) -> None:
-    mapping = Mapping.load("m.toml")
-    assert mapping.channels["applied/left"].times == "sensor/battery"
+def test_the_example_mapping_and_kit_are_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    mapping = next(text for text in blocks(ROOT / "docs" / "logs.md", "toml") if "[channels" in text)
+    Path("mapping.toml").write_text(mapping, "utf-8")
+    assert Mapping.load("mapping.toml").channels["applied/left"].times == "sensor/battery"
     kit = next(text for text in blocks(ROOT / "docs" / "add-a-robot.md", "toml") if "my-board" in text)
     Path("kit.toml").write_text(kit, "utf-8")
     assert Kit.load("kit.toml").sensors["sensor/gyro"].noise == 0.002
@@ -160,6 +162,7 @@ def test_the_example_body_keeps_the_contract() -> None:
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_links_lead_to_files_that_exist(page: Path) -> None:
-    targets = re.findall(r"\]\(([^)#]+?)(?:#[^)]*)?\)", page.read_text(encoding="utf-8"))
+    prose = re.sub(r"`[^`\n]*`", "", FENCE.sub("", page.read_text("utf-8")))
+    targets = re.findall(r"\]\(([^)#]+?)(?:#[^)]*)?\)", prose)
     missing = [t for t in targets if not t.startswith("http") and not (page.parent / t).exists()]
     assert not missing
