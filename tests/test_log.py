@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+import math
+
 import numpy as np
 import pytest
 
@@ -115,3 +118,42 @@ def test_what_is_no_log_is_refused(t: object, channels: dict[str, object], says:
     with pytest.raises(InvalidLog, match=says) as caught:
         Log(t, channels)  # pyright: ignore[reportArgumentType]
     assert "\n" not in str(caught.value)
+
+
+def run_of_two_units() -> Log:
+    channels = {"truth/pitch": [0.0, 0.1, math.nan], "sensor/gyro": [1.0, 2.0, 3.0], "truth/wheel": [3.0, 2.0, 1.0]}
+    return Log([0.0, 0.01, 0.03], channels, origin={"seed": 7})
+
+
+def test_pandas_has_the_channels_over_time() -> None:
+    frame = run_of_two_units().to_pandas()
+    assert frame.index.name == "t"
+    assert list(frame.columns) == ["truth/pitch", "sensor/gyro", "truth/wheel"]
+    assert frame.loc[0.01, "sensor/gyro"] == 2.0
+    assert frame["truth/pitch"].isna().tolist() == [False, False, True]
+
+
+def test_xarray_keeps_units_and_origin() -> None:
+    data = run_of_two_units().to_xarray()
+    assert data["sensor/gyro"].attrs["units"] == "rad/s"
+    assert data["t"].attrs["units"] == "s"
+    assert data["truth/wheel"].sel(t=0.03).item() == 1.0
+    assert json.loads(data.attrs["origin"]) == {"seed": 7}
+
+
+def test_a_plot_has_a_panel_for_each_unit() -> None:
+    log = run_of_two_units()
+    panels = log.plot("truth/pitch", "sensor/gyro", "truth/wheel").axes
+    assert [panel.get_ylabel() for panel in panels] == ["[rad]", "[rad/s]"]
+    drawn = {line.get_label(): line for panel in panels for line in panel.lines}
+    assert drawn.keys() == set(log.channels)
+    assert drawn["sensor/gyro"].get_ydata().tolist() == [1.0, 2.0, 3.0]
+    assert len(log.plot().axes) == 1  # pitch and wheel, both in rad
+    with pytest.raises(InvalidLog, match="no channel 'pitch'"):
+        log.plot("pitch")
+
+
+def test_a_log_is_short_in_a_notebook() -> None:
+    log = run_of_two_units()
+    assert repr(log) == "Log(3 samples, 0.03 s, 3 channels)"
+    assert "<td>sensor/gyro</td><td>rad/s</td><td>1</td><td>3</td>" in log._repr_html_()

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from upright.atomic import finite
 from upright.errors import InvalidRobot
 from upright.robots import Robot
+from upright.tables import Shown
 
 Array = NDArray[np.float64]
 
@@ -80,8 +81,8 @@ class Whiteness:
         return self.ljung_box < self.threshold and self.input_test < self.threshold
 
 
-@dataclass(frozen=True)
-class Calibration:
+@dataclass(frozen=True, repr=False)
+class Calibration(Shown):
     """A robot learnt from logs. `parameters` are what was fitted, `combinations` what the log really sees (ratios of
     them, and the unstable pole), `delays` the dead times, `electronics` what commands go through; `covariance` (n, n)
     is that of the parameters' names in `names`, in SI units. `fits` holds [%] h-step fits by horizon and sensor on the

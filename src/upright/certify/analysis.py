@@ -22,6 +22,7 @@ from upright.control.state_space import controller_of
 from upright.physics.linear import Complex, LinearModel
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import draw
+from upright.tables import Shown
 
 Array = NDArray[np.float64]
 
@@ -35,8 +36,8 @@ COMPARABLE = {"sensor/gyro": 1.5, "sensor/compass": 0.5}  # [rad/s], [rad]: Brys
 _ANGLE = 1.0  # [rad] of an encoder
 
 
-@dataclass(frozen=True, eq=False)
-class Analysis:
+@dataclass(frozen=True, eq=False, repr=False)
+class Analysis(Shown):
     """A controller on a robot: closed-loop `poles`, `inputs` and `outputs` margins, one `disk` α for both motors at
     once.
 

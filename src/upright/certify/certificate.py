@@ -32,6 +32,9 @@ from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Uncertainty, draw, find_posterior
+from upright.tables import Shown
+
+Array = NDArray[np.float64]
 
 GREEN = "green"
 
@@ -66,8 +69,8 @@ class LinearMargins:
         return self.radius < 1
 
 
-@dataclass(frozen=True)
-class Certificate:
+@dataclass(frozen=True, repr=False)
+class Certificate(Shown):
     """What was measured of the controller with this `hash`, every `period` [s], and the `light` that follows from it.
 
     Of `samples` robots `fell` fell in at least one of the `trials`; `bound` is what the chance of that stays below,

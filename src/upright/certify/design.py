@@ -20,10 +20,11 @@ from upright.control import (
 from upright.errors import InvalidController, SpecMismatch
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Uncertainty, find_posterior
+from upright.tables import Shown
 
 
-@dataclass(frozen=True, eq=False)
-class Designed:
+@dataclass(frozen=True, eq=False, repr=False)
+class Designed(Shown):
     """The `controller` that `method` gives for `robot` with `kit`, and the `analysis` of its linear loop.
 
     `analysis` is None where the controller is not linear near rest, for the reason in `remark`.

@@ -17,6 +17,7 @@ from upright.comparison import metrics
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import outcome_of
 from upright.signals import STATE_NAMES, Log
+from upright.tables import Shown
 
 NEAR_LIMIT = 0.8
 """Share of its limit below which no command was cut: a battery that sags gives way by less than the rest."""
@@ -51,8 +52,8 @@ METRICS: dict[str, tuple[str, str]] = {
 """Field name → (unit, label) of every metric, in order; the effort's u is `Comparison.command_unit`."""
 
 
-@dataclass(frozen=True, eq=False)
-class Comparison:
+@dataclass(frozen=True, eq=False, repr=False)
+class Comparison(Shown):
     """Logs under their labels, the metrics of each, and how well each fits the reference.
 
     `fits[label][signal]` is the NRMSE fit [%] to the log labelled `reference`. `sources` says whether a log's

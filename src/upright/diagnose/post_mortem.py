@@ -27,13 +27,14 @@ from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import RATES, LogSource, raw_log
 from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot, kit_names, preset_names
 from upright.signals import Log
+from upright.tables import Shown
 
 Array = NDArray[np.float64]
 KIND, VERSION = "upright post-mortem", 1
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class PostMortem:
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class PostMortem(Shown):
     """Why a robot fell: the `verdict` is the likeliest of `causes`, "it did not fall" or "cannot tell".
 
     `fell_at` is when its lean passed 0.7 rad for good, `onset` when the trouble began [s] (NaN where there is none);

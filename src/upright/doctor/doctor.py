@@ -23,6 +23,7 @@ from upright.logs.mapping import Mapping, channels_of, find_mapping, propose
 from upright.logs.readers import RawTable, read_table, table_of
 from upright.robots import Robot, find_robot
 from upright.signals import Log
+from upright.tables import Shown
 
 Check = Callable[[Record], list[Finding]]
 
@@ -30,8 +31,8 @@ _FEWEST = 20
 """Fewest rows from which a motion can be judged."""
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class Diagnosis:
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class Diagnosis(Shown):
     """All findings on one log, worst first; `mapping` says which column was read as which channel.
 
     `str()` is a short table, `to_json()` plain data, `repaired()` the log with every repair applied.

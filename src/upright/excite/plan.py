@@ -15,6 +15,7 @@ from upright.control import Controller
 from upright.control.excited import Excited
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.fleet.results import largest_share
+from upright.tables import Shown
 
 Array = NDArray[np.float64]
 
@@ -94,8 +95,8 @@ class Tried:
     shrinks: float
 
 
-@dataclass(frozen=True, eq=False)
-class ExcitationPlan:
+@dataclass(frozen=True, eq=False, repr=False)
+class ExcitationPlan(Shown):
     """`excitation` (rows, 2), to be added to the commands [unit] of the controller with that `hash`, each row for
     `hold` periods of `period` [s]; read-only.
 

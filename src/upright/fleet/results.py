@@ -19,6 +19,7 @@ from upright.errors import InvalidLog, MissingTool, UprightError
 from upright.fleet.ensemble import OUTCOMES, Ensemble, Index
 from upright.fleet.vary import kit_numbers
 from upright.robots import PARAMETERS, Kit
+from upright.tables import Shown
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -51,8 +52,8 @@ def largest_share(count: int, n: int, confidence: float = 0.95) -> float:
     return clopper_pearson(count, n, 2 * confidence - 1).high  # one-sided: all of what is left stands above
 
 
-@dataclass(frozen=True)
-class Summary:
+@dataclass(frozen=True, repr=False)
+class Summary(Shown):
     """A fleet in short: of `n` robots `fell` fell, the chance of it with its 95 % interval, and of each outcome of
     those that stood the quantiles of 5, 50 and 95 %, in `units`."""
 

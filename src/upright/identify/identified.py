@@ -16,6 +16,7 @@ from upright.identify.order import Order
 from upright.identify.study import Pole
 from upright.physics.linear import INPUTS, LinearModel
 from upright.signals import STATE_NAMES
+from upright.tables import Shown
 
 Array = NDArray[np.float64]
 
@@ -23,8 +24,8 @@ SHARES = {"pitch": (0.5, 0.5), "yaw": (-0.5, 0.5)}
 """How left and right make up the command of a half: their mean, and half their difference."""
 
 
-@dataclass(frozen=True, eq=False)
-class Identified:
+@dataclass(frozen=True, eq=False, repr=False)
+class Identified(Shown):
     """`model` x⁺ = A x + B u of one log by one `method`, with one standard deviation of each entry in `a_deviation` and
     `b_deviation` (NaN where there is none).
 

@@ -22,13 +22,14 @@ from upright.logs.raw import LogSource, raw_log
 from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
+from upright.tables import Shown
 
 ALL = "all"
 """The method that stands for all of them."""
 
 
-@dataclass(frozen=True, eq=False)
-class Comparison:
+@dataclass(frozen=True, eq=False, repr=False)
+class Comparison(Shown):
     """The models of one log by method, what came of each in the loop of the `judge`, and why a method has none.
 
     `true_pole` [1/s] is that of the twin that made the log, dry friction taken for the damping that brakes alike; NaN

@@ -16,6 +16,7 @@ from upright.paper.claim import Claim, Progress, silent
 from upright.paper.pushes import RegulatedRobot
 from upright.report import Page
 from upright.robots import Kit, Robot
+from upright.tables import Shown
 
 LIGHT, HEAVY = "nxtway-gs", "herrera2015"
 
@@ -28,8 +29,8 @@ LEAD = (
 )
 
 
-@dataclass(frozen=True, eq=False)
-class Reproduction:
+@dataclass(frozen=True, eq=False, repr=False)
+class Reproduction(Shown):
     """Every claim, in the paper's order, and the output folder."""
 
     claims: Sequence[Claim]

@@ -22,6 +22,7 @@ from upright.parity.executed import TOLERANCE, Executed
 from upright.parity.executor import Executor
 from upright.robots import Kit, Robot
 from upright.signals import Log
+from upright.tables import Shown
 
 PUSHES = {"front": (0.1, 0.0), "back": (-0.12, 10.0)}
 """Pitch [rad] at which each push holds the robot (Herrera et al. 2015, section 3.2), and its start [s]."""
@@ -40,8 +41,8 @@ class PushOutcome:
     outcome: str
 
 
-@dataclass(frozen=True, kw_only=True)
-class Parity:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Parity(Shown):
     """The program run on `where` in `numbers` for `periods`: in the first `steps` of them, which can be compared, its
     commands differed by at most `worst` from the design's in `unit`, where `tolerance` is allowed; `duties` counts the
     periods with a duty that does not follow from its command; `as_generated` is False for an edited file."""

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,11 +16,20 @@ from upright.errors import InvalidLog
 from upright.signals import files
 from upright.signals.header import Columns
 from upright.signals.signal import KNOWN, STATE_NAMES, Signal
+from upright.tables import Listing
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from pandas import DataFrame
+    from xarray import Dataset
 
 Array = NDArray[np.float64]
 
+PLOTTED = r"^(truth|estimate)/(pitch|wheel)$|^applied/"
+"""The channels of a plot where none are named."""
 
-@dataclass(frozen=True, eq=False)
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Log:
     """Time `t` [s], shape (n,), and `channels`: name → values, shape (n,).
 
@@ -55,6 +65,13 @@ class Log:
         object.__setattr__(self, "channels", columns)
         object.__setattr__(self, "units", known)
         object.__setattr__(self, "origin", json.loads(json.dumps(origin or {})))
+
+    def __repr__(self) -> str:
+        return f"Log({len(self)} samples, {self.t[-1] - self.t[0]:.4g} s, {len(self.channels)} channels)"
+
+    def _repr_html_(self) -> str:
+        ends = [(n, self.units[n], *(f"{f(x):.4g}" for f in (np.min, np.max))) for n, x in self.channels.items()]
+        return Listing(("channel", "unit", "least", "largest"), ends).html(repr(self))
 
     def __len__(self) -> int:
         return len(self.t)
@@ -106,6 +123,38 @@ class Log:
         keep = (self.t >= start) & (self.t < stop)
         channels = {name: values[keep] for name, values in self.channels.items()}
         return Log(self.t[keep], channels, self.units, self.origin)
+
+    def to_pandas(self) -> DataFrame:
+        """The channels as columns over the index `t` [s]."""
+        from pandas import DataFrame, Index
+
+        return DataFrame(dict(self.channels), index=Index(self.t, name="t"))
+
+    def to_xarray(self) -> Dataset:
+        """The channels as variables over the coordinate `t` [s], each with its unit; the origin as JSON."""
+        from xarray import Dataset
+
+        variables = {name: ("t", values, {"units": self.units[name]}) for name, values in self.channels.items()}
+        return Dataset(variables, {"t": ("t", self.t, {"units": "s"})}, {"origin": json.dumps(dict(self.origin))})
+
+    def plot(self, *channels: str) -> Figure:
+        """Channels over time, those of one unit in one panel (default: pitch, wheel and commands), by matplotlib.
+
+        Raises `InvalidLog` for a channel that the log does not have.
+        """
+        from matplotlib.figure import Figure
+
+        names = channels or tuple(name for name in self.channels if re.search(PLOTTED, name)) or tuple(self.channels)
+        units = list(dict.fromkeys(self.unit(name) for name in names))
+        figure = Figure(figsize=(8, 1 + 2 * len(units)), layout="constrained")
+        panels = figure.subplots(len(units), sharex=True, squeeze=False)[:, 0]
+        for name in names:
+            panels[units.index(self.unit(name))].plot(self.t, self[name], label=name)
+        for panel, unit in zip(panels, units, strict=True):
+            panel.set_ylabel(f"[{unit}]")
+            panel.legend(loc="upper right")
+        panels[-1].set_xlabel("t [s]")
+        return figure
 
     def save(self, path: str | Path) -> Path:
         """Write as Parquet, CSV or MCAP, chosen by the suffix; `load` gives back an equal log.
