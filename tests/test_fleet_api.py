@@ -317,7 +317,7 @@ def test_pages_of_maps_are_well_formed(small_map, tmp_path):
 
 def test_the_commands_write_what_they_say(tmp_path, capsys):
     target, page = tmp_path / "f.parquet", tmp_path / "f.html"
-    fleet_command(kit="ideal", n=50, vary=["com_height=±10%"], push=["impulse:0.05"], seconds=2.0, output=target,
+    fleet_command(kit="ideal", samples=50, vary=["com_height=±10%"], push=["impulse:0.05"], seconds=2.0, output=target,
                   report=page, as_json=True)  # fmt: skip
     said = json.loads(capsys.readouterr().out)
     assert said["result"]["n"] == 50
@@ -327,6 +327,6 @@ def test_the_commands_write_what_they_say(tmp_path, capsys):
     basin_command(kit="ideal", points=5, seconds=1.0)
     assert "recovers from" in capsys.readouterr().out
     with pytest.raises(UprightError, match="mkdir"):
-        fleet_command(kit="ideal", n=1, output=tmp_path / "none" / "f.parquet")
-    with pytest.raises(InvalidScenario, match="-n 0"):
-        fleet_command(kit="ideal", n=0)
+        fleet_command(kit="ideal", samples=1, output=tmp_path / "none" / "f.parquet")
+    with pytest.raises(InvalidScenario, match="a fleet of 0 robots"):
+        fleet_command(kit="ideal", samples=0)

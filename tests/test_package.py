@@ -13,11 +13,12 @@ import pytest
 
 import upright as up
 
-VERBS = ("doctor", "calibrate", "identify", "excite", "certify", "post_mortem", "design", "push_map", "parity",
+VERBS = ("doctor", "calibrate", "identify", "excite", "certify", "post_mortem", "design", "fleet", "push_map", "parity",
          "reproduce")  # fmt: skip
 ROOMS = {
     "calibrate": "upright.calibrate.fitting", "certify": "upright.certify.margins", "doctor": "upright.doctor.finding",
-    "excite": "upright.excite.plan", "identify": "upright.identify.order", "parity": "upright.parity.executor",
+    "excite": "upright.excite.plan",
+    "fleet": "upright.fleet.vary", "identify": "upright.identify.order", "parity": "upright.parity.executor",
 }  # fmt: skip
 """Verb → a file of the room of its name."""
 

@@ -34,8 +34,6 @@ from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Uncertainty, draw, find_posterior
 from upright.tables import Shown
 
-Array = NDArray[np.float64]
-
 GREEN = "green"
 
 FEWEST = 100

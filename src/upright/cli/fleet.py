@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
     from upright.fleet.campaign import CaseSummary
-    from upright.fleet.ensemble import Ensemble
 
 
 @asked_alike
@@ -38,21 +37,19 @@ def fleet(
 
     Prints the probability of a fall with its 95 % interval, and quantiles of pitch, settling, effort and travel.
     """
-    from upright.fleet.results import labelled, summarise
+    from upright.fleet.fleet import fleet as simulate
 
     asked.check()
-    if samples < 1:
-        raise InvalidScenario(f"-n {samples}", expected="one robot or more")
     pushes, references = map(tuple, options.pushes_and_references(push, drive, turn))
     ensemble = asked.ensemble(pushes=pushes, references=references, start=_state(start), seconds=seconds)
-    with progress("simulating") as share:
-        data = labelled(_in_parts(ensemble, samples, asked.threads, share), range(samples), ensemble)
-    summary = summarise(data)
+    with progress("simulating") as show:
+        result = simulate(ensemble, samples, threads=asked.threads, progress=show)
     if asked.report:
         from upright.report.fleet import fleet_page
 
-        fleet_page(data, summary, f"{samples} robots like {ensemble.family.robot.name}").write(asked.report)
-    _say(data, str(summary), summary.to_json(), asked)
+        title = f"{samples} robots like {ensemble.family.robot.name}"
+        fleet_page(result.data, result.summary, title).write(asked.report)
+    _show(result.data, str(result), result.to_json(), asked)
 
 
 @asked_alike
@@ -94,9 +91,9 @@ def push_map(
         heights=np.linspace(*ranges[0], points),
         durations=np.linspace(*ranges[1], points),
     )
-    with progress("searching") as share:
+    with progress("searching") as show:
         data = search(
-            ensemble, grid, samples=samples, tolerance=tolerance, watch=watch, threads=asked.threads, progress=share
+            ensemble, grid, samples=samples, tolerance=tolerance, watch=watch, threads=asked.threads, progress=show
         )
     if asked.report:
         from upright.report.fleet import map_page, push_map_figures
@@ -107,8 +104,8 @@ def push_map(
         map_page(data, push_map_figures(data), f"Pushes that {ensemble.family.robot.name} survives", lead).write(
             asked.report
         )
-    text, numbers = _push_map_said(data)
-    _say(data, text, numbers, asked)
+    text, numbers = _push_map_summary(data)
+    _show(data, text, numbers, asked)
 
 
 @asked_alike
@@ -133,8 +130,8 @@ def basin(
     axes = [_axis(across, "--across"), _axis(up, "--up")]
     first, second = (Axis(name, low, high, points) for name, low, high in axes)
     ensemble = asked.ensemble(start=_state(start), seconds=seconds)
-    with progress("simulating") as share:
-        data = cut(ensemble, first, second, samples=samples, threads=asked.threads, progress=share)
+    with progress("simulating") as show:
+        data = cut(ensemble, first, second, samples=samples, threads=asked.threads, progress=show)
     if asked.report:
         from upright.report.fleet import basin_figure, map_page
 
@@ -142,9 +139,10 @@ def basin(
         map_page(
             data, [basin_figure(data)], f"States that {name} recovers from", f"Standing {seconds:g} s later."
         ).write(asked.report)
-    shares = data["recovered"].values
-    text = f"recovers from {100 * float(shares.mean()):.4g} % of {shares.size} states ({first.name} × {second.name})"
-    _say(data, text, {"share": float(shares.mean()), "points": int(shares.size)}, asked)
+    recovered = data["recovered"].values
+    mean, points = float(recovered.mean()), int(recovered.size)
+    text = f"recovers from {100 * mean:.4g} % of {points} states ({first.name} × {second.name})"
+    _show(data, text, {"fraction": mean, "points": points}, asked)
 
 
 def sweep(
@@ -181,17 +179,6 @@ def sweep(
     typer.echo(f"\nwrote {place}")
 
 
-def _in_parts(ensemble: Ensemble, n: int, threads: int | None, share: Callable[[float], None]) -> dict[str, Any]:
-    """All robots, some ten thousand at a time, so that progress shows."""
-    import numpy as np
-
-    parts: list[dict[str, Any]] = []
-    for first in range(0, n, 16384):
-        parts.append(ensemble.run(range(first, min(n, first + 16384)), threads))
-        share(min(1.0, (first + 16384) / n))
-    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
-
-
 def _state(text: str) -> tuple[float, ...]:
     from upright.signals import STATE_NAMES
 
@@ -210,7 +197,7 @@ def _axis(text: str, option: str) -> tuple[str, float, float]:
     return (name, *_range(ends, option))
 
 
-def _say(data: Dataset, text: str, numbers: Any, asked: Asked) -> None:
+def _show(data: Dataset, text: str, numbers: Any, asked: Asked) -> None:
     from upright.fleet.results import origin_of, save
 
     output, report = asked.output, asked.report
@@ -226,7 +213,7 @@ def _say(data: Dataset, text: str, numbers: Any, asked: Asked) -> None:
             typer.echo(f"wrote {path}")
 
 
-def _push_map_said(data: Dataset) -> tuple[str, dict[str, Any]]:
+def _push_map_summary(data: Dataset) -> tuple[str, dict[str, Any]]:
     import numpy as np
 
     lines: list[str] = []
@@ -249,10 +236,10 @@ def _push_map_said(data: Dataset) -> tuple[str, dict[str, Any]]:
 
 @contextmanager
 def _countdown() -> Generator[Callable[[int, int, float], None]]:
-    """Chunks done and the time left: a bar where a person watches, else a line now and then."""
+    """Chunks done and the time left: a bar in a terminal, else a line for each tenth."""
     if sys.stderr.isatty():
-        with progress("campaign") as share:
-            yield lambda done, total, _: share(done / total)
+        with progress("campaign") as show:
+            yield lambda done, total, _: show(done / total)
         return
     shown = [-1]
 

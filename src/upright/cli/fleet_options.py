@@ -22,7 +22,7 @@ from upright.cli.options import (
     SeedOption,
     complete_controller,
 )
-from upright.cli.output import check_folder
+from upright.cli.output import check_targets
 
 if TYPE_CHECKING:
     from upright.fleet.ensemble import Ensemble
@@ -59,24 +59,16 @@ class Asked:
             from upright.fleet.results import check_suffix
 
             check_suffix(self.output)
-        for path in (self.output, self.report):
-            if path:
-                check_folder(path)
+        check_targets(self.output, self.report)
 
     def ensemble(self, vary: Sequence[str] = (), **scenario: Any) -> Ensemble:
-        """The fleet; what varies is `vary` where nothing else is said."""
-        from upright.fleet.ensemble import Ensemble
-        from upright.fleet.sweep import electronics, find_controller
-        from upright.fleet.vary import varied
-        from upright.robots import find_robot
-        from upright.robots.uncertainty import Family, read_posterior
+        """The fleet; without --vary, `vary` differs."""
+        from upright.fleet.fleet import ensemble_of
 
-        robot = find_robot(self.robot)
-        kit = electronics(self.kit or robot.kit)
-        posterior = read_posterior(self.posterior) if self.posterior else None
-        family = Family(robot, kit, varied(self.vary or vary, robot, kit, posterior))
-        controller = find_controller(self.controller, robot, kit)
-        return Ensemble(family=family, controller=controller, seed=self.seed, **scenario)
+        return ensemble_of(
+            self.robot, self.controller, self.kit, vary=self.vary or vary, posterior=self.posterior, seed=self.seed,
+            **scenario,
+        )  # fmt: skip
 
 
 def asked_alike(command: Callable[..., None]) -> Callable[..., None]:

@@ -18,7 +18,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from upright.errors import InvalidScenario
 from upright.fleet.ensemble import Ensemble
+from upright.fleet.fleet import ensemble_of
 from upright.kernel.batch import FleetBatch
+from upright.robots import Robot
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -104,8 +106,8 @@ class PushGrid:
 
 
 def push_map(
-    ensemble: Ensemble,
-    grid: PushGrid,
+    robot: Robot | str | Ensemble,
+    grid: PushGrid | None = None,
     *,
     samples: int = 200,
     nodes: tuple[int, int] = (16, 16),
@@ -114,15 +116,25 @@ def push_map(
     glance: float = 1.0,
     threads: int | None = None,
     progress: Callable[[float], None] | None = None,
+    **choices: Any,
 ) -> Dataset:
-    """The map of `ensemble` (its own pushes are left out): the nominal robot's largest survived impulse [N s] at every
-    point of `grid`, within `tolerance` (relative), and its band of 95 % over `samples` robots of the family.
+    """The nominal robot's largest survived impulse [N s] at every point of `grid` (None: 64 heights up to the body's,
+    64 durations up to 0.5 s), within `tolerance` (relative), and its band of 95 % over `samples` robots of the family.
+
+    An `Ensemble` is taken without its own pushes; for a robot, `ensemble_of` makes one of it and `choices` (controller,
+    kit, vary, posterior, seed), which by default varies all parameters by their spreads.
 
     The band is found robot by robot at `nodes` (heights, durations) of the grid; between them the ratio to the nominal
     robot is interpolated, linear in both. Robot s has its noise from stream s everywhere, the nominal one from 0.
     """
     if samples < 0:
         raise InvalidScenario(f"{samples} samples", expected="zero or more")
+    if not isinstance(robot, Ensemble):
+        choices.setdefault("vary", () if choices.get("posterior") else ("spread",))
+    ensemble = robot if isinstance(robot, Ensemble) else ensemble_of(robot, **choices)
+    if grid is None:
+        heights = np.linspace(0.0, ensemble.family.robot.body_height, 64)
+        grid = PushGrid(heights=heights, durations=np.linspace(0.01, 0.5, 64))
     say = progress or _silent
     search = _Search(ensemble, tolerance, watch, glance, threads)
     nominal, capped = search.nominal(grid)

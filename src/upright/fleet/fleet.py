@@ -1,0 +1,86 @@
+"""Many robots at once, from names: a fleet's outcomes and what they come to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from os import PathLike
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from upright.control import Controller
+from upright.errors import InvalidScenario
+from upright.fleet.ensemble import Ensemble
+from upright.fleet.results import Summary, labelled, summarise
+from upright.fleet.sweep import electronics, find_controller
+from upright.fleet.vary import varied
+from upright.robots import Kit, Robot, find_robot
+from upright.robots.uncertainty import Family, Uncertainty, find_posterior
+from upright.tables import Shown
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+CHUNK = 16384  # robots between two reports of progress; the memory of a run grows with it
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Fleet(Shown):
+    """The outcomes of each robot, `data`, and their `summary`."""
+
+    data: Dataset
+    summary: Summary
+
+    def to_json(self) -> dict[str, Any]:
+        """The summary as plain numbers."""
+        return self.summary.to_json()
+
+    def __str__(self) -> str:
+        return str(self.summary)
+
+
+def ensemble_of(
+    robot: Robot | str,
+    controller: Controller | str = "lqr",
+    kit: Kit | str | None = None,
+    *,
+    vary: Sequence[str] = (),
+    posterior: Uncertainty | str | PathLike[str] | None = None,
+    **scenario: Any,
+) -> Ensemble:
+    """Robots like `robot` with `kit` (None: its own), all under one linear `controller`; each may be a name or a file.
+
+    `vary` names what differs from robot to robot, as in `com_height=±10%` or `spread`; a `posterior` draws the rest.
+    `scenario` is that of an `Ensemble`.
+    """
+    nominal = find_robot(robot)
+    parts = kit if isinstance(kit, Kit) else electronics(kit or nominal.kit)
+    family = Family(nominal, parts, varied(vary, nominal, parts, find_posterior(posterior)))
+    design = find_controller(controller, nominal, parts) if isinstance(controller, str) else controller
+    return Ensemble(family=family, controller=design, **scenario)
+
+
+def fleet(
+    robot: Robot | str | Ensemble,
+    n: int = 10000,
+    *,
+    threads: int | None = None,
+    progress: Callable[[float], None] | None = None,
+    **choices: Any,
+) -> Fleet:
+    """Simulate `n` robots of an ensemble, or of the one that `ensemble_of` makes of a robot and `choices`.
+
+    `choices` are its controller, kit, vary, posterior, pushes, references, start, seconds and seed. `progress` is
+    called with the fraction done. Raises `InvalidScenario`, `InvalidController` for one that is not linear.
+    """
+    if n < 1:
+        raise InvalidScenario(f"a fleet of {n} robots", expected="one robot or more")
+    ensemble = robot if isinstance(robot, Ensemble) else ensemble_of(robot, **choices)
+    parts: list[dict[str, Any]] = []
+    for first in range(0, n, CHUNK):
+        parts.append(ensemble.run(range(first, min(n, first + CHUNK)), threads))
+        if progress:
+            progress(min(1.0, (first + CHUNK) / n))
+    data = labelled({name: np.concatenate([part[name] for part in parts]) for name in parts[0]}, range(n), ensemble)
+    return Fleet(data, summarise(data))
