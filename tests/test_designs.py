@@ -29,7 +29,7 @@ from upright.control import (
 from upright.control.controller import TRUE_STATE
 from upright.control.delay import RAW, rolling, sampled
 from upright.control.excited import Excited, random_binary
-from upright.control.filtering import DISTURBED, kalman_filter
+from upright.control.kalman import DISTURBED, kalman_filter
 from upright.control.linear_controller import MATRICES
 from upright.control.lqi import nxtway_servo
 from upright.control.near_rest import near_rest

@@ -9,8 +9,8 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.certify import robot_loop
 from upright.control.delay import rolling, sampled
 from upright.control.family import family, halves, plane, sides
-from upright.control.filtering import RECOVERED, kalman_filter
 from upright.control.guaranteed import excess, guaranteed
+from upright.control.kalman import RECOVERED, kalman_filter
 from upright.control.lqr import LARGEST_STATE, bryson, lqr
 from upright.control.observed import observed
 from upright.control.observer import observer

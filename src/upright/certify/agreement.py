@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from upright.certify.checks import Course, standard_pushes, watched
 from upright.control.delay import RAW, sampled
-from upright.control.filtering import Filter, kalman_filter
+from upright.control.kalman import Filter, filtered, kalman_filter
 from upright.errors import InvalidLog, SpecMismatch
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
@@ -118,18 +118,16 @@ def surprise(estimator: Filter, readings: Array, applied: Array) -> Array:
     """Size of the innovations (robots, 3) over what the filter foretells: 1.48 times the median of |e|, for
     readings (robots, n, 3) and commands (robots, n, 2); missing readings (NaN) are left out, and the first `SETTLED`
     seconds."""
-    seen, C, L = estimator.seen, estimator.seen.C, estimator.L
-    p = np.zeros((len(readings), len(seen.A)))
+    seen, C = estimator.seen, estimator.seen.C
+    first = np.nan_to_num(readings[:, 0]).T
+    start = np.zeros((len(seen.A), len(readings)))
     turn = seen.robot.track / (2 * seen.robot.wheel_radius)
-    left, right = np.nan_to_num(readings[:, 0, 0]), np.nan_to_num(readings[:, 0, 1])
-    p[:, 2], p[:, 4] = (left + right) / 2, (right - left) / (2 * turn)
+    start[2], start[4] = (first[0] + first[1]) / 2, (first[1] - first[0]) / (2 * turn)
     for place, name in enumerate(seen.names):
-        p[:, place] += np.nan_to_num(readings[:, 0, RAW.index(name[:-2])]) if "@" in name else 0.0
-    before, errors = np.zeros((len(readings), 2)), np.empty_like(readings)
-    for k in range(readings.shape[1]):
-        errors[:, k] = readings[:, k] - p @ C.T
-        p = p + np.nan_to_num(errors[:, k]) @ L.T
-        p = p @ seen.A.T + before @ seen.before.T + applied[:, k] @ seen.now.T
-        before = applied[:, k]
-    foretold = np.sqrt(np.diag(C @ estimator.P @ C.T + seen.noise))
-    return 1.4826 * np.nanmedian(np.abs(errors[:, round(SETTLED / seen.dt) :]), axis=1) / foretold
+        start[place] += first[RAW.index(name[:-2])] if "@" in name else 0.0
+    commands = np.moveaxis(applied, 0, 2)
+    before = np.concatenate([np.zeros_like(commands[:1]), commands[:-1]])
+    moved = seen.before @ before + seen.now @ commands
+    _, errors = filtered(seen.A, C, estimator.L, np.moveaxis(readings, 0, 2), moved, start)
+    predicted = np.sqrt(np.diag(C @ estimator.P @ C.T + seen.noise))
+    return 1.4826 * np.nanmedian(np.abs(errors[round(SETTLED / seen.dt) :]), axis=0).T / predicted

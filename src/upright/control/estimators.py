@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from upright.control.controller import Controller, ControllerSpec
 from upright.control.delay import RAW, sampled, sensor_row
-from upright.control.filtering import DISTURBED, Disturbed, kalman_filter
+from upright.control.kalman import DISTURBED, Disturbed, corrected, kalman_filter
 from upright.errors import SpecMismatch
 from upright.robots import Kit, Robot, Sensor
 
@@ -91,7 +91,7 @@ class Kalman:
         self._x = np.zeros(len(self.A))
 
     def update(self, measurement: Array) -> Array:
-        self._x = self._x + self.L @ (measurement - self.C @ self._x)
+        self._x = corrected(self._x, measurement, self.C, self.L)
         return self._x[:6]
 
     def predict(self, command: Sequence[float]) -> None:

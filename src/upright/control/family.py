@@ -18,11 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.control.delay import SampledRobot
-from upright.control.filtering import DISTURBED, NXTWAY_WEIGHT, Disturbed
-from upright.control.lqr import LARGEST_COMMAND
+from upright.control.kalman import DISTURBED, Disturbed
 from upright.control.observer import Observer
 from upright.control.state_space import kept, plant_of
-from upright.physics.dynamics import motor_gain
 from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
@@ -70,13 +68,12 @@ def plane(seen: SampledRobot, disturbed: Disturbed = DISTURBED) -> Plane:
     names = [seen.names[i] for i in kept(seen)]
     line = (len(whole.A) - len(names)) // 2
     spread, gather = halves([*names, *sides(line)])
-    robot = seen.robot
-    motor = disturbed.motor * LARGEST_COMMAND[robot.command_unit] + robot.coulomb_friction / motor_gain(robot)
-    felt = np.zeros((len(whole.A), 2))
-    felt[: len(names), 0] = seen.pushed[kept(seen)] * disturbed.push * robot.body_mass * robot.gravity / NXTWAY_WEIGHT
-    felt[: len(names), 1] = (seen.now + seen.before)[kept(seen)].sum(axis=1) * motor / np.sqrt(2)
+    entering = np.zeros((len(whole.A), 2))
+    entering[: len(names), 0] = seen.pushed[kept(seen)] * disturbed.push_size(seen.robot)
+    motor = disturbed.motor_size(seen.robot) / np.sqrt(2)
+    entering[: len(names), 1] = (seen.now + seen.before)[kept(seen)].sum(axis=1) * motor
     C = np.vstack([whole.C[:2].sum(axis=0) / 2, whole.C[2]]) @ spread
-    return Plane(gather @ whole.A @ spread, gather @ whole.B[:, :2].sum(axis=1), C, gather @ felt)
+    return Plane(gather @ whole.A @ spread, gather @ whole.B[:, :2].sum(axis=1), C, gather @ entering)
 
 
 @dataclass(frozen=True, eq=False)

@@ -25,6 +25,7 @@ from upright.control.delay import GYRO, RAW, SampledRobot, sampled
 from upright.control.design import Design
 from upright.control.estimators import measurement_matrix
 from upright.control.family import halves, sides
+from upright.control.kalman import process_noise, steady_kalman
 from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_STATE
 from upright.control.observer import steady
@@ -42,7 +43,7 @@ STARTS = tuple(1e3 / 2**k for k in range(20))
 """Values of γ to begin from: at very large ones SLICOT's tests drown in rounding."""
 
 _HALVINGS = 16
-UNTOLD = 1.0
+UNAPPLIED = 1.0  # standard deviation of what motors do not apply, as a fraction of the usual command
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -243,12 +244,8 @@ def _conditioning(K: LinearModel, noise: Array, size: float) -> Array:
     The Kalman gain of a controller driven by `noise` at its readings and seen by its command: A − H C is stable even
     where A is not (Hanus, Kinnaert and Henrotte 1987, with the gain of a filter).
     """
-    from scipy.linalg import solve_discrete_are
-
-    W = K.B * noise @ (K.B * noise).T + 1e-9 * np.eye(len(K.A))
-    R = (size * UNTOLD) ** 2 * np.eye(2)
-    P = solve_discrete_are(K.A.T, K.C.T, W, R)
-    return np.linalg.solve(K.C @ P @ K.C.T + R, K.C @ P @ K.A.T).T
+    W = process_noise(K.B * noise, least=1e-9)
+    return K.A @ steady_kalman(K.A, K.C, W, (size * UNAPPLIED) ** 2 * np.eye(2))[1]
 
 
 def _told(

@@ -14,6 +14,7 @@ from upright.control.controller import Controller, ControllerSpec
 from upright.control.design import Design
 from upright.control.estimators import Estimated, Kalman
 from upright.control.feedback import StateFeedback
+from upright.control.kalman import one_step
 from upright.errors import InvalidController
 
 Array = NDArray[np.float64]
@@ -162,11 +163,9 @@ def as_linear(controller: Controller) -> LinearController:
 
 def _behind(controller: Controller, gain: Array, filter_: Kalman) -> LinearController:
     """u = −K (x̂ − r), where z is the filter's state before the reading."""
-    n = len(filter_.A)
-    after = np.eye(n) - filter_.L @ filter_.C
-    By, Br, Ba = filter_.A @ filter_.L, np.zeros((n, 6)), filter_.B
+    A, By, after = one_step(filter_.A, filter_.C, filter_.L)
     S, Sy = after[:6], filter_.L[:6]
-    return _named(controller, filter_.A @ after, By, Br, Ba, -gain @ S, -gain @ Sy, gain, S, Sy)
+    return _named(controller, A, By, np.zeros((len(A), 6)), filter_.B, -gain @ S, -gain @ Sy, gain, S, Sy)
 
 
 def _named(like: Controller, *matrices: Array) -> LinearController:

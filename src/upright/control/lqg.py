@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from upright.control.delay import RAW, SampledRobot, sampled
 from upright.control.design import Design
-from upright.control.filtering import RECOVERED, Disturbed, Filter, kalman_filter
+from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, riccati, riccati_residual, weight_matrix
 from upright.control.observer import observer, output_feedback

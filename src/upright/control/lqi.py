@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from upright.control.delay import RAW, sampled
 from upright.control.design import Design
-from upright.control.filtering import RECOVERED, Disturbed, Filter, kalman_filter
+from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqg import command_weight
 from upright.control.lqr import LARGEST_STATE, bryson, riccati, riccati_residual, weight_matrix

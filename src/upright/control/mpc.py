@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from upright.control.controller import ControllerSpec
 from upright.control.delay import RAW, sampled
-from upright.control.filtering import Disturbed, kalman_filter, offset_free
+from upright.control.kalman import Disturbed, kalman_filter, offset_free
 from upright.control.lqg import Lqg, regulated
 from upright.control.observer import Observer, observer, steady_push, steady_state
 from upright.control.recursion import Recursion, recursion

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from upright.control.delay import RAW, sampled
 from upright.control.design import Design
 from upright.control.feedback import StateFeedback
-from upright.control.filtering import RECOVERED, Disturbed, Filter, kalman_filter
+from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.observer import observer, output_feedback
 from upright.errors import SpecMismatch

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from upright.control.delay import rolling
 from upright.control.design import Design
-from upright.control.filtering import Filter
+from upright.control.kalman import Filter, one_step
 from upright.control.linear_controller import LinearController
 from upright.physics.linear import linearise
 from upright.robots import Robot
@@ -41,9 +41,10 @@ def observer(estimator: Filter) -> Observer:
     seen = estimator.seen
     n, m, d, h = len(seen.A), len(seen.reads), seen.delay, seen.history
     size = n + 2 * h
-    after, gain = np.eye(n) - estimator.L @ seen.C, estimator.L
+    gain = estimator.L
     A, By, Bu, Ba = np.zeros((size, size)), np.zeros((size, m)), np.zeros((size, 2)), np.zeros((size, 2))
-    A[:n, :n], By[:n], Ba[:n] = seen.A @ after, seen.A @ gain, seen.now
+    A[:n, :n], By[:n], after = one_step(seen.A, seen.C, gain)
+    Ba[:n] = seen.now
     if d:
         Bu[n : n + 2] = np.eye(2)
         A[n + 2 : n + 2 * d, n : n + 2 * d - 2] = np.eye(2 * d - 2)

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from upright.control.delay import RAW, SampledRobot, rolling, sampled
 from upright.control.design import Design
-from upright.control.filtering import DISTURBED, Disturbed, Filter, kalman_filter
+from upright.control.kalman import DISTURBED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqi import unwound
 from upright.control.observer import Extra, observer, output_feedback

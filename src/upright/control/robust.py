@@ -22,8 +22,8 @@ from upright.atomic import finite
 from upright.control.delay import SampledRobot, sampled
 from upright.control.design import Design
 from upright.control.family import Family, Plane, family, halves, plane, sides
-from upright.control.filtering import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.guaranteed import Guaranteed, guaranteed
+from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, lqr
 from upright.control.observer import observer, output_feedback

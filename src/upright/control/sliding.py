@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from upright.control.controller import ControllerSpec
 from upright.control.delay import RAW, sampled
 from upright.control.design import Design
-from upright.control.filtering import RECOVERED, Disturbed, kalman_filter
+from upright.control.kalman import RECOVERED, Disturbed, kalman_filter
 from upright.control.lqg import Lqg, regulated
 from upright.control.observer import Observer, observer, steady_state
 from upright.control.recursion import Recursion, recursion

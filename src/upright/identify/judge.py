@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from upright.bodies import Body, Electronics, NonlinearBody, make_body
 from upright.calibrate.calibration import Calibration
 from upright.control.delay import RAW
+from upright.control.kalman import one_step, process_noise, steady_kalman
 from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, riccati
 from upright.errors import UprightError
@@ -23,7 +24,7 @@ from upright.experiment import Hold, outcome_of, run
 from upright.identify.coordinates import PartModel
 from upright.identify.grey_box import kit_as_found
 from upright.identify.identified import assembled, reading
-from upright.identify.prediction import BIAS_WALK, MOTOR, steady_gain
+from upright.identify.prediction import ADDED, BIAS_WALK, MOTOR
 from upright.identify.samples import Samples, by_name
 from upright.physics.linear import LinearModel
 from upright.robots import PARAMETERS, Kit, Robot
@@ -91,19 +92,19 @@ def regulator(samples: Samples, models: Sequence[PartModel]) -> LinearController
     whole, _, _ = assembled(models, {})
     K = _gain(whole, samples.robot.command_unit)
     A, B, C, W, V, M = _seen(samples, models, whole)
-    L = steady_gain(A, C, W, V)
+    _, L = steady_kalman(A, C, W, V, ADDED)
     n = len(whole.states)
-    after = np.eye(len(A)) - L @ C
+    F, G, after = one_step(A, C, L)
     state, direct = K @ after[:n], K @ L[:n] @ M
     order = [STATE_NAMES.index(name) if name in STATE_NAMES else -1 for name in whole.states]
     wanted = np.array([[float(i == j and i not in (0, 1)) for j in range(6)] for i in order])
     Br, Ba, own = np.zeros((len(A), 6)), B, np.zeros_like(A)
-    By = A @ L @ M
+    By = G @ M
     if samples.sent:
         own, Ba = -B @ state, np.zeros_like(B)
         By, Br = By - B @ direct, B @ K @ wanted
     return LinearController(
-        A @ after + own, By, Br, Ba, -state, -direct, K @ wanted, RAW, samples.dt,
+        F + own, By, Br, Ba, -state, -direct, K @ wanted, RAW, samples.dt,
         command_unit=samples.robot.command_unit, kind="lqg on an identified model",
     )  # fmt: skip
 
@@ -141,7 +142,7 @@ def _seen(samples: Samples, models: Sequence[PartModel], whole: LinearModel) -> 
     base[:n, :n] = whole.A
     strength = MOTOR * LARGEST_COMMAND[samples.robot.command_unit]
     noise = np.zeros((n + 1, n + 1))
-    noise[:n, :n] = strength**2 * whole.B @ whole.B.T + 1e-12 * np.eye(n)
+    noise[:n, :n] = process_noise(strength * whole.B, 1e-12)
     noise[n, n] = BIAS_WALK**2 * samples.dt
     A, C, W = _with_lines(base, np.array(rows), noise, late)
     B = np.vstack([whole.B, np.zeros((len(A) - n, 2))])

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.control.kalman import filtered, process_noise, steady_kalman
 from upright.control.lqr import LARGEST_COMMAND
 from upright.errors import DesignFailed
 from upright.identify.coordinates import PartModel
@@ -22,26 +23,8 @@ MOTOR = 0.3
 1979), so that a filter trusts no model too much."""
 BIAS_WALK = 1e-3  # [rad/s/√s] of the gyro's bias
 LOST = 10.0  # times the motion: errors beyond are of a model that has run away
+ADDED = (0.0, 1e-10, 1e-8)  # variance on every state that the Riccati equation of a badly scaled model is tried with
 _LEAST = 1e-12
-
-
-def steady_gain(A: Array, C: Array, W: Array, V: Array) -> Array:
-    """L of the steady Kalman filter, for process noise W and readings of variance V; `DesignFailed` where none is.
-
-    A little noise on every state is added where the Riccati equation is too badly scaled without.
-    """
-    from scipy.linalg import LinAlgError, solve_discrete_are
-
-    for more in (0.0, 1e-10, 1e-8):
-        with contextlib.suppress(LinAlgError, ValueError):
-            P = np.asarray(solve_discrete_are(A.T, C.T, W + more * np.eye(len(A)), V), dtype=np.float64)
-            L: Array = np.linalg.solve(C @ P @ C.T + V, C @ P).T.astype(np.float64)
-            if np.isfinite(L).all() and np.abs(np.linalg.eigvals(A - A @ L @ C)).max() < 1:
-                return L
-    raise DesignFailed(
-        "no steady Kalman filter for this model", expected="every state to be seen by the sensors",
-        likely="a model that is far from the robot",
-    )  # fmt: skip
 
 
 def with_bias(part: Part, model: PartModel) -> tuple[Array, Array, Array]:
@@ -72,22 +55,14 @@ def foretold(samples: Samples, models: Sequence[PartModel]) -> dict[str, dict[st
         with contextlib.suppress(DesignFailed):
             A, b, C = with_bias(part, model)
             strength = MOTOR * LARGEST_COMMAND[samples.robot.command_unit]
-            W = strength**2 * np.outer(b, b) + _LEAST * np.eye(len(A))
+            W = process_noise(strength * b[:, None], _LEAST)
             if "gyro" in part.outputs:
                 W[-1, -1] += BIAS_WALK**2 * part.dt
-            x = _filtered(A, b, C, steady_gain(A, C, W, np.diag(part.trusted)), part)
+            _, L = steady_kalman(A, C, W, np.diag(part.trusted), ADDED)
+            x, _ = filtered(A, C, L, part.y, np.outer(part.u, b), np.zeros(len(A)))
             for h in HORIZONS:
                 found[str(h)] |= _fits(A, b, C, x, part, samples.fitted, h)
     return found
-
-
-def _filtered(A: Array, b: Array, C: Array, L: Array, part: Part) -> Array:
-    """States (n, states) after each reading."""
-    x, z = np.zeros((len(part.y), len(A))), np.zeros(len(A))
-    for k in range(len(part.y)):
-        x[k] = z + L @ (part.y[k] - C @ z)
-        z = A @ x[k] + b * part.u[k]
-    return x
 
 
 def _fits(A: Array, b: Array, C: Array, x: Array, part: Part, first: int, h: int) -> dict[str, float]:
