@@ -19,11 +19,12 @@ from upright.control import (
     make_controller,
 )
 from upright.control.controller import Controller
-from upright.control.estimators import measurement_matrix
+from upright.control.delay import RAW
 from upright.control.lqr import riccati, riccati_residual
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UnknownName
 from upright.experiment import Hold, run
 from upright.physics.linear import linearise
+from upright.physics.sensing import sensor_matrix, turn_ratio
 from upright.robots import Kit, Robot, preset_names
 
 NXT = Robot.preset("nxtway-gs")
@@ -145,7 +146,7 @@ def test_kalman_finds_a_planted_gyro_bias():
     body = NonlinearBody(NXT, period=0.01)
     loop, state = Estimated(design, estimator), body.reset((0.02, 0, 0, 0, 0, 0)).values[:6]
     for _ in range(3000):
-        y = measurement_matrix(NXT) @ np.append(state, [0.05, 0.0])
+        y = sensor_matrix(RAW, turn_ratio(NXT)) @ state + [0.0, 0.0, 0.05]
         command = loop.step(y, np.zeros(6))
         state = body.step(command).values[:6]
         loop.applied(command)

@@ -9,12 +9,14 @@ import pytest
 from scipy.integrate import quad_vec, solve_ivp
 from scipy.linalg import expm
 
-from upright.errors import InvalidModel
+from upright.errors import InvalidModel, SpecMismatch
 from upright.physics import energy
 from upright.physics.dynamics import Disturbance, derivative
 from upright.physics.integrate import rk4_step
-from upright.physics.linear import LinearModel, linearise
+from upright.physics.linear import LinearModel, delayed, linearise
+from upright.physics.sensing import readings, sensor_matrix, turn_ratio
 from upright.robots import Robot
+from upright.signals import STATE_NAMES
 
 NXT = Robot.preset("nxtway-gs")
 LOSSLESS = NXT.replace(back_emf=0.0, motor_friction=0.0)
@@ -95,6 +97,15 @@ def test_a_linear_model_computes_as_python_control_does():
         LinearModel.gain([[1.0]], 0.1) * LinearModel.gain([[1.0]])
 
 
+@pytest.mark.parametrize("periods", [0, 1, 3])
+def test_a_delay_line_is_a_power_of_the_shift(periods):
+    # e^{−jωk dt}: the definition of k periods of delay, whatever the model behind it
+    model = LinearModel(linearise(NXT).c2d(0.01).A * 0.9, linearise(NXT).c2d(0.01).B, dt=0.01)
+    w = np.array([0.3, 30.0, 200.0])
+    expected = np.exp(-1j * w * periods * 0.01)[:, None, None] * model.response(w)
+    assert np.allclose(delayed(model, periods).response(w), expected, rtol=1e-9, atol=1e-12)
+
+
 def test_mixing_continuous_and_discrete_is_refused():
     model = linearise(NXT)
     with pytest.raises(InvalidModel, match="discrete already"):
@@ -118,6 +129,23 @@ def test_model_survives_json_and_is_read_only():
 def test_wrong_sizes_are_named():
     with pytest.raises(InvalidModel, match=r"B has shape \(2, 6\).*transpose"):
         LinearModel(np.eye(6), np.zeros((2, 6)))
+
+
+def test_the_sensor_matrix_is_the_slope_of_the_readings():
+    # the readings are linear in the state but for the accelerometer, so that one step in each state gives the matrix;
+    # a rate of an encoder reads the rates as its angle reads the angles
+    names = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro", "sensor/compass")
+    turn = turn_ratio(NXT)
+    slopes = np.array([readings(row, 0.0, NXT)[:4] for row in np.eye(6)]).T
+    assert np.allclose(sensor_matrix(names, turn), slopes)
+    rates = sensor_matrix(("sensor/encoder_rate_left", "sensor/encoder_rate_right"), turn)
+    assert np.allclose(rates[:, [1, 3, 5]], slopes[:2][:, [0, 2, 4]])
+    assert not rates[:, [0, 2, 4]].any()
+    assert np.array_equal(sensor_matrix([f"truth/{name}" for name in STATE_NAMES], turn), np.eye(6))
+    several = sensor_matrix(names, [turn, 2 * turn])  # robots on a last axis
+    assert np.array_equal(several[..., 1], sensor_matrix(names, 2 * turn))
+    with pytest.raises(SpecMismatch, match="no linear row"):
+        sensor_matrix(["sensor/accel_up"], turn)
 
 
 def test_rk4_has_order_four():

@@ -21,6 +21,7 @@ from upright.control.kalman import Filter, filtered, kalman_filter
 from upright.errors import InvalidLog, SpecMismatch
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
+from upright.physics.sensing import turn_ratio
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -121,7 +122,7 @@ def surprise(estimator: Filter, readings: Array, applied: Array) -> Array:
     seen, C = estimator.seen, estimator.seen.C
     first = np.nan_to_num(readings[:, 0]).T
     start = np.zeros((len(seen.A), len(readings)))
-    turn = seen.robot.track / (2 * seen.robot.wheel_radius)
+    turn = turn_ratio(seen.robot)
     start[2], start[4] = (first[0] + first[1]) / 2, (first[1] - first[0]) / (2 * turn)
     for place, name in enumerate(seen.names):
         start[place] += first[RAW.index(name[:-2])] if "@" in name else 0.0

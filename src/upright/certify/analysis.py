@@ -30,6 +30,7 @@ INPUTS = {"left motor": (1.0, 0.0), "right motor": (0.0, 1.0), "both motors": (1
 """Where the loop is broken at the robot's input: one motor, both alike, both opposed."""
 
 LATEST = 0.3  # [s] more delay than this no balancing robot survives
+MOST_PERIODS = 1000  # of delay, for the poles of a loop: a filter of so many states is never asked for
 FINEST = 1e-3  # [s] steps of delay at short periods: of their hundreds none is skipped that a robot would notice
 DRAWN = 200
 COMPARABLE = {"sensor/gyro": 1.5, "sensor/compass": 0.5}  # [rad/s], [rad]: Bryson's sizes of the readings
@@ -194,7 +195,7 @@ def delay_margin(robot: Robot, controller: Controller, kit: Kit, step: float = 0
 
     def stable(more: float) -> bool:
         delayed = replace(kit, delay=kit.delay + more)
-        return Loop(commanded(sampled(robot, delayed, linear.period, linear.reads)), K).stable
+        return Loop(commanded(sampled(robot, delayed, linear.period, linear.reads, longest=MOST_PERIODS)), K).stable
 
     high, low, stride = 0.0, 0.0, max(step * linear.period, FINEST)
     while stable(high):

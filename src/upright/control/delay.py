@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 
 from upright.control.controller import TRUE_STATE
 from upright.errors import DesignFailed, SpecMismatch
-from upright.physics.linear import LinearModel, linearise
+from upright.physics.linear import LinearModel, delay_line, linearise
+from upright.physics.sensing import sensor_matrix, turn_ratio
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
 
@@ -28,8 +29,7 @@ SIDES = ("left", "right")
 
 _SAME = 1e-9  # of a period: equal times may differ by rounding
 _FINEST = 1e-10  # [unit²] variance of a sensor said to be perfect, so that the filter stays defined
-_LONGEST = 50  # periods of delay: beyond, the states would be many and the loop hopeless
-_LONGEST_TIME = 0.4  # [s] of delay that is allowed at any period: more than any balancing robot survives
+LONGEST = 50  # periods of delay: beyond, the states of a filter would be many and the loop hopeless
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,20 +66,23 @@ class SampledRobot:
         return (len(self.plant.states) - 6) // 2
 
 
-def sampled(robot: Robot, kit: Kit, dt: float | None = None, reads: Sequence[str] = RAW) -> SampledRobot:
+def sampled(
+    robot: Robot, kit: Kit, dt: float | None = None, reads: Sequence[str] = RAW, *, longest: int = LONGEST
+) -> SampledRobot:
     """`robot` under `kit` every `dt` [s] (None: the kit's period), seen through the channels `reads`.
 
-    Raises `SpecMismatch` for a channel the kit does not have, `DesignFailed` for a period or a delay out of reason.
+    Raises `SpecMismatch` for a channel the kit does not have, `DesignFailed` for a period out of reason or a delay
+    of more than `longest` periods.
     """
     period = kit.period if dt is None else dt
     if not (math.isfinite(period) and 0 < period <= 1):
         raise DesignFailed(f"a period of {period} s", expected="between 0 and 1 s", likely="milliseconds")
-    rows = [(_sensor(kit, name), sensor_row(robot, name)) for name in reads]
-    longest = max([kit.delay + kit.jitter / 2, *(sensor.delay for sensor, _ in rows)])
-    if longest > max(_LONGEST * period, _LONGEST_TIME):
+    rows = list(zip([_sensor(kit, name) for name in reads], sensor_matrix(reads, turn_ratio(robot)), strict=True))
+    delay = max([kit.delay + kit.jitter / 2, *(sensor.delay for sensor, _ in rows)])
+    if delay > longest * period:
         raise DesignFailed(
-            f"a delay of {longest:g} s at a period of {period:g} s",
-            expected=f"at most {_LONGEST} periods, or {_LONGEST_TIME:g} s", hint="lengthen the period",
+            f"a delay of {delay:g} s at a period of {period:g} s", expected=f"at most {longest} periods",
+            hint="lengthen the period",
         )  # fmt: skip
     between = _Between(robot, period, kit.delay + kit.jitter / 2)
     return _assembled(robot, kit, tuple(reads), between, rows)
@@ -147,7 +150,7 @@ def _assembled(
     for i, ((_, c), (count, h)) in enumerate(zip(rows, lines, strict=True)):
         if count:
             moves(place, c, h)
-            A[range(place + 1, place + count), range(place, place + count - 1)] = 1.0
+            A[place + 1 : place + count, place : place + count] = delay_line(1, count, between.dt).A[1:]
             C[i, place + count - 1] = 1.0
         else:
             C[i, :6] = c
@@ -181,9 +184,8 @@ def _plant(between: _Between) -> LinearModel:
         A[:6, 4 + 2 * d : 6 + 2 * d] = new
     else:
         B[:6] = new
-    if h:
-        B[6:8] = np.eye(2)
-        A[8:, 6:-2] = np.eye(n - 8)
+    line = delay_line(2, h, between.dt)
+    A[6:, 6:], B[6:] = line.A, B[6:] + line.B
     sent = tuple(f"sent_{i + 1}/{side}" for i in range(h) for side in SIDES)
     states = (*STATE_NAMES, *sent)
     return LinearModel(A, B, dt=between.dt, states=states, inputs=SIDES, E=E, disturbances=("push",))
@@ -208,18 +210,3 @@ def _sensor(kit: Kit, name: str) -> Sensor:
             f"kit '{kit.name}' has no {name}", expected="the sensors the controller reads: both encoders and a gyro"
         )
     return kit.sensors[name]
-
-
-def sensor_row(robot: Robot, name: str) -> Array:
-    """How the channel `name` reads the six states."""
-    turn = robot.track / (2 * robot.wheel_radius)
-    rows = {
-        "sensor/encoder_left": [-1, 0, 1, 0, -turn, 0],
-        "sensor/encoder_right": [-1, 0, 1, 0, turn, 0],
-        "sensor/gyro": [0, 1, 0, 0, 0, 0],
-        "sensor/compass": [0, 0, 0, 0, 1, 0],
-        **dict(zip(TRUE_STATE, np.eye(6).tolist(), strict=True)),
-    }
-    if name not in rows:
-        raise SpecMismatch(f"no linear row for {name}", expected="one of " + ", ".join(rows))
-    return np.array(rows[name], dtype=np.float64)

@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.control.controller import Controller, ControllerSpec
-from upright.control.delay import RAW, sampled, sensor_row
+from upright.control.delay import RAW, sampled
 from upright.control.kalman import DISTURBED, Disturbed, corrected, kalman_filter
 from upright.errors import SpecMismatch
+from upright.physics.sensing import turn_ratio
 from upright.robots import Kit, Robot, Sensor
 
 Array = NDArray[np.float64]
@@ -114,13 +115,6 @@ def kalman(robot: Robot, kit: Kit, dt: float | None = None, disturbed: Disturbed
     return Kalman(found.seen.A, found.seen.now, found.seen.C, found.L)
 
 
-def measurement_matrix(robot: Robot) -> Array:
-    """C (3, 8): both encoders (θ ∓ Wφ/2R − ψ) and the gyro (ψ̇ + bias) from the state, the gyro's bias and the push."""
-    C = np.zeros((3, 8))
-    C[:, :6], C[2, 6] = [sensor_row(robot, name) for name in RAW], 1.0
-    return C
-
-
 @dataclass(eq=False)
 class Complementary:
     """Pitch from the gyro at high and gravity at low frequency, the rest from encoders (Mahony et al. 2008, sec. II).
@@ -177,7 +171,7 @@ def complementary(robot: Robot, kit: Kit, dt: float | None = None, **options: fl
         _sensor(kit, name)
     accelerometer = all(name in kit.sensors for name in ACCELEROMETER)
     period = kit.period if dt is None else dt
-    return Complementary(robot.track / (2 * robot.wheel_radius), period, accelerometer=accelerometer, **options)
+    return Complementary(turn_ratio(robot), period, accelerometer=accelerometer, **options)
 
 
 def _sensor(kit: Kit, name: str) -> Sensor:

@@ -23,7 +23,6 @@ from numpy.typing import NDArray
 
 from upright.control.delay import GYRO, RAW, SampledRobot, sampled
 from upright.control.design import Design
-from upright.control.estimators import measurement_matrix
 from upright.control.family import halves, sides
 from upright.control.kalman import process_noise, steady_kalman
 from upright.control.linear_controller import LinearController
@@ -31,7 +30,8 @@ from upright.control.lqr import LARGEST_STATE
 from upright.control.observer import steady
 from upright.control.state_space import continuous, discrete, kept, plant_of
 from upright.errors import DesignFailed
-from upright.physics.linear import LinearModel
+from upright.physics.linear import LinearModel, delay_line
+from upright.physics.sensing import sensor_matrix, turn_ratio
 from upright.robots import Kit, Robot
 
 Array = NDArray[np.float64]
@@ -235,7 +235,7 @@ def _assembled(seen: SampledRobot, design: Hinf, wants: Expected, size: float) -
     seen_as, due = _reference(seen)
     whole = LinearModel(A, By, C, Dy, seen.dt)
     noise = np.array([wants.errors[name == GYRO] for name in seen.reads])
-    return _told(seen, whole, _conditioning(whole, noise, size), (-By @ seen_as, due - Dy @ seen_as), design)
+    return _conditioned(seen, whole, _conditioning(whole, noise, size), (-By @ seen_as, due - Dy @ seen_as), design)
 
 
 def _conditioning(K: LinearModel, noise: Array, size: float) -> Array:
@@ -248,21 +248,17 @@ def _conditioning(K: LinearModel, noise: Array, size: float) -> Array:
     return K.A @ steady_kalman(K.A, K.C, W, (size * UNAPPLIED) ** 2 * np.eye(2))[1]
 
 
-def _told(
+def _conditioned(
     seen: SampledRobot, K: LinearModel, H: Array, reference: tuple[Array, Array], design: Hinf
 ) -> LinearController:
-    """The controller that is told what the motors did, after as many periods as the command is on its way."""
-    n, line = len(K.A), 2 * seen.delay
-    By, (Br, Dr) = np.array(K.B), reference
-    A = np.pad(K.A, ((0, line), (0, line)))
-    if line:
-        A[n : n + 2, :n], A[n + 2 :, n:-2], A[:n, -2:] = K.C, np.eye(line - 2), -H
-        By, Br = np.vstack([By, K.D, np.zeros((line - 2, 3))]), np.vstack([Br, Dr, np.zeros((line - 2, 6))])
-    else:
-        A[:], By, Br = A - H @ K.C, By - H @ K.D, Br - H @ Dr
-    Ba, C = np.pad(H, ((0, line), (0, 0))), np.pad(K.C, ((0, 0), (0, line)))
+    """The controller corrected by what the motors did, after as many periods as the command is on its way."""
+    line, (Br, Dr) = delay_line(2, seen.delay, seen.dt), reference
+    H0 = H @ line.D  # of a command that arrives at once
+    A = np.block([[K.A - H0 @ K.C, -H @ line.C], [line.B @ K.C, line.A]])
+    By, Br = np.vstack([K.B - H0 @ K.D, line.B @ K.D]), np.vstack([Br - H0 @ Dr, line.B @ Dr])
+    Ba, C = np.vstack([H, np.zeros_like(line.B)]), np.hstack([K.C, np.zeros_like(line.C)])
     return LinearController(
-        A, By, Br, Ba, C, K.D, Dr, seen.reads, seen.dt,
+        A, By, Br, Ba, C, K.D, Dr, reads=seen.reads, period=seen.dt,
         command_unit=seen.robot.command_unit, kind="hinf", design=design,
     )  # fmt: skip
 
@@ -270,7 +266,7 @@ def _told(
 def _reference(seen: SampledRobot) -> tuple[Array, Array]:
     """What the readings (3, 6) and the commands (2, 6) are while the robot follows a reference."""
     still = steady(seen.robot)
-    now = measurement_matrix(seen.robot)[:, :6] @ still.x_r
+    now = sensor_matrix(seen.reads, turn_ratio(seen.robot)) @ still.x_r
     late = np.array([seen.kit.sensors[name].delay for name in seen.reads])
     moved = np.zeros_like(now)
     moved[:, 1::2] = now[:, ::2]

@@ -11,7 +11,7 @@ from upright.control.delay import rolling
 from upright.control.design import Design
 from upright.control.kalman import Filter, one_step
 from upright.control.linear_controller import LinearController
-from upright.physics.linear import linearise
+from upright.physics.linear import delay_line, linearise
 from upright.robots import Robot
 
 Array = NDArray[np.float64]
@@ -45,9 +45,8 @@ def observer(estimator: Filter) -> Observer:
     A, By, Bu, Ba = np.zeros((size, size)), np.zeros((size, m)), np.zeros((size, 2)), np.zeros((size, 2))
     A[:n, :n], By[:n], after = one_step(seen.A, seen.C, gain)
     Ba[:n] = seen.now
-    if d:
-        Bu[n : n + 2] = np.eye(2)
-        A[n + 2 : n + 2 * d, n : n + 2 * d - 2] = np.eye(2 * d - 2)
+    line = delay_line(2, d, seen.dt)
+    A[n : n + 2 * d, n : n + 2 * d], Bu[n : n + 2 * d] = line.A, line.B
     if h > d:
         A[:n, n + 2 * d :], Ba[n + 2 * d :] = seen.before, np.eye(2)
     X, Xy = np.zeros((6 + 2 * h, size)), np.zeros((6 + 2 * h, m))

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from upright.control.delay import SampledRobot
 from upright.control.linear_controller import LinearController
 from upright.errors import InvalidModel
-from upright.physics.linear import LinearModel
+from upright.physics.linear import LinearModel, delay_line
 from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
@@ -52,8 +52,8 @@ def plant_of(seen: SampledRobot) -> LinearModel:
     line = 2 * (seen.delay + fraction)
     A, B = np.zeros((n + line, n + line)), np.zeros((n + line, 3))
     A[:n, :n], B[:n, 2] = seen.A[np.ix_(keep, keep)], seen.pushed[keep]
-    A[n + 2 :, n : n + line - 2] = np.eye(max(line - 2, 0))
-    B[n : n + 2, :2] = np.eye(2)[: min(line, 2)]
+    waiting = delay_line(2, line // 2, seen.dt)
+    A[n:, n:], B[n:, :2] = waiting.A, waiting.B
     places = [B[:, :2], *(A[:, n + 2 * i : n + 2 * i + 2] for i in range(line // 2))]
     places[seen.delay][:n] = seen.now[keep]
     if fraction:
@@ -69,12 +69,7 @@ def kept(seen: SampledRobot) -> list[int]:
 
 def controller_of(linear: LinearController, delay: int) -> LinearModel:
     """From the readings to the commands, when the command applied is the one of `delay` periods ago."""
-    A, C, D = linear.A, linear.C, linear.Dy
-    n, line = len(A), 2 * delay
-    if not line:
-        return LinearModel(A + linear.Ba @ C, linear.By + linear.Ba @ D, C, D, linear.period)
-    whole = np.zeros((n + line, n + line))
-    whole[:n, :n], whole[:n, -2:], whole[n : n + 2, :n] = A, linear.Ba, C
-    whole[n + 2 :, n:-2] = np.eye(line - 2)
-    B = np.vstack([linear.By, D, np.zeros((line - 2, len(linear.reads)))])
-    return LinearModel(whole, B, np.pad(C, ((0, 0), (0, line))), D, linear.period)
+    C, D, line = linear.C, linear.Dy, delay_line(2, delay, linear.period)
+    A = np.block([[linear.A + linear.Ba @ line.D @ C, linear.Ba @ line.C], [line.B @ C, line.A]])
+    B = np.vstack([linear.By + linear.Ba @ line.D @ D, line.B @ D])
+    return LinearModel(A, B, np.pad(C, ((0, 0), (0, len(line.A)))), D, linear.period)

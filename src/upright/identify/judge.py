@@ -26,7 +26,7 @@ from upright.identify.grey_box import kit_as_found
 from upright.identify.identified import assembled, reading
 from upright.identify.prediction import ADDED, BIAS_WALK, MOTOR
 from upright.identify.samples import Samples, by_name
-from upright.physics.linear import LinearModel
+from upright.physics.linear import LinearModel, delay_line
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.signals import STATE_NAMES
 
@@ -160,7 +160,7 @@ def _with_lines(A: Array, C: Array, W: Array, late: Sequence[int]) -> tuple[Arra
             seen[i, :n] = C[i]
             continue
         full[place, :n] = C[i]
-        full[range(place + 1, place + count), range(place, place + count - 1)] = 1.0
+        full[place + 1 : place + count, place : place + count] = delay_line(1, count, 0.0).A[1:]
         seen[i, place + count - 1] = 1.0
         place += count
     return full, seen, noise

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidLog
+from upright.physics.sensing import sensor_matrix, turn_ratio
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log
 
@@ -137,14 +138,10 @@ def one_encoder(log: Log) -> bool:
 def reading_matrix(rows: Sequence[str], size: int, turn: Array) -> Array:
     """The sensor matrix C (rows, states, lanes), for W/(2R) = `turn` (lanes,)."""
     C = np.zeros((len(rows), size, len(turn)))
+    C[:, :6] = sensor_matrix(rows, turn)
     for i, name in enumerate(rows):
-        if SENSOR[name] == "encoder":
-            rate = int("rate" in name)
-            C[i, rate], C[i, 2 + rate], C[i, 4 + rate] = -1.0, 1.0, -turn if name.endswith("left") else turn
-        elif SENSOR[name] == "gyro":
-            C[i, 1] = C[i, 6] = 1.0
-        else:
-            C[i, 4] = C[i, 7] = 1.0
+        if SENSOR[name] != "encoder":
+            C[i, 6 if SENSOR[name] == "gyro" else 7] = 1.0  # its bias
     return C
 
 
@@ -154,7 +151,7 @@ def _start(log: Log, robot: Robot, rows: tuple[str, ...]) -> tuple[Array, Array]
     if "sensor/encoder_left" in rows:
         left = _first(log["sensor/encoder_left"])
         right = _first(log["sensor/encoder_right" if "sensor/encoder_right" in rows else "sensor/encoder_left"])
-    turn = robot.track / (2 * robot.wheel_radius)
+    turn = turn_ratio(robot)
     first = np.zeros(size)
     first[2], first[4] = (left + right) / 2, (right - left) / (2 * turn)
     first[6] = np.nanmean(log["sensor/gyro"])

@@ -220,6 +220,18 @@ class LinearModel(Shown):
             raise InvalidModel(f"not a linear model: {error}", expected="JSON written by LinearModel.to_json") from None
 
 
+def delay_line(width: int, periods: int, dt: float) -> LinearModel:
+    """`width` signals, `periods` periods of `dt` [s] late: what waits is its state, newest first."""
+    n = width * periods
+    A, B, C = np.eye(n, k=-width), np.eye(n, width), np.eye(width, n, k=n - width)
+    return LinearModel(A, B, C, np.zeros((width, width)) if periods else np.eye(width), dt)
+
+
+def delayed(model: LinearModel, periods: int) -> LinearModel:
+    """A discrete model whose inputs arrive `periods` periods later."""
+    return model * delay_line(len(model.inputs), periods, model.dt)
+
+
 def one_period(one: LinearModel, other: LinearModel) -> None:
     """Refuse two systems of different periods."""
     if one.dt != other.dt:

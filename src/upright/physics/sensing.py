@@ -6,10 +6,48 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from upright.errors import SpecMismatch
+from upright.signals import STATE_NAMES
+
+Array = NDArray[np.float64]
+
+_TRUTH = tuple(f"truth/{name}" for name in STATE_NAMES)
+
+
+def turn_ratio(p: Any) -> Any:
+    """W/(2R): by how much each wheel turns for one radian of yaw."""
+    return p.track / (2 * p.wheel_radius)
+
+
+def sensor_matrix(names: Sequence[str], turn: ArrayLike) -> Array:
+    """C (len(names), 6) from the state to the readings of the named channels, for W/(2R) = `turn` (see `turn_ratio`).
+
+    `turn` (k,) of k robots gives C (len(names), 6, k). Readings are without noise, bias and delay; the true states are
+    channels too. Raises `SpecMismatch` for a channel that no matrix gives, such as an accelerometer.
+    """
+    ratio = np.asarray(turn, dtype=np.float64)
+    C = np.zeros((len(names), 6, *ratio.shape))
+    for row, name in zip(C, names, strict=True):
+        kind, rate = name.removeprefix("sensor/"), int("_rate" in name)
+        if name in _TRUTH:
+            row[_TRUTH.index(name)] = 1.0
+        elif kind in ("gyro", "compass"):
+            row[1 if kind == "gyro" else 4] = 1.0
+        elif kind.removeprefix("encoder_").removeprefix("rate_") in ("left", "right"):
+            row[rate], row[2 + rate], row[4 + rate] = -1.0, 1.0, -ratio if kind.endswith("left") else ratio
+        else:
+            raise SpecMismatch(
+                f"no linear row for {name}", expected="an encoder, the gyro, the compass, or a true state"
+            )
+    return C
+
 
 def wheel_angles(x: Sequence[Any], p: Any) -> tuple[Any, Any]:
     """θ_l and θ_r [rad]: the mean wheel angle minus and plus W φ / (2R)."""
-    turn = p.track / (2 * p.wheel_radius) * x[4]
+    turn = turn_ratio(p) * x[4]
     return x[2] - turn, x[2] + turn
 
 
