@@ -123,7 +123,9 @@ def _served(lab: Lab, hub: Hub, sock: Any) -> asyncio.AbstractEventLoop:
 
     from upright.lab.app import application
 
-    config = uvicorn.Config(application(lab, hub), log_level="warning", access_log=False, ws_per_message_deflate=False)
+    config = uvicorn.Config(
+        application(lab.foreign, hub), log_level="warning", access_log=False, ws_per_message_deflate=False
+    )
     server, box = uvicorn.Server(config), list[asyncio.AbstractEventLoop]()
     ready = threading.Event()
 

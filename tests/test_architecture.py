@@ -71,9 +71,6 @@ KNOWN_RETIRED: dict[str, int] = {
 }  # fmt: skip
 KNOWN_CIRCLES: set[frozenset[str]] = {
     frozenset({"bricks/vm.py", "bricks/vm_instructions.py"}),
-    frozenset({"comparison/comparison.py", "report/comparing.py"}),
-    frozenset({"lab/answers.py", "lab/session.py"}),
-    frozenset({"lab/app.py", "lab/server.py"}),
 }
 KNOWN_TWICE = {
     "Answer", "Case", "Comparison", "Driver", "Entry", "Family", "Finding", "Fit", "Gains", "Law", "Loop", "Maths",

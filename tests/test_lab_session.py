@@ -13,9 +13,9 @@ import pytest
 from upright.bodies import Electronics, NonlinearBody
 from upright.control import CONTROLLERS, ControllerSpec, lqg
 from upright.experiment import Hold, run
-from upright.lab.answers import catalogue
 from upright.lab.codec import decode, encode
 from upright.lab.desk import InlineDesk, ProcessDesk
+from upright.lab.display import KEPT
 from upright.lab.messages import (
     Analysed,
     Broadcast,
@@ -40,8 +40,9 @@ from upright.lab.messages import (
 )  # fmt: skip
 from upright.lab.plant import COARSE, FINE, Pulled, families, is_slow, loaded
 from upright.lab.ring import Ring
-from upright.lab.session import KEPT, Session
+from upright.lab.session import Session
 from upright.lab.straight import Straight
+from upright.lab.views import catalogue
 from upright.physics.dynamics import MODELS, Disturbance, derivative, mass_matrix
 from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Robot, preset_names

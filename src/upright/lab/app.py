@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import secrets
-from collections.abc import AsyncGenerator
+from collections.abc import AsyncGenerator, Callable
 from typing import Any
 
 from fastapi import FastAPI, Request, Response, WebSocket, WebSocketDisconnect
@@ -17,7 +17,8 @@ from upright.lab.hub import Client, Hub
 from upright.lab.mailbox import Mailbox
 from upright.lab.messages import Uploaded
 from upright.lab.recording import page_text, static
-from upright.lab.server import Lab
+
+Foreign = Callable[[str | None, str | None], bool]
 
 HEADERS = {
     "Content-Security-Policy": "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; "
@@ -28,12 +29,12 @@ HEADERS = {
 }
 
 
-def application(lab: Lab, hub: Hub) -> FastAPI:
-    """The application round a hub."""
+def application(foreign: Foreign, hub: Hub) -> FastAPI:
+    """The application round a hub; `foreign(host, origin)` says whether a request comes from another site."""
     app = FastAPI(title="upright lab", docs_url=None, redoc_url=None, openapi_url=None, lifespan=_life(hub))
 
     async def guard(request: Request, call_next: Any) -> Response:
-        if lab.foreign(request.headers.get("host"), request.headers.get("origin")):
+        if foreign(request.headers.get("host"), request.headers.get("origin")):
             return JSONResponse({"error": "this page belongs to another site"}, 403, HEADERS)
         response = await call_next(request)
         response.headers.update(HEADERS)
@@ -52,7 +53,7 @@ def application(lab: Lab, hub: Hub) -> FastAPI:
         return await _upload(hub, session, request, what, name)
 
     async def talk(socket: WebSocket) -> None:
-        await _talk(lab, hub, socket)
+        await _talk(foreign, hub, socket)
 
     app.middleware("http")(guard)
     app.get("/", response_model=None)(index)
@@ -114,8 +115,8 @@ async def _upload(hub: Hub, session: str, request: Request, what: str, name: str
     return JSONResponse({"name": path.name})
 
 
-async def _talk(lab: Lab, hub: Hub, socket: WebSocket) -> None:
-    if lab.foreign(socket.headers.get("host"), socket.headers.get("origin")):
+async def _talk(foreign: Foreign, hub: Hub, socket: WebSocket) -> None:
+    if foreign(socket.headers.get("host"), socket.headers.get("origin")):
         await socket.close(code=4403, reason="this page belongs to another site")
         return
     await socket.accept()

@@ -78,7 +78,7 @@ def serve(lab: Lab, sock: socket.socket, ready: Callable[[], None] | None = None
         from upright.lab.app import application
 
         config = uvicorn.Config(
-            application(lab, hub), log_level="warning", access_log=False, ws_max_size=LARGEST, lifespan="on",
+            application(lab.foreign, hub), log_level="warning", access_log=False, ws_max_size=LARGEST, lifespan="on",
             timeout_graceful_shutdown=1, server_header=False, ws_per_message_deflate=False,
         )  # fmt: skip
         server = uvicorn.Server(config)

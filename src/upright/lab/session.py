@@ -15,18 +15,21 @@ import numpy as np
 
 from upright.control import Controller
 from upright.errors import InvalidLog, InvalidScenario, UprightError
-from upright.lab import answers
+from upright.lab import views
 from upright.lab.desk import Desk
+from upright.lab.display import KEPT, Display
 from upright.lab.lane import Lane
 from upright.lab.messages import (
+    VERSION,
     Analysed,
     Broadcast,
     Cancel,
     Change,
     Changed,
     Drag,
-    History,
+    Keep,
     Light,
+    Made,
     Notice,
     Play,
     Progress,
@@ -40,20 +43,20 @@ from upright.lab.messages import (
     Step,
     Strike,
     Uploaded,
+    Welcome,
 )  # fmt: skip
 from upright.lab.plant import FINE, Off, Plant, behind, body_of, design, design_part, is_slow, plant_of
 from upright.lab.pushing import Pushing, Score
-from upright.lab.ring import Ring
-from upright.physics.dynamics import CALM, Disturbance
-from upright.robots import Robot
+from upright.physics.dynamics import CALM
+from upright.robots import Robot, kit_names
 from upright.signals import Log
 
-KEPT = 60.0  # [s] that can be scrubbed back through
 LONGEST = 1.0  # [s] of simulated time in one go
-SHOWN = 0.04  # [s] between two rows of the history that a page gets when it comes
-_STATE = (4, 3, 3, 3, 4, 3)  # decimals of the six states that a page can draw
-_LANE = (*_STATE, 2, 2, 0)
-_DISTURBANCE = (3, 4, 4, 3)
+
+FILES: dict[Keep, str] = {
+    "csv": "run.csv", "parquet": "run.parquet", "report": "report.html", "replay": "replay.html",
+    "controller": "controller.json", "robot": "robot.toml",
+}  # fmt: skip
 
 
 class Session:
@@ -71,7 +74,7 @@ class Session:
         self._events: list[Any] = []
         self.paused, self.speed, self._back, self._owed = False, 1.0, 0.0, 0.0
         self.calibrated: Robot | None = None
-        self._pushing, self.score = Pushing(), Score()
+        self._pushing, self.score, self._display = Pushing(), Score(), Display()
         self._known: dict[type, Any] = {}
         self._built = 0
         self._n, self._periods, self._target, self._steer = 0, 0, np.zeros(6), (0.0, 0.0)
@@ -105,7 +108,7 @@ class Session:
         elif status == "failed":
             self._failed(job, str(result))
         else:
-            answer = answers.ANSWERS[job](self, result)
+            answer = self._answer(job, result)
             self._known |= {type(event): event for event in answer if isinstance(event, Analysed | Light)}
             self._events += answer
 
@@ -127,34 +130,24 @@ class Session:
 
     def snapshot(self) -> Snapshot:
         """The moment shown: now, or while scrubbing the one asked for."""
-        period, lanes = self.plant.kit.period, len(self.lanes)
-        row = self._shown.back(round(self._back / period)).tolist()
         self._n += 1
-        return self._moment(row, lanes, self._n)
+        return self._display.snapshot(self._n, self._back, self.paused)
 
     def moments(self, every: float = 0.02) -> list[Snapshot]:
         """All that is kept, oldest first, a snapshot each `every` seconds."""
-        stride = max(1, round(every / self.plant.kit.period))
-        return [self._moment(row, len(self.lanes), i) for i, row in enumerate(self._shown.rows(stride).tolist())]
+        return self._display.snapshots(every, self._back, self.paused)
 
     def changed(self) -> Changed:
         """The set-up as it is now."""
-        return answers.changed(self, bool(self._busy))
-
-    def history(self) -> History:
-        """What was recorded, thinned out, for a page that comes late."""
-        rows = self._shown.rows(max(1, round(SHOWN / self.plant.kit.period)))
-        wide = [[row[1 + 9 * i : 7 + 9 * i] for i in range(len(self.lanes))] for row in rows.tolist()]
-        states = [tuple(round(v, d) for x in row for v, d in zip(x, _STATE, strict=True)) for row in wide]
-        return History(tuple(round(t, 3) for t in rows[:, 0].tolist()), tuple(states))
+        return views.changed(self.setup, self.plant, self.lanes, bool(self._busy))
 
     def welcome(self) -> list[Any]:
         """The events that tell a page that comes late what stands here."""
-        return [answers.catalogue(), *self.standing_events(), self.history()]
+        return [views.catalogue(), *self.standing_events(), self._display.history()]
 
     def standing_events(self) -> list[Any]:
         """The set-up, its equations, and what was found of its loop so far."""
-        return [self.changed(), *answers.standing(self), *self._known.values()]
+        return [self.changed(), views.equations(self.plant.robot), *self._known.values()]
 
     def logs(self) -> dict[str, Log]:
         """The run of every body since the last change, at most the last minute; nothing before the first period."""
@@ -181,7 +174,7 @@ class Session:
         main = self.lanes[0]
         ended = self.score.watch(dt, disturbance.force, main.state(), main.applied, main.fallen)
         self._events += [ended] if ended else []
-        self._record(disturbance, pull)
+        self._display.record(self.t, disturbance, pull, self._target)
 
     def _steered(self, dt: float) -> None:
         speed, rate = self._steer
@@ -189,36 +182,19 @@ class Session:
         _, _, wheel, _, yaw, _ = self._target.tolist()
         self._target = np.array([0.0, 0.0, wheel + rolling * dt, rolling, yaw + rate * dt, rate])
 
-    def _record(self, disturbance: Disturbance, pull: float) -> None:
-        main = self.lanes[0]
-        row = [self.t]
-        for lane in self.lanes:
-            row += [*lane.state(), *lane.applied, float(lane.fallen)]
-        opinion = main.estimate() or [0.0] * 6
-        reference = (self._target[2] + main.offset[2], self._target[4] + main.offset[4])
-        self._shown.append([*row, *opinion, *disturbance, pull, *reference, main.saturated()])
-
-    def _moment(self, row: Sequence[float], lanes: int, n: int) -> Snapshot:
-        end = 1 + 9 * lanes
-        x = tuple(_round(row[1 + 9 * i : 10 + 9 * i], _LANE) for i in range(lanes))
-        estimate = _round(row[end : end + 6], _STATE) if self.lanes[0].controller.spec.estimates else ()
-        disturbance, reference = _round(row[end + 6 : end + 10], _DISTURBANCE), _round(row[end + 10 : end + 12], (3, 3))
-        at_limit = int(row[end + 12])
-        return Snapshot(
-            n=n, t=round(row[0], 3), x=x, e=estimate, f=disturbance, r=reference, s=at_limit, paused=self.paused,
-            back=round(self._back, 2),
-        )  # fmt: skip
-
     def _build(self, start: Sequence[float], states: dict[str, list[float]] | None = None) -> None:
         """New lanes, each from its own body's state where it had one."""
-        length = round(KEPT / self.plant.kit.period)
-        lanes: list[Lane] = []
+        length, lanes = round(KEPT / self.plant.kit.period), list[Lane]()
         for name in self._names():
             inner = body_of(name, self.plant, self.setup, self._fine, self.calibrated)
             body = behind(inner, self.plant.kit)
             at = (states or {}).get(name, start)
             lanes.append(Lane(name, inner, body, self._controller(), at, self.setup.seed, length))
-        self._replace(lanes, length)
+        self.lanes = lanes
+        self._display.show(lanes, self.plant.kit.period)
+        self._target, self._owed, self._back = np.zeros(6), 0.0, 0.0
+        self._built += 1
+        self._display.record(self.t, CALM, 0.0, self._target)
 
     def _names(self) -> tuple[str, ...]:
         there = dict.fromkeys(self.setup.bodies)
@@ -226,16 +202,6 @@ class Session:
         if not names:
             raise InvalidScenario("no body to stand there", expected="at least one of twin, nonlinear, linear")
         return names
-
-    def _replace(self, lanes: list[Lane], length: int) -> None:
-        old = getattr(self, "lanes", [])
-        same = [lane.name for lane in lanes] == [lane.name for lane in old]
-        self.lanes = lanes
-        if not same or len(self._shown.back(0)) != 1 + 9 * len(lanes) + 13:
-            self._shown = Ring(length, 1 + 9 * len(lanes) + 13)
-        self._target, self._owed, self._back = np.zeros(6), 0.0, 0.0
-        self._built += 1
-        self._record(CALM, 0.0)
 
     def _controller(self) -> Controller:
         """A fresh instance for one lane, by copying what was designed."""
@@ -311,7 +277,7 @@ class Session:
             self.setup, self.plant, self._designed, self._busy = before
             self._events.append(self.changed())
             raise
-        self._events += [self.changed(), *answers.standing(self)]
+        self._events += [self.changed(), views.equations(self.plant.robot)]
         if redesign:
             self._events.append(Light("none", ()))
             self._known.clear()
@@ -349,7 +315,7 @@ class Session:
         self.paused, self._back = True, message.back
 
     def _start(self, message: Start) -> None:
-        task, args = answers.task_of(self, message)
+        task, args = self._task(message)
         self._desk.submit((self.name, message.job), task, args, alone=True)
         self._events.append(Progress(message.job, 0.0))
 
@@ -358,7 +324,7 @@ class Session:
         self._events += [Progress(message.job, 1.0), Notice("info", f"{message.job}: stopped")]
 
     def _save(self, message: Save) -> None:
-        task, args = answers.keeping(self, message.what)
+        task, args = self._keeping(message.what)
         self._desk.submit((self.name, f"keep {message.what}"), task, args)
 
     def _uploaded(self, message: Uploaded) -> None:
@@ -372,6 +338,63 @@ class Session:
             self._busy = ""
         self._events += [Notice("error", reason), Progress(job, 1.0)]  # type: ignore[arg-type]
 
+    # What the desk is given, and what comes of it
 
-def _round(values: Sequence[float], digits: Sequence[int]) -> tuple[float, ...]:
-    return tuple(round(v, d) for v, d in zip(values, digits, strict=True))
+    def _task(self, message: Start) -> tuple[str, tuple[Any, ...]]:
+        """The task and its arguments for a job that a page starts."""
+        if message.job in ("certify", "design"):
+            return message.job, (self.setup, *((False,) if message.job == "design" else ()))
+        source = self.upload(message.file) if message.file else next(iter(self._recorded().values()))
+        kit = () if message.job == "doctor" else (self.plant.kit,)
+        return message.job, (source, self.plant.nominal, *kit)
+
+    def _keeping(self, what: Keep) -> tuple[str, tuple[Any, ...]]:
+        """The task and its arguments for a file to be downloaded."""
+        content: dict[str, Callable[[], Any]] = {
+            "controller": lambda: self.setup,
+            "robot": lambda: self.calibrated or self.plant.nominal,
+            "replay": lambda: [Welcome(VERSION, "", "alone", ""), views.catalogue(), *self.standing_events(),
+                               *self.moments()],
+            "report": self._recorded,
+        }  # fmt: skip
+        given = content[what]() if what in content else next(iter(self._recorded().values()))
+        return f"keep {what}", (given, self.folder / FILES[what])
+
+    def _recorded(self) -> dict[str, Log]:
+        logs = self.logs()
+        if not logs:
+            raise InvalidLog("nothing was recorded yet", hint="let it run for a moment")
+        return logs
+
+    def _answer(self, job: str, result: Any) -> list[Any]:
+        """The events that tell what came of a job."""
+        if job == "design":
+            return self._analysed(*result)
+        if job == "light":
+            return [result]
+        if job in ("certify", "doctor"):
+            return [*result, Progress(job, 1.0)]  # type: ignore[arg-type]
+        if job == "calibrate":
+            self.calibrated, table = result
+            names = tuple(dict.fromkeys((*self.setup.bodies, "calibrated")))
+            self.handle(Change(replace(self.setup, bodies=names)))
+            return [table, Progress(job, 1.0)]
+        if job == "robot":
+            return self._read(result)
+        name = Path(result).name
+        return [Made(name.rpartition(".")[2], name, name)]
+
+    def _analysed(self, controller: Controller | None, analysis: Analysed) -> list[Any]:
+        if controller is None:
+            return [analysis, *self.follow()]
+        try:
+            self.designed(controller)
+        except UprightError as error:
+            return [Notice("error", str(error))]
+        return [analysis, self.changed(), *self.follow()]
+
+    def _read(self, robot: Robot) -> list[Any]:
+        kit = robot.kit if robot.kit in kit_names() else self.setup.kit
+        setup = replace(self.setup, robot=robot.name, numbers=robot.numbers(), drive=robot.drive, kit=kit)
+        self.handle(Change(replace(setup, largest=(), gains=())))
+        return [Notice("info", f"{robot.name}: read")]

@@ -103,7 +103,7 @@ def certify(report: Report, setup: Setup) -> tuple[Light, JobResult]:
     return lit, JobResult("certify", title, "\n".join(certificate.reasons), header, rows, certificate.light != "red")
 
 
-def doctor(report: Report, source: Path | Log, robot: Robot) -> JobResult:
+def doctor(report: Report, source: Path | Log, robot: Robot) -> tuple[JobResult]:
     """What is wrong with a log."""
     from upright.doctor.doctor import doctor as examine
 
@@ -112,7 +112,7 @@ def doctor(report: Report, source: Path | Log, robot: Robot) -> JobResult:
     name = Path(diagnosis.source).name if diagnosis.source else "this run"
     title = f"{name}: {diagnosis.rows} rows, {diagnosis.seconds:.1f} s, every {1e3 * diagnosis.period:.3g} ms"
     text = "" if rows else "Nothing diagnosis: this log can be used as it is."
-    return JobResult("doctor", title, text, ("", "what", "channel", "evidence", "repair"), rows, diagnosis.healthy)
+    return (JobResult("doctor", title, text, ("", "what", "channel", "evidence", "repair"), rows, diagnosis.healthy),)
 
 
 def calibrate(report: Report, source: Path | Log, robot: Robot, kit: Kit) -> tuple[Robot, JobResult]:

@@ -1,0 +1,63 @@
+"""What a page is told of a set-up: what there is to choose, how it stands, and the numbers of its equations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from typing import Any
+
+from upright.atomic import finite
+from upright.lab.lane import Lane
+from upright.lab.messages import Catalogue, Changed, Equations, Look, RobotInfo, Setup
+from upright.lab.plant import Plant, families
+from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain, yaw_swing
+from upright.physics.linear import linearise
+from upright.robots import PARAMETERS, Robot, kit_names, preset_names
+
+
+@cache
+def catalogue() -> Catalogue:
+    """What there is to choose."""
+    from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE
+
+    robots = tuple(_info(Robot.preset(name)) for name in preset_names())
+    units = {name: unit for name, (unit, _) in PARAMETERS.items()}
+    symbols = {name: symbol for name, (_, symbol) in PARAMETERS.items()}
+    return Catalogue(robots, kit_names(), families(), units, symbols, LARGEST_STATE, dict(LARGEST_COMMAND))
+
+
+def _info(robot: Robot) -> RobotInfo:
+    return RobotInfo(robot.name, robot.title, robot.kit, robot.drive, robot.numbers())
+
+
+def changed(setup: Setup, plant: Plant, lanes: Sequence[Lane], busy: bool) -> Changed:
+    """The set-up, what to draw and what the kit really is."""
+    robot, kit, spec = plant.robot, plant.kit, lanes[0].controller.spec
+    look = Look(
+        wheel_radius=robot.wheel_radius, track=robot.track, body_height=robot.body_height, body_depth=robot.body_depth,
+        com_height=robot.com_height, payload=setup.payload, payload_height=setup.payload_height,
+        command_unit=robot.command_unit, limit=finite(lanes[0].body.spec.limit), weight=robot.body_mass * robot.gravity,
+    )  # fmt: skip
+    voltage = kit.battery.voltage
+    numbers = {"delay": kit.delay, "dead_zone": kit.motor.dead_zone, "voltage": voltage if voltage < 1e6 else -1.0}
+    names = tuple(lane.name for lane in lanes)
+    return Changed(
+        setup=setup, look=look, bodies=names, period=kit.period, controller=spec.kind, truth=spec.reads_truth,
+        kit=numbers, busy=busy,
+    )  # fmt: skip
+
+
+def equations(robot: Robot) -> Equations:
+    """The equations of a robot, in numbers."""
+    model = linearise(robot)
+    poles = tuple((round(float(p.real), 3), round(float(p.imag), 3)) for p in model.poles())
+    return Equations(
+        inertias=tuple(float(a) for a in mass_matrix(1.0, 0.0, robot)), alpha=float(motor_gain(robot)),
+        beta=float(motor_damping(robot)), weight=robot.body_mass * robot.gravity * robot.com_height,
+        lever=robot.body_mass * robot.com_height * robot.wheel_radius, swing=float(yaw_swing(robot, "complete")),
+        half_track=robot.track / (2 * robot.wheel_radius), A=_rows(model.A), B=_rows(model.B), poles=poles,
+    )  # fmt: skip
+
+
+def _rows(matrix: Any) -> tuple[tuple[float, ...], ...]:
+    return tuple(tuple(float(f"{v:.5g}") for v in row) for row in matrix.tolist())
