@@ -18,7 +18,7 @@ from upright.comparison import (
     overshoot,
     peak,
     rms,
-    saturated_share,
+    saturated_fraction,
     settling_time,
 )
 from upright.control import StateFeedback, lqr
@@ -105,16 +105,16 @@ def test_rms_of_a_sine_is_its_amplitude_over_root_two():
     assert rms(3 * np.sin(phase)) == pytest.approx(3 / math.sqrt(2))
 
 
-def test_the_saturated_share_of_a_clipped_sine_is_the_time_it_spends_beyond_the_limit():
+def test_the_saturated_fraction_of_a_clipped_sine_is_the_time_it_spends_beyond_the_limit():
     command = 2 * np.sin(2 * np.pi * np.arange(100_000) / 100_000)
-    share = saturated_share(command, np.clip(command, -1, 1), margin=0.0)
+    share = saturated_fraction(command, np.clip(command, -1, 1), margin=0.0)
     assert share == pytest.approx(2 / 3, abs=1e-4)  # |sin| > 1/2 for 2/3 of a period; an edge is one sample wide
 
 
 def test_a_delay_is_no_saturation_and_either_motor_counts():
     command = np.sin(np.linspace(0, 20, 500))
-    assert saturated_share(command, np.roll(command, 3)) == 0
-    assert saturated_share([[1, 1], [1, 5]], [[1, 1], [1, 1]]) == 0.5
+    assert saturated_fraction(command, np.roll(command, 3)) == 0
+    assert saturated_fraction([[1, 1], [1, 5]], [[1, 1], [1, 1]]) == 0.5
 
 
 def test_the_fit_of_a_constant_shift_is_the_shift_in_standard_deviations():
@@ -205,7 +205,7 @@ def test_a_push_that_never_ends_leaves_settling_unknown_and_a_fall_is_seen():
 
 def test_a_fall_is_the_run_s_own_outcome_in_table_page_and_json():
     """The log ends before the pitch that ended the run: 0.1 rad cosh(7.4 t) passes 1.4 rad at 0.45 s."""
-    falling = run(NonlinearBody(NXT), StateFeedback(np.zeros((2, 6))), seconds=10, start=(0.1, 0, 0, 0, 0, 0))
+    falling = run(NonlinearBody(NXT), StateFeedback(np.zeros((2, 6)), 0.01), seconds=10, start=(0.1, 0, 0, 0, 0, 0))
     standing = run(NonlinearBody(NXT), lqr(NXT, 0.01), seconds=1, start=(0.1, 0, 0, 0, 0, 0))
     unknown = Log(falling.t, falling.channels)
     assert np.abs(falling["truth/pitch"]).max() < FALLEN

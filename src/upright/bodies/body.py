@@ -22,7 +22,7 @@ FALLEN = 1.4
 """Pitch [rad] beyond which a robot has fallen: close to lying (π/2), beyond what any measured run recovers from."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class BodySpec:
     """What a body is, known before anything is connected.
 

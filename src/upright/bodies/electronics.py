@@ -106,8 +106,8 @@ class _CommandLine:
 
     def step(self, command: tuple[float, ...]) -> tuple[float, ...]:
         if command != self._latest:
-            late = int(self._rng.integers(0, self._jitter + 1)) if self._jitter else 0
-            self._waiting.append((self._now + self._delay + late, command))
+            jitter = int(self._rng.integers(0, self._jitter + 1)) if self._jitter else 0
+            self._waiting.append((self._now + self._delay + jitter, command))
             self._latest = command
         while self._waiting and self._waiting[0][0] <= self._now:
             self._current = self._waiting.popleft()[1]
@@ -121,13 +121,13 @@ class _Channel:
     def __init__(self, sensor: Sensor, name: str, period: float, kit: Kit) -> None:
         self._sensor = sensor
         self._play = kit.motor.backlash / 2 if "encoder" in name else 0.0
-        self._late = round(sensor.delay / period)
+        self._delay = round(sensor.delay / period)
         self._every = max(1, round(sensor.period / period))
         self._walk = sensor.bias_walk * math.sqrt(period * self._every)
 
     def reset(self, rng: np.random.Generator, first: float) -> None:
         self._rng, self._count = rng, 0
-        self._line = deque([first] * (self._late + 1), maxlen=self._late + 1)
+        self._line = deque([first] * (self._delay + 1), maxlen=self._delay + 1)
         self._touch = first
         self._bias = self._sensor.bias * float(rng.standard_normal()) if self._sensor.bias else 0.0
 

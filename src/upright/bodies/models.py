@@ -30,7 +30,7 @@ class NonlinearBody:
     def __init__(self, robot: Robot, model: str = "complete", period: float = 0.001) -> None:
         if model not in MODELS:
             raise InvalidModel(f"no model is called '{model}'", expected=" or ".join(MODELS))
-        self.spec = BodySpec(f"{model} nonlinear model", robot, CHANNELS, checked_period(period), robot.command_unit)
+        self.spec = _spec(f"{model} nonlinear model", robot, checked_period(period))
         self._model = model
         fastest = max(abs(linearise(robot, model=model).poles()))
         self.substeps = max(1, math.ceil(fastest * period / _STIFF))
@@ -80,7 +80,7 @@ class LinearBody:
         discrete = model.c2d(checked_period(period)) if model.continuous else model
         self._push = discrete.E if discrete.disturbances else _push_columns(robot, discrete)
         self._linear = discrete
-        self.spec = BodySpec("linear model", robot, CHANNELS, discrete.dt, robot.command_unit)
+        self.spec = _spec("linear model", robot, discrete.dt)
         self.reset()
 
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (nothing here is random)
@@ -104,6 +104,10 @@ class LinearBody:
         x = self._x.tolist()
         values = (*x, *readings(x, self._wheel_acc, self.spec.robot, w.slope))
         return sample(self._steps * self.spec.period, values, u, abs(x[0]) > FALLEN)
+
+
+def _spec(kind: str, robot: Robot, period: float) -> BodySpec:
+    return BodySpec(kind=kind, robot=robot, channels=CHANNELS, period=period, command_unit=robot.command_unit)
 
 
 def _push_columns(robot: Robot, model: LinearModel) -> np.ndarray:

@@ -55,7 +55,7 @@ class NxtBody:
 
     Every `PERIOD` both motors get a duty and are read: far too slow for balancing, good for measuring motors and
     sensors on a robot that lies or hangs. There is no truth, it cannot be put into a state, and nothing tells whether
-    it has fallen. `late` counts steps that took longer than their period.
+    it has fallen. `overruns` counts steps that took longer than their period.
 
     Where no order comes, as when the cable is out, the brick stops each motor by itself: an order holds until the motor
     has turned by `REACH` times its duty or `LEAST_REACH`, at most twice that, and then the motor coasts. A motor that
@@ -70,7 +70,7 @@ class NxtBody:
     def __init__(self, robot: Robot, port: str = "usb", *, wait: Callable[[float], None] | None = None) -> None:
         kind = "NXT over a cable" if wait is None else "virtual NXT with the twin round it, over a cable"
         self.spec = remote_spec(kind, robot, PERIOD, FRESH, real=wait is None)
-        self.late, self._port, self._wait, self._brick = 0, port, wait, None
+        self.overruns, self._port, self._wait, self._brick = 0, port, wait, None
         self._steps, self._offset, self._battery, self._tick = 0, 0.0, 0.0, 0.0
         self._leashes, self._turned = [Leash() for _ in MOTORS], [0 for _ in MOTORS]
 
@@ -79,12 +79,12 @@ class NxtBody:
         brick = self._connected()
         brick.ask("release", ports=MOTORS)
         brick.ask("sensor", port=GYRO, kind=GYRO_KIND)
-        self._steps, self.late, self._offset, self._tick = 0, 0, 0.0, time.monotonic()
+        self._steps, self.overruns, self._offset, self._tick = 0, 0, 0.0, time.monotonic()
         self._leashes = [Leash() for _ in MOTORS]
-        seen = [self._look() for _ in range(STILL)]
-        self._offset = sum(reading.gyro for reading in seen) / STILL
-        self._battery, self._tick = seen[-1].battery, time.monotonic()
-        return as_sample(0.0, seen[-1], self._offset, (0.0, 0.0))
+        still = [self._look() for _ in range(STILL)]
+        self._offset = sum(reading.gyro for reading in still) / STILL
+        self._battery, self._tick = still[-1].battery, time.monotonic()
+        return as_sample(0.0, still[-1], self._offset, (0.0, 0.0))
 
     def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
         duties = [duty(volts, self._battery) for volts in checked(command, 2, "command")]
@@ -131,5 +131,5 @@ class NxtBody:
         self._tick += PERIOD
         rest = self._tick - time.monotonic()
         if rest < 0:
-            self.late, self._tick = self.late + 1, time.monotonic()
+            self.overruns, self._tick = self.overruns + 1, time.monotonic()
         time.sleep(max(0.0, rest))

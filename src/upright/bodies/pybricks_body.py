@@ -26,15 +26,15 @@ class PybricksBody:
 
     Far too slow for balancing, good for measuring motors and sensors on a robot that lies or hangs. There is no truth,
     it cannot be put into a state, and nothing tells whether it has fallen. `program` is that program where the robot is
-    built differently. `late` counts readings that came while nobody had asked. It connects at the first `reset`, for a
-    second of which it must be still. Raises `SpecMismatch`, and like `linked`.
+    built differently. `overruns` counts readings that came while nobody had asked. It connects at the first `reset`,
+    for a second of which it must be still. Raises `SpecMismatch`, and like `linked`.
     """
 
     def __init__(self, robot: Robot, port: str | Peripheral = "ble", *, program: Path | None = None) -> None:
         real = isinstance(port, str)
         kind = "Pybricks hub over Bluetooth" if real else "virtual Pybricks hub with the twin round it"
         self.spec = remote_spec(kind, robot, PERIOD, FRESH, real)
-        self.late, self._port, self._program = 0, port, program
+        self.overruns, self._port, self._program = 0, port, program
         self._runner, self._stack, self._hub = asyncio.Runner(), AsyncExitStack(), None
         self._tick, self._began, self._offset, self._battery = 0, 0, 0.0, 0.0
 
@@ -56,11 +56,11 @@ class PybricksBody:
         if hub.running:
             await self._ended(hub)
         await hub.start()
-        self._tick, self.late = 0, 0
-        seen = [(await self._next(hub))[0] for _ in range(STILL)]
-        self._offset = sum(reading.gyro for reading in seen) / STILL
-        self._battery, self._began, self.late = seen[-1].battery, self._tick, 0
-        return as_sample(0.0, seen[-1], self._offset, (0, 0))
+        self._tick, self.overruns = 0, 0
+        still = [(await self._next(hub))[0] for _ in range(STILL)]
+        self._offset = sum(reading.gyro for reading in still) / STILL
+        self._battery, self._began, self.overruns = still[-1].battery, self._tick, 0
+        return as_sample(0.0, still[-1], self._offset, (0, 0))
 
     async def _step(self, duties: Sequence[int]) -> Sample:
         hub = self._hub or await self._connected()
@@ -102,7 +102,7 @@ class PybricksBody:
             hub.heard = [line for line in lines if line]  # its last words, perhaps
             return []
         tick, *values = rows[-1]
-        self.late, self._tick = self.late + tick - self._tick - 1, tick
+        self.overruns, self._tick = self.overruns + tick - self._tick - 1, tick
         return values
 
     async def _ended(self, hub: HubLink) -> None:

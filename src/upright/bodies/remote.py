@@ -19,7 +19,7 @@ STILL = 20  # readings that the gyro's offset is averaged over
 
 @dataclass(frozen=True)
 class Reading:
-    """What a robot tells of a tick: encoders [deg], gyro [deg/s], battery [V]."""
+    """What a robot reports of a tick: encoders [deg], gyro [deg/s], battery [V]."""
 
     left: float
     right: float
@@ -28,13 +28,15 @@ class Reading:
 
 
 def remote_spec(kind: str, robot: Robot, period: float, most: float, real: bool) -> BodySpec:
-    """The spec of a robot that is told its duties from here: no truth, no state to be put into, no push by a number.
+    """The spec of a robot whose duties are sent from here: no truth, no state to be put into, no push by a number.
 
     `most` is the highest voltage of its battery [V]. Raises `SpecMismatch` for a robot that is not driven by voltage.
     """
     if robot.command_unit != "V":
         raise SpecMismatch(f"'{robot.name}' is commanded in {robot.command_unit}", expected=f"V, as a {kind} drives")
-    return BodySpec(kind, robot, CHANNELS, period, "V", most, real=real, settable=False, pushable=False)
+    return BodySpec(
+        kind=kind, robot=robot, channels=CHANNELS, period=period, limit=most, real=real, settable=False, pushable=False
+    )
 
 
 def at_rest(start: Sequence[float], kind: str) -> None:

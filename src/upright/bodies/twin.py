@@ -49,7 +49,10 @@ class Twin:
         contact = {"contact_time": contact_time, "impedance": impedance, "impratio": impratio, "grip": grip}
         _check_contact(timestep, **contact)
         text = mjcf(robot, timestep=period / self._count, **contact)
-        self.spec = BodySpec("twin", robot, (*TRUTH, *SENSORS[:-1]), period, robot.command_unit)
+        channels = (*TRUTH, *SENSORS[:-1])
+        self.spec = BodySpec(
+            kind="twin", robot=robot, channels=channels, period=period, command_unit=robot.command_unit
+        )
         self._model = mujoco.MjModel.from_xml_string(text)
         self._data = mujoco.MjData(self._model)
         lightest = robot.wheel_inertia + robot.gear_ratio**2 * robot.rotor_inertia

@@ -10,5 +10,5 @@ from upright.comparison.metrics import nrmse_fit as nrmse_fit
 from upright.comparison.metrics import overshoot as overshoot
 from upright.comparison.metrics import peak as peak
 from upright.comparison.metrics import rms as rms
-from upright.comparison.metrics import saturated_share as saturated_share
+from upright.comparison.metrics import saturated_fraction as saturated_fraction
 from upright.comparison.metrics import settling_time as settling_time

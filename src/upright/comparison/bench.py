@@ -30,18 +30,18 @@ GUESS = 0.3  # [m/s] of the whole robot: what most controllers survive about
 TOLERANCE = 0.03
 """Relative: readings of a degree make the last few per cent a matter of chance."""
 DRAWN = 200
-"""Robots over the spreads: a share of one in a hundred is seen."""
+"""Robots over the spreads: a fraction of one in a hundred shows."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class BenchRow:
     """One controller under one push; numbers are None where there was nothing to run.
 
     `outcome` is "yes", "fell at … s" or why there is no design; `peak` [rad], `settling` to 5 % [s], `travel` of the
-    wheels [rad], `effort` [V² s or (N m)² s], `saturated` share [1]. `impulse` [N s] is the largest knock of
+    wheels [rad], `effort` [V² s or (N m)² s], `saturated` fraction [1]. `impulse` [N s] is the largest knock of
     `KNOCK` at the centre of mass from that side after which the robot still stands `WATCHED` later, to `TOLERANCE`.
-    `spread` is the share of `DRAWN` robots over the spreads of this one's sources that fall under the same push, in the
-    nonlinear model; only of linear controllers.
+    `spread` is the fraction of `DRAWN` robots over the spreads of this one's sources that fall under the same push, in
+    the nonlinear model; only of linear controllers.
     """
 
     controller: str
@@ -66,7 +66,7 @@ def bench_controllers(
     body: str = "twin",
     seed: int = 1,
     methods: Sequence[str] = (),
-    progress: Callable[[float], None] = lambda _share: None,
+    progress: Callable[[float], None] = lambda _fraction: None,
     knocks: bool = True,
 ) -> tuple[BenchRow, ...]:
     """Each of `methods` (none: all registered ones that are `benched`) on the sensors of `kit` through both pushes of
@@ -79,13 +79,13 @@ def bench_controllers(
     rows, drawn = list[BenchRow](), draw(robot, DRAWN, seed)
     for method in methods:
         for side in PUSHES:
-            rows.append(bench_one(method, side, robot, kit, body, seed, drawn, knocks))
+            rows.append(bench_one(method, side, robot, kit, body=body, seed=seed, drawn=drawn, knocks=knocks))
             progress(len(rows) / (len(methods) * len(PUSHES)))
     return tuple(rows)
 
 
 def bench_one(
-    method: str, side: str, robot: Robot, kit: Kit, body: str, seed: int, drawn: Sequence[Robot],
+    method: str, side: str, robot: Robot, kit: Kit, *, body: str, seed: int, drawn: Sequence[Robot],
     knocks: bool = True,
 ) -> BenchRow:  # fmt: skip
     """One controller under one push, of `robot` and of the `drawn` ones."""
@@ -93,19 +93,19 @@ def bench_one(
     try:
         controller = make_controller(method, robot, kit, kit.period)
     except UprightError as error:
-        return BenchRow(method, push, f"no design: {str(error).split(';')[0]}")
+        return BenchRow(controller=method, push=push, outcome=f"no design: {str(error).split(';')[0]}")
     plant = Electronics(make_body(body, robot), kit)
     log = run(plant, controller, Hold(pitch=PUSHES[side], until=UNTIL), seconds=SECONDS, seed=seed)
     impulse = largest_knock(plant, controller, math.copysign(1.0, PUSHES[side]), seed) if knocks else None
     plant.close()
     numbers = compare({body: log}).to_json()["logs"]
-    found = next(iter(numbers.values()))["metrics"]
+    measured = next(iter(numbers.values()))["metrics"]
     end = outcome_of(log)
     outcome = f"fell at {end.seconds:.1f} s" if end.fell else "yes"
     spread = _spread(Course(driver(controller, robot, kit), robot, drawn, kit, seed), side)
     names = {"peak": "pitch_peak", "settling": "settling_5", "travel": "wheel_travel"}
-    numbers = {n: found[names.get(n, n)] for n in ("peak", "settling", "travel", "effort", "saturated")}
-    return BenchRow(method, push, outcome, **numbers, impulse=impulse, spread=spread)
+    numbers = {n: measured[names.get(n, n)] for n in ("peak", "settling", "travel", "effort", "saturated")}
+    return BenchRow(controller=method, push=push, outcome=outcome, **numbers, impulse=impulse, spread=spread)
 
 
 def largest_knock(plant: Body, controller: Controller, way: float, seed: int) -> float:
@@ -118,12 +118,12 @@ def largest_knock(plant: Body, controller: Controller, way: float, seed: int) ->
         log = run(plant, controller, knock, seconds=STRUCK + KNOCK + WATCHED, seed=seed)
         return np.array([not outcome_of(log).fell])
 
-    found = largest(stands, [GUESS * mass], CEILING * mass, FLOOR * mass, TOLERANCE, 2.0)
-    return float(found[0])
+    impulse = largest(stands, [GUESS * mass], CEILING * mass, FLOOR * mass, TOLERANCE, 2.0)
+    return float(impulse[0])
 
 
 def _spread(course: Course, side: str) -> float | None:
-    """Share of drawn robots that fall, in the kernel."""
+    """Fraction of drawn robots that fall, in the kernel."""
     if course.driver.brain:
         return None
     runs = watched(course, Hold(pitch=PUSHES[side], until=UNTIL), 0, ())

@@ -20,7 +20,7 @@ from upright.signals import STATE_NAMES, Log
 from upright.tables import Shown
 
 NEAR_LIMIT = 0.8
-"""Share of its limit below which no command was cut: a battery that sags gives way by less than the rest."""
+"""Fraction of its limit below which no command was cut: a battery that sags gives way by less than the rest."""
 
 
 def _number(unit: str, label: str) -> Any:
@@ -78,7 +78,7 @@ class Comparison(Shown):
         return again.to_json() == self.to_json()
 
     def unit(self, metric: str) -> str:
-        """Unit of a metric, '1' for a share, '' for yes or no."""
+        """Unit of a metric, '1' for a fraction, '' for yes or no."""
         squared = f"({self.command_unit})²" if " " in self.command_unit else f"{self.command_unit}²"
         return METRICS[metric][0].replace("u²", squared)
 
@@ -169,13 +169,13 @@ def _labels(logs: Mapping[str, Log]) -> dict[str, str]:
     labels: dict[str, str] = {}
     taken = {label for label, log in logs.items() if _honest(label, log)}
     for label, log in logs.items():
-        wanted = label
+        honest = label
         if not _honest(label, log):
             stem = "twin" if re.search(r"robot|real", label, re.IGNORECASE) else f"{label} (twin)"
             numbered = (f"{stem} {number}" for number in range(2, len(logs) + 2))
-            wanted = next(name for name in (stem, *numbered) if name not in taken)
-        taken.add(wanted)
-        labels[label] = wanted
+            honest = next(name for name in (stem, *numbered) if name not in taken)
+        taken.add(honest)
+        labels[label] = honest
     return labels
 
 
@@ -251,7 +251,7 @@ def _saturated(log: Log) -> float:
     limit = _limit(log)
     if max(float(np.abs(column).max()) for column in columns[2:]) < NEAR_LIMIT * limit:
         return 0.0
-    return metrics.saturated_share(np.column_stack(columns[:2]), np.column_stack(columns[2:]))
+    return metrics.saturated_fraction(np.column_stack(columns[:2]), np.column_stack(columns[2:]))
 
 
 def _limit(log: Log) -> float:

@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 
 
 class Peak(NamedTuple):
-    """A signal's farthest `value` (signed, in the signal's unit) and the `time` [s] it is first reached."""
+    """A signal's largest `value` (signed, in the signal's unit) and the `time` [s] it is first reached."""
 
     value: float
     time: float
@@ -49,9 +49,9 @@ def settling_time(
     last = int(outside[-1])
     if last == len(error) - 1:
         return np.nan
-    share = (error[last] - limit) / (error[last] - error[last + 1])
+    fraction = (error[last] - limit) / (error[last] - error[last + 1])
     origin = time[0] if start is None else start
-    return float(time[last] + share * (time[last + 1] - time[last]) - origin)
+    return float(time[last] + fraction * (time[last + 1] - time[last]) - origin)
 
 
 def overshoot(y: ArrayLike, target: float = 0.0) -> float:
@@ -93,18 +93,18 @@ def effort(t: ArrayLike, left: ArrayLike, right: ArrayLike) -> float:
     return float(np.trapezoid(u_left**2 + u_right**2, time))
 
 
-def saturated_share(command: ArrayLike, applied: ArrayLike, margin: float = 0.01) -> float:
-    """Share of samples [1] whose |command| is more than `margin` above the largest |applied| of the whole record.
+def saturated_fraction(command: ArrayLike, applied: ArrayLike, margin: float = 0.01) -> float:
+    """Fraction of samples [1] whose |command| is more than `margin` above the largest |applied| of the whole record.
 
     Both have shape (n,) or (n, 2), a row counting if either motor does. A command is not compared with the one
     applied in the same row, since a delay or a quantised duty would then pass for saturation. NaN for no samples.
     """
-    wanted, given = np.asarray(command, dtype=np.float64), np.asarray(applied, dtype=np.float64)
-    if wanted.shape != given.shape:
-        raise InvalidLog(f"command has shape {wanted.shape} and applied {given.shape}", expected="equal shapes")
-    if wanted.size == 0:
+    requested, given = np.asarray(command, dtype=np.float64), np.asarray(applied, dtype=np.float64)
+    if requested.shape != given.shape:
+        raise InvalidLog(f"command has shape {requested.shape} and applied {given.shape}", expected="equal shapes")
+    if requested.size == 0:
         return np.nan
-    beyond = np.abs(wanted) > (1 + margin) * np.abs(given).max(axis=0)
+    beyond = np.abs(requested) > (1 + margin) * np.abs(given).max(axis=0)
     return float(np.mean(beyond.any(axis=1) if beyond.ndim == 2 else beyond))
 
 

@@ -34,8 +34,8 @@ class Client:
     role: Role = "alone"
     closed: str = ""
     wrong: int = 0
-    _tokens: float = BURST
-    _since: float = field(default_factory=time.monotonic)
+    _tokens: float = field(default=BURST, init=False)
+    _since: float = field(default_factory=time.monotonic, init=False)
 
     def may_speak(self, now: float) -> bool:
         """Whether it keeps to the pace: a bucket of `BURST` that refills with `STEADY` a second."""

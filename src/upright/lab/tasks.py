@@ -79,10 +79,10 @@ def light(report: Report, setup: Setup) -> Light:  # noqa: ARG001 (it is over be
     plant = plant_of(setup)
     controller = design_of(setup, plant.nominal, plant.kit)
     try:
-        found = certify(controller, plant.nominal, plant.kit, samples=QUICK, sweeps=False, threads=1)
+        certificate = certify(controller, plant.nominal, plant.kit, samples=QUICK, sweeps=False, threads=1)
     except SpecMismatch as error:
         return Light("none", (str(error).split(";")[0],))
-    return Light(found.light, found.reasons)  # type: ignore[arg-type]
+    return Light(certificate.light, certificate.reasons)  # type: ignore[arg-type]
 
 
 def certify(report: Report, setup: Setup) -> tuple[Light, JobResult]:
