@@ -34,14 +34,16 @@ HEAVY = {
 }  # fmt: skip
 AT_ONCE = {
     ("bodies/twin.py", "mujoco"), ("paper/derivation.py", "sympy"), ("paper/errata.py", "sympy"),
-    ("compiled/generate.py", "sympy"), ("compiled/trace.py", "sympy"), ("compiled/trace_print.py", "sympy"),
+    ("compiled/generate.py", "sympy"), ("compiled/trace.py", "sympy"),
+    ("compiled/trace_constants.py", "sympy"), ("compiled/trace_print.py", "sympy"),
     ("compiled/trace_motion.py", "sympy"),
-    ("calibrate/predictor.py", "numba"), ("lab/app.py", "fastapi"),
+    ("calibrate/motion.py", "numba"), ("lab/app.py", "fastapi"),
 }  # fmt: skip
 """Heavy packages that a module may import when it is loaded, because it is loaded only to use them."""
 
 SYMPY = {
     "paper/derivation.py", "paper/errata.py", "compiled/generate.py", "compiled/trace.py",
+    "compiled/trace_constants.py",
     "compiled/trace_print.py",
     "compiled/trace_motion.py",
 }  # fmt: skip
@@ -52,7 +54,7 @@ MOST_LINES_OF_A_FUNCTION = 60
 MOST_POSITIONAL = 7
 """Parameters that a caller may give by position: beyond it nobody remembers the order."""
 
-COMPILED = {"kernel/block.py", "kernel/run.py", "calibrate/predictor.py", "compiled/random.py"}
+COMPILED = {"kernel/block.py", "kernel/run.py", "calibrate/motion.py", "calibrate/predictor.py", "compiled/random.py"}
 """Files whose functions Numba compiles: keyword-only parameters do not exist there."""
 
 RETIRED = {

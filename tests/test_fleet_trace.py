@@ -11,7 +11,7 @@ import pytest
 
 from upright.compiled import generated, generated_motion, trace_motion
 from upright.compiled.generate import sources
-from upright.compiled.trace_constants import Constants
+from upright.compiled.trace_constants import ConstantNames
 from upright.compiled.trace_print import P
 from upright.errors import InvalidModel
 from upright.physics.dynamics import CALM, Disturbance, accelerations
@@ -74,7 +74,7 @@ def test_constants_are_the_textbook_s():
 
 
 def test_a_product_without_a_name_stops_the_generator():
-    known = Constants()
+    known = ConstantNames()
     assert str(known.of(P.wheel_radius)) == "wheel_radius"
     assert str(known.of(-P.gravity)) == "-gravity"
     with pytest.raises(InvalidModel, match="need body_mass"):

@@ -23,7 +23,7 @@ from upright.physics.linear import linearise
 from upright.robots import PARAMETERS, Robot
 
 if TYPE_CHECKING:
-    from upright.calibrate.predictor import Events, Lanes
+    from upright.calibrate.predictor import Events, RobotLanes
 
 Array = NDArray[np.float64]
 
@@ -140,16 +140,16 @@ class Problem:
         q = self.coefficients(around(z))
         return q[:, -1], slopes_of(q)
 
-    def lanes_of(self, recording: Recording, q: Array) -> Lanes:
+    def lanes_of(self, recording: Recording, q: Array) -> RobotLanes:
         """What the predictor takes of the coefficients q (coefficients, lanes)."""
-        from upright.calibrate.predictor import Lanes
+        from upright.calibrate.predictor import RobotLanes
 
         delay = dict(zip(self.delays, q[DELAYS:], strict=True))
         delays = np.array([delay[SENSOR[row]] for row in recording.rows])
         reads = reading_matrix(recording.rows, len(recording.first), q[AT.half_track])
-        return Lanes(reads, delays, np.ascontiguousarray(q[:DELAYS]))
+        return RobotLanes(reads, delays, np.ascontiguousarray(q[:DELAYS]))
 
-    def lanes(self, recording: Recording, z: Array) -> Lanes:
+    def lanes(self, recording: Recording, z: Array) -> RobotLanes:
         """The same for z (parameters, lanes)."""
         return self.lanes_of(recording, self.coefficients(z))
 
@@ -223,7 +223,7 @@ def events_of(recording: Recording, order: NDArray[np.int64]) -> Events:
 
 
 def around(z: Array) -> Array:
-    """Lanes (n, 2n + 1) a nudge above z (n,) in each parameter, then a nudge below, then z."""
+    """RobotLanes (n, 2n + 1) a nudge above z (n,) in each parameter, then a nudge below, then z."""
     n = len(z)
     lanes = np.repeat(z[:, None], 2 * n + 1, axis=1)
     lanes[np.arange(n), np.arange(n)] += NUDGE

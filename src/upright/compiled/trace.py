@@ -17,7 +17,7 @@ from typing import Any
 
 import sympy as sp
 
-from upright.compiled.trace_constants import A11, A33, NAMED, Constants, either
+from upright.compiled.trace_constants import A11, A33, NAMED, ConstantNames, either
 from upright.compiled.trace_print import (
     COS,
     COS_SLOPE,
@@ -98,7 +98,7 @@ def trace() -> Traced:
     *published, _ = _forces("published")
     pitch_force, wheel_force, yaw_force = map(either, complete, published)
     _, a12, a22, a33 = map(either, mass_matrix(COS, SIN, P), mass_matrix(COS, SIN, P, "published"))
-    known = Constants()
+    known = ConstantNames()
     for formula in (P.wheel_radius, P.gravity, P.stiction_rate**2):
         known.of(formula)  # what the accelerometer reads, and the smoothing of dry friction
     forces = tuple(

@@ -57,7 +57,7 @@ NAMED: dict[str, tuple[Any, str]] = {
 """Name → formula in the robot's parameters, and what it is: the order of the kernel's rows."""
 
 
-class Constants:
+class ConstantNames:
     """The named constant that a product of parameters equals."""
 
     def __init__(self) -> None:

@@ -1,0 +1,218 @@
+"""Robots moved side by side, one in each lane of a block, with sharp dry friction at both wheels.
+
+A block is that of the fleet's kernel, with rows of its own after the kernel's. On a level floor that pushes nothing the
+generated step moves all lanes; where a wheel would turn back within it, the step is taken again with the friction that
+holds the wheel.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+from typing import Any
+
+import numba
+import numpy as np
+
+from upright.compiled.generated import (
+    COULOMB_TORQUE,
+    HALF_TRACK,
+    LEFT,
+    LEVER,
+    MOTOR_DAMPING,
+    MOTOR_TORQUE,
+    PITCH,
+    PITCH_INERTIA,
+    RIGHT,
+    ROTOR_COUPLING,
+    ROW,
+    WORK,
+    YAW_MOTOR_TORQUE,
+    YAW_SWING,
+    Constants,
+)
+from upright.compiled.generated_motion import constants_free, rk4_free
+from upright.compiled.jit import get, put
+
+_compile: Any = numba.njit  # its stubs know fewer options than it has
+njit: Any = partial(_compile, cache=True, nogil=True, error_model="numpy")
+"""A compiled function, kept on disk, that lets other threads run and divides as IEEE says."""
+
+inlined: Any = partial(_compile, error_model="numpy", forceinline=True, no_cpython_wrapper=True)
+"""A function for other compiled functions, put into its callers and vectorised there across lanes."""
+
+STATES = 6
+
+
+DRIVE_LEFT, DRIVE_RIGHT, DEAD_ZONE, SPAN, FRICTION, REVERSAL, STUCK, START, ROWS = (
+    WORK + row for row in (0, 1, 2, 3, 4, 5, 6, 7, 7 + STATES)
+)
+"""Rows of a block after those of the kernel's, one number for each lane: factors of both motors and their dead zone;
+the time to move [s]; dry friction as a command; negative where a wheel turned back; whether one has since the row was
+cleared; the state before the step."""
+
+SWEEPS = 20  # of Gauss and Seidel over both wheels, at most: each halves the error at least
+PASSES = 3  # in which the response to friction, known to a few hundredths, is corrected, at most
+SETTLED = 1e-10  # [rad/s] of a wheel, to which friction is solved for
+
+TOPPLED = 3.0  # [rad] pitch beyond which a lane is lost: the sine is right to 1e-7 until there
+INSTANT = 1e-12  # [s] events closer than this are one: nothing moves between them
+
+
+@inlined
+def _state(w: Any, row: Any, i: Any) -> Any:
+    """The six numbers of lane i from `row` on."""
+    return (
+        get(w, row, i), get(w, row + 1, i), get(w, row + 2, i),
+        get(w, row + 3, i), get(w, row + 4, i), get(w, row + 5, i),
+    )  # fmt: skip
+
+
+@inlined
+def _put_state(w: Any, row: Any, i: Any, x: Any) -> None:
+    put(w, row, i, x[0])
+    put(w, row + 1, i, x[1])
+    put(w, row + 2, i, x[2])
+    put(w, row + 3, i, x[3])
+    put(w, row + 4, i, x[4])
+    put(w, row + 5, i, x[5])
+
+
+@inlined
+def _wheel_rates(x: Any, half: Any) -> Any:
+    """Rates of both wheels relative to the body [rad/s] at the state x, for W/(2R) = `half`."""
+    mean, turn = x[3] - x[1], half * x[5]
+    return mean - turn, mean + turn
+
+
+@inlined
+def _stepped(w: Any, i: Any, x: Any, d: Any, left: Any, right: Any) -> Any:
+    """The state x of lane i one step of d [s] on, under the friction `left` and `right` of its wheels, as commands."""
+    new = rk4_free(*x, d, get(w, LEFT, i) - left, get(w, RIGHT, i) - right, *constants_free(w, i))
+    return (new[0] if abs(new[0]) < TOPPLED else np.nan, new[1], new[2], new[3], new[4], new[5])
+
+
+@njit
+def _advance(w: Any, count: Any, steps: Any) -> None:
+    """One step of span/steps [s] for the first `count` lanes of the block `w`: each wheel's dry friction against its
+    motion, and where that would turn it back within the step, what it really gives."""
+    for i in range(count):
+        d, half, dry = get(w, SPAN, i) / steps, get(w, HALF_TRACK, i), get(w, FRICTION, i)
+        x = _state(w, PITCH, i)
+        before_left, before_right = _wheel_rates(x, half)
+        left = dry if before_left >= 0 else -dry
+        right = dry if before_right >= 0 else -dry
+        new = _stepped(w, i, x, d, left, right)
+        after_left, after_right = _wheel_rates(new, half)
+        put(w, REVERSAL, i, min(left * after_left, right * after_right))
+        _put_state(w, START, i, x)
+        _put_state(w, PITCH, i, new)
+    for i in range(count):
+        if get(w, REVERSAL, i) < 0:
+            _stop(w, i, get(w, SPAN, i) / steps)
+            put(w, STUCK, i, 1.0)
+
+
+@njit
+def _responses(w: Any, i: Any, d: Any) -> Any:
+    """By how much a unit of command over d [s] changes the wheels' rate relative to the body: its own and the other's.
+
+    From the accelerations' response to equal and to opposite commands, each with the motors' damping over the step.
+    """
+    sine = math.sin(get(w, START, i))
+    a12 = get(w, LEVER, i) * math.sqrt(1 - sine * sine) - get(w, ROTOR_COUPLING, i)
+    a22, volt = get(w, PITCH_INERTIA, i), get(w, MOTOR_TORQUE, i)
+    mean = 2 * volt * (1 + 2 * a12 + a22) / (a22 - a12 * a12)
+    turn = 2 * get(w, YAW_MOTOR_TORQUE, i) * get(w, HALF_TRACK, i) / (1 + get(w, YAW_SWING, i) * sine * sine)
+    loss = d * get(w, MOTOR_DAMPING, i) / (2 * volt)
+    mean *= d / (1 + mean * loss * (0.5 + mean * loss / 12))
+    turn *= d / (1 + turn * loss * (0.5 + turn * loss / 12))
+    return (mean + turn) / 2, (mean - turn) / 2
+
+
+@njit
+def _mean_friction(first: Any, free: Any, own: Any, dry: Any) -> Any:
+    """Mean dry friction of a wheel over a step, from its first rate and its last rate without friction.
+
+    The rate is taken for straight: up to the moment at which it vanishes friction is full; from there the wheel sticks,
+    or turns back if friction cannot hold it.
+    """
+    sign = 1.0 if first >= 0 else -1.0
+    first, free = abs(first), sign * free
+    last = free - own * dry
+    if last < 0:
+        left = last / (last - first)
+        last = min(0.0, left * (free - first + own * dry))
+    return sign * (free - last) / own
+
+
+@njit
+def _stop(w: Any, i: Any, d: Any) -> None:
+    """The step of lane i again, in which a wheel stops: friction is such that it sticks or turns back."""
+    half, dry = get(w, HALF_TRACK, i), get(w, FRICTION, i)
+    start = _state(w, START, i)
+    first_left, first_right = _wheel_rates(start, half)
+    left, right = dry if first_left >= 0 else -dry, dry if first_right >= 0 else -dry
+    own, other = _responses(w, i, d)
+    for _ in range(PASSES):
+        last_left, last_right = _wheel_rates(_state(w, PITCH, i), half)
+        free_left = last_left + own * left + other * right
+        free_right = last_right + own * right + other * left
+        before_left, before_right = left, right
+        for _ in range(SWEEPS):
+            before = left
+            left = _mean_friction(first_left, free_left - other * right, own, dry)
+            right = _mean_friction(first_right, free_right - other * left, own, dry)
+            if abs(left - before) * own < SETTLED:
+                break
+        if (abs(left - before_left) + abs(right - before_right)) * own < SETTLED:
+            break
+        _put_state(w, PITCH, i, _stepped(w, i, start, d, left, right))
+
+
+@inlined
+def _beyond(command: Any, zone: Any) -> Any:
+    """What a dead zone leaves of a command: nothing inside, all of it outside, and between 0.9 and 1.1 of the zone a
+    straight line from one to the other, so that its size can be estimated."""
+    return command * min(1.0, max(0.0, 5 * abs(command) / max(zone, 1e-9) - 4.5))
+
+
+@inlined
+def driven(w: Any, i: Any, u: Any) -> Any:
+    """What reaches both motors of lane i of the command u (2,)."""
+    zone = get(w, DEAD_ZONE, i)
+    return get(w, DRIVE_LEFT, i) * _beyond(u[0], zone), get(w, DRIVE_RIGHT, i) * _beyond(u[1], zone)
+
+
+@njit
+def move(w: Any, count: Any, u: Any, start: Any, stop: Any, longest: Any) -> None:
+    """Each lane from its `start` to its `stop` [s], in as many steps as the longest span needs."""
+    span = 0.0
+    for i in range(count):
+        put(w, SPAN, i, stop[i] - start[i])
+        span = max(span, abs(stop[i] - start[i]))
+        start[i] = stop[i]
+    if span >= INSTANT:
+        for i in range(count):
+            left, right = driven(w, i, u)
+            put(w, LEFT, i, left)
+            put(w, RIGHT, i, right)
+        steps = max(1, math.ceil(span / longest))
+        for _ in range(steps):
+            _advance(w, count, steps)
+
+
+_FIRST, _CONSTANTS = HALF_TRACK, len(Constants._fields)
+
+
+@njit
+def block_of(robots: Any) -> Any:
+    """The block of lanes of these robots (constants and 3, lanes), their states zero."""
+    w = np.zeros(ROWS * ROW)
+    for i in range(robots.shape[1]):
+        for j in range(_CONSTANTS):
+            put(w, _FIRST + j, i, robots[j, i])
+        for j in range(3):
+            put(w, DRIVE_LEFT + j, i, robots[_CONSTANTS + j, i])
+        put(w, FRICTION, i, max(0.0, get(w, COULOMB_TORQUE, i) / get(w, MOTOR_TORQUE, i)))
+    return w
