@@ -284,7 +284,10 @@ def test_a_basin_over_a_family_is_a_share():
 
 def test_a_map_draws_every_cell_once_in_its_colour():
     values = np.array([[0.0, 1.0, 2.0], [0.0, 0.0, math.nan]])
-    figure = MapFigure("T", np.array([0.0, 1.0]), np.array([0.0, 1.0, 2.0]), values, "x", "y", "z", [0, 1, 2, 3])
+    figure = MapFigure(
+        title="T", x=np.array([0.0, 1.0]), y=np.array([0.0, 1.0, 2.0]), values=values,
+        x_label="x", y_label="y", label="z", levels=[0, 1, 2, 3],
+    )  # fmt: skip
     root = ElementTree.fromstring(figure.svg())
     paths = [node for node in root if node.tag.endswith("path")]
     assert [p.get("d").count("M") for p in paths] == [2, 1, 1]  # two columns of 0 (the second of two cells), 1 and 2

@@ -52,7 +52,8 @@ class Shown:
     """A result that prints itself: a notebook shows the same text, and its `repr` is the first line of it."""
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__}: {str(self).partition(chr(10))[0]}>"
+        first, *_ = str(self).splitlines() or [""]
+        return f"<{type(self).__name__}: {' '.join(first.split())}>"
 
     def _repr_html_(self) -> str:
         return f"<pre>{escape(str(self))}</pre>"

@@ -14,7 +14,7 @@ from upright.report.figure import Figure, Panel, PointFigure, PointSet, Trace
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict
 
 NEAR = 3.0
-"""The Nyquist curve is drawn up to this distance from the origin, where the critical point is seen."""
+"""The Nyquist curve is drawn up to this distance from the origin, around the critical point."""
 
 
 def analysis_page(analysis: Analysis, path: str | Path) -> Path:
@@ -25,13 +25,13 @@ def analysis_page(analysis: Analysis, path: str | Path) -> Path:
 def page_of(analysis: Analysis) -> Page:
     """The analysis' page, not yet written."""
     verdict = Verdict("stable", "good") if analysis.stable else Verdict("unstable", "warn")
-    sections = [Section("In words", analysis.words(), verdict), Section("Margins", _margins(analysis))]
+    sections = [Section("Summary", analysis.words(), verdict), Section("Margins", _margins(analysis))]
     if analysis.stable:
         sections += [Section("Broken at both motors", _loop(analysis))]
     sections.append(Section("Closed-loop poles", [_poles(analysis)]))
     facts = {"controller": analysis.hash[:12], "period": f"{analysis.period * 1e3:g} ms"}
     return Page(
-        f"{analysis.controller} on {analysis.robot}", sections, "How far this loop is from falling.", facts, False
+        f"{analysis.controller} on {analysis.robot}", sections, "The stability margins of this loop.", facts, False
     )
 
 
@@ -40,7 +40,7 @@ def _margins(analysis: Analysis) -> list[Item]:
     header = ["broken at", "gain from", "gain to", "phase [°]", "delay [ms]", "disk α", "Ms", "Mt"]
     numbers: list[list[Cell]] = [
         ["disk α of both motors at once", analysis.disk],
-        ["more delay survived [ms]", analysis.delay * 1e3],
+        ["delay margin [ms]", analysis.delay * 1e3],
         ["b(P, C), normalised coprime stability margin", analysis.coprime],
         ["largest ν-gap of the drawn robots", analysis.gap],
         ["largest |pole|", float(np.abs(analysis.poles).max())],
@@ -72,7 +72,7 @@ def _nyquist(analysis: Analysis, response: Complex) -> PointFigure:
     near = response[np.abs(response) < NEAR]
     sets = [PointSet("loop gain", [complex(v) for v in (*near, *near.conj())]), PointSet("−1", [-1.0])]
     title = f"Nyquist: the loop stays {1 / analysis.both().Ms:.2f} away from −1"
-    return PointFigure(title, sets, note=f"Points farther from the origin than {NEAR:g} are left out.")
+    return PointFigure(title, sets, note=f"Points beyond {NEAR:g} from the origin are omitted.")
 
 
 def _poles(analysis: Analysis) -> PointFigure:

@@ -1,4 +1,4 @@
-"""The page of a `Calibration`: what was learnt, what could not be, and how it was checked."""
+"""The page of a `Calibration`: estimates, what the log does not determine, and the checks."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from upright.report.figure import Figure, Panel, Trace
 from upright.report.page import Cell, Page, Section, Table, Verdict
 
 STRONG = 0.9
-"""Correlations from this size up are listed: such pairs are told apart by the prior alone."""
+"""Correlations from this size up are listed: only the prior separates such pairs."""
 
 
 def calibration_page(calibration: Calibration, path: str | Path) -> Path:
@@ -26,14 +26,15 @@ def page_of(calibration: Calibration) -> Page:
     wrong = calibration.check()
     verdict = Verdict("passes its checks", "good") if not wrong else Verdict(f"{len(wrong)} reservations", "warn")
     sections = [
-        Section("What was learnt", [*calibration.notes, _estimates(calibration.parameters), _meanings()], verdict),
-        Section("Dead times and motors", [_LATE, _estimates((*calibration.delays, *calibration.electronics))]),
-        Section("What enters the motion", [_COMBINED, _estimates(calibration.combinations)]),
+        Section("Estimates", [*calibration.notes, _estimates(calibration.parameters), _meanings()], verdict),
+        Section("Delays and motors", [_DELAYS, _estimates((*calibration.delays, *calibration.electronics))]),
+        Section("Coefficients of the motion", [_COMBINED, _estimates(calibration.combinations)]),
         Section(
-            "What this log cannot tell", [*(calibration.unseen or ["Every direction is seen."]), _pairs(calibration)]
+            "What the log does not determine",
+            [*(calibration.unseen or ["The log determines every direction."]), _pairs(calibration)],
         ),
-        Section("How far it foretells", [_FORETOLD, *_foretold(calibration)]),
-        Section("What is left over", [_LEFT, _whiteness(calibration), *wrong]),
+        Section("Prediction", [_PREDICTED, *_predicted(calibration)]),
+        Section("Innovations", [_INNOVATIONS, _whiteness(calibration), *wrong]),
     ]
     kept = {
         "prior": calibration.prior.name,
@@ -43,30 +44,29 @@ def page_of(calibration: Calibration) -> Page:
     return Page(f"{calibration.robot.name}, calibrated", sections, _lead(calibration), kept, twin_note=False)
 
 
-_LATE = (
-    "From a command to what each sensor says of it; then what commands go through. `asymmetry` is by how much the "
-    "right motor is the stronger, of their mean, `battery` what reaches the motors of what the log says."
+_DELAYS = (
+    "The delay from a command to each sensor, then the motors. `asymmetry` is right motor less left over their mean; "
+    "`battery` is the fraction of the logged command that reaches the motors."
 )
 _COMBINED = (
-    "The coefficients of the equations of motion and the pole with which the robot falls. A log often fixes these far "
-    "better than the parameters they are made of."
+    "The coefficients of the equations of motion, and the unstable pole. A log often determines these much better than "
+    "the single parameters."
 )
-_FORETOLD = (
-    "Fit in per cent, 100 (1 − rms error / deviation), of a simulation that starts from the filter's state and is told "
-    "the commands alone, on the part of the log that was kept back; and R² of half seconds of which only the start was "
-    "fitted."
+_PREDICTED = (
+    "Fit, 100 (1 − rms error / standard deviation) [%], on the part of the log held out. Each simulation starts from "
+    "the filter's state and gets only the commands. R² is that of half seconds, simulated freely from a fitted start."
 )
-_LEFT = (
-    "Innovations are what the filter did not foresee. They should neither foretell one another (Ljung and Box) nor "
-    "follow from earlier commands; both statistics then stay below the threshold in 99 of 100 logs."
+_INNOVATIONS = (
+    "Innovations are the filter's prediction errors. They should not correlate with each other (Ljung and Box) or with "
+    "earlier commands. Both statistics then stay below the threshold in 99 of 100 logs."
 )
 
 
 def _lead(c: Calibration) -> str:
-    seen = [e.name.replace("_", " ") for e in c.parameters if e.verdict == "visible"]
+    visible = [e.name.replace("_", " ") for e in c.parameters if e.verdict == "visible"]
     pole = c["unstable_pole"]
     return (
-        f"{c.samples} samples fix {', '.join(seen) or 'no parameter'}. The robot falls at {pole.value:.3g} 1/s "
+        f"{c.samples} samples determine {', '.join(visible) or 'no parameter'}. Unstable pole: {pole.value:.3g} 1/s "
         f"({pole.low:.3g} to {pole.high:.3g})."
     )
 
@@ -76,12 +76,12 @@ def _estimates(estimates: Sequence[Estimate]) -> Table:
         [e.name, e.unit, e.value, f"{e.low:.4g} to {e.high:.4g}", e.prior, e.prior_spread, e.shift, e.verdict]
         for e in estimates
     ]
-    header = ["", "unit", "value", "95 % interval", "prior", "its deviation", "moved by deviations", "verdict"]
+    header = ["", "unit", "value", "95 % interval", "prior", "prior spread", "shift [spreads]", "verdict"]
     return Table(header, rows)
 
 
 def _meanings() -> Table:
-    return Table(["verdict", "means"], [[name, text] for name, text in VERDICTS.items()])
+    return Table(["verdict", "meaning"], [[name, text] for name, text in VERDICTS.items()])
 
 
 def _pairs(c: Calibration) -> Table:
@@ -92,9 +92,9 @@ def _pairs(c: Calibration) -> Table:
     return Table(["", "with", "correlation"], rows, f"Pairs correlated by {STRONG:g} or more", digits=3)
 
 
-def _foretold(c: Calibration) -> list[Table | Figure]:
+def _predicted(c: Calibration) -> list[Table | Figure]:
     free: list[list[Cell]] = [[name.removeprefix("sensor/"), value] for name, value in c.segments.items()]
-    tables: list[Table | Figure] = [Table(["half a second, simulated freely", "R²"], free)]
+    tables: list[Table | Figure] = [Table(["free simulation of half a second", "R²"], free)]
     if not c.fits:
         return tables
     names = list(next(iter(c.fits.values())))
@@ -102,8 +102,8 @@ def _foretold(c: Calibration) -> list[Table | Figure]:
     tables.append(Table(["ahead", *(n.removeprefix("sensor/") for n in names)], rows, "Fit [%]", digits=3))
     ahead = np.array([float(h) for h in c.fits])
     traces = [Trace(n.removeprefix("sensor/"), ahead, [_shown(f[n]) for f in c.fits.values()]) for n in names]
-    panel = Panel("Fit on the part kept back", "%", traces, (0.0, 100.0))
-    tables.append(Figure("Fit falls with the time foretold", [panel], x_label="samples ahead", x_unit=""))
+    panel = Panel("Fit on the part held out", "%", traces, (0.0, 100.0))
+    tables.append(Figure("Fit over the prediction horizon", [panel], x_label="samples ahead", x_unit=""))
     return tables
 
 

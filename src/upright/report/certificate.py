@@ -1,4 +1,4 @@
-"""The page of a `Certificate`: its light and reasons, every push, and what more delay and other periods do."""
+"""The page of a `Certificate`: its light and reasons, every push, and the effect of more delay and other periods."""
 
 from __future__ import annotations
 
@@ -22,22 +22,22 @@ def page_of(certificate: Certificate) -> Page:
     """The certificate's page, not yet written."""
     verdict = Verdict(certificate.light, LEVEL.get(certificate.light, "info"))
     sections = [
-        Section("In words", [f"{reason[0].upper()}{reason[1:]}." for reason in certificate.reasons], verdict),
+        Section("Reasons", [f"{reason[0].upper()}{reason[1:]}." for reason in certificate.reasons], verdict),
         Section("Pushes", [_intro(certificate), _trials(certificate)]),
         Section("Nominal loop", [_linear(certificate.linear)] if certificate.linear else []),
     ]
     if certificate.later or certificate.slower:
-        sections.append(Section("If the loop ran otherwise", _sweeps(certificate)))
+        sections.append(Section("Other delays and periods", _sweeps(certificate)))
     facts = {"controller": certificate.hash[:12], "seed": str(certificate.seed), "kit": certificate.kit}
-    lead = "What is to be expected of this controller, computed before it drives."
+    lead = "The expected behaviour of this controller, computed before it drives."
     return Page(f"{certificate.controller} on {certificate.robot}", sections, lead, facts, False)
 
 
 def _intro(c: Certificate) -> str:
     return (
-        f"{c.samples} robots drawn from what is not known of {c.robot}, in the nonlinear model with the faults of kit "
-        f"{c.kit}. {c.fell} of them fell in one of these trials or more; with 95 % confidence the chance of that is "
-        f"below {100 * c.bound:.2g} %. The last four columns are what 95 % of the standing robots stay below."
+        f"{c.samples} robots drawn from the uncertainty of {c.robot}, in the nonlinear model with kit {c.kit}. "
+        f"{c.fell} fell in at least one trial: with 95 % confidence the probability is below {100 * c.bound:.2g} %. "
+        "The last four columns are 95 % quantiles of the robots that stood."
     )
 
 
@@ -49,23 +49,23 @@ def _trials(c: Certificate) -> Table:
     return Table(header, rows, "Every standard push at every battery", 3)
 
 
-def _linear(found: LinearMargins) -> Table:
+def _linear(margins: LinearMargins) -> Table:
     rows: list[list[Cell]] = [
-        ["largest |pole|", found.radius],
-        ["both motors as weak as", found.gain_low],
-        ["both motors as strong as", found.gain_high],
-        ["more dead time survived [ms]", found.delay * 1e3],
+        ["largest |pole|", margins.radius],
+        ["least gain of both motors", margins.gain_low],
+        ["largest gain of both motors", margins.gain_high],
+        ["delay margin [ms]", margins.delay * 1e3],
     ]
-    return Table(["", "value"], rows, "Linear margins, broken at both motors", 4)
+    return Table(["", "value"], rows, "Linear margins, loop broken at both motors", 4)
 
 
 def _sweeps(c: Certificate) -> list[Item]:
-    sweeps = {"further dead time": c.later, "period": c.slower}
+    sweeps = {"additional delay": c.later, "period": c.slower}
     return [_figure(name, swept) for name, swept in sweeps.items() if len(swept) > 1]
 
 
 def _figure(name: str, swept: Sequence[Swept]) -> Figure:
     milliseconds = [1e3 * s.value for s in swept]
     trace = Trace("fell", milliseconds, [100 * s.fell / s.runs for s in swept])
-    title = f"Falls of {swept[0].runs} runs by {name}, which the controller does not know"
+    title = f"Falls of {swept[0].runs} runs by {name}, unknown to the controller"
     return Figure(title, [Panel("fell", "%", [trace], limits=(-2.0, 102.0))], name, "ms")

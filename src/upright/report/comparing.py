@@ -31,8 +31,8 @@ def page_of(comparison: Comparison, title: str) -> Page:
     ]
     commands = _command_figure(comparison)
     sections += [Section("Commands", [commands])] if commands else []
-    sections.append(Section("Where the runs come from", [_origin_table(comparison)]))
-    return Page(title, sections, f"{labels}: one experiment side by side.", _provenance(comparison))
+    sections.append(Section("Origin of the runs", [_origin_table(comparison)]))
+    return Page(title, sections, f"The same experiment in {labels}.", _provenance(comparison))
 
 
 def _how(comparison: Comparison) -> str:
@@ -40,11 +40,10 @@ def _how(comparison: Comparison) -> str:
     same = len(set(times.values())) == 1
     release = next(iter(times.values())) if same else ", ".join(f"{label} {text}" for label, text in times.items())
     return (
-        f"Settling and overshoot are of pitch about zero, counted from the release of the push at {release}. "
-        "Settling is the time after which pitch stays within 2 % (5 %) of its largest deviation since then; overshoot "
-        "is the largest swing to the other side over the largest on the first. Effort is the integral of both "
-        "motors' squared commands. Saturated is the fraction of samples that asked for more than was ever applied. "
-        "Fell is the outcome that the run recorded."
+        f"Settling and overshoot are those of pitch about zero after the release of the push at {release}. "
+        "Settling: the time until pitch stays within 2 % (5 %) of its largest deviation. Overshoot: the largest swing "
+        "to the other side over the largest to the first. Effort: the integral of both squared commands. Saturated: "
+        "the fraction of samples with a command above the largest applied one. Fell: the recorded outcome of the run."
     )
 
 
@@ -82,8 +81,8 @@ def state_figure(comparison: Comparison, name: str) -> Figure:
 def _claim(comparison: Comparison, name: str) -> str:
     if name == "pitch":
         times = {label: numbers.settling_2 for label, numbers in comparison.metrics.items()}
-        said = (f"{label} {'never' if math.isnan(s) else f'in {s:.3g} s'}" for label, s in times.items())
-        return "Pitch settles to 2 %: " + ", ".join(said)
+        settled = (f"{label} {'never' if math.isnan(s) else f'in {s:.3g} s'}" for label, s in times.items())
+        return "Pitch settles to 2 %: " + ", ".join(settled)
     words = name.replace("_", " ").capitalize()
     fits = (f"{label} {_percent(fits[name])}" for label, fits in comparison.fits.items())
     return f"{words}, fit to {comparison.reference}: " + ", ".join(fits) if comparison.fits else f"{words} of the run"
@@ -103,7 +102,7 @@ def _limits(traces: list[Trace], reference: np.ndarray) -> tuple[tuple[float, fl
         cut = [t.name for t in traces if ((t.y > high + room) | (t.y < low - room)).any()]
     if not cut or high == low:
         return None, ""
-    return (low - (high - low), high + (high - low)), f"Cut at the frame, since it goes far beyond: {', '.join(cut)}."
+    return (low - (high - low), high + (high - low)), f"Cut at the frame: {', '.join(cut)}."
 
 
 def _spans(comparison: Comparison) -> tuple[tuple[float, float], ...]:
@@ -151,10 +150,10 @@ def _provenance(comparison: Comparison) -> dict[str, str]:
         seed = log.origin.get("scenario", {}).get("seed")
         mark = log.origin.get("controller", {}).get("hash")
         versions = log.origin.get("versions", {})
-        said = {
+        known = {
             "seed": "" if seed is None else str(seed),
             "controller": str(mark)[:12] if mark else "",
             "versions": ", ".join(f"{name} {number}" for name, number in sorted(versions.items())),
         }
-        facts |= {f"{label}: {key}": text for key, text in said.items() if text}
+        facts |= {f"{label}: {key}": text for key, text in known.items() if text}
     return facts

@@ -1,4 +1,4 @@
-"""The page of an `ExcitationPlan`: what is added to the commands, what it will tell, and what it was checked for."""
+"""The page of an `ExcitationPlan`: the excitation, the predicted intervals, and the limits."""
 
 from __future__ import annotations
 
@@ -24,36 +24,35 @@ def page_of(plan: ExcitationPlan) -> Page:
     wrong = plan.check()
     verdict = Verdict("keeps its limits", "good") if not wrong else Verdict(f"{len(wrong)} reservations", "warn")
     sections = [
-        Section("What is added", [_WHAT, _over_time(plan), _spectrum(plan), _shares(plan)]),
-        Section("What it will tell", [_TOLD, _widths(plan), _table(plan)]),
-        Section("What it was checked to keep", [_checked_words(plan), _limits(plan), *wrong, *plan.notes], verdict),
-        Section("What else was tried", [_TRIED, _tried(plan)]),
+        Section("Excitation", [_WHAT, _over_time(plan), _spectrum(plan), _energies(plan)]),
+        Section("Predicted intervals", [_PREDICTED, _widths(plan), _table(plan)]),
+        Section("Limits", [_checked_words(plan), _limits(plan), *wrong, *plan.notes], verdict),
+        Section("Alternatives", [_TRIED, _tried(plan)]),
     ]
     facts = {"controller": plan.hash[:12], "seed": str(plan.seed), "kit": plan.kit}
     return Page(f"The next run of {plan.robot}", sections, _lead(plan), facts, twin_note=False)
 
 
 _WHAT = (
-    "Added to the commands of the controller, which goes on keeping the robot upright. The mean of both motors drives; "
-    "half of their difference turns."
+    "Added to the commands of the controller, which keeps the robot upright. The mean of both motors drives; half of "
+    "their difference turns."
 )
-_TOLD = (
-    "Predicted from Fisher's information of the predictor that calibrates, along a run of the nonlinear model with the "
-    "kit's faults; they hold as far as the model is right. Both dithers are random binary ones of the same energy: one "
-    "is drawn anew in every period, one held for 40 ms. What a hundred such runs leave "
-    "comes from the spreads of other numbers: those are to be measured."
+_PREDICTED = (
+    "Predicted from the Fisher information of the calibration's predictor, along a run of the nonlinear model with the "
+    "kit. Both dithers are random binary signals of the same energy: one changes every period, one is held for 40 ms. "
+    "The intervals after a hundred runs come from the spreads of other parameters: measure those."
 )
 _TRIED = (
-    "Every way as large as the limits allow. Intervals shrink to the stated share of what they were, in the geometric "
-    "mean over the parameters in question."
+    "Each excitation is as large as the limits allow. Intervals shrink to this fraction: the geometric mean over the "
+    "parameters in focus."
 )
 
 
 def _lead(plan: ExcitationPlan) -> str:
-    seen = [p.name.replace("_", " ") for p in plan.predicted if p.after < SEEN * p.before and "/" not in p.name]
+    halved = [p.name.replace("_", " ") for p in plan.predicted if p.after < SEEN * p.before and "/" not in p.name]
     return (
-        f"{plan.seconds:g} s of {plan.way} under {plan.controller}, which will at least halve the intervals of "
-        f"{', '.join(seen) or 'no parameter'}. The chance of a fall is below {100 * plan.checked.bound:.2g} %."
+        f"{plan.seconds:g} s of {plan.way} under {plan.controller} halve at least the intervals of "
+        f"{', '.join(halved) or 'no parameter'}. The probability of a fall is below {100 * plan.checked.bound:.2g} %."
     )
 
 
@@ -92,9 +91,9 @@ def _level(wave: Array, frequency: Array) -> Array:
     return np.maximum(level, level.max() - QUIETEST)
 
 
-def _shares(plan: ExcitationPlan) -> Table:
-    rows: list[list[Cell]] = [[name, 100 * share] for name, share in plan.shares.items()]
-    return Table(["part", "share of the energy [%]"], rows, _energy(plan), 3)
+def _energies(plan: ExcitationPlan) -> Table:
+    rows: list[list[Cell]] = [[name, 100 * fraction] for name, fraction in plan.shares.items()]
+    return Table(["part", "fraction of the energy [%]"], rows, _energy(plan), 3)
 
 
 def _energy_unit(plan: ExcitationPlan) -> str:
@@ -103,16 +102,15 @@ def _energy_unit(plan: ExcitationPlan) -> str:
 
 def _energy(plan: ExcitationPlan) -> str:
     unit = _energy_unit(plan)
-    said = f"The motors get {plan.energy:.3g} {unit} by it, the loop's answer included"
-    return f"{said}; the excitation itself has {plan.added:.3g}"
+    return f"Energy: {plan.energy:.3g} {unit} at the motors in closed loop, {plan.added:.3g} of the excitation"
 
 
-TOLD = 0.95  # of the width before: parameters of which the run tells less are not drawn
+DRAWN = 0.95  # of the width before: parameters whose intervals shrink less are not drawn
 
 
 def _widths(plan: ExcitationPlan) -> Figure:
     """Widths over those before, a step for each parameter, the least certain first."""
-    shown = sorted((p for p in plan.predicted if p.after < TOLD * p.before), key=lambda p: -p.after / p.before)
+    shown = sorted((p for p in plan.predicted if p.after < DRAWN * p.before), key=lambda p: -p.after / p.before)
     place = np.arange(0.5, len(shown) + 1)
     kinds = {"plan": "after", "dither": "dither", "dither held 40 ms": "held"}
     traces = [
@@ -137,17 +135,17 @@ def _row(p: Predicted) -> list[Cell]:
 def _checked_words(plan: ExcitationPlan) -> str:
     c = plan.checked
     return (
-        f"{c.samples} robots drawn from what is not known of {plan.robot}, in the nonlinear model with the faults of "
-        f"kit {plan.kit} and an excitation {plan.margin:g} times as large: {c.fell} fell. With 95 % confidence the "
-        f"chance of a fall is below {100 * c.bound:.2g} %. The other two are what 95 % of the robots stay below."
+        f"{c.samples} robots drawn from the uncertainty of {plan.robot}, in the nonlinear model with kit {plan.kit} "
+        f"and {plan.margin:g} times this excitation: {c.fell} fell. With 95 % confidence the probability of a fall is "
+        f"below {100 * c.bound:.2g} %. The other values are 95 % quantiles of the robots."
     )
 
 
 def _limits(plan: ExcitationPlan) -> Table:
     c, limits = plan.checked, plan.limits
     rows: list[list[Cell]] = [
-        ["chance of a fall [%]", 100 * c.bound, 100 * limits.falls],
-        ["periods with a motor at its limit [%]", 100 * c.saturated, 100 * limits.saturated],
+        ["probability of a fall [%]", 100 * c.bound, 100 * limits.falls],
+        ["periods with a saturated motor [%]", 100 * c.saturated, 100 * limits.saturated],
         ["travel [m]", c.travel, limits.travel],
         ["largest pitch [rad]", c.peak, None],
     ]
@@ -157,5 +155,5 @@ def _limits(plan: ExcitationPlan) -> Table:
 def _tried(plan: ExcitationPlan) -> Table:
     rows: list[list[Cell]] = [[t.name, t.energy, t.shrinks] for t in plan.tried]
     return Table(
-        ["way", f"energy [{_energy_unit(plan)}]", "intervals shrink to"], rows, "Ways of exciting, the best first", 3
+        ["excitation", f"energy [{_energy_unit(plan)}]", "intervals shrink to"], rows, "Excitations, the best first", 3
     )

@@ -35,7 +35,7 @@ SIZE, LEFT, TOP, FOOT, BAR = 460, 72, 34, 60, 96
 """Sizes in the drawing's own units, as in `report.figure`."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class MapFigure:
     """`values` (nx, ny) in colour over `x` (nx,) and `y` (ny,), each increasing; NaN stays blank. The title states what
     it shows, `note` stands below. `levels` are the borders between colours (None: round ones round the values)."""
@@ -113,9 +113,9 @@ def shade(level: int, count: int) -> str:
     """The colour of `level` among `count`, dark to light."""
     place = (len(CIVIDIS) - 1) * level / max(count - 1, 1)
     low = min(int(place), len(CIVIDIS) - 2)
-    share = place - low
+    weight = place - low
     ends = [[int(text[i : i + 2], 16) for i in (1, 3, 5)] for text in CIVIDIS[low : low + 2]]
-    return "#" + "".join(f"{round(a + share * (b - a)):02x}" for a, b in zip(*ends, strict=True))
+    return "#" + "".join(f"{round(a + weight * (b - a)):02x}" for a, b in zip(*ends, strict=True))
 
 
 def push_map_figures(data: Dataset) -> list[Any]:
@@ -132,10 +132,13 @@ def _map(part: Any, direction: str) -> MapFigure:
     lowest = _place(part, impulse, int(np.nanargmin(impulse)))
     title = f"Pushed {direction}, it survives at least {float(np.nanmin(impulse)):.3g} N s ({lowest})"
     high = float(np.nanquantile(impulse, 0.98))
-    note = "The lightest colour holds all larger impulses too." if float(np.nanmax(impulse)) > high else ""
-    labels = ("duration of the push [s]", "height above the axle [m]", "largest impulse survived [N s]")
+    note = "The lightest colour includes all larger impulses." if float(np.nanmax(impulse)) > high else ""
+    labels = {"x_label": "duration of the push [s]", "y_label": "height above the axle [m]"}
     borders = _borders(float(np.nanmin(impulse)), high)
-    return MapFigure(title, part["duration"].values, part["height"].values, impulse.T, *labels, borders, note)
+    return MapFigure(
+        title=title, x=part["duration"].values, y=part["height"].values, values=impulse.T, levels=borders, note=note,
+        label="largest impulse survived [N s]", **labels,
+    )  # fmt: skip
 
 
 def _place(part: Any, impulse: Array, at: int) -> str:
@@ -155,7 +158,7 @@ def _slices(part: Any, direction: str) -> Figure:
                 for name, text in (("low", "2.5 %"), ("high", "97.5 %"))
             ]
         panels.append(Panel(f"impulse survived at {float(part['height'].values[row]):.3g} m", "N s", traces))
-    title = f"Pushed {direction}: what is survived over the push's duration"
+    title = f"Pushed {direction}: largest impulse over the duration of the push"
     if "low" in part:
         width = float(np.nanmedian((part["high"].values - part["low"].values) / part["impulse"].values))
         title = f"Pushed {direction}: the band of 95 % is {100 * width:.2g} % of the impulse wide (median)"
@@ -163,18 +166,21 @@ def _slices(part: Any, direction: str) -> Figure:
 
 
 def basin_figure(data: Dataset) -> MapFigure:
-    """The share that recovers over two states."""
-    shares: Array = data["recovered"].values
+    """The fraction that recovers over two states."""
+    recovered: Array = data["recovered"].values
     across, up = (str(name) for name in data["recovered"].dims)
-    total = float(shares.mean())
+    total = float(recovered.mean())
     names = [f"{name.replace('_', ' ')} [{data[name].attrs['unit']}]" for name in (across, up)]
-    samples = len(np.unique(shares)) > 2
+    samples = len(np.unique(recovered)) > 2
     title = f"It recovers from {100 * total:.3g} % of these states" + (
         ", on average over the family" if samples else ""
     )
     levels = np.linspace(0, 1, LEVELS + 1).tolist() if samples else [0.0, 0.5, 1.0]
-    label = "share that recovers [1]"
-    return MapFigure(title, data[across].values, data[up].values, shares, names[0], names[1], label, levels)
+    label = "fraction that recovers [1]"
+    return MapFigure(
+        title=title, x=data[across].values, y=data[up].values, values=recovered, levels=levels,
+        x_label=names[0], y_label=names[1], label=label,
+    )  # fmt: skip
 
 
 def histogram(data: Dataset, name: str, bins: int = 60) -> Figure:
@@ -184,12 +190,12 @@ def histogram(data: Dataset, name: str, bins: int = 60) -> Figure:
     values = values[np.isfinite(values)]
     unit, words = str(data[name].attrs["unit"]), str(data[name].attrs["long_name"])
     counts, edges = np.histogram(values, bins) if len(values) else (np.zeros(1), np.array([0.0, 1.0]))
-    share = np.append(counts, 0) / max(int(counts.sum()), 1)
+    fraction = np.append(counts, 0) / max(int(counts.sum()), 1)
     middle = float(np.median(values)) if len(values) else math.nan
     high = float(np.quantile(values, 0.95)) if len(values) else math.nan
     after = "" if unit == "1" else f" {unit}"
     title = f"{words[:1].upper()}{words[1:]}: half below {middle:.3g}{after}, 95 % below {high:.3g}{after}"
-    return Figure(title, [Panel("share of robots", "1", [Trace(words, edges, share, step=True)])], words, unit)
+    return Figure(title, [Panel("fraction of robots", "1", [Trace(words, edges, fraction, step=True)])], words, unit)
 
 
 def fleet_page(data: Dataset, summary: Summary, title: str = "A fleet") -> Page:
@@ -199,10 +205,10 @@ def fleet_page(data: Dataset, summary: Summary, title: str = "A fleet") -> Page:
         [str(data[name].attrs["long_name"]), summary.units[name], *summary.quantiles[name]]
         for name in summary.quantiles
     ]
-    table = Table(["of those that stood", "unit", "5 %", "median", "95 %"], rows, "Quantiles over the robots")
+    table = Table(["robots that stood", "unit", "5 %", "median", "95 %"], rows, "Quantiles over the robots")
     chance = summary.chance
     lead = (
-        f"{summary.fell} of {summary.n} robots fell: a chance of {chance.value:.3g}, and with 95 % confidence between "
+        f"{summary.fell} of {summary.n} robots fell: a probability of {chance.value:.3g}, with 95 % confidence between "
         f"{chance.low:.3g} and {chance.high:.3g} (Clopper and Pearson)."
     )
     figures = [histogram(data, name) for name in names]

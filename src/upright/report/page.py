@@ -25,7 +25,7 @@ LEVELS = ("good", "warn", "info")
 
 TWIN_NOTE = (
     "A twin stands in for hardware: a simulation by a physics engine whose equations are not those of the model "
-    "under test. What is said of a twin is said of no built robot."
+    "under test. Results of a twin are not results of a real robot."
 )
 
 Cell = str | float | bool | None
@@ -148,8 +148,8 @@ _POWER = re.compile(r"e([+-])0*(\d+)$")
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def _power(found: re.Match[str]) -> str:
-    return " · 10" + (found[1].replace("+", "") + found[2]).translate(_RAISED)
+def _power(match: re.Match[str]) -> str:
+    return " · 10" + (match[1].replace("+", "") + match[2]).translate(_RAISED)
 
 
 def _anchors(headings: Sequence[str]) -> list[str]:
