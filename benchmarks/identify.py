@@ -28,7 +28,7 @@ from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError
 from upright.experiment import run
 from upright.identify.identify import identify_one, study_of
-from upright.identify.judge import judge_of, tried
+from upright.identify.judge import judge_of, loop_trial
 from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log
@@ -81,7 +81,7 @@ def coverage(name: str, seeds: int, facts: bool) -> None:
             poles[method].append(found.pole.value)
             inside[method].append(found.pole.low <= true <= found.pole.high)
             biases[method].append(found.pole.bias)
-            holds[method].append(tried(study.samples, found.parts, judge).holds)
+            holds[method].append(loop_trial(study.samples, found.halves, judge).holds)
     spent = (time.process_time() - busy) / seeds
     print(
         f"\n{name} on kit {kit.name}, {seeds} logs; unstable pole {true:.3f} 1/s; {failed} failed; {spent:.1f} s a log"

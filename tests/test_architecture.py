@@ -68,7 +68,7 @@ delay are what is meant (docs/conventions.md has the glossary)."""
 KNOWN_RETIRED: dict[str, int] = {
     "bodies": 13, "bricks": 31, "calibrate": 59, "certify": 50, "cli": 56, "comparison": 10, "compiled": 19,
     "control": 75, "doctor": 95, "excite": 33, "experiment": 3, "firmware": 12, "fleet": 27,
-    "flight": 14, "identify": 51, "kernel": 19, "lab": 37, "links": 8, "logs": 10, "paper": 18, "parity": 6,
+    "flight": 14, "kernel": 19, "lab": 37, "links": 8, "logs": 10, "paper": 18, "parity": 6,
     "report": 23, "signals": 2,
 }  # fmt: skip
 KNOWN_CIRCLES: set[frozenset[str]] = {
@@ -81,7 +81,7 @@ KNOWN_TWICE = {
 }  # fmt: skip
 KNOWN_WIDE = {
     "bodies": 1, "bricks": 1, "calibrate": 4, "certify": 4, "cli": 5, "comparison": 3, "compiled": 1, "control": 7,
-    "doctor": 2, "excite": 2, "firmware": 2, "identify": 4, "kernel": 4, "lab": 7, "logs": 1,
+    "doctor": 2, "excite": 2, "firmware": 2, "kernel": 4, "lab": 7, "logs": 1,
     "parity": 1, "physics": 1, "report": 1,
 }  # fmt: skip
 

@@ -20,10 +20,10 @@ from upright.control import Estimated, kalman, lqr, make_controller, read_contro
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidLog, InvalidModel, UnknownName, UprightError
 from upright.experiment import run
-from upright.identify.arx import first_answer, past_window, regression, split
+from upright.identify.arx import first_response, past_window, regression, split
 from upright.identify.coordinates import physical
-from upright.identify.identify import Comparison, identify_all, identify_one, study_of
-from upright.identify.joint import Law, law, noise_free
+from upright.identify.identify import MethodComparison, identify_all, identify_one, study_of
+from upright.identify.joint import FeedbackLaw, law, simulated
 from upright.identify.methods import IDENTIFIERS
 from upright.identify.order import choose_order
 from upright.identify.rebuilt import _errors, rebuilt
@@ -63,7 +63,7 @@ def study(seconds: float = 20.0, runs: int = 12) -> Study:
 
 
 @cache
-def compared() -> Comparison:
+def compared() -> MethodComparison:
     return identify_all(study(), LINEAR)
 
 
@@ -72,6 +72,12 @@ def exact() -> Log:
     """True states of the nonlinear model under ±0.05 V: pitch stays within a milliradian, where sin ψ = ψ to 2e-7."""
     excited = Excited(lqr(ROBOT, 0.01), random_binary(600, 0.05, 2))
     return run(NonlinearBody(ROBOT), excited, seconds=6.0, seed=2)
+
+
+def half(y: np.ndarray, u: np.ndarray, noise: tuple[float, ...]) -> Part:
+    """Pitch and wheels every 10 ms, read without delay."""
+    outputs = ("gyro", "wheel")
+    return Part(name="pitch", outputs=outputs, y=y, u=u, dt=0.01, delays=(0, 0), noise=noise)
 
 
 def discretised() -> tuple[np.ndarray, np.ndarray]:
@@ -108,12 +114,13 @@ def test_any_coordinates_become_the_physical_ones() -> None:
     C = np.array([[0.0, 1, 0, 0], [-1, 0, 1, 0]])  # gyro, wheel relative to the body
     T = np.random.default_rng(0).standard_normal((4, 4))
     inverse = np.linalg.inv(T)
-    found = physical("pitch", ("gyro", "wheel"), T @ A @ inverse, T @ b, C @ inverse, 0.01)
+    turned = LinearModel(T @ A @ inverse, (T @ b)[:, None], C @ inverse, dt=0.01, outputs=("gyro", "wheel"))
+    found = physical("pitch", turned)
     # an eigenvalue of e^−2.4 turns rounding into 1e-12, a random T into a little more
     np.testing.assert_allclose(found.A, A, atol=1e-9)
-    np.testing.assert_allclose(found.b, b, atol=1e-9)
+    np.testing.assert_allclose(found.B[:, 0], b, atol=1e-9)
     with pytest.raises(InvalidModel):
-        physical("pitch", ("gyro", "wheel"), A[:3, :3], b[:3], C[:, :3], 0.01)
+        physical("pitch", LinearModel(A[:3, :3], b[:3, None], C[:, :3], dt=0.01, outputs=("gyro", "wheel")))
 
 
 def test_a_regression_on_a_level_floor_has_an_exact_integrator() -> None:
@@ -134,12 +141,12 @@ def test_instruments_are_what_the_loop_does_without_noise() -> None:
         y.append(C @ x)
         u.append(float(-gain @ x + r))
         x = A @ x + b * u[-1]
-    part = Part("pitch", ("gyro", "wheel"), np.array(y), np.array(u), 0.01, (0, 0), (0.0, 0.0))
-    rule = Law(-gain[:, None] * np.eye(1, 41), np.zeros(40), np.array(u) + np.array(y) @ gain, (0, 0))
-    calm = noise_free(part, A, b, C, rule)
-    assert calm is not None
-    np.testing.assert_allclose(calm[0], part.y, atol=1e-9)
-    np.testing.assert_allclose(calm[1], part.u, atol=1e-9)
+    part = half(np.array(y), np.array(u), (0.0, 0.0))
+    rule = FeedbackLaw(-gain[:, None] * np.eye(1, 41), np.zeros(40), np.array(u) + np.array(y) @ gain, (0, 0))
+    quiet = simulated(part, LinearModel(A, b[:, None], C, dt=0.01), rule)
+    assert quiet is not None
+    np.testing.assert_allclose(quiet[0][0], part.y, atol=1e-9)
+    np.testing.assert_allclose(quiet[1][0], part.u, atol=1e-9)
     # the law is linear and noise-free but for r, which is white: its regression leaves what r is, to 83 of 360 numbers
     left = law(part).excitation[41:]
     assert np.corrcoef(left, rule.excitation[41:])[0, 1] > math.sqrt(1 - 123 / 359) - 0.1
@@ -147,19 +154,19 @@ def test_instruments_are_what_the_loop_does_without_noise() -> None:
 
 def test_errors_of_rebuilt_states_are_those_of_noisy_readings() -> None:
     """The covariance behind total least squares, against noise drawn and rebuilt 1500 times."""
-    rng, n, dt = np.random.default_rng(7), 60, 0.01
+    rng, n = np.random.default_rng(7), 60
     gyro, wheel = 2e-2, 5e-3
     rows: list[np.ndarray] = []
     for _ in range(1500):
         y = np.column_stack([gyro * rng.standard_normal(n), wheel * rng.standard_normal(n)])
-        x = rebuilt(Part("pitch", ("gyro", "wheel"), y, np.zeros(n), dt, (0, 0), (gyro**2, wheel**2)))
+        x = rebuilt(half(y, np.zeros(n), (gyro**2, wheel**2)))
         rows.append(np.concatenate([x[30, [0, 1, 3]], x[31, [1, 3]]]))
     drawn = np.cov(np.array(rows).T)
-    said = _errors(Part("pitch", ("gyro", "wheel"), y, np.zeros(n), dt, (0, 0), (gyro**2, wheel**2)), n)
-    scale = np.sqrt(np.outer(np.diag(said), np.diag(said)))
+    stated = _errors(half(y, np.zeros(n), (gyro**2, wheel**2)), n)
+    scale = np.sqrt(np.outer(np.diag(stated), np.diag(stated)))
     # 1500 draws know a covariance to 3 %; taking off the gyro's mean of 60 rows takes another 2 %. Of the pitch only
     # the mean over the log is stated, so that its own variance at one row is not compared
-    apart = np.abs(drawn - said) / scale
+    apart = np.abs(drawn - stated) / scale
     assert apart[1:, 1:].max() < 0.12
 
 
@@ -206,20 +213,20 @@ def test_the_twins_pole_comes_back_from_the_nxt_kit() -> None:
 
 def test_the_order_of_a_robot_without_dead_time_is_its_own() -> None:
     assert {name: order.chosen for name, order in study().orders.items()} == {"pitch": 4, "yaw": 2}
-    criterion = study().orders["pitch"].criterion
-    assert criterion[4] < min(value for n, value in criterion.items() if n != 4)
+    bic = study().orders["pitch"].bic
+    assert bic[4] < min(value for n, value in bic.items() if n != 4)
 
 
 def test_dead_times_are_read_off_the_answers() -> None:
     log = sensed()
-    late = {
+    delayed = {
         n: np.concatenate([v[:1].repeat(3), v[:-3]]) if n.startswith("sensor/") else v for n, v in log.channels.items()
     }
-    planted = samples(Log(log.t, late, log.units, log.origin), ROBOT, facts_kit())
-    assert [part.late for part in planted.parts] == [(3, 3), (3,)]
-    assert [part.late for part in study().samples.parts] == [(0, 0), (0,)]
-    told = samples(log, ROBOT, facts_kit(), delay=0.01)
-    assert [part.late for part in told.parts] == [(1, 1), (1,)]
+    planted = samples(Log(log.t, delayed, log.units, log.origin), ROBOT, facts_kit())
+    assert [part.delays for part in planted.parts] == [(3, 3), (3,)]
+    assert [part.delays for part in study().samples.parts] == [(0, 0), (0,)]
+    given = samples(log, ROBOT, facts_kit(), delay=0.01)
+    assert [part.delays for part in given.parts] == [(1, 1), (1,)]
 
 
 def test_sensors_of_different_delay_are_told_apart() -> None:
@@ -228,7 +235,7 @@ def test_sensors_of_different_delay_are_told_apart() -> None:
     excited = Excited(make_controller("lqg", robot, kit, 0.01), random_binary(1200, 2.5, 1, hold=4))
     log = run(Electronics(NonlinearBody(robot), kit), excited, seconds=12.0, seed=1)
     ready = samples(log, robot, kit)
-    assert ready.parts[0].late == (2, 0)
+    assert ready.parts[0].delays == (2, 0)
     found = identify_one(Study(ready, runs=0), "subspace")
     assert found.pole.value == pytest.approx(unstable_pole(robot), rel=0.06)  # 9 s are fitted, four scatters wide
 
@@ -236,7 +243,7 @@ def test_sensors_of_different_delay_are_told_apart() -> None:
 def test_a_long_past_is_taken_where_the_log_allows_it() -> None:
     part = study().samples.training()[0]
     assert 20 <= past_window(part.y, part.u) <= len(part.y) / 8 / 3
-    answers = first_answer(part.y, part.u, 10)
+    answers = first_response(part.y, part.u, 10)
     assert [answer.row for answer in answers] == [1, 1]
 
 
@@ -252,8 +259,8 @@ def test_the_loop_tells_good_models_from_bad_ones() -> None:
     assert compared().true_pole == pytest.approx(POLE)
 
 
-def test_what_was_held_out_is_foretold() -> None:
-    """Ten samples ahead a consistent model misses little; the regression's own error grows with the time foretold."""
+def test_the_held_out_part_is_predicted() -> None:
+    """Ten samples ahead a consistent model misses little; the regression's own error grows with the horizon."""
     good, bad = (compared().models[m].fits["10"] for m in ("subspace", "least-squares"))
     assert good["gyro"] > 85
     assert good["wheel"] > 85
@@ -437,6 +444,6 @@ def test_a_log_slower_than_its_controller_is_said_to_bias_a_regression(shared: P
 def test_a_pitch_estimate_that_feedback_reads_becomes_an_output(shared: Path) -> None:
     ready = samples(raw_log(shared / "data/twipr/run1.csv"), Robot.preset("twipr"))
     assert ready.parts[0].outputs == ("gyro", "pitch", "wheel")  # its law has 0.040 · pitch
-    assert ready.parts[0].late == (5, 5, 7)  # 53 ms to the gyro, 73 ms to the wheels
+    assert ready.parts[0].delays == (5, 5, 7)  # 53 ms to the gyro, 73 ms to the wheels
     found = identify_one(Study(ready, runs=0), "subspace")
     assert found.pole.value > 1  # it falls

@@ -84,7 +84,7 @@ def identify(
         comparison = identify_all(study, progress=show) if method == ALL or report else None
         model = identify_one(study, method) if method != ALL else None
     if model and controller:  # designed before any file is written, so that its failure leaves none
-        write_controller(regulator(study.samples, model.parts), controller)
+        write_controller(regulator(study.samples, model.halves), controller)
     if model and output:
         model.save(output)
     if comparison and report:

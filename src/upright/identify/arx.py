@@ -19,8 +19,8 @@ Whole = NDArray[np.int64]
 PASTS = (10, 15, 20, 30, 40, 50, 60)
 """Lengths of the past among which `past_window` chooses."""
 LONGER = 2.5
-"""On twins whose readings are coarse (1° encoders, 1 V of excitation) the unstable pole comes out a fifth too small
-with the past of Akaike's criterion, and does not change any more beyond about twice that."""
+"""Past of a subspace method over that of Akaike's criterion. On twins with coarse readings (1° encoders, 1 V of
+excitation) the criterion's past gives an unstable pole a fifth too small; beyond about twice that it stays."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,8 +43,8 @@ class Arx:
 
 
 @dataclass(frozen=True)
-class Answer:
-    """The first row after an unforeseen command in which an output answers, and the largest t-value of its answers."""
+class FirstResponse:
+    """The first row after an unpredicted command in which an output responds, and the largest t-value of its rows."""
 
     row: int
     strength: float
@@ -76,10 +76,10 @@ def split(P: Array, outputs: int, lags: int, inputs: int) -> tuple[Array, Array]
 
 def arx(y: Array, u: Array, lags: int, start: int = 0) -> Arx:
     """Least squares with `lags` of outputs and command."""
-    found = regression(y, u, lags, lags, start)
-    P: Array = np.linalg.lstsq(found.X, found.Y, rcond=None)[0].astype(np.float64)
+    result = regression(y, u, lags, lags, start)
+    P: Array = np.linalg.lstsq(result.X, result.Y, rcond=None)[0].astype(np.float64)
     A, b = split(P, y.shape[1], lags, lags)
-    return Arx(A, b, found.rows, found.Y - found.X @ P)
+    return Arx(A, b, result.rows, result.Y - result.X @ P)
 
 
 def past_window(y: Array, u: Array, pasts: Sequence[int] = PASTS) -> int:
@@ -94,10 +94,10 @@ def past_window(y: Array, u: Array, pasts: Sequence[int] = PASTS) -> int:
 
 
 def longer(past: int, y: Array) -> int:
-    """`LONGER` than a `past` that Akaike's criterion chose, as far as the log has rows for it.
+    """A past `LONGER` than the `past` of Akaike's criterion, as far as the log has rows for it.
 
-    The criterion asks for one good step. What it cuts off as not worth its noise is a bias for the states, which a
-    subspace method finds from many steps.
+    The criterion asks for one good step. The lags that it cuts off bias the states, which a subspace method estimates
+    from many steps.
     """
     return max(past, min(round(LONGER * past), most_past(y)))
 
@@ -107,19 +107,19 @@ def most_past(y: Array) -> int:
     return int(len(y) / 8 / (y.shape[1] + 1))
 
 
-def first_answer(y: Array, u: Array, reach: int, lags: int = 20) -> list[Answer]:
-    """For each output the first row that answers what nothing before it foretells of the command.
+def first_response(y: Array, u: Array, reach: int, lags: int = 20) -> list[FirstResponse]:
+    """For each output the first row that responds to the part of the command that nothing before it predicts.
 
-    A row answers if its t-value exceeds 4 and a tenth of the largest: the rest of a fractional delay is less.
+    A row responds if its t-value exceeds 4 and a tenth of the largest: the rest of a fractional delay is less.
     """
-    found = regression(y, u, lags, reach)
-    R = np.linalg.qr(found.X, mode="r")
-    P = np.linalg.lstsq(found.X, found.Y, rcond=None)[0]
-    e = found.Y - found.X @ P
+    result = regression(y, u, lags, reach)
+    R = np.linalg.qr(result.X, mode="r")
+    P = np.linalg.lstsq(result.X, result.Y, rcond=None)[0]
+    e = result.Y - result.X @ P
     spread = np.sqrt((np.linalg.pinv(R) ** 2).sum(axis=1))
     t = np.abs(P / np.maximum(np.outer(spread, e.std(axis=0)), 1e-300))[-1 - reach : -1]
     return [
-        Answer(int(np.argmax(column > max(4.0, 0.1 * column.max()))) + 1, float(column.max())) for column in t.T
+        FirstResponse(int(np.argmax(column > max(4.0, 0.1 * column.max()))) + 1, float(column.max())) for column in t.T
     ]  # fmt: skip
 
 

@@ -1,104 +1,98 @@
 """From any state-space model of one half to its physical states: a change of coordinates, which moves no pole.
 
-Every mode e^(st) of the outputs gives its share of a rate by the factor s, of an integral by 1/s. So pitch follows from
-what the gyro says of each mode and the wheels' rate from their angle, exact for a command held over each period.
+A mode e^(st) of an output is differentiated by the factor s and integrated by 1/s. So pitch follows from each mode of
+the gyro, and the wheels' rate from their angle, exactly for a command held over each period.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidModel
+from upright.physics.linear import LinearModel
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 PHYSICAL = {"pitch": ("pitch", "pitch_rate", "wheel", "wheel_rate"), "yaw": ("yaw", "yaw_rate")}
+"""States of each half of the robot, in the order of `LinearModel`."""
+COMMANDS = {"pitch": (0.5, 0.5), "yaw": (-0.5, 0.5)}
+"""How left and right make up the command of a half: their mean, and half their difference."""
+ANGLES = {"pitch": "wheel", "yaw": "yaw"}
+"""The angle of each half that drives nothing on a level floor."""
 FASTEST = 0.02
 """Least |eigenvalue| of which the logarithm is taken: a mode that dies faster than 4 a period is noise in its rate."""
 _INDEPENDENT = 1e-6
 
 
-@dataclass(frozen=True, eq=False)
-class PartModel:
-    """x⁺ = A x + b u of one half `name` every `dt` [s], with its `states` by name, the physical ones first.
+def half_model(half: str, A: Array, b: Array, dt: float) -> LinearModel:
+    """x⁺ = A x + b u of one half every `dt` [s]: its physical states, then as many more as A has."""
+    physical = PHYSICAL[half]
+    extra = (f"{half}_x{i + 1}" for i in range(len(physical), len(A)))
+    return LinearModel(A, b[:, None], dt=dt, states=(*physical, *extra), inputs=(half,))
 
-    `order` is that of the dynamics; a fraction of a period of dead time adds the state "sent".
+
+def growth_rate(model: LinearModel) -> float:
+    """ln of the largest |eigenvalue| over dt [1/s], but for the angle that drives nothing: how fast a half falls."""
+    angle = next(model.states.index(name) for name in ANGLES.values() if name in model.states)
+    A = np.delete(np.delete(model.A, angle, 0), angle, 1)
+    return float(np.log(max(float(np.abs(np.linalg.eigvals(A)).max()), 1e-300)) / model.dt)
+
+
+def with_sent(half: str, model: LinearModel, waiting: Array) -> LinearModel:
+    """`model` with the command of one period ago as a state, which still enters by `waiting` (states,): a fraction of a
+    period of dead time."""
+    n = len(model.A)
+    A = np.zeros((n + 1, n + 1))
+    A[:n, :n], A[:n, n] = model.A, waiting
+    B, C = np.vstack([model.B, [[1.0]]]), np.column_stack([model.C, np.zeros(len(model.C))])
+    states = (*model.states, f"{half}_sent")
+    return LinearModel(A, B, C, dt=model.dt, states=states, inputs=model.inputs, outputs=model.outputs)
+
+
+def physical(half: str, model: LinearModel, waiting: Array | None = None) -> LinearModel:
+    """A model of one half (with its command of a period ago, where it is still `waiting`) in its physical states, and
+    x5, x6, … where it has more. Raises `InvalidModel` where the outputs do not tell them apart.
     """
-
-    name: str
-    A: Array
-    b: Array
-    states: tuple[str, ...]
-    dt: float
-
-    @property
-    def pole(self) -> float:
-        """ln of the largest |eigenvalue| over dt [1/s]: how fast the half runs away. The angle that drives nothing does
-        not count."""
-        angle = self.states.index("wheel" if self.name == "pitch" else "yaw")
-        return fastest(np.delete(np.delete(self.A, angle, 0), angle, 1), self.dt)
-
-
-def fastest(A: Array, dt: float) -> float:
-    """ln of the largest |eigenvalue| of A over dt [1/s]."""
-    return float(np.log(max(float(np.abs(np.linalg.eigvals(A)).max()), 1e-300)) / dt)
-
-
-def physical(
-    name: str, outputs: Sequence[str], A: Array, b: Array, C: Array, dt: float, waiting: Array | None = None
-) -> PartModel:
-    """x⁺ = A x + b u (+ `waiting` u⁻, what the command of a period ago still does), y = C x of the half `name` in its
-    physical states, and x5, x6, … where it has more. Raises `InvalidModel` where the outputs do not tell them apart.
-    """
-    wanted = PHYSICAL[name]
-    if len(A) < len(wanted):
-        raise InvalidModel(f"a model of order {len(A)} for {name}", expected=f"at least {len(wanted)}")
-    T = _completed(_rows(name, outputs, A, C, dt), A, b)
+    A, b, names = model.A, model.B[:, 0], PHYSICAL[half]
+    if len(A) < len(names):
+        raise InvalidModel(f"a model of order {len(A)} for {half}", expected=f"at least {len(names)}")
+    T = _completed(_rows(half, model), A, b)
     if np.linalg.cond(T / np.linalg.norm(T, axis=1)[:, None]) > 1e9:
-        raise InvalidModel(f"the outputs do not fix the {name}'s states", likely="a log that is hardly excited")
-    inverse = np.linalg.inv(T)
-    moved, entered = T @ A @ inverse, T @ b
-    angle = wanted.index("wheel" if name == "pitch" else "yaw")
+        raise InvalidModel(f"the outputs do not fix the {half}'s states", likely="a log with too little excitation")
+    moved = T @ A @ np.linalg.inv(T)
+    angle = names.index(ANGLES[half])
     moved[:, angle] = np.eye(len(A))[angle]
-    names = (*wanted, *(f"{name}_x{i + 1}" for i in range(len(wanted), len(A))))
-    if waiting is None:
-        return PartModel(name, moved, entered, names, dt)
-    n = len(A)
-    full, enters = np.zeros((n + 1, n + 1)), np.append(entered, 1.0)
-    full[:n, :n], full[:n, n] = moved, T @ waiting
-    return PartModel(name, full, enters, (*names, f"{name}_sent"), dt)
+    result = half_model(half, moved, T @ b, model.dt)
+    return result if waiting is None else with_sent(half, result, T @ waiting)
 
 
-def _rows(name: str, outputs: Sequence[str], A: Array, C: Array, dt: float) -> Array:
+def _rows(half: str, model: LinearModel) -> Array:
     """The physical states as rows over x."""
-    found = np.linalg.eig(A)
-    values, V = found[0].astype(np.complex128), found[1].astype(np.complex128)
-    integrator = int(np.argmin(np.abs(values - 1)))
-    rate = _rates(values, dt)
-    rate[integrator] = 0.0
+    values, V = (part.astype(np.complex128) for part in np.linalg.eig(model.A))
+    rate = _rates(values, model.dt)
+    rate[np.argmin(np.abs(values - 1))] = 0.0
     inverse = np.zeros_like(rate)
     inverse[rate != 0] = 1 / rate[rate != 0]
-    said = dict(zip(outputs, C.astype(np.complex128) @ V, strict=True))
-    modal = _turn(said, rate) if name == "yaw" else _lean(said, rate, inverse)
+    modes = dict(zip(model.outputs, model.C.astype(np.complex128) @ V, strict=True))
+    modal = _turn(modes, rate) if half == "yaw" else _lean(modes, rate, inverse)
     return np.real(modal @ np.linalg.inv(V)).astype(np.float64)
 
 
-def _turn(said: dict[str, Complex], rate: Complex) -> Complex:
-    yaw = said["yaw"] if "yaw" in said else said["turn"]
-    return np.array([yaw, said.get("yaw_rate", yaw * rate)])
+def _turn(modes: dict[str, Complex], rate: Complex) -> Complex:
+    yaw = modes["yaw"] if "yaw" in modes else modes["turn"]
+    return np.array([yaw, modes.get("yaw_rate", yaw * rate)])
 
 
-def _lean(said: dict[str, Complex], rate: Complex, inverse: Complex) -> Complex:
-    if "wheel_rate" in said:
-        return np.array([said["pitch"], said["pitch_rate"], said["wheel"], said["wheel_rate"]])
-    pitch = said["gyro"] * inverse if "gyro" in said else said["pitch"]
-    pitch_rate = said.get("gyro", pitch * rate)
-    relative = said["wheel"]
+def _lean(modes: dict[str, Complex], rate: Complex, inverse: Complex) -> Complex:
+    if "wheel_rate" in modes:
+        return np.array([modes[name] for name in PHYSICAL["pitch"]])
+    pitch = modes["gyro"] * inverse if "gyro" in modes else modes["pitch"]
+    pitch_rate = modes.get("gyro", pitch * rate)
+    relative = modes["wheel"]
     return np.array([pitch, pitch_rate, relative + pitch, relative * rate + pitch_rate])
 
 

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.atomic import finite
-from upright.identify.coordinates import PHYSICAL, PartModel
-from upright.identify.order import Order
+from upright.identify.coordinates import COMMANDS
+from upright.identify.order import OrderChoice
 from upright.identify.study import Pole
 from upright.physics.linear import INPUTS, LinearModel
 from upright.signals import STATE_NAMES
@@ -20,17 +20,15 @@ from upright.tables import Shown
 
 Array = NDArray[np.float64]
 
-SHARES = {"pitch": (0.5, 0.5), "yaw": (-0.5, 0.5)}
-"""How left and right make up the command of a half: their mean, and half their difference."""
 
-
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Identified(Shown):
     """`model` x⁺ = A x + B u of one log by one `method`, with one standard deviation of each entry in `a_deviation` and
     `b_deviation` (NaN where there is none).
 
-    Its states are the robot's, in the order of conventions, then what else the method found. They stand in the robot's
-    own time: an output reads them `late` periods after the command. `fits` [%] are those of `foretell`.
+    Its states are the robot's, in the order of conventions, then what else the method estimates. They stand in the
+    robot's own time: an output reads them `delays` periods after the command. `halves` are the models of pitch and yaw,
+    `fits` [%] those of `prediction_fits`.
     """
 
     method: str
@@ -38,18 +36,18 @@ class Identified(Shown):
     a_deviation: Array
     b_deviation: Array
     pole: Pole
-    late: Mapping[str, int]
-    orders: Mapping[str, Order]
+    delays: Mapping[str, int]
+    orders: Mapping[str, OrderChoice]
     source: str
     samples: int
-    parts: tuple[PartModel, ...]
+    halves: Mapping[str, LinearModel]
     fits: Mapping[str, Mapping[str, float]]
     notes: tuple[str, ...] = ()
 
     def check(self) -> float:
         """Largest difference of an eigenvalue of the whole from those of its halves, zero but for rounding."""
         whole = np.sort(np.abs(np.linalg.eigvals(self.model.A)))
-        halves = np.sort(np.abs(np.concatenate([np.linalg.eigvals(part.A) for part in self.parts])))
+        halves = np.sort(np.abs(np.concatenate([half.poles() for half in self.halves.values()])))
         return float(np.abs(whole - halves).max())
 
     def save(self, path: str | Path) -> Path:
@@ -59,12 +57,12 @@ class Identified(Shown):
         return write_json(Path(path), self.to_json())
 
     def to_json(self) -> dict[str, Any]:
-        """The model as `LinearModel.from_json` reads it, and beside it method, pole, lateness, orders and fits."""
+        """The model as `LinearModel.from_json` reads it, and beside it method, pole, delays, orders and fits."""
         deviations = {"A": _plain(self.a_deviation), "B": _plain(self.b_deviation)}
         fits = {h: {n: finite(v) for n, v in row.items()} for h, row in self.fits.items()}
         return {
             **self.model.to_json(), "method": self.method, "source": self.source, "samples": self.samples,
-            "unstable_pole": self.pole.to_json(), "deviations": deviations, "late": dict(self.late),
+            "unstable_pole": self.pole.to_json(), "deviations": deviations, "delays": dict(self.delays),
             "orders": {name: order.to_json() for name, order in self.orders.items()}, "fits": fits,
             "notes": list(self.notes),
         }  # fmt: skip
@@ -75,7 +73,7 @@ class Identified(Shown):
             f"{self.method} from {self.samples} samples of {self.source}: unstable pole {p.value:.3g} 1/s {interval(p)}"
         ]
         if np.isfinite(p.bias):
-            lines.append(f"bias on such logs {p.bias:+.2g} ± {2 * p.bias_error:.1g} 1/s")
+            lines.append(f"bias on repeated logs {p.bias:+.2g} ± {2 * p.bias_error:.1g} 1/s")
         return "\n".join([*lines, *self.notes])
 
 
@@ -85,44 +83,36 @@ def interval(pole: Pole) -> str:
 
 
 def assembled(
-    parts: Sequence[PartModel], deviations: Mapping[str, tuple[Array, Array]]
+    halves: Mapping[str, LinearModel], deviations: Mapping[str, tuple[Array, Array]]
 ) -> tuple[LinearModel, Array, Array]:
     """Both halves as one model of left and right command, and the deviations of its A and B."""
-    known = [name for name in STATE_NAMES if any(name in part.states for part in parts)]
-    extra = [name for part in parts for name in part.states if name not in known]
-    names = [*known, *extra]
+    states = [name for half in halves.values() for name in half.states]
+    names = sorted(states, key=lambda name: STATE_NAMES.index(name) if name in STATE_NAMES else len(STATE_NAMES))
     A, B = np.zeros((len(names),) * 2), np.zeros((len(names), 2))
     dA, dB = np.full_like(A, np.nan), np.full_like(B, np.nan)
-    for part in parts:
-        at = [names.index(name) for name in part.states]
-        A[np.ix_(at, at)], B[at] = part.A, np.outer(part.b, SHARES[part.name])
-        if part.name in deviations:
-            spread, enters = deviations[part.name]
-            dA[np.ix_(at, at)], dB[at] = spread, np.outer(enters, np.abs(SHARES[part.name]))
-    model = LinearModel(A, B, dt=parts[0].dt, states=tuple(names), inputs=INPUTS)
+    for half, model in halves.items():
+        at, sides = [names.index(name) for name in model.states], np.array([COMMANDS[half]])
+        A[np.ix_(at, at)], B[at] = model.A, model.B @ sides
+        if half in deviations:
+            spread, enters = deviations[half]
+            dA[np.ix_(at, at)], dB[at] = spread, enters @ np.abs(sides)
     for array in (dA, dB):
         array.setflags(write=False)
-    return model, dA, dB
+    dt = next(iter(halves.values())).dt
+    return LinearModel(A, B, dt=dt, states=tuple(names), inputs=INPUTS), dA, dB
 
 
-def reading(name: str, part: PartModel) -> Array:
-    """How an output reads the half's states (states,): "wheel" is relative to the body."""
-    row = np.zeros(len(part.states))
-    at = {state: i for i, state in enumerate(part.states)}
-    if name in at and name != "wheel":
-        row[at[name]] = 1.0
-    elif name == "gyro":
-        row[at["pitch_rate"]] = 1.0
-    elif name == "turn":
-        row[at["yaw"]] = 1.0
+def reading(output: str, states: Sequence[str], *, known: bool = False) -> Array:
+    """How an output reads a half's `states` (states,), which are `known` where they are the outputs themselves;
+    otherwise "wheel" is relative to the body."""
+    row = np.zeros(len(states))
+    if output in states and (known or output != "wheel"):
+        row[states.index(output)] = 1.0
+    elif output in ("gyro", "turn"):
+        row[states.index({"gyro": "pitch_rate", "turn": "yaw"}[output])] = 1.0
     else:
-        row[at["wheel"]], row[at["pitch"]] = 1.0, -1.0
+        row[states.index("wheel")], row[states.index("pitch")] = 1.0, -1.0
     return row
-
-
-def physical_names(parts: Sequence[PartModel]) -> tuple[str, ...]:
-    """The robot's states that the halves hold."""
-    return tuple(name for part in parts for name in PHYSICAL[part.name])
 
 
 def _plain(values: Array) -> list[list[float | None]]:

@@ -1,21 +1,22 @@
-"""One log, one or all methods: `identify` gives a linear model, `identify_all` all of them beside one another."""
+"""One log, one or all methods: `identify` gives a linear model, `identify_all` compares all methods."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from upright.atomic import finite
 from upright.control.delay import rolling
 from upright.errors import UprightError
 from upright.identify.identified import Identified, assembled, interval
-from upright.identify.judge import Judge, Trial, judge_of, tried
+from upright.identify.judge import Judge, LoopTrial, judge_of, loop_trial
 from upright.identify.methods import IDENTIFIERS, find_identifier
-from upright.identify.order import Order
-from upright.identify.prediction import foretold
-from upright.identify.samples import Samples
+from upright.identify.order import OrderChoice
+from upright.identify.prediction import prediction_fits
+from upright.identify.samples import Samples, samples
 from upright.identify.study import Progress, Study
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
@@ -28,22 +29,22 @@ ALL = "all"
 """The method that stands for all of them."""
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Comparison(Shown):
-    """The models of one log by method, what came of each in the loop of the `judge`, and why a method has none.
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class MethodComparison(Shown):
+    """The models of one log by method, the trial of each in the loop of the `judge`, and why a method has none.
 
-    `true_pole` [1/s] is that of the twin that made the log, dry friction taken for the damping that brakes alike; NaN
-    where it is not known.
+    `true_pole` [1/s] is that of the twin that made the log, with dry friction as the damping with the same braking; NaN
+    where it is unknown.
     """
 
     samples: Samples
     models: Mapping[str, Identified]
-    trials: Mapping[str, Trial]
+    trials: Mapping[str, LoopTrial]
     failed: Mapping[str, str]
-    orders: Mapping[str, Order]
+    orders: Mapping[str, OrderChoice]
     judge: Judge
     true_pole: float
-    notes: tuple[str, ...] = field(default=())
+    notes: tuple[str, ...] = ()
 
     def check(self) -> tuple[str, ...]:
         """What is wrong with the comparison, from its own numbers."""
@@ -55,7 +56,7 @@ class Comparison(Shown):
             "models": {name: model.to_json() for name, model in self.models.items()},
             "in_the_loop": {name: trial.to_json() for name, trial in self.trials.items()},
             "failed": dict(self.failed), "judge": self.judge.who, "notes": list(self.notes),
-            "true_pole": self.true_pole if np.isfinite(self.true_pole) else None,
+            "true_pole": finite(self.true_pole),
         }  # fmt: skip
 
     def __str__(self) -> str:
@@ -69,7 +70,7 @@ def identify(
     log: LogSource, robot: Robot | str, kit: Kit | str | None = None, *, method: str = "subspace",
     mapping: Columns | str | None = None, source: str = "sensors", delay: float | None = None,
     order: int | None = None, held_out: float = 0.25, runs: int = 40, seed: int = 0, progress: Progress | None = None,
-) -> Identified | Comparison:  # fmt: skip
+) -> Identified | MethodComparison:  # fmt: skip
     """The linear model of a log of `robot` by one `method`, or with "all" a comparison of every method.
 
     The log may be a file, which `mapping` reads; robot and kit may be names or files. See `study_of` for the others.
@@ -86,21 +87,21 @@ def identify_one(study: Study, method: str) -> Identified:
     """The linear model of a study's log by one method; raises `UnknownName`, `InvalidLog` or `InvalidModel`."""
     data = study.samples
     fit = find_identifier(method)(study)
-    model, dA, dB = assembled(fit.parts, fit.deviations)
-    late = {name: shift for part in data.parts for name, shift in zip(part.outputs, part.late, strict=True)}
-    orders = study.orders if method == "subspace" else {}
-    fits = foretold(data, fit.parts)
-    stands = ("This model does not fall, as every robot on two wheels does: it is not the robot.",)
+    model, dA, dB = assembled(fit.halves, fit.deviations)
+    stable = ("This model is stable; a two-wheeled robot falls, so it is wrong.",)
     return Identified(
-        method, model, dA, dB, fit.pole, late, orders, data.source, data.fitted, fit.parts, fits,
-        (*data.notes, *fit.notes, *(stands if fit.pole.value <= 0 else ())),
+        method=method, model=model, a_deviation=dA, b_deviation=dB, pole=fit.pole, halves=fit.halves,
+        delays={name: n for part in data.parts for name, n in zip(part.outputs, part.delays, strict=True)},
+        orders=study.orders if method == "subspace" else {}, source=data.source, samples=data.fitted,
+        fits=prediction_fits(data, fit.halves),
+        notes=(*data.notes, *fit.notes, *(stable if fit.pole.value <= 0 else ())),
     )  # fmt: skip
 
 
 def identify_all(
     study: Study, methods: Sequence[str] = tuple(IDENTIFIERS), progress: Progress | None = None
-) -> Comparison:
-    """Every method on one log, each judged in the loop; a method that has no model gets a line that says why."""
+) -> MethodComparison:
+    """Every method on one log, each judged in the loop; a method without a model gets its reason in `failed`."""
     models: dict[str, Identified] = {}
     failed: dict[str, str] = {}
     for done, method in enumerate(methods):
@@ -111,14 +112,16 @@ def identify_all(
         if progress:
             progress(0.8 * (done + 1) / len(methods))
     judge = _judge(study)
-    trials = {name: tried(study.samples, model.parts, judge) for name, model in models.items()}
+    trials = {name: loop_trial(study.samples, model.halves, judge) for name, model in models.items()}
     if progress:
         progress(1.0)
-    true = unstable_pole(rolling(judge.robot)) if judge.made_the_log else np.nan
     common = study.samples.notes
     own = [f"{name}: {note}" for name, model in models.items() for note in model.notes if note not in common]
     orders = study.orders if {"subspace", "instrumental"} & models.keys() else {}
-    return Comparison(study.samples, models, trials, failed, orders, judge, true, (*common, *own))
+    return MethodComparison(
+        samples=study.samples, models=models, trials=trials, failed=failed, orders=orders, judge=judge,
+        true_pole=unstable_pole(rolling(judge.robot)) if judge.made_the_log else np.nan, notes=(*common, *own),
+    )  # fmt: skip
 
 
 def _judge(study: Study) -> Judge:
@@ -140,7 +143,5 @@ def study_of(
 
     `runs` is the number of repeated logs behind the intervals.
     """
-    from upright.identify.samples import samples
-
     ready = samples(log, robot, kit, source=source, delay=delay, held_out=held_out)
     return Study(ready, order, runs, seed)

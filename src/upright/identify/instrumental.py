@@ -3,7 +3,7 @@
 Regressors are correlated with the noise in the equation, since readings are noisy and feedback makes commands of them.
 Instruments are not: the same regressors as the excitation alone would have made them, simulated with the law that the
 log shows. Both are filtered until the equation's error is white, which makes the estimate precise; model, instruments
-and filter are found in turn.
+and filter are result in turn.
 """
 
 from __future__ import annotations
@@ -13,63 +13,65 @@ from numpy.typing import NDArray
 
 from upright.errors import InvalidModel
 from upright.identify.arx import Regression, regression, split
-from upright.identify.coordinates import PartModel, physical
-from upright.identify.joint import law, noise_free
+from upright.identify.coordinates import physical, with_sent
+from upright.identify.joint import law, simulated
 from upright.identify.samples import Part
-from upright.identify.subspace import Innovation
+from upright.identify.subspace import InnovationModel
+from upright.physics.linear import LinearModel
 
 Array = NDArray[np.float64]
 
-TURNS = 2
-WHITENING = 20
-"""Lags of the filter that whitens an equation's error."""
+ITERATIONS = 2  # of model, instruments and filter: the first's instruments are valid, the second's nearly optimal
+WHITENING = 20  # lags of the filter that whitens an equation's error
 
 
-def instrumental(part: Part, start: Innovation) -> PartModel:
-    """The half's model, whose first instruments are simulated with `start`; later ones with what they gave.
+def instrumental(part: Part, start: InnovationModel) -> LinearModel:
+    """The half's model, whose first instruments are simulated with `start`; later ones with their result.
 
     Each output is regressed on as many lags as its observability index asks for, and on one command more, which holds
     the fraction of a period of dead time. Raises `InvalidModel` where the instruments are too weak.
     """
     lags = 1 if part.states else 2
-    rule = law(part)
-    found = regression(part.y, part.u, lags, lags + 1)
-    calm = noise_free(part, start.A, start.b, start.C, rule)
-    turn = _turn(found, _delayed(found, lags) if calm is None else regression(*calm, lags, lags + 1).X)
-    for _ in range(TURNS - 1):
-        calm = noise_free(part, *_whole(*realised(turn, part.y.shape[1], lags)), rule)
-        if calm is None:  # the first turn's instruments are valid, if not the best
+    rule, plant = law(part), start.plant
+    data = regression(part.y, part.u, lags, lags + 1)
+    model, waiting = None, np.zeros(0)
+    for _ in range(ITERATIONS):
+        quiet = simulated(part, plant, rule)
+        if quiet is None and model:  # the first iteration's instruments are valid, if not the best
             break
-        turn = _turn(found, regression(*calm, lags, lags + 1).X)
-    return _as_part(part, turn, lags)
+        Z = _delayed(data, lags) if quiet is None else regression(quiet[0][0], quiet[1][0], lags, lags + 1).X
+        model, waiting = realised(part, _estimated(data, Z), lags)
+        plant = with_sent(part.name, model, waiting)
+    assert model is not None
+    return physical(part.name, model, waiting)
 
 
-def _turn(found: Regression, Z: Array) -> Array:
+def _estimated(data: Regression, Z: Array) -> Array:
     """Coefficients by the instruments Z, each equation whitened by what is left of it without that."""
-    plain = _solved(Z, found.X, found.Y)
-    e = found.Y - found.X @ plain
-    return np.column_stack([_filtered(Z, found, e[:, j], j) for j in range(found.Y.shape[1])])
+    plain = _solved(Z, data.X, data.Y)
+    e = data.Y - data.X @ plain
+    return np.column_stack([_filtered(Z, data, e[:, j], j) for j in range(data.Y.shape[1])])
 
 
-def _delayed(found: Regression, lags: int) -> Array:
-    """The regressors of so long ago that no reading's noise is in both: for where model and law make no stable loop, so
-    that nothing can be simulated. They are valid in closed loop as well, but weaker."""
+def _delayed(data: Regression, lags: int) -> Array:
+    """Older regressors, which share no reading's noise: for where model and law make no stable loop to simulate. They
+    are valid in closed loop as well, but weaker."""
     apart = lags + 2
-    Z = np.zeros_like(found.X)
-    Z[apart:], Z[:, -1] = found.X[:-apart], 1.0
+    Z = np.zeros_like(data.X)
+    Z[apart:], Z[:, -1] = data.X[:-apart], 1.0
     return Z
 
 
-def _filtered(Z: Array, found: Regression, e: Array, j: int) -> Array:
+def _filtered(Z: Array, data: Regression, e: Array, j: int) -> Array:
     """One equation's coefficients with everything filtered by what whitens its error."""
     from scipy.signal import lfilter
 
-    if float(e @ e) < 1e-20 * float(found.Y[:, j] @ found.Y[:, j]):
-        return _solved(Z, found.X, found.Y[:, j])
+    if float(e @ e) < 1e-20 * float(data.Y[:, j] @ data.Y[:, j]):
+        return _solved(Z, data.X, data.Y[:, j])
     past = np.column_stack([e[WHITENING - i : len(e) - i] for i in range(1, WHITENING + 1)])
     filter_ = np.append(1.0, -np.linalg.lstsq(past, e[WHITENING:], rcond=None)[0])
-    Zf, Xf = (np.asarray(lfilter(filter_, 1.0, M, axis=0))[WHITENING:] for M in (Z, found.X))
-    return _solved(Zf, Xf, np.asarray(lfilter(filter_, 1.0, found.Y[:, j]))[WHITENING:])
+    Zf, Xf = (np.asarray(lfilter(filter_, 1.0, M, axis=0))[WHITENING:] for M in (Z, data.X))
+    return _solved(Zf, Xf, np.asarray(lfilter(filter_, 1.0, data.Y[:, j]))[WHITENING:])
 
 
 def _solved(Z: Array, X: Array, Y: Array) -> Array:
@@ -83,26 +85,13 @@ def _solved(Z: Array, X: Array, Y: Array) -> Array:
     return solution / (scale[:, None] if Y.ndim == 2 else scale)
 
 
-def realised(P: Array, outputs: int, lags: int) -> tuple[Array, Array, Array, Array]:
-    """A, b, C, and what the command of one period ago still does, of the coefficients P in observer form."""
-    A_i, b_i = split(P, outputs, lags, lags + 1)
-    n = outputs * lags
-    A = np.zeros((n, n))
-    A[:, :outputs] = A_i.reshape(n, outputs)
-    A[: n - outputs, outputs:] = np.eye(n - outputs)
-    waiting = np.zeros(n)
-    waiting[n - outputs :] = b_i[lags]
-    return A, b_i[:lags].reshape(n), np.eye(outputs, n), waiting
-
-
-def _whole(A: Array, b: Array, C: Array, waiting: Array) -> tuple[Array, Array, Array]:
-    """The same with the command of one period ago as a state."""
-    n = len(A)
-    full = np.zeros((n + 1, n + 1))
-    full[:n, :n], full[:n, n] = A, waiting
-    return full, np.append(b, 1.0), np.column_stack([C, np.zeros(len(C))])
-
-
-def _as_part(part: Part, P: Array, lags: int) -> PartModel:
-    A, b, C, waiting = realised(P, part.y.shape[1], lags)
-    return physical(part.name, part.outputs, A, b, C, part.dt, waiting)
+def realised(part: Part, P: Array, lags: int) -> tuple[LinearModel, Array]:
+    """The observer form of the coefficients P, and how the command of one period ago still enters it (states,)."""
+    m = len(part.outputs)
+    A_i, b_i = split(P, m, lags, lags + 1)
+    n = m * lags
+    A, waiting = np.zeros((n, n)), np.zeros(n)
+    A[:, :m], A[: n - m, m:] = A_i.reshape(n, m), np.eye(n - m)
+    waiting[n - m :] = b_i[lags]
+    B, C = b_i[:lags].reshape(n, 1), np.eye(m, n)
+    return LinearModel(A, B, C, dt=part.dt, outputs=part.outputs), waiting

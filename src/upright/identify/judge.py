@@ -6,7 +6,7 @@ is the one whose twin made the log; for a log of a built robot it is that robot 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,11 +21,10 @@ from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, riccati
 from upright.errors import UprightError
 from upright.experiment import Hold, outcome_of, run
-from upright.identify.coordinates import PartModel
-from upright.identify.grey_box import kit_as_found
+from upright.identify.grey_box import calibrated_kit
 from upright.identify.identified import assembled, reading
 from upright.identify.prediction import ADDED, BIAS_WALK, MOTOR
-from upright.identify.samples import Samples, by_name
+from upright.identify.samples import Samples
 from upright.physics.linear import LinearModel, delay_line
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.signals import STATE_NAMES
@@ -38,8 +37,8 @@ HELD, UNTIL, SECONDS = 0.05, 1.0, 8.0
 
 @dataclass(frozen=True)
 class Judge:
-    """A `robot` with its `kit` on a `body` ("twin" or "nonlinear"), in words `who` that is, and whether it is the very
-    simulation that `made_the_log`."""
+    """A `robot` with its `kit` on a `body` ("twin" or "nonlinear"), `who` that is in words, and whether this simulation
+    `made_the_log`."""
 
     robot: Robot
     kit: Kit
@@ -49,9 +48,9 @@ class Judge:
 
 
 @dataclass(frozen=True)
-class Trial:
-    """What came of one regulator: whether it `holds`, when it `fell` [s], the largest pitch [rad] after the release and
-    the rms of the last two seconds; or `why` there was nothing to try."""
+class LoopTrial:
+    """The result of one regulator: whether it `holds`, when it `fell` [s], the `largest` pitch [rad] after the release,
+    its rms [rad] in the last two seconds (`restless`); or `why` there is no regulator."""
 
     holds: bool
     fell: float | None = None
@@ -70,41 +69,43 @@ class Trial:
 
 
 def judge_of(samples: Samples, calibration: Calibration | None = None) -> Judge:
-    """Who judges models of this log: its twin, else the calibrated robot, else the one that was named."""
-    said = samples.log.origin.get("robot", {})
+    """The judge of models of this log: its twin, else the calibrated robot, else the one that was named."""
+    origin = samples.log.origin.get("robot", {})
     body = str(samples.log.origin.get("body", {}).get("kind", ""))
-    if set(PARAMETERS) <= set(said) and body:
-        robot = Robot(name=said["name"], drive=said["drive"], **{name: said[name] for name in PARAMETERS})
+    if set(PARAMETERS) <= set(origin) and body:
+        robot = Robot(name=origin["name"], drive=origin["drive"], **{name: origin[name] for name in PARAMETERS})
         kind = "twin" if body.startswith("twin") else "nonlinear"
         return Judge(robot, samples.kit, kind, f"the {body.split(' with ', maxsplit=1)[0]} that made the log", True)
     if calibration is not None:
-        kit = kit_as_found(calibration, samples.kit)
-        return Judge(calibration.robot, kit, "nonlinear", "the robot calibrated from this log (no built robot)")
-    return Judge(samples.robot, samples.kit, "nonlinear", f"{samples.robot.name} as its file has it (no built robot)")
+        kit = calibrated_kit(calibration, samples.kit)
+        return Judge(calibration.robot, kit, "nonlinear", "the robot calibrated from this log (not a built robot)")
+    who = f"{samples.robot.name} with the numbers of its file (not a built robot)"
+    return Judge(samples.robot, samples.kit, "nonlinear", who)
 
 
-def regulator(samples: Samples, models: Sequence[PartModel]) -> LinearController:
+def regulator(samples: Samples, halves: Mapping[str, LinearModel]) -> LinearController:
     """The linear quadratic regulator of the models behind a Kalman filter, on raw encoders and gyro.
 
-    Weights are Bryson's, as for `lqr` and `lqg`; late outputs wait among the filter's states, so that they are
-    foretold. Raises `DesignFailed` where no regulator or no filter exists.
+    Weights are Bryson's, as for `lqr` and `lqg`; delayed outputs are states of the filter, which predicts them. Raises
+    `DesignFailed` where no regulator or no filter exists.
     """
-    whole, _, _ = assembled(models, {})
+    whole, _, _ = assembled(halves, {})
     K = _gain(whole, samples.robot.command_unit)
-    A, B, C, W, V, M = _seen(samples, models, whole)
+    A, B, C, W, V, M = _filter_model(samples, halves, whole)
     _, L = steady_kalman(A, C, W, V, ADDED)
     n = len(whole.states)
     F, G, after = one_step(A, C, L)
     state, direct = K @ after[:n], K @ L[:n] @ M
-    order = [STATE_NAMES.index(name) if name in STATE_NAMES else -1 for name in whole.states]
-    wanted = np.array([[float(i == j and i not in (0, 1)) for j in range(6)] for i in order])
+    # positions, yaw and their rates follow the reference; pitch and its rate stay at zero
+    follows = np.array([[name == known for known in STATE_NAMES] for name in whole.states], dtype=np.float64)
+    follows[:, :2] = 0.0
     Br, Ba, own = np.zeros((len(A), 6)), B, np.zeros_like(A)
     By = G @ M
     if samples.sent:
         own, Ba = -B @ state, np.zeros_like(B)
-        By, Br = By - B @ direct, B @ K @ wanted
+        By, Br = By - B @ direct, B @ K @ follows
     return LinearController(
-        F + own, By, Br, Ba, -state, -direct, K @ wanted, RAW, samples.dt,
+        F + own, By, Br, Ba, -state, -direct, K @ follows, RAW, samples.dt,
         command_unit=samples.robot.command_unit, kind="lqg on an identified model",
     )  # fmt: skip
 
@@ -116,60 +117,51 @@ def _gain(whole: LinearModel, unit: str) -> Array:
     return riccati(whole, Q, bryson([LARGEST_COMMAND[unit]] * 2))[1]
 
 
-def _seen(samples: Samples, models: Sequence[PartModel], whole: LinearModel) -> tuple[Array, ...]:
-    """A, B, C of the filter's states (the model's, the gyro's bias, readings on their way), W, V, and M from the raw
-    readings to the outputs; what no kit reads is left out."""
-    parts, raw, n = by_name(samples.parts), _raw(samples.robot), len(whole.states)
-    rows: list[Array] = []
-    late: list[int] = []
-    variances: list[float] = []
-    M: list[list[float]] = []
-    for model in models:
-        part = parts[model.name]
-        for i, output in enumerate(part.outputs):
-            if output not in raw:
-                continue
-            row = np.zeros(n + 1)
-            row[[whole.states.index(name) for name in model.states]] = reading(output, model)
-            row[n] = output == "gyro"
-            rows.append(row)
-            late.append(part.late[i] + samples.sent)
-            variances.append(part.trusted[i])
-            M.append(raw[output])
-    if not any(row[n] for row in rows):
+def _filter_model(samples: Samples, halves: Mapping[str, LinearModel], whole: LinearModel) -> tuple[Array, ...]:
+    """A, B, C, W, V of the filter's states (the model's, the gyro's bias, delayed readings), and M from raw readings to
+    outputs; outputs that no kit reads are left out."""
+    raw, n = _raw(samples.robot), len(whole.states)
+    used = [(part, i) for part in samples.parts for i, output in enumerate(part.outputs) if output in raw]
+    if not any(part.outputs[i] == "gyro" for part, i in used):
         raise UprightError("the model reads no gyro", expected="a log of encoders and gyro")
+    reads = np.zeros((len(used), n + 1))
+    for row, (part, i) in zip(reads, used, strict=True):
+        states = halves[part.name].states
+        row[[whole.states.index(name) for name in states]] = reading(part.outputs[i], states)
+        row[n] = part.outputs[i] == "gyro"
     base = np.eye(n + 1)
     base[:n, :n] = whole.A
     strength = MOTOR * LARGEST_COMMAND[samples.robot.command_unit]
     noise = np.zeros((n + 1, n + 1))
     noise[:n, :n] = process_noise(strength * whole.B, 1e-12)
     noise[n, n] = BIAS_WALK**2 * samples.dt
-    A, C, W = _with_lines(base, np.array(rows), noise, late)
+    A, C, W = _with_lines(base, reads, noise, [part.delays[i] + samples.sent for part, i in used])
     B = np.vstack([whole.B, np.zeros((len(A) - n, 2))])
-    return A, B, C, W, np.diag(variances), np.array(M)
+    V, M = np.diag([part.trusted[i] for part, i in used]), np.array([raw[part.outputs[i]] for part, i in used])
+    return A, B, C, W, V, M
 
 
-def _with_lines(A: Array, C: Array, W: Array, late: Sequence[int]) -> tuple[Array, Array, Array]:
-    """The same with every late output as a line of states."""
-    n, size = len(A), len(A) + sum(late)
-    full, seen, noise = np.zeros((size, size)), np.zeros((len(C), size)), 1e-14 * np.eye(size)
+def _with_lines(A: Array, C: Array, W: Array, delays: Sequence[int]) -> tuple[Array, Array, Array]:
+    """The same with every delayed output as a line of states."""
+    n, size = len(A), len(A) + sum(delays)
+    full, reads, noise = np.zeros((size, size)), np.zeros((len(C), size)), 1e-14 * np.eye(size)
     full[:n, :n], noise[:n, :n] = A, W
     place = n
-    for i, count in enumerate(late):
+    for i, count in enumerate(delays):
         if not count:
-            seen[i, :n] = C[i]
+            reads[i, :n] = C[i]
             continue
         full[place, :n] = C[i]
         full[place + 1 : place + count, place : place + count] = delay_line(1, count, 0.0).A[1:]
-        seen[i, place + count - 1] = 1.0
+        reads[i, place + count - 1] = 1.0
         place += count
-    return full, seen, noise
+    return full, reads, noise
 
 
 def _raw(robot: Robot) -> dict[str, list[float]]:
     """Outputs from left encoder, right encoder and gyro."""
-    share = robot.wheel_radius / robot.track
-    return {"gyro": [0.0, 0.0, 1.0], "wheel": [0.5, 0.5, 0.0], "turn": [-share, share, 0.0]}
+    turn = robot.wheel_radius / robot.track
+    return {"gyro": [0.0, 0.0, 1.0], "wheel": [0.5, 0.5, 0.0], "turn": [-turn, turn, 0.0]}
 
 
 def _body(judge: Judge, dt: float) -> Body:
@@ -179,18 +171,18 @@ def _body(judge: Judge, dt: float) -> Body:
     return make_body(judge.body, judge.robot)
 
 
-def tried(samples: Samples, models: Sequence[PartModel], judge: Judge, seed: int = 1) -> Trial:
+def loop_trial(samples: Samples, halves: Mapping[str, LinearModel], judge: Judge, seed: int = 1) -> LoopTrial:
     """The models' regulator on the judge, held and let go."""
     try:
-        controller = regulator(samples, models)
+        controller = regulator(samples, halves)
     except (UprightError, np.linalg.LinAlgError) as error:
-        return Trial(False, why=f"no regulator: {str(error).split(';')[0]}")
+        return LoopTrial(False, why=f"no regulator: {str(error).split(';')[0]}")
     body = Electronics(_body(judge, samples.dt), judge.kit)
     log = run(body, controller, Hold(pitch=HELD, until=UNTIL), seconds=SECONDS, seed=seed)
     body.close()
     outcome = outcome_of(log)
     if outcome.fell:
-        return Trial(False, outcome.seconds)
+        return LoopTrial(False, outcome.seconds)
     free = log.between(UNTIL, SECONDS)["truth/pitch"]
     last = log.between(SECONDS - 2.0, SECONDS)["truth/pitch"]
-    return Trial(True, None, float(np.abs(free).max()), float(np.sqrt(np.mean(last**2))))
+    return LoopTrial(True, None, float(np.abs(free).max()), float(np.sqrt(np.mean(last**2))))

@@ -1,4 +1,4 @@
-"""Every way to a linear model from a log. `IDENTIFIERS` names them: a new one is one file and one line here."""
+"""The methods that give a linear model from a log. A new one is one file and one line here."""
 
 from __future__ import annotations
 
@@ -6,34 +6,34 @@ from collections.abc import Callable
 from functools import partial
 
 from upright.errors import UnknownName
-from upright.identify.coordinates import PartModel
 from upright.identify.grey_box import calibrated
 from upright.identify.instrumental import instrumental
 from upright.identify.rebuilt import least_squares_part, total_least_squares
 from upright.identify.samples import Part
-from upright.identify.study import Fit, PartFit, Study, by_part
+from upright.identify.study import MethodFit, PartFit, Study, by_part
 from upright.identify.subspace import subspace
+from upright.physics.linear import LinearModel
 
-Identifier = Callable[[Study], Fit]
+Identifier = Callable[[Study], MethodFit]
 
 
 def _per_part(fit: PartFit) -> Identifier:
     return partial(by_part, fit)
 
 
-def _least_squares(part: Part, _study: Study) -> PartModel:
+def _least_squares(part: Part, _study: Study) -> LinearModel:
     return least_squares_part(part)
 
 
-def _total(part: Part, _study: Study) -> PartModel:
+def _total(part: Part, _study: Study) -> LinearModel:
     return total_least_squares(part)
 
 
-def _instrumental(part: Part, study: Study) -> PartModel:
+def _instrumental(part: Part, study: Study) -> LinearModel:
     return instrumental(part, study.orders[part.name].model)
 
 
-def _subspace(part: Part, study: Study) -> PartModel:
+def _subspace(part: Part, study: Study) -> LinearModel:
     order = study.orders[part.name]
     return subspace(part, order.chosen, order.past)
 

@@ -1,9 +1,9 @@
-"""How far a linear model foretells the part of a log that was held out, from a filter that is the same for all."""
+"""How well a linear model predicts the held-out part of a log, from the same Kalman filter for all models."""
 
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Sequence
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,72 +11,66 @@ from numpy.typing import NDArray
 from upright.control.kalman import filtered, process_noise, steady_kalman
 from upright.control.lqr import LARGEST_COMMAND
 from upright.errors import DesignFailed
-from upright.identify.coordinates import PartModel
 from upright.identify.identified import reading
-from upright.identify.samples import Part, Samples, by_name
+from upright.identify.samples import Part, Samples
+from upright.physics.linear import LinearModel
 
 Array = NDArray[np.float64]
 
 HORIZONS = (1, 10, 50)
 MOTOR = 0.3
-"""Process noise at the commands, as a share of the largest usual command: what `lqg` takes as well (Doyle and Stein
-1979), so that a filter trusts no model too much."""
+"""Process noise at the commands over the largest usual command: more than motors make, as for `lqg` (Doyle and Stein
+1979), so that the filter trusts no model too much."""
 BIAS_WALK = 1e-3  # [rad/s/√s] of the gyro's bias
-LOST = 10.0  # times the motion: errors beyond are of a model that has run away
-ADDED = (0.0, 1e-10, 1e-8)  # variance on every state that the Riccati equation of a badly scaled model is tried with
-_LEAST = 1e-12
+LOST = 10.0  # rms error over rms motion, beyond which the model has run away
+ADDED = (0.0, 1e-10, 1e-8)  # variance on every state, tried in turn where the Riccati equation is badly scaled
 
 
-def with_bias(part: Part, model: PartModel) -> tuple[Array, Array, Array]:
+def with_bias(part: Part, model: LinearModel) -> tuple[Array, Array, Array]:
     """A, b and C of a half, with the bias of a gyro as its last state."""
-    n = len(model.A) + ("gyro" in part.outputs)
-    A, b = np.eye(n), np.zeros(n)
-    A[: len(model.A), : len(model.A)], b[: len(model.A)] = model.A, model.b
-    C = np.zeros((len(part.outputs), n))
-    for row, name in enumerate(part.outputs):
-        C[row, : len(model.A)] = reading(name, model) if not part.states else _state(name, model)
-        C[row, -1] += name == "gyro"
+    n, m = len(model.A), len(part.outputs)
+    A, b = np.eye(n + ("gyro" in part.outputs)), np.zeros(n + ("gyro" in part.outputs))
+    A[:n, :n], b[:n] = model.A, model.B[:, 0]
+    C = np.zeros((m, len(A)))
+    C[:, :n] = [reading(name, model.states, known=part.states) for name in part.outputs]
+    C[:, -1] += [name == "gyro" for name in part.outputs]
     return A, b, C
 
 
-def _state(name: str, model: PartModel) -> Array:
-    return np.eye(len(model.states))[model.states.index(name)]
-
-
-def foretold(samples: Samples, models: Sequence[PartModel]) -> dict[str, dict[str, float]]:
+def prediction_fits(samples: Samples, halves: Mapping[str, LinearModel]) -> dict[str, dict[str, float]]:
     """Fit [%], 100 (1 − rms error / rms of the motion), h samples ahead on the held-out rows, by horizon and output.
 
-    Rates are compared themselves, angles by how far they moved in the h samples. NaN where the model runs away or has
-    no filter.
+    Rates are compared themselves, angles by their change over the h samples. NaN where the model runs away or has no
+    filter.
     """
-    parts, found = by_name(samples.parts), {str(h): dict[str, float]() for h in HORIZONS}
-    for model in models:
-        part = parts[model.name]
+    fits = {str(h): dict[str, float]() for h in HORIZONS}
+    for part in samples.parts:
         with contextlib.suppress(DesignFailed):
-            A, b, C = with_bias(part, model)
+            A, b, C = with_bias(part, halves[part.name])
             strength = MOTOR * LARGEST_COMMAND[samples.robot.command_unit]
-            W = process_noise(strength * b[:, None], _LEAST)
+            W = process_noise(strength * b[:, None], 1e-12)
             if "gyro" in part.outputs:
                 W[-1, -1] += BIAS_WALK**2 * part.dt
             _, L = steady_kalman(A, C, W, np.diag(part.trusted), ADDED)
             x, _ = filtered(A, C, L, part.y, np.outer(part.u, b), np.zeros(len(A)))
+            held = slice(samples.fitted, None)
             for h in HORIZONS:
-                found[str(h)] |= _fits(A, b, C, x, part, samples.fitted, h)
-    return found
+                fits[str(h)] |= _fits(A, b, C, x[held], part.cut(samples.fitted, len(part.y)), h)
+    return fits
 
 
-def _fits(A: Array, b: Array, C: Array, x: Array, part: Part, first: int, h: int) -> dict[str, float]:
-    starts = np.arange(first, len(part.y) - h)
+def _fits(A: Array, b: Array, C: Array, x: Array, part: Part, h: int) -> dict[str, float]:
+    starts = np.arange(len(part.y) - h)
     if len(starts) < 10:
         return {}
     ahead = x[starts]
     for i in range(h):
         ahead = ahead @ A.T + part.u[starts + i][:, None] * b
-    said, was, before = ahead @ C.T, part.y[starts + h], part.y[starts]
-    found: dict[str, float] = {}
+    predicted, actual, before = ahead @ C.T, part.y[starts + h], part.y[starts]
+    fits: dict[str, float] = {}
     for j, name in enumerate(part.outputs):
-        moved = was[:, j] - before[:, j] if name in ("wheel", "turn", "yaw") else was[:, j] - was[:, j].mean()
+        moved = actual[:, j] - (before[:, j] if name in ("wheel", "turn", "yaw") else actual[:, j].mean())
         scale = float(np.sqrt(np.mean(moved**2)))
-        error = float(np.sqrt(np.mean((said[:, j] - was[:, j]) ** 2)))
-        found[name] = 100 * (1 - error / scale) if scale > 0 and error < LOST * scale else float("nan")
-    return found
+        error = float(np.sqrt(np.mean((predicted[:, j] - actual[:, j]) ** 2)))
+        fits[name] = 100 * (1 - error / scale) if scale > 0 and error < LOST * scale else float("nan")
+    return fits

@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidModel
-from upright.identify.coordinates import PHYSICAL, PartModel
+from upright.identify.coordinates import PHYSICAL, half_model
 from upright.identify.samples import Part
+from upright.physics.linear import LinearModel
 
 Array = NDArray[np.float64]
 
@@ -34,7 +35,7 @@ def rebuilt(part: Part) -> Array:
     return np.column_stack([pitch, rate, wheel, _difference(wheel, part.dt)])
 
 
-def least_squares_part(part: Part) -> PartModel:
+def least_squares_part(part: Part) -> LinearModel:
     """x⁺ = A x + b u + a constant by ordinary least squares (Herrera et al. 2015, eq. 33)."""
     x = rebuilt(part)
     X = np.column_stack([x[:-1], part.u[:-1], np.ones(len(x) - 1)])
@@ -46,10 +47,10 @@ def least_squares_part(part: Part) -> PartModel:
         )  # fmt: skip
     P = scaled / _size(X)[:, None]
     n = x.shape[1]
-    return PartModel(part.name, P[:n].T, P[n], PHYSICAL[part.name], part.dt)
+    return half_model(part.name, P[:n].T, P[n], part.dt)
 
 
-def total_least_squares(part: Part) -> PartModel:
+def total_least_squares(part: Part) -> LinearModel:
     """The same model with errors in all states, of the covariance that the kit's sensors give them (Van Huffel and
     Vandewalle 1991, chapter 10); command and constant are exact.
 
@@ -73,13 +74,13 @@ def total_least_squares(part: Part) -> PartModel:
     P = -np.linalg.solve(vectors[n:].T, vectors[:n].T).T
     Q = np.linalg.lstsq(exact, noisy[:, n:] - noisy[:, :n] @ P, rcond=None)[0]
     A, b = _kinematics(names, used, moved, P, Q[0], part.dt)
-    return PartModel(part.name, A, b, names, part.dt)
+    return half_model(part.name, A, b, part.dt)
 
 
 def _kinematics(
     names: tuple[str, ...], used: list[int], moved: list[int], P: Array, b: Array, dt: float
 ) -> tuple[Array, Array]:
-    """A and b: the rates' rows as found, pitch⁺ = pitch + dt · rate, other angles⁺ = angle + dt · rate⁺."""
+    """A and b: the rates' rows as result, pitch⁺ = pitch + dt · rate, other angles⁺ = angle + dt · rate⁺."""
     A, enters = np.eye(len(names)), np.zeros(len(names))
     for column, i in enumerate(moved):
         A[i] = 0.0

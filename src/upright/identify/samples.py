@@ -1,21 +1,21 @@
 """A log as the linear methods take it: both halves of a symmetric robot on an even clock, in the robot's own time.
 
-A robot that is the same on both sides moves in two halves that know nothing of each other: the mean command moves pitch
-and wheels, the difference of the commands turns it. Each half is one set of outputs, of which the last is an angle that
-drives nothing on a level floor. A reading that comes `late` periods after its command is read that much earlier.
+A robot that is the same on both sides has two decoupled halves: the mean command moves pitch and wheels, the difference
+of the commands turns it. Each half is one set of outputs, of which the last is an angle that drives nothing on a level
+floor. The delay of a reading, in whole periods, is taken out.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidLog, UnknownName
-from upright.identify.arx import Answer, arx, first_answer
+from upright.identify.arx import FirstResponse, arx, first_response
 from upright.logs.recording import one_encoder
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log
@@ -23,29 +23,26 @@ from upright.signals import Log
 Array = NDArray[np.float64]
 
 SOURCES = ("sensors", "states")
-FEWEST = 300
-"""Samples below which no dynamic model is fitted: a past of some 15 periods alone asks for 50 numbers an output."""
+FEWEST = 300  # samples for a dynamic model: a past of some 15 periods alone has 50 parameters for each output
 SURE = 5.0
-"""t-value of the largest answer to an unforeseen command below which a log counts as not excited; of forty t-values of
-noise one in a hundred thousand logs has one as large."""
-QUIET = 4.0
-"""Steps of the gyro (rms) below which its errors are as large as the motion, for `calibrate` as well."""
-UNEVEN = 0.25  # of a period: a step longer or shorter by this is not the clock that the models assume
-MOST_UNEVEN = 0.05  # share of such steps from which an even clock is no description of the log
-LONGEST = 20  # periods that a command may be on its way
-READ = 0.5
-"""Share of what readings leave unexplained of a command below which a pitch estimate counts as what feedback reads."""
-ROUNDING = 0.1
-"""Periods by which a measured lag may be short of a whole one: a reading taken too late would answer the future."""
+"""t-value of the largest response to an unpredicted command below which a log counts as not excited; one in a hundred
+thousand logs of noise has one as large among forty."""
+QUIET = 4.0  # steps of the gyro (rms) below which its errors are as large as the motion, for `calibrate` as well
+UNEVEN = 0.25  # of a period, by which an uneven step differs from it
+MOST_UNEVEN = 0.05  # fraction of uneven steps from which the models' clock does not hold
+LONGEST = 20  # periods of the longest dead time
+READ = 0.5  # a pitch estimate is an output where it leaves less than this of the commands' unpredicted variance
+ROUNDING = 0.1  # periods by which a lag may be short of a whole one: a reading must not answer a future command
+TRUSTED = 0.1  # least variance that a filter takes for a reading, over what its past leaves unexplained
 STATES = {"pitch": ("pitch", "pitch_rate", "wheel_rate", "wheel"), "yaw": ("yaw_rate", "yaw")}
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Part:
-    """One half: `outputs` y (n, outputs) answer the command u (n,), `late` periods after it (taken out of y).
+    """One half: `outputs` y (n, outputs) respond to the command u (n,), with `delays` in periods (taken out of y).
 
     Outputs are "gyro", "pitch" (an estimate), "wheel" (relative to the body), "turn"; or states, where those are known.
-    `noise` is the variance of each output as the kit has it, `trusted` the one that a filter counts with.
+    `noise` is the variance of each output by the kit, `trusted` the one that a filter takes.
     """
 
     name: str
@@ -53,7 +50,7 @@ class Part:
     y: Array
     u: Array
     dt: float
-    late: tuple[int, ...]
+    delays: tuple[int, ...]
     noise: tuple[float, ...]
     states: bool = False
     trusted: tuple[float, ...] = ()
@@ -63,11 +60,11 @@ class Part:
         return replace(self, y=self.y[first:last], u=self.u[first:last])
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Samples:
-    """The halves of `robot` that the log moves; `fitted` counts the rows that are fitted, the rest are held out.
+    """The halves of `robot` that the log moves; the first `fitted` rows are fitted, the rest are held out.
 
-    `sent` is how many periods a command took to become the applied one that the models take for their input.
+    `sent` counts the periods from a command to the applied one, which is the models' input.
     """
 
     parts: tuple[Part, ...]
@@ -79,7 +76,7 @@ class Samples:
     source: str
     log: Log
     notes: tuple[str, ...] = ()
-    held_out: float = field(default=0.25)
+    held_out: float = 0.25
 
     def training(self) -> tuple[Part, ...]:
         """The fitted rows of every half."""
@@ -92,13 +89,13 @@ def samples(
 ) -> Samples:  # fmt: skip
     """`log` of `robot` under `kit` (default: the robot's own), from "sensors" or from the true "states" of a twin.
 
-    `delay` [s] is the dead time from a command to every sensor; without it, it is read off the answers to unforeseen
+    `delay` [s] is the dead time from a command to every sensor, by default that of the responses to unpredicted
     commands. Raises `InvalidLog` for a log that is too short, not even in time, not excited, or of another robot.
     """
     if source not in SOURCES:
         raise UnknownName("source", source, SOURCES)
     if not 0 <= held_out < 0.9:
-        raise InvalidLog(f"a held-out share of {held_out:g}", expected="between 0 and 0.9")
+        raise InvalidLog(f"a held-out fraction of {held_out:g}", expected="between 0 and 0.9")
     parts_of_robot = kit or Kit.preset(robot.kit)
     prefix, commands = _commands(log, robot)
     notes = _clock(log)
@@ -110,33 +107,34 @@ def samples(
     sent = _sent(log) if prefix == "applied" else 0
     fitted = round(rows * (1 - held_out))
     return Samples(
-        tuple(ready), robot, parts_of_robot, log.period, fitted, sent, source, log, tuple(notes), held_out
+        parts=tuple(ready), robot=robot, kit=parts_of_robot, dt=log.period, fitted=fitted, sent=sent, source=source,
+        log=log, notes=tuple(notes), held_out=held_out,
     )  # fmt: skip
 
 
 def _ready(halves: Sequence[Part], log: Log, kit: Kit, known: int | None, notes: list[str]) -> list[Part]:
-    """The halves in the robot's time; a turn that no command makes is left out, and `notes` say so."""
+    """The halves in the robot's time; a yaw that no command drives is left out, with a line in `notes`."""
     ready: list[Part] = []
     for half in halves:
         if half.states:
-            ready.append(_undelayed(half, half.late))
+            ready.append(_undelayed(half, half.delays))
             continue
-        answers = first_answer(half.y, half.u, LONGEST)
-        sure = max(answer.strength for answer in answers) >= SURE
+        responses = first_response(half.y, half.u, LONGEST)
+        sure = max(response.strength for response in responses) >= SURE
         if half.name == "yaw" and not sure:
-            notes.append("The log does not turn the robot by commands, so that the model has no yaw.")
+            notes.append("The commands of this log do not turn the robot: the model has no yaw.")
         elif known is not None:
-            ready.append(_undelayed(half, (known,) * len(answers)))
+            ready.append(_undelayed(half, (known,) * len(responses)))
         elif half.name == "yaw":  # read from the same encoders as the wheels
-            ready.append(_undelayed(half, ready[0].late[-1:]))
+            ready.append(_undelayed(half, ready[0].delays[-1:]))
         elif sure:
-            ready.append(_undelayed(half, _late(answers, log)))
+            ready.append(_undelayed(half, _delays(responses, log)))
         else:
             notes.append(
-                f"Nothing answers an unforeseen command: dead times are those of the kit '{kit.name}', and what "
-                "regressions say of such a log is uncertain."
+                f"No output responds to unpredicted commands: dead times are those of the kit '{kit.name}', and the "
+                "results of regressions are uncertain."
             )
-            ready.append(_undelayed(half, _late_of_kit(half, kit)))
+            ready.append(_undelayed(half, _kit_delays(half, kit)))
     return ready
 
 
@@ -165,11 +163,11 @@ def _clock(log: Log) -> list[str]:
     off = np.abs(np.diff(log.t) / log.period - 1) > UNEVEN
     if off.mean() > MOST_UNEVEN:
         raise InvalidLog(
-            f"{off.mean():.0%} of the steps are off the period of {log.period * 1e3:.3g} ms by a quarter",
+            f"{off.mean():.0%} of the steps differ from the period of {log.period * 1e3:.3g} ms by a quarter",
             expected="even steps", likely="lost or repeated rows", hint="`upright calibrate` takes any clock",
         )  # fmt: skip
     if off.any():
-        return [f"{int(off.sum())} steps are off the period by more than a quarter; they are taken for even."]
+        return [f"{int(off.sum())} steps differ from the period by more than a quarter; they are taken as even."]
     return []
 
 
@@ -182,36 +180,42 @@ def _from_sensors(log: Log, robot: Robot, kit: Kit, commands: Array) -> list[Par
     tilt = _whole(log, body)
     _check_moves(tilt, kit, body)
     first = "gyro" if body == "sensor/gyro" else "pitch"
+    u = _half_commands(commands)
     pitch = Part(
-        "pitch", (first, "wheel"), np.column_stack([tilt, (left + right) / 2]), commands.mean(axis=1), log.period,
-        (0, 0), (_variance(kit, body, tilt), encoder / 2),
+        name="pitch", outputs=(first, "wheel"), y=np.column_stack([tilt, (left + right) / 2]), u=u["pitch"],
+        dt=log.period, delays=(0, 0), noise=(_variance(kit, body, tilt), encoder / 2),
     )  # fmt: skip
     if first == "gyro" and "estimate/pitch" in log:
         pitch = _with_estimate(pitch, log["estimate/pitch"])
     if "sensor/encoder_left" in log and one_encoder(log):
         return [pitch]
-    share = robot.wheel_radius / robot.track
+    turn = robot.wheel_radius / robot.track
     yaw = Part(
-        "yaw", ("turn",), ((right - left) * share)[:, None], (commands[:, 1] - commands[:, 0]) / 2, log.period, (0,),
-        (2 * share**2 * encoder,),
+        name="yaw", outputs=("turn",), y=((right - left) * turn)[:, None], u=u["yaw"], dt=log.period, delays=(0,),
+        noise=(2 * turn**2 * encoder,),
     )  # fmt: skip
     return [pitch, yaw]
 
 
+def _half_commands(commands: Array) -> dict[str, Array]:
+    """The command of each half (n,)."""
+    return {"pitch": commands.mean(axis=1), "yaw": (commands[:, 1] - commands[:, 0]) / 2}
+
+
 def _with_estimate(part: Part, estimate: Array) -> Part:
-    """`part` with a pitch estimate as an output, if the feedback reads what only the estimate knows: commands that
-    follow from what is left out would say of the robot what they have from there."""
+    """`part` with a pitch estimate as an output, if feedback reads it: otherwise the commands would carry information
+    that no output has."""
     if not np.isfinite(estimate).all() or np.ptp(estimate) == 0:
         return part
     more = replace(
-        part, outputs=(part.outputs[0], "pitch", *part.outputs[1:]), late=(*part.late, 0),
+        part, outputs=(part.outputs[0], "pitch", *part.outputs[1:]), delays=(*part.delays, 0),
         y=np.column_stack([part.y[:, 0], estimate, part.y[:, 1:]]), noise=(part.noise[0], 1e-6, *part.noise[1:]),
     )  # fmt: skip
-    return more if _foretold_by(more) < READ * _foretold_by(part) else part
+    return more if _unpredicted(more) < READ * _unpredicted(part) else part
 
 
-def _foretold_by(part: Part, memory: int = 20) -> float:
-    """What a regression on the outputs, of now and before, leaves of the variance of the commands."""
+def _unpredicted(part: Part, memory: int = 20) -> float:
+    """The variance of the commands that a regression on present and past outputs leaves."""
     rows = np.arange(memory, len(part.u))
     columns = [part.y[rows - i] for i in range(memory + 1)] + [part.u[rows - i, None] for i in range(1, memory + 1)]
     X = np.column_stack([*columns, np.ones(len(rows))])
@@ -225,13 +229,16 @@ def _from_states(log: Log, commands: Array) -> list[Part]:
             f"the log has no true {missing[0].replace('_', ' ')}", expected="channels truth/…, as in a twin's log",
             hint="identify from its sensors",
         )  # fmt: skip
-    halves = {"pitch": commands.mean(axis=1), "yaw": (commands[:, 1] - commands[:, 0]) / 2}
-    made: list[Part] = []
-    for name, u in halves.items():
-        y = np.column_stack([log[f"truth/{state}"] for state in STATES[name]])
+    parts: list[Part] = []
+    for name, u in _half_commands(commands).items():
+        states = STATES[name]
+        y = np.column_stack([log[f"truth/{state}"] for state in states])
         if np.ptp(u) > 0:
-            made.append(Part(name, STATES[name], y, u, log.period, (0,) * y.shape[1], (1e-12,) * y.shape[1], True))
-    return made
+            zeros, noise = (0,) * len(states), (1e-12,) * len(states)
+            parts.append(
+                Part(name=name, outputs=states, y=y, u=u, dt=log.period, delays=zeros, noise=noise, states=True)
+            )
+    return parts
 
 
 def _wheel(log: Log, side: str) -> Array:
@@ -274,80 +281,75 @@ def _variance(kit: Kit, name: str, reading: Array) -> float:
     return max(known.noise**2 + known.quantum**2 / 12, min(grain, 1e-3) ** 2 / 12, 1e-12)
 
 
-def _late(answers: Sequence[Answer], log: Log) -> tuple[int, ...]:
-    """Whole periods after which each output answers a command: the surest by its answers, the others by the pendulum's
-    law, or by their own."""
-    surest = max(range(len(answers)), key=lambda i: answers[i].strength)
-    apart = _between(log)
-    if apart is None:
-        return tuple((a if a.strength >= SURE else answers[surest]).row - 1 for a in answers)
-    first, last = answers[surest].row - 1, len(answers) - 1
+def _delays(responses: Sequence[FirstResponse], log: Log) -> tuple[int, ...]:
+    """Whole periods after which each output responds to a command: the surest by its response, the others by the
+    pendulum's law, or by their own."""
+    surest = max(range(len(responses)), key=lambda i: responses[i].strength)
+    lag = _pitch_lag(log)
+    if lag is None:
+        return tuple((r if r.strength >= SURE else responses[surest]).row - 1 for r in responses)
+    first, last = responses[surest].row - 1, len(responses) - 1
     if surest == last:
-        return (*(_whole_periods(first + apart / log.period) for _ in range(last)), first)
-    return (*(first for _ in range(last)), _whole_periods(first - apart / log.period))
+        return (*(_whole_periods(first + lag / log.period) for _ in range(last)), first)
+    return (*(first for _ in range(last)), _whole_periods(first - lag / log.period))
 
 
-def _late_of_kit(part: Part, kit: Kit) -> tuple[int, ...]:
+def _kit_delays(part: Part, kit: Kit) -> tuple[int, ...]:
     channels = {"gyro": "sensor/gyro", "pitch": "sensor/gyro", "wheel": "sensor/encoder_left"}
-    late = [kit.delay + kit.sensors.get(channels[name], Sensor()).delay for name in part.outputs]
-    return tuple(_whole_periods(seconds / part.dt) for seconds in late)
+    delays = [kit.delay + kit.sensors.get(channels[name], Sensor()).delay for name in part.outputs]
+    return tuple(_whole_periods(seconds / part.dt) for seconds in delays)
 
 
-def _whole_periods(late: float) -> int:
-    return max(0, math.floor(late + ROUNDING))
+def _whole_periods(periods: float) -> int:
+    return max(0, math.floor(periods + ROUNDING))
 
 
 def _faster(log: Log) -> list[str]:
-    """What the doctor says of a controller that is faster than the log."""
+    """The doctor's finding of a controller that is faster than the log."""
     from upright.doctor.finding import Record
     from upright.doctor.rates import faster_controller
 
-    found = faster_controller(Record(log.t, _seen(log), dict(log.units)))
-    return [f"{finding.evidence[0].upper()}{finding.evidence[1:]}: {finding.repair}." for finding in found]
+    findings = faster_controller(Record(log.t, _measured(log), dict(log.units)))
+    return [f"{finding.evidence[0].upper()}{finding.evidence[1:]}: {finding.repair}." for finding in findings]
 
 
-def _seen(log: Log) -> dict[str, Array]:
-    """The channels that a built robot would have, with wheels' angles."""
+def _measured(log: Log) -> dict[str, Array]:
+    """The channels that a built robot would log, with wheel angles."""
     channels = {name: values for name, values in log.channels.items() if not name.startswith("truth/")}
     if "sensor/encoder_left" not in channels and "sensor/encoder_rate_left" in channels:
         channels |= {f"sensor/encoder_{side}": _wheel(log, side) for side in ("left", "right")}
     return channels
 
 
-def _between(log: Log) -> float | None:
-    """How much later [s] than the encoders the pitch is read, by the pendulum's law; None where that is unclear."""
+def _pitch_lag(log: Log) -> float | None:
+    """The delay [s] of the pitch behind the encoders, by the pendulum's law; None where that is unclear."""
     from upright.doctor.delays import CLEAR
     from upright.doctor.finding import Record
     from upright.doctor.physics import motion, pendulum
 
-    moved = motion(Record(log.t, _seen(log), dict(log.units)))
+    moved = motion(Record(log.t, _measured(log), dict(log.units)))
     if moved is None or moved.gyro is None:
         return None
     fit = pendulum(moved, moved.wheel)
     return fit.lag if fit.r2 > CLEAR and fit.values and fit.values[0] > 0 else None
 
 
-def _undelayed(part: Part, late: tuple[int, ...]) -> Part:
-    """`part` in the robot's time; no reading is trusted farther than to a tenth of what its past leaves unexplained."""
-    rows = len(part.y) - max(late)
-    y = np.column_stack([part.y[shift : shift + rows, i] for i, shift in enumerate(late)])
+def _undelayed(part: Part, delays: tuple[int, ...]) -> Part:
+    """`part` in the robot's time, with the variances that a filter takes (see `TRUSTED`)."""
+    rows = len(part.y) - max(delays)
+    y = np.column_stack([part.y[shift : shift + rows, i] for i, shift in enumerate(delays)])
     y[:, -1] -= y[0, -1]
     trusted = part.noise
     if not part.states:
         left = arx(y, part.u[:rows], 10).e.var(axis=0)
-        trusted = tuple(max(known, 0.1 * float(v)) for known, v in zip(part.noise, left, strict=True))
-    return replace(part, y=y, u=part.u[:rows], late=late, trusted=trusted)
+        trusted = tuple(max(known, TRUSTED * float(v)) for known, v in zip(part.noise, left, strict=True))
+    return replace(part, y=y, u=part.u[:rows], delays=delays, trusted=trusted)
 
 
 def _sent(log: Log) -> int:
-    """Periods from a command to the applied one, where the log has both: the shift under which they are most alike."""
+    """Periods from a command to the applied one, where the log has both: the shift of their least difference."""
     if "command/left" not in log:
         return 0
     asked, done = log["command/left"], log["applied/left"]
     apart = [float(np.mean((done[m:] - asked[: len(asked) - m]) ** 2)) for m in range(min(LONGEST, len(log) // 4))]
     return int(np.argmin(apart))
-
-
-def by_name(parts: tuple[Part, ...]) -> Mapping[str, Part]:
-    """The halves by their names."""
-    return {part.name: part for part in parts}

@@ -1,12 +1,13 @@
-"""One log under one method: the models of both halves, and how sure they are, from logs that might have been.
+"""One log under one method: the models of both halves, and their uncertainty from repeated logs.
 
-Every method is run again on logs of the loop of the subspace model and the law, whose pole is known because it was put
-in. The scatter of what the method says of them gives its 95 % intervals, the mean its bias.
+Every method is run again on simulated logs of the loop of the subspace model and the feedback law, whose pole is known.
+The scatter of the estimates gives the method's 95 % intervals, their mean its bias.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -14,21 +15,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.atomic import finite
 from upright.calibrate.calibration import Calibration
 from upright.errors import InvalidLog, InvalidModel
-from upright.identify.coordinates import PartModel, physical
-from upright.identify.joint import might_have_been
-from upright.identify.order import Order, choose_order
+from upright.identify.coordinates import growth_rate, physical
+from upright.identify.joint import repeated
+from upright.identify.order import OrderChoice, choose_order
 from upright.identify.samples import Part, Samples
+from upright.physics.linear import LinearModel
 
 Array = NDArray[np.float64]
 Progress = Callable[[float], None]
-PartFit = Callable[[Part, "Study"], PartModel]
+PartFit = Callable[[Part, "Study"], LinearModel]
 
-NORMAL = 1.96  # deviations that hold 95 % of a normal distribution
-QUARTILES = 1.349  # deviations of a normal distribution between its quartiles, which a few wild repetitions do not move
-FEWEST = 8
-"""Repetitions that must succeed before their scatter is called an interval."""
+NORMAL = 1.96  # deviations either side that hold 95 % of a normal distribution
+QUARTILES = 1.349  # deviations of a normal distribution between its quartiles, which a few outliers do not move
+MEDIAN_ERROR = 1.25  # standard error of a normal sample's median, over that of its mean
+FEWEST = 8  # repetitions that must succeed before their scatter is called an interval
 
 
 @dataclass(frozen=True)
@@ -37,11 +40,11 @@ class Pole:
     the standard error of that bias. `how` says where the interval comes from."""
 
     value: float
-    low: float
-    high: float
-    bias: float
-    bias_error: float
-    how: str
+    low: float = np.nan
+    high: float = np.nan
+    bias: float = np.nan
+    bias_error: float = np.nan
+    how: str = "none"
 
     @property
     def corrected(self) -> float:
@@ -49,17 +52,17 @@ class Pole:
         return self.value - self.bias
 
     def to_json(self) -> dict[str, Any]:
-        """Plain numbers; what is not known is null."""
+        """Plain numbers; unknown ones are null."""
         numbers = {name: getattr(self, name) for name in ("value", "low", "high", "bias", "bias_error", "corrected")}
-        return {**{n: float(v) if np.isfinite(v) else None for n, v in numbers.items()}, "how": self.how}
+        return {name: finite(value) for name, value in numbers.items()} | {"how": self.how}
 
 
 @dataclass(frozen=True, eq=False)
-class Fit:
-    """What a method says: a model of each half, the unstable pole, and one standard deviation of each entry of A and b
+class MethodFit:
+    """A method's result: a model of each half, the unstable pole, and one standard deviation of each entry of A and B
     by half (empty where there is no interval)."""
 
-    parts: tuple[PartModel, ...]
+    halves: Mapping[str, LinearModel]
     pole: Pole
     deviations: Mapping[str, tuple[Array, Array]] = field(default_factory=dict[str, tuple[Array, Array]])
     notes: tuple[str, ...] = ()
@@ -67,7 +70,7 @@ class Fit:
 
 @dataclass(frozen=True, eq=False)
 class Study:
-    """A log's `samples` with the order of each half, and `runs` logs that might have been, drawn from `seed`."""
+    """A log's `samples` with the `order` of pitch and wheels (None: by BIC), and `runs` repeated logs of a `seed`."""
 
     samples: Samples
     order: int | None = None
@@ -75,18 +78,18 @@ class Study:
     seed: int = 0
 
     @cached_property
-    def orders(self) -> Mapping[str, Order]:
-        """The order of each half; the one asked for is that of the pitch half."""
+    def orders(self) -> Mapping[str, OrderChoice]:
+        """The order of each half."""
         asked = {"pitch": self.order}
         return {part.name: choose_order(part, asked.get(part.name)) for part in self.samples.training()}
 
     @cached_property
     def again(self) -> Mapping[str, list[Part]]:
-        """For each half the logs that might have been; none where model and law make no stable loop."""
+        """The repeated logs of each half; none where model and law make no stable loop."""
         if self.runs < 1:
             return {}
         training = self.samples.training()
-        drawn = {p.name: might_have_been(p, self.orders[p.name].model, self.runs, self.seed) for p in training}
+        drawn = {p.name: repeated(p, self.orders[p.name].model, self.runs, self.seed) for p in training}
         return {name: parts for name, parts in drawn.items() if parts is not None}
 
     @cached_property
@@ -101,39 +104,36 @@ class Study:
 
     @property
     def known_pole(self) -> float:
-        """The pole [1/s] of the model behind those logs."""
+        """The pole [1/s] of the model behind the repeated logs."""
         part, model = self.samples.parts[0], self.orders["pitch"].model
-        return physical(part.name, part.outputs, model.A, model.b, model.C, part.dt).pole
+        return growth_rate(physical(part.name, model.plant))
 
 
-def by_part(fit: PartFit, study: Study) -> Fit:
-    """`fit` on both halves, and on the logs that might have been."""
-    training = study.samples.training()
-    models = tuple(fit(part, study) for part in training)
-    repeated = {part.name: _repeated(fit, study, part.name) for part in training}
+def by_part(fit: PartFit, study: Study) -> MethodFit:
+    """`fit` on both halves, and on the repeated logs."""
+    halves = {part.name: fit(part, study) for part in study.samples.training()}
+    several = {name: _repeated(fit, study, name) for name in halves}
     deviations = {
-        model.name: (_spread([m.A for m in same]), _spread([m.b for m in same]))
-        for model in models
-        if len(same := [m for m in repeated[model.name] if m.states == model.states]) >= FEWEST
+        name: (_spread([m.A for m in same]), _spread([m.B for m in same]))
+        for name, model in halves.items()
+        if len(same := [m for m in several[name] if m.states == model.states]) >= FEWEST
     }
-    pole = _pole(models[0], [m.pole for m in repeated["pitch"]], study)
-    tried = len(study.again.get("pitch", ()))
+    pole = _pole(halves["pitch"], [growth_rate(m) for m in several["pitch"]], study)
+    runs, models = len(study.again.get("pitch", ())), len(several["pitch"])
     notes: list[str] = []
-    if study.runs and not tried:
-        notes.append("No interval: the subspace model and the law of the log make no stable loop to repeat.")
-    elif len(repeated["pitch"]) < 0.9 * tried:
-        notes.append(f"On {tried - len(repeated['pitch'])} of {tried} repeated logs the method gave no model.")
-    return Fit(models, pole, deviations, tuple(notes))
+    if study.runs and not runs:
+        notes.append("No interval: the subspace model and the log's feedback law make no stable loop to repeat.")
+    elif models < 0.9 * runs:
+        notes.append(f"The method gave no model on {runs - models} of {runs} repeated logs.")
+    return MethodFit(halves, pole, deviations, tuple(notes))
 
 
-def _repeated(fit: PartFit, study: Study, name: str) -> list[PartModel]:
-    found: list[PartModel] = []
+def _repeated(fit: PartFit, study: Study, name: str) -> list[LinearModel]:
+    models: list[LinearModel] = []
     for part in study.again.get(name, ()):
-        try:
-            found.append(fit(part, study))
-        except (InvalidModel, np.linalg.LinAlgError):
-            continue
-    return found
+        with suppress(InvalidModel, np.linalg.LinAlgError):
+            models.append(fit(part, study))
+    return models
 
 
 def _spread(values: list[Array]) -> Array:
@@ -142,13 +142,12 @@ def _spread(values: list[Array]) -> Array:
     return np.asarray((high - low) / QUARTILES, dtype=np.float64)
 
 
-def _pole(model: PartModel, poles: list[float], study: Study) -> Pole:
-    value = model.pole
+def _pole(model: LinearModel, poles: list[float], study: Study) -> Pole:
+    value = growth_rate(model)
     if len(poles) < FEWEST:
-        return Pole(value, np.nan, np.nan, np.nan, np.nan, "none")
+        return Pole(value)
     low, middle, high = (float(v) for v in np.percentile(poles, [25, 50, 75]))
-    spread, bias = (high - low) / QUARTILES, middle - study.known_pole
-    how = f"scatter over {len(poles)} logs of the loop with its innovations drawn anew"
-    return Pole(
-        value, value - NORMAL * spread, value + NORMAL * spread, bias, 1.25 * spread / float(np.sqrt(len(poles))), how
-    )  # fmt: skip
+    spread = (high - low) / QUARTILES
+    error = MEDIAN_ERROR * spread / float(np.sqrt(len(poles)))
+    how = f"scatter over {len(poles)} repeated logs with new innovations"
+    return Pole(value, value - NORMAL * spread, value + NORMAL * spread, middle - study.known_pole, error, how)

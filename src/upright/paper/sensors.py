@@ -6,7 +6,7 @@ import math
 
 from upright.control.delay import rolling
 from upright.errors import UprightError
-from upright.identify.identify import Comparison, identify_all, study_of
+from upright.identify.identify import MethodComparison, identify_all, study_of
 from upright.paper.claim import BEYOND, Claim, Progress, silent
 from upright.physics.linear import unstable_pole
 from upright.report.identification import pole_table, trial_table
@@ -31,7 +31,7 @@ def chapter(robot: Robot, kit: Kit, log: Log, progress: Progress = silent) -> Cl
 TITLE = "The same sensors, other ways to the linear model"
 
 
-def _summary(compared: Comparison, true: float) -> str:
+def _summary(compared: MethodComparison, true: float) -> str:
     poles = {name: model.pole for name, model in compared.models.items()}
     inside = [name for name, pole in poles.items() if pole.low <= true <= pole.high]
     holding = [name for name, trial in compared.trials.items() if trial.holds]
@@ -53,7 +53,7 @@ def _listed(names: list[str]) -> str:
     return " and ".join([", ".join(names[:-1]), names[-1]]) if len(names) > 1 else "".join(names) or "no method"
 
 
-def _items(compared: Comparison) -> list[Item]:
+def _items(compared: MethodComparison) -> list[Item]:
     rows = [
         [name, *(model.fits["1"].get(output) for output in ("gyro", "wheel", "turn"))]
         for name, model in compared.models.items()
@@ -75,7 +75,7 @@ def _items(compared: Comparison) -> list[Item]:
     ]
 
 
-def _numbers(compared: Comparison, true: float) -> dict[str, object]:
+def _numbers(compared: MethodComparison, true: float) -> dict[str, object]:
     return {
         "true_unstable_pole": true,
         "poles": {name: model.pole.to_json() for name, model in compared.models.items()},
