@@ -12,7 +12,7 @@ from scipy.linalg import expm
 from upright.errors import InvalidModel, SpecMismatch
 from upright.physics import energy
 from upright.physics.dynamics import Disturbance, derivative
-from upright.physics.integrate import rk4_step
+from upright.physics.integrate import PREDICTED, SIMULATED, rk4_step, substeps
 from upright.physics.linear import LinearModel, delayed, linearise
 from upright.physics.sensing import readings, sensor_matrix, turn_ratio
 from upright.robots import Robot
@@ -201,3 +201,17 @@ def test_robot_is_frozen():
     with pytest.raises(AttributeError):
         NXT.track = 1.0  # type: ignore[misc]
     assert replace(NXT, track=0.2).track == 0.2
+
+
+@pytest.mark.parametrize(("limit", "error"), [(SIMULATED, 2.41e-4), (PREDICTED, 1.26e-3)])
+def test_a_step_at_its_limit_is_off_by_what_is_stated(limit, error):
+    # of ẋ = −x, one step against e^(−h); numbers are those of the series 1 − h + h²/2 − h³/6 + h⁴/24 by hand
+    (value,) = rk4_step(lambda x: (-x[0],), (1.0,), limit)
+    assert value - math.exp(-limit) == pytest.approx(error, rel=0.01)
+
+
+def test_substeps_keep_every_step_within_its_limit():
+    for period, fastest in ((0.01, 241.19), (0.001, 241.19), (0.1, 3.0), (0.01, 0.0)):
+        n = substeps(period, fastest)
+        assert fastest * period / n <= SIMULATED
+        assert n == 1 or fastest * period / (n - 1) > SIMULATED  # and no more of them than that takes

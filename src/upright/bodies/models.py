@@ -10,15 +10,13 @@ import numpy as np
 from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, checked_period, sample
 from upright.errors import InvalidModel
 from upright.physics.dynamics import CALM, MODELS, Disturbance, accelerations, derivative
-from upright.physics.integrate import rk4_step
+from upright.physics.integrate import rk4_step, substeps
 from upright.physics.linear import DISTURBANCES, LinearModel, linearise
 from upright.physics.sensing import readings
 from upright.robots import Robot
 from upright.signals.signal import SENSORS, STATE_NAMES, TRUTH
 
 CHANNELS = (*TRUTH, *SENSORS[:-1])  # all but the battery, which is the electronics'
-
-_STIFF = 0.5  # largest |pole|·h of a Runge–Kutta step: a tenth of a permille of error, far inside stability (2.78)
 
 
 class NonlinearBody:
@@ -33,7 +31,7 @@ class NonlinearBody:
         self.spec = _spec(f"{model} nonlinear model", robot, checked_period(period))
         self._model = model
         fastest = max(abs(linearise(robot, model=model).poles()))
-        self.substeps = max(1, math.ceil(fastest * period / _STIFF))
+        self.substeps = substeps(period, float(fastest))
         self.reset()
 
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (nothing here is random)

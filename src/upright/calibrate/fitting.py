@@ -19,6 +19,7 @@ from upright.calibrate.parameters import Parameter, columns
 from upright.calibrate.threads import CORES, side_by_side
 from upright.compiled.generated import LANES, Constants, constants
 from upright.logs.recording import SENSOR, Recording, reading_matrix
+from upright.physics.integrate import PREDICTED
 from upright.physics.linear import linearise
 from upright.robots import PARAMETERS, Robot
 
@@ -34,7 +35,6 @@ by less than a filter can know."""
 JITTER = "jitter"
 """Of the moments at which commands arrive, uniformly late by up to the kit's jitter: a variance [s²] that is not
 learnt."""
-STIFF = 0.7  # largest |pole| h of a Runge–Kutta step: an error of 0.1 % of the fastest, dying mode
 ROLLING = 0.004  # [s] longest step: within one a wheel's rate is taken for straight where dry friction stops it
 SLIDING = 0.001  # [s] the same for a robot known to have dry friction: its error is 0.03 % of the friction then
 NUDGE = 1e-4  # of the prior's deviation: central differences are right to 1e-8, and rounding stays below
@@ -104,7 +104,7 @@ class Problem:
     def __post_init__(self) -> None:
         fastest, shapes = _linear(self.robot)
         most = SLIDING if self.fine and self.robot.coulomb_friction else ROLLING
-        object.__setattr__(self, "longest", min(most, STIFF / max(1.0, fastest)))
+        object.__setattr__(self, "longest", min(most, PREDICTED / max(1.0, fastest)))
         object.__setattr__(self, "_shapes", shapes)
         object.__setattr__(self, "asked", tuple(p for p in self.parameters if not p.name.startswith(EQUATION)))
 

@@ -22,7 +22,7 @@ from upright.control.mpc import largest_command
 from upright.control.reach import largest_pitch, static_pitch
 from upright.errors import DesignFailed
 from upright.physics.dynamics import CALM, derivative, motor_damping, motor_gain
-from upright.physics.integrate import rk4_step
+from upright.physics.integrate import PREDICTED, rk4_step, substeps
 from upright.physics.linear import linearise
 from upright.robots import Kit, Robot
 
@@ -116,7 +116,7 @@ def _planned(robot: Robot, pitch: float, period: float, each: int, most: float) 
 def _ends(robot: Robot, pitch: float, period: float, commands: Array) -> Array:
     """Pitch, its rate and the wheels' rate (lanes, 3) after commands (lanes, n), from rest."""
     fastest = float(np.abs(linearise(robot).poles()).max())
-    steps = max(2, ceil(fastest * period / 0.7))
+    steps = max(2, substeps(period, fastest, PREDICTED))
     zero = np.zeros(len(commands))
     x: tuple[Any, ...] = (zero + pitch, *([zero] * 5))
     for u in commands.T:

@@ -21,7 +21,7 @@ from upright.bodies.electronics import drive
 from upright.calibrate.filter_log import FilteredLog, filter_log
 from upright.errors import InvalidLog
 from upright.physics.dynamics import Disturbance, derivative
-from upright.physics.integrate import rk4_step
+from upright.physics.integrate import PREDICTED, rk4_step, substeps
 from upright.physics.linear import linearise
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -42,7 +42,6 @@ INPUTS = ("left", "right", "force", "moment")
 
 _STEP = 1e-4  # [SI] of a finite difference: truncation and rounding both near 1e-8 of it
 _SPREAD_STEP = 0.01  # of its spread, by which a parameter is moved for a finite difference
-_STIFF = 0.7  # largest |pole| h of a Runge–Kutta step
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -186,7 +185,7 @@ def _flown(robot: Robot, p: Any, x: Array, u: Array, w: Array, spans: Array) -> 
     """States (lanes, n, 6) of parameters `p` after `spans` [s] under commands u (lanes, n, 2), forces and moments w
     (lanes, n, 2), in steps that are short enough for `robot`."""
     fastest = float(np.abs(linearise(robot).poles()).max())
-    steps = max(1, math.ceil(float(spans.max()) * fastest / _STIFF))
+    steps = substeps(float(spans.max()), fastest, PREDICTED)
     force = w[..., 0] + 1e-12  # a moment alone is a force of next to nothing, far up
     push = Disturbance(force, w[..., 1] / force)
     left, right = u[..., 0], u[..., 1]

@@ -21,6 +21,7 @@ from upright.errors import InvalidScenario, SpecMismatch
 from upright.kernel.batch import NAMES, FleetBatch, FleetResult, Rows
 from upright.kernel.work import Order, Outcome, run_piece
 from upright.physics.dynamics import derivative
+from upright.physics.integrate import substeps
 from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
@@ -28,7 +29,6 @@ Array = NDArray[np.float64]
 STATE = tuple(f"truth/{name}" for name in STATE_NAMES)
 FOREVER = (math.inf, math.inf, math.inf)
 
-_STIFF = 0.5  # largest |pole|·h, as in `bodies.models`
 _TINY = 1e-100
 
 PIECE = 8192
@@ -61,9 +61,9 @@ def simulate(
     Raises `InvalidScenario` for times that make no sense, `SpecMismatch` for channels that are not there.
     """
     stride, periods = _times(batch.period, batch.gains.period, seconds)
-    substeps = batch.substeps or substeps_for(batch.parameters, batch.model, batch.period)
+    steps = batch.substeps or substeps_for(batch.parameters, batch.model, batch.period)
     order = Order(
-        periods, stride, substeps, record, tuple(channels if record else ()), tuple(bands), np.dtype(dtype), brain
+        periods, stride, steps, record, tuple(channels if record else ()), tuple(bands), np.dtype(dtype), brain
     )
     out = Outcome.room(batch.n, order)
     workers = 1 if brain else max(1, threads or os.cpu_count() or 1)
@@ -101,7 +101,7 @@ def substeps_for(parameters: Array, model: str | Sequence[str], period: float) -
     p = SimpleNamespace(**dict(zip(NAMES, parameters.T, strict=True)))
     models = {model} if isinstance(model, str) else set(model)
     fastest = max(float(_fastest(p, name, len(parameters)).max()) for name in models)
-    return max(1, math.ceil(fastest * period / _STIFF))
+    return substeps(period, fastest)
 
 
 def _fastest(p: Any, model: str, n: int) -> Array:
