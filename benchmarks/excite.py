@@ -47,7 +47,7 @@ from upright.excite.loop import Loop
 from upright.excite.plan import ExcitationPlan
 from upright.excite.search import SWAY
 from upright.experiment import run
-from upright.fleet.results import clopper_pearson
+from upright.fleet.binomial import clopper_pearson
 from upright.kernel.batch import parameters_of
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Family, Uncertainty, read_posterior

@@ -31,7 +31,7 @@ from upright.cli.main import main
 from upright.control import LinearController, as_linear, controller_hash, make_controller, write_controller
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.experiment import run
-from upright.fleet.results import largest_share
+from upright.fleet.binomial import upper_bound
 from upright.report.certificate import page_of
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Uncertainty, deviations
@@ -59,14 +59,14 @@ def green() -> Certificate:
 
 def test_bound_is_clopper_and_pearsons() -> None:
     # Without a fall the bound is 1 − 0.05^(1/n) in closed form; "rule of three": about 3/n
-    assert math.isclose(largest_share(0, 1000), 1 - 0.05 ** (1 / 1000), rel_tol=1e-9)
-    assert largest_share(7, 7) == 1.0
+    assert math.isclose(upper_bound(0, 1000), 1 - 0.05 ** (1 / 1000), rel_tol=1e-9)
+    assert upper_bound(7, 7) == 1.0
 
 
 def test_bound_has_the_coverage_it_claims() -> None:
     # P(no more than k falls | p = bound) is 5 %, summed term by term
     for fell, samples in ((1, 100), (12, 1000), (300, 400)):
-        p = largest_share(fell, samples)
+        p = upper_bound(fell, samples)
         terms = (math.comb(samples, i) * p**i * (1 - p) ** (samples - i) for i in range(fell + 1))
         assert math.isclose(math.fsum(terms), 0.05, rel_tol=1e-6)
 

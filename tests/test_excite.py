@@ -23,7 +23,7 @@ from upright.excite.loop import Loop, perfect
 from upright.excite.plan import ExcitationPlan, Limits, read_plan
 from upright.excite.signals import band, signals, unit
 from upright.experiment import run
-from upright.fleet.results import clopper_pearson
+from upright.fleet.binomial import clopper_pearson
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.report.excitation import page_of
 from upright.robots import Kit, Robot

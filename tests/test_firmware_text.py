@@ -25,7 +25,7 @@ from upright.control import LinearController, controller_hash, write_controller
 from upright.errors import InvalidController, SpecMismatch, UnknownName
 from upright.firmware import TARGETS, generate, head, trace
 from upright.firmware.setup import FALLEN, TOO_FAR
-from upright.fleet.results import largest_share
+from upright.fleet.binomial import upper_bound
 from upright.robots import Kit, Robot
 
 PROGRAMS = {
@@ -274,7 +274,7 @@ def red_certificate() -> Certificate:
     linear = LinearMargins(0.9, 0.5, 2.0, 0.01)
     light, reasons = judge(100, 100, linear, trials, 0.01)
     facts = (ROBOT.name, NXT.name, "lqg", controller_hash(frozen()), 0.01, 0, 100, 100)
-    return Certificate(light, reasons, largest_share(100, 100), *facts, linear, trials)
+    return Certificate(light, reasons, upper_bound(100, 100), *facts, linear, trials)
 
 
 def test_a_red_certificate_is_refused_unless_somebody_insists(tmp_path: Path, capsys, monkeypatch):

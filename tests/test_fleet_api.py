@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import sys
 from xml.etree import ElementTree
 
 import numpy as np
@@ -19,9 +20,11 @@ from upright.errors import InvalidLog, InvalidScenario, UnknownName, UprightErro
 from upright.experiment import Drive, Hold, Impulse, Push, Slope, run
 from upright.experiment.pushes import combined
 from upright.fleet.basin import Axis, basin
+from upright.fleet.binomial import clopper_pearson
 from upright.fleet.ensemble import Ensemble, tables
+from upright.fleet.fleet import ensemble_of, fleet
 from upright.fleet.push_map import PushGrid, largest, push_map
-from upright.fleet.results import clopper_pearson, labelled, load, origin_of, save, summarise
+from upright.fleet.results import labelled, load, origin_of, save, summarise
 from upright.fleet.vary import variation, varied, with_number
 from upright.kernel.batch import parameters_of
 from upright.report.fleet import CIVIDIS, MapFigure, basin_figure, fleet_page, map_page, push_map_figures, shade
@@ -313,6 +316,28 @@ def test_pages_of_maps_are_well_formed(small_map, tmp_path):
     assert "N s" in map_page(data, figures, "Pushes", "Lead.").html()
     cut = basin(bare(seconds=1.0), Axis("pitch", -1.0, 1.0, 5), Axis("wheel", -1, 1, 3))
     ElementTree.fromstring(basin_figure(cut).svg())
+
+
+# The verbs
+
+
+def test_a_fleet_is_one_call_in_chunks_or_whole(monkeypatch):
+    pushes, calls = (Impulse(impulse=0.1),), []
+    monkeypatch.setattr(sys.modules["upright.fleet.fleet"], "CHUNK", 4)  # `upright.fleet` itself is the verb
+    result = fleet("nxtway-gs", 10, kit="nxt", vary={"com_height": "±10%"}, pushes=pushes, seconds=1.0, seed=3,
+                   progress=calls.append)  # fmt: skip
+    family = Family(ROBOT, NXT, variation("com_height=±10%", ROBOT))
+    lqr = make_controller("lqr", ROBOT, NXT, 0.01)
+    whole = Ensemble(family=family, controller=lqr, pushes=pushes, seconds=1.0, seed=3).run(range(10))
+    for name, values in whole.items():
+        np.testing.assert_array_equal(result.data[name].values, values)
+    assert calls == [0.4, 0.8, 1.0]
+
+
+def test_a_posterior_alone_varies_about_its_medians():
+    ensemble = ensemble_of(ROBOT, posterior=Uncertainty.joint(["com_height"], [0.07], [[1e-6]]))
+    assert ensemble.family.robot.com_height == 0.07  # as in a certificate
+    assert ensemble.family.names == ("com_height",)
 
 
 # The commands

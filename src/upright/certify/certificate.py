@@ -27,7 +27,7 @@ from upright.certify.margins import margins
 from upright.control import find_controller
 from upright.control.controller import Controller, controller_hash
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
-from upright.fleet.results import largest_share
+from upright.fleet.binomial import upper_bound
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
 from upright.robots import Kit, Robot, find_kit, find_robot
@@ -96,7 +96,7 @@ class Certificate(Shown):
 
     def check(self) -> tuple[str, ...]:
         """What does not follow from this certificate's own numbers; nothing where it may be trusted."""
-        bound = largest_share(self.fell, self.samples, CONFIDENCE)
+        bound = upper_bound(self.fell, self.samples, CONFIDENCE)
         light, reasons = judge(self.samples, self.fell, self.linear, self.trials, self.period, self.agreement)
         wrong = [f"the bound is {self.bound:g}, not {bound:g}"] if not math.isclose(bound, self.bound) else []
         wrong += [f"the light is {self.light}, not {light}"] if light != self.light else []
@@ -185,7 +185,7 @@ def certify(
     light, reasons = judge(len(family), count, linear, found, period, seen)
     late, slow = (f(course) if sweeps else () for f in (later, slower))
     return Certificate(
-        light, reasons, largest_share(count, len(family), CONFIDENCE), nominal.name, parts.name, design.spec.kind,
+        light, reasons, upper_bound(count, len(family), CONFIDENCE), nominal.name, parts.name, design.spec.kind,
         controller_hash(design), period, seed, len(family), count, linear, found, late, slow, seen,
     )  # fmt: skip
 
@@ -228,7 +228,7 @@ def judge(
     thin = _thin(linear, period) if linear else []
     if amber := disagreements(seen, AMBER) + thin + _laborious(found):
         return AMBER, tuple(amber[:2])
-    chance = _per_cent(largest_share(fell, samples, CONFIDENCE))
+    chance = _per_cent(upper_bound(fell, samples, CONFIDENCE))
     said = f"{fell} of {samples} robots fell: the chance is below {chance}"
     if linear is None:
         return GREEN, (said, "its linear margins are not known")
@@ -237,7 +237,7 @@ def judge(
 
 
 def _falls(samples: int, fell: int, found: Sequence[Trial]) -> list[str]:
-    bound = largest_share(fell, samples, CONFIDENCE)
+    bound = upper_bound(fell, samples, CONFIDENCE)
     if bound <= MOST_FALLS:
         return []
     worst = max(found, key=lambda t: t.fell)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from upright.control import Controller
 from upright.control.excited import Excited
 from upright.errors import InvalidScenario, SpecMismatch
-from upright.fleet.results import largest_share
+from upright.fleet.binomial import upper_bound
 from upright.tables import Shown
 
 Array = NDArray[np.float64]
@@ -57,7 +57,7 @@ class Checked:
     @property
     def bound(self) -> float:
         """What the chance of a fall stays below, with a confidence of 95 % (Clopper and Pearson 1934)."""
-        return largest_share(self.fell, self.samples, CONFIDENCE)
+        return upper_bound(self.fell, self.samples, CONFIDENCE)
 
     def broken(self, limits: Limits) -> list[str]:
         """Which limits are not kept, in words."""

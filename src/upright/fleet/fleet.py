@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from os import PathLike
 from typing import TYPE_CHECKING, Any
@@ -14,7 +14,7 @@ from upright.errors import InvalidScenario
 from upright.fleet.ensemble import Ensemble
 from upright.fleet.results import Summary, labelled, summarise
 from upright.fleet.sweep import electronics, find_controller
-from upright.fleet.vary import varied
+from upright.fleet.vary import Vary, varied
 from upright.robots import Kit, Robot, find_robot
 from upright.robots.uncertainty import Family, Uncertainty, find_posterior
 from upright.tables import Shown
@@ -45,18 +45,19 @@ def ensemble_of(
     controller: Controller | str = "lqr",
     kit: Kit | str | None = None,
     *,
-    vary: Sequence[str] = (),
+    vary: Vary = (),
     posterior: Uncertainty | str | PathLike[str] | None = None,
     **scenario: Any,
 ) -> Ensemble:
     """Robots like `robot` with `kit` (None: its own), all under one linear `controller`; each may be a name or a file.
 
-    `vary` names what differs from robot to robot, as in `com_height=±10%` or `spread`; a `posterior` draws the rest.
-    `scenario` is that of an `Ensemble`.
+    `vary` is what differs from robot to robot: {"com_height": "±10%"}, or "spread". A `posterior` is drawn beside it,
+    and its medians are the robot. `scenario` is that of an `Ensemble`.
     """
-    nominal = find_robot(robot)
+    nominal, unknown = find_robot(robot), find_posterior(posterior)
+    nominal = unknown.middle(nominal).replace(provenance=nominal.provenance) if unknown else nominal
     parts = kit if isinstance(kit, Kit) else electronics(kit or nominal.kit)
-    family = Family(nominal, parts, varied(vary, nominal, parts, find_posterior(posterior)))
+    family = Family(nominal, parts, varied(vary, nominal, parts, unknown))
     design = find_controller(controller, nominal, parts) if isinstance(controller, str) else controller
     return Ensemble(family=family, controller=design, **scenario)
 

@@ -9,13 +9,14 @@ import uuid
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.atomic import write_whole
 from upright.errors import InvalidLog, MissingTool, UprightError
+from upright.fleet.binomial import Interval, clopper_pearson
 from upright.fleet.ensemble import OUTCOMES, Ensemble, Index
 from upright.fleet.vary import kit_numbers
 from upright.robots import PARAMETERS, Kit
@@ -27,29 +28,6 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 _NOTE = b"upright-fleet"
-
-
-class Interval(NamedTuple):
-    """A share and the interval that holds the true one with the stated confidence."""
-
-    value: float
-    low: float
-    high: float
-
-
-def clopper_pearson(count: int, n: int, confidence: float = 0.95) -> Interval:
-    """The exact interval of a binomial share, `count` of `n` (Clopper and Pearson 1934)."""
-    from scipy.special import betaincinv
-
-    tail = (1 - confidence) / 2
-    low = float(betaincinv(count, n - count + 1, tail)) if count else 0.0
-    high = float(betaincinv(count + 1, n - count, 1 - tail)) if count < n else 1.0
-    return Interval(count / n, low, high)
-
-
-def largest_share(count: int, n: int, confidence: float = 0.95) -> float:
-    """What the true share stays below: p with P(no more than `count` of `n` | p) = 1 − `confidence`."""
-    return clopper_pearson(count, n, 2 * confidence - 1).high  # one-sided: all of what is left stands above
 
 
 @dataclass(frozen=True, repr=False)

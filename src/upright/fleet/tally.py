@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.fleet.binomial import Interval, clopper_pearson
 from upright.fleet.ensemble import OUTCOMES
-from upright.fleet.results import Interval, clopper_pearson
 
 Array = NDArray[np.float64]
 

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterable
+from collections.abc import Mapping, Sequence
 
 from upright.errors import InvalidScenario, UnknownName
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.robots.uncertainty import Spread, Uncertainty
 
+Vary = Mapping[str, str] | Sequence[str] | str
+"""{"com_height": "±10%", "delay": "0..0.01"}; the same as texts, "com_height=±10%"; or "spread"."""
 
-def varied(
-    texts: Iterable[str], robot: Robot, kit: Kit | None = None, posterior: Uncertainty | None = None
-) -> Uncertainty:
-    """What several `--vary` say together, beside a posterior."""
+
+def varied(vary: Vary, robot: Robot, kit: Kit | None = None, posterior: Uncertainty | None = None) -> Uncertainty:
+    """All that varies, beside a posterior and independent of it."""
+    texts = (vary,) if isinstance(vary, str) else vary
+    if isinstance(texts, Mapping):
+        texts = [f"{name}={text}" for name, text in texts.items()]
     return sum((variation(text, robot, kit) for text in texts), posterior or Uncertainty())
 
 

@@ -1,0 +1,28 @@
+"""What a count of falls says of their probability."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Interval(NamedTuple):
+    """A fraction, and the interval that holds the true one with the stated confidence."""
+
+    value: float
+    low: float
+    high: float
+
+
+def clopper_pearson(count: int, n: int, confidence: float = 0.95) -> Interval:
+    """The exact interval of a binomial probability, after `count` of `n` (Clopper and Pearson 1934)."""
+    from scipy.special import betaincinv
+
+    tail = (1 - confidence) / 2
+    low = float(betaincinv(count, n - count + 1, tail)) if count else 0.0
+    high = float(betaincinv(count + 1, n - count, 1 - tail)) if count < n else 1.0
+    return Interval(count / n, low, high)
+
+
+def upper_bound(count: int, n: int, confidence: float = 0.95) -> float:
+    """What the true probability stays below: p with P(no more than `count` of `n` | p) = 1 − `confidence`."""
+    return clopper_pearson(count, n, 2 * confidence - 1).high  # one-sided: all of what is left stands above
