@@ -27,7 +27,8 @@ from upright.experiment import Hold
 from upright.firmware import generate
 from upright.firmware.targets import COMPASS
 from upright.firmware.tools import ExecutionFailed
-from upright.flight.fly import Flight, FlightRefused, bring_home, fetch, fly
+from upright.flight.flight import Flight, FlightRefused
+from upright.flight.fly_nxt import fetch_log, fetch_nxt, fly_nxt
 from upright.flight.program_logs import read_brick_log
 from upright.links.brick import BrickLost, BrickRefused, Connection
 from upright.parity.execute_nxc import compile_nxc
@@ -187,7 +188,7 @@ def virtual(made: tuple[Path, Program]) -> Iterator[VirtualFlight]:
 @pytest.mark.needs("module:nxt")
 def test_a_flight_brings_its_log_home(made: tuple[Path, Program], virtual: VirtualFlight) -> None:
     virtual.line.until = 4.0
-    flight = fly(*made, virtual.path, 4.0, clock=virtual.clock)
+    flight = fly_nxt(*made, virtual.path, 4.0, clock=virtual.clock)
     assert flight.log is not None
     log, pitch = flight.log.log, flight.log.log["estimate/pitch"]
     assert flight.notes == []
@@ -209,7 +210,7 @@ def test_the_compass_steers_the_robot(tmp_path: Path, monkeypatch: pytest.Monkey
         bent = lambda: {**(raw := truly()), COMPASS: (raw[COMPASS] + 40 * (found.clock() > 1.5)) % 360}  # noqa: E731
         monkeypatch.setattr(world, "raw", bent)
         found.line.until = 4.0
-        flight = fly(source, made.program, found.path, 4.0, clock=found.clock)
+        flight = fly_nxt(source, made.program, found.path, 4.0, clock=found.clock)
         assert flight.notes == []
         assert not world.fallen
         if gain:
@@ -223,7 +224,7 @@ def test_a_pulled_cable_ends_with_the_motors_off_and_a_whole_log(tmp_path: Path,
     """Nobody touches the brick: its longest run ends it, and the next connection brings everything."""
     source, made = written(tmp_path, "nxc", seconds=3)
     virtual.line.until = 2.5
-    flight = fly(source, made.program, virtual.path, 3.0, pull_after(virtual, 2.0), virtual.clock)
+    flight = fly_nxt(source, made.program, virtual.path, 3.0, progress=pull_after(virtual, 2.0), clock=virtual.clock)
     assert flight.lost
     assert "does not answer" in flight.notes[0]
     assert "stops after 3 s at most" in flight.notes[0]
@@ -250,7 +251,7 @@ def test_who_fetches_the_log_of_a_program_that_still_runs_stops_it(
         while virtual.clock() < virtual.line.until:
             time.sleep(0.01)
     assert not motors_are_off(virtual)
-    found = fetch(made[1], virtual.path)
+    found = fetch_nxt(made[1], virtual.path)
     assert motors_are_off(virtual)
     assert found.notes == ["the program still ran; it was stopped"]
     assert found.log is not None
@@ -259,7 +260,7 @@ def test_who_fetches_the_log_of_a_program_that_still_runs_stops_it(
 
 @pytest.mark.needs("module:nxt")
 def test_its_button_ends_a_run_without_a_cable(made: tuple[Path, Program], virtual: VirtualFlight) -> None:
-    fly(*made, virtual.path, 30.0, pull_after(virtual, 2.0), virtual.clock)
+    fly_nxt(*made, virtual.path, 30.0, progress=pull_after(virtual, 2.0), clock=virtual.clock)
     press_button(virtual)
     assert motors_are_off(virtual)
     assert fetched(virtual, made[1]).log is not None
@@ -292,7 +293,7 @@ def test_what_is_not_ready_is_not_driven(
     else:
         monkeypatch.setattr("upright.bricks.lcp.FIRMWARE", (5, 1))
     with pytest.raises(FlightRefused, match=said):
-        fly(*made, virtual.path, 3.0, clock=virtual.clock)
+        fly_nxt(*made, virtual.path, 3.0, clock=virtual.clock)
     assert virtual.brick.machine is None
     assert motors_are_off(virtual)
 
@@ -306,17 +307,17 @@ def test_a_log_that_does_not_fit_is_said_before_the_start(tmp_path: Path, virtua
     flash.capacity = 50_000 + program
     flash.create("music.rso", 10_000)
     with pytest.raises(FlightRefused, match=r"6000 rows, 84200 bytes, and the brick has 40000 free") as caught:
-        fly(source, made.program, virtual.path, 1.0, clock=virtual.clock)
+        fly_nxt(source, made.program, virtual.path, 1.0, clock=virtual.clock)
     assert "\n" not in str(caught.value)
     assert "upright firmware --seconds 28" in str(caught.value)  # 28 s · 100 rows/s · 14 bytes + 200 = 39400
     assert virtual.brick.machine is None
     assert motors_are_off(virtual)
     flash.create(f"{ROBOT.name}.log", 39_400)
     with pytest.raises(FlightRefused, match="40000 free"):
-        fly(source, made.program, virtual.path, 1.0, clock=virtual.clock)
+        fly_nxt(source, made.program, virtual.path, 1.0, clock=virtual.clock)
     shorter, made = written(tmp_path, "nxc", seconds=28)
     virtual.line.until = 1.5
-    assert fly(shorter, made.program, virtual.path, 1.5, clock=virtual.clock).log is not None
+    assert fly_nxt(shorter, made.program, virtual.path, 1.5, clock=virtual.clock).log is not None
 
 
 def test_a_brick_that_is_not_there_is_one_line() -> None:
@@ -375,7 +376,7 @@ def test_a_log_of_another_controller_is_noted(made: tuple[Path, Program]) -> Non
             return HEAD + b"".join(struct.pack("<7h", 0, 0, 0, 0, 8000, 0, 0) for _ in range(3))
 
     flight = Flight()
-    bring_home(Brick(), made[1], flight)  # type: ignore[arg-type]
+    fetch_log(Brick(), made[1], flight)  # type: ignore[arg-type]
     assert "another controller" in flight.notes[0]
     assert flight.log is not None  # kept all the same
 
@@ -384,11 +385,11 @@ def test_text_that_does_not_compile_is_one_line(tmp_path: Path, made: tuple[Path
     source = tmp_path / "bad.nxc"
     source.write_text("task main() { nonsense }")
     with pytest.raises(ExecutionFailed, match="nbc cannot build"):
-        fly(source, made[1], "usb", 1.0)
+        fly_nxt(source, made[1], "usb", 1.0)
 
 
 def test_the_library_under_the_gpl_is_loaded_by_its_own_process_only() -> None:
-    code = "import sys, upright.flight.fly, upright.cli.fly; sys.exit('nxt' in sys.modules)"
+    code = "import sys, upright.flight.fly_nxt, upright.cli.fly; sys.exit('nxt' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 
@@ -410,7 +411,7 @@ def fetched(virtual: VirtualFlight, made: Program) -> Flight:
     """What a new connection to that brick brings home."""
     flight = Flight()
     with Line(virtual.brick) as line, Connection(line.path) as brick:
-        bring_home(brick, made, flight)
+        fetch_log(brick, made, flight)
     return flight
 
 

@@ -12,6 +12,7 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import suppress
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -26,9 +27,9 @@ from upright.control import CONTROLLERS
 from upright.errors import UprightError
 from upright.experiment import Hold
 from upright.firmware import generate
-from upright.flight.fly import Flight, FlightRefused
+from upright.flight.flight import Flight, FlightRefused
 from upright.flight.fly_hub import fetch_hub, fly_hub
-from upright.flight.follow import follow
+from upright.flight.follow import follow_hub
 from upright.flight.program_logs import read_lines
 from upright.links.hub import HubLost, HubRefused, linked
 from upright.robots import Kit, Robot
@@ -64,7 +65,7 @@ def flown(
     """A flight whose clock is the hub's; `after` is told that clock [s] while it flies."""
     hub.until = seconds
     watch = (lambda _: after(hub.seconds)) if after else None
-    return fly_hub(*made, hub, seconds, watch, lambda: hub.seconds, patience=PATIENCE)
+    return fly_hub(*made, hub, seconds, progress=watch, clock=lambda: hub.seconds, patience=PATIENCE)
 
 
 def at_rest(hub: VirtualHub) -> bool:
@@ -189,7 +190,7 @@ def test_a_hub_lost_while_it_tells_its_log_leaves_what_it_told(
     assert flight.lost
     assert flight.log is not None
     assert 80 < len(flight.log.log) < 200
-    assert "was lost while it told its log" in flight.notes[0]
+    assert "was lost while it sent its log" in flight.notes[0]
     assert any("rows did not arrive" in note for note in flight.notes)
     assert at_rest(hub)
 
@@ -231,7 +232,7 @@ def test_a_hub_that_is_not_ready_is_not_driven(
 @pytest.mark.parametrize("port", ["A", "B"])
 def test_a_motor_in_another_port_is_said(made: tuple[Path, Program], port: str) -> None:
     with virtual_hub(ROBOT, KIT, absent=[port]) as hub:
-        with pytest.raises(FlightRefused, match="not in the port where the program looks"):
+        with pytest.raises(FlightRefused, match="not in the port that the program uses"):
             flown(made, hub)
         assert at_rest(hub)
         assert not hub.world.released
@@ -243,7 +244,7 @@ def test_a_gyro_in_another_port_is_said(tmp_path: Path) -> None:
     source = tmp_path / "balance.py"
     source.write_text(firmware.text)
     with virtual_hub(ROBOT, kit, absent=["S2"]) as hub:
-        with pytest.raises(FlightRefused, match="not in the port where the program looks"):
+        with pytest.raises(FlightRefused, match="not in the port that the program uses"):
             flown((source, firmware.program), hub)
         assert at_rest(hub)
         assert not hub.world.released
@@ -367,7 +368,7 @@ def test_the_command_flies_a_hub_and_labels_the_twin(designed: Path, capsys: pyt
 
 @pytest.mark.parametrize(
     ("options", "said"),
-    [("--port usb", "expected ble, ble:NAME or virtual"), ("--fetch", "keeps nothing"), ("--seconds 0", "more than 0")],
+    [("--port usb", "expected ble, ble:NAME or virtual"), ("--fetch", "keeps no log"), ("--seconds 0", "more than 0")],
 )
 def test_what_cannot_be_flown_is_one_line(
     designed: Path, capsys: pytest.CaptureFixture[str], options: str, said: str
@@ -382,7 +383,7 @@ def test_the_exit_code_says_that_the_robot_was_lost(
     designed: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     lost = Flight(lost=True, notes=["the hub does not answer"])
-    monkeypatch.setattr("upright.flight.fly_hub.fly_hub", lambda *_, **__: lost)
+    monkeypatch.setattr(import_module("upright.flight.fly"), "fly_hub", lambda *_, **__: lost)
     assert main(shlex.split("fly balance.py controller.json --yes --port ble")) == LOST
     assert "does not answer" in capsys.readouterr().out
 
@@ -425,14 +426,16 @@ def test_a_hub_is_followed_from_its_button_to_its_end(made: tuple[Path, Program]
             hub.stop()
         return 0.0
 
-    follow(hub, lines.append, clock=clock, patience=PATIENCE)
+    follow_hub(hub, lines.append, clock=clock, patience=PATIENCE)
     assert len(read_lines(lines).log) > 90  # from the first second to the second
     assert at_rest(hub)
 
 
 def test_following_a_hub_out_of_reach_ends_in_one_line(made: tuple[Path, Program], hub: VirtualHub) -> None:
     with pytest.raises(HubLost, match="does not answer"):
-        follow(hub, lambda line: hub.cut(), made[0], 5.0, lambda: hub.seconds, patience=PATIENCE)
+        follow_hub(
+            hub, lambda line: hub.cut(), program=made[0], seconds=5.0, clock=lambda: hub.seconds, patience=PATIENCE
+        )
     hub.press()
     assert at_rest(hub)
 

@@ -65,7 +65,7 @@ def test_every_head_says_what_the_program_is():
             kit.name,
             "0.01 s",
         )
-    with pytest.raises(InvalidController, match="no program by upright"):
+    with pytest.raises(InvalidController, match="not a program by upright"):
         head("print('hello')\n")
 
 
@@ -249,7 +249,7 @@ def test_the_command_writes_what_it_says(tmp_path: Path, capsys, monkeypatch):
         ("firmware controller.json -t nxc --seconds 3601", "0 (no end) to 3600"),
         ("firmware controller.json -t nxc --seconds -1", "0 (no end) to 3600"),
         ("parity short.py controller.json", "stops by itself after 20 s"),
-        ("parity controller.json controller.json", "no program by upright"),
+        ("parity controller.json controller.json", "not a program by upright"),
         ("parity balance.py other.json", "another controller"),
         ("parity balance.py controller.json --chip avr", "no chip for ev3dev"),
     ],

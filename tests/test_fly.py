@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import io
 import sys
+from importlib import import_module
 from pathlib import Path
 
 import pytest
 
 from upright.cli.main import main
 from upright.control import controller_hash, read_controller
-from upright.flight.fly import Flight
+from upright.flight import Flight
 from upright.robots import Robot
 
 KITS = {"nxc": ("nxt", "balance.nxc", "/dev/rfcomm0"), "pybricks": ("spike", "balance.py", "ble:Hub")}
@@ -40,12 +41,13 @@ def flown(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The ports that were flown at: nothing is, in these tests."""
     ports = list[str]()
 
-    def pretend(source: Path, program: object, port: str, *rest: object) -> Flight:
+    def pretend(source: Path, program: object, port: str, seconds: float, **rest: object) -> Flight:
         ports.append(port)
         return Flight()
 
-    monkeypatch.setattr("upright.flight.fly.fly", pretend)
-    monkeypatch.setattr("upright.flight.fly_hub.fly_hub", pretend)
+    room = import_module("upright.flight.fly")
+    monkeypatch.setattr(room, "fly_nxt", pretend)
+    monkeypatch.setattr(room, "fly_hub", pretend)
     return ports
 
 

@@ -92,14 +92,14 @@ class PybricksBody:
             if hub.lost or not await hub.news(hub.patience):
                 raise HubLost(f"{hub.name} does not answer", likely="it is out of reach, or off", hint="come nearer")
             if not hub.running:
-                raise HubRefused(f"the program on {hub.name} ended: {' '.join(hub.heard[-1:]) or 'it said nothing'}")
+                raise HubRefused(f"the program on {hub.name} ended: {' '.join(hub.lines[-1:]) or 'without output'}")
 
     def _newest(self, hub: HubLink) -> list[int]:
         """The numbers of the newest whole reading that has come, nothing where none has; the older ones are late."""
-        lines, hub.heard = hub.heard, []
+        lines, hub.lines = hub.lines, []
         rows = [row for row in map(_row, lines) if row]
         if not rows:
-            hub.heard = [line for line in lines if line]  # its last words, perhaps
+            hub.lines = [line for line in lines if line]  # its last words, perhaps
             return []
         tick, *values = rows[-1]
         self.overruns, self._tick = self.overruns + tick - self._tick - 1, tick

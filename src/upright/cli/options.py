@@ -11,7 +11,7 @@ from typing import Annotated, Any
 
 import typer
 
-from upright.errors import InvalidController, InvalidScenario, UnknownName
+from upright.errors import InvalidScenario, UnknownName
 
 Names = Callable[[], Iterable[str]]
 
@@ -187,11 +187,3 @@ def push(text: str) -> Any:
     if kind.strip() not in kinds:
         raise UnknownName("push", kind.strip(), kinds)
     return programme(kinds[kind.strip()], rest, f"--push {kind.strip()}")
-
-
-def program_text(path: Path) -> str:
-    """The text of a program by upright firmware; raises `InvalidController` for a binary file."""
-    try:
-        return path.read_text(encoding="utf-8")
-    except UnicodeDecodeError:
-        raise InvalidController(f"{path} is not text", expected="a program by upright firmware") from None

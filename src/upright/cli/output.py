@@ -69,13 +69,17 @@ def progress(label: str) -> Generator[Callable[[float], None]]:
     from rich.console import Console
     from rich.progress import Progress
 
-    with Progress(console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task(label, total=1.0)
+    bar = Progress(console=Console(stderr=True), transient=True)
+    task = bar.add_task(label, total=1.0)
 
-        def show(fraction: float) -> None:
-            bar.update(task, completed=fraction)
+    def show(fraction: float) -> None:
+        bar.start()  # with the first fraction, since a command may ask before its work begins
+        bar.update(task, completed=fraction)
 
+    try:
         yield show
+    finally:
+        bar.stop()
 
 
 def _not_shown(fraction: float) -> None:

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from upright.cli.options import JsonOption
-from upright.cli.output import print_json, progress
+from upright.cli.output import finish, progress
 
 NOT_EQUAL = 3
 """Exit code of a program that does not do what was designed."""
@@ -37,9 +37,6 @@ def parity(
 
     with progress("running") as show:
         result = run_parity(program, controller, robot=robot, kit=kit, chip=chip, body=body, progress=show)
-    if as_json:
-        print_json(result.to_json())
-    else:
-        typer.echo(str(result))
+    finish(result, as_json)
     if not result.passed:
         raise typer.Exit(NOT_EQUAL)

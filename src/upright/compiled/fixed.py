@@ -48,20 +48,20 @@ def fractions(program: Program) -> dict[str, int]:
     """Bits of fraction of every variable; raises `InvalidController` for one that no word holds."""
     if not program.proven:
         raise InvalidController(
-            f"the memory of this {program.kind} grows without its robot", expected="a range that can be proven",
+            f"the memory of this {program.kind} grows without its robot", expected="a proven range",
             hint="use --number float",
         )  # fmt: skip
-    found = {v.name: _own(v) for v in program.variables.values()}
+    bits = {v.name: _own(v) for v in program.variables.values()}
     for block in program.blocks:
         for statement in block.statements:
             variable = program.variables[statement.target]
             if variable.kind is Kind.TEMPORARY and not variable.whole:
-                found[variable.name] = min(found[variable.name], _inherited(statement, found))
-    return found
+                bits[variable.name] = min(bits[variable.name], _inherited(statement, bits))
+    return bits
 
 
 def _own(variable: Variable) -> int:
-    """From the range: what is left of the word, or `INTERFACE` where others read it."""
+    """From the range: the rest of the word, or `INTERFACE` for inputs and outputs."""
     if not variable.most < 2.0**WORD - 1:
         raise InvalidController(
             f"{variable.name} reaches {variable.most:.3g} {variable.unit}", expected="less than 2³¹ for fixed point",
@@ -73,12 +73,12 @@ def _own(variable: Variable) -> int:
     return min(left, INTERFACE if variable.kind in (Kind.INPUT, Kind.OUTPUT) else FINEST)
 
 
-def _inherited(statement: Statement, found: Mapping[str, int]) -> int:
-    """What only selects or mirrors a word keeps its format."""
+def _inherited(statement: Statement, bits: Mapping[str, int]) -> int:
+    """A statement that only selects or mirrors a word keeps its format."""
     if isinstance(statement, Limit | Absolute):
-        return found[statement.value]
+        return bits[statement.value]
     if isinstance(statement, Choose):
-        return min((found[o] for o in (statement.then, statement.other) if isinstance(o, str)), default=FINEST)
+        return min((bits[o] for o in (statement.then, statement.other) if isinstance(o, str)), default=FINEST)
     return FINEST
 
 
@@ -110,24 +110,24 @@ def quantum(program: Program, bits: Mapping[str, int] | None = None) -> float:
     """What fixed point may add to a command at worst, in the command's unit, with the design given the same words:
     rounding of every sum and coefficient, carried through the memory by the l1 norm of its impulse response."""
     places = fractions(program) if bits is None else bits
-    names, seen, A = memory(program)
+    names, inner, A = memory(program)
     errors = _reading_errors(program, places)
     rows = {s.target: s for s in program.update.statements if isinstance(s, Sum)}
     made = np.array([_row_error(rows[f"next_{w}"], program, places, errors) for w in names])
-    for name, grown in zip(seen, (impulse_norm(A, np.eye(len(A))) @ made).tolist(), strict=True):
+    for name, grown in zip(inner, (impulse_norm(A, np.eye(len(A))) @ made).tolist(), strict=True):
         errors[name] += grown
     outputs = [s for s in program.command.statements if isinstance(s, Sum)]
-    after = {s.target: _row_error(s, program, places, errors) for s in outputs if s.target not in seen}
+    after = {s.target: _row_error(s, program, places, errors) for s in outputs if s.target not in inner}
     return max(error for name, error in after.items() if name.startswith("command_"))
 
 
 def memory(program: Program) -> tuple[list[str], list[str], Array]:
-    """The states of the law, what its rows read them as, and the matrix (n, n) of their motion without the robot."""
+    """The controller's states, the variables that its rows read for them, and their matrix (n, n) over one period."""
     names = [v.name for v in program.of(Kind.STATE) if v.name[0] == "w" and v.name[1:].isdigit()]
     rows = {s.target: s for s in program.update.statements if isinstance(s, Sum)}
-    seen = [f"z{name[1:]}" if f"z{name[1:]}" in program.variables else name for name in names]
-    A = np.array([[_coefficient(rows[f"next_{w}"], z) for z in seen] for w in names])
-    return names, seen, A.reshape(len(names), len(names))
+    inner = [f"z{name[1:]}" if f"z{name[1:]}" in program.variables else name for name in names]
+    A = np.array([[_coefficient(rows[f"next_{w}"], z) for z in inner] for w in names])
+    return names, inner, A.reshape(len(names), len(names))
 
 
 def _coefficient(row: Sum, name: str) -> float:
@@ -135,7 +135,7 @@ def _coefficient(row: Sum, name: str) -> float:
 
 
 def _reading_errors(program: Program, bits: Mapping[str, int]) -> dict[str, float]:
-    """What rounding does to each variable of one period whose memory was exact."""
+    """The rounding error of each variable in one period that begins with an exact memory."""
     errors = {v.name: 0.0 for v in (*program.of(Kind.INPUT), *program.of(Kind.STATE))}
     errors["gyro_offset"] = 2.0 ** -bits["gyro_offset"]
     for statement in program.command.statements:
@@ -146,12 +146,12 @@ def _reading_errors(program: Program, bits: Mapping[str, int]) -> dict[str, floa
             carried = max((errors[name] for name in operands(statement)), default=0.0)
             errors[target] = carried + 2.0 ** -bits[target]
         else:
-            errors[target] = 0.0  # from here on the design is told
+            errors[target] = 0.0  # from here on the design gets the program's own numbers
     return errors
 
 
 def _row_error(row: Sum, program: Program, bits: Mapping[str, int], errors: Mapping[str, float]) -> float:
-    """Of one sum: its own rounding, that of its coefficients over the whole ranges, and what its operands carry."""
+    """The error of one sum: its rounding, that of its coefficients over the whole ranges, and its operands' errors."""
     form = scaled(row, program, bits)
     fraction = form.shift + bits[row.target]
     factors = {n: f for f, n in form.terms}

@@ -1,4 +1,4 @@
-"""A program run as it stands, statement by statement in double precision: what every printed text must equal."""
+"""A program run statement by statement in double precision: the reference for every printed text."""
 
 from __future__ import annotations
 

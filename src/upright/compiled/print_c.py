@@ -43,14 +43,16 @@ class CPrinter(Printer):
 
     def fields(self, kind: Kind) -> list[str]:
         """The members of a structure, with units."""
-        found = self.program.of(kind)
+        members = self.program.of(kind)
         if kind is Kind.STATE:
-            found = [*found, *(self.program.variables[name] for name in self._order())]
-        return [f"{self.type} {v.name}; /* {self.note(v)} */" for v in found]
+            members += [self.program.variables[name] for name in self.program.carried()]
+        return [f"{self.type} {v.name}; /* {self.note(v)} */" for v in members]
 
     def starts(self) -> list[str]:
         """What sets every member of the state."""
-        members = [(v.name, v.start) for v in self.program.of(Kind.STATE)] + [(name, 0.0) for name in self._order()]
+        members = [(v.name, v.start) for v in self.program.of(Kind.STATE)] + [
+            (name, 0.0) for name in self.program.carried()
+        ]
         return [f"s->{name} = {self.number(start)};" for name, start in members]
 
     def note(self, variable: Variable) -> str:
@@ -61,6 +63,3 @@ class CPrinter(Printer):
         """Functions that the statements call."""
         t = self.type
         return f"static {t} limit({t} x, {t} low, {t} high)\n{{\n    return x < low ? low : x > high ? high : x;\n}}\n"
-
-    def _order(self) -> list[str]:
-        return self.program.carried()

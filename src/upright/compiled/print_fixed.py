@@ -23,7 +23,7 @@ from upright.compiled.program import (
 
 
 class FixedPrinter(CPrinter):
-    """Every word is an int32_t; where its binary point stands is said beside it."""
+    """Every word is an int32_t; a comment beside it gives its binary point."""
 
     def __init__(self, program: Program) -> None:
         super().__init__(program, "int32_t")
@@ -42,8 +42,8 @@ class FixedPrinter(CPrinter):
         return self.word(value, 0)
 
     def starts(self) -> list[str]:
-        found = [f"s->{v.name} = {self.word(v.start, self.bits[v.name])};" for v in self.program.of(Kind.STATE)]
-        return [*found, *(f"s->{name} = 0;" for name in self.program.carried())]
+        states = [f"s->{v.name} = {self.word(v.start, self.bits[v.name])};" for v in self.program.of(Kind.STATE)]
+        return [*states, *(f"s->{name} = 0;" for name in self.program.carried())]
 
     def commit(self, state: str, value: str) -> list[str]:
         return [f"{self.read(state)} = {self.moved(value, self.bits[state])};"]
@@ -84,7 +84,7 @@ class FixedPrinter(CPrinter):
                  for f, n in form.terms]  # fmt: skip
         parts += [(form.constant, f"{abs(form.constant)}")] if form.constant or not parts else []
         text = ("-" if parts[0][0] < 0 else "") + parts[0][1]
-        text += "".join(f" {'-' if f < 0 else '+'} {said}" for f, said in parts[1:])
+        text += "".join(f" {'-' if f < 0 else '+'} {part}" for f, part in parts[1:])
         if self._within(statement):
             return self._narrow(text, form.shift)
         bits, variable = self.bits[statement.target], self.program.variables[statement.target]

@@ -27,12 +27,12 @@ from upright.compiled.program import (
     Whole,
 )
 
-TERM = "term"  # what holds one product of a sum
+TERM = "term"  # the variable of one product of a sum
 LARGEST_POWER = 60  # of two: beyond it a constant is divided twice
 
 
 class NxcPrinter(Printer):
-    """Lines of assembler; constants are numbered as they turn up."""
+    """Lines of assembler; constants are numbered in their order of appearance."""
 
     def __init__(self, program: Program) -> None:
         super().__init__(program)
@@ -51,11 +51,15 @@ class NxcPrinter(Printer):
 
     def declarations(self) -> list[str]:
         """Every variable, one a line, with its unit."""
-        found = [f"float {v.name};  // [{v.unit}]" for v in self.program.variables.values()]
-        return [*found, f"float {TERM};", *(f"float {name};  // {value!r}" for value, name in self._constants.items())]
+        variables = [f"float {v.name};  // [{v.unit}]" for v in self.program.variables.values()]
+        return [
+            *variables,
+            f"float {TERM};",
+            *(f"float {name};  // {value!r}" for value, name in self._constants.items()),
+        ]
 
     def constants(self) -> list[str]:
-        """What gives every constant its exact value: mantissa over a power of two, both whole numbers."""
+        """Lines that give every constant its exact value: mantissa over a power of two, both whole numbers."""
         return [line for value, name in self._constants.items() for line in self._exact(name, value)]
 
     def starts(self) -> list[str]:

@@ -1,4 +1,4 @@
-"""Statements as lines of a language: what all languages share, and what each says its own way."""
+"""Statements as lines of a language: the part that all languages share."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from upright.compiled.program import (
 
 
 class Printer:
-    """Lines of one language for the blocks of a program; a language overrides what it says differently."""
+    """Lines of one language for the blocks of a program; a language overrides what differs."""
 
     end = ";"
 
@@ -42,8 +42,8 @@ class Printer:
 
     def lines(self, block: Block) -> list[str]:
         """Every statement, then the states' next values."""
-        found = [line for statement in block.statements for line in self.statement(statement)]
-        return [*found, *(line for state, value in block.commit for line in self.commit(state, value))]
+        lines = [line for statement in block.statements for line in self.statement(statement)]
+        return [*lines, *(line for state, value in block.commit for line in self.commit(state, value))]
 
     def commit(self, state: str, value: str) -> list[str]:
         return [f"{self.read(state)} = {self.read(value)}{self.end}"]

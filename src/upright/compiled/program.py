@@ -8,7 +8,7 @@ gives it its next value at the end of a block. There are no branches, loops or c
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass
 from enum import StrEnum
 from typing import Any
@@ -17,7 +17,7 @@ INFINITY = float("inf")
 
 
 class Kind(StrEnum):
-    """What a variable is for."""
+    """The role of a variable."""
 
     INPUT = "input"
     STATE = "state"
@@ -140,14 +140,14 @@ class Block:
         return {s.target for s in self.statements}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Program:
     """Three blocks over `variables`, and which robot, kit, controller (`kind`, `hash`) and target they were made for.
 
     `period` [s]; `channels` says which measured channel each raw input is, and `scales` its SI unit for one raw unit.
     `full` is the largest duty, 0 where the program commands in `command_unit` itself. `proven` is whether the ranges of
-    the memory follow from those of the readings; if not, the memory grows without the robot and is merely limited.
-    The memory is told what the motors got `lag` periods ago, when they begin to act on it.
+    the memory follow from those of the readings; if not, the memory grows without the robot and is only limited.
+    The applied command enters the memory `lag` periods later, when the motors begin to act on it.
     """
 
     robot: str
@@ -178,8 +178,8 @@ class Program:
 
     def carried(self) -> list[str]:
         """Temporaries of `command` that `update` reads: they live from one to the other, but not over a period."""
-        wanted = self.update.reads() & self.command.writes()
-        return [s.target for s in self.command.statements if s.target in wanted and not self.is_output(s.target)]
+        both = self.update.reads() & self.command.writes()
+        return [s.target for s in self.command.statements if s.target in both and not self.is_output(s.target)]
 
     def results(self) -> list[str]:
         """The outputs of a period in balance, in order."""
@@ -190,13 +190,13 @@ class Program:
         return self.variables[name].kind is Kind.OUTPUT
 
     def head(self) -> list[str]:
-        """What every generated text says first; `firmware.head` reads it back."""
+        """The first lines of every generated text; `firmware.head` reads them back."""
         facts = {"target": self.target, "robot": self.robot, "kit": self.kit, "controller": self.kind}
         facts |= {"hash": self.hash, "period": f"{self.period!r} s", "version": f"upright {self.version}"}
         return [f"{name}: {value}" for name, value in facts.items()]
 
     def operations(self) -> int:
-        """Multiplications and divisions of one period, for an idea of its cost."""
+        """Number of multiplications and divisions in one period."""
         return sum(map(_products, (*self.command.statements, *self.update.statements)))
 
     def to_json(self) -> dict[str, Any]:
@@ -217,12 +217,12 @@ class Program:
     def _listing(self, block: Block) -> Iterator[str]:
         for statement in block.statements:
             variable = self.variables[statement.target]
-            yield f"{statement.target} = {said(statement)}  # [{variable.unit}] in {_range(variable)}"
+            yield f"{statement.target} = {expression(statement)}  # [{variable.unit}] in {_range(variable)}"
         yield from (f"{state} <- {value}" for state, value in block.commit)
 
 
-def said(statement: Statement) -> str:  # noqa: PLR0911 (one for each kind of statement)
-    """The right side of a statement, in words that every reader of a formula knows."""
+def expression(statement: Statement) -> str:  # noqa: PLR0911 (one for each kind of statement)
+    """The right side of a statement as a formula."""
     match statement:
         case Sum(_, terms, constant, low, high):
             text = " + ".join([*(f"{c!r} {name}" for c, name in terms), *([repr(constant)] if constant else [])]) or "0"
@@ -254,7 +254,3 @@ def _plain(part: Statement | Variable) -> dict[str, Any]:
 
 def _range(variable: Variable) -> str:
     return f"[{variable.low:.6g}, {variable.high:.6g}]"
-
-
-def names(variables: Sequence[Variable]) -> list[str]:
-    return [v.name for v in variables]

@@ -1,4 +1,4 @@
-"""From formulas in Python to statements: numbers that write down what is done with them, and how far they can go."""
+"""From formulas in Python to statements: numbers that record the operations on them, and the ranges of the results."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ from upright.compiled.program import (
 from upright.errors import InvalidController
 
 NEGLIGIBLE = 2.0**-44
-"""A term is left out where it cannot reach this share of its sum: what designs leave there is rounding, 1e-14 or so."""
+"""A term is left out where it cannot reach this fraction of its sum: designs leave rounding of about 1e-14 there."""
 
 Interval = tuple[float, float]
 
 
 @dataclass(frozen=True)
 class Form:
-    """Σ coefficient · variable + constant, which sums and multiples of traced numbers are until they get a name."""
+    """Σ coefficient · variable + constant: sums and multiples of traced numbers, until they get a name."""
 
     terms: Mapping[str, float] = field(default_factory=dict)
     constant: float = 0.0
@@ -69,7 +69,7 @@ class Form:
 
 
 class Tracer:
-    """Writes down statements block by block, and with each the range that interval arithmetic proves for its result."""
+    """Records statements block by block, each with the range that interval arithmetic proves for its result."""
 
     def __init__(self) -> None:
         self.variables: dict[str, Variable] = {}
@@ -96,7 +96,7 @@ class Tracer:
         return self._new(name, unit, (max(low, -limit), min(high, limit)), _kind(output), whole)
 
     def claim(self, name: str, value: Form, unit: str, most: float) -> Form:
-        """A named sum that stays within ±most for a reason that interval arithmetic does not see."""
+        """A named sum that stays within ±most for a reason beyond interval arithmetic."""
         self._statements.append(Sum(name, self._kept(value), value.constant))
         return self._new(name, unit, (-most, most), Kind.TEMPORARY)
 
@@ -110,7 +110,7 @@ class Tracer:
         """number / below; raises `InvalidController` where the divisor may be zero."""
         under = self.variables[below.name]
         if under.low <= 0 <= under.high:
-            raise InvalidController(f"{name} divides by {under.name}, which may be zero", expected="a divisor above it")
+            raise InvalidController(f"{name} divides by {under.name}, which may be zero", expected="a positive one")
         ends = sorted((number / under.low, number / under.high))
         self._statements.append(Quotient(name, number, under.name))
         return self._new(name, unit, (ends[0], ends[1]), Kind.TEMPORARY)
@@ -153,10 +153,10 @@ class Tracer:
         self._commit.append((outer.name, inner.name))
 
     def block(self, name: str) -> Block:
-        """What was written down since the last block."""
-        found = Block(name, tuple(self._statements), tuple(self._commit))
+        """The statements since the last block."""
+        block = Block(name, tuple(self._statements), tuple(self._commit))
         self._statements, self._commit = [], []
-        return found
+        return block
 
     def _kept(self, form: Form) -> tuple[tuple[float, str], ...]:
         reach = {n: abs(c) * self.variables[n].most for n, c in form.terms.items()}
@@ -169,7 +169,7 @@ class Tracer:
         return min(ends), max(ends)
 
     def _new(self, name: str, unit: str, bounds: Interval, kind: Kind, whole: bool = False, start: float = 0.0) -> Form:
-        assert name not in self.variables, f"{name} is written down twice"
+        assert name not in self.variables, f"{name} is recorded twice"
         self.variables[name] = Variable(name, unit, kind, bounds[0], bounds[1], whole, start)
         return Form({name: 1.0})
 

@@ -97,13 +97,26 @@ def trace(
     _remember(t, w, [sum((_dot(M[i], v) for M, v in pairs), Form()) for i in range(len(w))], bounds is not None)
     _stop(t, setup, pitch, raw)
     update = t.block("update")
-    made_for = (robot.name, kit.name, linear.kind, controller_hash(controller), target)
-    units = {form.name: channel for channel, form in raw.items()}
+    channels = {form.name: channel for channel, form in raw.items()}
     return Program(
-        *made_for, linear.period, version("upright"), setup.driver.unit, setup.driver.full, bounds is not None,
-        setup.lag, units, {name: setup.raw(channel).scale for name, channel in units.items()}, t.variables,
-        at_start, command, update,
-    )  # fmt: skip
+        robot=robot.name,
+        kit=kit.name,
+        kind=linear.kind,
+        hash=controller_hash(controller),
+        target=target,
+        period=linear.period,
+        version=version("upright"),
+        command_unit=setup.driver.unit,
+        full=setup.driver.full,
+        proven=bounds is not None,
+        lag=setup.lag,
+        channels=channels,
+        scales={name: setup.raw(channel).scale for name, channel in channels.items()},
+        variables=t.variables,
+        calibrate=at_start,
+        command=command,
+        update=update,
+    )
 
 
 def _counted(t: Tracer, state: Form, index: int, row: Array, steps: list[Form | float]) -> Form:

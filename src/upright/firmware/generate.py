@@ -22,10 +22,10 @@ from upright.firmware.setup import STATUS, TIME_IS_OVER
 from upright.firmware.targets import find_target
 from upright.robots import Kit, Robot
 
-LONGEST_HEAD = 40  # lines in which the head of a program is looked for
-NXT_ROWS = 6000  # periods that an NXT keeps at most: 84 kB of the 130 kB that its firmware leaves
+LONGEST_HEAD = 40  # lines in which the head of a program is searched
+NXT_ROWS = 6000  # most periods in an NXT's log: 84 kB of the 130 kB that its firmware leaves
 SECONDS = 60  # [s] of the longest run: three times a usual flight, and an NXT's log holds all of it
-LONGEST = 3600  # [s] that can be asked for
+LONGEST = 3600  # [s] of the longest run, at most
 
 GYROS = {
     "prime": "GYRO_SIGN * hub.imu.angular_velocity(AXIS)",
@@ -40,7 +40,7 @@ GYROS = {
 class Firmware:
     """The `program` printed in `number` arithmetic: `files` by ending, the first of them the program itself.
 
-    `quantum` is what fixed point may add to a command at worst, in its unit; None for floats.
+    `quantum` bounds the error of a command by fixed point, in its unit; None for floats.
     """
 
     program: Program
@@ -79,9 +79,9 @@ def generate(
     """The program of `controller` for `robot` on `kit` as text for `target`.
 
     `number` is float, double or fixed where the target has a choice (C: float; `fixed` proves its ranges); `hub` says
-    what pybricks runs on; `reference` adds the wanted state as inputs of a C program. After `seconds` [s] (`SECONDS`;
-    0: never) a program stops its motors; C has no loop that could. Raises like `trace`, `InvalidController`, and
-    `UnknownName` for what a target does not offer.
+    what pybricks runs on; `reference` adds the reference state as inputs of a C program. After `seconds` [s]
+    (`SECONDS`; 0: never) a program stops its motors; C has no loop that could. Raises like `trace`,
+    `InvalidController`, and `UnknownName` for what a target does not offer.
     """
     place = find_target(target)
     arithmetic = number or place.numbers[0]
@@ -90,7 +90,7 @@ def generate(
     if hub not in GYROS:
         raise UnknownName("hub", hub, GYROS)
     if reference and not place.numeric:
-        raise InvalidController(f"a program for {target} only stands", expected="target c for one with a reference")
+        raise InvalidController(f"a program for {target} has no reference", expected="target c for that")
     longest = _longest(seconds, target)
     program = trace(controller, robot, kit, target, reference=reference)
     _check_period(program, place.suffix)
@@ -130,7 +130,7 @@ def _facts(program: Program, number: str, finest: float | None) -> dict[str, Any
         "period_ms": f"{program.period * 1e3:g}",
         "period_us": round(program.period * 1e6),
         "time_is_over": TIME_IS_OVER,
-        "statuses": ", ".join(f"{i} {said}" for i, said in enumerate(STATUS[:TIME_IS_OVER])),
+        "statuses": ", ".join(f"{i} {text}" for i, text in enumerate(STATUS[:TIME_IS_OVER])),
     }
 
 
@@ -191,21 +191,18 @@ def render(name: str, facts: Mapping[str, Any]) -> str:
 
 
 def head(text: str) -> dict[str, str]:
-    """What the first lines of a generated program say of it; `InvalidController` for any other text."""
+    """The facts in the first lines of a generated program; `InvalidController` for any other text."""
     lines = text.splitlines()[:LONGEST_HEAD]
-    found = [
-        re.fullmatch(r"\W*(target|robot|kit|controller|hash|period|version|number|quantum|hub|reference): (.+)", x)
-        for x in lines
-    ]
-    facts = {m[1]: m[2].strip() for m in found if m}
+    pattern = r"\W*(target|robot|kit|controller|hash|period|version|number|quantum|hub|reference): (.+)"
+    facts = {m[1]: m[2].strip() for m in (re.fullmatch(pattern, line) for line in lines) if m}
     if missing := [name for name in ("target", "robot", "kit", "hash", "number") if name not in facts]:
         raise InvalidController(
-            f"this is no program by upright: its head says no {missing[0]}", hint="generate it with upright firmware"
+            f"not a program by upright: its first lines lack {missing[0]}", hint="generate it with upright firmware"
         )
     return facts
 
 
 def longest_run(text: str) -> int:
-    """After how many seconds a program stops by itself, as its first constants say; 0 for one that does not."""
-    found = re.search(r"^(?:#define )?SECONDS\b[ =]+(\d+)", text, re.MULTILINE)
-    return int(found[1]) if found else 0
+    """Time [s] after which a program stops by itself, from its first constants; 0 for never."""
+    constant = re.search(r"^(?:#define )?SECONDS\b[ =]+(\d+)", text, re.MULTILINE)
+    return int(constant[1]) if constant else 0

@@ -12,20 +12,20 @@ from upright.robots import Kit
 
 BALANCING, FALLEN, STUCK, TOO_FAR, FLAT_BATTERY, TIME_IS_OVER = range(6)
 STATUS = ("balancing", "fallen", "motors at their limit", "too far away", "battery too low", "time is over")
-"""What the program's `status` says; anything but zero stops the motors. The last is the loop's own."""
+"""Meanings of the program's `status`; all but the first stop the motors. The last is set by the loop."""
 
 FALL_PITCH = 0.8  # [rad] from which no robot here has the torque to come back
 STUCK_TIME = 1.0  # [s] both motors at full duty, as when the robot lies or a wheel is held
 CALIBRATION_TIME = 1.0  # [s] over which the gyro's offset is averaged
-UNPROVEN = 1e6  # that a memory is kept within which grows without its robot: nothing that balances comes near
+UNPROVEN = 1e6  # limit of a memory that grows without its robot, far beyond any in balance
 FASTEST = 100.0  # [rad/s] of a wheel or a heading, several times what any motor here reaches
 TRAVEL = 1000.0  # [rad] of a wheel, the largest that the program follows
-GYRO_MARGIN = 1.5  # raw readings may exceed the range by the offset that is taken off them
+GYRO_MARGIN = 1.5  # largest raw reading over the gyro's range: room for the offset
 TILT_TIME = 5.0  # [s] in which a pitch from the gyro alone forgets its drift
-SPOKEN = 2.0  # commands beyond twice what the motors take say no more than that
+SPOKEN = 2.0  # limit of a command before the driver, over the motors' own
 LEAST_SCATTER = 0.002  # [rad/s] of a gyro without stated noise
 HEADING = 1000.0  # [rad] of turning that a compass is followed for
-UPSIDE_DOWN = 3.2  # [rad] no opinion of a pitch is worth more
+UPSIDE_DOWN = 3.2  # [rad] limit of an estimated pitch
 
 POSITIONS = (*ENCODERS, COMPASS)
 SIDES = ("left", "right")
@@ -35,7 +35,7 @@ REFERENCE_RANGE = (0.5, 5.0, 1000.0, 40.0, 1000.0, 20.0)  # in those units
 
 @dataclass(frozen=True)
 class Setup:
-    """What the steps of the trace share."""
+    """The common data of the trace's steps."""
 
     incremental: Incremental
     kit: Kit
@@ -56,7 +56,7 @@ class Setup:
 
     @property
     def typed(self) -> float:
-        """What the command is kept within before the driver limits it."""
+        """Limit of the command before the driver's."""
         return SPOKEN * self.strongest
 
     def raw(self, channel: str) -> Raw:

@@ -1,4 +1,4 @@
-"""What differs between targets before any text is written: raw units of their sensors and steps of their motors."""
+"""Targets: languages and bricks, the raw units of their sensors and the steps of their motors."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ class Driver:
 
 FINE = 1000  # steps of duty where the kit states none
 FLAT, FRESH = 0.6, 1.5
-"""Shares of its usual voltage below which no cell drives a motor well, and above which none charges."""
+"""Lowest and highest battery voltage over the kit's: of empty and of freshly charged cells."""
 
 
 def driver(robot: Robot, kit: Kit, target: Target) -> Driver:

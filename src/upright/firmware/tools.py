@@ -38,9 +38,9 @@ def tool(name: str) -> str:
 
 
 def run_tool(command: Sequence[str], what: str, cwd: Path | None = None) -> str:
-    """What the program printed; `ExecutionFailed` with its first complaint where it fails."""
+    """The tool's output; `ExecutionFailed` with its first error where it fails."""
     done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=cwd)
     if done.returncode:
-        said = [line for line in (done.stderr + done.stdout).splitlines() if "rror" in line] or ["no reason given"]
-        raise ExecutionFailed(f"{Path(command[0]).name} cannot build {what}: {said[0].strip()}")
+        errors = [line for line in (done.stderr + done.stdout).splitlines() if "rror" in line] or ["no reason given"]
+        raise ExecutionFailed(f"{Path(command[0]).name} cannot build {what}: {errors[0].strip()}")
     return done.stdout

@@ -1,166 +1,163 @@
-"""A flight: the program onto the brick, started, watched, stopped, and its log brought home, whatever goes wrong."""
+"""`fly`: a program onto a brick, a hub or its virtual stand-in, into balance, and its log home."""
 
 from __future__ import annotations
 
-import re
-import tempfile
-import time
-from collections.abc import Callable
-from contextlib import suppress
-from dataclasses import dataclass, field
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
-from upright.compiled.program import Program
+from upright.control.controller import Controller
+from upright.control.permit import Permit, permitted
 from upright.errors import UprightError
-from upright.firmware.generate import longest_run
-from upright.flight.program_logs import BRICK, BRICK_ROW, ProgramLog, read_brick_log
-from upright.links.brick import GYRO, GYRO_KIND, REST, BrickLost, BrickRefused, Connection
-from upright.parity.execute_nxc import compile_nxc
+from upright.experiment.pushes import PushProgramme
+from upright.firmware.generate import head
+from upright.firmware.program_file import ProgramFile, read_program, read_text
+from upright.flight.flight import Flight, Progress
+from upright.flight.fly_hub import fetch_hub, fly_hub
+from upright.flight.fly_nxt import fetch_nxt, fly_nxt
+from upright.flight.follow import VIRTUAL
+from upright.links.hub import AIR
+from upright.robots import Robot, find_robot
 
-FIRMWARE = ([1, 28], [1, 29], [1, 31], [1, 32])
-"""Versions that run what nbc makes for 1.28."""
-
-LEAST_BATTERY = 6000  # [mV] below which six cells hardly turn the motors
-GYRO_MARGIN = 150  # a resting gyro reads 600 within this; 1023 is an empty port
-LOG_HEAD = 200  # bytes of a log that are no rows, as the program opens it
-LOOK = 0.2  # [s] from one look at the program to the next
-STOPS = 3  # times that stopping is tried
+MOST_SECONDS = 600.0  # [s] of a flight
+HUB = "pybricks"  # the target of programs for hubs
+PORTS = {"nxc": "usb, a device such as /dev/rfcomm0, or virtual", HUB: "ble, ble:NAME or virtual"}
+BRICKS = {"nxc": "nxt", "prime": "spike", "technic": "technic", "ev3": "ev3", "nxt": "nxt"}
+"""Target or hub of a program → the name of its brick."""
+TWINS = {"nxc": "a virtual NXT brick with the twin round it", HUB: "a virtual hub with the twin round it"}
 
 
-class FlightRefused(UprightError):
-    """A robot that is not ready to be driven."""
+@dataclass(frozen=True, eq=False)
+class FlightPlan:
+    """A checked program, the `port` it goes to, and the `permit` of its controller in words."""
 
+    file: ProgramFile
+    port: str
+    permit: str = ""
 
-@dataclass
-class Flight:
-    """What came of it: the `log` where there is one, whether the line was `lost`, and `notes`, a line for everything
-    worth knowing."""
+    @property
+    def hub(self) -> bool:
+        return self.file.program.target == HUB
 
-    log: ProgramLog | None = None
-    lost: bool = False
-    notes: list[str] = field(default_factory=list[str])
+    @property
+    def where(self) -> str:
+        """The brick, real or virtual."""
+        return TWINS[self.file.program.target] if self.port == VIRTUAL else self.port
+
+    def __str__(self) -> str:
+        program, at = self.file.program, "" if self.port == VIRTUAL else "at "
+        return (
+            f"robot       {program.robot} on {program.kit}, {at}{self.where}\n"
+            f"controller  {program.kind} {program.hash[:12]}, every {program.period * 1e3:g} ms\n"
+            f"certificate {self.permit}"
+        )
 
 
 def fly(
-    source: Path,
-    program: Program,
-    port: str,
-    seconds: float,
-    progress: Callable[[float], None] | None = None,
-    clock: Callable[[], float] = time.monotonic,
-    where: str = BRICK,
+    program: str | Path,
+    controller: Controller | str | Path,
+    *,
+    robot: Robot | str | Path | None = None,
+    port: str = VIRTUAL,
+    certificate: Permit | str | Path | None = None,
+    anyway: bool = False,
+    seconds: float = 20.0,
+    pushes: Sequence[PushProgramme] = (),
+    seed: int = 0,
+    confirm: Callable[[FlightPlan], None] | None = None,
+    progress: Progress | None = None,
 ) -> Flight:
-    """Compile the NXC in `source`, upload it to the brick at `port`, let it drive for `seconds` [s] or until it ends.
+    """Upload a program to an NXT brick or a Pybricks hub, run it for `seconds` [s], and fetch its log.
 
-    `clock` [s] tells how long that is, `where` what the log says of its brick. The program is stopped however this
-    ends, Ctrl-C included; where the line is lost it cannot be, and the notes say so. Raises `FlightRefused`,
-    `BrickLost`, `BrickRefused`, `MissingTool` or `ExecutionFailed` where nothing was driven.
+    `robot` is a robot or a brick's name that the program must be made for. `port` is usb or a device for a brick, ble
+    or ble:NAME for a hub, or virtual: a simulated one, which `pushes` and the noise of `seed` disturb. `confirm` is
+    called with the plan before anything is started, and prevents the flight by raising.
+
+    Raises `UprightError` for what cannot be flown, `NotPermitted` for a certificate that refuses the controller without
+    `anyway`, and like `fly_nxt` or `fly_hub`.
     """
-    with tempfile.TemporaryDirectory(prefix="upright-") as folder:
-        binary = compile_nxc(source, Path(folder)).read_bytes()
-    flight, name = Flight(), f"{source.stem[:15]}.rxe"
-    with Connection(port) as brick:
-        ready(brick)
-        brick.upload(name, binary)
-        room(brick, source.read_text("utf-8"), program.period)
-        began = clock()
-        brick.ask("start", name=name)
-        try:
-            try:
-                _watch(brick, began + seconds, progress, clock)
-            finally:
-                with suppress(BrickLost, BrickRefused):
-                    _land(brick)
-            bring_home(brick, program, flight, where)
-        except BrickLost as error:
-            flight.lost = True
-            flight.notes.append(f"{error}; {alone(source)}, its log stays on the brick: upright fly --fetch")
+    if not (math.isfinite(seconds) and 0 < seconds <= MOST_SECONDS):
+        raise UprightError(f"a flight of {seconds:g} s", expected=f"more than 0 and at most {MOST_SECONDS:g} s")
+    if pushes and port != VIRTUAL:
+        raise UprightError("a real robot cannot be pushed by a number", expected=f"pushes at port {VIRTUAL} only")
+    file = _checked(program, controller, robot, port)
+    if file.longest and seconds > file.longest:
+        raise UprightError(
+            f"a flight of {seconds:g} s: {program} stops by itself after {file.longest} s",
+            expected=f"at most {file.longest}", hint=f"upright firmware --seconds {math.ceil(seconds)}",
+        )  # fmt: skip
+    plan = FlightPlan(file, port, permitted(file.controller, _certificate(certificate), anyway))
+    if confirm:
+        confirm(plan)
+    if port == VIRTUAL:
+        flight = _fly_virtual(plan, seconds, pushes, seed, progress)
+    else:
+        flight = (fly_hub if plan.hub else fly_nxt)(file.path, file.program, port, seconds, progress=progress)
+    return _labelled(flight, plan)
+
+
+def fetch(
+    program: str | Path,
+    controller: Controller | str | Path,
+    *,
+    port: str,
+    robot: Robot | str | Path | None = None,
+) -> Flight:
+    """Stop the program on the brick or hub at `port`, and fetch its log; nothing is started. Raises like `fly`."""
+    if port == VIRTUAL:
+        raise UprightError("a virtual brick keeps no log", expected="a real port to fetch from")
+    plan = FlightPlan(_checked(program, controller, robot, port), port)
+    return _labelled((fetch_hub if plan.hub else fetch_nxt)(plan.file.program, port), plan)
+
+
+def _checked(
+    program: str | Path, controller: Controller | str | Path, robot: Robot | str | Path | None, port: str
+) -> ProgramFile:
+    """Read a program; refuse one that is not flown from here, or made for another robot, brick or port."""
+    facts = head(read_text(program))
+    target = facts["target"]
+    if target not in PORTS:
+        raise UprightError(f"a program for {target} is not flown from here", expected=" or ".join(PORTS))
+    if port != VIRTUAL and (port.partition(":")[0] == AIR) != (target == HUB):
+        raise UprightError(f"port {port} for a {target} program", expected=PORTS[target])
+    brick, named = BRICKS[facts.get("hub", target)], robot in BRICKS.values()
+    chosen = find_robot(facts["robot"] if robot is None or named else robot)
+    if chosen.name != facts["robot"] or (named and robot != brick):
+        raise UprightError(
+            f"{program} was made for {facts['robot']} on the brick {brick}", expected=f"a program for {robot}",
+            hint="upright firmware makes one",
+        )  # fmt: skip
+    return read_program(program, controller, chosen)
+
+
+def _certificate(certificate: Permit | str | Path | None) -> Permit | None:
+    from upright.certify import read_certificate
+
+    return read_certificate(certificate) if isinstance(certificate, str | Path) else certificate
+
+
+def _labelled(flight: Flight, plan: FlightPlan) -> Flight:
+    program = plan.file.program
+    flight.robot, flight.hash, flight.port, flight.where = program.robot, program.hash, plan.port, plan.where
     return flight
 
 
-def fetch(program: Program, port: str) -> Flight:
-    """Bring home the log that the brick at `port` keeps; a program that still runs there is stopped first."""
-    flight = Flight()
-    with Connection(port) as brick:
-        if brick.ask("running"):
-            _land(brick)
-            flight.notes.append("the program still ran; it was stopped")
-        bring_home(brick, program, flight)
-    return flight
+def _fly_virtual(
+    plan: FlightPlan, seconds: float, pushes: Sequence[PushProgramme], seed: int, progress: Progress | None
+) -> Flight:
+    """The flight of a virtual brick or hub, whose time runs as fast as it can and not beyond the end."""
+    from upright.bricks.virtual_robot import virtual_flight, virtual_hub
 
-
-def ready(brick: Connection) -> None:
-    """Refuse a brick with another firmware, a flat battery, or no gyro where the program looks for it."""
-    version = brick.ask("firmware")
-    if version not in FIRMWARE:
-        raise FlightRefused(
-            f"the brick's firmware is {'.'.join(map(str, version))}", expected="enhanced firmware 1.28 or later",
-            hint="put it on the brick with BricxCC or NeXTTool",
-        )  # fmt: skip
-    if (battery := brick.ask("battery")) < LEAST_BATTERY:
-        raise FlightRefused(f"the battery gives {battery / 1000:.1f} V", expected="6 V at least", hint="fresh cells")
-    reads = brick.ask("sensor", port=GYRO, kind=GYRO_KIND)
-    if abs(reads - REST) > GYRO_MARGIN:
-        raise FlightRefused(
-            f"input {GYRO + 1} reads {reads}", expected=f"{REST} or so from a gyro at rest",
-            likely="the gyro is in another port, or the robot moves", hint=f"put it into port {GYRO + 1}, hold still",
-        )  # fmt: skip
-
-
-def room(brick: Connection, text: str, period: float) -> None:
-    """Refuse a brick whose flash has no room for the log that the program `text` opens; what a log of that name takes
-    counts as free, since the program deletes it."""
-    opened = re.search(r'CreateFile\("(.+)", (\d+),', text)
-    if opened is None:
-        return
-    name, needs, row = opened[1], int(opened[2]), 2 * BRICK_ROW
-    free = brick.ask("free") + sum(taken for found, taken in brick.ask("files") if found == name)
-    if free >= needs:
-        return
-    seconds = int((free - LOG_HEAD) // row * period)
-    shorter = f", or make one that drives shorter: upright firmware --seconds {seconds}" if seconds > 0 else ""
-    raise FlightRefused(
-        f"the program's log needs {(needs - LOG_HEAD) // row} rows, {needs} bytes, and the brick has {free} free",
-        likely="other files fill its flash", hint=f"delete files on it{shorter}",
-    )  # fmt: skip
-
-
-def bring_home(brick: Connection, program: Program, flight: Flight, where: str = BRICK) -> None:
-    """Fetch the log into `flight`; what is odd about it becomes a note."""
-    wanted = f"{program.robot}.log"
-    if wanted not in [name for name, _ in brick.ask("files")]:
-        flight.notes.append("the brick has no log: the program did not come to balance, or the flash was full")
-        return
-    keep(flight, read_brick_log(brick.fetch(wanted), where), program)
-
-
-def keep(flight: Flight, found: ProgramLog, program: Program) -> None:
-    """Put a log into `flight`, with a note for what is odd about it."""
-    flight.log = found
-    if found.head["hash"] != program.hash:
-        flight.notes.append(
-            f"the log is of another controller ({found.head['hash'][:12]}, not {program.hash[:12]}): an older flight's"
+    file, where = plan.file, plan.where
+    if plan.hub:
+        with virtual_hub(file.robot, file.kit, pushes, seed=seed) as hub:
+            hub.until = seconds
+            return fly_hub(
+                file.path, file.program, hub, seconds, progress=progress, clock=lambda: hub.seconds, where=where
+            )
+    with virtual_flight(file.robot, file.kit, pushes, seed=seed) as virtual:
+        virtual.line.until = seconds
+        return fly_nxt(
+            file.path, file.program, virtual.path, seconds, progress=progress, clock=virtual.clock, where=where
         )
-    flight.notes += found.flaws
-    if found.ended not in ("", "balancing"):
-        flight.notes.append(f"the program stopped by itself: {found.ended}")
-
-
-def alone(source: Path) -> str:
-    """What becomes of a program that nobody reaches."""
-    longest = longest_run(source.read_text("utf-8"))
-    return f"its program stops after {longest} s at most" if longest else "its program goes on until its button"
-
-
-def _watch(brick: Connection, end: float, progress: Callable[[float], None] | None, clock: Callable[[], float]) -> None:
-    began = clock()
-    while (now := clock()) < end and brick.ask("running"):
-        if progress:
-            progress((now - began) / (end - began))
-        time.sleep(LOOK)
-
-
-def _land(brick: Connection) -> None:
-    for _ in range(STOPS):
-        if not brick.ask("stop"):
-            return

@@ -1,53 +1,93 @@
-"""A hub's program followed line by line, without driving it."""
+"""A program's lines as they come: of a hub, a virtual hub, a file or a serial device, without driving it."""
 
 from __future__ import annotations
 
 import asyncio
+import sys
 import time
 from collections.abc import Callable
+from math import inf
 from pathlib import Path
 
-from upright.links.hub import PATIENCE, HubLink, HubLost, Peripheral, linked
+from upright.errors import UprightError
+from upright.firmware.generate import head
+from upright.firmware.program_file import read_text
+from upright.flight.flight import Clock
+from upright.links.hub import AIR, PATIENCE, HubLink, HubLost, Peripheral, linked
+from upright.robots import find_kit, find_robot
 
-LOOK = 0.1  # [s] from one look at the hub to the next
+VIRTUAL = "virtual"
+"""The port of a brick or hub that is simulated."""
+POLL = 0.1  # [s] between two looks at the hub
+
+OnLine = Callable[[str], None]
 
 
-def follow(
+def is_live(source: str) -> bool:
+    """Whether a robot is at that source, real or virtual, and not a file or another command's output."""
+    return source == VIRTUAL or source.partition(":")[0] == AIR
+
+
+def follow(source: str, on_line: OnLine, *, program: str | Path | None = None, seconds: float = inf) -> None:
+    """Call `on_line` with every line of a program. `source` is ble, ble:NAME, virtual, a file, a device, or - (stdin).
+
+    A virtual hub runs `program`, for `seconds`. Raises `UprightError` for a program elsewhere, and like `follow_hub`.
+    """
+    if (program is not None) != (source == VIRTUAL):
+        raise UprightError("only a virtual hub needs a program", expected="virtual --program FILE")
+    if program is not None:
+        from upright.bricks.virtual_robot import virtual_hub
+
+        facts = head(read_text(program))
+        with virtual_hub(find_robot(facts["robot"]), find_kit(facts["kit"]), speed=1.0) as hub:
+            follow_hub(hub, on_line, program=Path(program), seconds=seconds, clock=lambda: hub.seconds)
+    elif is_live(source):
+        follow_hub(source, on_line, seconds=seconds)
+    elif source == "-":
+        for line in sys.stdin:
+            on_line(line)
+    else:
+        with Path(source).open(encoding="utf-8", errors="replace") as stream:
+            for line in stream:
+                on_line(line)
+
+
+def follow_hub(
     port: str | Peripheral,
-    hear: Callable[[str], None],
-    source: Path | None = None,
-    seconds: float = float("inf"),
-    clock: Callable[[], float] = time.monotonic,
+    on_line: OnLine,
     *,
+    program: Path | None = None,
+    seconds: float = inf,
+    clock: Clock = time.monotonic,
     patience: float = PATIENCE,
 ) -> None:
-    """Give every line of the program on the hub at `port` to `hear`, from its start by the hub's button to its end.
+    """Call `on_line` with every line of the program on a hub, from its start by the hub's button to its end.
 
-    A virtual hub has no button: `source` is uploaded and started there, and stopped after `seconds`; on any other it is
-    left alone after them. Raises `HubLost` where the line breaks.
+    A `program` is uploaded and started first, and stopped after `seconds`; without one the hub's program runs on after
+    them. Raises `HubLost` where the connection breaks.
     """
 
     async def followed() -> None:
         async with linked(port, patience) as hub:
-            if source:
-                await hub.upload(source)
+            if program:
+                await hub.upload(program)
                 await hub.start()
-            await _listen(hub, hear, clock() + seconds, clock)
-            if source and hub.running:
+            await _listen(hub, on_line, clock() + seconds, clock)
+            if program and hub.running:
                 await hub.stop()
-                await _listen(hub, hear, float("inf"), clock)
+                await _listen(hub, on_line, inf, clock)
 
     asyncio.run(followed())
 
 
-async def _listen(hub: HubLink, hear: Callable[[str], None], end: float, clock: Callable[[], float]) -> None:
-    """Until the program ends, or that time comes."""
+async def _listen(hub: HubLink, on_line: OnLine, end: float, clock: Clock) -> None:
+    """Until the program's end, or the time `end`."""
     began = hub.running
     while clock() < end and not (began and not hub.running):
-        await hub.news(LOOK)
+        await hub.news(POLL)
         began = began or hub.running
-        lines, hub.heard = hub.heard, []
+        lines, hub.lines = hub.lines, []
         for line in lines:
-            hear(line)
+            on_line(line)
         if hub.lost:
             raise HubLost(f"{hub.name} does not answer", likely="it is out of reach, or off", hint="come nearer")

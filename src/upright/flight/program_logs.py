@@ -60,32 +60,32 @@ def checked_line(line: str) -> SignedLine:
     return SignedLine(kind, text)
 
 
-def status_said(number: str | float) -> str:
-    """What a status stands for; one that is not known is the last."""
+def status_text(number: str | float) -> str:
+    """The meaning of a status number; an unknown one is the last."""
     return STATUS[min(max(int(number), 0), len(STATUS) - 1)]
 
 
 def is_signed(line: str) -> bool:
-    """Whether a line is meant to carry a CRC: T, S, H, D or E; anything else is the program's own words."""
+    """Whether a line should carry a CRC: T, S, H, D or E; any other is free text of the program."""
     return line[:2] in ("T ", "S ", "H ", "D ", "E ")
 
 
 def whole_lines(lines: Iterable[str]) -> tuple[list[SignedLine], int]:
     """The signed lines whose CRC fits, and how many were damaged."""
-    found, damaged = list[SignedLine](), 0
+    whole, damaged = list[SignedLine](), 0
     for line in filter(is_signed, lines):
         try:
-            found.append(checked_line(line))
+            whole.append(checked_line(line))
         except InvalidLog:
             damaged += 1
-    return found, damaged
+    return whole, damaged
 
 
 def read_lines(lines: Iterable[str], known: Mapping[str, str] | None = None, where: str = HUB) -> ProgramLog:
-    """What a program said after its run. Damaged lines are left out and counted among the `flaws`, every whole row is
-    kept at its own time; `known` is what the head would say, for where it is lost.
+    """The log in a program's output. Damaged lines are left out and counted among the `flaws`; every whole row is kept
+    at its own time. `known` replaces the head where that is lost.
 
-    Raises `InvalidLog` where not two rows came whole, or nothing says which controller's they are.
+    Raises `InvalidLog` for less than two whole rows, or without a head.
     """
     try:
         return _read_lines(lines, dict(known or {}), where)
@@ -100,28 +100,28 @@ def _read_lines(lines: Iterable[str], facts: dict[str, str], where: str) -> Prog
     rows = _rows(line.text for line in whole if line.kind == "D")
     if not {"robot", "kit", "hash", "period"} <= facts.keys() or len(rows) < 2:
         raise InvalidLog("this holds no log of a program", expected="its lines from H to E", likely="a cut end")
-    said = next((int(line.text) for line in whole if line.kind == "E"), int(facts.get("rows", 0)))
+    sent = next((int(line.text) for line in whole if line.kind == "E"), int(facts.get("rows", 0)))
     flaws = [f"{damaged} damaged lines were left out"] if damaged else []
-    flaws += [f"{said - len(rows)} of {said} rows did not arrive"] if said > len(rows) else []
-    flaws += [] if "first" in facts else ["when its first row was is not known"]
+    flaws += [f"{sent - len(rows)} of {sent} rows did not arrive"] if sent > len(rows) else []
+    flaws += [] if "first" in facts else ["the time of its first row is unknown"]
     table = np.array([row for _, row in sorted(rows.items())], dtype=np.float64)
     index = np.array(sorted(rows)) + int(facts.get("first", 0))
-    ended = status_said(facts["status"]) if "status" in facts else ""
-    log = program_log(index, table[:, :7], facts, ended, LINE_TURN, where)
+    ended = status_text(facts["status"]) if "status" in facts else ""
+    log = program_log(index, table[:, :7], facts, ended=ended, turn=LINE_TURN, where=where)
     return ProgramLog(log, facts, ended, tuple(flaws))
 
 
 def _rows(packed: Iterable[str]) -> dict[int, tuple[float, ...]]:
     """Rows by number."""
-    found: dict[int, tuple[float, ...]] = {}
+    rows: dict[int, tuple[float, ...]] = {}
     for text in packed:
         first, _, data = text.partition(" ")
-        found |= dict(enumerate(struct.iter_unpack(ROW, bytes.fromhex(data)), int(first)))
-    return found
+        rows |= dict(enumerate(struct.iter_unpack(ROW, bytes.fromhex(data)), int(first)))
+    return rows
 
 
 def read_telemetry(lines: Iterable[str], known: Mapping[str, str], where: str = HUB) -> ProgramLog:
-    """What telemetry alone tells, where the log is lost; raises `InvalidLog` for less than two lines of it."""
+    """A log of telemetry alone, where the program's own is lost; raises `InvalidLog` for less than two lines of it."""
     whole, _ = whole_lines(lines)
     rows = {int(v[0]): v[1:] for v in (line.text.split() for line in whole if line.kind == "T")}
     if len(rows) < 2:
@@ -129,40 +129,42 @@ def read_telemetry(lines: Iterable[str], known: Mapping[str, str], where: str = 
     number = np.array([[float(v) for v in row] for _, row in sorted(rows.items())])
     left, right, pitch, duty_left, duty_right, battery = number.T
     table = np.column_stack([left, right, np.full(len(left), np.nan), pitch, battery, duty_left, duty_right])
-    log = program_log(np.array(sorted(rows)), table, known, "", 0, where)
+    log = program_log(np.array(sorted(rows)), table, known, ended="", turn=0, where=where)
     return ProgramLog(log, dict(known), "", ("telemetry alone: every tenth period, without the gyro",))
 
 
 def read_brick_log(data: bytes, where: str = BRICK) -> ProgramLog:
-    """What an NXC program left in the brick's flash: a line that says what it is, then rows of integers.
+    """The log of an NXC program in the brick's flash: a head line, then rows of integers.
 
     Raises `InvalidLog` where there is no head or not two rows.
     """
-    text, found, rest = data.partition(b"\r\n")
+    text, newline, rest = data.partition(b"\r\n")
     head = dict(part.split("=", 1) for part in text.decode("ascii", "replace").split(";") if "=" in part)
-    if not found or not {"robot", "hash", "period", "every"} <= head.keys():
+    if not newline or not {"robot", "hash", "period", "every"} <= head.keys():
         raise InvalidLog("this file of the brick is no log of a balancing program", likely="another program wrote it")
     whole = len(rest) // (2 * BRICK_ROW)
     table = np.frombuffer(rest, dtype="<i2", count=whole * BRICK_ROW).reshape(whole, BRICK_ROW).astype(np.float64)
     ended = ""
-    if whole and table[-1, 4] == 0:  # a battery of 0 mV: the program's last words
-        ended, table = status_said(table[-1, 0]), table[:-1]
+    if whole and table[-1, 4] == 0:  # a battery of 0 mV marks the row with the final status
+        ended, table = status_text(table[-1, 0]), table[:-1]
     if len(table) < 2:
         raise InvalidLog(
             f"the log of the brick has {len(table)} rows", expected="two at least", likely="a fall at once"
         )
     broken = len(rest) - whole * 2 * BRICK_ROW
     flaws = (f"the log breaks off in a row; its {len(table)} whole rows are kept",) if broken else ()
-    log = program_log(np.arange(len(table)) * int(head["every"]), table, head, ended, BRICK_TURN, where)
+    log = program_log(
+        np.arange(len(table)) * int(head["every"]), table, head, ended=ended, turn=BRICK_TURN, where=where
+    )
     return ProgramLog(log, head, ended, flaws)
 
 
 def program_log(
-    index: Sequence[int] | Any, table: Array, head: Mapping[str, str], ended: str, turn: int, where: str
+    index: Sequence[int] | Any, table: Array, head: Mapping[str, str], *, ended: str, turn: int, where: str
 ) -> Log:
     """The `table` (n, 7) of encoders [deg], gyro [mrad/s], pitch [0.1 mrad], battery [mV] and duties [%] as a log.
 
-    `index` (n,) says in which period each row was taken; encoders begin again after `turn` [deg], never where it is 0.
+    `index` (n,) is each row's period; encoders wrap after `turn` [deg], never where it is 0.
     """
     volts = table[:, 4] / 1000
     channels = {

@@ -1,4 +1,4 @@
-"""A brick as seen from here: requests to the process that talks to it, each answered in time or not at all."""
+"""The connection to an NXT brick: requests to the process that talks to it, each with a time limit."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ GYRO_KIND = 6  # the sensor type that HiTechnic's gyro is read with: active, as 
 
 
 class BrickLost(UprightError):
-    """A brick that is not there, or that no longer answers."""
+    """A brick that cannot be reached, or no longer answers."""
 
 
 class BrickRefused(UprightError):
-    """A brick that answers, and will not."""
+    """A brick that refuses a request."""
 
 
 class Connection:

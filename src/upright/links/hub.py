@@ -1,4 +1,4 @@
-"""A Pybricks hub as seen from here: its program put there, started, heard and stopped, each in time or not at all.
+"""The connection to a Pybricks hub: upload, start, output and stop, each within a time limit.
 
 What speaks to the hub is pybricksdev (MIT), an optional extra that is loaded when a hub is first asked for.
 """
@@ -15,25 +15,25 @@ from typing import Any, Protocol, TypeVar
 
 from upright.errors import MissingTool, UprightError
 
-PATIENCE = 5.0  # [s] for an answer; a hub gives one in 0.1 s
-SEARCH = 10.0  # [s] to hear a hub that advertises
+PATIENCE = 5.0  # [s] to wait for an answer; a hub answers in 0.1 s
+SEARCH = 10.0  # [s] to wait for a hub that advertises
 UPLOAD = 60.0  # [s] for a program: 20 kB in pieces of 150 bytes, each acknowledged, take 15 s
 AIR = "ble"
-"""The port of the first hub that is heard; `ble:NAME` is one of that name or address."""
+"""The port of the first hub that advertises; `ble:NAME` is one of that name or address."""
 
 T = TypeVar("T")
 
 
 class HubLost(UprightError):
-    """A hub that is not there, or that no longer answers."""
+    """A hub that cannot be reached, or no longer answers."""
 
 
 class HubRefused(UprightError):
-    """A hub that answers, and will not."""
+    """A hub that refuses a request."""
 
 
 class Peripheral(Protocol):
-    """A hub of which Bluetooth knows nothing: `client(lost)` is what bleak's client would be for it."""
+    """A hub outside Bluetooth, such as a virtual one: `client(lost)` stands for bleak's client."""
 
     name: str
 
@@ -41,27 +41,27 @@ class Peripheral(Protocol):
 
 
 class HubLink:
-    """A connected hub. `heard` holds the lines its program has printed since it began; `lost` whether the line is."""
+    """A connected hub. `lines` holds the output of its program since its start; `lost` is whether the connection is."""
 
     def __init__(self, hub: Any, name: str, patience: float) -> None:
         from pybricksdev.ble.pybricks import StatusFlag
         from pybricksdev.connections import ConnectionState
 
-        self.name, self.patience, self.heard, self.lost = name, patience, list[str](), False
+        self.name, self.patience, self.lines, self.lost = name, patience, list[str](), False
         self._hub, self._flags, self._gone = hub, StatusFlag, ConnectionState.DISCONNECTED
         self._rest, self._news = b"", asyncio.Event()
         self._begun = False
-        hub.stdout_observable.subscribe(self._hear)
+        hub.stdout_observable.subscribe(self._receive)
         hub.status_observable.subscribe(self._changed)
-        self.reported = False  # until the hub itself says how it is, which that first call was not
+        self.reported = False  # until the hub itself sends its status, which that first call was not
 
     def watch(self) -> None:
-        """From now on a broken line counts as lost."""
+        """From now on a broken connection counts as lost."""
         self._hub.connection_state_observable.subscribe(self._state)
 
     @property
     def running(self) -> bool:
-        """Whether a program runs, as the hub last said."""
+        """Whether a program runs, by the hub's last status."""
         return bool(self._hub.status_observable.value & self._flags.USER_PROGRAM_RUNNING)
 
     @property
@@ -80,35 +80,35 @@ class HubLink:
         try:
             await self._do(self._hub.download(str(source)), "take the program", UPLOAD)
         except subprocess.CalledProcessError as error:
-            said = (error.stderr or b"no reason given").decode("utf-8", "replace").strip().splitlines()[-1]
-            raise HubRefused(f"{source.name} does not compile: {said}", likely="an edit by hand") from None
+            reason = (error.stderr or b"no reason given").decode("utf-8", "replace").strip().splitlines()[-1]
+            raise HubRefused(f"{source.name} does not compile: {reason}", likely="an edit by hand") from None
 
     async def start(self) -> None:
-        """Begin the program; what it prints from now on is in `heard`."""
-        self.heard, self._rest, self._begun = [], b"", False
+        """Start the program; its output goes into `lines`."""
+        self.lines, self._rest, self._begun = [], b"", False
         await self._do(self._hub.start_user_program(), "start")
         while not self._begun and await self.news(self.patience):
             pass  # what it prints may come before its status
 
     async def stop(self) -> None:
-        """Ask the program to stop: it ends as after the hub's button, and says its last."""
+        """Request the program's stop: it ends as after the hub's button, with its last lines."""
         await self._do(self._hub.stop_user_program(), "stop")
 
     async def write(self, text: bytes) -> None:
-        """Type that to the program, in pieces a hub takes."""
+        """Send input to the program, in pieces that a hub takes."""
         await self._do(self._hub.write(text), "listen")
 
     async def news(self, timeout: float) -> bool:
-        """Wait until the hub has said something, or how it is, for `timeout` [s] at most; whether it has."""
+        """Wait for output or a status, for `timeout` [s] at most; whether one came."""
         self._news.clear()
         with suppress(TimeoutError):
             async with asyncio.timeout(timeout):
                 await self._news.wait()
         return self._news.is_set()
 
-    def _hear(self, data: bytes) -> None:
+    def _receive(self, data: bytes) -> None:
         *lines, self._rest = (self._rest + bytes(data)).replace(b"\r\n", b"\n").split(b"\n")
-        self.heard += [line.decode("utf-8", "replace") for line in lines]
+        self.lines += [line.decode("utf-8", "replace") for line in lines]
         self._news.set()
 
     def _changed(self, flags: Any) -> None:
@@ -125,7 +125,7 @@ class HubLink:
 
 
 async def _done(request: Awaitable[T], name: str, what: str, patience: float) -> T:
-    """What the request gives; `HubLost` or `HubRefused` in one line where it gives nothing."""
+    """The result of the request; `HubLost` or `HubRefused` where it fails."""
     from bleak.exc import BleakError
     from pybricksdev.connections.pybricks import HubDisconnectError
 
@@ -143,9 +143,9 @@ async def _done(request: Awaitable[T], name: str, what: str, patience: float) ->
 
 
 def _lost(name: str, what: str, error: BaseException) -> HubLost:
-    said = f": {error}" if str(error) else ""
+    reason = f": {error}" if str(error) else ""
     return HubLost(
-        f"{name} does not answer ({what}{said})", likely="it is out of reach, or off",
+        f"{name} does not answer ({what}{reason})", likely="it is out of reach, or off",
         hint="come nearer and switch it on; its button stops the program",
     )  # fmt: skip
 
@@ -156,7 +156,7 @@ async def linked(port: str | Peripheral, patience: float = PATIENCE) -> AsyncGen
 
     Raises `HubLost`, `HubRefused` or `MissingTool`.
     """
-    hub, name = await _found(port)
+    hub, name = await _hub_at(port)
     link = HubLink(hub, name, patience)
     await _done(hub.connect(), name, "connect", max(patience, SEARCH) if isinstance(port, str) else patience)
     link.watch()
@@ -170,7 +170,7 @@ async def linked(port: str | Peripheral, patience: float = PATIENCE) -> AsyncGen
                 await hub.disconnect()
 
 
-async def _found(port: str | Peripheral) -> tuple[Any, str]:
+async def _hub_at(port: str | Peripheral) -> tuple[Any, str]:
     from importlib.util import find_spec
 
     if find_spec("pybricksdev") is None:
@@ -186,13 +186,13 @@ async def _found(port: str | Peripheral) -> tuple[Any, str]:
         return hub, f"the hub {port.name}"
     kind, _, name = port.partition(":")
     if kind != AIR:
-        raise UprightError(f"there is no hub at '{port}'", expected=f"{AIR}, {AIR}:NAME or virtual")
-    wanted = f"hub {name}".strip()
+        raise UprightError(f"'{port}' is not the port of a hub", expected=f"{AIR}, {AIR}:NAME or virtual")
+    label = f"hub {name}".strip()
     try:
-        device = await _done(find_device(name or None, timeout=SEARCH), wanted, "be found", 2 * SEARCH)
+        device = await _done(find_device(name or None, timeout=SEARCH), label, "be found", 2 * SEARCH)
     except (HubLost, HubRefused):
         raise HubLost(
-            f"no {wanted} was found in {SEARCH:g} s", likely="it is off, or this computer has no Bluetooth",
+            f"no {label} was found in {SEARCH:g} s", likely="it is off, or this computer has no Bluetooth",
             hint="switch both on; the hub must not be connected elsewhere",
         ) from None  # fmt: skip
     return PybricksHubBLE(device), f"the hub {device.name}"

@@ -124,7 +124,7 @@ def free(brick: Any) -> int:
 
 def files(brick: Any) -> list[list[Any]]:
     """Name and size of every file, the size that it was opened for."""
-    return [list(found) for found in brick.find_files("*.*")]
+    return [list(file) for file in brick.find_files("*.*")]
 
 
 def start(brick: Any, name: str) -> None:
@@ -136,14 +136,14 @@ REQUESTS: dict[str, Callable[..., Any]] = {
     f.__name__: f
     for f in (upload, fetch, running, start, stop, sensor, drive, release, look, battery, firmware, free, files)
 }
-"""Name of a request → what does it with the brick."""
+"""Name of a request → its function."""
 
 
 def answer(brick: Any, request: dict[str, Any]) -> dict[str, Any]:
-    """What one request came to."""
+    """The result of one request."""
     try:
         return {"ok": REQUESTS[request.pop("do")](brick, **request)}
-    except Exception as error:  # whatever the library or the line says, the other process wants it in one line
+    except Exception as error:  # any error of the library or the connection, as one line
         return {"error": f"{type(error).__name__}: {error}".replace("\n", " ")}
 
 

@@ -1,0 +1,72 @@
+"""The result of a flight, and what flights of all bricks share."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from upright.compiled.program import Program
+from upright.errors import UprightError
+from upright.firmware.generate import longest_run
+from upright.flight.program_logs import ProgramLog
+
+Progress = Callable[[float], None]
+"""Called with the fraction done."""
+Clock = Callable[[], float]
+"""The time [s] of a real or virtual brick."""
+
+
+class FlightRefused(UprightError):
+    """A robot that is not ready to be driven."""
+
+
+@dataclass
+class Flight:
+    """Result of a flight: its `log` if one arrived, whether the connection was `lost`, and `notes` of one line each.
+
+    `robot`, controller `hash`, `port` and `where` (a description of the brick) say whose it is.
+    """
+
+    log: ProgramLog | None = None
+    lost: bool = False
+    notes: list[str] = field(default_factory=list[str])
+    robot: str = ""
+    hash: str = ""
+    port: str = ""
+    where: str = ""
+
+    @property
+    def seconds(self) -> float:
+        """Time [s] of the last row of the log."""
+        return float(self.log.log.t[-1]) if self.log else 0.0
+
+    @property
+    def largest_pitch(self) -> float | None:
+        """Largest |pitch| [rad] that the program estimated; None without a log."""
+        return float(abs(self.log.log["estimate/pitch"]).max()) if self.log else None
+
+    def keep(self, log: ProgramLog, program: Program) -> None:
+        """Keep a log, with a note for each of its flaws."""
+        self.log = log
+        if log.head["hash"] != program.hash:
+            hashes = f"{log.head['hash'][:12]}, not {program.hash[:12]}"
+            self.notes.append(f"the log is of another controller ({hashes}), from an earlier flight")
+        self.notes += log.flaws
+        if log.ended not in ("", "balancing"):
+            self.notes.append(f"the program stopped by itself: {log.ended}")
+
+    def to_json(self) -> dict[str, Any]:
+        facts = {"rows": len(self.log.log) if self.log else 0, "seconds": self.seconds}
+        facts |= {"largest_pitch": self.largest_pitch, "hash": self.hash, "port": self.port}
+        return facts | {"lost": self.lost, "notes": self.notes}
+
+    def __str__(self) -> str:
+        result = f"balanced for {self.seconds:.1f} s; largest estimated pitch {self.largest_pitch or 0.0:.3f} rad"
+        return "\n".join([f"{self.robot} ({self.where}): {result if self.log else 'no log'}", *self.notes])
+
+
+def without_connection(text: str) -> str:
+    """What the program `text` does after its connection is lost."""
+    longest = longest_run(text)
+    return f"its program stops after {longest} s at most" if longest else "its program runs until its button is pressed"

@@ -1,0 +1,134 @@
+"""A flight of an NXT brick: upload, start, watch, stop, and fetch the log, whatever goes wrong."""
+
+from __future__ import annotations
+
+import re
+import tempfile
+import time
+from contextlib import suppress
+from pathlib import Path
+
+from upright.compiled.program import Program
+from upright.flight.flight import Clock, Flight, FlightRefused, Progress, without_connection
+from upright.flight.program_logs import BRICK, BRICK_ROW, read_brick_log
+from upright.links.brick import GYRO, GYRO_KIND, REST, BrickLost, BrickRefused, Connection
+from upright.parity.execute_nxc import compile_nxc
+
+FIRMWARE = ([1, 28], [1, 29], [1, 31], [1, 32])
+"""Versions that run what nbc makes for 1.28."""
+
+LEAST_BATTERY = 6000  # [mV] of six cells below which the motors are too weak
+GYRO_MARGIN = 150  # largest deviation of a resting gyro from 600; an empty port reads 1023
+LOG_HEAD = 200  # bytes of a log besides its rows
+POLL = 0.2  # [s] between two requests whether the program runs
+STOPS = 3  # attempts to stop the program
+
+
+def fly_nxt(
+    source: Path,
+    program: Program,
+    port: str,
+    seconds: float,
+    *,
+    progress: Progress | None = None,
+    clock: Clock = time.monotonic,
+    where: str = BRICK,
+) -> Flight:
+    """Compile the NXC in `source`, upload it to the brick at `port`, and run it for `seconds` [s] of `clock`.
+
+    `where` describes the brick in the log. The program is stopped however this ends, Ctrl-C included; only a lost
+    connection prevents that, and a note says so. Raises `FlightRefused`, `BrickLost`, `BrickRefused`, `MissingTool` or
+    `ExecutionFailed` where nothing was driven.
+    """
+    with tempfile.TemporaryDirectory(prefix="upright-") as folder:
+        binary = compile_nxc(source, Path(folder)).read_bytes()
+    flight, name, text = Flight(), f"{source.stem[:15]}.rxe", source.read_text("utf-8")
+    with Connection(port) as brick:
+        check_ready(brick)
+        brick.upload(name, binary)
+        check_flash(brick, text, program.period)
+        began = clock()
+        brick.ask("start", name=name)
+        try:
+            try:
+                _watch(brick, began + seconds, progress, clock)
+            finally:
+                with suppress(BrickLost, BrickRefused):
+                    _stop(brick)
+            fetch_log(brick, program, flight, where)
+        except BrickLost as error:
+            flight.lost = True
+            flight.notes.append(f"{error}; {without_connection(text)}, its log stays on the brick: upright fly --fetch")
+    return flight
+
+
+def fetch_nxt(program: Program, port: str) -> Flight:
+    """Fetch the log from the brick at `port`; a program that still runs is stopped first."""
+    flight = Flight()
+    with Connection(port) as brick:
+        if brick.ask("running"):
+            _stop(brick)
+            flight.notes.append("the program still ran; it was stopped")
+        fetch_log(brick, program, flight)
+    return flight
+
+
+def check_ready(brick: Connection) -> None:
+    """Refuse a brick with another firmware, a flat battery, or no gyro where the program looks for it."""
+    version = brick.ask("firmware")
+    if version not in FIRMWARE:
+        raise FlightRefused(
+            f"the brick's firmware is {'.'.join(map(str, version))}", expected="enhanced firmware 1.28 or later",
+            hint="put it on the brick with BricxCC or NeXTTool",
+        )  # fmt: skip
+    if (battery := brick.ask("battery")) < LEAST_BATTERY:
+        raise FlightRefused(
+            f"the battery gives {battery / 1000:.1f} V", expected="6 V at least", hint="use fresh cells"
+        )
+    reads = brick.ask("sensor", port=GYRO, kind=GYRO_KIND)
+    if abs(reads - REST) > GYRO_MARGIN:
+        raise FlightRefused(
+            f"input {GYRO + 1} reads {reads}", expected=f"{REST} or so from a gyro at rest",
+            likely="the gyro is in another port, or the robot moves", hint=f"put it into port {GYRO + 1}, hold still",
+        )  # fmt: skip
+
+
+def check_flash(brick: Connection, text: str, period: float) -> None:
+    """Refuse a brick whose flash has no room for the log that the program `text` opens; an old log of that name counts
+    as free, since the program deletes it."""
+    opened = re.search(r'CreateFile\("(.+)", (\d+),', text)
+    if opened is None:
+        return
+    name, needs, row = opened[1], int(opened[2]), 2 * BRICK_ROW
+    free = brick.ask("free") + sum(size for stored, size in brick.ask("files") if stored == name)
+    if free >= needs:
+        return
+    seconds = int((free - LOG_HEAD) // row * period)
+    shorter = f", or make one that drives shorter: upright firmware --seconds {seconds}" if seconds > 0 else ""
+    raise FlightRefused(
+        f"the program's log needs {(needs - LOG_HEAD) // row} rows, {needs} bytes, and the brick has {free} free",
+        likely="other files fill its flash", hint=f"delete files on it{shorter}",
+    )  # fmt: skip
+
+
+def fetch_log(brick: Connection, program: Program, flight: Flight, where: str = BRICK) -> None:
+    """Fetch the log into `flight`, with a note for each of its flaws."""
+    name = f"{program.robot}.log"
+    if name not in [stored for stored, _ in brick.ask("files")]:
+        flight.notes.append("the brick has no log: the program did not come to balance, or the flash was full")
+        return
+    flight.keep(read_brick_log(brick.fetch(name), where), program)
+
+
+def _watch(brick: Connection, end: float, progress: Progress | None, clock: Clock) -> None:
+    began = clock()
+    while (now := clock()) < end and brick.ask("running"):
+        if progress:
+            progress((now - began) / (end - began))
+        time.sleep(POLL)
+
+
+def _stop(brick: Connection) -> None:
+    for _ in range(STOPS):
+        if not brick.ask("stop"):
+            return
