@@ -335,6 +335,28 @@ def test_machine_code_is_kept_and_found_again(tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == [kept]
 
 
+@pytest.mark.parametrize("damage", ["empty", "truncated", "flipped", "shortened to its checksum"])
+def test_a_damaged_file_of_machine_code_is_made_anew(damage, tmp_path, monkeypatch):
+    monkeypatch.setenv("UPRIGHT_CACHE", str(tmp_path))
+    monkeypatch.setattr(store, "_compiled", lambda *_: b"machine code")
+    monkeypatch.setattr(store, "_load", lambda code, _: code)
+    store._address_of.cache_clear()
+    assert store._address_of("kernel.run", "entry", ()) == b"machine code"
+    (path,) = tmp_path.iterdir()
+    whole = path.read_bytes()
+    flipped = bytearray(whole)
+    flipped[-3] ^= 1
+    entries = {"empty": b"", "truncated": whole[:-1], "flipped": bytes(flipped)}
+    path.write_bytes(entries.get(damage, whole[: len(whole) - len(b"machine code")]))
+    store._address_of.cache_clear()
+    assert store._address_of("kernel.run", "entry", ()) == b"machine code"  # what is loaded is never the damaged code
+    assert path.read_bytes() == whole
+    monkeypatch.setattr(store, "_compiled", None)  # it stands on disk again: a further compilation would fail
+    store._address_of.cache_clear()
+    assert store._address_of("kernel.run", "entry", ()) == b"machine code"
+    store._address_of.cache_clear()
+
+
 def test_what_does_not_fit_is_refused():
     one = {"parameters": parameters_of(NXT), "controller": lqr(NXT, 0.01)}
     with pytest.raises(InvalidScenario, match="start has shape"):

@@ -1,8 +1,10 @@
 """Compiled functions kept on disk as machine code, so that only the first run on a machine needs the compiler.
 
 The key is a hash of the sources, of the versions of Python, Numba and LLVM, and of the processor, so that nothing stale
-is ever loaded. Loading needs LLVM's linker alone, not Numba, whose import takes longer than everything else together.
-Files stand in `UPRIGHT_CACHE`, or in the user's cache folder; where neither can be written, every process compiles.
+is ever loaded; each file begins with a checksum of the rest, so that a damaged one is made anew. Loading needs LLVM's
+linker alone, not Numba, whose import takes longer than everything else together. Files stand in `UPRIGHT_CACHE`, or in
+the user's cache folder; where neither can be written, every process compiles. Parts of Numba used here are not public,
+hence the upper bound on its version in pyproject.toml.
 """
 
 from __future__ import annotations
@@ -27,6 +29,7 @@ SOURCES = (
     "compiled/generated.py", "compiled/generated_motion.py", "compiled/jit.py", "compiled/lane_math.py",
     "compiled/random.py", "kernel/block.py", "kernel/rows.py", "kernel/run.py", "kernel/store.py",
 )  # fmt: skip
+_CHECKSUM = hashlib.sha256().digest_size  # bytes before the code of a file
 _engines: list[Any] = []  # what they loaded lives as long as they do
 _lock = Lock()
 
@@ -51,9 +54,8 @@ def _prototype(count: int) -> Any:
 @cache
 def _address_of(module: str, function: str, arguments: tuple[str, ...]) -> int:
     path = folder() / f"{function}-{hashlib.sha256(repr((_stamp(), module, arguments)).encode()).hexdigest()[:24]}.o"
-    try:
-        code = path.read_bytes()
-    except OSError:
+    code = _kept(path)
+    if code is None:
         code = _compiled(module, function, arguments)
         _keep(path, code)
     return _load(code, function)
@@ -77,12 +79,22 @@ def folder() -> Path:
     return Path(home or os.environ.get("XDG_CACHE_HOME") or "~/.cache").expanduser() / "upright"
 
 
+def _kept(path: Path) -> bytes | None:
+    """The code in that file; None where there is none, or where it is not what was written."""
+    try:
+        entry = path.read_bytes()
+    except OSError:
+        return None
+    checksum, code = entry[:_CHECKSUM], entry[_CHECKSUM:]
+    return code if hashlib.sha256(code).digest() == checksum else None
+
+
 def _keep(path: Path, code: bytes) -> None:
     """Written whole or not at all, so that another process never reads half a file."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
-            file.write(code)
+            file.write(hashlib.sha256(code).digest() + code)
         os.replace(file.name, path)
     except OSError:
         return
