@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import upright as up
+from upright.tables import Listing
 
 VERBS = ("doctor", "calibrate", "identify", "excite", "certify", "post_mortem", "design", "fleet", "push_map", "parity",
          "reproduce")  # fmt: skip
@@ -79,3 +80,35 @@ def test_every_verb_is_a_function_after_all_rooms_are_imported() -> None:
 def test_a_room_is_importable_from_under_a_verb() -> None:
     code = "import upright as up; up.doctor; from upright.doctor.finding import Finding; print(Finding.__name__)"
     assert executed(code) == "Finding"
+
+
+def test_a_notebook_asks_with_names_and_reads_a_short_answer() -> None:
+    designed = up.design("lqr", "nxtway-gs")
+    assert designed.controller.spec.period == up.Kit.preset("nxt").period
+    assert "stable" in str(designed) or "gain" in str(designed)
+    assert repr(designed).startswith("<Designed: method")
+    fleet = up.fleet("nxtway-gs", 8, controller="lqr", kit="ideal", seconds=0.5, vary=["com_height=±10%"])
+    assert fleet.data.sizes["robot"] == 8
+    assert fleet.summary.fell == 0  # the regulator of the true state holds a robot that nobody pushes
+    assert "of 8 robots" in fleet._repr_html_()
+
+
+def test_robot_and_model_are_short_at_a_prompt_and_tables_in_a_notebook() -> None:
+    robot = up.Robot.preset("nxtway-gs")
+    # Yamamoto (2008): 0.6 kg and two wheels of 0.03 kg, the centre of mass at 0.072 m
+    assert repr(robot) == "Robot('nxtway-gs': 0.66 kg, centre of mass 0.072 m above the axle)"
+    assert "<td>wheel_radius</td><td>R</td><td>0.04</td>" in robot._repr_html_()
+    model = up.linearise(robot)
+    assert repr(model) == "LinearModel(6 states, 2 inputs, 6 outputs, continuous)"
+    assert all(f"{pole.real:.6g}" in str(model) for pole in model.poles())
+
+
+def test_a_table_is_aligned_and_wraps_its_last_column() -> None:
+    table = Listing(
+        ("name", "number", "words"), [("θ̇", "1", "one two three four five six"), ("pitch", "20", "x")], ["number"]
+    )
+    assert str(table).splitlines()[1:] == ["θ̇           1  one two three four five six", "pitch      20  x"]
+    assert table.text(35).splitlines()[1:3] == ["θ̇           1  one two three four", "               five six"]
+    assert Listing(("<b>",), [("&",)]).html() == (
+        "<table><caption></caption><tr><th>&lt;b&gt;</th></tr><tr><td>&amp;</td></tr></table>"
+    )
