@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated
 
 import typer
 
 from upright.cli.options import JsonOption, RobotOption
 from upright.cli.output import check_folder, print_json
-
-if TYPE_CHECKING:
-    from upright.control import Controller
-    from upright.firmware import Firmware
 
 
 def firmware(
@@ -30,7 +26,7 @@ def firmware(
         str, typer.Option("--number", help="Arithmetic of c (float, double, fixed) and arduino (float, fixed).")
     ] = "",
     hub: Annotated[str, typer.Option(help="What pybricks runs on: prime, technic, ev3 or nxt.")] = "prime",
-    reference: Annotated[bool, typer.Option("--reference", help="c: the wanted state as further inputs.")] = False,
+    reference: Annotated[bool, typer.Option("--reference", help="c: the reference state as further inputs.")] = False,
     seconds: Annotated[
         int | None,
         typer.Option("--seconds", "-s", help="When it stops by itself, whatever happens [s]; 0: never (default: 60)."),
@@ -48,7 +44,9 @@ def firmware(
 
     Linear and sliding controllers can be turned; without -o the program is printed. Check it with upright parity.
     """
+    from upright.certify import read_certificate
     from upright.control import find_controller
+    from upright.control.permit import permitted
     from upright.firmware import generate
     from upright.robots import find_kit, find_robot
 
@@ -56,40 +54,16 @@ def firmware(
         check_folder(output)
     chosen = find_robot(robot)
     parts = find_kit(kit or chosen.kit)
-    brain = find_controller(controller, chosen, parts, parts.period)
-    made = generate(brain, chosen, parts, target, number=number, hub=hub, reference=reference, seconds=seconds)
-    warning = _refused(certificate, brain, anyway)
+    design = find_controller(controller, chosen, parts, parts.period)
+    made = generate(design, chosen, parts, target, number=number, hub=hub, reference=reference, seconds=seconds)
+    permit = permitted(design, read_certificate(certificate), anyway) if certificate else ""
+    warning = permit if permit != "certified" else ""
     written = made.write(output) if output else []
     if as_json:
-        print_json(_facts(made) | {"warning": warning, "files": [str(path) for path in written]})
+        print_json(made.to_json() | {"warning": warning, "files": [str(path) for path in written]})
         return
     if not output:
         typer.echo(str(made.program) if listing else made.text)
         return
-    notes = [warning, str(made.program) if listing else "", *(f"wrote {path}" for path in written), _said(made)]
+    notes = [warning, str(made.program) if listing else "", *(f"wrote {path}" for path in written), str(made)]
     typer.echo("\n".join(line for line in notes if line))
-
-
-def _refused(path: Path | None, controller: Controller, anyway: bool) -> str:
-    """What is to be said in spite of the certificate; raises `NotPermitted` where it refuses and nobody insists."""
-    from upright.certify import read_certificate
-    from upright.control.permit import permitted
-
-    said = permitted(controller, read_certificate(path), anyway) if path else ""
-    return said if said != "certified" else ""
-
-
-def _facts(made: Firmware) -> dict[str, Any]:
-    program = made.program
-    facts = {"target": program.target, "number": made.number, "robot": program.robot, "kit": program.kit}
-    facts |= {"controller": program.kind, "hash": program.hash, "period": program.period}
-    return facts | {"operations": program.operations(), "quantum": made.quantum}
-
-
-def _said(made: Firmware) -> str:
-    program = made.program
-    fixed = "" if made.quantum is None else f", within {made.quantum:.3g} {program.command_unit} of it by proof"
-    return (
-        f"{program.kind} {program.hash[:12]} for {program.robot} on {program.kit}, every {program.period * 1e3:g} ms: "
-        f"{program.operations()} products a period in {made.number}{fixed}"
-    )

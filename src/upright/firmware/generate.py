@@ -53,6 +53,21 @@ class Firmware:
         """The program itself."""
         return next(iter(self.files.values()))
 
+    def to_json(self) -> dict[str, Any]:
+        p = self.program
+        facts = {"target": p.target, "number": self.number, "robot": p.robot, "kit": p.kit, "controller": p.kind}
+        facts |= {"hash": p.hash, "period": p.period, "operations": p.operations(), "quantum": self.quantum}
+        return facts
+
+    def __str__(self) -> str:
+        p, bound = self.program, ""
+        if self.quantum is not None:
+            bound = f", proven within {self.quantum:.3g} {p.command_unit} of the design"
+        return (
+            f"{p.kind} {p.hash[:12]} for {p.robot} on {p.kit}, every {p.period * 1e3:g} ms: "
+            f"{p.operations()} products a period in {self.number}{bound}"
+        )
+
     def write(self, path: str | Path) -> list[Path]:
         """Write `path` and whatever stands beside it, each whole or not at all."""
         first, target = Path(path).expanduser(), find_target(self.program.target)
