@@ -74,7 +74,7 @@ KNOWN_TWICE = {
     "Setup", "Shown", "StandUp",
 }  # fmt: skip
 KNOWN_WIDE = {
-    "calibrate": 4, "certify": 4, "cli": 1, "comparison": 1, "compiled": 1, "control": 7, "excite": 2, "kernel": 2,
+    "calibrate": 4, "certify": 4, "cli": 1, "compiled": 1, "control": 7, "excite": 2, "kernel": 2,
     "physics": 1,
 }  # fmt: skip
 

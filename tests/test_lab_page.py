@@ -646,7 +646,7 @@ def test_a_class_in_the_browser(chromium):
         until(front, "document.querySelector('.board tbody')?.textContent.includes('Ana')")
         front.evaluate("upright.store.change({controller: 'lqi'})")
         until(front, "upright.store.changed.setup.controller === 'lqi'")
-        assert "when it is asked for" in until(front, "upright.store.lit?.reasons.join() ?? ''")
+        assert "on request" in until(front, "upright.store.lit?.reasons.join() ?? ''")
         front.click("[data-key=broadcast]")
         until(ana, "upright.store.changed.setup.controller === 'lqi'")
     finally:

@@ -1,4 +1,4 @@
-"""An NXT that is commanded from here: slow, so that it can be supervised and measured, but not balanced."""
+"""An NXT commanded from this computer: fast enough for measurements, too slow for balancing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A Pybricks hub that is commanded from here: twenty times a second, too slow for balancing."""
+"""A Pybricks hub commanded from this computer: twenty times a second, too slow for balancing."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ FRESH = 8.4  # [V] of two full lithium cells
 
 class PybricksBody:
     """`robot` on a Pybricks hub at `port`: ble, ble:NAME, or a virtual one. The hub runs a small program that takes
-    duties as lines, reads its sensors every `PERIOD`, and stops its motors when it has heard nothing for half a second.
+    duties as lines, reads its sensors every `PERIOD`, and stops its motors after half a second without a line.
 
     Far too slow for balancing, good for measuring motors and sensors on a robot that lies or hangs. There is no truth,
     it cannot be put into a state, and nothing tells whether it has fallen. `program` is that program where the robot is
@@ -66,7 +66,7 @@ class PybricksBody:
         hub = self._hub or await self._connected()
         order = f"{duties[0]} {duties[1]}".encode()
         await hub.write(order + b"*%04X\n" % binascii.crc_hqx(order, 0xFFFF))
-        self._newest(hub)  # what was read before the hub had heard
+        self._newest(hub)  # readings from before the order arrived
         reading, really = await self._next(hub)
         self._battery = reading.battery
         return as_sample((self._tick - self._began) * PERIOD, reading, self._offset, really)

@@ -1,4 +1,4 @@
-"""What bodies of hardware share: a robot that is commanded from here, tick by tick, through a slow line."""
+"""What bodies of hardware share: a robot that this computer commands, tick by tick, over a slow line."""
 
 from __future__ import annotations
 

@@ -52,7 +52,7 @@ METRICS: dict[str, tuple[str, str]] = {
 """Field name → (unit, label) of every metric, in order; the effort's u is `Comparison.command_unit`."""
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Comparison(Shown):
     """Logs under their labels, the metrics of each, and how well each fits the reference.
 

@@ -63,7 +63,7 @@ class Door:
 
 @dataclass
 class Scores:
-    """The board: what the stages said last of each session, under the names that students gave."""
+    """The board: the latest row of each session, under the names that students gave."""
 
     names: dict[str, str] = field(default_factory=dict[str, str])
     here: set[str] = field(default_factory=set[str])

@@ -1,4 +1,4 @@
-"""What takes longer than a frame is done at a desk: in processes of their own, which can be killed.
+"""Work that takes longer than a frame runs at a desk: in processes of its own, which can be killed.
 
 One clerk serves quick requests, of which the latest of each key wins; every other job has a process to itself.
 """
@@ -25,7 +25,7 @@ MEMORY = 8 << 30  # [bytes] of addresses for one job: a hostile file must not ta
 
 
 class Desk(Protocol):
-    """Takes jobs by (session, name). What comes of them is told to the session by whoever owns the desk."""
+    """Takes jobs by (session, name). The desk's owner reports the results to the session."""
 
     def submit(self, key: Key, task: str, args: tuple[Any, ...], alone: bool = False) -> None: ...
 

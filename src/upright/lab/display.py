@@ -53,7 +53,7 @@ class Display:
         return [self._snapshot(row, i, back, paused) for i, row in enumerate(rows)]
 
     def history(self) -> History:
-        """What was recorded, thinned out, for a page that comes late."""
+        """What was recorded, thinned out, for a page that connects later."""
         rows = self._rows.rows(max(1, round(SHOWN / self._period))).tolist()
         states = [
             tuple(v for i in range(len(self._lanes)) for v in _round(row[1 + 9 * i : 7 + 9 * i], _STATE))

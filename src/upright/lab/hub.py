@@ -26,7 +26,7 @@ FORGOTTEN = 900.0  # [s] that a session is kept without anybody watching it
 
 @dataclass
 class Client:
-    """One page. `session` is empty until it has said hello; `closed` says why it was let go."""
+    """One page. `session` is empty until its `Hello`; `closed` is the reason why it was disconnected."""
 
     key: str
     box: Mailbox

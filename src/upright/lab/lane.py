@@ -72,9 +72,9 @@ class Lane:
         return x
 
     def estimate(self) -> list[float]:
-        """The controller's opinion of the state (6,), or nothing."""
-        opinion = self.controller.estimate()
-        return [a + b for a, b in zip(opinion, self.offset, strict=False)]
+        """The controller's estimate of the state (6,), or nothing."""
+        estimate = self.controller.estimate()
+        return [a + b for a, b in zip(estimate, self.offset, strict=False)]
 
     def saturated(self) -> int:
         """1 for the left motor at its limit, plus 2 for the right one."""

@@ -1,4 +1,4 @@
-"""What page and session say to each other: frozen dataclasses, which are also the types of the page.
+"""The messages between page and session: frozen dataclasses, which are also the types of the page.
 
 Snapshots are of the moment: the latest wins, and a client holds at most one that it has not acknowledged. Everything
 else is an event: ordered, never dropped. `web/src/messages.ts` is generated from this file by `lab.typescript`; `codec`

@@ -18,7 +18,7 @@ from upright.physics.linear import linearise
 from upright.robots import PARAMETERS, Kit, Robot
 
 FINE, COARSE = 0.002, 0.01
-"""[s] that one step of a body takes: alone, and in a class where thirty share a machine; a kit's times round to it."""
+"""[s] that one step of a body takes: alone, and in a class of thirty on one machine; a kit's times round to it."""
 
 TWIN_STEP = 0.0005
 """[s] of MuJoCo's own step: pitch keeps to 0.25 % of its peak (docs/twin.md), less than a page can draw, at two
@@ -181,7 +181,7 @@ class Pulled:
         self.twist = 0.0
 
     def pull(self, force: float) -> None:
-        """Pull the left end with `force` [N], or the right one with minus that, until told otherwise."""
+        """Pull the left end with `force` [N], or the right one with minus that, until the next call."""
         self.twist = force * self._turn
 
     def reset(self, start: Any = REST, seed: int = 0) -> Sample:

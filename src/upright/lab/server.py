@@ -69,7 +69,7 @@ def listening(lab: Lab) -> socket.socket:
 
 def serve(lab: Lab, sock: socket.socket, ready: Callable[[], None] | None = None) -> None:
     """Serve until Ctrl-C; `ready` is called when pages are answered."""
-    page_text()  # a checkout without a built page is told so before anything runs
+    page_text()  # a checkout without a built page fails before anything runs
     options, count = (CLASS, CLASS_STAGES) if lab.door.is_class else (ALONE, 1)
     hub = Hub(lab.door, [StageProcess(options) for _ in range(count)])
     try:

@@ -85,7 +85,7 @@ class Session:
     # What comes in
 
     def handle(self, message: Any) -> None:
-        """Do what the message asks; what cannot be done is said as an event."""
+        """Do what the message asks; what cannot be done becomes an error event."""
         try:
             self._handlers()[type(message)](message)
         except UprightError as error:
@@ -102,7 +102,7 @@ class Session:
             self._period()
 
     def reported(self, job: str, status: str, result: Any) -> None:
-        """The desk's word on a job: "progress", "done" or "failed"."""
+        """What the desk reports on a job; `status` is "progress", "done" or "failed"."""
         if status == "progress":
             self._events.append(Progress(job, result))  # type: ignore[arg-type]
         elif status == "failed":
@@ -142,11 +142,11 @@ class Session:
         return views.changed(self.setup, self.plant, self.lanes, bool(self._busy))
 
     def welcome(self) -> list[Any]:
-        """The events that tell a page that comes late what stands here."""
+        """The events that describe the session to a page that connects later."""
         return [views.catalogue(), *self.standing_events(), self._display.history()]
 
     def standing_events(self) -> list[Any]:
-        """The set-up, its equations, and what was found of its loop so far."""
+        """The set-up, its equations, and the analysis of its loop so far."""
         return [self.changed(), views.equations(self.plant.robot), *self._known.values()]
 
     def logs(self) -> dict[str, Log]:
@@ -200,7 +200,7 @@ class Session:
         there = dict.fromkeys(self.setup.bodies)
         names = tuple(name for name in there if name != "calibrated" or self.calibrated is not None)
         if not names:
-            raise InvalidScenario("no body to stand there", expected="at least one of twin, nonlinear, linear")
+            raise InvalidScenario("the set-up names no body", expected="at least one of twin, nonlinear, linear")
         return names
 
     def _controller(self) -> Controller:
@@ -235,7 +235,7 @@ class Session:
     def follow(self) -> list[Any]:
         """Have the certificate's light computed for the controller that was designed last, or say that it is not."""
         if not self._certified:
-            return [Light("none", ("in a class the light is computed when it is asked for",))]
+            return [Light("none", ("in a class, the certificate is computed on request",))]
         self._desk.submit((self.name, "light"), "light", (self.setup,), alone=True)
         return []
 

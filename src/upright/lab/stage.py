@@ -51,7 +51,7 @@ class _Seat:
 
 
 class Stage:
-    """Sessions by name. `take` is told what the server wants, `tick` moves everything on to the wall time `now` [s]."""
+    """Sessions by name. `take` handles a word of the server, `tick` runs everything up to the wall time `now` [s]."""
 
     def __init__(self, options: Options) -> None:
         self._options, self._desk = options, ProcessDesk()
@@ -162,7 +162,7 @@ def _listen(pipe: Connection, stage: Stage, until: float) -> None:
     while (left := until - time.monotonic()) > 0:
         if pipe.poll(left):
             stage.take(pipe.recv(), time.monotonic())
-    for _ in range(100):  # behind schedule words are still heard, but not without end
+    for _ in range(100):  # behind schedule words are still read, but a limited number
         if not pipe.poll(0):
             return
         stage.take(pipe.recv(), time.monotonic())

@@ -1,4 +1,4 @@
-"""A stage's process, seen from the server."""
+"""The server's side of a stage's process."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class StageLink(Protocol):
 
 
 class StageProcess:
-    """A stage's process, seen from the server: words go into a pipe, and a thread drains what comes back."""
+    """The server's side of a stage's process: words go into a pipe, and a thread drains what comes back."""
 
     def __init__(self, options: Options) -> None:
         context = get_context("spawn")

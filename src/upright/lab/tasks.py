@@ -1,4 +1,4 @@
-"""What a desk can do: each takes a function that is told the fraction done, then its arguments."""
+"""What a desk can do: each takes a function to report the fraction done, then its arguments."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a page is told of a set-up: what there is to choose, how it stands, and the numbers of its equations."""
+"""Messages that describe a set-up: what there is to choose, how it stands, and the numbers of its equations."""
 
 from __future__ import annotations
 
