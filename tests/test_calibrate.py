@@ -19,8 +19,8 @@ from upright.bodies.twin import Twin
 from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import HELD, VISIBLE, Calibration
 from upright.calibrate.fitting import DRIVEN, LEVEL, events_of, normal_equations, objective
-from upright.calibrate.parameters import ROLL_SHARE, parameters_of, with_values
-from upright.calibrate.threads import side_by_side
+from upright.calibrate.parameters import ROLL_FRACTION, parameters_of, with_values
+from upright.calibrate.threads import in_threads
 from upright.control import Estimated, kalman, lqr, make_controller
 from upright.control.controller import TRUE_STATE, ControllerSpec
 from upright.control.excited import Excited, random_binary
@@ -247,7 +247,7 @@ def test_intervals_and_covariance_agree() -> None:
 def test_inertias_stay_those_of_a_rigid_body() -> None:
     """Any two principal inertias leave room for a third between their difference and their sum."""
     for pitch, yaw, share in ((1e-4, 5e-3, 0.5), (5e-3, 1e-4, 0.0), (1e-3, 1e-3, 1.0)):
-        values = {"pitch_inertia": pitch, "yaw_inertia": yaw, ROLL_SHARE: share}
+        values = {"pitch_inertia": pitch, "yaw_inertia": yaw, ROLL_FRACTION: share}
         robot = with_values(PRIOR, values)  # refused by Robot if it were none
         assert abs(pitch - yaw) < robot.roll_inertia < pitch + yaw
     assert with_values(PRIOR, {}).roll_inertia == pytest.approx(PRIOR.roll_inertia)
@@ -481,7 +481,7 @@ def test_the_whole_loop_of_twipr_runs_freely_for_ten_seconds(shared: Path) -> No
 
 
 def _doubled() -> list[int]:
-    return side_by_side(lambda n: 2 * n, range(4))
+    return in_threads(lambda n: 2 * n, range(4))
 
 
 def test_a_forked_process_has_threads_of_its_own() -> None:

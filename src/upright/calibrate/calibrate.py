@@ -3,7 +3,7 @@
     calibrate(log, robot) → Calibration
 
 The predictor's gains belong to noise that is learnt with the parameters. Its process noise may not exceed `FREEDOM`: a
-filter that trusts its model little foretells the next sample well whatever the model is, and nothing beyond.
+filter that trusts its model little predicts the next sample well whatever the model is, and nothing beyond.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from functools import partial
 from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,42 +38,49 @@ from upright.signals import Log
 
 Array = NDArray[np.float64]
 Progress = Callable[[float], None]
-Fit = tuple[Problem, Array, Normal, Sequence[Path]]
 
-ANNEALED = (0.3, 0.1, 0.03)
-"""Process noise of the first fits, as a share of the commands: large noise makes a short-sighted filter that holds on
-to any robot, so that a poor start is found; less noise then makes it look farther."""
+
+class Fitted(NamedTuple):
+    """A problem, its parameters of greatest posterior z (parameters,), and the derivatives and filters there."""
+
+    problem: Problem
+    z: Array
+    normal: Normal
+    paths: Sequence[Path]
+
+
+ANNEALING_NOISE = (0.3, 0.1, 0.03)
+"""[1] Process noise of the first fits, as a fraction of the commands (rms). Much noise makes a filter that forgets fast
+and follows any robot, so that a poor start converges; less noise then makes it predict over a longer time."""
 
 FREEDOM = 0.015
-"""Most process noise that is learnt, as a share of the commands and of the robot's weight."""
+"""[1] Most process noise that is learnt, as a fraction of the commands and of the robot's weight."""
 
-TRIED = ((0.003, 1.0), (0.03, 16.0), (0.03, 1e6), (0.1, 256.0), (0.3, 1e6))
-"""(share, largest sensor variance over the kit's) tried where innovations are not white: the one wins under which the
-robot simulated freely follows the log farthest."""
+NOISE_TRIALS = ((0.003, 1.0), (0.03, 16.0), (0.03, 1e6), (0.1, 256.0), (0.3, 1e6))
+"""(most process noise as a fraction of the commands, most sensor variance over the kit's) tried where innovations are
+not white: the trial with the best free simulation of the fitted parts wins."""
 
-LATER = (-0.5, 0.5, 1.0)
-"""Periods by which the gyro is later where the best of these is fitted again: a dead time has optima a period apart."""
+GYRO_DELAY_TRIALS = (-0.5, 0.5, 1.0)
+"""[periods] added to the gyro's delay where the best trial is fitted again: delays have optima a period apart."""
 
-MUCH, FARTHER = 0.1, 0.02
-"""Weight of the readings below which a prior may outweigh them, and how much of R² it may then cost."""
-
-SAME = 0.02  # by which a weight of the readings may change without another fit
-STILL = 0.05  # by which the logarithm of a variance may change without another fit
-WHITE = 0.15
-"""Autocorrelation of innovations below which the model is taken for right."""
+LEAST_WEIGHT = 0.1  # [1] weight of the readings below which the prior may outweigh them
+WORST_LOSS = 0.02  # [1] most R² of free simulation that the prior may then cost
+WEIGHT_TOLERANCE = 0.02  # [1] relative change of the readings' weight that asks for no other fit
+NOISE_TOLERANCE = 0.05  # [1] change of a variance's logarithm that asks for no other fit: a noise known to 2.5 %
+WHITE = 0.15  # [1] autocorrelation of innovations below which the model is taken for right: 3 deviations of 400 samples
 
 STARTS = ((0, 0, 0), (3, 0, 0), (6, 0, 0), (0, 2, 0), (0, 0, 1), (0, 0, -1))
-"""Periods by which all sensors, and the gyro alone, are later than the prior has it, and deviations by which the pitch
-inertia is larger; tried in turn."""
+"""Starts, tried in turn: [periods] added to the prior's delay of all sensors and of the gyro alone, and by how many
+deviations of its prior the pitch inertia is larger."""
 
-PLAUSIBLE = 9.0
-"""Sensors no noisier than this over their kit's variance show that the prior's own dead times are near enough."""
+PLAUSIBLE_NOISE = 9.0
+"""[1] Sensor variance over the kit's: where all sensors stay below it, the prior's own delays are near enough."""
 
-NOISE_TIME = 0.01  # [s] the period for which shares of the commands are meant
-UNSURE = 0.01  # share of the friction that may well be there, with which its noise begins where none is known
-BIAS_WALK = 1e-7  # [(rad/s)²/s] the gyro's bias, a few hundredths of a degree a second each second
-LEAST = 1e-6  # smallest process noise, of the largest
-EARLY = 6.0  # [s] of each log that decide between starts, and on which noise is taken away
+NOISE_TIME = 0.01  # [s] period for which fractions of the commands are meant
+FRICTION_NOISE = 0.01  # [1] first noise of sticking wheels, as a fraction of the largest friction, where none is known
+BIAS_WALK = 1e-7  # [(rad/s)²/s] random walk of the gyro's bias: a few hundredths of a degree a second each second
+NOISE_RANGE = 1e-6  # [1] least process noise that is learnt, over the most
+START_SECONDS = 6.0  # [s] of each log that decide between starts
 
 
 def calibrate(
@@ -90,9 +98,9 @@ def calibrate(
     Logs are `Log`s or files, which `mapping` reads (default: the one that fits); robot and kit may be names or files.
 
     `robot` gives the prior: each number with the spread of its provenance, a guess with a factor of two. `kit`
-    (default: the robot's own) gives first dead times and noise. `known` names parameters taken for exact. The last
-    share `held_out` of each log is kept back and only foretold. Raises `InvalidLog` for logs that cannot be used,
-    `DesignFailed` where no start follows the log.
+    (default: the robot's own) gives first delays and noise. `known` names parameters taken for exact. The last fraction
+    `held_out` of each log is not fitted; predictions are tested on it. Raises `InvalidLog` for logs that cannot be
+    used, `DesignFailed` where no start follows the log.
     """
     from upright.calibrate.summary import summarised
 
@@ -114,18 +122,18 @@ def calibrate(
     return summarised(problem, z, normal, paths, several, reason, began)
 
 
-def _unwatched(share: float) -> None:
-    """Show nothing of the `share` done."""
+def _unwatched(fraction: float) -> None:
+    """Show nothing of the `fraction` done."""
 
 
 def prepared(
     logs: Sequence[Log], robot: Robot, kit: Kit, known: Sequence[str], held_out: float
 ) -> tuple[Problem, dict[str, float]]:
     """The problem at its prior, and each sensor's variance as its kit has it."""
-    late = max([kit.delay, *(kit.delay + s.delay for s in kit.sensors.values())])
+    delay = max([kit.delay, *(kit.delay + s.delay for s in kit.sensors.values())])
     if any(_idle(log) for log in logs):
         raise InvalidLog("the commands never change", expected="motors at work", likely="a log of a robot switched off")
-    recordings = tuple(record(log, robot, skip=late + 0.02, held_out=held_out) for log in logs)
+    recordings = tuple(record(log, robot, skip=delay + 0.02, held_out=held_out) for log in logs)
     sensors = dict.fromkeys(s for r in recordings for s in r.sensors)
     delays = {s: _dead_time(kit, logs) + _delay(kit, s) for s in sensors}
     variances = [first_noise(r, kit) for r in recordings]
@@ -134,12 +142,15 @@ def prepared(
     noise |= {JITTER: math.log(kit.jitter**2 / 12)} if kit.jitter else {}
     parameters = parameters_of(robot, delays, known, electronics_of(robot, kit, logs))
     every = (*parameters, *EQUATIONS)
-    problem = Problem(recordings, robot, every, delays, noise | process(recordings, robot, ANNEALED[0]))
+    problem = Problem(
+        recordings=recordings, robot=robot, parameters=every, delays=delays,
+        noise=noise | process(recordings, robot, ANNEALING_NOISE[0]),
+    )  # fmt: skip
     return problem, limits
 
 
 def _idle(log: Log) -> bool:
-    """Whether nothing was ever commanded but one and the same."""
+    """Whether the commands never change."""
     prefix = commanded(log)
     return bool(prefix) and not any(np.ptp(log[f"{prefix}/{side}"]) for side in ("left", "right"))
 
@@ -155,19 +166,19 @@ def _delay(kit: Kit, sensor: str) -> float:
     return max((s.delay for name, s in kit.sensors.items() if SENSOR.get(name) == sensor), default=0.0)
 
 
-def process(recordings: Sequence[Recording], robot: Robot, share: float) -> dict[str, float]:
-    """Log-variances a second of process noise: `share` of the commands, and of 1 N for a robot of 0.6 kg; and while a
-    wheel sticks, the friction that holds it, or where none is known, little of what may well be there."""
+def process(recordings: Sequence[Recording], robot: Robot, fraction: float) -> dict[str, float]:
+    """Log-variances a second of process noise: a `fraction` of the commands (rms), and of 1 N for a robot of 0.6 kg;
+    while a wheel sticks, the friction that holds it, or where none is known, a hundredth of the largest plausible."""
     rms = np.sqrt(np.mean([np.mean(r.commands**2) for r in recordings]))
-    dry = (robot.coulomb_friction or UNSURE * most_friction(robot)) / motor_gain(robot)
-    sizes = {"motor": share * max(rms, 1e-9), "push": share * robot.body_mass / 0.6, STICKING: max(dry, 1e-9)}
+    dry = (robot.coulomb_friction or FRICTION_NOISE * most_friction(robot)) / motor_gain(robot)
+    sizes = {"motor": fraction * max(rms, 1e-9), "push": fraction * robot.body_mass / 0.6, STICKING: max(dry, 1e-9)}
     return {name: float(np.log(size**2 * NOISE_TIME)) for name, size in sizes.items()} | {
         "gyro_bias": float(np.log(BIAS_WALK))
     }
 
 
-def _with_process(problem: Problem, share: float) -> Problem:
-    return replace(problem, noise={**problem.noise, **process(problem.recordings, problem.robot, share)})
+def _with_process(problem: Problem, fraction: float) -> Problem:
+    return replace(problem, noise={**problem.noise, **process(problem.recordings, problem.robot, fraction)})
 
 
 def _sensor_bounds(limits: Mapping[str, float], most: float = 1e6) -> dict[str, tuple[float, float]]:
@@ -179,23 +190,23 @@ def annealed(problem: Problem, limits: Mapping[str, float]) -> tuple[Problem, Ar
     """From the best of several starts, with less and less process noise, as long as the filter keeps the robot: on the
     beginning of the logs, since only the way down is sought, and on the whole where that does not follow the rest."""
     z = _best_start(problem, limits)
-    early, found = _less_noise(replace(problem, recordings=_beginnings(problem)), z, limits)
+    early, result = _less_noise(replace(problem, recordings=_beginnings(problem)), z, limits)
     fitted = replace(early, recordings=problem.recordings)
-    return (fitted, found) if np.isfinite(objective(fitted, found)[0]) else _less_noise(problem, z, limits)
+    return (fitted, result) if np.isfinite(objective(fitted, result)[0]) else _less_noise(problem, z, limits)
 
 
 def _beginnings(problem: Problem) -> tuple[Recording, ...]:
-    return tuple(head(r, EARLY) for r in problem.recordings)
+    return tuple(head(r, START_SECONDS) for r in problem.recordings)
 
 
 def _less_noise(problem: Problem, z: Array, limits: Mapping[str, float]) -> tuple[Problem, Array]:
     bounds = _sensor_bounds(limits)
-    for share in ANNEALED:
-        less = _with_process(problem, share)
+    for fraction in ANNEALING_NOISE:
+        less = _with_process(problem, fraction)
         if not np.isfinite(objective(less, z)[0]):
             break
         less = learn_noise(less, z, bounds, iterations=2)
-        new, normal, _ = gauss_newton(less, z, iterations=6, tolerance=0.1)
+        new, normal, *_ = gauss_newton(less, z, iterations=6, tolerance=0.1)
         if not np.isfinite(normal.objective):
             break
         problem, z = less, new
@@ -203,22 +214,22 @@ def _less_noise(problem: Problem, z: Array, limits: Mapping[str, float]) -> tupl
 
 
 def _best_start(problem: Problem, limits: Mapping[str, float]) -> Array:
-    """The prior with its dead times, or with longer ones, whichever explains the beginning of the logs best."""
+    """The prior with its delays, or with longer ones, whichever explains the beginning of the logs best."""
     early = replace(problem, recordings=_beginnings(problem))
     tries: list[tuple[float, Array]] = []
-    for all_later, gyro_later, heavier in STARTS:
+    for all_extra, gyro_extra, heavier in STARTS:
         z = np.zeros(len(problem.parameters))
         for i, p in enumerate(problem.parameters):
             if p.name.startswith("delay/"):
-                later = all_later + (gyro_later if p.name == "delay/gyro" else 0)
-                z[i] = p.coordinate(p.prior + later * problem.recordings[0].period)
+                extra = all_extra + (gyro_extra if p.name == "delay/gyro" else 0)
+                z[i] = p.coordinate(p.prior + extra * problem.recordings[0].period)
             elif p.name == "pitch_inertia" and p.name not in problem.held:
                 z[i] = heavier
         if np.isfinite(objective(early, z)[0]):
             start = learn_noise(early, z, _sensor_bounds(limits), iterations=1)
-            z, normal, _ = gauss_newton(start, z, iterations=3, tolerance=0.3)
+            z, normal, *_ = gauss_newton(start, z, iterations=3, tolerance=0.3)
             tries.append((normal.objective, z))
-            if len(tries) == 1 and all(start.noise[n] < np.log(PLAUSIBLE * v) for n, v in limits.items()):
+            if len(tries) == 1 and all(start.noise[n] < np.log(PLAUSIBLE_NOISE * v) for n, v in limits.items()):
                 break
     if not tries:
         raise _lost()
@@ -227,14 +238,14 @@ def _best_start(problem: Problem, limits: Mapping[str, float]) -> Array:
 
 def _lost() -> DesignFailed:
     return DesignFailed(
-        "no start follows this log", expected="a log of the robot that was named, balancing",
+        "the filter loses the robot from every start", expected="a log of the named robot, balancing",
         likely="another robot, a flipped sign or a wrong unit", hint="run `upright doctor` on the log",
     )  # fmt: skip
 
 
-def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fit:
+def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
     """Parameters and noise of greatest likelihood; where the innovations show that the model is not right, the noise
-    that sees farthest, and a weight of the readings that their correlation leaves them."""
+    with the best free simulation, and readings weighted by their effective sample size."""
     from upright.calibrate.validate import worst_correlation
 
     calm = _with_process(problem, FREEDOM / 10)
@@ -244,77 +255,85 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fit:
     if worst_correlation(*best) < WHITE:
         return _tempered(*best)
 
-    def tried(trial: tuple[float, float]) -> Fit:
-        return _settled(rough[0], rough[1], _bounds(problem, limits, *trial))
+    def tried(trial: tuple[float, float]) -> Fitted:
+        return _settled(rough.problem, rough.z, _bounds(problem, limits, *trial))
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        best = _farthest([rough, *pool.map(tried, TRIED)])
-        starts = zip(*product((best[1], z), LATER), strict=True)
-        best = _farthest([best, *pool.map(partial(_later, best[0]), *starts)])
+        best = _best_simulated([rough, *pool.map(tried, NOISE_TRIALS)])
+        starts = zip(*product((best.z, z), GYRO_DELAY_TRIALS), strict=True)
+        best = _best_simulated([best, *pool.map(partial(_with_gyro_delay, best.problem), *starts)])
     return _tempered(*best)
 
 
-def _farthest(fits: Sequence[Fit]) -> Fit:
-    """The fit whose robot follows the log farthest when it is simulated freely."""
+def _fitted(problem: Problem, z: Array, *, iterations: int) -> Fitted:
+    """Gauss–Newton from z."""
+    result = gauss_newton(problem, z, iterations=iterations)
+    return Fitted(problem, result.z, result.normal, result.paths)
+
+
+def _best_simulated(fits: Sequence[Fitted]) -> Fitted:
+    """The fit whose robot follows the log best when it is simulated freely."""
     from upright.calibrate.validate import score
 
-    return max(fits, key=lambda fit: score(fit[0], fit[1]) if np.isfinite(fit[2].objective) else -np.inf)
+    return max(fits, key=lambda fit: score(fit.problem, fit.z) if np.isfinite(fit.normal.objective) else -np.inf)
 
 
-def _later(problem: Problem, z: Array, periods: float) -> Fit:
-    """The fit that comes of z with its gyro so many periods later."""
+def _with_gyro_delay(problem: Problem, z: Array, periods: float) -> Fitted:
+    """The fit from z with so many periods added to the gyro's delay."""
     for i, p in enumerate(problem.parameters):
         if p.name == "delay/gyro":
             z = z.copy()
             z[i] = max(p.coordinate(float(p.value(z[i])) + periods * problem.recordings[0].period), p.least)
-    return (problem, *gauss_newton(problem, z, iterations=10))
+    return _fitted(problem, z, iterations=10)
 
 
-def _bounds(problem: Problem, limits: Mapping[str, float], share: float, most: float = 1e6) -> Bounds:
-    top, dry = process(problem.recordings, problem.robot, share), most_friction(problem.robot)
+def _bounds(problem: Problem, limits: Mapping[str, float], fraction: float, most: float = 1e6) -> Bounds:
+    top, dry = process(problem.recordings, problem.robot, fraction), most_friction(problem.robot)
     top[STICKING] = max(top[STICKING], math.log((dry / motor_gain(problem.robot)) ** 2 * NOISE_TIME + 1e-30))
-    free = {name: (math.exp(value) * LEAST, math.exp(value)) for name, value in top.items() if name != "gyro_bias"}
+    free = {
+        name: (math.exp(value) * NOISE_RANGE, math.exp(value)) for name, value in top.items() if name != "gyro_bias"
+    }
     return {**_sensor_bounds(limits, most), **free}
 
 
-def _settled(problem: Problem, z: Array, bounds: Bounds) -> Fit:
+def _settled(problem: Problem, z: Array, bounds: Bounds) -> Fitted:
     """Parameters and noise in turn, until the noise of the sensors stays. Parameters first: noise that is learnt at
     wrong ones explains what they leave, and then hides from the next fit that they are wrong."""
     inside = {n: float(np.clip(problem.noise[n], np.log(low), np.log(high))) for n, (low, high) in bounds.items()}
     within = replace(problem, noise={**problem.noise, **inside})
     problem = within if np.isfinite(objective(within, z)[0]) else problem
     for turn in range(6):
-        z, normal, paths = gauss_newton(problem, z, iterations=5)
+        _, z, normal, paths = _fitted(problem, z, iterations=5)
         before, problem = problem, learn_noise(problem, z, bounds, iterations=3 if turn else 5)
         changed = {n: abs(problem.noise[n] - before.noise[n]) for n in bounds}
-        if max(changed.values()) < STILL:
-            return before, z, normal, paths
-    return (problem, *gauss_newton(problem, z, iterations=8))
+        if max(changed.values()) < NOISE_TOLERANCE:
+            return Fitted(before, z, normal, paths)
+    return _fitted(problem, z, iterations=8)
 
 
-def _polished(fit: Fit, bounds: Bounds) -> Fit:
+def _polished(fit: Fitted, bounds: Bounds) -> Fitted:
     """The same in fine steps, where these are finer."""
-    fine = replace(fit[0], fine=True)
-    if fine.longest == fit[0].longest:
+    fine = replace(fit.problem, fine=True)
+    if fine.longest == fit.problem.longest:
         return fit
-    problem = learn_noise(fine, fit[1], bounds, iterations=2)
-    return (problem, *gauss_newton(problem, fit[1], iterations=10))
+    problem = learn_noise(fine, fit.z, bounds, iterations=2)
+    return _fitted(problem, fit.z, iterations=10)
 
 
-def _tempered(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> Fit:
-    """The same fit in fine steps, with readings that count as little as their scores' correlation says, against the
-    prior. Where the prior then draws the fit away from what foretells the log, the fit stays and only widens."""
-    from upright.calibrate.informativity import independent_share
+def _tempered(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> Fitted:
+    """The same fit in fine steps, with readings weighted by their effective sample size against the prior. Where the
+    prior would then draw the fit away from what predicts the log, the fit stays and only its intervals widen."""
+    from upright.calibrate.informativity import effective_fraction
     from upright.calibrate.validate import score
 
     longest, problem, first = problem.longest, replace(problem, fine=True), z
     for _ in range(2):
-        share = independent_share(problem, normal, paths)
-        if abs(share / problem.temper - 1) < SAME and problem.longest == longest:
+        fraction = effective_fraction(problem, normal, paths)
+        if abs(fraction / problem.temper - 1) < WEIGHT_TOLERANCE and problem.longest == longest:
             break
-        problem, longest = replace(problem, temper=share), problem.longest
-        z, normal, paths = gauss_newton(problem, z, iterations=10)
-    if problem.temper < MUCH and score(problem, z) < score(problem, first) - FARTHER:
+        problem, longest = replace(problem, temper=fraction), problem.longest
+        _, z, normal, paths = _fitted(problem, z, iterations=10)
+    if problem.temper < LEAST_WEIGHT and score(problem, z) < score(problem, first) - WORST_LOSS:
         value, paths = objective(problem, first)
-        return problem, first, normal_equations(problem, first, paths, value), paths
-    return problem, z, normal, paths
+        return Fitted(problem, first, normal_equations(problem, first, paths, value), paths)
+    return Fitted(problem, z, normal, paths)

@@ -20,16 +20,16 @@ Array = NDArray[np.float64]
 
 VISIBLE, PRIOR, BOUND, HELD = "visible", "known from its prior", "at its bound", "held at its prior"
 VERDICTS = {
-    VISIBLE: "the log halves what was unknown of it, or better",
-    PRIOR: "the log adds little to what was known; alone it means nothing, with the others it fits the log",
+    VISIBLE: "the log halves the prior's uncertainty, or better",
+    PRIOR: "the log adds little to the prior; the value is meaningful only together with the others",
     BOUND: "the fit pressed against zero; the interval is one-sided",
-    HELD: "not fitted: the log cannot tell it",
+    HELD: "not fitted: the log holds too little information",
 }
 SURPRISE = 3.0
-"""Prior deviations beyond which the log contradicts what was said to be known."""
+"""Prior deviations beyond which the log contradicts a stated value."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Estimate:
     """A number with its 95 % interval, the prior it had (value and one standard deviation), and the verdict on it.
 
@@ -61,7 +61,7 @@ class Estimate:
 
 @dataclass(frozen=True)
 class Whiteness:
-    """Two tests of a sensor's innovations: whether they foretell one another, and whether the commands foretell them.
+    """Two tests of a sensor's innovations: whether they predict one another, and whether the commands predict them.
 
     `ljung_box` and `input_test` are χ² statistics of `lags` degrees of freedom; both are to stay below `threshold`
     (the 99 % point). `worst` is the largest autocorrelation of the first five lags, `rms` that of the innovations over

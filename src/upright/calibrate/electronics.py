@@ -31,16 +31,16 @@ MEASURED = 0.02  # [1] spread where it was: drop in driver and wires
 
 def electronics_of(robot: Robot, kit: Kit, logs: Sequence[Log]) -> tuple[Parameter, ...]:
     """What lies between the commands of these logs and the motors, with its priors."""
-    found = [Parameter(ASYMMETRY, "1", 0.0, UNEQUAL, "linear")]
+    parameters = [Parameter(ASYMMETRY, "1", 0.0, UNEQUAL, "linear")]
     if all("body" in log.origin for log in logs):
-        return tuple(found)
+        return tuple(parameters)
     if robot.drive == "voltage":
         measured = all("sensor/battery" in log for log in logs)
-        found.append(Parameter(BATTERY, "1", 1.0, MEASURED if measured else UNMEASURED, "logarithm"))
+        parameters.append(Parameter(BATTERY, "1", 1.0, MEASURED if measured else UNMEASURED, "logarithm"))
     zone = kit.motor.dead_zone
     if zone:
-        found.append(Parameter(DEAD_ZONE, robot.command_unit, zone, zone / 2, "linear", 0.0, True))
-    return tuple(found)
+        parameters.append(Parameter(DEAD_ZONE, robot.command_unit, zone, zone / 2, "linear", 0.0, True))
+    return tuple(parameters)
 
 
 def driven(parameters: Sequence[Parameter], z: Array) -> Array:

@@ -58,7 +58,7 @@ def filter_log(
     noise |= process((recording,), robot, disturbance) | {STICKING: -math.inf}  # the motors' noise below holds it
     dry = friction * robot.coulomb_friction / motor_gain(robot)
     noise["motor"] = math.log(math.exp(noise["motor"]) + dry**2 * NOISE_TIME)
-    problem = Problem((recording,), robot, (), after_command, noise)
+    problem = Problem(recordings=(recording,), robot=robot, parameters=(), delays=after_command, noise=noise)
     return _in_order(problem, problem.filtered(recording, np.zeros(0), keep=True), log)
 
 

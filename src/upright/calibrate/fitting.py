@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from upright.calibrate.electronics import driven
 from upright.calibrate.parameters import Parameter, columns
-from upright.calibrate.threads import CORES, side_by_side
+from upright.calibrate.threads import CORES, in_threads
 from upright.compiled.generated import LANES, Constants, constants
 from upright.logs.recording import SENSOR, Recording, reading_matrix
 from upright.physics.integrate import PREDICTED
@@ -80,7 +80,7 @@ def _linear(robot: Robot) -> tuple[float, tuple[Array, Array]]:
     return float(np.abs(poles).max()), (model.B @ model.B.T, np.outer(push, push))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Problem:
     """Recordings, the robot they are thought to be of, what to estimate, and log-variances of process and sensors.
 
@@ -113,13 +113,13 @@ class Problem:
         """Which parameters move; the others are held at their prior."""
         return np.array([p.name not in self.held for p in self.parameters])
 
-    def late(self, z: Array) -> dict[str, Array]:
+    def delays_at(self, z: Array) -> dict[str, Array]:
         """Dead time [s] of each sensor, over the lanes of z (parameters, lanes)."""
-        late = {name: np.full(z.shape[1], value) for name, value in self.delays.items()}
+        delays = {name: np.full(z.shape[1], value) for name, value in self.delays.items()}
         for i, p in enumerate(self.asked):
             if p.name.startswith("delay/"):
-                late[p.name.removeprefix("delay/")] = p.value(z[i])
-        return late
+                delays[p.name.removeprefix("delay/")] = p.value(z[i])
+        return delays
 
     def coefficients(self, z: Array) -> Array:
         """What the predictor is made of (coefficients, lanes), for the lanes of z (parameters, lanes): the constants of
@@ -133,7 +133,7 @@ class Problem:
             if self.robot.coulomb_friction:
                 size[LEVEL.index(AT.rotor_coupling)] = TURNED / EXACT * np.sqrt(c[AT.pitch_inertia])
             c[list(LEVEL)] += EXACT * size * z[len(self.asked) :]
-        return np.concatenate([c, driven(self.asked, z), [*self.late(z).values()]])
+        return np.concatenate([c, driven(self.asked, z), [*self.delays_at(z).values()]])
 
     def by_parameter(self, z: Array) -> tuple[Array, Array]:
         """The coefficients (coefficients,) at z (parameters,), and their slopes (coefficients, parameters)."""
@@ -155,13 +155,13 @@ class Problem:
 
     def own_delays(self, recording: Recording, z: Array) -> Array:
         """Dead time [s] of each event (events,): zero for commands."""
-        late = self.late(z[:, None])
-        rows = np.array([float(late[SENSOR[row]][0]) for row in recording.rows] + [0.0])
+        delays = self.delays_at(z[:, None])
+        rows = np.array([float(delays[SENSOR[row]][0]) for row in recording.rows] + [0.0])
         return rows[recording.kind]
 
     def order(self, recording: Recording, z: Array) -> NDArray[np.int64]:
         """The events in the command's time at z (parameters,)."""
-        return recording.order({name: float(d[0]) for name, d in self.late(z[:, None]).items()})
+        return recording.order({name: float(d[0]) for name, d in self.delays_at(z[:, None]).items()})
 
     def filtered(self, recording: Recording, z: Array, *, keep: bool = False, until: float = np.inf) -> Path:
         """The filter at z (parameters,) along a recording, up to the time `until` [s]."""
@@ -206,7 +206,7 @@ class Problem:
             return (e[:, :count] - e[:, count:]) / (2 * NUDGE)
 
         parts = min(len(rows), max(CORES, -(-2 * len(rows) // LANES)))
-        return np.concatenate(side_by_side(of, np.array_split(np.array(rows), parts)), axis=1)
+        return np.concatenate(in_threads(of, np.array_split(np.array(rows), parts)), axis=1)
 
     def slopes(self, recording: Recording, z: Array, gains: Array) -> Array:
         """∂e/∂z (events, parameters) at fixed gains."""
@@ -244,7 +244,7 @@ def units(C: Array) -> tuple[Array, list[int]]:
     return unit, [i for i in (*LEVEL, *range(DRIVEN, len(C))) if unit[i] > 0]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Normal:
     """What Gauss–Newton needs at z: objective −log posterior (up to a constant), gradient and Hessian, and by event the
     whitened innovations and their slopes (of the fitted events that are readings).
@@ -314,4 +314,7 @@ def normal_equations(problem: Problem, z: Array, paths: Sequence[Path], value: f
         np.eye(len(z))
         + problem.temper * by_parameter.T @ (by_coefficient.T @ (weight[:, None] * by_coefficient)) @ by_parameter
     )
-    return Normal(value, gradient, hessian, r, J, by_coefficient, rows, unit)
+    return Normal(
+        objective=value, gradient=gradient, hessian=hessian, whitened=r, slopes=J, by_coefficient=by_coefficient,
+        rows=rows, unit=unit,
+    )  # fmt: skip

@@ -7,6 +7,8 @@ the coefficients, and keeps these as the functions of the parameters that they a
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,46 +17,61 @@ from upright.calibrate.parameters import rows_of
 
 Array = NDArray[np.float64]
 
-FIRST_DAMPING = 1e-6  # of the coefficients' own information
-SHORT = 10.0  # tolerances: a step that gains nothing is not shortened below
-HEAVY = 1e6  # damping beyond which no step is tried
-FAR = 3.0  # deviations of the prior that a parameter moves at most in one iteration
-INNER, ENOUGH = 25, 1e-5  # iterations along the coefficients' curves, and the gain in log-likelihood that ends them
+FIRST_DAMPING = 1e-6  # [1] of the coefficients' own information: too little to shorten a good first step
+DAMPING_UP, DAMPING_DOWN = 30.0, 30.0  # factors after a step that fails and one that succeeds (Marquardt 1963 has 10)
+LEAST_RAISED = 1e-3  # [1] damping after a first failure: less would repeat nearly the same step
+MOST_DAMPING = 1e6  # [1] beyond which a step is too short to matter, and none is tried
+SHORT = 10.0  # tolerances: a failing step is not shortened below this length
+NO_LOSS = 1e-2  # in log-likelihood: a step that loses less counts as level, as rounding and noise would have it
+REACH = 3.0  # deviations of the prior that a parameter moves at most in one iteration
+INNER = 25  # iterations along the coefficients' curves, at most
+INNER_GAIN = 1e-5  # in log-likelihood: gain that ends them, a thousandth of `NO_LOSS`
+FIRST_BRAKE, LEAST_BRAKE, MOST_BRAKE = 1e-9, 1e-6, 1e9  # damping of the inner steps: first, after a failure, most
+
+CONVERGED, NO_DESCENT, OUT_OF_ITERATIONS = "converged", "no step lowers the objective", "iterations used up"
 
 
-def gauss_newton(
-    problem: Problem, z: Array, *, iterations: int, tolerance: float = 0.02
-) -> tuple[Array, Normal, list[Path]]:
-    """z that makes the objective least, with damping after Marquardt (1963) and bounds by projection; stops when a
-    step is less than `tolerance` of every parameter's posterior deviation."""
+class Minimum(NamedTuple):
+    """Where the search ended: z, derivatives and filters there, and why it `stopped`."""
+
+    z: Array
+    normal: Normal
+    paths: list[Path]
+    stopped: str
+
+
+def gauss_newton(problem: Problem, z: Array, *, iterations: int, tolerance: float = 0.02) -> Minimum:
+    """z of least objective, with damping after Marquardt (1963) and bounds by projection; converged when a step is less
+    than `tolerance` of every parameter's posterior deviation."""
     value, paths = objective(problem, z)
     normal = normal_equations(problem, z, paths, value)
     damping = FIRST_DAMPING
     for _ in range(iterations):
         spread = np.sqrt(np.diag(np.linalg.inv(normal.hessian)))
         lower, length, new, now, candidate = False, np.inf, z, value, paths
-        while not lower and length > SHORT * tolerance and damping < HEAVY:
-            new = _foreseen(problem, z, normal, damping)
+        while not lower and length > SHORT * tolerance and damping < MOST_DAMPING:
+            new = _predicted_minimum(problem, z, normal, damping)
             length = np.abs((new - z) / spread).max()
             now, candidate = objective(problem, new)
-            lower = now < value + 1e-2 or (not np.isfinite(value) and np.isfinite(now))
-            damping = damping / 30 if lower else max(30 * damping, 1e-3)
-        if lower:
-            z, value, paths = new, now, candidate
-            normal = normal_equations(problem, z, paths, value)
-        if length < tolerance or not lower:
-            break
-    return z, normal, paths
+            lower = now < value + NO_LOSS or (not np.isfinite(value) and np.isfinite(now))
+            damping = damping / DAMPING_DOWN if lower else max(DAMPING_UP * damping, LEAST_RAISED)
+        if not lower:
+            return Minimum(z, normal, paths, NO_DESCENT)
+        z, value, paths = new, now, candidate
+        normal = normal_equations(problem, z, paths, value)
+        if length < tolerance:
+            return Minimum(z, normal, paths, CONVERGED)
+    return Minimum(z, normal, paths, OUT_OF_ITERATIONS)
 
 
-def _foreseen(problem: Problem, z: Array, normal: Normal, damping: float) -> Array:
-    """Where the objective would be least if innovations were linear in the coefficients, at most `FAR` away.
+def _predicted_minimum(problem: Problem, z: Array, normal: Normal, damping: float) -> Array:
+    """Where the objective would be least if innovations were linear in the coefficients, at most `REACH` away.
 
     The coefficients themselves are taken as they are: products and quotients of parameters, along whose curved valleys
     straight steps would have to be short.
     """
     rows, unit = normal.rows, normal.unit[normal.rows]
-    least = np.maximum([p.least for p in problem.parameters], z - FAR)
+    least = np.maximum([p.least for p in problem.parameters], z - REACH)
     weighed = normal.weight[:, None] * normal.by_coefficient
     information, g = problem.temper * normal.by_coefficient.T @ weighed, problem.temper * weighed.T @ normal.whitened
     A = information + damping * np.diag(np.diag(information))
@@ -65,22 +82,22 @@ def _foreseen(problem: Problem, z: Array, normal: Normal, damping: float) -> Arr
         d, slopes = q[rows] / unit - q0, C[rows] / unit[:, None]
         return float(g @ d + 0.5 * d @ A @ d + 0.5 * y @ y), d, slopes
 
-    y, (value, d, slopes), brake = z, model(z), 1e-9
+    y, (value, d, slopes), brake = z, model(z), FIRST_BRAKE
     for _ in range(INNER):
         gradient = slopes.T @ (g + A @ d) + y
         H = slopes.T @ A @ slopes + np.eye(len(z))
         free = rows_of(problem.active & ~((y <= least + 1e-9) & (gradient > 0)))
-        while brake < 1e9:
+        while brake < MOST_BRAKE:
             step = np.zeros_like(y)
             step[free] = -np.linalg.solve((H + brake * np.diag(np.diag(H)))[np.ix_(free, free)], gradient[free])
-            new = np.clip(y + step, least, z + FAR)
+            new = np.clip(y + step, least, z + REACH)
             lower, *there = model(new)
             if lower < value:
                 break
-            brake = max(10 * brake, 1e-6)
+            brake = max(10 * brake, LEAST_BRAKE)
         else:
             break
         gained, y, value, brake, (d, slopes) = value - lower, new, lower, brake / 10, there
-        if gained < ENOUGH:
+        if gained < INNER_GAIN:
             break
     return y

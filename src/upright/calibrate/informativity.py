@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.fitting import Normal, Path, Problem, fitted_readings
-from upright.calibrate.parameters import ROLL_SHARE, rows_of
+from upright.calibrate.parameters import ROLL_FRACTION, rows_of
 from upright.logs.recording import SENSOR, Recording
 
 Array = NDArray[np.float64]
 
-INERTIAL = ("com_height", "pitch_inertia", "yaw_inertia", "rotor_inertia", "wheel_inertia", ROLL_SHARE)
+INERTIAL = ("com_height", "pitch_inertia", "yaw_inertia", "rotor_inertia", "wheel_inertia", ROLL_FRACTION)
 QUIET = 4.0
 """Root mean square of the pitch rate, in steps of its gyro, below which no inertia is given: the errors of the readings
 then are no longer small beside the motion, and what the fit calls an inertia is partly their image."""
@@ -45,7 +45,7 @@ def _motion(recording: Recording, deviation: float) -> float:
 
 def scores(problem: Problem, normal: Normal, paths: Sequence[Path]) -> list[Array]:
     """For each recording the gradient's parts (periods, parameters), summed over the readings of a period."""
-    found: list[Array] = []
+    by_recording: list[Array] = []
     start = 0
     each = (normal.weight * normal.whitened)[:, None] * normal.slopes
     for recording, path in zip(problem.recordings, paths, strict=True):
@@ -53,9 +53,9 @@ def scores(problem: Problem, normal: Normal, paths: Sequence[Path]) -> list[Arra
         period = np.round((recording.when[use] - recording.when[0]) / recording.period).astype(np.int64)
         summed = np.zeros((int(period.max()) + 1, normal.slopes.shape[1]))
         np.add.at(summed, period, each[start : start + len(period)])
-        found.append(summed)
+        by_recording.append(summed)
         start += len(period)
-    return found
+    return by_recording
 
 
 def score_covariance(problem: Problem, normal: Normal, paths: Sequence[Path]) -> Array:
@@ -75,14 +75,14 @@ def information(problem: Problem, normal: Normal) -> Array:
     return (normal.hessian - np.eye(len(normal.hessian))) / problem.temper
 
 
-def independent_share(problem: Problem, normal: Normal, paths: Sequence[Path]) -> float:
-    """What share of the readings is worth as much as white ones would be: white over true covariance of the score."""
+def effective_fraction(problem: Problem, normal: Normal, paths: Sequence[Path]) -> float:
+    """Effective sample size over the number of readings: white over true covariance of the score."""
     white, true = information(problem, normal), score_covariance(problem, normal, paths)
     values, directions = np.linalg.eigh(white)
-    seen = values > 4.0
-    if not seen.any():
+    visible = values > 4.0
+    if not visible.any():
         return 1.0
-    ratio = np.einsum("ij,ik,kj->j", directions, true, directions)[seen] / values[seen]
+    ratio = np.einsum("ij,ik,kj->j", directions, true, directions)[visible] / values[visible]
     return float(np.clip(1 / ratio.mean(), 1e-3, 1.0))
 
 
@@ -113,14 +113,14 @@ def unseen_directions(problem: Problem, normal: Normal) -> list[str]:
     names = [p.name for p in problem.asked]
     C = np.linalg.inv(np.eye(len(problem.parameters)) + information(problem, normal))[: len(names), : len(names)]
     values, directions = np.linalg.eigh(np.linalg.inv(C) - np.eye(len(names)))
-    said: list[str] = []
+    sentences: list[str] = []
     for value, v in zip(values, directions.T, strict=True):
         if value >= 1.0:
             break
         large = np.flatnonzero(np.abs(v) > 0.4)
         if len(large) > 1:
             parts = [f"{names[i]} {'up' if v[i] * v[large[0]] > 0 else 'down'}" for i in large]
-            said.append(
-                "The log cannot tell " + " with ".join(parts) + ": together they leave the readings as they are."
+            sentences.append(
+                "The readings hardly change with " + " and ".join(parts) + " together: the log does not separate them."
             )
-    return said
+    return sentences

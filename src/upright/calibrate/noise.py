@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from upright.calibrate.fitting import OUTLIER, Problem, huber_weight
 from upright.calibrate.parameters import rows_of
-from upright.calibrate.threads import side_by_side
+from upright.calibrate.threads import in_threads
 
 Array = NDArray[np.float64]
 ENOUGH = 1000
@@ -80,7 +80,7 @@ def _robust(e: Array, s: Array) -> tuple[Array, Array]:
 def _noise_score(problem: Problem, z: Array, names: Sequence[str], eta: Array) -> tuple[float, Array, Array]:
     """Objective, its gradient and Fisher's information for the log-variances."""
     step = 0.05
-    (e, s), *moved = side_by_side(
+    (e, s), *moved = in_threads(
         lambda at: _likelihood_parts(_with_noise(problem, names, at), z), [eta, *(eta + step * np.eye(len(eta)))]
     )
     loss, weight = _robust(e, s)

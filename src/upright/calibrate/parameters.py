@@ -27,9 +27,9 @@ Array = NDArray[np.float64]
 ELECTRICAL = ("motor_resistance", "back_emf", "torque_constant")
 NEVER = ("gear_ratio", "stiction_rate", "body_depth", "body_height", "roll_inertia")
 """What no log is asked: a convention, a smoothing (the predictor's friction is dry), two measures for drawing,
-and the roll inertia, in whose place stands `ROLL_SHARE`."""
+and the roll inertia, in whose place stands `ROLL_FRACTION`."""
 
-ROLL_SHARE = "roll_share"
+ROLL_FRACTION = "roll_fraction"
 """Where the roll inertia lies between |J_ψ − J_φ| and J_ψ + J_φ, its least and its largest in a rigid body."""
 ANYWHERE = 1 / math.sqrt(12)
 """Deviation of a share that may be anything from 0 to 1."""
@@ -79,9 +79,11 @@ def parameters_of(
     """
     names = [n for n in PARAMETERS if n not in NEVER and not (robot.drive == "torque" and n in ELECTRICAL)]
     physical = [_physical(robot, name) for name in names]
-    late = [Parameter(f"delay/{name}", "s", d, DELAY_SPREAD, "linear", -DELAY_SPREAD) for name, d in delays.items()]
-    known = [ROLL_SHARE if name == "roll_inertia" else name for name in known]
-    every = [p for p in (*physical, _roll_share(robot), *others, *late) if p.spread > 0]
+    delay_parameters = [
+        Parameter(f"delay/{name}", "s", d, DELAY_SPREAD, "linear", -DELAY_SPREAD) for name, d in delays.items()
+    ]
+    known = [ROLL_FRACTION if name == "roll_inertia" else name for name in known]
+    every = [p for p in (*physical, _roll_fraction(robot), *others, *delay_parameters) if p.spread > 0]
     for name in known:
         if name not in (p.name for p in every):
             raise UnknownName("parameter", name, [p.name for p in every])
@@ -97,12 +99,12 @@ def _physical(robot: Robot, name: str) -> Parameter:
     return Parameter(name, unit, value, GUESS * value if spread is None else spread, "logarithm", 0.0, guess)
 
 
-def _roll_share(robot: Robot) -> Parameter:
+def _roll_fraction(robot: Robot) -> Parameter:
     low, high = roll_bounds(robot.pitch_inertia, robot.yaw_inertia)
-    share = min(max((robot.roll_inertia - low) / (high - low), 0.02), 0.98)
+    fraction = min(max((robot.roll_inertia - low) / (high - low), 0.02), 0.98)
     spread = stated(robot, "roll_inertia")
     size = ANYWHERE if spread is None else min(spread / (high - low), ANYWHERE)
-    return Parameter(ROLL_SHARE, "1", share, size, "linear", 0.0, guess=spread is None)
+    return Parameter(ROLL_FRACTION, "1", fraction, size, "linear", 0.0, guess=spread is None)
 
 
 def _scale(robot: Robot, name: str) -> float:
@@ -129,17 +131,17 @@ def most_friction(robot: Robot) -> float:
 
 
 def with_values(robot: Robot, values: Mapping[str, float]) -> Robot:
-    """`robot` with new numbers, its roll inertia where `ROLL_SHARE` says between its bounds, or where it stood."""
+    """`robot` with new numbers, its roll inertia where `ROLL_FRACTION` says between its bounds, or where it stood."""
     physical = {name: value for name, value in values.items() if name in PARAMETERS}
     changed = _Numbers(**(robot.numbers() | physical))
-    share = min(max(values.get(ROLL_SHARE, _roll_share(robot).prior), 0.02), 0.98)
-    return robot.replace(**physical, roll_inertia=float(roll_inertia(changed, share)))
+    fraction = min(max(values.get(ROLL_FRACTION, _roll_fraction(robot).prior), 0.02), 0.98)
+    return robot.replace(**physical, roll_inertia=float(roll_inertia(changed, fraction)))
 
 
-def roll_inertia(p: Any, share: Any) -> Any:
-    """J_ρ of parameters `p` (numbers or arrays), at this `share` of the way between its bounds."""
+def roll_inertia(p: Any, fraction: Any) -> Any:
+    """J_ρ of parameters `p` (numbers or arrays), at this `fraction` of the way between its bounds."""
     low, high = roll_bounds(p.pitch_inertia, p.yaw_inertia)
-    return low + share * (high - low)
+    return low + fraction * (high - low)
 
 
 _Numbers: Any = dataclasses.make_dataclass("_Numbers", list(PARAMETERS), frozen=True)
@@ -150,8 +152,8 @@ def columns(robot: Robot, parameters: Sequence[Parameter], z: Array) -> Any:
     parameters."""
     values = {p.name: p.value(z[i]) for i, p in enumerate(parameters)}
     changed = _Numbers(**{name: values.get(name, value) for name, value in robot.numbers().items()})
-    share = values[ROLL_SHARE] if ROLL_SHARE in values else _roll_share(robot).prior
-    return dataclasses.replace(changed, roll_inertia=roll_inertia(changed, share))
+    fraction = values[ROLL_FRACTION] if ROLL_FRACTION in values else _roll_fraction(robot).prior
+    return dataclasses.replace(changed, roll_inertia=roll_inertia(changed, fraction))
 
 
 def rows_of(mask: NDArray[np.bool_]) -> list[int]:

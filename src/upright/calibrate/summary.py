@@ -15,7 +15,7 @@ from upright.calibrate.calibration import BOUND, HELD, PRIOR, SURPRISE, VISIBLE,
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.fitting import Normal, Path, Problem, around, slopes_of
 from upright.calibrate.informativity import posterior, unseen_directions
-from upright.calibrate.parameters import ROLL_SHARE, Parameter, columns, with_values
+from upright.calibrate.parameters import ROLL_FRACTION, Parameter, columns, with_values
 from upright.calibrate.validate import segments, steps_ahead, whiteness
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.physics.linear import unstable_pole
@@ -24,7 +24,7 @@ from upright.signals import Log
 
 Array = NDArray[np.float64]
 
-SEEN = 0.5  # of the prior's deviation: a number known twice as well, or better, is called visible
+HALVED = 0.5  # of the prior's deviation: a number known twice as well, or better, is called visible
 FINEST_TIME = 0.01  # of a period: no dead time is claimed to be known better, since the integration takes steps
 NORMAL = 1.96  # deviations that hold 95 % of a normal distribution
 
@@ -45,25 +45,37 @@ COMBINATIONS: dict[str, tuple[str, Callable[[Any], Any]]] = {
 def summarised(
     problem: Problem, z: Array, normal: Normal, paths: Sequence[Path], logs: Sequence[Log], reason: str, began: float
 ) -> Calibration:
-    """Everything said of a fit."""
+    """The calibration that a fit amounts to."""
     C = posterior(problem, normal, paths) + _floor(problem)
     spread = np.sqrt(np.diag(C))
     every = [_estimate(p, float(z[i]), float(spread[i]), p.name in problem.held) for i, p in enumerate(problem.asked)]
     combined = _combined(problem, z, C)
     names, covariance = _in_units(problem, z, C)
-    found = {e.name: e for e in every} | ({"roll_inertia": _roll_inertia(problem, combined[0])})
-    parameters = tuple(found[name] for name in names if name in PARAMETERS)
+    by_name = {e.name: e for e in every} | ({"roll_inertia": _roll_inertia(problem, combined[0])})
+    parameters = tuple(by_name[name] for name in names if name in PARAMETERS)
     sources = tuple(str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log"))) for log in logs)
     robot = _calibrated(problem, z, parameters, sources)
     fits, free = _checks(problem, z)
     return Calibration(
-        robot, problem.robot, parameters, combined[1:], _delays(problem, z, C, every),
-        names, covariance, {name: math.exp(0.5 * value) for name, value in problem.noise.items()},
-        tuple(w for r, path in zip(problem.recordings, paths, strict=True) for w in whiteness(r, path)),
-        fits, free, problem.temper, int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
-        time.perf_counter() - began, sources, tuple(_notes(problem, every, free, reason)),
-        tuple(unseen_directions(problem, normal)), electronics=tuple(e for e in every if e.name in MEANING),
-    )  # fmt: skip
+        robot=robot,
+        prior=problem.robot,
+        parameters=parameters,
+        combinations=combined[1:],
+        delays=_delays(problem, z, C, every),
+        electronics=tuple(e for e in every if e.name in MEANING),
+        names=names,
+        covariance=covariance,
+        noise={name: math.exp(0.5 * value) for name, value in problem.noise.items()},
+        whiteness=tuple(w for r, path in zip(problem.recordings, paths, strict=True) for w in whiteness(r, path)),
+        fits=fits,
+        segments=free,
+        temper=problem.temper,
+        samples=int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
+        seconds=time.perf_counter() - began,
+        sources=sources,
+        notes=tuple(_notes(problem, every, free, reason)),
+        unseen=tuple(unseen_directions(problem, normal)),
+    )
 
 
 def _floor(problem: Problem) -> Array:
@@ -75,8 +87,11 @@ def _floor(problem: Problem) -> Array:
 def _estimate(p: Parameter, z: float, spread: float, held: bool) -> Estimate:
     low, high = (float(p.value(max(z + side * NORMAL * spread, p.least))) for side in (-1, 1))
     pressed = z <= p.least + 1e-9 and p.lower == 0.0 and p.prior > 0
-    verdict = HELD if held else BOUND if pressed else VISIBLE if spread < SEEN else PRIOR
-    return Estimate(p.name, p.unit, float(p.value(z)), low, high, p.prior, p.spread, verdict, z, spread, p.guess)
+    verdict = HELD if held else BOUND if pressed else VISIBLE if spread < HALVED else PRIOR
+    return Estimate(
+        name=p.name, unit=p.unit, value=float(p.value(z)), low=low, high=high, prior=p.prior, prior_spread=p.spread,
+        verdict=verdict, shift=z, shrink=spread, guess=p.guess,
+    )  # fmt: skip
 
 
 def _in_units(problem: Problem, z: Array, C: Array) -> tuple[tuple[str, ...], Array]:
@@ -84,9 +99,10 @@ def _in_units(problem: Problem, z: Array, C: Array) -> tuple[tuple[str, ...], Ar
     lanes = around(z)
     roll = np.broadcast_to(columns(problem.robot, problem.asked, lanes).roll_inertia, lanes.shape[1])
     values = {p.name: p.value(lanes[i]) for i, p in enumerate(problem.asked)}
-    if ROLL_SHARE in values:
+    if ROLL_FRACTION in values:
         values = {
-            ("roll_inertia" if n == ROLL_SHARE else n): (roll if n == ROLL_SHARE else v) for n, v in values.items()
+            ("roll_inertia" if n == ROLL_FRACTION else n): (roll if n == ROLL_FRACTION else v)
+            for n, v in values.items()
         }
     slopes = np.array([slopes_of(v) for v in values.values()])
     return tuple(values), slopes @ C @ slopes.T
@@ -94,31 +110,33 @@ def _in_units(problem: Problem, z: Array, C: Array) -> tuple[tuple[str, ...], Ar
 
 def _roll_inertia(problem: Problem, roll: Estimate) -> Estimate:
     """The combination as the parameter that it is."""
-    verdict = HELD if ROLL_SHARE in problem.held else roll.verdict
+    verdict = HELD if ROLL_FRACTION in problem.held else roll.verdict
     return replace(roll, low=max(roll.low, 0.0), verdict=verdict)
 
 
 def _calibrated(problem: Problem, z: Array, every: Sequence[Estimate], sources: Sequence[str]) -> Robot:
     """The robot with its new numbers, each with where it comes from and its deviation."""
     origin = ", ".join(dict.fromkeys(sources))
-    said = {n.name: Provenance(f"calibrated from {origin}; {n.verdict}", n.spread) for n in every if n.verdict != HELD}
+    sources_of = {
+        n.name: Provenance(f"calibrated from {origin}; {n.verdict}", n.spread) for n in every if n.verdict != HELD
+    }
     robot = _robot_at(problem, z)
-    return robot.replace(provenance={**problem.robot.provenance, **said}, name=problem.robot.name)
+    return robot.replace(provenance={**problem.robot.provenance, **sources_of}, name=problem.robot.name)
 
 
 def _combined(problem: Problem, z: Array, C: Array) -> tuple[Estimate, ...]:
     """Each combination by its logarithm's gradient, with the prior's own deviation beside it."""
     lanes = around(z)
     numbers, prior = (columns(problem.robot, problem.asked, at) for at in (lanes, 0 * lanes))
-    found: list[Estimate] = []
+    combined: list[Estimate] = []
     for name, (unit, formula) in COMBINATIONS.items():
         if problem.robot.drive == "torque" and name == "motor_gain":
             continue
         values = np.broadcast_to(formula(numbers), lanes.shape[1])
-        found.append(_combination(name, unit, values, float(np.atleast_1d(formula(prior))[0]), C))
+        combined.append(_combination(name, unit, values, float(np.atleast_1d(formula(prior))[0]), C))
     poles = np.array([rolling_pole(_robot_at(problem, lanes[:, i])) for i in range(lanes.shape[1])])
-    found.append(_combination("unstable_pole", "1/s", poles, rolling_pole(problem.robot), C))
-    return tuple(found)
+    combined.append(_combination("unstable_pole", "1/s", poles, rolling_pole(problem.robot), C))
+    return tuple(combined)
 
 
 def rolling_pole(robot: Robot) -> float:
@@ -137,16 +155,17 @@ def _combination(name: str, unit: str, values: Array, prior: float, C: Array) ->
     spread, before = float(np.sqrt(gradient @ C @ gradient)), float(np.linalg.norm(gradient))
     value = float(values[-1])
     shrink = spread / max(before, 1e-300)
-    verdict = VISIBLE if shrink < SEEN else PRIOR
+    verdict = VISIBLE if shrink < HALVED else PRIOR
     shift = (value - prior) / max(before, 1e-300)
     return Estimate(
-        name, unit, value, value - NORMAL * spread, value + NORMAL * spread, prior, before, verdict, shift, shrink, True
-    )
+        name=name, unit=unit, value=value, low=value - NORMAL * spread, high=value + NORMAL * spread, prior=prior,
+        prior_spread=before, verdict=verdict, shift=shift, shrink=shrink, guess=True,
+    )  # fmt: skip
 
 
 def _delays(problem: Problem, z: Array, C: Array, every: Sequence[Estimate]) -> tuple[Estimate, ...]:
     """Dead times from the command to each sensor, and how much later than the encoders the gyro is."""
-    found = [e for e in every if e.name.startswith("delay/")]
+    delays = [e for e in every if e.name.startswith("delay/")]
     index = {p.name: i for i, p in enumerate(problem.asked)}
     if {"delay/gyro", "delay/encoder"} <= index.keys():
         i, j = index["delay/gyro"], index["delay/encoder"]
@@ -154,12 +173,13 @@ def _delays(problem: Problem, z: Array, C: Array, every: Sequence[Estimate]) -> 
         value, prior = float(p.value(z[i]) - q.value(z[j])), p.prior - q.prior
         variance = p.spread**2 * C[i, i] + q.spread**2 * C[j, j] - 2 * p.spread * q.spread * C[i, j]
         half, before = NORMAL * math.sqrt(variance), math.hypot(p.spread, q.spread)
-        verdict = VISIBLE if half / NORMAL < SEEN * before else PRIOR
-        found.append(Estimate(
-            "delay/gyro−encoder", "s", value, value - half, value + half, prior, before, verdict,
-            (value - prior) / before, half / NORMAL / before, True,
+        verdict = VISIBLE if half / NORMAL < HALVED * before else PRIOR
+        delays.append(Estimate(
+            name="delay/gyro−encoder", unit="s", value=value, low=value - half, high=value + half, prior=prior,
+            prior_spread=before, verdict=verdict, shift=(value - prior) / before, shrink=half / NORMAL / before,
+            guess=True,
         ))  # fmt: skip
-    return tuple(found)
+    return tuple(delays)
 
 
 def _checks(problem: Problem, z: Array) -> tuple[dict[str, dict[str, float]], dict[str, float]]:
@@ -177,10 +197,10 @@ def _checks(problem: Problem, z: Array) -> tuple[dict[str, dict[str, float]], di
     return {h: _mean([a[h] for a in ahead]) for h in (ahead[0] if ahead else ())}, _mean(free)
 
 
-def _mean(found: Sequence[Mapping[str, float]]) -> dict[str, float]:
+def _mean(each: Sequence[Mapping[str, float]]) -> dict[str, float]:
     """Of each name over those that have it."""
-    names = dict.fromkeys(name for one in found for name in one)
-    return {name: float(np.mean([one[name] for one in found if name in one])) for name in names}
+    names = dict.fromkeys(name for one in each for name in one)
+    return {name: float(np.mean([one[name] for one in each if name in one])) for name in names}
 
 
 def _notes(problem: Problem, every: Sequence[Estimate], free: Mapping[str, float], reason: str) -> list[str]:
@@ -188,16 +208,16 @@ def _notes(problem: Problem, every: Sequence[Estimate], free: Mapping[str, float
     if problem.temper < 1:
         notes.append(
             "The innovations are not white: the model leaves something out. "
-            f"{1 / problem.temper:.0f} readings count as one, so that the intervals are wider."
+            f"The effective sample size is {problem.temper:.0%} of the readings, and the intervals are wider for it."
         )
     surprised = [f"{e.name} by {abs(e.shift):.1f}" for e in every if e.surprising]
     if surprised:
         notes.append(
-            f"The log contradicts what was said to be known of {', '.join(surprised)} deviations (more than "
-            f"{SURPRISE:g}): measure that again, or take another robot for the prior."
+            f"The log contradicts the stated value of {', '.join(surprised)} deviations (more than {SURPRISE:g}): "
+            "measure it again, or start from another robot."
         )
     if free["lost"] > 0.1:
         notes.append(
-            f"In {free['lost']:.0%} of half a second's free simulation the robot falls where the real one did not."
+            f"In {free['lost']:.0%} of the half-second free simulations the model falls where the robot did not."
         )
     return notes

@@ -23,6 +23,6 @@ if hasattr(os, "register_at_fork"):  # not on Windows, which cannot fork
     os.register_at_fork(after_in_child=_pool.cache_clear)  # threads do not follow into the child
 
 
-def side_by_side(work: Callable[[Item], Result], items: Iterable[Item]) -> list[Result]:
+def in_threads(work: Callable[[Item], Result], items: Iterable[Item]) -> list[Result]:
     """`work` of each item, in their order. `work` must not call this itself: it would wait for its own thread."""
     return list(_pool().map(work, items))

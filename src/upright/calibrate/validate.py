@@ -1,4 +1,4 @@
-"""How well a calibrated robot foretells a log: free simulation of segments, steps ahead, and innovations tested."""
+"""How well a calibrated robot predicts a log: free simulation of segments, steps ahead, and innovations tested."""
 
 from __future__ import annotations
 
@@ -25,43 +25,45 @@ _SPANS = np.array([0.05, 0.5, 0.5, 5.0, 0.5, 2.0])  # [rad, rad/s] a weak hold, 
 
 @dataclass(frozen=True, eq=False)
 class Segments:
-    """Readings, and what the robot said of them when simulated from the first state of their segment, which alone was
-    fitted; NaN where it fell. All arrays (readings,)."""
+    """Readings, measured and predicted by a free simulation from the first state of their segment, which alone is
+    fitted; NaN where the simulated robot fell. All arrays (readings,)."""
 
     rows: tuple[str, ...]
     row: Whole
     when: Array
     measured: Array
-    said: Array
+    predicted: Array
     segment: Whole
 
     def r_squared(self, name: str) -> float:
         """1 − Σ(y − ŷ)²/Σ(y − ȳ)² of one reading, or of the mean of a pair ("encoder", "encoder_rate"); a reading
         beyond a simulated fall counts as missed by twice the deviation."""
-        y, said, _ = self._of(name)
+        y, predicted, _ = self._of(name)
         variance = float(y.var())
-        missed = np.where(np.isfinite(said), (y - said) ** 2, FAR * variance)
+        missed = np.where(np.isfinite(predicted), (y - predicted) ** 2, FAR * variance)
         return 1 - float(missed.mean()) / max(variance, 1e-30)
 
     def score(self) -> float:
         """Mean over the readings of R² against each segment's own mean, falls and misses counted up to `FAR`."""
-        found: list[float] = []
+        scores: list[float] = []
         for name in self.rows:
-            y, said, segment = self._of(name)
+            y, predicted, segment = self._of(name)
             mean = np.bincount(segment, y) / np.maximum(np.bincount(segment), 1)
             variance = float(((y - mean[segment]) ** 2).mean())
-            missed = np.where(np.isfinite(said), (y - said) ** 2, np.inf)
-            found.append(1 - float(np.minimum(missed, FAR * variance).mean()) / max(variance, 1e-30))
-        return float(np.mean(found))
+            missed = np.where(np.isfinite(predicted), (y - predicted) ** 2, np.inf)
+            scores.append(1 - float(np.minimum(missed, FAR * variance).mean()) / max(variance, 1e-30))
+        return float(np.mean(scores))
 
     @property
     def lost(self) -> float:
         """Share of readings beyond a simulated fall."""
-        return float((~np.isfinite(self.said)).mean())
+        return float((~np.isfinite(self.predicted)).mean())
 
     def _of(self, name: str) -> tuple[Array, Array, Whole]:
         pair = [i for i, row in enumerate(self.rows) if row in (name, f"sensor/{name}_left", f"sensor/{name}_right")]
-        parts = [(self.measured[self.row == i], self.said[self.row == i], self.segment[self.row == i]) for i in pair]
+        parts = [
+            (self.measured[self.row == i], self.predicted[self.row == i], self.segment[self.row == i]) for i in pair
+        ]
         least = min(len(p[0]) for p in parts)
         mean = [np.mean([p[k][:least] for p in parts], axis=0) for k in (0, 1)]
         return mean[0], mean[1], parts[0][2][:least]
@@ -78,18 +80,18 @@ def segments(
     states = problem.filtered(recording, z, keep=True).states
     edges = np.arange(moment[0], moment[-1], seconds)
     scale = _variation(recording, order, moment, edges)
-    found = [np.empty((3, 0))]
+    parts = [np.empty((3, 0))]
     for number, start in enumerate(edges):
         inside = np.flatnonzero((moment >= start) & (moment < start + seconds))
         if len(inside) and (recording.kind[order[inside]] >= 0).sum() >= 12:
             begin = states[order[inside[0]]]
             before = _before(recording, order, inside[0])
-            events, said = _fitted(problem, recording, z, order[inside], before, begin, scale)
-            found.append(np.array([events, said, np.full(len(events), number)]))
-    events, said, number = np.concatenate(found, axis=1)
+            events, predicted = _fitted(problem, recording, z, order[inside], before, begin, scale)
+            parts.append(np.array([events, predicted, np.full(len(events), number)]))
+    events, predicted, number = np.concatenate(parts, axis=1)
     at = events.astype(np.int64)
     return Segments(
-        recording.rows, recording.kind[at], recording.when[at], recording.value[at], said, number.astype(np.int64)
+        recording.rows, recording.kind[at], recording.when[at], recording.value[at], predicted, number.astype(np.int64)
     )
 
 
@@ -135,7 +137,7 @@ def whiteness(recording: Recording, path: Path) -> list[Whiteness]:
 
     threshold = float(chi2.ppf(0.99, LAGS))
     command = recording.commands.mean(axis=1)
-    found: list[Whiteness] = []
+    tests: list[Whiteness] = []
     for row, name in enumerate(recording.rows):
         at = fitted_readings(recording, path) & (recording.kind == row)
         r = path.e[at] / np.sqrt(path.s[at])
@@ -144,8 +146,8 @@ def whiteness(recording: Recording, path: Path) -> list[Whiteness]:
         box = n * (n + 2) * float((rho**2 / (n - np.arange(1, LAGS + 1))).sum())
         held = np.interp(recording.when[at], recording.when[recording.kind < 0], command)
         rms, worst = float(np.sqrt(np.mean(r**2))), float(np.abs(rho[:5]).max())
-        found.append(Whiteness(name, rms, worst, box, _input_test(r, held), LAGS, threshold))
-    return found
+        tests.append(Whiteness(name, rms, worst, box, _input_test(r, held), LAGS, threshold))
+    return tests
 
 
 def correlations(r: Array, lags: int) -> Array:
@@ -184,8 +186,8 @@ def _before(recording: Recording, order: Whole, first: int) -> Whole:
 def _fitted(
     problem: Problem, recording: Recording, z: Array, order: Whole, before: Whole, begin: Array, scale: Array
 ) -> tuple[Array, Array]:
-    """The readings among `order`, and what the model says of them from the best first state near `begin`: the one whose
-    errors, over the `scale` of each row, are least."""
+    """The readings among `order`, and their prediction from the best first state near `begin`: the one whose errors,
+    over the `scale` of each row, are least."""
     events = order[recording.kind[order] >= 0]
     deviation = scale[recording.kind[events]]
     start = begin.copy()
@@ -219,13 +221,13 @@ def _fitted(
 def _variation(recording: Recording, order: Whole, moment: Array, edges: Array) -> Array:
     """A hundredth of how much each row varies within a segment (rows,)."""
     segment = np.searchsorted(edges, moment, side="right")
-    found = np.ones(len(recording.rows))
+    variation = np.ones(len(recording.rows))
     for row in range(len(recording.rows)):
         at = recording.kind[order] == row
         y, number = recording.value[order[at]], segment[at]
         mean = np.bincount(number, y) / np.maximum(np.bincount(number), 1)
-        found[row] = max(0.01 * float(np.sqrt(np.mean((y - mean[number]) ** 2))), 1e-9)
-    return found
+        variation[row] = max(0.01 * float(np.sqrt(np.mean((y - mean[number]) ** 2))), 1e-9)
+    return variation
 
 
 def _free(problem: Problem, recording: Recording, z: Array, order: Whole, before: Whole, firsts: Array) -> Array:
