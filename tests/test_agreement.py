@@ -27,7 +27,7 @@ from upright.certify.certificate import (
     judge,
     read_certificate,
 )
-from upright.certify.checks import KNOCK, Course, Driver, Trial, driver, trials
+from upright.certify.checks import KNOCK, Course, Driver, PushTrial, driver, trials
 from upright.certify.learnt import learnt
 from upright.cli.main import main
 from upright.comparison.bench import bench_one
@@ -43,7 +43,10 @@ from upright.signals import Log
 
 ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
 CALIBRATED = Uncertainty.of(ROBOT).scaled(0.2)
-LINEAR, TRIAL = LinearMargins(0.99, 0.5, 2.0, 0.02), Trial("hold", "low", 1000, 0, 0.0, 0.2, 0.1, 0.01)
+LINEAR, TRIAL = (
+    LinearMargins(0.99, 0.5, 2.0, 0.02),
+    PushTrial("hold", "low", 1000, 0, saturated=0.0, travel=0.2, peak=0.1, cycle=0.01),
+)
 
 
 @cache

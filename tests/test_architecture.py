@@ -280,6 +280,7 @@ def positional(node: ast.AST) -> int:
         return 0
     how = " ".join(ast.unparse(d) for d in node.decorator_list)
     fields = [ast.unparse(s) for s in node.body if isinstance(s, ast.AnnAssign)]
+    fields = fields[: fields.index("_: KW_ONLY")] if "_: KW_ONLY" in fields else fields
     plain = [s for s in fields if "init=False" not in s and "ClassVar" not in s]
     return len(plain) if "dataclass" in how and "kw_only" not in how else 0
 

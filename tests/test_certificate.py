@@ -25,7 +25,7 @@ from upright.certify.certificate import (
     judge,
     read_certificate,
 )
-from upright.certify.checks import RELEASE, Course, Trial, driver, standard_pushes, trials
+from upright.certify.checks import RELEASE, Course, PushTrial, driver, standard_pushes, trials
 from upright.cli import certify as command
 from upright.cli.main import main
 from upright.control import LinearController, as_linear, controller_hash, make_controller, write_controller
@@ -228,5 +228,5 @@ def test_it_is_right_of_robots_it_has_never_seen() -> None:
     assert sum(c.light == GREEN for c in held) >= 0.75 * len(held)  # of so few, one or two are on the edge
 
 
-def _trial(*, fell: int = 0, saturated: float = 0.0, travel: float = 0.2, cycle: float = 0.01) -> Trial:
-    return Trial("hold", "low", 1000, fell, saturated, travel, 0.1, cycle)
+def _trial(*, fell: int = 0, saturated: float = 0.0, travel: float = 0.2, cycle: float = 0.01) -> PushTrial:
+    return PushTrial("hold", "low", 1000, fell, saturated=saturated, travel=travel, peak=0.1, cycle=cycle)

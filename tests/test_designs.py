@@ -2,6 +2,7 @@
 
 import copy
 import json
+from functools import cache
 
 import numpy as np
 import pytest
@@ -47,10 +48,11 @@ from upright.robots import Kit, Robot, Sensor, preset_names
 NXT = Robot.preset("nxtway-gs")
 KIT = Kit.preset("nxt")
 IDEAL = Kit.preset("ideal")
-NEW = ("lqr", "lqi", "lqg", "pid", "mpc", "sliding")
+METHODS = tuple(name for name, method in CONTROLLERS.items() if method.benched)
 LATE = Kit(name="late", sensors={name: Sensor() for name in RAW} | {"sensor/gyro": Sensor(delay=0.022)}, delay=0.034)
 
 
+@cache
 def made(name, preset):
     robot = Robot.preset(preset)
     kit = Kit.preset(robot.kit)
@@ -79,17 +81,18 @@ def test_discrete_servo_tends_to_the_continuous_one():
 
 
 @pytest.mark.parametrize("preset", preset_names())
-@pytest.mark.parametrize("name", NEW)
+@pytest.mark.parametrize("name", METHODS)
 def test_every_design_checks_itself(name, preset):
-    # residuals of Riccati equations with up to 24 states: rounding times their condition, far below 1e-9
-    assert made(name, preset)[2].check() < 1e-9
+    # residuals of Riccati equations with up to 24 states: rounding times their condition, far below 1e-9; the gain of
+    # robust is minimised and its inequalities are Clarabel's, which stops at 1e-6
+    assert made(name, preset)[2].check() < (1e-6 if name == "robust" else 1e-9)
 
 
 def test_riccati_solutions_equal_python_control():
     control = pytest.importorskip("control")
     robot = Robot.preset("ev3way")
     design = lqg(robot, Kit.preset("ev3")).design
-    seen, plant = design.filter.seen, design.filter.seen.plant
+    seen, plant = design.filter.sampled, design.filter.sampled.plant
     gain = control.dlqr(plant.A, plant.B, design.Q, design.R, method="scipy")[0]
     P = control.dare(seen.A.T, seen.C.T, design.filter.W, seen.noise)[0]
     assert np.allclose(design.K, gain, rtol=1e-7, atol=1e-9)
@@ -316,7 +319,7 @@ def test_saturation_does_not_wind_up():
 def test_pid_keeps_the_margin_it_states():
     # the loop cut between command and motors, from the finished controller's matrices: robot and filter both feel a
     controller = pid(NXT, KIT)
-    seen, c, design = controller.design.filter.seen, controller, controller.design
+    seen, c, design = controller.design.filter.sampled, controller, controller.design
     n, m = len(seen.A), len(c.A)
     A = np.zeros((n + 2 + m, n + 2 + m))
     A[:n, :n], A[:n, n : n + 2] = seen.A, seen.before
@@ -337,7 +340,7 @@ def test_pid_keeps_the_margin_it_states():
 def test_reaching_law_holds_on_the_linear_robot():
     # s⁺ = keep·s − reach·sat(s/layer) exactly, with the true state in place of the estimate
     controller = sliding(NXT, IDEAL)
-    design, plant = controller.design, controller.design.base.filter.seen.plant
+    design, plant = controller.design, controller.design.base.filter.sampled.plant
     x = np.array([0.02, 0.1, 0.3, -0.2, 0.1, 0.0])
     for _ in range(50):
         s = design.S @ x
@@ -450,7 +453,7 @@ def test_static_feedback_reads_back_with_its_kind(tmp_path):
     assert back.kind == "lqr"
 
 
-@pytest.mark.parametrize("name", NEW)
+@pytest.mark.parametrize("name", METHODS)
 @pytest.mark.parametrize("preset", preset_names())
 def test_raw_sensors_hold_every_preset_through_the_papers_push(name, preset):
     robot, kit, controller = made(name, preset)
@@ -459,7 +462,7 @@ def test_raw_sensors_hold_every_preset_through_the_papers_push(name, preset):
     assert not log.origin["outcome"]["fell"]
 
 
-@pytest.mark.parametrize("name", NEW)
+@pytest.mark.parametrize("name", METHODS)
 @pytest.mark.parametrize("preset", preset_names())
 def test_drives_turns_and_stops(name, preset):
     robot, kit, controller = made(name, preset)

@@ -14,7 +14,7 @@ import pytest
 from firmware_cases import EV3, GOLDEN, NXT, ROBOT, SPIKE, designed, frozen, written
 from upright.atomic import write_json
 from upright.certify.certificate import Certificate, LinearMargins, judge
-from upright.certify.checks import Trial
+from upright.certify.checks import PushTrial
 from upright.cli.main import USER_ERROR, main
 from upright.compiled.fixed import fractions, scaled
 from upright.compiled.interpret import Interpreter
@@ -219,7 +219,7 @@ def test_what_does_not_fit_is_refused():
 def test_a_memory_that_grows_alone_has_no_fixed_point():
     grows = LinearController(
         np.array([[1.2]]), np.ones((1, 3)), np.zeros((1, 6)), np.ones((1, 2)), np.ones((2, 1)), np.ones((2, 3)),
-        np.zeros((2, 6)), frozen().reads, 0.01,
+        np.zeros((2, 6)), reads=frozen().reads, period=0.01,
     )  # fmt: skip
     assert not trace(grows, ROBOT, NXT, "c").proven
     with pytest.raises(InvalidController, match="grows without its robot"):
@@ -270,11 +270,13 @@ def test_every_mistake_is_one_line(tmp_path: Path, capsys, monkeypatch, argument
 
 def red_certificate() -> Certificate:
     """Of the frozen design: a hundred robots, all of them fallen."""
-    trials = (Trial("front", "full", 100, 100, 0.0, 0.0, 0.0, 0.0),)
+    trials = (PushTrial("front", "full", 100, 100, saturated=0.0, travel=0.0, peak=0.0, cycle=0.0),)
     linear = LinearMargins(0.9, 0.5, 2.0, 0.01)
     light, reasons = judge(100, 100, linear, trials, 0.01)
-    facts = (ROBOT.name, NXT.name, "lqg", controller_hash(frozen()), 0.01, 0, 100, 100)
-    return Certificate(light, reasons, upper_bound(100, 100), *facts, linear, trials)
+    return Certificate(
+        light=light, reasons=reasons, bound=upper_bound(100, 100), robot=ROBOT.name, kit=NXT.name, controller="lqg",
+        hash=controller_hash(frozen()), period=0.01, seed=0, samples=100, fell=100, linear=linear, trials=trials,
+    )  # fmt: skip
 
 
 def test_a_red_certificate_is_refused_unless_somebody_insists(tmp_path: Path, capsys, monkeypatch):

@@ -101,8 +101,8 @@ def test_an_accelerometer_equals_the_obvious_loop():
     none, blank = np.zeros((0, 0)), np.zeros((2, 6))
     reads = ("sensor/accel_forward", "sensor/accel_up", "sensor/gyro")
     controller = LinearController(
-        none, np.zeros((0, 3)), np.zeros((0, 6)), np.zeros((0, 2)), np.zeros((2, 0)), pitch, blank, reads, 0.01,
-        command_unit="N m",
+        none, np.zeros((0, 3)), np.zeros((0, 6)), np.zeros((0, 2)), np.zeros((2, 0)), pitch, blank,
+        reads=reads, period=0.01, command_unit="N m",
     )  # fmt: skip
     assert difference(twipr, controller, push=Slope(angle=0.1, start=0.05), slope=[0.1, 0.05], seconds=0.5) < EQUAL
 

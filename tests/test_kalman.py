@@ -76,14 +76,14 @@ def test_the_robots_filter_has_normalised_innovations_of_size_one(preset):
     # 4000 samples give each variance to √(2/4000) = 2 %, here within four of that
     robot = Robot.preset(preset)
     found = kalman_filter(sampled(robot, Kit.preset(robot.kit)))
-    A, C = found.seen.A, found.seen.C
+    A, C = found.sampled.A, found.sampled.C
     closed = A - A @ found.L @ C
     rng = np.random.default_rng(0)
     root = np.linalg.cholesky(found.W + 1e-18 * np.eye(len(A)))
     error, innovations = np.linalg.cholesky(found.P + 1e-18 * np.eye(len(A))) @ rng.normal(size=len(A)), []
     for _ in range(4000):
-        noise = rng.normal(size=len(C)) * np.sqrt(np.diag(found.seen.noise))
+        noise = rng.normal(size=len(C)) * np.sqrt(np.diag(found.sampled.noise))
         innovations.append(C @ error + noise)
         error = closed @ error - A @ found.L @ noise + root @ rng.normal(size=len(A))
-    stated = np.diag(C @ found.P @ C.T + found.seen.noise)
+    stated = np.diag(C @ found.P @ C.T + found.sampled.noise)
     assert np.var(innovations, axis=0) == pytest.approx(stated, rel=0.09)

@@ -7,7 +7,7 @@ import pytest
 
 from upright.bodies import Electronics, LinearBody, NonlinearBody
 from upright.control import controller_hash, lqg, mpc, read_controller, write_controller
-from upright.control.mpc import PredictiveController, Programme, largest_command, predicted
+from upright.control.mpc import PredictiveController, QuadraticProgram, largest_command, predicted
 from upright.errors import DesignFailed, InvalidController
 from upright.experiment import Drive, Hold, run
 from upright.physics.linear import linearise
@@ -24,7 +24,7 @@ def test_without_active_limits_it_is_the_regulator(preset):
     robot = Robot.preset(preset)
     kit = Kit.preset(robot.kit)
     controller, same = mpc(robot, kit, limit=1e6, pitch=1e6, travel=1e6), lqg(robot, kit)
-    plant, K = controller.design.filter.seen.plant, controller.design.K
+    plant, K = controller.design.filter.sampled.plant, controller.design.K
     assert np.array_equal(K, same.design.K)
     rng = np.random.default_rng(0)
     free, forced = predicted(plant, 30)
@@ -39,7 +39,7 @@ def test_without_active_limits_it_is_the_regulator(preset):
 
 
 def test_prediction_is_the_model_stepped():
-    plant = mpc(NXT, KIT).design.filter.seen.plant
+    plant = mpc(NXT, KIT).design.filter.sampled.plant
     free, forced = predicted(plant, 5)
     rng = np.random.default_rng(1)
     first, commands = rng.normal(size=len(plant.states)), rng.normal(size=(5, 2))
@@ -192,9 +192,9 @@ def test_a_solver_that_refuses_is_named():
     good = mpc(NXT, KIT)
     p = good.programme
     with pytest.raises(DesignFailed, match="DAQP refuses"):
-        PredictiveController(good.memory, Programme(-p.H, p.rows, p.limit), good.reads, good.period)
+        PredictiveController(good.memory, QuadraticProgram(-p.H, p.rows, p.limit), good.reads, good.period)
     with pytest.raises(InvalidController, match="do not fit"):
-        PredictiveController(good.memory, Programme(p.H, p.rows[1:], p.limit), good.reads, good.period)
+        PredictiveController(good.memory, QuadraticProgram(p.H, p.rows[1:], p.limit), good.reads, good.period)
 
 
 def test_copies_and_files_command_alike(tmp_path):

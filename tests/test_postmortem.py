@@ -107,7 +107,9 @@ def left_alone(command: float) -> Log:
     """An NXT robot that got one command [V] all through its fall."""
     kit = Kit.preset("nxt")
     none = np.zeros((0, 0))
-    still = LinearController(none, none, none, none, none, np.zeros((2, 3)), np.zeros((2, 6)), RAW, kit.period)
+    still = LinearController(
+        none, none, none, none, none, np.zeros((2, 3)), np.zeros((2, 6)), reads=RAW, period=kit.period
+    )
     body = Electronics(Twin(NXT), kit)
     log = run(body, still, [Impulse(impulse=1e-4, start=1.0, duration=0.02)], seconds=6.0, seed=2)
     assert log.origin["outcome"]["fell"]

@@ -57,10 +57,10 @@ class Agreement:
         return f"{self.sensor} {self.ratio:.2f} of what was expected"
 
 
-def disagreements(found: Sequence[Agreement], light: str) -> list[str]:
+def disagreements(agreements: Sequence[Agreement], light: str) -> list[str]:
     """The reasons that a log gives for this light, the largest first."""
     low, high = (FAR_LARGER, np.inf) if light == RED else (LARGER, FAR_LARGER)
-    beyond = sorted((a for a in found if low < a.ratio <= high), key=lambda a: -a.ratio)
+    beyond = sorted((a for a in agreements if low < a.ratio <= high), key=lambda a: -a.ratio)
     return [
         f"the log's {a.sensor} surprises {a.ratio:.1f} times as much as any drawn robot's, more than {low:g} times"
         for a in beyond
@@ -76,15 +76,15 @@ def agreement(log: Log, course: Course) -> tuple[Agreement, ...]:
     readings, applied = recorded(log, sampled(course.robot, course.kit, log.period).delay)
     seen = surprise(kalman_filter(sampled(course.robot, course.kit, log.period)), readings[None], applied[None])[0]
     period = course.driver.gains.period
-    estimator, found = kalman_filter(sampled(course.robot, course.kit, period)), list[Array]()
+    estimator, agreements = kalman_filter(sampled(course.robot, course.kit, period)), list[Array]()
     reads = course.driver.gains.reads
     if not set(RAW) <= set(reads):
         raise SpecMismatch(f"the controller reads {', '.join(reads)}", expected="both encoders and the gyro")
     for row, push in enumerate(standard_pushes(course.robot).values()):
         some = replace(course, robots=course.robots[:DRAWN], progress=None)
         for result in watched(some, push, row, (*RAW, *APPLIED)):
-            found.append(surprise(estimator, *np.split(result.trace[~result.fell], [3], axis=2)))
-    standing = np.concatenate(found)
+            agreements.append(surprise(estimator, *np.split(result.trace[~result.fell], [3], axis=2)))
+    standing = np.concatenate(agreements)
     largest = standing.max(axis=0) if len(standing) else np.ones(3)
     return tuple(
         Agreement(name.removeprefix("sensor/"), float(own), float(most))
@@ -105,8 +105,8 @@ def recorded(log: Log, delay: int) -> tuple[Array, Array]:
     if not prefix:
         raise InvalidLog("the log has no commands", expected="channels applied/left and applied/right")
     commands = np.column_stack([log[f"{prefix}/left"], log[f"{prefix}/right"]])
-    late = delay if prefix == "command" else 0
-    return readings, np.vstack([np.zeros((late, 2)), commands])[: len(log)]
+    periods = delay if prefix == "command" else 0
+    return readings, np.vstack([np.zeros((periods, 2)), commands])[: len(log)]
 
 
 def _reading(log: Log, name: str) -> Array:
@@ -119,16 +119,16 @@ def surprise(estimator: Filter, readings: Array, applied: Array) -> Array:
     """Size of the innovations (robots, 3) over what the filter foretells: 1.48 times the median of |e|, for
     readings (robots, n, 3) and commands (robots, n, 2); missing readings (NaN) are left out, and the first `SETTLED`
     seconds."""
-    seen, C = estimator.seen, estimator.seen.C
+    model, C = estimator.sampled, estimator.sampled.C
     first = np.nan_to_num(readings[:, 0]).T
-    start = np.zeros((len(seen.A), len(readings)))
-    turn = turn_ratio(seen.robot)
+    start = np.zeros((len(model.A), len(readings)))
+    turn = turn_ratio(model.robot)
     start[2], start[4] = (first[0] + first[1]) / 2, (first[1] - first[0]) / (2 * turn)
-    for place, name in enumerate(seen.names):
+    for place, name in enumerate(model.names):
         start[place] += first[RAW.index(name[:-2])] if "@" in name else 0.0
     commands = np.moveaxis(applied, 0, 2)
     before = np.concatenate([np.zeros_like(commands[:1]), commands[:-1]])
-    moved = seen.before @ before + seen.now @ commands
-    _, errors = filtered(seen.A, C, estimator.L, np.moveaxis(readings, 0, 2), moved, start)
-    predicted = np.sqrt(np.diag(C @ estimator.P @ C.T + seen.noise))
-    return 1.4826 * np.nanmedian(np.abs(errors[round(SETTLED / seen.dt) :]), axis=0).T / predicted
+    moved = model.before @ before + model.now @ commands
+    _, errors = filtered(model.A, C, estimator.L, np.moveaxis(readings, 0, 2), moved, start)
+    predicted = np.sqrt(np.diag(C @ estimator.P @ C.T + model.noise))
+    return 1.4826 * np.nanmedian(np.abs(errors[round(SETTLED / model.dt) :]), axis=0).T / predicted

@@ -37,7 +37,7 @@ COMPARABLE = {"sensor/gyro": 1.5, "sensor/compass": 0.5}  # [rad/s], [rad]: Brys
 _ANGLE = 1.0  # [rad] of an encoder
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Analysis(Shown):
     """A controller on a robot: closed-loop `poles`, `inputs` and `outputs` margins, one `disk` α for both motors at
     once.
@@ -82,13 +82,13 @@ class Analysis(Shown):
             return [f"The loop is unstable: its largest pole is at |z| = {np.abs(self.poles).max():.4f}."]
         low, high = disk_gain(self.disk)
         fell = int((self.radii >= 1).sum())
-        said = [
+        sentences = [
             self.both().words(),
             f"Both motors at once and each on its own: gains between {low * 100:.0f} and {high * 100:.0f} %, "
             f"or phases up to {math.degrees(disk_phase(self.disk)):.0f}°.",
             f"Of {len(self.radii)} robots drawn from the spreads, {fell} are unstable.",
         ]
-        return said + ([f"Over the intervals of the parameters it {self.mu.words()}"] if self.mu else [])
+        return sentences + ([f"Over the intervals of the parameters it {self.mu.words()}"] if self.mu else [])
 
     def check(self) -> float:
         """How far off the unit circle the largest pole is at the gain margins of both motors: zero is perfect."""
@@ -154,14 +154,15 @@ def analyse(
     readings = [COMPARABLE.get(name, _ANGLE) for name in linear.reads]
     command = [LARGEST_COMMAND[robot.command_unit]] * 2
     scaled = Loop(loop.plant.scaled(command, readings), loop.controller.scaled(readings, command))
-    late = delay_margin(robot, controller, kit)
+    delay = delay_margin(robot, controller, kit)
     return Analysis(
-        robot.name, controller.spec.kind, controller_hash(controller), linear.period, loop.closed.poles(),
-        tuple(_at_input(loop, name, late) for name in INPUTS),
-        tuple(_at_output(loop, i, name) for i, name in enumerate(linear.reads)),
-        disk_margin(loop.at_input), late, stability_margin(scaled),
-        _largest_gap(scaled.plant, [plant.scaled(command, readings) for plant in plants[:GAPS]]),
-        np.array(drawn), loop, parameter_mu(robot, controller, kit) if with_mu else None,
+        robot=robot.name, controller=controller.spec.kind, hash=controller_hash(controller), period=linear.period,
+        poles=loop.closed.poles(), loop=loop, drawn=np.array(drawn),
+        inputs=tuple(_at_input(loop, name, delay) for name in INPUTS),
+        outputs=tuple(_at_output(loop, i, name) for i, name in enumerate(linear.reads)),
+        disk=disk_margin(loop.at_input), delay=delay, coprime=stability_margin(scaled),
+        gap=_largest_gap(scaled.plant, [plant.scaled(command, readings) for plant in plants[:GAPS]]),
+        mu=parameter_mu(robot, controller, kit) if with_mu else None,
     )  # fmt: skip
 
 
@@ -169,11 +170,11 @@ GAPS = 20
 """How many of the drawn robots are measured by their ν-gap, which is slower than their poles."""
 
 
-def _at_input(loop: Loop, channel: str, late: float) -> Margins:
+def _at_input(loop: Loop, channel: str, delay: float) -> Margins:
     """With both motors alike the delay is the one found on the sampled robot where that is shorter: a delay by a part
     of a period changes what the robot answers near the Nyquist frequency, which e^{−jωτ} does not know."""
-    found = margins(loop.at_input, INPUTS[channel], channel)
-    return replace(found, delay=min(found.delay, late)) if channel == "both motors" else found
+    result = margins(loop.at_input, INPUTS[channel], channel)
+    return replace(result, delay=min(result.delay, delay)) if channel == "both motors" else result
 
 
 def _at_output(loop: Loop, i: int, name: str) -> Margins:

@@ -20,7 +20,7 @@ from upright.atomic import finite
 from upright.calibrate.calibrate import calibrate
 from upright.certify.agreement import AMBER, RED, Agreement, agreement, disagreements
 from upright.certify.analysis import INPUTS, delay_margin
-from upright.certify.checks import Course, Progress, Swept, Trial, driver, later, slower, trials
+from upright.certify.checks import Course, Progress, PushTrial, Swept, driver, later, slower, trials
 from upright.certify.learnt import learnt
 from upright.certify.loop import robot_loop
 from upright.certify.margins import margins
@@ -67,7 +67,7 @@ class LinearMargins:
         return self.radius < 1
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, kw_only=True)
 class Certificate(Shown):
     """What was measured of the controller with this `hash`, every `period` [s], and the `light` that follows from it.
 
@@ -89,7 +89,7 @@ class Certificate(Shown):
     samples: int
     fell: int
     linear: LinearMargins | None
-    trials: tuple[Trial, ...]
+    trials: tuple[PushTrial, ...]
     later: tuple[Swept, ...] = ()
     slower: tuple[Swept, ...] = ()
     agreement: tuple[Agreement, ...] = ()
@@ -133,7 +133,7 @@ class Certificate(Shown):
     def __str__(self) -> str:
         head = f"{self.light.upper()}: {self.controller} on {self.robot} with kit {self.kit}"
         columns = f"{'push':<20}{'battery':>8}{'fell':>12}{'saturated':>11}{'travel':>10}{'peak':>11}{'sway':>11}"
-        sweeps = [_said("dead time +", self.later), _said("period ", self.slower)]
+        sweeps = [_sweep("dead time +", self.later), _sweep("period ", self.slower)]
         lines = [head, *(f"  {reason}" for reason in self.reasons), "", columns, *(_row(t) for t in self.trials)]
         sweeps += ["the log: " + "; ".join(map(str, self.agreement))] if self.agreement else []
         return "\n".join([*lines, *(line for line in sweeps if line)])
@@ -179,14 +179,15 @@ def certify(
     course = Course(driver(design, nominal, parts), nominal, family, parts, seed, threads)
     if progress:
         course = replace(course, progress=Progress(course.runs, progress))
-    found, fell = trials(course)
+    runs, fell = trials(course)
     linear, count, period = linear_margins(design, nominal, parts), int(fell.sum()), design.spec.period
-    seen = agreement(recording, course) if recording else ()
-    light, reasons = judge(len(family), count, linear, found, period, seen)
-    late, slow = (f(course) if sweeps else () for f in (later, slower))
+    compared = agreement(recording, course) if recording else ()
+    light, reasons = judge(len(family), count, linear, runs, period, compared)
+    delayed, slow = (f(course) if sweeps else () for f in (later, slower))
     return Certificate(
-        light, reasons, upper_bound(count, len(family), CONFIDENCE), nominal.name, parts.name, design.spec.kind,
-        controller_hash(design), period, seed, len(family), count, linear, found, late, slow, seen,
+        light=light, reasons=reasons, bound=upper_bound(count, len(family), CONFIDENCE), robot=nominal.name,
+        kit=parts.name, controller=design.spec.kind, hash=controller_hash(design), period=period, seed=seed,
+        samples=len(family), fell=count, linear=linear, trials=runs, later=delayed, slower=slow, agreement=compared,
     )  # fmt: skip
 
 
@@ -210,40 +211,40 @@ def linear_margins(controller: Controller, robot: Robot, kit: Kit) -> LinearMarg
     if radius >= 1:
         return LinearMargins(radius, 1.0, 1.0, 0.0)
     both = margins(loop.at_input, INPUTS["both motors"])
-    late = min(both.delay, delay_margin(robot, controller, kit))
-    return LinearMargins(radius, both.gain_low, both.gain_high, late)
+    delay = min(both.delay, delay_margin(robot, controller, kit))
+    return LinearMargins(radius, both.gain_low, both.gain_high, delay)
 
 
 def judge(
     samples: int,
     fell: int,
     linear: LinearMargins | None,
-    found: Sequence[Trial],
+    runs: Sequence[PushTrial],
     period: float,
-    seen: Sequence[Agreement] = (),
+    compared: Sequence[Agreement] = (),
 ) -> tuple[str, tuple[str, ...]]:
     """The light and its one or two reasons, the gravest first."""
-    if red := _falls(samples, fell, found) + (_unstable(linear) if linear else []) + disagreements(seen, RED):
+    if red := _falls(samples, fell, runs) + (_unstable(linear) if linear else []) + disagreements(compared, RED):
         return RED, tuple(red[:2])
     thin = _thin(linear, period) if linear else []
-    if amber := disagreements(seen, AMBER) + thin + _laborious(found):
+    if amber := disagreements(compared, AMBER) + thin + _laborious(runs):
         return AMBER, tuple(amber[:2])
     chance = _per_cent(upper_bound(fell, samples, CONFIDENCE))
-    said = f"{fell} of {samples} robots fell: the chance is below {chance}"
+    message = f"{fell} of {samples} robots fell: the chance is below {chance}"
     if linear is None:
-        return GREEN, (said, "its linear margins are not known")
-    late = "any delay" if math.isinf(linear.delay) else f"{linear.delay * 1e3:.1f} ms more delay"
-    return GREEN, (said, f"it survives {late}")
+        return GREEN, (message, "its linear margins are not known")
+    delay = "any delay" if math.isinf(linear.delay) else f"{linear.delay * 1e3:.1f} ms more delay"
+    return GREEN, (message, f"it survives {delay}")
 
 
-def _falls(samples: int, fell: int, found: Sequence[Trial]) -> list[str]:
+def _falls(samples: int, fell: int, runs: Sequence[PushTrial]) -> list[str]:
     bound = upper_bound(fell, samples, CONFIDENCE)
     if bound <= MOST_FALLS:
         return []
-    worst = max(found, key=lambda t: t.fell)
+    worst = max(runs, key=lambda t: t.fell)
     where = f", {worst.fell} of them after a {worst.push} at {worst.battery} battery" if fell else ""
-    said = f"the chance may be {_per_cent(bound)}, more than {100 * MOST_FALLS:g} %"
-    return [f"{fell} of {samples} robots fell{where}: {said}"]
+    message = f"the chance may be {_per_cent(bound)}, more than {100 * MOST_FALLS:g} %"
+    return [f"{fell} of {samples} robots fell{where}: {message}"]
 
 
 def _unstable(linear: LinearMargins) -> list[str]:
@@ -259,19 +260,21 @@ def _thin(linear: LinearMargins, period: float) -> list[str]:
     return [*thin, f"{linear.delay * 1e3:.1f} ms more delay make it unstable, {linear.delay / period:.2f} of a period"]
 
 
-def _laborious(found: Sequence[Trial]) -> list[str]:
+def _laborious(runs: Sequence[PushTrial]) -> list[str]:
     limits = {"saturated": MOST_SATURATED, "travel": MOST_TRAVEL, "cycle": MOST_CYCLE}
     words = {
         "saturated": "a motor is at its limit for {:.0%} of the time",
         "travel": "it rolls {:.2f} m away",
         "cycle": "at rest it sways by ±{:.2f} rad",
     }
-    said: list[str] = []
+    reasons: list[str] = []
     for name, limit in limits.items():
-        worst = max(found, key=lambda t: getattr(t, name))
+        worst = max(runs, key=lambda t: getattr(t, name))
         if getattr(worst, name) > limit:
-            said.append(f"{words[name].format(getattr(worst, name))} after a {worst.push} at {worst.battery} battery")
-    return said
+            reasons.append(
+                f"{words[name].format(getattr(worst, name))} after a {worst.push} at {worst.battery} battery"
+            )
+    return reasons
 
 
 def _check_family(family: Sequence[Robot], robot: Robot) -> None:
@@ -282,21 +285,23 @@ def _check_family(family: Sequence[Robot], robot: Robot) -> None:
                            expected=f"{robot.command_unit}, as '{robot.name}'")  # fmt: skip
 
 
-def _per_cent(share: float) -> str:
+def _per_cent(probability: float) -> str:
     """Two significant digits."""
-    return f"{100 * share:.2g} %" if share < 0.1 else f"{100 * share:.0f} %"
+    return f"{100 * probability:.2g} %" if probability < 0.1 else f"{100 * probability:.0f} %"
 
 
 def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
     given = dict(data)
     if (given.pop("file"), given.pop("version")) != (KIND, VERSION):
         raise ValueError(f"it is no '{KIND}' of version {VERSION}")
-    said = given["linear"]
+    linear = given["linear"]
     parts: dict[str, Any] = {
         "reasons": tuple(given["reasons"]),
-        "linear": LinearMargins(**{n: math.inf if v is None else float(v) for n, v in said.items()}) if said else None,
+        "linear": LinearMargins(**{n: math.inf if v is None else float(v) for n, v in linear.items()})
+        if linear
+        else None,
         "agreement": tuple(Agreement(**row) for row in given["agreement"]),
-        "trials": tuple(Trial(**row) for row in given["trials"]),
+        "trials": tuple(PushTrial(**row) for row in given["trials"]),
     }
     swept: dict[str, Any] = {name: tuple(Swept(**row) for row in given[name]) for name in ("later", "slower")}
     certificate = cls(**{**given, **parts, **swept})
@@ -305,10 +310,10 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
     return certificate
 
 
-def _row(t: Trial) -> str:
+def _row(t: PushTrial) -> str:
     numbers = f"{t.saturated:>11.0%}{t.travel:>8.2f} m{t.peak:>7.3f} rad{t.cycle:>7.3f} rad"
     return f"{t.push:<20}{t.battery:>8}{f'{t.fell}/{t.runs}':>12}{numbers}"
 
 
-def _said(label: str, swept: Sequence[Swept]) -> str:
+def _sweep(label: str, swept: Sequence[Swept]) -> str:
     return ", ".join(f"{label}{s.value * 1e3:.3g} ms: {s.fell / s.runs:.1%} fell" for s in swept)

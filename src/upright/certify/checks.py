@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -50,7 +50,7 @@ _MOST = 95  # per cent: what one run in twenty exceeds
 
 
 @dataclass(frozen=True)
-class Trial:
+class PushTrial:
     """One push at one battery: `runs`, how many `fell`, and what 95 % of the standing ones stay below: `saturated`
     (share of periods), `travel` [m], `peak` pitch [rad] and `cycle`, half of pitch's range in the last seconds [rad].
 
@@ -61,6 +61,7 @@ class Trial:
     battery: str
     runs: int
     fell: int
+    _: KW_ONLY
     saturated: float
     travel: float
     peak: float
@@ -142,17 +143,17 @@ class Course:
         return pushes * (len(BATTERIES) * len(self.robots) + (len(_extra(self)) + len(_periods(self))) * some)
 
 
-def trials(course: Course) -> tuple[tuple[Trial, ...], NDArray[np.bool_]]:
+def trials(course: Course) -> tuple[tuple[PushTrial, ...], NDArray[np.bool_]]:
     """Every standard push at every battery on all robots, and which robots (n,) fell in any of them."""
     fell = np.zeros(len(course.robots), dtype=np.bool_)
-    found: list[Trial] = []
+    results: list[PushTrial] = []
     for name, push in standard_pushes(course.robot).items():
-        for battery, share in BATTERIES.items():
-            changes = _battery(course.kit, course.robot, share)
-            rows = list(_runs(course, course.robots, push, len(found), changes, course.driver, PITCH))
-            found.append(_trial(name, battery, rows, parameters_of(course.robots), course.driver.gains.period))
+        for battery, fraction in BATTERIES.items():
+            changes = _battery(course.kit, course.robot, fraction)
+            rows = list(_runs(course, course.robots, push, len(results), changes, course.driver, PITCH))
+            results.append(_trial(name, battery, rows, parameters_of(course.robots), course.driver.gains.period))
             fell |= np.concatenate([row.fell for row in rows])
-    return tuple(found), fell
+    return tuple(results), fell
 
 
 def later(course: Course) -> tuple[Swept, ...]:
@@ -175,12 +176,12 @@ def watched(course: Course, push: Any, row: int, channels: Sequence[str]) -> Ite
 
 
 def _extra(course: Course) -> list[float]:
-    return sorted({round(share * course.driver.gains.period / _STEP) * _STEP for share in LATER} - {0.0})
+    return sorted({round(fraction * course.driver.gains.period / _STEP) * _STEP for fraction in LATER} - {0.0})
 
 
 def _periods(course: Course) -> list[float]:
     """The kernel takes no command that is later than the next one."""
-    tried = sorted({max(1, round(share * course.driver.gains.period / _STEP)) * _STEP for share in SLOWER})
+    tried = sorted({max(1, round(fraction * course.driver.gains.period / _STEP)) * _STEP for fraction in SLOWER})
     return [period for period in tried if period >= course.kit.jitter]
 
 
@@ -212,13 +213,13 @@ def _runs(
             course.progress.add(len(some))
 
 
-def _battery(kit: Kit, robot: Robot, share: float) -> dict[str, list[float]]:
+def _battery(kit: Kit, robot: Robot, fraction: float) -> dict[str, list[float]]:
     """A torque drive has no battery in its equations."""
     known = robot.command_unit == "V" and math.isfinite(kit.battery.voltage)
-    return {"battery.voltage": [share * kit.battery.voltage]} if known else {}
+    return {"battery.voltage": [fraction * kit.battery.voltage]} if known else {}
 
 
-def _trial(push: str, battery: str, rows: Sequence[FleetResult], parameters: Array, period: float) -> Trial:
+def _trial(push: str, battery: str, rows: Sequence[FleetResult], parameters: Array, period: float) -> PushTrial:
     fell, saturated, peak, trace = (
         np.concatenate([getattr(row, name) for row in rows]) for name in ("fell", "saturated", "peak", "trace")
     )
@@ -227,7 +228,8 @@ def _trial(push: str, battery: str, rows: Sequence[FleetResult], parameters: Arr
     ending = trace[stood, -max(1, round(TAIL / period)) :, 0]
     swings = (ending.max(axis=1) - ending.min(axis=1)) / 2
     numbers = (saturated[stood], (peak[:, 1] * radius)[stood], peak[stood, 0], swings)
-    return Trial(push, battery, len(stood), int(fell.sum()), *(_most(values) for values in numbers))
+    most = dict(zip(("saturated", "travel", "peak", "cycle"), map(_most, numbers), strict=True))
+    return PushTrial(push, battery, len(stood), int(fell.sum()), **most)
 
 
 def _most(values: Array) -> float:

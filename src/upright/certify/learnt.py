@@ -19,20 +19,20 @@ class Learnt:
     uncertainty: Uncertainty
 
 
-def learnt(found: Calibration, kit: Kit) -> Learnt:
+def learnt(calibration: Calibration, kit: Kit) -> Learnt:
     """The calibrated robot, with the posterior of its parameters, on `kit` with the sensors as late as the log says.
 
     Dead times that the log has shorter stay as in the kit: where a log holds what was applied, not what was commanded,
     it does not show all of them.
     """
-    rows = [i for i, name in enumerate(found.names) if name in PARAMETERS]
-    names = [found.names[i] for i in rows]
-    mean = [getattr(found.robot, name) for name in names]
-    uncertainty = Uncertainty.joint(names, mean, found.covariance[rows][:, rows])
-    late = {e.name.removeprefix("delay/"): e.value for e in found.delays if e.verdict != HELD}
-    told = kit.delay + kit.jitter / 2
+    rows = [i for i, name in enumerate(calibration.names) if name in PARAMETERS]
+    names = [calibration.names[i] for i in rows]
+    mean = [getattr(calibration.robot, name) for name in names]
+    uncertainty = Uncertainty.joint(names, mean, calibration.covariance[rows][:, rows])
+    delays = {e.name.removeprefix("delay/"): e.value for e in calibration.delays if e.verdict != HELD}
+    dead_time = kit.delay + kit.jitter / 2
     sensors = {
-        name: replace(sensor, delay=max(sensor.delay, late.get(SENSOR.get(name, ""), 0.0) - told))
+        name: replace(sensor, delay=max(sensor.delay, delays.get(SENSOR.get(name, ""), 0.0) - dead_time))
         for name, sensor in kit.sensors.items()
     }
-    return Learnt(found.robot, replace(kit, sensors=sensors), uncertainty)
+    return Learnt(calibration.robot, replace(kit, sensors=sensors), uncertainty)

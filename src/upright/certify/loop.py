@@ -70,11 +70,11 @@ def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> Loop:
         raise SpecMismatch(
             f"the controller commands {linear.command_unit}", expected=f"{robot.command_unit}, as '{robot.name}'"
         )
-    seen = sampled(robot, kit, linear.period, linear.reads)
-    return Loop(commanded(seen), controller_of(linear, seen.delay))
+    model = sampled(robot, kit, linear.period, linear.reads)
+    return Loop(commanded(model), controller_of(linear, model.delay))
 
 
-def commanded(seen: SampledRobot) -> LinearModel:
+def commanded(model: SampledRobot) -> LinearModel:
     """From the commands alone to the readings."""
-    whole = plant_of(seen)
+    whole = plant_of(model)
     return LinearModel(whole.A, whole.B[:, :2], whole.C, whole.D[:, :2], whole.dt)

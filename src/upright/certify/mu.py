@@ -126,27 +126,27 @@ def _slopes(
     robot: Robot, plant: Any, nominal: LinearModel, chosen: Mapping[str, float]
 ) -> tuple[dict[str, Array], float]:
     """Mᵢ of each parameter that counts, and the largest share of curvature."""
-    found: dict[str, Array] = {}
+    result: dict[str, Array] = {}
     curvature = 0.0
     centre = _stacked(nominal)
     for name, width in chosen.items():
-        high, low, share = _ends(robot, plant, name, width)
-        found[name], bend = (high - low) / (2 * share), ((high + low) / 2 - centre) / share**2
-        scale = np.linalg.norm(found[name])
+        high, low, fraction = _ends(robot, plant, name, width)
+        result[name], bend = (high - low) / (2 * fraction), ((high + low) / 2 - centre) / fraction**2
+        scale = np.linalg.norm(result[name])
         curvature = max(curvature, float(np.linalg.norm(bend) / scale) if scale > 0 else 0.0)
-    largest = max((np.abs(slope).max() for slope in found.values()), default=0.0)
-    return {name: slope for name, slope in found.items() if np.abs(slope).max() > _SMALL * largest}, curvature
+    largest = max((np.abs(slope).max() for slope in result.values()), default=0.0)
+    return {name: slope for name, slope in result.items() if np.abs(slope).max() > _SMALL * largest}, curvature
 
 
 def _ends(robot: Robot, plant: Any, name: str, width: float) -> tuple[Array, Array, float]:
     """The robot at both ends of an interval, or of the share of it whose ends are robots."""
     value = getattr(robot, name)
-    for share in (1.0, 0.5, 0.25, 0.1, 0.01):
+    for fraction in (1.0, 0.5, 0.25, 0.1, 0.01):
         try:
-            high, low = (_stacked(plant({name: value + sign * share * width})) for sign in (1.0, -1.0))
+            high, low = (_stacked(plant({name: value + sign * fraction * width})) for sign in (1.0, -1.0))
         except InvalidRobot:
             continue
-        return high, low, share
+        return high, low, fraction
     raise InvalidModel(
         f"{name} = {value:g} ± {width:g} leaves what a robot can be", hint=f"narrow the interval of {name}"
     )
@@ -188,8 +188,8 @@ def _lower(P: LinearModel, K: LinearModel, slopes: Mapping[str, Array]) -> tuple
             closer, best = _nearer(P, K, stack, corner, closer, best)
         if closer > before * (1 - 1e-3):
             break
-    found = bool(best.any())
-    return (1 / closer, dict(zip(names, best.tolist(), strict=True))) if found else (0.0, {})
+    result = bool(best.any())
+    return (1 / closer, dict(zip(names, best.tolist(), strict=True))) if result else (0.0, {})
 
 
 def _nearer(

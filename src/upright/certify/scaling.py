@@ -81,8 +81,8 @@ def best_scaling(matrix: Complex, blocks: Sequence[Block], start: Scaling | None
         def smooth(z: Array, sharpness: float = sharpness) -> tuple[float, Array]:
             return _smooth(M, z, blocks, sharpness)
 
-        found: Any = minimize(smooth, z, jac=True, method="L-BFGS-B", options={"maxiter": STEPS})
-        z = found.x
+        result: Any = minimize(smooth, z, jac=True, method="L-BFGS-B", options={"maxiter": STEPS})
+        z = result.x
     best = _unpacked(z, blocks)
     last = Scaling(best.T, best.G * level)
     return last if last.bounds(matrix[None])[0] < first.bounds(matrix[None])[0] else first

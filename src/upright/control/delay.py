@@ -32,7 +32,7 @@ _FINEST = 1e-10  # [unit²] variance of a sensor said to be perfect, so that the
 LONGEST = 50  # periods of delay: beyond, the states of a filter would be many and the loop hopeless
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class SampledRobot:
     """`robot` every `dt` [s] between `delay` whole periods (and a fraction) of dead time and late sensors.
 
@@ -128,8 +128,8 @@ def _assembled(
 ) -> SampledRobot:
     extra = ["gyro_bias"] * (GYRO in reads) + ["push"]
     lines = [_line(sensor.delay, between.dt) for sensor, _ in rows]
-    late = [f"{name}@{i + 1}" for name, (count, _) in zip(reads, lines, strict=True) for i in range(count)]
-    names = (*STATE_NAMES, *extra, *late)
+    waiting = [f"{name}@{i + 1}" for name, (count, _) in zip(reads, lines, strict=True) for i in range(count)]
+    names = (*STATE_NAMES, *extra, *waiting)
     n, push = len(names), len(STATE_NAMES) + len(extra) - 1
     A, before, now, pushed, C = (
         np.zeros((n, n)),
@@ -160,8 +160,8 @@ def _assembled(
     noise = np.diag([max(s.noise**2 + s.quantum**2 / 12, _FINEST) for s, _ in rows])
     plant = _plant(between)
     return SampledRobot(
-        robot, kit, between.dt, reads, between.delay, names, A, before, now, C, noise, pushed, plant,
-        _ahead(between, plant),
+        robot=robot, kit=kit, dt=between.dt, reads=reads, delay=between.delay, names=names, A=A, before=before, now=now,
+        C=C, noise=noise, pushed=pushed, plant=plant, ahead=_ahead(between, plant),
     )  # fmt: skip
 
 
@@ -197,9 +197,9 @@ def _ahead(between: _Between, plant: LinearModel) -> Array:
     if not between.rest:
         return whole
     phi, held, _ = between.held(between.rest)
-    later = phi @ whole
-    later[:, 6:8] += held
-    return later
+    arrived = phi @ whole
+    arrived[:, 6:8] += held
+    return arrived
 
 
 def _sensor(kit: Kit, name: str) -> Sensor:

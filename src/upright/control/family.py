@@ -62,22 +62,22 @@ class Plane:
     G: Array
 
 
-def plane(seen: SampledRobot, disturbed: Disturbed = DISTURBED) -> Plane:
-    """The pitch plane of `seen`, which reads both encoders and the gyro."""
-    whole = plant_of(seen)
-    names = [seen.names[i] for i in kept(seen)]
+def plane(model: SampledRobot, disturbed: Disturbed = DISTURBED) -> Plane:
+    """The pitch plane of `model`, which reads both encoders and the gyro."""
+    whole = plant_of(model)
+    names = [model.names[i] for i in kept(model)]
     line = (len(whole.A) - len(names)) // 2
     spread, gather = halves([*names, *sides(line)])
     entering = np.zeros((len(whole.A), 2))
-    entering[: len(names), 0] = seen.pushed[kept(seen)] * disturbed.push_size(seen.robot)
-    motor = disturbed.motor_size(seen.robot) / np.sqrt(2)
-    entering[: len(names), 1] = (seen.now + seen.before)[kept(seen)].sum(axis=1) * motor
+    entering[: len(names), 0] = model.pushed[kept(model)] * disturbed.push_size(model.robot)
+    motor = disturbed.motor_size(model.robot) / np.sqrt(2)
+    entering[: len(names), 1] = (model.now + model.before)[kept(model)].sum(axis=1) * motor
     C = np.vstack([whole.C[:2].sum(axis=0) / 2, whole.C[2]]) @ spread
     return Plane(gather @ whole.A @ spread, gather @ whole.B[:, :2].sum(axis=1), C, gather @ entering)
 
 
 @dataclass(frozen=True, eq=False)
-class Family:
+class LoopFamily:
     """The loops of several planes (first axis) with one observer, affine in the gain k (m,) on ξ: see above.
 
     `N` (n, 2) is how the readings' noise enters besides through u, `Fy` (m, 2) how through ξ.
@@ -113,9 +113,9 @@ class Family:
 
         row = k @ self.F
         closed, entering = self.M[0] - np.outer(self.b[0], row), np.hstack([self.G[0], self._noise(k)[0]])
-        found = np.asarray(solve_discrete_lyapunov(closed, entering @ entering.T), dtype=np.float64)
-        command = row @ found @ row + float(((k @ self.Fy) ** 2) @ self.noise)
-        return float(np.sum(W * found[:4, :4]) + price * command)
+        covariance = np.asarray(solve_discrete_lyapunov(closed, entering @ entering.T), dtype=np.float64)
+        command = row @ covariance @ row + float(((k @ self.Fy) ** 2) @ self.noise)
+        return float(np.sum(W * covariance[:4, :4]) + price * command)
 
     def radii(self, k: Array) -> Array:
         """The largest |pole| of each loop."""
@@ -126,34 +126,34 @@ class Family:
         through = self.N[None] - self.b[:, :, None] * (k @ self.Fy)
         return through * np.sqrt(self.noise)
 
-    def some(self, rows: Sequence[int]) -> Family:
+    def some(self, rows: Sequence[int]) -> LoopFamily:
         """Only these robots."""
         picked = list(rows)
-        return Family(self.M[picked], self.b[picked], self.F, self.G[picked], self.N, self.Fy, self.noise)
+        return LoopFamily(self.M[picked], self.b[picked], self.F, self.G[picked], self.N, self.Fy, self.noise)
 
 
-def family(planes: Sequence[Plane], watch: Observer) -> Family:
+def family(planes: Sequence[Plane], watch: Observer) -> LoopFamily:
     """The loops of `planes`, all of one size, with the observer `watch` of the nominal robot."""
-    seen = watch.estimator.seen
-    spread, gather = halves([*seen.names, *sides(seen.history)])
-    out, _ = halves([*STATE_NAMES, *sides(seen.history)])
+    model = watch.estimator.sampled
+    spread, gather = halves([*model.names, *sides(model.history)])
+    out, _ = halves([*STATE_NAMES, *sides(model.history)])
     into = np.linalg.pinv(out)
     both, apart = np.ones(2), np.array([[1.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
     A, By = gather @ watch.A @ spread, gather @ watch.By @ apart
     Bu, Ba = gather @ watch.Bu @ both, gather @ watch.Ba @ both
     X, Xy = into @ watch.X @ spread, into @ watch.Xy @ apart
     n, size = len(planes[0].A), len(A)
-    line = seen.delay + bool(seen.before.any())
+    line = model.delay + bool(model.before.any())
     M = np.zeros((len(planes), n + size, n + size))
     b, G = np.zeros((len(planes), n + size)), np.zeros((len(planes), n + size, 2))
     for i, one in enumerate(planes):
         M[i, :n, :n], M[i, n:, :n], M[i, n:, n:] = one.A, By @ one.C, A
         b[i, :n], b[i, n:], G[i, :n] = one.b, Bu, one.G
-    if seen.delay:
-        M[:, n:, n - line + seen.delay - 1] += Ba
+    if model.delay:
+        M[:, n:, n - line + model.delay - 1] += Ba
     else:
         b[:, n:] += Ba
     F = np.hstack([Xy @ planes[0].C, X])
     N = np.vstack([np.zeros((n, 2)), By])
-    variance = np.array([seen.noise[0, 0] / 2, seen.noise[2, 2]])
-    return Family(M, b, F, G, N, Xy, variance)
+    variance = np.array([model.noise[0, 0] / 2, model.noise[2, 2]])
+    return LoopFamily(M, b, F, G, N, Xy, variance)

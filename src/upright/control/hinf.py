@@ -126,14 +126,14 @@ def hinf(
     It is the central controller at `slack` times the least γ: at the least itself its gains know no bound. Raises
     `DesignFailed` for weights that make no sense or where SLICOT finds no controller.
     """
-    seen = sampled(robot, kit, dt, RAW)
+    model = sampled(robot, kit, dt, RAW)
     wants = _checked(expected or Expected(), slack)
     size = COMMAND[robot.command_unit] if wants.command is None else wants.command
-    plant, names = plant_of(seen), _names(seen)
+    plant, names = plant_of(model), _names(model)
     forward = _problem(_half(plant, names, 1.0), 2, range(4), wants, size)
     turning = _problem(_half(plant, names, -1.0), 1, range(4, 6), wants, size)
     design = Hinf(_synthesised(forward, 2, slack), _synthesised(turning, 1, slack))
-    return _assembled(seen, design, wants, size)
+    return _assembled(model, design, wants, size)
 
 
 def _checked(wants: Expected, slack: float) -> Expected:
@@ -145,9 +145,9 @@ def _checked(wants: Expected, slack: float) -> Expected:
     return wants
 
 
-def _names(seen: SampledRobot) -> list[str]:
+def _names(model: SampledRobot) -> list[str]:
     """The states of `plant_of`, with the commands on their way named by their side."""
-    return [seen.names[i] for i in kept(seen)] + sides(seen.delay + bool(seen.before.any()))
+    return [model.names[i] for i in kept(model)] + sides(model.delay + bool(model.before.any()))
 
 
 def _half(plant: LinearModel, names: Sequence[str], sign: float) -> LinearModel:
@@ -174,10 +174,10 @@ def _synthesised(problem: LinearModel, readings: int, slack: float) -> Channel:
     for _ in range(_HALVINGS):
         middle = math.sqrt(low * high) if low else high / 2
         low, high = (low, middle) if _central(problem, mapped, readings, middle) else (middle, high)
-    found = _central(problem, mapped, readings, slack * high)
-    if found is None:
+    result = _central(problem, mapped, readings, slack * high)
+    if result is None:
         raise _no_controller()
-    return found
+    return result
 
 
 def _central(problem: LinearModel, mapped: LinearModel, readings: int, gamma: float) -> Channel | None:
@@ -187,10 +187,10 @@ def _central(problem: LinearModel, mapped: LinearModel, readings: int, gamma: fl
 
     P = mapped
     try:
-        found: Any = sb10ad(len(P.A), P.B.shape[1], len(P.C), 1, readings, gamma, P.A, P.B, P.C, P.D, 4, 0.0, 0.0)
+        result: Any = sb10ad(len(P.A), P.B.shape[1], len(P.C), 1, readings, gamma, P.A, P.B, P.C, P.D, 4, 0.0, 0.0)
     except SlycotError:
         return None
-    A, B, C, D = (np.array(matrix, dtype=np.float64) for matrix in found[1:5])
+    A, B, C, D = (np.array(matrix, dtype=np.float64) for matrix in result[1:5])
     controller = discrete(LinearModel(A, B, C, D), problem.dt)
     channel = Channel(problem, controller, gamma)
     return channel if channel.closed.stable else None
@@ -217,7 +217,7 @@ def _no_controller() -> DesignFailed:
     )  # fmt: skip
 
 
-def _assembled(seen: SampledRobot, design: Hinf, wants: Expected, size: float) -> LinearController:
+def _assembled(model: SampledRobot, design: Hinf, wants: Expected, size: float) -> LinearController:
     """u_l = u_f − u_t, u_r = u_f + u_t from [mean of the encoders, gyro] and half their difference.
 
     A reference is taken off the readings as the sensors would show it, and met by the command that it needs.
@@ -232,10 +232,10 @@ def _assembled(seen: SampledRobot, design: Hinf, wants: Expected, size: float) -
     join = np.array([[1.0, -1.0], [1.0, 1.0]])
     C = join @ np.block([[forward.C, np.zeros((1, k))], [np.zeros((1, n)), turning.C]])
     Dy = join @ np.block([[forward.D, np.zeros((1, 1))], [np.zeros((1, 2)), turning.D]]) @ split
-    seen_as, due = _reference(seen)
-    whole = LinearModel(A, By, C, Dy, seen.dt)
-    noise = np.array([wants.errors[name == GYRO] for name in seen.reads])
-    return _conditioned(seen, whole, _conditioning(whole, noise, size), (-By @ seen_as, due - Dy @ seen_as), design)
+    shown, due = _reference(model)
+    whole = LinearModel(A, By, C, Dy, model.dt)
+    noise = np.array([wants.errors[name == GYRO] for name in model.reads])
+    return _conditioned(model, whole, _conditioning(whole, noise, size), (-By @ shown, due - Dy @ shown), design)
 
 
 def _conditioning(K: LinearModel, noise: Array, size: float) -> Array:
@@ -249,25 +249,25 @@ def _conditioning(K: LinearModel, noise: Array, size: float) -> Array:
 
 
 def _conditioned(
-    seen: SampledRobot, K: LinearModel, H: Array, reference: tuple[Array, Array], design: Hinf
+    model: SampledRobot, K: LinearModel, H: Array, reference: tuple[Array, Array], design: Hinf
 ) -> LinearController:
     """The controller corrected by what the motors did, after as many periods as the command is on its way."""
-    line, (Br, Dr) = delay_line(2, seen.delay, seen.dt), reference
+    line, (Br, Dr) = delay_line(2, model.delay, model.dt), reference
     H0 = H @ line.D  # of a command that arrives at once
     A = np.block([[K.A - H0 @ K.C, -H @ line.C], [line.B @ K.C, line.A]])
     By, Br = np.vstack([K.B - H0 @ K.D, line.B @ K.D]), np.vstack([Br - H0 @ Dr, line.B @ Dr])
     Ba, C = np.vstack([H, np.zeros_like(line.B)]), np.hstack([K.C, np.zeros_like(line.C)])
     return LinearController(
-        A, By, Br, Ba, C, K.D, Dr, reads=seen.reads, period=seen.dt,
-        command_unit=seen.robot.command_unit, kind="hinf", design=design,
+        A, By, Br, Ba, C, K.D, Dr, reads=model.reads, period=model.dt,
+        command_unit=model.robot.command_unit, kind="hinf", design=design,
     )  # fmt: skip
 
 
-def _reference(seen: SampledRobot) -> tuple[Array, Array]:
+def _reference(model: SampledRobot) -> tuple[Array, Array]:
     """What the readings (3, 6) and the commands (2, 6) are while the robot follows a reference."""
-    still = steady(seen.robot)
-    now = sensor_matrix(seen.reads, turn_ratio(seen.robot)) @ still.x_r
-    late = np.array([seen.kit.sensors[name].delay for name in seen.reads])
+    still = steady(model.robot)
+    now = sensor_matrix(model.reads, turn_ratio(model.robot)) @ still.x_r
+    delays = np.array([model.kit.sensors[name].delay for name in model.reads])
     moved = np.zeros_like(now)
     moved[:, 1::2] = now[:, ::2]
-    return now - late[:, None] * moved, still.u_r
+    return now - delays[:, None] * moved, still.u_r

@@ -47,14 +47,14 @@ class Disturbed:
         usual = LARGEST_COMMAND[robot.command_unit]
         return self.motor * usual + robot.coulomb_friction / motor_gain(robot)
 
-    def noise(self, seen: SampledRobot) -> Array:
-        """W (n, n), the covariance of what enters the states of `seen` in a period."""
-        robot, names, n = seen.robot, seen.names, len(seen.A)
-        root = math.sqrt(seen.dt)
+    def noise(self, model: SampledRobot) -> Array:
+        """W (n, n), the covariance of what enters the states of `model` in a period."""
+        robot, names, n = model.robot, model.names, len(model.A)
+        root = math.sqrt(model.dt)
         walks = {"push": self.push_walk * robot.body_mass * robot.gravity / NXTWAY_WEIGHT * root}
         if "gyro_bias" in names:
-            walks["gyro_bias"] = max(self.bias_walk, seen.kit.sensors[GYRO].bias_walk) * root
-        columns = [seen.pushed * self.push_size(robot), *((seen.now + seen.before) * self.motor_size(robot)).T]
+            walks["gyro_bias"] = max(self.bias_walk, model.kit.sensors[GYRO].bias_walk) * root
+        columns = [model.pushed * self.push_size(robot), *((model.now + model.before) * self.motor_size(robot)).T]
         columns += [np.eye(n)[names.index(name)] * size for name, size in walks.items()]
         return process_noise(np.column_stack(columns))
 
@@ -78,34 +78,36 @@ PROMPT = 0.025  # [s] from command to reading, up to which a push is believed as
 class Filter:
     """The steady Kalman filter of a `SampledRobot`: p̂ = p + L (y − C p), with P the covariance before a reading."""
 
-    seen: SampledRobot
+    sampled: SampledRobot
     W: Array
     P: Array
     L: Array
 
     def check(self) -> float:
         """Largest entry of A P Aᵀ − P − A P Cᵀ(C P Cᵀ + V)⁻¹C P Aᵀ + W, relative to P's largest."""
-        return riccati_residual(self.seen.A.T, self.seen.C.T, self.W, self.seen.noise, self.P)
+        return riccati_residual(self.sampled.A.T, self.sampled.C.T, self.W, self.sampled.noise, self.P)
 
 
-def kalman_filter(seen: SampledRobot, disturbed: Disturbed = DISTURBED) -> Filter:
+def kalman_filter(model: SampledRobot, disturbed: Disturbed = DISTURBED) -> Filter:
     """The steady filter; raises `DesignFailed` where it has no solution."""
-    W = disturbed.noise(seen)
+    W = disturbed.noise(model)
     try:
-        return Filter(seen, W, *steady_kalman(seen.A, seen.C, W, seen.noise))
+        return Filter(model, W, *steady_kalman(model.A, model.C, W, model.noise))
     except DesignFailed:
         raise DesignFailed(
-            f"no steady Kalman filter for '{seen.robot.name}' at {seen.dt:g} s",
+            f"no steady Kalman filter for '{model.robot.name}' at {model.dt:g} s",
             expected="every state to be shown by the sensors", likely="too few sensors, or a period too long",
             hint="read both encoders and the gyro, or shorten the period",
         ) from None  # fmt: skip
 
 
-def offset_free(seen: SampledRobot) -> Disturbed:
+def offset_free(model: SampledRobot) -> Disturbed:
     """`OFFSET_FREE` for the dead time of this robot."""
-    kit = seen.kit
-    late = kit.delay + kit.jitter / 2 + max((kit.sensors[n].delay for n in seen.reads if n in kit.sensors), default=0.0)
-    return replace(OFFSET_FREE, push_walk=OFFSET_FREE.push_walk * min(1.0, PROMPT / max(late, PROMPT)))
+    kit = model.kit
+    delay = (
+        kit.delay + kit.jitter / 2 + max((kit.sensors[n].delay for n in model.reads if n in kit.sensors), default=0.0)
+    )
+    return replace(OFFSET_FREE, push_walk=OFFSET_FREE.push_walk * min(1.0, PROMPT / max(delay, PROMPT)))
 
 
 def process_noise(entering: Array, least: float = 1e-14) -> Array:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import KW_ONLY, dataclass, field, fields
 from typing import Any
 
 import numpy as np
@@ -38,6 +38,7 @@ class LinearController:
     C: Array
     Dy: Array
     Dr: Array
+    _: KW_ONLY
     reads: tuple[str, ...]
     period: float
     S: Array = field(default_factory=lambda: np.zeros((0, 0)))
@@ -69,8 +70,8 @@ class LinearController:
         n, m, opinions = len(self.A), len(self.reads), len(self.S)
         states = np.vstack([self.A, self.C, self.S.reshape(opinions, n)])
         readings = np.vstack([self.By, self.Dy, self.Sy.reshape(opinions, m)])
-        wanted = np.vstack([self.Br, self.Dr, np.zeros((opinions, 6))])
-        stacked = np.hstack([states, states @ self.Ba, np.zeros((len(states), opinions)), readings, wanted])
+        references = np.vstack([self.Br, self.Dr, np.zeros((opinions, 6))])
+        stacked = np.hstack([states, states @ self.Ba, np.zeros((len(states), opinions)), readings, references])
         self._dot = np.ascontiguousarray(stacked).dot
         self._memory = np.zeros((2, stacked.shape[1]))
         top, own = len(states), slice(n, n + 2)
@@ -172,4 +173,7 @@ def _named(like: Controller, *matrices: Array) -> LinearController:
     A, By, Br, Ba, C, Dy, Dr, *opinion = matrices
     spec = like.spec
     S, Sy = opinion or (np.zeros((0, 0)), np.zeros((0, 0)))
-    return LinearController(A, By, Br, Ba, C, Dy, Dr, spec.reads, spec.period, S, Sy, spec.command_unit, spec.kind)
+    return LinearController(
+        A, By, Br, Ba, C, Dy, Dr, reads=spec.reads, period=spec.period, S=S, Sy=Sy,
+        command_unit=spec.command_unit, kind=spec.kind,
+    )  # fmt: skip

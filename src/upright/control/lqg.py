@@ -31,7 +31,7 @@ class Lqg(Design):
 
     def check(self) -> float:
         """The larger of both Riccati residuals."""
-        plant = self.filter.seen.plant
+        plant = self.filter.sampled.plant
         return max(self.filter.check(), riccati_residual(plant.A, plant.B, self.Q, self.R, self.P))
 
     @property
@@ -61,15 +61,15 @@ def lqg(
 
 def regulated(estimator: Filter, Q: ArrayLike | None = None, R: ArrayLike | None = None) -> Lqg:
     """The regulator of the robot that `estimator` sees, under weights as in `lqg`."""
-    seen = estimator.seen
-    weight, price = state_weight(seen, Q), command_weight(seen.robot, R)
-    return Lqg(estimator, weight, price, *riccati(seen.plant, weight, price))
+    model = estimator.sampled
+    weight, price = state_weight(model, Q), command_weight(model.robot, R)
+    return Lqg(estimator, weight, price, *riccati(model.plant, weight, price))
 
 
-def state_weight(seen: SampledRobot, Q: ArrayLike | None, largest: ArrayLike = LARGEST_STATE) -> Array:
+def state_weight(model: SampledRobot, Q: ArrayLike | None, largest: ArrayLike = LARGEST_STATE) -> Array:
     """Q (6, 6), or its diagonal, or Bryson's rule, padded with zeros for the commands on their way."""
     weight = weight_matrix(bryson(largest) if Q is None else Q, 6, "Q")
-    return np.pad(weight, (0, len(seen.plant.states) - 6))
+    return np.pad(weight, (0, len(model.plant.states) - 6))
 
 
 def command_weight(robot: Robot, R: ArrayLike | None) -> Array:

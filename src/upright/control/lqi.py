@@ -68,22 +68,22 @@ def lqi(
     """
     if not unwinding > 0:
         raise DesignFailed(f"unwinding takes {unwinding} s", expected="a positive time")
-    seen = sampled(robot, kit, dt, reads)
-    estimator = kalman_filter(seen, disturbed)
+    model = sampled(robot, kit, dt, reads)
+    estimator = kalman_filter(model, disturbed)
     weight = weight_matrix(bryson([*LARGEST_STATE, LARGEST_INTEGRAL]) if Q is None else Q, 7, "Q")
-    servo = with_integral(seen.plant)
+    servo = with_integral(model.plant)
     n = len(servo.states)
     order = [*range(6), n - 1]
     padded, price = np.zeros((n, n)), command_weight(robot, R)
     padded[np.ix_(order, order)] = weight
     P, K = riccati(servo, padded, price)
-    extra = Extra(np.eye(1), servo.A[-1:, :-1], K[:, -1:], unwound(K[:, -1], seen.dt / unwinding))
+    extra = Extra(np.eye(1), servo.A[-1:, :-1], K[:, -1:], unwound(K[:, -1], model.dt / unwinding))
     return output_feedback(observer(estimator), K[:, :-1], "lqi", Lqi(estimator, servo, padded, price, P, K), extra)
 
 
-def unwound(gain: Array, share: float) -> Array:
-    """The row (1, 2) that takes `share` of what the motors withheld out of an integral acting with −gain (2,)."""
-    return np.full((1, 2), -share / gain.sum())
+def unwound(gain: Array, fraction: float) -> Array:
+    """The row (1, 2) that takes `fraction` of what the motors withheld out of an integral acting with −gain (2,)."""
+    return np.full((1, 2), -fraction / gain.sum())
 
 
 def with_integral(plant: LinearModel) -> LinearModel:

@@ -39,7 +39,7 @@ BOUNDED = 10  # instants of the horizon, evenly spread, at which pitch and trave
 
 
 @dataclass(frozen=True, eq=False)
-class Programme:
+class QuadraticProgram:
     """min ½ UᵀH U + fᵀU over |U| ≤ limit, |rows U + c| ≤ 1, with f and c new in each period.
 
     U (2N,) holds the commands from now on; `rows` pitch and travel as shares of their bounds, `soft` or not. What
@@ -74,7 +74,7 @@ class PredictiveController:
     """
 
     memory: Recursion
-    programme: Programme
+    programme: QuadraticProgram
     reads: tuple[str, ...]
     period: float
     command_unit: str = "V"
@@ -152,7 +152,7 @@ class PredictiveController:
     def from_json(cls, data: dict[str, Any]) -> PredictiveController:
         """The inverse of `to_json`; the design's record stays behind."""
         limit = math.inf if data["limit"] is None else data["limit"]
-        programme = Programme(np.array(data["H"]), np.array(data["rows"]), limit, data["soft"], data["softness"])
+        programme = QuadraticProgram(np.array(data["H"]), np.array(data["rows"]), limit, data["soft"], data["softness"])
         facts = {name: data[name] for name in ("period", "command_unit", "kind")}
         return cls(Recursion.from_json(data["memory"]), programme, reads=tuple(data["reads"]), **facts)
 
@@ -162,7 +162,7 @@ class PredictiveController:
         return PredictiveController, values
 
 
-def solver(programme: Programme, upper: Array, lower: Array, f: Array | None = None) -> Any:
+def solver(programme: QuadraticProgram, upper: Array, lower: Array, f: Array | None = None) -> Any:
     """A DAQP workspace set up for the programme; `DesignFailed` when DAQP refuses it."""
     daqp: Any = import_module("daqp")  # compiled and untyped: `Any` says so to the type checker
     model = daqp.Model()
@@ -208,13 +208,13 @@ def mpc(
     for name, bound in (("limit", most), ("pitch", pitch), ("travel", travel)):
         if not bound > 0:
             raise DesignFailed(f"{name} is {bound}", expected="a positive bound")
-    seen = sampled(robot, kit, dt, reads)
-    design = regulated(kalman_filter(seen, disturbed or offset_free(seen)), Q, R)
+    model = sampled(robot, kit, dt, reads)
+    design = regulated(kalman_filter(model, disturbed or offset_free(model)), Q, R)
     memory, H, rows = _condensed(
         observer(design.filter), design, horizon, {"pitch": pitch, "wheel": travel / robot.wheel_radius}
     )
-    programme = Programme(H, rows, most, soft)
-    return PredictiveController(memory, programme, seen.reads, seen.dt, robot.command_unit, design=design)
+    programme = QuadraticProgram(H, rows, most, soft)
+    return PredictiveController(memory, programme, model.reads, model.dt, robot.command_unit, design=design)
 
 
 def largest_command(robot: Robot, kit: Kit) -> float:
@@ -238,7 +238,7 @@ def predicted(plant: LinearModel, horizon: int) -> tuple[Array, Array]:
 
 def _condensed(watch: Observer, design: Lqg, horizon: int, bounds: dict[str, float]) -> tuple[Recursion, Array, Array]:
     """The memory with outputs [f, c, u], H and the rows of the bounds, all in the commands themselves."""
-    plant = design.filter.seen.plant
+    plant = design.filter.sampled.plant
     free, forced = predicted(plant, horizon)
     weights = np.repeat(design.Q[None], horizon, axis=0)
     weights[-1] = design.P

@@ -22,8 +22,8 @@ def near_rest(controller: Controller) -> LinearController:
     if isinstance(controller, PredictiveController):
         return _closed(controller, controller.memory, np.eye(2, len(controller.memory.C), len(controller.memory.C) - 2))
     if isinstance(controller, SlidingMode):
-        share = controller.reach / controller.layer
-        return _closed(controller, controller.memory, np.hstack([-share * np.eye(2), np.eye(2)]))
+        slope = controller.reach / controller.layer
+        return _closed(controller, controller.memory, np.hstack([-slope * np.eye(2), np.eye(2)]))
     return as_linear(controller)
 
 
@@ -32,5 +32,6 @@ def _closed(controller: Controller, memory: Recursion, pick: Array) -> LinearCon
     spec, C, Dy, Dr = controller.spec, pick @ memory.C, pick @ memory.Dy, pick @ memory.Dr
     A, By, Br = memory.A + memory.Bu @ C, memory.By + memory.Bu @ Dy, memory.Bu @ Dr
     return LinearController(
-        A, By, Br, memory.Ba, C, Dy, Dr, spec.reads, spec.period, memory.S, memory.Sy, spec.command_unit, spec.kind
+        A, By, Br, memory.Ba, C, Dy, Dr, reads=spec.reads, period=spec.period, S=memory.S, Sy=memory.Sy,
+        command_unit=spec.command_unit, kind=spec.kind,
     )  # fmt: skip

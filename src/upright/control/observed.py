@@ -59,8 +59,8 @@ def observed(
         raise SpecMismatch(
             f"the {feedback.kind} commands {feedback.command_unit}", expected=f"{robot.command_unit}, as '{robot.name}'"
         )
-    seen = sampled(robot, kit, feedback.period, reads)
-    estimator = kalman_filter(seen, disturbed)
+    model = sampled(robot, kit, feedback.period, reads)
+    estimator = kalman_filter(model, disturbed)
     return output_feedback(
-        observer(estimator), feedback.gain @ seen.ahead, feedback.kind, Observed(estimator, feedback)
+        observer(estimator), feedback.gain @ model.ahead, feedback.kind, Observed(estimator, feedback)
     )  # fmt: skip

@@ -17,7 +17,7 @@ from upright.robots import Robot
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Observer:
     """z⁺ = A z + By y + Bu u + Ba a, where u is the command decided now and a the one applied now.
 
@@ -38,22 +38,22 @@ class Observer:
 
 def observer(estimator: Filter) -> Observer:
     """The observer round a filter: commands on their way are remembered as sent, the last one as it was applied."""
-    seen = estimator.seen
-    n, m, d, h = len(seen.A), len(seen.reads), seen.delay, seen.history
+    model = estimator.sampled
+    n, m, d, h = len(model.A), len(model.reads), model.delay, model.history
     size = n + 2 * h
     gain = estimator.L
     A, By, Bu, Ba = np.zeros((size, size)), np.zeros((size, m)), np.zeros((size, 2)), np.zeros((size, 2))
-    A[:n, :n], By[:n], after = one_step(seen.A, seen.C, gain)
-    Ba[:n] = seen.now
-    line = delay_line(2, d, seen.dt)
+    A[:n, :n], By[:n], after = one_step(model.A, model.C, gain)
+    Ba[:n] = model.now
+    line = delay_line(2, d, model.dt)
     A[n : n + 2 * d, n : n + 2 * d], Bu[n : n + 2 * d] = line.A, line.B
     if h > d:
-        A[:n, n + 2 * d :], Ba[n + 2 * d :] = seen.before, np.eye(2)
+        A[:n, n + 2 * d :], Ba[n + 2 * d :] = model.before, np.eye(2)
     X, Xy = np.zeros((6 + 2 * h, size)), np.zeros((6 + 2 * h, m))
     X[:6, :n], Xy[:6], X[6:, n:] = after[:6], gain[:6], np.eye(2 * h)
-    push = seen.names.index("push")
+    push = model.names.index("push")
     f = np.concatenate([after[push], np.zeros(2 * h)])
-    return Observer(estimator, A, By, Bu, Ba, X, Xy, f, gain[push])
+    return Observer(estimator=estimator, A=A, By=By, Bu=Bu, Ba=Ba, X=X, Xy=Xy, f=f, fy=gain[push])
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,34 +98,37 @@ def output_feedback(
     watch: Observer, K: Array, kind: str, design: Design, extra: Extra | None = None
 ) -> LinearController:
     """u = u_r r − K (ξ − ξ_r) − K_w w, with ξ_r the steady motion at the reference r: K (2, 6 + earlier commands)."""
-    seen = watch.estimator.seen
+    model = watch.estimator.sampled
     more = extra or Extra(np.zeros((0, 0)), np.zeros((0, K.shape[1])), np.zeros((2, 0)), np.zeros((0, 2)))
     n, m = len(watch.A), len(more.A)
     xi_r, u_r = steady_state(watch)
     C, Dy, Dr = np.hstack([-K @ watch.X, -more.K]), -K @ watch.Xy, u_r + K @ xi_r
     open_loop = np.block([[watch.A, np.zeros((n, m))], [more.X @ watch.X, more.A]])
     Bu, Ba = np.vstack([watch.Bu, np.zeros((m, 2))]), np.vstack([watch.Ba, more.back])
-    if seen.delay:
-        due = len(seen.A) + 2 * seen.delay - 2
+    if model.delay:
+        due = len(model.A) + 2 * model.delay - 2
         open_loop[n:, due : due + 2] -= more.back
     else:
         Bu[n:] -= more.back
     By = np.vstack([watch.By, more.X @ watch.Xy]) + Bu @ Dy
     Br = np.vstack([np.zeros((n, 6)), -more.X @ xi_r]) + Bu @ Dr
-    S, unit = np.hstack([watch.X[:6], np.zeros((6, m))]), seen.robot.command_unit
+    S, unit = np.hstack([watch.X[:6], np.zeros((6, m))]), model.robot.command_unit
     A = open_loop + Bu @ C
-    return LinearController(A, By, Br, Ba, C, Dy, Dr, seen.reads, seen.dt, S, watch.Xy[:6], unit, kind, design)
+    return LinearController(
+        A, By, Br, Ba, C, Dy, Dr, reads=model.reads, period=model.dt, S=S, Sy=watch.Xy[:6],
+        command_unit=unit, kind=kind, design=design,
+    )  # fmt: skip
 
 
 def steady_state(watch: Observer) -> tuple[Array, Array]:
     """ξ_r (6 + earlier commands, 6) and u_r (2, 6): what the steady motion at a reference needs."""
-    seen = watch.estimator.seen
-    rest = steady(seen.robot)
-    return np.vstack([rest.x_r, np.tile(rest.u_r, (seen.history, 1))]), rest.u_r
+    model = watch.estimator.sampled
+    rest = steady(model.robot)
+    return np.vstack([rest.x_r, np.tile(rest.u_r, (model.history, 1))]), rest.u_r
 
 
 def steady_push(watch: Observer) -> tuple[Array, Array]:
     """ξ_F (6 + earlier commands,) and u_F (2,): what the rest under a push of 1 N needs."""
-    seen = watch.estimator.seen
-    rest = steady(seen.robot)
-    return np.concatenate([rest.x_push, np.tile(rest.u_push, seen.history)]), rest.u_push
+    model = watch.estimator.sampled
+    rest = steady(model.robot)
+    return np.concatenate([rest.x_push, np.tile(rest.u_push, model.history)]), rest.u_push

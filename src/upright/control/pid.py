@@ -46,8 +46,8 @@ SHARE = 0.8  # of the best margin, where MARGIN is out of reach
 LEAST = 0.1  # a sensitivity of 10: with less, the smallest error of the model topples the robot
 
 
-@dataclass(frozen=True)
-class Gains:
+@dataclass(frozen=True, kw_only=True)
+class PidGains:
     """Motor compensation, pitch loop with its filter time [s], position and heading loop, in command units and SI."""
 
     motor: float
@@ -55,10 +55,10 @@ class Gains:
     i: float
     d: float
     filter_time: float
-    wheel: float
-    wheel_rate: float
-    yaw: float
-    yaw_rate: float
+    wheel: float = 0.0
+    wheel_rate: float = 0.0
+    yaw: float = 0.0
+    yaw_rate: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,12 +66,12 @@ class Pid(Design):
     """The tuned `gains`, the `filter` that gives them the state, and the `margin` min |1 + L| at the motors."""
 
     filter: Filter
-    gains: Gains
+    gains: PidGains
     margin: float
 
     def check(self) -> float:
         """The filter's residual, or how much less than `margin` the loop as built keeps, or its instability."""
-        plane = _Plane(self.filter.seen)
+        plane = _Plane(self.filter.sampled)
         loop = plane.closed(self.gains)
         if np.abs(np.linalg.eigvals(loop[0])).max() >= 1:
             return math.inf
@@ -96,25 +96,25 @@ def pid(
     """
     if not (heading > 0 and unwinding > 0):
         raise DesignFailed(f"heading {heading}, unwinding {unwinding}", expected="positive numbers")
-    seen = sampled(robot, kit, dt, reads)
-    estimator = kalman_filter(seen, disturbed)
-    plane = _Plane(seen)
+    model = sampled(robot, kit, dt, reads)
+    estimator = kalman_filter(model, disturbed)
+    plane = _Plane(model)
     still = rolling(robot)
-    gains = _tuned(plane, motor_damping(still) / motor_gain(still), _heading(seen, heading))
-    K, extra = _law(seen, gains, unwinding)
+    gains = _tuned(plane, motor_damping(still) / motor_gain(still), _heading(model, heading))
+    K, extra = _law(model, gains, unwinding)
     return output_feedback(observer(estimator), K, "pid", Pid(estimator, gains, plane.margin(gains)), extra)
 
 
 class _Plane:
     """The pitch plane, x⁺ = A x + b v for one command v of both motors, on a grid of frequencies up to Nyquist's."""
 
-    def __init__(self, seen: SampledRobot) -> None:
-        self.seen, self.dt = seen, seen.dt
-        self.A, self.b = _halved(seen, range(4), +1)
-        self.omega = np.geomspace(0.05, math.pi / seen.dt, 300)
-        self.z = np.exp(1j * self.omega * seen.dt)
+    def __init__(self, model: SampledRobot) -> None:
+        self.sampled, self.dt = model, model.dt
+        self.A, self.b = _halved(model, range(4), +1)
+        self.omega = np.geomspace(0.05, math.pi / model.dt, 300)
+        self.z = np.exp(1j * self.omega * model.dt)
         self.response = self.respond(self.z)
-        self.falling = math.log(np.abs(np.linalg.eigvals(self.A)).max()) / seen.dt
+        self.falling = math.log(np.abs(np.linalg.eigvals(self.A)).max()) / model.dt
 
     def respond(self, z: Complex) -> Complex:
         """ψ, ψ̇, θ, θ̇ per command at each z, shape (len(z), 4)."""
@@ -122,7 +122,7 @@ class _Plane:
         states: Complex = np.asarray(np.linalg.solve(z[:, None, None] * np.eye(n) - self.A, self.b[:, None]), complex)
         return states[:, :4, 0]
 
-    def margin(self, gains: Gains) -> float:
+    def margin(self, gains: PidGains) -> float:
         """min |1 + L| with the loop cut at the motors."""
         x, z = self.response, self.z
         error = x[:, 0] + gains.wheel * x[:, 2] + gains.wheel_rate * x[:, 3]
@@ -131,7 +131,7 @@ class _Plane:
         command = (gains.p + gains.i * self.dt / (z - 1)) * error + gains.d * rate + gains.motor * (x[:, 3] - x[:, 1])
         return float(np.abs(1 - command).min())
 
-    def closed(self, gains: Gains) -> tuple[Array, Array]:
+    def closed(self, gains: PidGains) -> tuple[Array, Array]:
         """A and b of the closed plane with the integral and the derivative's filter as its last states, for −ψ_ref."""
         n, keep = len(self.A), _keep(gains, self.dt)
         error, row = np.zeros(n), np.zeros(n)
@@ -143,18 +143,18 @@ class _Plane:
         A[n, :n], A[n, n], A[n + 1, 1], A[n + 1, n + 1] = self.dt * error, 1.0, 1 - keep, keep
         return A, b
 
-    def slowest(self, gains: Gains) -> float:
+    def slowest(self, gains: PidGains) -> float:
         """The largest |eigenvalue| of the closed plane."""
         return float(np.abs(np.linalg.eigvals(self.closed(gains)[0])).max())
 
 
-def _keep(gains: Gains, dt: float) -> float:
+def _keep(gains: PidGains, dt: float) -> float:
     return gains.filter_time / (gains.filter_time + dt)
 
 
-def _halved(seen: SampledRobot, states: range, sign: int) -> tuple[Array, Array]:
+def _halved(model: SampledRobot, states: range, sign: int) -> tuple[Array, Array]:
     """The plant of `states` when the right motor gets `sign` times the left one's command."""
-    plant = seen.plant
+    plant = model.plant
     left = [*states, *range(6, len(plant.states), 2)]
     right = [*states, *range(7, len(plant.states), 2)]
     A = plant.A[np.ix_(left, left)]
@@ -165,59 +165,59 @@ def _halved(seen: SampledRobot, states: range, sign: int) -> tuple[Array, Array]
     return A, b
 
 
-def _tuned(plane: _Plane, motor: float, heading: tuple[float, float]) -> Gains:
+def _tuned(plane: _Plane, motor: float, heading: tuple[float, float]) -> PidGains:
     """The stiffest position loop of all that keep `MARGIN`, or `SHARE` of the best where none does."""
-    found: list[tuple[float, Gains]] = []
+    cascades: list[tuple[float, PidGains]] = []
     for pitch in _pitches(plane, motor):
         tried = (replace(g, yaw=heading[0], yaw_rate=heading[1]) for g in _positions(plane, pitch))
-        found += [(plane.margin(gains), gains) for gains in tried]
-    found = [(margin, gains) for margin, gains in found if margin >= LEAST and plane.slowest(gains) < 1]
-    if not found:
+        cascades += [(plane.margin(gains), gains) for gains in tried]
+    cascades = [(margin, gains) for margin, gains in cascades if margin >= LEAST and plane.slowest(gains) < 1]
+    if not cascades:
         raise _no_cascade(plane)
-    enough = min(MARGIN, SHARE * max(margin for margin, _ in found))
-    return max((gains.wheel, margin, i, gains) for i, (margin, gains) in enumerate(found) if margin >= enough)[3]
+    enough = min(MARGIN, SHARE * max(margin for margin, _ in cascades))
+    return max((gains.wheel, margin, i, gains) for i, (margin, gains) in enumerate(cascades) if margin >= enough)[3]
 
 
-def _pitches(plane: _Plane, motor: float) -> Iterator[Gains]:
+def _pitches(plane: _Plane, motor: float) -> Iterator[PidGains]:
     """Pitch loops of several stiffnesses, against gravity's M g L shared by both motors, and derivative times."""
-    robot = plane.seen.robot
+    robot = plane.sampled.robot
     gravity = robot.body_mass * robot.gravity * robot.com_height / (2 * motor_gain(robot))
     for stiffness, time, lag in itertools.product(STIFFNESSES.tolist(), TIMES.tolist(), LAGS):
         p = stiffness * gravity
-        yield Gains(motor, p, lag * plane.falling * p, time * p, time / FILTERED, 0.0, 0.0, 0.0, 0.0)
+        yield PidGains(motor=motor, p=p, i=lag * plane.falling * p, d=time * p, filter_time=time / FILTERED)
 
 
-def _positions(plane: _Plane, pitch: Gains) -> Iterator[Gains]:
+def _positions(plane: _Plane, pitch: PidGains) -> Iterator[PidGains]:
     """Position loops round a pitch loop, by bandwidth and damping: a robot that leans accelerates, R θ̈ = g ψ."""
-    scale = plane.seen.robot.wheel_radius / plane.seen.robot.gravity
+    scale = plane.sampled.robot.wheel_radius / plane.sampled.robot.gravity
     for omega, damping in itertools.product(BANDWIDTHS.tolist(), DAMPINGS):
         yield replace(pitch, wheel=scale * omega**2, wheel_rate=scale * 2 * damping * omega)
 
 
-def _heading(seen: SampledRobot, omega: float) -> tuple[float, float]:
+def _heading(model: SampledRobot, omega: float) -> tuple[float, float]:
     """Gains on yaw and its rate for that crossover [rad/s] and the phase margin of `HEADING`."""
-    A, b = _halved(seen, range(4, 6), -1)
-    response = -np.linalg.solve(np.exp(1j * omega * seen.dt) * np.eye(len(A)) - A, b)[:2]
-    wanted = np.exp(1j * (HEADING[1] - math.pi))  # of the right motor's part, whose response is minus the left one's
-    yaw, rate = np.linalg.solve([response.real, response.imag], [wanted.real, wanted.imag]).tolist()
+    A, b = _halved(model, range(4, 6), -1)
+    response = -np.linalg.solve(np.exp(1j * omega * model.dt) * np.eye(len(A)) - A, b)[:2]
+    target = np.exp(1j * (HEADING[1] - math.pi))  # of the right motor's part, whose response is minus the left one's
+    yaw, rate = np.linalg.solve([response.real, response.imag], [target.real, target.imag]).tolist()
     return yaw, rate
 
 
-def _law(seen: SampledRobot, gains: Gains, unwinding: float) -> tuple[Array, Extra]:
+def _law(model: SampledRobot, gains: PidGains, unwinding: float) -> tuple[Array, Extra]:
     """K on the state and the two further states [∫e, w] of the pitch loop."""
-    n, keep = len(seen.plant.states), _keep(gains, seen.dt)
+    n, keep = len(model.plant.states), _keep(gains, model.dt)
     error, turn, rate = np.zeros(n), np.zeros(n), np.eye(n)[1]
     error[[0, 2, 3]] = 1.0, gains.wheel, gains.wheel_rate
     turn[[4, 5]] = gains.yaw, gains.yaw_rate
     straight = -gains.p * error - (1 - keep) * gains.d * rate - gains.motor * (np.eye(n)[3] - rate)
     K_w = np.tile([-gains.i, -keep * gains.d], (2, 1))
-    back = np.vstack([unwound(K_w[:, 0], seen.dt / unwinding), np.zeros((1, 2))])
-    rows = np.vstack([seen.dt * error, (1 - keep) * rate])
+    back = np.vstack([unwound(K_w[:, 0], model.dt / unwinding), np.zeros((1, 2))])
+    rows = np.vstack([model.dt * error, (1 - keep) * rate])
     return np.vstack([straight - turn, straight + turn]), Extra(np.diag([1.0, keep]), rows, K_w, back)
 
 
 def _no_cascade(plane: _Plane) -> DesignFailed:
     return DesignFailed(
-        f"no cascade of the kind tried stabilises '{plane.seen.robot.name}' at {plane.dt:g} s with its delays",
+        f"no cascade of the kind tried stabilises '{plane.sampled.robot.name}' at {plane.dt:g} s with its delays",
         expected="a period and a dead time well below the time in which the robot falls", hint="shorten them",
     )  # fmt: skip

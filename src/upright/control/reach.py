@@ -37,5 +37,5 @@ def static_pitch(robot: Robot, kit: Kit, limit: float | None = None) -> float:
     brought back from it.
     """
     most = largest_command(robot, kit) if limit is None else limit
-    share = 2 * motor_gain(robot) * most / (robot.body_mass * robot.gravity * robot.com_height)
-    return float(np.arcsin(min(share, 1.0)))
+    ratio = 2 * motor_gain(robot) * most / (robot.body_mass * robot.gravity * robot.com_height)
+    return float(np.arcsin(min(ratio, 1.0)))

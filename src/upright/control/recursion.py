@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 MATRICES = ("A", "By", "Bu", "Ba", "S", "Sy", "C", "Dy", "Dr")
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, kw_only=True)
 class Recursion:
     """z⁺ = A z + By y + Bu u + Ba a, x̂ = S z + Sy y (6,), outputs C z + Dy y + Dr r (o,).
 
@@ -50,8 +50,8 @@ class Recursion:
         """
         n, o = len(self.A), len(self.C)
         states, readings = np.vstack([self.A, self.S, self.C]), np.vstack([self.By, self.Sy, self.Dy])
-        wanted, idle = np.vstack([np.zeros((n + 6, 6)), self.Dr]), np.zeros((n + 6 + o, 6 + o))
-        stacked = np.hstack([states, idle, states @ self.Bu, states @ self.Ba, readings, wanted])
+        references, idle = np.vstack([np.zeros((n + 6, 6)), self.Dr]), np.zeros((n + 6 + o, 6 + o))
+        stacked = np.hstack([states, idle, states @ self.Bu, states @ self.Ba, readings, references])
         self._dot = np.ascontiguousarray(stacked).dot
         self._memory = np.zeros((2, stacked.shape[1]))
         top = n + 6 + o
@@ -97,10 +97,15 @@ class Recursion:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Copies are made anew: what a step writes to and reads from is one memory."""
-        return Recursion, tuple(getattr(self, name) for name in MATRICES)
+        return _remade, ({name: getattr(self, name) for name in MATRICES},)
+
+
+def _remade(matrices: dict[str, Array]) -> Recursion:
+    return Recursion(**matrices)
 
 
 def recursion(watch: Observer, G: Array, g: Array, H: Array) -> Recursion:
     """The recursion whose outputs are G ξ + g F + H r of the observer's state ξ and push F and the reference r."""
     C, Dy = G @ watch.X + np.outer(g, watch.f), G @ watch.Xy + np.outer(g, watch.fy)
-    return Recursion(watch.A, watch.By, watch.Bu, watch.Ba, watch.X[:6], watch.Xy[:6], C, Dy, H)
+    S, Sy = watch.X[:6], watch.Xy[:6]
+    return Recursion(A=watch.A, By=watch.By, Bu=watch.Bu, Ba=watch.Ba, S=S, Sy=Sy, C=C, Dy=Dy, Dr=H)

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from upright.atomic import finite
 from upright.control.delay import SampledRobot, sampled
 from upright.control.design import Design
-from upright.control.family import Family, Plane, family, halves, plane, sides
+from upright.control.family import LoopFamily, Plane, family, halves, plane, sides
 from upright.control.guaranteed import Guaranteed, guaranteed
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
@@ -63,7 +63,7 @@ class Costs:
         return (self.fell, self.worst) < (other.fell, other.worst)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Robust(Design):
     """The gain k (m,) on the filter's pitch plane, found by `method`, beside plain LQR on the same sensors.
 
@@ -84,8 +84,8 @@ class Robust(Design):
     def check(self) -> float:
         """The largest of the filter's Riccati residual, of the inequalities' excess, and of how far the nominal cost
         is from that of the covariance solved directly, as a share."""
-        seen = self.filter.seen
-        direct = family([plane(seen)], observer(self.filter)).direct(self.k, self.W, self.price)
+        model = self.filter.sampled
+        direct = family([plane(model)], observer(self.filter)).direct(self.k, self.W, self.price)
         return max(self.filter.check(), self.proof.check() if self.proof else 0.0, abs(self.own.nominal / direct - 1))
 
     def verdict(self) -> str:
@@ -103,19 +103,19 @@ class Robust(Design):
     def words(self) -> list[str]:
         """The verdict, both costs, and what became of the inequalities."""
         own, plain = self.own, self.plain
-        said = [self.verdict(), f"Found by {self.method}. Cost of the nominal robot {own.nominal:.4g}, plain LQR "]
-        said[1] += f"{plain.nominal:.4g}; of the worst {own.worst:.4g}, plain LQR {plain.worst:.4g}."
+        sentences = [self.verdict(), f"Found by {self.method}. Cost of the nominal robot {own.nominal:.4g}, plain LQR "]
+        sentences[1] += f"{plain.nominal:.4g}; of the worst {own.worst:.4g}, plain LQR {plain.worst:.4g}."
         if self.inequalities is None:
-            return [*said, f"Linear matrix inequalities: {self.why}."]
+            return [*sentences, f"Linear matrix inequalities: {self.why}."]
         other = self.inequalities
         proof = f"{other.fell} of {other.tried} unstable on sensors, worst cost {other.worst:.4g}"
-        return [*said, f"Linear matrix inequalities prove a gain for the measured state: {proof}."]
+        return [*sentences, f"Linear matrix inequalities prove a gain for the measured state: {proof}."]
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is infinite."""
         costs = {"own": self.own, "plain": self.plain, "inequalities": self.inequalities}
-        said = {name: {k: finite(v) for k, v in asdict(c).items()} if c else None for name, c in costs.items()}
-        return {"method": self.method, "k": self.k.tolist(), **said, "words": self.words()}
+        numbers = {name: {k: finite(v) for k, v in asdict(c).items()} if c else None for name, c in costs.items()}
+        return {"method": self.method, "k": self.k.tolist(), **numbers, "words": self.words()}
 
 
 def robust(
@@ -138,47 +138,47 @@ def robust(
     """
     near = draw(robot, tried, seed, uncertainty) if robots is None else list(robots)
     fresh = draw(robot, tried, seed + 1, uncertainty) if robots is None else near
-    seen, *others = [sampled(each, kit, dt) for each in (robot, *near)]
-    task = _Task(robot, seen, [plane(other) for other in others], bryson(largest), command)
-    best = min((_descended(task, *start) for start in _starts(task)), key=lambda found: found[0])
+    model, *others = [sampled(each, kit, dt) for each in (robot, *near)]
+    task = _Task(robot, model, [plane(other) for other in others], bryson(largest), command)
+    best = min((_descended(task, *start) for start in _starts(task)), key=lambda result: result[0])
     unseen = task.over([plane(sampled(each, kit, dt)) for each in fresh])
-    return _chosen(unseen, best[1], [seen, *others])
+    return _chosen(unseen, best[1], [model, *others])
 
 
 class _Task:
     """What is minimised: the nominal robot first, then the drawn ones."""
 
     def __init__(
-        self, robot: Robot, seen: SampledRobot, planes: Sequence[Plane], weight: Array, command: float | None
+        self, robot: Robot, model: SampledRobot, planes: Sequence[Plane], weight: Array, command: float | None
     ) -> None:
-        self.robot, self.seen, self.weight = robot, seen, weight
-        self.planes = [plane(seen), *planes]
+        self.robot, self.sampled, self.weight = robot, model, weight
+        self.planes = [plane(model), *planes]
         self.size = command or LARGEST_COMMAND[robot.command_unit]
         self.W, self.price = weight[:4, :4], 2 / self.size**2
-        self.spread, self.gather = halves([*STATE_NAMES, *sides(seen.history)])
+        self.spread, self.gather = halves([*STATE_NAMES, *sides(model.history)])
 
     def over(self, planes: Sequence[Plane]) -> _Task:
         """The same over other robots."""
-        return _Task(self.robot, self.seen, planes, self.weight, self.size)
+        return _Task(self.robot, self.sampled, planes, self.weight, self.size)
 
-    def loops(self, trust: float) -> tuple[Filter, Family]:
+    def loops(self, trust: float) -> tuple[Filter, LoopFamily]:
         """The filter that takes the share `trust` of the command for noise, and all loops with it."""
-        found = kalman_filter(self.seen, Disturbed(motor=trust))
-        return found, family(self.planes, observer(found))
+        result = kalman_filter(self.sampled, Disturbed(motor=trust))
+        return result, family(self.planes, observer(result))
 
     def regulator(self, price: float = 1.0) -> Array:
         """Plain LQR (2, 6) at that price of the command."""
         R = price * bryson([self.size] * 2)
-        return lqr(self.robot, self.seen.dt, self.weight, R).gain
+        return lqr(self.robot, self.sampled.dt, self.weight, R).gain
 
     def ahead(self, four: Array) -> Array:
         """k (m,) on the filter's plane from four gains on the state when the command arrives."""
-        return np.concatenate([four, [0.0, 0.0]]) @ self.seen.ahead @ self.spread
+        return np.concatenate([four, [0.0, 0.0]]) @ self.sampled.ahead @ self.spread
 
-    def costs(self, k: Array, loops: Family) -> Costs:
+    def costs(self, k: Array, loops: LoopFamily) -> Costs:
         """The first loop is the nominal robot's."""
-        found = loops.costs(k, self.W, self.price)
-        return Costs(float(found[0]), float(found.max()), int(np.isinf(found[1:]).sum()), len(found) - 1)
+        result = loops.costs(k, self.W, self.price)
+        return Costs(float(result[0]), float(result.max()), int(np.isinf(result[1:]).sum()), len(result) - 1)
 
 
 def _starts(task: _Task) -> list[tuple[Array, float]]:
@@ -195,12 +195,12 @@ def _objective(task: _Task, four: Array, trust: float) -> float:
     except DesignFailed:
         return math.inf
     k = task.ahead(four)
-    found = loops.costs(k, task.W, task.price)
-    unstable = np.isinf(found)
+    result = loops.costs(k, task.W, task.price)
+    unstable = np.isinf(result)
     if not unstable.any():
-        return float(found.max())
+        return float(result.max())
     beyond = np.maximum(loops.some(np.flatnonzero(unstable).tolist()).radii(k) - 1, 0.0)
-    stable = float(found[~unstable].max()) if not unstable.all() else 0.0
+    stable = float(result[~unstable].max()) if not unstable.all() else 0.0
     return _FELL * float(unstable.sum() + beyond.sum() + _FELL * unstable[0]) + stable
 
 
@@ -217,14 +217,14 @@ def _descended(task: _Task, four: Array, trust: float) -> tuple[float, tuple[Arr
     def cost(z: Array) -> float:
         return _objective(task, *unpacked(z))
 
-    found: Any = minimize(cost, np.zeros(5), method="Nelder-Mead", options=options)
-    return float(found.fun), unpacked(found.x)
+    result: Any = minimize(cost, np.zeros(5), method="Nelder-Mead", options=options)
+    return float(result.fun), unpacked(result.x)
 
 
-def _chosen(task: _Task, found: tuple[Array, float], near: Sequence[SampledRobot]) -> LinearController:
+def _chosen(task: _Task, result: tuple[Array, float], near: Sequence[SampledRobot]) -> LinearController:
     """The better of both methods on robots that neither has seen."""
-    estimator, loops = task.loops(found[1])
-    k, method = task.ahead(found[0]), "scenarios"
+    estimator, loops = task.loops(result[1])
+    k, method = task.ahead(result[0]), "scenarios"
     recovered, others = task.loops(RECOVERED.motor)
     own, plain = task.costs(k, loops), task.costs(task.ahead(task.regulator()[0, :4]), others)
     proof, other, why = None, None, ""
@@ -235,7 +235,10 @@ def _chosen(task: _Task, found: tuple[Array, float], near: Sequence[SampledRobot
             estimator, k, method, own = recovered, proof.k, "inequalities", other
     except DesignFailed as error:
         why = str(error).split(";")[0]
-    design = Robust(estimator, k, task.W, task.price, method, own, plain, proof, other, why)
+    design = Robust(
+        filter=estimator, k=k, W=task.W, price=task.price, method=method, own=own, plain=plain, proof=proof,
+        inequalities=other, why=why,
+    )  # fmt: skip
     return output_feedback(observer(estimator), _both(task, k), "robust", design)
 
 
@@ -247,12 +250,12 @@ def _inequalities(task: _Task, near: Sequence[SampledRobot]) -> Guaranteed:
     return guaranteed(models, W, task.price, start)
 
 
-def _halved(task: _Task, seen: SampledRobot) -> tuple[Array, Array]:
-    A = task.gather @ seen.plant.A @ task.spread
-    return A, (task.gather @ seen.plant.B.sum(axis=1))[:, None]
+def _halved(task: _Task, model: SampledRobot) -> tuple[Array, Array]:
+    A = task.gather @ model.plant.A @ task.spread
+    return A, (task.gather @ model.plant.B.sum(axis=1))[:, None]
 
 
 def _both(task: _Task, k: Array) -> Array:
     """K (2, 6 + earlier commands): `k` on the pitch plane, plain LQR on the heading."""
-    out, into = halves([*STATE_NAMES, *sides(task.seen.history)], -1.0)
-    return np.tile(k @ task.gather, (2, 1)) + task.regulator() @ task.seen.ahead @ out @ into
+    out, into = halves([*STATE_NAMES, *sides(task.sampled.history)], -1.0)
+    return np.tile(k @ task.gather, (2, 1)) + task.regulator() @ task.sampled.ahead @ out @ into

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import KW_ONLY, dataclass, field
 from typing import Any
 
 import numpy as np
@@ -36,14 +36,14 @@ class Sliding(Design):
 
     def poles(self) -> NDArray[np.complex128]:
         """Of the loop outside the layer's switching: those of the sliding motion and `keep` twice; largest first."""
-        plant = self.base.filter.seen.plant
+        plant = self.base.filter.sampled.plant
         closed = plant.A - plant.B @ self.S @ (plant.A - self.keep * np.eye(len(plant.A)))
         poles = np.linalg.eigvals(closed).astype(complex)
         return poles[np.argsort(-np.abs(poles))]
 
     def check(self) -> float:
         """The largest of both Riccati residuals and of |S B − I|."""
-        normal = float(np.abs(self.S @ self.base.filter.seen.plant.B - np.eye(2)).max())
+        normal = float(np.abs(self.S @ self.base.filter.sampled.plant.B - np.eye(2)).max())
         return max(self.base.check(), normal)
 
 
@@ -58,6 +58,7 @@ class SlidingMode:
     memory: Recursion
     reach: float
     layer: float
+    _: KW_ONLY
     reads: tuple[str, ...]
     period: float
     command_unit: str = "V"
@@ -125,26 +126,26 @@ def sliding(
         raise DesignFailed(
             f"time {time}, reach {reach}, layer {layer}", expected="positive numbers, reach zero or more"
         )
-    seen = sampled(robot, kit, dt, reads)
-    keep = math.exp(-seen.dt / time)
+    model = sampled(robot, kit, dt, reads)
+    keep = math.exp(-model.dt / time)
     if reach > keep * layer:
         raise DesignFailed(
             f"a reach of {reach:g} chatters in a layer of {layer:g}", expected=f"at most {keep * layer:.3g} of reach",
             hint="widen the layer",
         )  # fmt: skip
-    base, B = regulated(kalman_filter(seen, disturbed), Q, R), seen.plant.B
+    base, B = regulated(kalman_filter(model, disturbed), Q, R), model.plant.B
     S: Array = np.asarray(np.linalg.solve(B.T @ base.P @ B, B.T @ base.P), dtype=np.float64)
     design = Sliding(base, S, keep)
     usual = 1 / math.sqrt(float(base.R.diagonal().mean()))
     return SlidingMode(
-        _memory(observer(base.filter), design), reach * usual, layer * usual, seen.reads, seen.dt, robot.command_unit,
-        design=design,
+        _memory(observer(base.filter), design), reach * usual, layer * usual, reads=model.reads, period=model.dt,
+        command_unit=robot.command_unit, design=design,
     )  # fmt: skip
 
 
 def _memory(watch: Observer, design: Sliding) -> Recursion:
     """Outputs s = S (ξ − ξ_r) and u_r r − S (A − keep) (ξ − ξ_r)."""
-    A = watch.estimator.seen.plant.A
+    A = watch.estimator.sampled.plant.A
     xi_r, u_r = steady_state(watch)
     G = np.vstack([design.S, -design.S @ (A - design.keep * np.eye(len(A)))])
     return recursion(watch, G, np.zeros(4), np.vstack([np.zeros((2, 6)), u_r]) - G @ xi_r)

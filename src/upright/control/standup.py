@@ -77,38 +77,38 @@ def lift(robot: Robot, kit: Kit, pitch: float, dt: float | None = None) -> Lift:
 
 def _why(robot: Robot, kit: Kit, pitch: float, reach: float) -> str:
     most = largest_command(robot, kit)
-    said = (
+    message = (
         f"{robot.name} cannot stand up from {pitch:g} rad: {most:.3g} {robot.command_unit} bring it back from at most "
     )
-    said += f"{reach:.2f} rad"
+    message += f"{reach:.2f} rad"
     if damping := motor_damping(robot):
         top = motor_gain(robot) * most / damping * robot.wheel_radius
-        said += (
+        message += (
             f"; standing still they hold it up to {static_pitch(robot, kit):.2f} rad, but the wheels run away, and at "
         )
-        said += f"{top:.2f} m/s nothing is left against gravity"
-    return said
+        message += f"{top:.2f} m/s nothing is left against gravity"
+    return message
 
 
 def _planned(robot: Robot, pitch: float, period: float, each: int, most: float) -> Lift:
     """The lift of `PARTS` commands that hold for `each` periods."""
     from scipy.optimize import least_squares
 
-    def errors(shares: Array) -> Array:
-        ends = _ends(robot, pitch, period, np.repeat(most * shares, each, axis=1))
-        return np.hstack([ends / UPRIGHT, _EASE * shares])
+    def errors(fractions: Array) -> Array:
+        ends = _ends(robot, pitch, period, np.repeat(most * fractions, each, axis=1))
+        return np.hstack([ends / UPRIGHT, _EASE * fractions])
 
-    def one(shares: Array) -> Array:
-        return errors(shares[None])[0]
+    def one(fractions: Array) -> Array:
+        return errors(fractions[None])[0]
 
-    def slopes(shares: Array) -> Array:
+    def slopes(fractions: Array) -> Array:
         nudge = 1e-5 * np.eye(PARTS)
-        return ((errors(shares + nudge) - errors(shares - nudge)) / 2e-5).T
+        return ((errors(fractions + nudge) - errors(fractions - nudge)) / 2e-5).T
 
     first = np.sign(pitch) * np.array([0.8, 0.5, -0.2, -0.6, -0.2, 0.2])
     jacobian: Any = slopes
-    found: Any = least_squares(one, first, jacobian, bounds=(-1, 1), max_nfev=40)
-    commands = np.repeat(most * found.x, each)
+    result: Any = least_squares(one, first, jacobian, bounds=(-1, 1), max_nfev=40)
+    commands = np.repeat(most * result.x, each)
     end = _ends(robot, pitch, period, commands[None])[0]
     return Lift(robot, pitch, period, commands, (float(end[0]), float(end[1]), float(end[2])))
 

@@ -41,30 +41,30 @@ def discrete(system: LinearModel, dt: float) -> LinearModel:
     return LinearModel(inverse @ (identity + A), root * inverse @ system.B, root * system.C @ inverse, D, dt)
 
 
-def plant_of(seen: SampledRobot) -> LinearModel:
+def plant_of(model: SampledRobot) -> LinearModel:
     """From commands (2) and a push at the centre of mass [N] to the readings.
 
     The states are the robot's six and the readings on their way, then the commands on theirs, newest first; gyro bias
     and push, which no command moves, are left out.
     """
-    keep = kept(seen)
-    n, fraction = len(keep), bool(seen.before.any())
-    line = 2 * (seen.delay + fraction)
+    keep = kept(model)
+    n, fraction = len(keep), bool(model.before.any())
+    line = 2 * (model.delay + fraction)
     A, B = np.zeros((n + line, n + line)), np.zeros((n + line, 3))
-    A[:n, :n], B[:n, 2] = seen.A[np.ix_(keep, keep)], seen.pushed[keep]
-    waiting = delay_line(2, line // 2, seen.dt)
+    A[:n, :n], B[:n, 2] = model.A[np.ix_(keep, keep)], model.pushed[keep]
+    waiting = delay_line(2, line // 2, model.dt)
     A[n:, n:], B[n:, :2] = waiting.A, waiting.B
     places = [B[:, :2], *(A[:, n + 2 * i : n + 2 * i + 2] for i in range(line // 2))]
-    places[seen.delay][:n] = seen.now[keep]
+    places[model.delay][:n] = model.now[keep]
     if fraction:
-        places[seen.delay + 1][:n] = seen.before[keep]
-    C = np.pad(seen.C[:, keep], ((0, 0), (0, line)))
-    return LinearModel(A, B, C, np.zeros((len(C), 3)), seen.dt)
+        places[model.delay + 1][:n] = model.before[keep]
+    C = np.pad(model.C[:, keep], ((0, 0), (0, line)))
+    return LinearModel(A, B, C, np.zeros((len(C), 3)), model.dt)
 
 
-def kept(seen: SampledRobot) -> list[int]:
-    """Which of the names of `seen` are states that the commands move."""
-    return [i for i, name in enumerate(seen.names) if name in STATE_NAMES or "@" in name]
+def kept(model: SampledRobot) -> list[int]:
+    """Which of the names of `model` are states that the commands move."""
+    return [i for i, name in enumerate(model.names) if name in STATE_NAMES or "@" in name]
 
 
 def controller_of(linear: LinearController, delay: int) -> LinearModel:

@@ -90,8 +90,8 @@ def _parts(controller: Controller) -> tuple[LinearController, Switching | None]:
     if isinstance(controller, SlidingMode):
         m = controller.memory
         linear = LinearController(
-            m.A, m.By, np.zeros((len(m.A), 6)), m.Ba, m.C[2:], m.Dy[2:], m.Dr[2:], controller.reads, controller.period,
-            m.S, m.Sy, controller.command_unit, controller.kind,
+            m.A, m.By, np.zeros((len(m.A), 6)), m.Ba, m.C[2:], m.Dy[2:], m.Dr[2:], reads=controller.reads,
+            period=controller.period, S=m.S, Sy=m.Sy, command_unit=controller.command_unit, kind=controller.kind,
         )  # fmt: skip
         return linear, Switching(m.C[:2], m.Dy[:2], m.Dr[:2], m.Bu, controller.reach, controller.layer)
     try:

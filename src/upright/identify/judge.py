@@ -105,7 +105,7 @@ def regulator(samples: Samples, halves: Mapping[str, LinearModel]) -> LinearCont
         own, Ba = -B @ state, np.zeros_like(B)
         By, Br = By - B @ direct, B @ K @ follows
     return LinearController(
-        F + own, By, Br, Ba, -state, -direct, K @ follows, RAW, samples.dt,
+        F + own, By, Br, Ba, -state, -direct, K @ follows, reads=RAW, period=samples.dt,
         command_unit=samples.robot.command_unit, kind="lqg on an identified model",
     )  # fmt: skip
 
