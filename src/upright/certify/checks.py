@@ -78,11 +78,11 @@ class Swept:
 
 
 class Driver(NamedTuple):
-    """A controller as the kernel runs it: as `gains`, or called for each robot (`brain`) where no matrices describe it,
+    """A controller as the kernel runs it: as `gains`, or `called` for each robot where no matrices describe it,
     which takes some hundred times as long."""
 
     gains: Gains
-    brain: Controller | None = None
+    called: Controller | None = None
 
 
 def driver(controller: Controller, robot: Robot, kit: Kit) -> Driver:
@@ -164,9 +164,9 @@ def later(course: Course) -> tuple[Swept, ...]:
 
 def slower(course: Course) -> tuple[Swept, ...]:
     """Falls under every standard push where the loop runs every `SLOWER` share of its period with the same gains."""
-    gains, brain = course.driver
+    gains, called = course.driver
     return tuple(
-        _swept(course, period, {}, Driver(gains._replace(period=period), brain)) for period in _periods(course)
+        _swept(course, period, {}, Driver(gains._replace(period=period), called)) for period in _periods(course)
     )
 
 
@@ -199,7 +199,7 @@ def _runs(
     channels: Sequence[str] = (),
 ) -> Iterator[FleetResult]:  # fmt: skip
     """The robots once each, a part at a time; `row` numbers the trial, so that each has its own noise."""
-    n, part = len(robots), CALLED if at_the_wheel.brain else len(robots)
+    n, part = len(robots), CALLED if at_the_wheel.called else len(robots)
     for first in range(0, n, part):
         some = parameters_of(robots[first : first + part])
         index = np.arange(row * n + first, row * n + first + len(some), dtype=np.uint64)
@@ -207,8 +207,8 @@ def _runs(
             parameters=some, controller=at_the_wheel.gains, kit=course.kit, kit_changes=changes, seed=course.seed,
             pushes=tables([push], (), some).pushes, index=index, period=_STEP,
         )  # fmt: skip
-        brain, record = at_the_wheel.brain, int(bool(channels))
-        yield simulate(batch, SECONDS, record=record, channels=channels, threads=course.threads, brain=brain)
+        called, record = at_the_wheel.called, int(bool(channels))
+        yield simulate(batch, SECONDS, record=record, channels=channels, threads=course.threads, called=called)
         if course.progress:
             course.progress.add(len(some))
 

@@ -124,7 +124,7 @@ def largest_knock(plant: Body, controller: Controller, way: float, seed: int) ->
 
 def _spread(course: Course, side: str) -> float | None:
     """Fraction of drawn robots that fall, in the kernel."""
-    if course.driver.brain:
+    if course.driver.called:
         return None
     runs = watched(course, Hold(pitch=PUSHES[side], until=UNTIL), 0, ())
     return float(np.concatenate([result.fell for result in runs]).mean())

@@ -21,8 +21,8 @@ _CALLED = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int64, ctypes.c_int64
 
 
 class Lanes:
-    """What `Plan.brain` points to. It keeps what goes wrong, since compiled code passes no exception on; `check` raises
-    it afterwards, and until then the robots get no command."""
+    """What `Plan.called` points to. It keeps an error, since compiled code passes no exception on; `check` raises it
+    afterwards, and until then the robots get no command."""
 
     def __init__(self, controller: Controller, at: Rows) -> None:
         self._copies = [copy.deepcopy(controller) for _ in range(LANES)]

@@ -26,7 +26,7 @@ _SAME_TIME = 1e-9  # [s] as in `experiment.pushes`
 @dataclass(eq=False)
 class Packed:
     """`common` (r,) holds each row of a block as all robots have it; `rows` (v,) are overwritten by the rows of
-    `table` (v, n). `truth`, `sensors`, `command` and `memory` are those of `run.run_blocks`."""
+    `table` (v, n). `truth`, `sensors`, `command` and `memory` are those of `run.entry`."""
 
     at: Rows
     common: NDArray[Any]
@@ -80,6 +80,7 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
     block.take(3, kit.late.astype(np.float64))
     block.take(b.FLOOR - b.NOISE)
     block.take(3, _floor(batch))
+    assert block.end == b.FIXED, f"{block.end} rows are packed where the layout of `rows` has {b.FIXED}"
     pushes, ramps, memories = pushes_of(batch), _ramps(batch), gains.A.shape[1]
     slots = int(kit.late[:, 0].max()) + 4 if kit.late.any() else 0
     at = Rows(
@@ -142,7 +143,7 @@ def _step(t: Array, period: float) -> Array:
 
 
 def _sensors(gains: Gains, kit: KitTables, at: Rows, block: _Block) -> Whole:
-    """The table of sensors of `run.run_blocks`, their rows taken from the block."""
+    """The table of sensors of `run.entry`, their rows taken from the block."""
     readings = [at.reading + i for i, name in enumerate(gains.reads) if name.startswith("sensor/")]
     table = list[tuple[int, ...]]()
     for s, (reading, (kind, late, every)) in enumerate(zip(readings, kit.times.tolist(), strict=True)):

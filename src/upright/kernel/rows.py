@@ -39,7 +39,7 @@ NOISE = LATE + 3  # 6: one for each kind of sensor
 WALK = NOISE + 6  # 6
 FELT = WALK + 6  # 2: accelerometer
 FLOOR = FELT + 2  # 3: see `block.tilt`
-FREE = FLOOR + 3
+FIXED = FLOOR + 3  # rows that every block has; those of `Rows` come after them
 
 
 class Rows(NamedTuple):
@@ -68,7 +68,7 @@ class Plan(NamedTuple):
     alike: int  # 1: every command is equally late for all robots
     advance: int  # address of `advance_…`
     feel: int  # address of `specific_force_…`, 0 where no accelerometer is read
-    brain: int  # address of what decides instead of gains (see `lanes`), 0: nothing does
+    called: int  # address of the controller that is called instead of gains (see `lanes`), 0: none
     seed: int  # its 64 bits as a signed number
 
 
@@ -76,7 +76,7 @@ class Sizes(NamedTuple):
     """How long the tables are that the compiled loop gets."""
 
     robots: int
-    rows: int  # of a block
+    all_rows: int  # of a block
     own: int  # rows that differ from robot to robot
     held: int  # recorded rows of a robot
     truths: int
@@ -91,13 +91,17 @@ class Times(NamedTuple):
     """Numbers of the plan that are not whole."""
 
     step: float  # [s] of a body
-    h: float  # [s] of Runge and Kutta
-    fallen: float  # [rad]
+    h_step: float  # [s] of Runge and Kutta
+    fallen_at: float  # [rad]
 
 
 PUSHES, PUSH_COUNT, RAMPS, RAMP_COUNT, READING, MEMORY, MEMORY_COUNT, RING, SLOTS = range(9)
-PERIODS, STRIDE, SUBSTEPS, EVERY, OWN_GAINS, SLOPE, ALIKE, ADVANCE, FEEL, BRAIN, SEED = range(9, 20)
+PERIODS, STRIDE, SUBSTEPS, EVERY, OWN_GAINS, SLOPE, ALIKE, ADVANCE, FEEL, CALLED, SEED = range(9, 20)
 ROBOTS, ALL_ROWS, OWN, HELD, TRUTHS, SENSORS, COMMANDS, MEMORIES, BEFORE, AFTER = range(20, 30)
 """Places of the fields of `Rows`, `Plan` and `Sizes` in the one array that compiled functions get."""
 STEP, H_STEP, FALLEN_AT = range(3)
 """Places of those of `Times`."""
+
+_NAMED = ((*Rows._fields, *Plan._fields, *Sizes._fields), Times._fields)
+if wrong := [name for names in _NAMED for place, name in enumerate(names) if globals()[name.upper()] != place]:
+    raise ImportError(f"the places of {', '.join(wrong)} are not those of their fields")

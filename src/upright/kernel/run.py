@@ -16,7 +16,7 @@ from upright.kernel.rows import (
     AFTER,
     ALIKE,
     BEFORE,
-    BRAIN,
+    CALLED,
     COMMAND,
     COMMANDS,
     COUNTED,
@@ -154,8 +154,8 @@ def decide(w: Any, count: int, plan: Any, times: Any, gains: Any, index: Any, fi
         t = k * item(plan, STRIDE) * item(times, STEP)
         b.refer(w, count, item(plan, RAMPS), item(plan, RAMP_COUNT), t)
     b.apply_gains(w, count, COMMAND + 0 * k, gains, item(plan, COMMANDS), item(plan, OWN_GAINS))
-    if item(plan, BRAIN) != 0:
-        call_on_block(item(plan, BRAIN), w, count, k)
+    if item(plan, CALLED) != 0:
+        call_on_block(item(plan, CALLED), w, count, k)
     b.drive(w, count)
     slots = item(plan, SLOTS)
     slot = item(plan, RING) + 2 * (k % slots) if slots else LEFT

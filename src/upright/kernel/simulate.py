@@ -48,25 +48,25 @@ def simulate(
     bands: Sequence[float] = FOREVER,
     dtype: Any = np.float64,
     threads: int | None = None,
-    brain: Controller | None = None,
+    called: Controller | None = None,
 ) -> FleetResult:
     """Every robot of `batch` for `seconds`, or until it falls.
 
     `channels` are recorded every `record` periods (0: not at all): truth/…, reference/…, command/…, applied/…,
     push/force and the sensor/… that the controller reads. `bands` are |pitch|, |wheel|, |yaw| [rad] inside
     which a robot counts as settled. `dtype` is float64 or float32; `threads` is by default the number of processors.
-    A `brain` decides in place of the batch's gains, which are then `Gains.silent`: any controller, called in Python
-    for one robot after another, in float64 and one thread.
+    The controller `called` decides in place of the batch's gains, which are then `Gains.silent`: any controller, in
+    Python for one robot after another, in float64 and one thread.
 
     Raises `InvalidScenario` for times that make no sense, `SpecMismatch` for channels that are not there.
     """
     stride, periods = _times(batch.period, batch.gains.period, seconds)
     steps = batch.substeps or substeps_for(batch.parameters, batch.model, batch.period)
     order = Order(
-        periods, stride, steps, record, tuple(channels if record else ()), tuple(bands), np.dtype(dtype), brain
+        periods, stride, steps, record, tuple(channels if record else ()), tuple(bands), np.dtype(dtype), called
     )
     out = Outcome.room(batch.n, order)
-    workers = 1 if brain else max(1, threads or os.cpu_count() or 1)
+    workers = 1 if called else max(1, threads or os.cpu_count() or 1)
     pieces = _pieces(batch, workers)
     alone = min(workers, len(pieces)) == 1 or batch.n <= PIECE
 

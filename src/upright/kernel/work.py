@@ -35,7 +35,7 @@ class Order(NamedTuple):
     channels: tuple[str, ...]
     bands: tuple[float, ...]
     dtype: Any
-    brain: Controller | None
+    called: Controller | None
 
 
 class Outcome(NamedTuple):
@@ -102,7 +102,7 @@ def run_piece(batch: FleetBatch, rows: Rows, variant: str, order: Order, out: Ou
     kit = kit_tables(piece, order.stride)
     packed = pack(piece, kit, h, order.dtype)
     before, after, _ = recorded(order.channels, packed.at, piece.gains)
-    lanes = Lanes(order.brain, packed.at) if order.brain else None
+    lanes = Lanes(order.called, packed.at) if order.called else None
     plan = Plan(
         order.periods, order.stride, order.substeps, order.record, int(len(piece.gains.C) > 1),
         int("slope" in variant), int(len(kit.late) == 1 and not kit.late[0, 2]), *_motion(piece, variant, order.dtype),
