@@ -18,7 +18,7 @@ from upright.control import Estimated, StateFeedback, kalman, lqr, make_controll
 from upright.control.excited import Excited, random_binary
 from upright.errors import DesignFailed, InvalidScenario, SpecMismatch, UnknownName
 from upright.excite import excite
-from upright.excite.information import HELD_OUT, best_shares, fisher, problem_of, shrunk
+from upright.excite.information import HELD_OUT, best_division, fisher, problem_of, shrunk
 from upright.excite.loop import Loop, perfect
 from upright.excite.plan import ExcitationPlan, Limits, read_plan
 from upright.excite.signals import band, signals, unit
@@ -106,9 +106,9 @@ def test_information_is_that_of_the_closed_form() -> None:
 def test_shares_fill_up_like_water() -> None:
     """Two parts that tell one parameter each, 4 and 1: Σ log(1 + s m) is largest where 1/m + s are equal."""
     parts = np.array([np.diag([4.0, 0.0]), np.diag([0.0, 1.0])])
-    shares = best_shares(np.zeros((2, 2)), parts, np.ones(2))
+    shares = best_division(np.zeros((2, 2)), parts, np.ones(2))
     assert shares == pytest.approx([0.875, 0.125], abs=1e-4)  # 1/4 + 7/8 = 1 + 1/8
-    assert best_shares(np.zeros((2, 2)), parts, np.array([1.0, 0.0])) == pytest.approx([1.0, 0.0])
+    assert best_division(np.zeros((2, 2)), parts, np.array([1.0, 0.0])) == pytest.approx([1.0, 0.0])
     assert shrunk(parts[0]) == pytest.approx([1 / np.sqrt(5), 1.0])
 
 

@@ -1,10 +1,10 @@
-"""Designs the next experiment: what to add to the commands of a robot that balances, so that its log tells most.
+"""Designs the next experiment: the excitation of a balancing robot's commands whose log is most informative.
 
     excite(robot) → ExcitationPlan
 
-Every way of exciting is a set of signals; how one energy is shared among them follows from what each would tell, by the
-information of the predictor that `calibrate` uses. How loud it may be follows from robots drawn from what is not known,
-run by the fleet's kernel with the kit's faults.
+Every way of exciting is a set of signals. One energy is divided among them by the information that each gives to the
+predictor of `calibrate`. How large the excitation may be follows from robots drawn from their uncertainty, run by the
+fleet's kernel with the kit's faults.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Family, Uncertainty, find_posterior
 
 ENOUGH = 1.1
-"""Intervals may be a tenth wider than with all that the limits allow: that takes a half to a quarter of the energy."""
+"""Width of the intervals over that of the largest allowed excitation: 1.1 takes a half to a quarter of its energy."""
 
 
 def excite(
@@ -63,7 +63,7 @@ def excite(
     show(0.1)
     design.begin()
     show(0.25)
-    tried = design.loudest(lambda share: show(0.25 + 0.4 * share))
+    tried = design.loudest(lambda fraction: show(0.25 + 0.4 * fraction))
     way = design.quieter(tried, enough)
     show(0.75)
     excitation, checked = design.settled(way)
@@ -71,5 +71,5 @@ def excite(
     return design.plan(way, tried, excitation, checked)
 
 
-def _unwatched(share: float) -> None:
-    """Show nothing of the `share` done."""
+def _unwatched(fraction: float) -> None:
+    """Show nothing of the `fraction` done."""

@@ -1,7 +1,7 @@
-"""What a run would tell: Fisher's information of the predictor that `calibrate` uses, and the signals that give most.
+"""Fisher's information of a run for the predictor of `calibrate`, and the division of energy that gives most.
 
 Information adds over signals at different frequencies, so that of a mixture is nearly the sum of its parts' by their
-shares. What is to be small is the mean logarithm of the interval widths: as with D-optimality no unit and no scale
+division. What is to be small is the mean logarithm of the interval widths: as with D-optimality no unit and no scale
 enters, but what counts is each parameter's own interval, not directions that nobody reads; its gradient is that of
 A-optimality with weights that follow the widths.
 """
@@ -23,28 +23,27 @@ from upright.signals import Log
 Array = NDArray[np.float64]
 
 HELD_OUT = 0.25
-"""Last share of a log that `calibrate` keeps back by default, and that tells nothing."""
+"""Last fraction of a log that `calibrate` holds out by default, and that gives no information."""
 
-SHARES = (FREEDOM / 10, FREEDOM, 0.1, 0.3)
-"""Process noise, as a share of the commands: what twins of the equations' own robot show (contacts that yield, dry
+PROCESS_NOISE = (FREEDOM / 10, FREEDOM, 0.1, 0.3)
+"""Process noise over the commands (rms): what twins of the equations' own robot show (contacts that yield, dry
 friction that is not quite theirs), so that slow motion tells less than a perfect model would have it; and more, where
 the filter would lose the robot otherwise, since kernel and predictor differ in their dry friction."""
 
 LOOSE = 0.03
-"""Noise while a wheel sticks, as a share of the friction that holds it: what twins show."""
+"""Noise while a wheel sticks, over the friction that holds it: what twins show."""
 
 
 def problem_of(log: Log, robot: Robot, kit: Kit, known: Sequence[str] = ()) -> Problem:
-    """The calibration of `robot` from `log` at its prior, with the noise of the kit's sensors and the least of `SHARES`
-    with which the filter keeps the robot."""
-    found, _ = prepared([log], robot, kit, known, HELD_OUT)
-    problem = replace(found, fine=True)
-    several = (replace(problem, noise={**problem.noise, **_process(problem, share)}) for share in SHARES)
+    """The calibration of `robot` from `log` at its prior, with the noise of the kit's sensors and the least
+    `PROCESS_NOISE` with which the filter does not lose the robot."""
+    problem = replace(prepared([log], robot, kit, known, HELD_OUT)[0], fine=True)
+    several = (replace(problem, noise={**problem.noise, **_process(problem, size)}) for size in PROCESS_NOISE)
     return next((p for p in several if np.isfinite(objective(p, np.zeros(len(p.parameters)))[0])), problem)
 
 
-def _process(problem: Problem, share: float) -> dict[str, float]:
-    noise = process(problem.recordings, problem.robot, share)
+def _process(problem: Problem, size: float) -> dict[str, float]:
+    noise = process(problem.recordings, problem.robot, size)
     return noise | {STICKING: noise[STICKING] + 2 * np.log(LOOSE)}
 
 
@@ -74,22 +73,22 @@ def score(M: Array, weights: Array) -> float:
     return float(weights @ np.log(shrunk(M)) / weights.sum())
 
 
-def best_shares(base: Array, parts: Array, weights: Array, iterations: int = 1000) -> Array:
-    """Shares (m,) of one energy among `parts` (m, n, n), what all of it would tell by each, beside `base` (n, n), that
-    make `score` least: by multiplicative steps (Silvey, Titterington and Torsney 1978)."""
-    shares = np.full(len(parts), 1 / len(parts))
+def best_division(base: Array, parts: Array, weights: Array, iterations: int = 1000) -> Array:
+    """Fractions (m,) of one energy among `parts` (m, n, n), the information of all of it in each, beside `base` (n, n),
+    that make `score` least: by multiplicative steps (Silvey, Titterington and Torsney 1978)."""
+    division = np.full(len(parts), 1 / len(parts))
     for _ in range(iterations):
-        C = np.linalg.inv(np.eye(len(base)) + base + np.tensordot(shares, parts, 1))
+        C = np.linalg.inv(np.eye(len(base)) + base + np.tensordot(division, parts, 1))
         scaled = (C * (weights / np.diag(C))) @ C
         gain = np.maximum(np.einsum("ij,kji->k", scaled, parts), 0.0)
         if not gain.any():
             break
-        shares = shares * np.sqrt(gain)
-        shares = shares / shares.sum()
-    return np.where(shares > LEAST_SHARE, shares, 0.0) / shares[shares > LEAST_SHARE].sum()
+        division = division * np.sqrt(gain)
+        division = division / division.sum()
+    return np.where(division > LEAST_PART, division, 0.0) / division[division > LEAST_PART].sum()
 
 
-LEAST_SHARE = 0.01
+LEAST_PART = 0.01
 """Of the energy: less is not worth a line of the plan."""
 
 

@@ -25,8 +25,8 @@ KIND, VERSION = "upright excitation", 2
 
 @dataclass(frozen=True)
 class Limits:
-    """What a run may risk: the chance of a `falls`, bounded from above; the share of periods in which a motor is
-    `saturated`, and `travel` [m] from the start, both for 95 of 100 robots."""
+    """What a run may risk: the probability of a fall (`falls`), bounded from above; the fraction of periods in which a
+    motor is `saturated`, and `travel` [m] from the start, both for 95 of 100 robots."""
 
     falls: float = 0.01
     saturated: float = 0.05
@@ -41,7 +41,7 @@ class Limits:
 
 @dataclass(frozen=True)
 class Checked:
-    """`samples` robots of which `fell` fell, and what 95 % of the standing ones stay below: share of periods
+    """`samples` robots of which `fell` fell, and the 95th percentiles of the standing ones: fraction of periods
     `saturated`, `travel` [m] and `peak` pitch [rad].
 
     `dropped` more were drawn, but do not stand without an excitation either: a robot to be excited does.
@@ -56,20 +56,23 @@ class Checked:
 
     @property
     def bound(self) -> float:
-        """What the chance of a fall stays below, with a confidence of 95 % (Clopper and Pearson 1934)."""
+        """Upper bound of the probability of a fall, with 95 % confidence (Clopper and Pearson 1934)."""
         return upper_bound(self.fell, self.samples, CONFIDENCE)
 
     def broken(self, limits: Limits) -> list[str]:
-        """Which limits are not kept, in words."""
-        said = {
-            "falls": (self.bound, f"{self.fell} of {self.samples} robots fall: the chance may be {self.bound:.2%}"),
+        """The limits that are exceeded, in words."""
+        texts = {
+            "falls": (
+                self.bound,
+                f"{self.fell} of {self.samples} robots fall: a probability up to {self.bound:.2%}",
+            ),
             "saturated": (self.saturated, f"a motor is saturated for {self.saturated:.1%} of the time"),
             "travel": (self.travel, f"it travels {self.travel:.2f} m"),
         }
-        return [text for name, (value, text) in said.items() if value > getattr(limits, name)]
+        return [text for name, (value, text) in texts.items() if value > getattr(limits, name)]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Predicted:
     """A parameter's `value`, and the widths of its 95 % interval in its `unit`: `before`, `after` the plan, after a
     random binary dither of the plan's energy, drawn anew in every period (`dither`) or `held` for 40 ms, and the
@@ -95,13 +98,13 @@ class Tried:
     shrinks: float
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class ExcitationPlan(Shown):
     """`excitation` (rows, 2), to be added to the commands [unit] of the controller with that `hash`, each row for
     `hold` periods of `period` [s]; read-only.
 
-    `shares` are those of its parts in its energy. `energy` is ∫ u_l² + u_r² dt of what the motors of the nominal robot
-    get by it, the loop's answer included; `added` that of the excitation alone. `checked` was measured with the
+    `division` gives the fraction of its energy by part. `energy` is ∫ u_l² + u_r² dt at the nominal robot's motors,
+    the loop's response included; `added` that of the excitation alone. `checked` was measured with the
     excitation `margin` times as large.
     """
 
@@ -113,7 +116,7 @@ class ExcitationPlan(Shown):
     unit: str
     hold: int
     way: str
-    shares: Mapping[str, float]
+    division: Mapping[str, float]
     excitation: Array
     energy: float
     added: float
@@ -168,17 +171,17 @@ class ExcitationPlan(Shown):
         wrong += [
             f"{p.name}: {p.after:g} is wider than before" for p in self.predicted if p.after > p.before * (1 + 1e-6)
         ]
-        total = sum(self.shares.values())
-        return (*wrong, *(() if abs(total - 1) < 1e-6 else (f"the shares make {total:g}",)))
+        total = sum(self.division.values())
+        return (*wrong, *(() if abs(total - 1) < 1e-6 else (f"the fractions of the energy sum to {total:g}",)))
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; `upright calibrate` needs none of them, `upright simulate --excite` all."""
-        parts = {f.name: getattr(self, f.name) for f in fields(self)}
+        parts = {f.name: getattr(self, f.name) for f in fields(self) if f.name != "division"}
         parts |= {name: asdict(parts[name]) for name in ("limits", "checked")}
         parts |= {name: [asdict(p) for p in parts[name]] for name in ("predicted", "tried")}
         parts |= {name: list(parts[name]) for name in ("focus", "notes")}
         parts["excitation"] = self.excitation.tolist()
-        return {"file": KIND, "version": VERSION} | parts | {"shares": dict(self.shares), "bound": self.checked.bound}
+        return {"file": KIND, "version": VERSION} | parts | {"shares": dict(self.division), "bound": self.checked.bound}
 
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> ExcitationPlan:
@@ -196,17 +199,17 @@ class ExcitationPlan(Shown):
     def __str__(self) -> str:
         c = self.checked
         head = f"{self.way} for {self.robot} with kit {self.kit} under {self.controller}: {self.seconds:g} s"
-        lines = [head, *(f"  {100 * share:3.0f} % of its energy: {name}" for name, share in self.shares.items()), ""]
+        lines = [head, *(f"  {100 * part:3.0f} % of its energy: {name}" for name, part in self.division.items()), ""]
         lines += [
-            f"{c.fell} of {c.samples} robots fell with it {self.margin:g} times as large: the chance of it is below "
+            f"{c.fell} of {c.samples} robots fell under {self.margin:g} times it: probability of a fall below "
             f"{c.bound:.2%}; saturated {c.saturated:.1%}, travel {c.travel:.2f} m, pitch up to {c.peak:.2f} rad", "",
             f"{'95 % interval of':<20}{'before':>12}{'after':>12}{'dither':>12}{'held 40 ms':>12}{'100 runs':>12}",
         ]  # fmt: skip
-        lines += [_row(p) for p in self.predicted if p.after < SEEN * p.before]
+        lines += [_row(p) for p in self.predicted if p.after < VISIBLE * p.before]
         return "\n".join([*lines, *self.notes])
 
 
-SEEN = 0.5  # of the interval before: narrower ones are called visible, as in `identify.summary`
+VISIBLE = 0.5  # of the interval before: narrower ones are called visible, as in `identify.summary`
 
 
 def read_plan(path: str | Path) -> ExcitationPlan:
@@ -231,6 +234,7 @@ def _read(cls: type[ExcitationPlan], data: Mapping[str, Any]) -> ExcitationPlan:
     given = dict(data)
     if (given.pop("file"), given.pop("version")) != (KIND, VERSION):
         raise ValueError(f"it is no '{KIND}' of version {VERSION}")
+    given["division"] = given.pop("shares")
     given.pop("bound")
     parts: dict[str, Any] = {
         "limits": Limits(**given["limits"]),

@@ -12,7 +12,7 @@ from upright.calibrate.fitting import Problem
 from upright.calibrate.summary import NORMAL
 from upright.control.excited import random_binary
 from upright.errors import DesignFailed, InvalidScenario, UnknownName
-from upright.excite.information import added, best_shares, fisher, problem_of, quiet, score, shrunk
+from upright.excite.information import added, best_division, fisher, problem_of, quiet, score, shrunk
 from upright.excite.loop import APPLIED, Loop, stacked
 from upright.excite.plan import Checked, ExcitationPlan, Limits, Predicted, Tried
 from upright.excite.signals import mixture, signals
@@ -44,10 +44,10 @@ MANY = 100
 
 @dataclass(frozen=True, eq=False)
 class Way:
-    """A way of exciting: signals, their shares of the energy, and the sum (rows, 2) as large as the limits allow."""
+    """A way of exciting: the division of energy among its signals, and their sum (rows, 2), as large as is allowed."""
 
     name: str
-    shares: Mapping[str, float]
+    division: Mapping[str, float]
     excitation: Array
     energy: float
     score: float
@@ -72,7 +72,7 @@ class Search:
     def draw(self, family: Family, samples: int) -> None:
         """Robots of the family, without those that fall with no excitation at all."""
         if samples < FEWEST:
-            raise InvalidScenario(f"{samples} robots", expected=f"{FEWEST} or more, of which a bound can be given")
+            raise InvalidScenario(f"{samples} robots", expected=f"{FEWEST} or more, for a bound on falls")
         drawn = family.draw(self.loop.seed, np.arange(samples))
         table = parameters_of(self.loop.robot, drawn)
         table = np.repeat(table, samples, axis=0) if len(table) == 1 else table
@@ -92,7 +92,7 @@ class Search:
             )
 
     def begin(self) -> None:
-        """What is to be estimated, and what a run without excitation tells."""
+        """The parameters to estimate, and the information of a run without excitation."""
         largest = self.largest(random_binary(self.loop.rows, 1.0, self.loop.seed))
         (log,) = self._logs(largest[None])
         self.problem = problem_of(log, self.loop.robot, self.loop.kit, self.known)
@@ -100,8 +100,8 @@ class Search:
         for name in self.focus:
             if name not in names:
                 raise UnknownName("parameter to focus on", name, names)
-        wanted = self.focus or [name for name in names if name in PARAMETERS]
-        self.weights = np.array([float(p.name in wanted) for p in self.problem.parameters])
+        focus = self.focus or [name for name in names if name in PARAMETERS]
+        self.weights = np.array([float(p.name in focus) for p in self.problem.parameters])
         self.at_rest = self._at_rest()
         self.size = float(self.loop.energies(largest[None])[0])
 
@@ -109,17 +109,17 @@ class Search:
         """Every way of exciting as large as it may be, the best first."""
         made = signals(self.loop.rows, self.loop.hold * self.loop.gains.period, self.loop.seed)
         every = {name: wave for parts in made.values() for name, wave in parts.items()}
-        told = self._parts(every, self.size)
+        parts = self._parts(every, self.size)
         show(0.3)
-        self.made, self.parts = {**made, COMBINED: every}, told
-        found: list[Way] = []
+        self.made, self.parts = {**made, COMBINED: every}, parts
+        ways: list[Way] = []
         for i, name in enumerate(self.made):
-            shares = self._shares(name, self.size)
-            found += [self._way(name, shares, self.largest(self._mixed(name, shares)))] if shares else []
+            division = self._division(name, self.size)
+            ways += [self._way(name, division, self.largest(self._mixed(name, division)))] if division else []
             show(0.3 + 0.7 * (i + 1) / len(self.made))
-        if not found or min(way.score for way in found) == np.inf:
+        if not ways or min(way.score for way in ways) == np.inf:
             raise DesignFailed("no excitation keeps the limits", expected="room for some", hint="raise a limit")
-        return sorted(found, key=lambda way: way.score)
+        return sorted(ways, key=lambda way: way.score)
 
     def quieter(self, tried: Sequence[Way], enough: float) -> Way:
         """The way of least energy, halving by halving, for intervals at most `enough` times the narrowest."""
@@ -127,11 +127,11 @@ class Search:
         while enough > 1:
             energy = energy / 2
             able = [way for way in tried if way.energy >= energy]
-            shared = [(way.name, self._shares(way.name, energy)) for way in able]
+            divisions = [(way.name, self._division(way.name, energy)) for way in able]
             several = [
-                self._way(name, shares, self.loop.scaled(self._mixed(name, shares)[None], energy)[0])
-                for name, shares in shared
-                if shares
+                self._way(name, division, self.loop.scaled(self._mixed(name, division)[None], energy)[0])
+                for name, division in divisions
+                if division
             ]
             way = min(several, key=lambda w: w.score)
             if way.score > tried[0].score + np.log(enough) or not self._loud(way):
@@ -140,7 +140,7 @@ class Search:
         return best
 
     def _loud(self, way: Way) -> bool:
-        """Whether even a part of it moves the nominal robot enough to tell an inertia: another may move less."""
+        """Whether a part of it still moves the nominal robot enough to estimate an inertia: another may move less."""
         logs = self._logs(LEAST_LOUD * way.excitation[None])
         return bool(logs) and not quiet(logs[0], self.loop.robot, self.loop.kit, self.known)
 
@@ -159,20 +159,22 @@ class Search:
         )  # fmt: skip
 
     def plan(self, way: Way, tried: Sequence[Way], excitation: Array, checked: Checked) -> ExcitationPlan:
-        """The way as a plan, with what it and dithers of its energy would tell."""
+        """The way as a plan, with the predicted intervals of it and of dithers of its energy."""
         loop = self.loop
         energy = float(loop.energies(excitation[None])[0])
         (log,) = self._logs(excitation[None])
-        told = self.told(log)
-        after, least = shrunk(told), shrunk(MANY * told)
+        gained = self.information(log)
+        after, least = shrunk(gained), shrunk(MANY * gained)
         dither, held = (shrunk(self._dither(energy, hold)) for hold in (1, HELD))
-        shares = {name: share / sum(way.shares.values()) for name, share in way.shares.items()}
+        division = {name: part / sum(way.division.values()) for name, part in way.division.items()}
         return ExcitationPlan(
-            loop.robot.name, loop.kit.name, loop.controller.spec.kind, loop.hash, loop.gains.period,
-            loop.gains.command_unit, loop.hold, way.name, shares, excitation, energy,
-            float((excitation**2).sum() * loop.hold * loop.gains.period), self.focus, self.limits, MARGIN, checked,
-            self._predicted(after, dither, held, least),
-            tuple(Tried(w.name, w.energy, float(np.exp(w.score))) for w in tried), loop.seed, self._notes(log, after),
+            robot=loop.robot.name, kit=loop.kit.name, controller=loop.controller.spec.kind, hash=loop.hash,
+            period=loop.gains.period, unit=loop.gains.command_unit, hold=loop.hold, way=way.name, division=division,
+            excitation=excitation, energy=energy, focus=self.focus, limits=self.limits, margin=MARGIN, checked=checked,
+            added=float((excitation**2).sum() * loop.hold * loop.gains.period),
+            predicted=self._predicted(after, dither, held, least),
+            tried=tuple(Tried(w.name, w.energy, float(np.exp(w.score))) for w in tried),
+            seed=loop.seed, notes=self._notes(log, after),
         )  # fmt: skip
 
     def largest(self, shape: Array) -> Array:
@@ -182,12 +184,12 @@ class Search:
         return shape * (self._largest(shape, low * FINE) if low else 0.0)
 
     def _at_rest(self) -> Array:
-        """What a run without excitation tells; nothing where its commands never change, as in a dead zone."""
+        """Information of a run without excitation; none where its commands never change, as in a dead zone."""
         (log,) = self._logs(np.zeros((1, self.loop.rows, 2)))
         moves = any(np.ptp(log[name]) > 0 for name in APPLIED)
-        return self.told(log) if moves else np.zeros((len(self.weights),) * 2)
+        return self.information(log) if moves else np.zeros((len(self.weights),) * 2)
 
-    def told(self, log: Log) -> Array:
+    def information(self, log: Log) -> Array:
         """Information (n, n) of a log of the nominal robot."""
         return fisher(problem_of(log, self.loop.robot, self.loop.kit, self.known))
 
@@ -220,63 +222,65 @@ class Search:
         return good
 
     def _parts(self, parts: Mapping[str, Array], energy: float) -> dict[str, Array]:
-        """What all of `energy` would tell by each part alone, from a run with half of it."""
+        """Information of all of `energy` in each part alone, from a run with half of it."""
         shapes = self.loop.scaled(stacked(list(parts.values())), energy / 2)
         result = self.loop.run(shapes, record=True)
         logs = iter(self.loop.logs(result))
         return {
-            name: 2 * added(self.told(next(logs)), self.at_rest)
+            name: 2 * added(self.information(next(logs)), self.at_rest)
             for name, fell in zip(parts, result.fell, strict=True)
             if not fell
         }
 
-    def _shares(self, name: str, energy: float) -> dict[str, float]:
-        """How a way shares that energy among its signals; nothing where the nominal robot stands none of them."""
-        told = {n: self.parts[n] for n in self.made[name] if n in self.parts}
-        if not told:
+    def _division(self, name: str, energy: float) -> dict[str, float]:
+        """How a way divides that energy among its signals; nothing where the nominal robot falls under each of them."""
+        gained = {n: self.parts[n] for n in self.made[name] if n in self.parts}
+        if not gained:
             return {}
-        shares = best_shares(self.at_rest, stacked(list(told.values())) * (energy / self.size), self.weights)
-        return {n: float(s) for n, s in zip(told, shares, strict=True) if s > 0}
+        fractions = best_division(self.at_rest, stacked(list(gained.values())) * (energy / self.size), self.weights)
+        return {n: float(f) for n, f in zip(gained, fractions, strict=True) if f > 0}
 
-    def _mixed(self, name: str, shares: Mapping[str, float]) -> Array:
-        """The way's signals, each of the same energy, by their shares."""
-        equal = self.loop.scaled(stacked([self.made[name][n] for n in shares]), self.size / 4)
-        return mixture(dict(zip(shares, equal, strict=True)), shares)
+    def _mixed(self, name: str, division: Mapping[str, float]) -> Array:
+        """The way's signals, each of the same energy, by their fractions."""
+        equal = self.loop.scaled(stacked([self.made[name][n] for n in division]), self.size / 4)
+        return mixture(dict(zip(division, equal, strict=True)), division)
 
-    def _way(self, name: str, shares: Mapping[str, float], excitation: Array) -> Way:
+    def _way(self, name: str, division: Mapping[str, float], excitation: Array) -> Way:
         logs = self._logs(excitation[None]) if excitation.any() else []
-        value = score(self.told(logs[0]), self.weights) if logs else np.inf
-        return Way(name, shares, excitation, float(self.loop.energies(excitation[None])[0]), value)
+        value = score(self.information(logs[0]), self.weights) if logs else np.inf
+        return Way(name, division, excitation, float(self.loop.energies(excitation[None])[0]), value)
 
     def _dither(self, energy: float, hold: int) -> Array:
-        """What a random binary dither of that energy tells, drawn anew every `hold` periods."""
+        """Information of a random binary dither of that energy, drawn anew every `hold` periods."""
         rows = -(-self.loop.periods // hold)
         shape = self.loop.scaled(
             random_binary(rows, 1.0, self.loop.seed + 1)[None] * _most(self.loop) / 8, energy, hold
         )
         logs = self.loop.logs(self.loop.run(shape, record=True, hold=hold))
-        return self.told(logs[0]) if logs else np.zeros_like(self.at_rest)
+        return self.information(logs[0]) if logs else np.zeros_like(self.at_rest)
 
     def _predicted(self, *several: Array) -> tuple[Predicted, ...]:
-        """Widths of the intervals, from shares (n,) that are left of them."""
-        found: list[Predicted] = []
+        """Widths of the intervals, from the fractions (n,) that are left of them."""
+        predicted: list[Predicted] = []
         for i, p in enumerate(self.problem.asked):
             widths = [
                 float(p.value(NORMAL * s) - p.value(max(-NORMAL * s, p.least)))
-                for s in (1.0, *(share[i] for share in several))
+                for s in (1.0, *(left[i] for left in several))
             ]
-            found.append(Predicted(p.name, p.unit, p.prior, *widths))
-        return tuple(found)
+            names = ("before", "after", "dither", "held", "least")
+            numbers = dict(zip(names, widths, strict=True))
+            predicted.append(Predicted(name=p.name, unit=p.unit, value=p.prior, **numbers))
+        return tuple(predicted)
 
     def _notes(self, log: Log, after: Array) -> tuple[str, ...]:
         names = [p.name for p in self.problem.asked]
         notes = [quiet(log, self.loop.robot, self.loop.kit, self.known)]
         blind = [n for n in self.focus if after[names.index(n)] > 0.9]
-        notes += [f"No run of this kind tells much of {', '.join(blind)}."] if blind else []
+        notes += [f"No run of this kind gives much information on {', '.join(blind)}."] if blind else []
         if self.dropped:
             total = len(self.stand) + self.dropped
             notes.append(
-                f"{self.dropped} of {total} robots drawn do not stand even unexcited: the plan is for one that does."
+                f"{self.dropped} of {total} robots drawn fall without an excitation; the plan is for one that stands."
             )
         return tuple(filter(None, notes))
 

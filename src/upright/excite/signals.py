@@ -1,8 +1,8 @@
 """What may be added to a command: multisines by bands, random binary dithers and moves, driving or turning.
 
 A signal is an array (rows, 2), left and right, each row held for several periods; its size means nothing yet. To a
-controller that keeps its place, an added constant command is a wanted place, so that a slow one drives or turns the
-robot: a move needs no other channel than a dither.
+controller that keeps its place, an added constant command is a reference position, so that a slow one drives or turns
+the robot: a move needs no other channel than a dither.
 """
 
 from __future__ import annotations
@@ -85,9 +85,9 @@ def there_and_back(rows: int, cycles: int) -> Array:
     return 1.0 - 4.0 * np.abs((phase + 0.25) % 1.0 - 0.5)
 
 
-def mixture(parts: Mapping[str, Array], shares: Mapping[str, float]) -> Array:
-    """Σ √share · part (rows, 2)."""
+def mixture(parts: Mapping[str, Array], division: Mapping[str, float]) -> Array:
+    """Σ √fraction · part (rows, 2)."""
     total = np.zeros_like(next(iter(parts.values())))
-    for name, share in shares.items():
-        total = total + np.sqrt(share) * parts[name]
+    for name, fraction in division.items():
+        total = total + np.sqrt(fraction) * parts[name]
     return total

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.excite.plan import SEEN, ExcitationPlan, Predicted
+from upright.excite.plan import VISIBLE, ExcitationPlan, Predicted
 from upright.report.figure import Figure, Panel, Trace
 from upright.report.page import Cell, Page, Section, Table, Verdict
 
@@ -49,7 +49,7 @@ _TRIED = (
 
 
 def _lead(plan: ExcitationPlan) -> str:
-    halved = [p.name.replace("_", " ") for p in plan.predicted if p.after < SEEN * p.before and "/" not in p.name]
+    halved = [p.name.replace("_", " ") for p in plan.predicted if p.after < VISIBLE * p.before and "/" not in p.name]
     return (
         f"{plan.seconds:g} s of {plan.way} under {plan.controller} halve at least the intervals of "
         f"{', '.join(halved) or 'no parameter'}. The probability of a fall is below {100 * plan.checked.bound:.2g} %."
@@ -92,7 +92,7 @@ def _level(wave: Array, frequency: Array) -> Array:
 
 
 def _energies(plan: ExcitationPlan) -> Table:
-    rows: list[list[Cell]] = [[name, 100 * fraction] for name, fraction in plan.shares.items()]
+    rows: list[list[Cell]] = [[name, 100 * fraction] for name, fraction in plan.division.items()]
     return Table(["part", "fraction of the energy [%]"], rows, _energy(plan), 3)
 
 
