@@ -158,8 +158,8 @@ def align_stack(typingctx: Any) -> Any:
         with builder.goto_entry_block():
             place = builder.alloca(ir.IntType(8))
         place.align = 64
-        seen = ir.FunctionType(ir.VoidType(), [place.type])
-        builder.asm(seen, "", "r", [place], side_effect=True)  # no instruction, but the place must exist
+        kind = ir.FunctionType(ir.VoidType(), [place.type])
+        builder.asm(kind, "", "r", [place], side_effect=True)  # no instruction, but the place must exist
 
     return types.void(), _code(emit)
 

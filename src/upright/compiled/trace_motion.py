@@ -305,8 +305,8 @@ def _reciprocals(out: Printer, names: Sequence[str]) -> list[str]:
     before = [names[0]]
     for i, name in enumerate(names[1:]):
         before.append(out.put(f"before_{i}", f"{before[-1]} * {name}"))
-    rest, found = out.put("over", f"reciprocal({before[-1]})"), []
+    rest, inverses = out.put("over", f"reciprocal({before[-1]})"), []
     for i in range(len(names) - 1, 0, -1):
-        found.append(out.put(f"over_{i}", f"{rest} * {before[i - 1]}"))
+        inverses.append(out.put(f"over_{i}", f"{rest} * {before[i - 1]}"))
         rest = out.put(f"rest_{i}", f"{rest} * {names[i]}")
-    return [rest, *reversed(found)]
+    return [rest, *reversed(inverses)]
