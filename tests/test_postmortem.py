@@ -22,7 +22,9 @@ from upright.cli.main import main
 from upright.control import LinearController, make_controller, write_controller
 from upright.control.delay import RAW
 from upright.diagnose import PostMortem, post_mortem
+from upright.diagnose.fault_fits import fits
 from upright.diagnose.innovations import follow
+from upright.diagnose.signatures import bank
 from upright.diagnose.verdict import CANNOT_TELL, CAUSES, NO_FALL
 from upright.errors import InvalidLog, InvalidRobot
 from upright.experiment import Drive, Impulse, Push, run
@@ -132,6 +134,13 @@ def test_the_robot_as_it_should_be_leaves_its_dead_time_to_no_fault() -> None:
     log = logged(bench.NO_FALL, robot="twipr", seconds=3.0)
     found = follow(log, twipr, kit)
     assert np.mean(found.between(1.0, np.inf).whitened ** 2) < 1.5
+
+
+def test_a_window_shorter_than_a_push_has_no_pushes() -> None:
+    # a filter that loses the robot at once leaves less time than one push takes
+    short = bank(follow(standing(), NXT, KIT).between(1.0, 1.1), 1.0, pushes_only=True)
+    assert not short.pushes
+    assert [fit.pushes for fit in fits(short)] == [()]
 
 
 def test_changed_gain_is_told_to_its_number_with_the_file() -> None:
