@@ -66,14 +66,10 @@ def identify(
     from upright.control import write_controller
     from upright.identify.identify import ALL, identify_all, identify_one, study_of
     from upright.identify.judge import regulator
-    from upright.identify.methods import find_identifier
     from upright.logs.raw import raw_log
     from upright.robots import find_kit, find_robot
 
-    if method != ALL:
-        find_identifier(method)
-    elif one := output or controller:
-        raise UprightError(f"{one.name} holds one model", expected="one method", hint="name it, --method subspace")
+    _check_method(method, output or controller)
     check_targets(output, controller, report, logs=[log])
     ends = (-math.inf if start is None else start, math.inf if until is None else until)
     study = study_of(
@@ -93,3 +89,14 @@ def identify(
         identification_page(comparison, report)
     if result := model or comparison:
         finish(result, as_json, written=(output, controller, report))
+
+
+def _check_method(method: str, target: Path | None) -> None:
+    """Raises `UnknownName` for an unknown method, `UprightError` where `target` would hold the models of all."""
+    from upright.identify.identify import ALL
+    from upright.identify.methods import find_identifier
+
+    if method != ALL:
+        find_identifier(method)
+    elif target:
+        raise UprightError(f"{target.name} holds one model", expected="one method", hint="name it, --method subspace")

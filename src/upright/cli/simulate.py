@@ -15,6 +15,7 @@ from upright.errors import InvalidController
 if TYPE_CHECKING:
     from upright.control import Controller
     from upright.robots import Kit, Robot
+    from upright.signals import Log
 
 IDEAL = "ideal"
 """The kit without electronics, under which controllers may read the true state."""
@@ -61,9 +62,7 @@ def simulate(
 
     Prints whether it fell, its largest pitch, its travel, and the effort of the motors.
     """
-    from upright.comparison import compare
-    from upright.experiment import outcome_of, run
-    from upright.report import comparison_page
+    from upright.experiment import run
     from upright.robots import find_robot
     from upright.signals import STATE_NAMES
 
@@ -79,9 +78,19 @@ def simulate(
     with progress("simulating") as show:
         log = run(plant, design, pushes, reference=references, seconds=length, seed=seed, start=first, progress=show)
     plant.close()
-    numbers, outcome, written = compare({body: log}), outcome_of(log), log.save(output) if output else None
+    written = log.save(output) if output else None
+    _show(log, body=body, robot=chosen.name, written=written, report=report, as_json=as_json)
+
+
+def _show(log: Log, *, body: str, robot: str, written: Path | None, report: Path | None, as_json: bool) -> None:
+    """Prints the outcome and the metrics of a run, and writes its page."""
+    from upright.comparison import compare
+    from upright.experiment import outcome_of
+    from upright.report import comparison_page
+
+    numbers, outcome = compare({body: log}), outcome_of(log)
     if report:
-        comparison_page(numbers, report, title=f"{chosen.name}: {outcome}")
+        comparison_page(numbers, report, title=f"{robot}: {outcome}")
     if not as_json:
         typer.echo(f"{outcome}\n")
     facts: dict[str, Any] = {"outcome": outcome.to_json(), "origin": log.origin}

@@ -18,7 +18,7 @@ from upright.compiled.program import Program
 from upright.compiled.tracer import Form, Tracer
 from upright.control.controller import Controller, controller_hash
 from upright.errors import SpecMismatch
-from upright.firmware.incremental import incremental
+from upright.firmware.incremental import Incremental, incremental
 from upright.firmware.readings import calibrate, inputs, moved, reading
 from upright.firmware.setup import (
     BALANCING,
@@ -61,16 +61,8 @@ def trace(
     ±`travel` [rad]. Raises `InvalidController` for a controller that is not a fixed sum of products, `SpecMismatch`
     where target, robot and controller do not fit, `UnknownName` for the target.
     """
-    inner, place = incremental(controller, POSITIONS), find_target(target)
-    linear = inner.linear
-    if linear.command_unit != robot.command_unit:
-        raise SpecMismatch(f"the controller commands {linear.command_unit}", expected=f"{robot.command_unit}")
-    setup = Setup(inner, kit, driver(robot, kit, place), place, travel, reference)
-    if not math.isfinite(setup.strongest):
-        raise SpecMismatch(
-            f"kit '{kit.name}' does not limit the command", expected="a battery or a motor's limit",
-            hint="name the robot's own kit",
-        )  # fmt: skip
+    setup = _setup(controller, robot, kit, target=target, reference=reference, travel=travel)
+    inner, linear = setup.incremental, setup.linear
     t = Tracer()
     raw = inputs(t, setup)
     held = calibrate(t, setup, raw)
@@ -86,15 +78,8 @@ def trace(
     u = _command(t, setup, z, y, r)
     a = _applied(t, setup, u, raw)
     command = t.block("command")
-    arrived, switching = _arrived(t, setup, a), inner.switching
-    pairs = [
-        (linear.A, z),
-        (linear.By, y),
-        (linear.Br, r),
-        *([(switching.Bu, u)] if switching else []),
-        (linear.Ba, arrived),
-    ]
-    _remember(t, w, [sum((_dot(M[i], v) for M, v in pairs), Form()) for i in range(len(w))], bounds is not None)
+    rows = _memory(inner, z=z, y=y, r=r, u=u, arrived=_arrived(t, setup, a))
+    _remember(t, w, rows, bounds is not None)
     _stop(t, setup, pitch, raw)
     update = t.block("update")
     channels = {form.name: channel for channel, form in raw.items()}
@@ -117,6 +102,21 @@ def trace(
         command=command,
         update=update,
     )
+
+
+def _setup(controller: Controller, robot: Robot, kit: Kit, *, target: str, reference: bool, travel: float) -> Setup:
+    """The checked facts that the program is written from."""
+    inner, place = incremental(controller, POSITIONS), find_target(target)
+    unit = inner.linear.command_unit
+    if unit != robot.command_unit:
+        raise SpecMismatch(f"the controller commands {unit}", expected=f"{robot.command_unit}")
+    setup = Setup(inner, kit, driver(robot, kit, place), place, travel, reference)
+    if not math.isfinite(setup.strongest):
+        raise SpecMismatch(
+            f"kit '{kit.name}' does not limit the command", expected="a battery or a motor's limit",
+            hint="name the robot's own kit",
+        )  # fmt: skip
+    return setup
 
 
 def _counted(t: Tracer, state: Form, index: int, row: Array, steps: list[Form | float]) -> Form:
@@ -213,6 +213,17 @@ def _awake(t: Tracer, d: Driver, command: Form, side: str) -> Form:
     if math.isfinite(d.limit) and d.full:
         return t.limit(f"bounded_{side}", value, -d.limit, d.limit, d.unit)
     return value
+
+
+def _memory(
+    inner: Incremental, *, z: list[Form], y: list[Form], r: list[Form | float], u: list[Form], arrived: list[Form]
+) -> list[Form]:
+    """The rows of the memory's update: A z + By y + Br r + Bu u + Ba a."""
+    linear, switching = inner.linear, inner.switching
+    pairs: list[tuple[Array, Sequence[Form | float]]] = [(linear.A, z), (linear.By, y), (linear.Br, r)]
+    pairs += [(switching.Bu, u)] if switching else []
+    pairs.append((linear.Ba, arrived))
+    return [sum((_dot(M[i], v) for M, v in pairs), Form()) for i in range(len(z))]
 
 
 def _remember(t: Tracer, w: list[Form], rows: Sequence[Form], proven: bool) -> None:
