@@ -35,7 +35,7 @@ from upright.control import LinearController, as_linear, make_controller
 from upright.control.permit import permitted
 from upright.errors import InvalidController, InvalidLog, NotPermitted, SpecMismatch
 from upright.experiment import Hold, run
-from upright.kernel.batch import Gains
+from upright.kernel.batch import silent
 from upright.physics.dynamics import CALM
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Uncertainty, draw
@@ -72,7 +72,7 @@ def test_a_controller_that_is_called_falls_where_its_matrices_fall() -> None:
     # the same lqg once as gains in compiled code and once called for each of 70 robots, more than one block of them
     family = draw(ROBOT, 70, 3)
     course = Course(driver(designed("lqg"), ROBOT, KIT), ROBOT, family, KIT)
-    called = dataclasses.replace(course, driver=Driver(Gains.silent(designed("lqg")), designed("lqg")))
+    called = dataclasses.replace(course, driver=Driver(silent(designed("lqg")), designed("lqg")))
     (first, fell), (second, dropped) = trials(course), trials(called)
     assert np.array_equal(fell, dropped)
     # products are summed in another order: rounding, which quantised sensors now and then make a step of

@@ -7,18 +7,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import KW_ONLY, dataclass
+from dataclasses import KW_ONLY, dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.control.controller import Controller
-from upright.control.linear_controller import as_linear
+from upright.control.linear_controller import LinearController, as_linear
 from upright.errors import InvalidController, SpecMismatch
 from upright.experiment.pushes import Hold, Impulse
 from upright.fleet.ensemble import tables
-from upright.kernel.batch import NAMES, FleetBatch, FleetResult, Gains, parameters_of
+from upright.kernel.batch import NAMES, FleetBatch, FleetResult, parameters_of, silent
 from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
 
@@ -81,7 +81,7 @@ class Driver(NamedTuple):
     """A controller as the kernel runs it: as `gains`, or `called` for each robot where no matrices describe it,
     which takes some hundred times as long."""
 
-    gains: Gains
+    gains: LinearController
     called: Controller | None = None
 
 
@@ -97,9 +97,9 @@ def driver(controller: Controller, robot: Robot, kit: Kit) -> Driver:
             expected="a controller of its sensors", hint="put a filter before it, or certify on the kit 'ideal'",
         )  # fmt: skip
     try:
-        return Driver(Gains.of(as_linear(controller)))
+        return Driver(as_linear(controller))
     except InvalidController:
-        return Driver(Gains.silent(controller), controller)
+        return Driver(silent(controller), controller)
 
 
 def standard_pushes(robot: Robot) -> dict[str, Any]:
@@ -166,7 +166,7 @@ def slower(course: Course) -> tuple[Swept, ...]:
     """Falls under every standard push where the loop runs every `SLOWER` share of its period with the same gains."""
     gains, called = course.driver
     return tuple(
-        _swept(course, period, {}, Driver(gains._replace(period=period), called)) for period in _periods(course)
+        _swept(course, period, {}, Driver(replace(gains, period=period), called)) for period in _periods(course)
     )
 
 

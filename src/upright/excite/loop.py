@@ -15,8 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.control import Controller, as_linear, controller_hash
+from upright.control.linear_controller import LinearController
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
-from upright.kernel.batch import NAMES, FleetBatch, FleetResult, Gains, parameters_of
+from upright.kernel.batch import NAMES, FleetBatch, FleetResult, parameters_of
 from upright.kernel.simulate import simulate
 from upright.logs.recording import SENSOR
 from upright.robots import Kit, Robot
@@ -42,7 +43,7 @@ class Loop:
     controller: Controller
     seconds: float
     seed: int = 0
-    gains: Gains = field(init=False)
+    gains: LinearController = field(init=False)
 
     def __post_init__(self) -> None:
         gains = _gains(self.controller, self.robot)
@@ -139,9 +140,9 @@ def perfect(kit: Kit) -> Kit:
     return dataclasses.replace(kit, sensors=sensors, motor=motor, battery=battery, jitter=0.0)
 
 
-def _gains(controller: Controller, robot: Robot) -> Gains:
+def _gains(controller: Controller, robot: Robot) -> LinearController:
     try:
-        gains = Gains.of(as_linear(controller))
+        gains = as_linear(controller)
     except InvalidController:
         raise SpecMismatch(
             f"a {controller.spec.kind} cannot be excited here", expected="a linear controller, as the kernel runs",
@@ -157,21 +158,24 @@ def _gains(controller: Controller, robot: Robot) -> Gains:
     return gains
 
 
-def _reading_all(gains: Gains, kit: Kit) -> Gains:
-    """The same commands from gains that also read every sensor that a calibration takes, so that it is recorded."""
+def _reading_all(gains: LinearController, kit: Kit) -> LinearController:
+    """The same commands from a controller that also reads every sensor of a calibration, so that it is recorded."""
     more = [name for name in kit.sensors if name in SENSOR and name not in gains.reads]
 
     def wider(matrix: Array) -> Array:
-        return np.concatenate([matrix, np.zeros((*matrix.shape[:2], len(more)))], axis=2)
+        return np.hstack([matrix, np.zeros((len(matrix), len(more)))])
 
-    return gains._replace(By=wider(gains.By), Dy=wider(gains.Dy), reads=(*gains.reads, *more))
+    return dataclasses.replace(
+        gains, By=wider(gains.By), Dy=wider(gains.Dy), Sy=wider(gains.Sy) if len(gains.Sy) else gains.Sy,
+        reads=(*gains.reads, *more),
+    )  # fmt: skip
 
 
-def _without_reference(gains: Gains) -> Gains:
-    """Gains for which a wheel rate [rad/s] is a common command, and a yaw rate a turning one."""
-    added = np.zeros((1, 2, 6))
-    added[0, :, 3], added[0, :, 5] = 1.0, (-1.0, 1.0)
-    return gains._replace(Br=np.zeros((1, gains.A.shape[1], 6)), Dr=added)
+def _without_reference(gains: LinearController) -> LinearController:
+    """The controller for which a wheel rate [rad/s] is a common command, and a yaw rate a turning one."""
+    added = np.zeros((2, 6))
+    added[:, 3], added[:, 5] = 1.0, (-1.0, 1.0)
+    return dataclasses.replace(gains, Br=np.zeros_like(gains.Br), Dr=added)
 
 
 def stacked(excitations: Sequence[Array]) -> Array:

@@ -18,7 +18,7 @@ from upright.control import Controller, controller_hash
 from upright.errors import InvalidScenario
 from upright.experiment.pushes import Hold, Impulse, Push, Slope
 from upright.experiment.references import Drive, Turn
-from upright.kernel.batch import FleetBatch, FleetResult, Gains, parameters_of
+from upright.kernel.batch import FleetBatch, FleetResult, parameters_of
 from upright.robots import PARAMETERS
 from upright.robots.uncertainty import BLOCK, Family, Uncertainty
 
@@ -76,11 +76,6 @@ class Ensemble:
             raise InvalidScenario(f"a band of {self.band:g} rad", expected="more than zero")
 
     @cached_property
-    def gains(self) -> Gains:
-        """The controller as matrices; raises `InvalidController` for one that is not linear."""
-        return Gains.of(self.controller)
-
-    @cached_property
     def substeps(self) -> int:
         """Runge-Kutta steps in a body's period, the same whatever part is run."""
         from upright.kernel.simulate import substeps_for
@@ -99,7 +94,7 @@ class Ensemble:
         parameters, changes = self._numbers(numbers)
         programme = tables(self.pushes, self.references, parameters)
         return FleetBatch(
-            parameters=parameters, controller=self.gains, start=np.array([self.start]), pushes=programme.pushes,
+            parameters=parameters, controller=self.controller, start=np.array([self.start]), pushes=programme.pushes,
             slope=programme.slope, reference=programme.reference, kit=self.family.kit, kit_changes=changes,
             model=self.model, seed=self.seed, index=numbers, substeps=self.substeps,
         )  # fmt: skip

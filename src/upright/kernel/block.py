@@ -1,4 +1,4 @@
-"""What is done to a block of robots side by side, besides moving them: command, drive, push, read, count.
+"""Operations on a block of robots, besides motion: command, drive, push, slope, sensors, counts.
 
 A block is one array `w` of rows; each row holds one number for each of up to `LANES` robots. Every loop over robots `i`
 is straight-line code, which the compiler turns into vector instructions.
@@ -43,12 +43,12 @@ from upright.kernel.rows import (
     ALL_ROWS,
     COMMAND,
     COMPASS,
+    DEAD_TIME,
     DEAD_ZONE,
     DRIVEN,
     EFFORT,
     ENCODER_LEFT,
     ENCODER_RIGHT,
-    FELT,
     FLOOR,
     G_FIRST,
     G_FRESH,
@@ -57,7 +57,6 @@ from upright.kernel.rows import (
     GYRO,
     HOLD,
     JITTER,
-    LATE,
     LIMIT,
     NEVER,
     NOISE,
@@ -74,12 +73,13 @@ from upright.kernel.rows import (
     S_PLAY,
     S_QUANTUM,
     S_RANGE,
-    S_SAID,
     S_TOUCH,
+    S_VALUE,
     S_WALK,
     S_WHEEL,
     SAG,
     SATURATED,
+    SPECIFIC_FORCE,
     SQUARE,
     VOLTAGE,
     WALK,
@@ -141,7 +141,7 @@ def driven(u: Any, limit: Any, quantum: Any) -> Any:
 
 @njit
 def drive(w: Any, count: int) -> None:
-    """What of the command reaches the motors; robots that saturate are counted."""
+    """The command after dead zone, battery sag, saturation and quantum; saturated periods are counted."""
     for i in range(count):
         left, right = get(w, COMMAND, i), get(w, COMMAND + 1, i)
         dead, full = get(w, DEAD_ZONE, i), get(w, VOLTAGE, i)
@@ -162,16 +162,16 @@ def drive(w: Any, count: int) -> None:
 def arrive(
     w: Any, count: int, ring: int, slots: int, k: int, stride: int, index: Any, first: int, seed: Any
 ) -> int:  # fmt: skip
-    """The three commands that a motor may hold during period `k`, in six rows from HOLD on in order of arrival, and in
-    the two rows after them the steps at which the second and the third arrive; returns the last such step.
+    """The three commands that a motor may hold during period `k`: six rows from HOLD on in order of arrival, then two
+    rows with the steps at which the second and the third arrive. Returns the largest of these steps.
 
-    Rows from LATE on: periods and steps of dead time, largest jitter in steps.
+    Rows from DEAD_TIME on: periods and steps of dead time, largest jitter in steps.
     """
     last = 0
     for i in range(count):
-        j = k - int(get(w, LATE, i))
-        two = int(get(w, LATE + 1, i))
-        one, jitter = two - stride, int(get(w, LATE + 2, i))
+        j = k - int(get(w, DEAD_TIME, i))
+        two = int(get(w, DEAD_TIME + 1, i))
+        one, jitter = two - stride, int(get(w, DEAD_TIME + 2, i))
         if jitter > 0:
             one += whole(item(index, first + i), j - 1, JITTER, seed, jitter + 1)
             two = max(one, two + whole(item(index, first + i), j, JITTER, seed, jitter + 1))
@@ -187,8 +187,8 @@ def arrive(
 
 @njit
 def arrive_alike(w: Any, count: int, ring: int, slots: int, k: int, stride: int) -> int:
-    """`arrive` where every command is equally late for all robots, as the first one's rows say."""
-    j, two = k - int(get(w, LATE, 0)), get(w, LATE + 1, 0)
+    """`arrive` for robots with one dead time and no jitter: the rows of the first robot count for all."""
+    j, two = k - int(get(w, DEAD_TIME, 0)), get(w, DEAD_TIME + 1, 0)
     for m in range(3):
         slot = ring + 2 * ((j - 2 + m) % slots)
         copy(w, HOLD + 2 * m, slot, count)
@@ -204,18 +204,18 @@ def hold(w: Any, count: int, step: float) -> None:
     """The command that has arrived by `step` of the period goes to the motors."""
     at = like(w, step)
     for i in range(count):
-        early, later = get(w, HOLD + 6, i) > at, get(w, HOLD + 7, i) > at
+        before_second, before_third = get(w, HOLD + 6, i) > at, get(w, HOLD + 7, i) > at
         left, right = get(w, HOLD, i), get(w, HOLD + 1, i)
         next_left, next_right = get(w, HOLD + 2, i), get(w, HOLD + 3, i)
         last_left, last_right = get(w, HOLD + 4, i), get(w, HOLD + 5, i)
-        next_left, next_right = next_left if later else last_left, next_right if later else last_right
-        put(w, LEFT, i, left if early else next_left)
-        put(w, RIGHT, i, right if early else next_right)
+        next_left, next_right = next_left if before_third else last_left, next_right if before_third else last_right
+        put(w, LEFT, i, left if before_second else next_left)
+        put(w, RIGHT, i, right if before_second else next_right)
 
 
 @njit
 def push(w: Any, count: int, rows: int, pushes: int, now: int) -> int:
-    """Force and moment of all pushes that act at step `now`; returns the next step at which that changes.
+    """Force and moment of all pushes that act at step `now`; returns the step of their next change.
 
     Four rows a push: force [N], moment [N m], the step from which on and the one before which it acts.
     """
@@ -235,7 +235,7 @@ def push(w: Any, count: int, rows: int, pushes: int, now: int) -> int:
 
 @njit
 def tilt(w: Any, count: int, now: int) -> int:
-    """Sine and cosine of the floor's slope at step `now`; returns the next step at which one changes.
+    """Sine and cosine of the floor's slope at step `now`; returns the step of their next change.
 
     Three rows from FLOOR on: sine, cosine, and the step from which on the floor slopes.
     """
@@ -251,7 +251,7 @@ def tilt(w: Any, count: int, now: int) -> int:
 
 @njit
 def refer(w: Any, count: int, rows: int, ramps: int, t: float) -> None:
-    """The wanted state at `t` [s]. Four rows a ramp: wheel rate, yaw rate [rad/s], start and end [s]."""
+    """The reference state at `t` [s]. Four rows a ramp: wheel rate, yaw rate [rad/s], start and end [s]."""
     for i in range(count):
         wheel, wheel_rate, yaw, yaw_rate = 0.0, 0.0, 0.0, 0.0
         for q in range(rows, rows + 4 * ramps, 4):
@@ -271,14 +271,14 @@ def refer(w: Any, count: int, rows: int, ramps: int, t: float) -> None:
 
 @njit
 def sense(w: Any, count: int, kind: int, out: int) -> None:
-    """Row `out`: what an ideal sensor of this kind says now."""
+    """Row `out`: the present reading of an ideal sensor of this kind."""
     if kind <= ENCODER_RIGHT:
         side = -1.0 if kind == ENCODER_LEFT else 1.0
         for i in range(count):
             turn = mul(get(w, HALF_TRACK, i), side)
             put(w, out, i, fma(turn, get(w, YAW, i), get(w, WHEEL, i)) - get(w, PITCH, i))
     else:
-        source = PITCH_RATE if kind == GYRO else YAW if kind == COMPASS else FELT + kind - ACCEL_FORWARD
+        source = PITCH_RATE if kind == GYRO else YAW if kind == COMPASS else SPECIFIC_FORCE + kind - ACCEL_FORWARD
         copy(w, out, source, count)
 
 
@@ -292,7 +292,8 @@ def slacken(w: Any, count: int, numbers: int) -> None:
 
 @njit
 def corrupt(w: Any, count: int, value: int, numbers: int, kind: int, root: float) -> None:
-    """The reading that a sensor makes of row `value`; its offset walks by `root` [√s]."""
+    """The reading of a sensor with its ideal value in row `value`: noise, offset, quantum, range. The offset walks
+    for `root` [√s]."""
     noise, step = NOISE + kind, WALK + kind
     for i in range(count):
         walk = mul(get(w, numbers + S_WALK, i), root)
@@ -301,12 +302,12 @@ def corrupt(w: Any, count: int, value: int, numbers: int, kind: int, root: float
         quantum, end = get(w, numbers + S_QUANTUM, i), get(w, numbers + S_RANGE, i)
         reading = rint(reading / quantum) * quantum if positive(quantum) else reading
         put(w, numbers + S_OFFSET, i, offset)
-        put(w, numbers + S_SAID, i, min(max(reading, -end), end))
+        put(w, numbers + S_VALUE, i, min(max(reading, -end), end))
 
 
 @njit
 def count_period(w: Any, count: int, bands: Any, t: Any) -> None:
-    """What happened to every robot that still stands, as it is at the start of a period and under the command of it."""
+    """Peaks, settling and squared pitch of every robot that stands, at `t` [s], the start of a period."""
     one, two, three, now = item(bands, 0), item(bands, 1), item(bands, 2), like(w, t)
     for i in range(count):
         standing = positive(get(w, H, i))
@@ -330,7 +331,7 @@ def count_period(w: Any, count: int, bands: Any, t: Any) -> None:
 
 @njit
 def count_effort(w: Any, count: int) -> None:
-    """Adds the square of what both motors held at the end of this period."""
+    """Adds the squares of both applied commands at the end of this period."""
     for i in range(count):
         left, right = get(w, LEFT, i), get(w, RIGHT, i)
         sum_ = get(w, EFFORT, i)
@@ -350,7 +351,7 @@ def standing(w: Any, count: int) -> int:
 @njit
 def record(w: Any, count: int, rows: Any, many: int, out: Any, place: int, size: int, since: float) -> None:
     """The `many` rows of every robot that stands or stood after `since` [s], into `out` from `place` on, where robots
-    are `size` apart; the others keep what is there."""
+    are `size` apart; entries of the others stay as they are."""
     for m in range(many):
         row = item(rows, m)
         for i in range(count):

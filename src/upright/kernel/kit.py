@@ -1,4 +1,4 @@
-"""A kit's numbers as the kernel takes them: one row for all robots, or one for each."""
+"""The numbers of a kit as tables of the kernel: one row for all robots, or one for each."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ _SENSOR = ("quantum", "noise", "bias", "bias_walk", "range")
 
 @dataclass(frozen=True, eq=False)
 class KitTables:
-    """`motor` (·, 5) and `sensor` (·, s, 6) as in `block`; `late` (·, 3) as in `block.arrive`;
+    """`motor` (·, 5) and `sensor` (·, s, 6) as in `block`; `dead_time` (·, 3) as in `block.arrive`;
     `times` (s, 3): kind, delay and period [steps] of each sensor."""
 
     motor: Array
-    late: NDArray[np.int64]
+    dead_time: NDArray[np.int64]
     sensor: Array
     times: NDArray[np.int64]
 
@@ -44,14 +44,14 @@ def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
     Raises `SpecMismatch` for a sensor that the kit does not have, `UnknownName` for a change of an unknown number,
     `InvalidScenario` for a jitter longer than a period.
     """
-    kit, gains = batch.kit or BARE, batch.gains
-    voltage = gains.command_unit == "V"
-    if batch.kit is None and not batch.kit_changes and not any(name.startswith("sensor/") for name in gains.reads):
+    kit, controller = batch.kit or BARE, batch.form
+    voltage = controller.command_unit == "V"
+    if batch.kit is None and not batch.kit_changes and not any(name.startswith("sensor/") for name in controller.reads):
         return _bare(voltage)
     numbers = _Numbers(kit, batch.kit_changes)
     ideal = {"battery.voltage": math.inf, "battery.sag": 0.0}
     motor = _stack([numbers[n] if voltage or n not in ideal else np.array([ideal[n]]) for n in _MOTOR])
-    reads = [name for name in gains.reads if name.startswith("sensor/")]
+    reads = [name for name in controller.reads if name.startswith("sensor/")]
     sensors = [_sensor(batch.kit, name) for name in reads]
     rows = [_stack([numbers[f"sensors.{name[7:]}.{f}"] for f in _SENSOR] + [_play(numbers, name)]) for name in reads]
     table = _stack(rows) if rows else np.zeros((1, 0, len(_SENSOR) + 1))
@@ -59,17 +59,17 @@ def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
         (KINDS.index(name), round(s.delay / batch.period), max(1, round(s.period / batch.period)))
         for name, s in zip(reads, sensors, strict=True)
     ]
-    late = _late(numbers, batch.period, stride)
+    dead_time = _dead_time(numbers, batch.period, stride)
     numbers.check()
-    return KitTables(motor, late, table, np.array(times, dtype=np.int64).reshape(-1, 3))
+    return KitTables(motor, dead_time, table, np.array(times, dtype=np.int64).reshape(-1, 3))
 
 
 @cache
 def _bare(voltage: bool) -> KitTables:
-    """Those of no kit at all, made once, since they are half of what it takes to start a single robot."""
+    """The tables without a kit, made once: they would take half of the time to start a single robot."""
     motor = [[BARE.motor.limit, 0.0, 0.0, BARE.battery.voltage if voltage else math.inf, 0.0]]
-    late, times = np.zeros((1, 3), dtype=np.int64), np.zeros((0, 3), dtype=np.int64)
-    return KitTables(np.array(motor), late, np.zeros((1, 0, len(_SENSOR) + 1)), times)
+    dead_time, times = np.zeros((1, 3), dtype=np.int64), np.zeros((0, 3), dtype=np.int64)
+    return KitTables(np.array(motor), dead_time, np.zeros((1, 0, len(_SENSOR) + 1)), times)
 
 
 class _Numbers:
@@ -89,10 +89,10 @@ class _Numbers:
         return np.array([float(getattr(getattr(self._kit, owner) if owner else self._kit, number))])
 
     def check(self) -> None:
-        """Refuses changes that nothing here asked for."""
+        """Refuses changes of numbers that no table here holds."""
         for name in self._changes:
             if name not in self._used:
-                raise UnknownName("number of a kit that this controller meets", name, self._used)
+                raise UnknownName("number of this kit with this controller", name, self._used)
 
 
 def _stack(columns: list[Array]) -> Array:
@@ -114,7 +114,7 @@ def _sensor(kit: Kit | None, name: str) -> Sensor:
     return kit.sensors[name]
 
 
-def _late(numbers: _Numbers, period: float, stride: int) -> NDArray[np.int64]:
+def _dead_time(numbers: _Numbers, period: float, stride: int) -> NDArray[np.int64]:
     steps, jitter = (np.rint(numbers[name] / period).astype(np.int64) for name in ("delay", "jitter"))
     if jitter.max() > stride:
         raise InvalidScenario(

@@ -1,4 +1,4 @@
-"""Controllers that no matrices describe, called by the compiled loop: one copy for each robot of a block."""
+"""Controllers without a linear form, called by the compiled loop: one copy for each robot of a block."""
 
 from __future__ import annotations
 
@@ -21,31 +21,31 @@ _CALLED = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int64, ctypes.c_int64
 
 
 class Lanes:
-    """What `Plan.called` points to. It keeps an error, since compiled code passes no exception on; `check` raises it
-    afterwards, and until then the robots get no command."""
+    """The function that `Plan.called` points to. Compiled code passes no exception on: an error is kept, commands are
+    zero from then on, and `check` raises it after the run."""
 
     def __init__(self, controller: Controller, at: Rows) -> None:
         self._copies = [copy.deepcopy(controller) for _ in range(LANES)]
         self._reading = slice(at.reading, at.reading + len(controller.spec.reads))
         self._rows = max(at.reading + len(controller.spec.reads), COMMAND + 2, REFERENCE + 6)
-        self._wrong: Exception | None = None
+        self._error: Exception | None = None
         self._function: Any = _CALLED(self._decide)
         self.address = int(ctypes.cast(self._function, ctypes.c_void_p).value or 0)
 
     def check(self) -> None:
-        """Raise what went wrong in a controller."""
-        if self._wrong:
-            raise self._wrong
+        """Raise the error of a controller, if there was one."""
+        if self._error:
+            raise self._error
 
     def _decide(self, block: int, count: int, k: int) -> None:
         numbers = (ctypes.c_double * (self._rows * ROW)).from_address(block)
         w: Array = np.ctypeslib.as_array(numbers).reshape(self._rows, ROW)[:, :count]
         try:
-            if not self._wrong:
+            if not self._error:
                 self._command(w, k)
         except Exception as error:  # a compiled caller would print it and go on
-            self._wrong = error
-        if self._wrong:
+            self._error = error
+        if self._error:
             w[COMMAND : COMMAND + 2] = 0.0
 
     def _command(self, w: Array, k: int) -> None:

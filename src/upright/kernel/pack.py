@@ -1,4 +1,4 @@
-"""From a batch to the arrays of the compiled loop: what all robots share in one column, what differs in a table."""
+"""From a batch to the arrays of the compiled loop: one column of common numbers, and a table of those that differ."""
 
 from __future__ import annotations
 
@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.compiled import generated as g
+from upright.control.linear_controller import LinearController
 from upright.errors import SpecMismatch
 from upright.kernel import rows as b
-from upright.kernel.batch import NAMES, FleetBatch, Gains
+from upright.kernel.batch import NAMES, FleetBatch
 from upright.kernel.kit import KitTables
 from upright.kernel.rows import Rows
 from upright.signals import STATE_NAMES
@@ -23,7 +24,7 @@ Whole = NDArray[np.int64]
 _SAME_TIME = 1e-9  # [s] as in `experiment.pushes`
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, kw_only=True)
 class Packed:
     """`common` (r,) holds each row of a block as all robots have it; `rows` (v,) are overwritten by the rows of
     `table` (v, n). `truth`, `sensors`, `command` and `memory` are those of `run.entry`."""
@@ -39,7 +40,7 @@ class Packed:
 
 
 class _Block:
-    """Rows of a block handed out one after another, and what stands in them at first."""
+    """Rows of a block, taken one after another, and their initial values."""
 
     def __init__(self) -> None:
         self.end = 0
@@ -67,8 +68,8 @@ class _Block:
 
 
 def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
-    """All that `batch` says, in the form in which blocks are filled."""
-    gains, block = batch.gains, _Block()
+    """The batch in the form from which blocks are filled."""
+    controller, block = batch.form, _Block()
     block.take(6, batch.start)
     block.take(2, np.array([[h, 0.0]]))
     block.take(6, np.array([[0.0, 0.0, 0.0, 0.0, 0.0, 1.0]]))  # nothing commanded, no push, a level floor
@@ -76,24 +77,27 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
     block.take(g.WORK_ROWS)
     block.take(b.KIT_SIZE, kit.motor)
     block.take(b.COUNTED, np.where(np.arange(b.COUNTS, b.REFERENCE) == b.OUTSIDE, -1.0, 0.0)[None])
-    block.take(b.LATE - b.REFERENCE)
-    block.take(3, kit.late.astype(np.float64))
+    block.take(b.DEAD_TIME - b.REFERENCE)
+    block.take(3, kit.dead_time.astype(np.float64))
     block.take(b.FLOOR - b.NOISE)
     block.take(3, _floor(batch))
     assert block.end == b.FIXED, f"{block.end} rows are packed where the layout of `rows` has {b.FIXED}"
-    pushes, ramps, memories = pushes_of(batch), _ramps(batch), gains.A.shape[1]
-    slots = int(kit.late[:, 0].max()) + 4 if kit.late.any() else 0
+    pushes, ramps, memories = pushes_of(batch), _ramps(batch), len(controller.A)
+    slots = int(kit.dead_time[:, 0].max()) + 4 if kit.dead_time.any() else 0
     at = Rows(
         pushes=block.take(pushes.shape[1], pushes), push_count=pushes.shape[1] // 4,
         ramps=block.take(ramps.shape[1], ramps), ramp_count=ramps.shape[1] // 4,
-        reading=block.take(len(gains.reads)), memory=block.take(2 * memories), memory_count=memories,
+        reading=block.take(len(controller.reads)), memory=block.take(2 * memories), memory_count=memories,
         ring=block.take(2 * slots), slots=slots,
     )  # fmt: skip
-    sensors = _sensors(gains, kit, at, block)
-    command, memory = _gains(gains, at, block)
+    sensors = _sensors(controller, kit, at, block)
+    command, memory = _gains(batch.linear, at, block)
     common, rows, table = block.pack(dtype)
-    truth = [(g.PITCH + _state(name), at.reading + i) for i, name in enumerate(gains.reads) if "truth/" in name]
-    return Packed(at, common, rows, table, np.array(truth, dtype=np.int64).reshape(-1, 2), sensors, command, memory)
+    truth = [(g.PITCH + _state(name), at.reading + i) for i, name in enumerate(controller.reads) if "truth/" in name]
+    return Packed(
+        at=at, common=common, rows=rows, table=table, truth=np.array(truth, dtype=np.int64).reshape(-1, 2),
+        sensors=sensors, command=command, memory=memory,
+    )  # fmt: skip
 
 
 def constants(batch: FleetBatch) -> Array:
@@ -142,37 +146,37 @@ def _step(t: Array, period: float) -> Array:
     return np.ceil((t - _SAME_TIME) / period)
 
 
-def _sensors(gains: Gains, kit: KitTables, at: Rows, block: _Block) -> Whole:
+def _sensors(controller: LinearController, kit: KitTables, at: Rows, block: _Block) -> Whole:
     """The table of sensors of `run.entry`, their rows taken from the block."""
-    readings = [at.reading + i for i, name in enumerate(gains.reads) if name.startswith("sensor/")]
+    readings = [at.reading + i for i, name in enumerate(controller.reads) if name.startswith("sensor/")]
     table = list[tuple[int, ...]]()
-    for s, (reading, (kind, late, every)) in enumerate(zip(readings, kit.times.tolist(), strict=True)):
-        places = late // every + 3
+    for s, (reading, (kind, delay, every)) in enumerate(zip(readings, kit.times.tolist(), strict=True)):
+        places = delay // every + 3
         row = block.take(b.SENSOR_SIZE, kit.sensor[:, s])
         block.take(b.S_LINE - b.SENSOR_SIZE + places)
         play = int(kit.sensor[:, s, b.S_PLAY].any())
         random = ((b.S_NOISE, b.LOUD_NOISE), (b.S_WALK, b.LOUD_WALK), (b.S_BIAS, b.LOUD_BIAS))
         loud = sum(sign for column, sign in random if kit.sensor[:, s, column].any())
-        table.append((kind, late, every, row, places, reading, play, loud))
+        table.append((kind, delay, every, row, places, reading, play, loud))
     return np.array(table, dtype=np.int64).reshape(-1, b.SENSOR_COLUMNS)
 
 
-def _gains(gains: Gains, at: Rows, block: _Block) -> tuple[Whole, Whole]:
-    """Groups of what is not zero in [z, y, r] → u and [z, y, r, a] → z⁺, as `block.apply_gains` wants them."""
-    rows = [at.memory + i for i in range(at.memory_count)] + [at.reading + i for i in range(len(gains.reads))]
-    rows += [b.REFERENCE + i for i in range(6 if at.ramp_count else 0)]
-    wanted = slice(None) if at.ramp_count else slice(0)
-    command = np.concatenate([gains.C, gains.Dy, gains.Dr[..., wanted]], axis=2)
+def _gains(linear: Sequence[LinearController], at: Rows, block: _Block) -> tuple[Whole, Whole]:
+    """Groups of what is not zero in [z, y, r] → u and [z, y, r, a] → z⁺, as `block.apply_gains` takes them."""
+    referred = 6 if at.ramp_count else 0  # a reference that is zero all the time takes no products
+    rows = [at.memory + i for i in range(at.memory_count)] + [at.reading + i for i in range(len(linear[0].reads))]
+    rows += [b.REFERENCE + i for i in range(referred)]
+    command = np.stack([np.hstack([c.C, c.Dy, c.Dr[:, :referred]]) for c in linear])
     nothing = block.take(1)
     commands = _groups(command, rows, nothing, block)
     if at.memory_count == 0:
         return commands, commands[:0]
-    memory = np.concatenate([gains.A, gains.By, gains.Br[..., wanted], gains.Ba], axis=2)
+    memory = np.stack([np.hstack([c.A, c.By, c.Br[:, :referred], c.Ba]) for c in linear])
     return commands, _groups(memory, [*rows, g.LEFT, g.RIGHT], nothing, block)
 
 
 def _groups(matrix: Array, rows: Sequence[int], nothing: int, block: _Block) -> Whole:
-    """(groups, GROUP_COLUMNS); row `nothing` of the block, which is zero, is the gain where a group has none."""
+    """(groups, GROUP_COLUMNS); the gain of an unused place of a group is row `nothing` of the block, which is zero."""
     to, sources = np.nonzero(matrix.any(axis=0) if len(matrix) > 1 else matrix[0])
     first = block.take(len(to), matrix[:, to, sources]) if len(to) else nothing
     pairs: list[list[tuple[int, int]]] = [[] for _ in range(matrix.shape[1])]
@@ -193,19 +197,15 @@ def _state(name: str) -> int:
     return names.index(name)
 
 
-def recorded(channels: Sequence[str], at: Rows, gains: Gains) -> tuple[Whole, Whole, tuple[str, ...]]:
-    """Rows to be recorded at the start and at the end of a period, and the channels in that order."""
+def recorded(channels: Sequence[str], at: Rows, controller: LinearController) -> tuple[Whole, Whole]:
+    """Rows to be recorded at the start and at the end of a period."""
     start = {f"truth/{name}": g.PITCH + i for i, name in enumerate(STATE_NAMES)}
     start |= {f"reference/{name}": b.REFERENCE + i for i, name in enumerate(STATE_NAMES)}
     start |= {"command/left": b.COMMAND, "command/right": b.COMMAND + 1}
-    start |= {name: at.reading + i for i, name in enumerate(gains.reads) if name.startswith("sensor/")}
+    start |= {name: at.reading + i for i, name in enumerate(controller.reads) if name.startswith("sensor/")}
     end = {"applied/left": g.LEFT, "applied/right": g.RIGHT, "push/force": g.FORCE}
     for name in channels:
         if name not in start | end:
             raise SpecMismatch(f"no channel '{name}' in this fleet", expected="some of " + ", ".join(start | end))
-    before = [name for name in channels if name in start]
-    after = [name for name in channels if name in end]
-    rows = [
-        np.array([table[name] for name in names], dtype=np.int64) for names, table in ((before, start), (after, end))
-    ]
-    return rows[0], rows[1], (*before, *after)
+    before, after = ([table[name] for name in channels if name in table] for table in (start, end))
+    return np.array(before, dtype=np.int64), np.array(after, dtype=np.int64)

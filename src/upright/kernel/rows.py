@@ -1,4 +1,4 @@
-"""The layout of a block and of its plan: names for numbers, shared by what fills blocks and what runs them.
+"""The layout of a block and of its plan: names of row numbers, common to packing and to the compiled loop.
 
 A block is one array of rows; each row holds one number for each of up to `LANES` robots, and rows start `ROW` apart.
 """
@@ -13,37 +13,37 @@ FOR_NOISE, FOR_WALK, FOR_BIAS, JITTER = 0, 2, 4, 6  # purposes of random numbers
 NEVER = 1 << 60  # [steps] longer than any run
 
 S_QUANTUM, S_NOISE, S_BIAS, S_WALK, S_RANGE, S_PLAY, SENSOR_SIZE = range(7)  # numbers of a sensor, and after them:
-S_OFFSET, S_SAID, S_TOUCH, S_WHEEL, S_LINE = range(
+S_OFFSET, S_VALUE, S_TOUCH, S_WHEEL, S_LINE = range(
     SENSOR_SIZE, SENSOR_SIZE + 5
 )  # offset, reading, encoder, wheel, delay line
 ENCODER_LEFT, ENCODER_RIGHT, GYRO, COMPASS, ACCEL_FORWARD, ACCEL_UP = range(6)  # kinds of sensors
-S_KIND, S_LATE, S_EVERY, S_ROW, S_PLACES, S_READING, S_SLACK, S_LOUD, SENSOR_COLUMNS = range(9)
+S_KIND, S_DELAY, S_EVERY, S_ROW, S_PLACES, S_READING, S_SLACK, S_LOUD, SENSOR_COLUMNS = range(9)
 """Columns of the table of sensors: kind, delay and period [steps], first row, places in the delay line, row of the
-reading, whether it has play, and the sum of what is random about it:"""
+reading, 1 for backlash, and the sum of its random parts:"""
 LOUD_NOISE, LOUD_WALK, LOUD_BIAS = 1, 2, 4
 G_TO, G_FRESH, G_FIRST, AT_ONCE = 0, 1, 2, 4
 GROUP_COLUMNS = G_FIRST + 2 * AT_ONCE
-"""Columns of a table of gains: the row of a result, 1 where its sum begins, then `AT_ONCE` pairs of a row and of its
-gain's row. A sum is made four products at a time, since storing it takes longer than the products."""
+"""Columns of a table of gains: the row of the sum, 1 where the sum begins, then `AT_ONCE` pairs of a row and the row of
+its gain. A sum grows by four products at a time, since storing it takes longer than the products."""
 
 
 KIT = WORK + WORK_ROWS  # rows that every block has, after those of the motion
 LIMIT, DEAD_ZONE, QUANTUM, VOLTAGE, SAG, COUNTS = range(KIT, KIT + 6)  # numbers of a kit; then what is counted:
 PEAK_PITCH, PEAK_WHEEL, PEAK_YAW, OUTSIDE, EFFORT, SATURATED, SQUARE, REFERENCE = range(COUNTS, COUNTS + 8)
 KIT_SIZE, COUNTED = COUNTS - KIT, REFERENCE - COUNTS
-COMMAND = REFERENCE + 6  # 2: asked for; the reference has 6
-DRIVEN = COMMAND + 2  # 2: what the electronics make of it
+COMMAND = REFERENCE + 6  # 2: of the controller; the reference has 6
+DRIVEN = COMMAND + 2  # 2: after the electronics
 HOLD = DRIVEN + 2  # 8: see `block.arrive`
-LATE = HOLD + 8  # 3: see `block.arrive`
-NOISE = LATE + 3  # 6: one for each kind of sensor
+DEAD_TIME = HOLD + 8  # 3: see `block.arrive`
+NOISE = DEAD_TIME + 3  # 6: one for each kind of sensor
 WALK = NOISE + 6  # 6
-FELT = WALK + 6  # 2: accelerometer
-FLOOR = FELT + 2  # 3: see `block.tilt`
+SPECIFIC_FORCE = WALK + 6  # 2: accelerometer
+FLOOR = SPECIFIC_FORCE + 2  # 3: see `block.tilt`
 FIXED = FLOOR + 3  # rows that every block has; those of `Rows` come after them
 
 
 class Rows(NamedTuple):
-    """Where the rows start whose number varies, and how many there are."""
+    """First rows and lengths of the parts of a block whose length depends on the batch."""
 
     pushes: int  # 4 each
     push_count: int
@@ -57,7 +57,7 @@ class Rows(NamedTuple):
 
 
 class Plan(NamedTuple):
-    """Times that all robots share, and the compiled functions that suit them."""
+    """Times common to all robots, and the addresses of the compiled functions that move them."""
 
     periods: int
     stride: int  # steps of a body in a period
@@ -65,15 +65,15 @@ class Plan(NamedTuple):
     every: int  # periods from one recorded row to the next, 0: none
     own_gains: int  # 1: each robot has its own controller
     slope: int  # 1: some floor slopes
-    alike: int  # 1: every command is equally late for all robots
+    alike: int  # 1: all robots have the same dead time, without jitter
     advance: int  # address of `advance_…`
-    feel: int  # address of `specific_force_…`, 0 where no accelerometer is read
+    accelerometer: int  # address of `specific_force_…`, 0 where no accelerometer is read
     called: int  # address of the controller that is called instead of gains (see `lanes`), 0: none
     seed: int  # its 64 bits as a signed number
 
 
 class Sizes(NamedTuple):
-    """How long the tables are that the compiled loop gets."""
+    """Lengths of the tables of the compiled loop."""
 
     robots: int
     all_rows: int  # of a block
@@ -88,19 +88,19 @@ class Sizes(NamedTuple):
 
 
 class Times(NamedTuple):
-    """Numbers of the plan that are not whole."""
+    """Real numbers of the plan."""
 
     step: float  # [s] of a body
-    h_step: float  # [s] of Runge and Kutta
+    h_step: float  # [s] of Runge-Kutta
     fallen_at: float  # [rad]
 
 
 PUSHES, PUSH_COUNT, RAMPS, RAMP_COUNT, READING, MEMORY, MEMORY_COUNT, RING, SLOTS = range(9)
-PERIODS, STRIDE, SUBSTEPS, EVERY, OWN_GAINS, SLOPE, ALIKE, ADVANCE, FEEL, CALLED, SEED = range(9, 20)
+PERIODS, STRIDE, SUBSTEPS, EVERY, OWN_GAINS, SLOPE, ALIKE, ADVANCE, ACCELEROMETER, CALLED, SEED = range(9, 20)
 ROBOTS, ALL_ROWS, OWN, HELD, TRUTHS, SENSORS, COMMANDS, MEMORIES, BEFORE, AFTER = range(20, 30)
 """Places of the fields of `Rows`, `Plan` and `Sizes` in the one array that compiled functions get."""
 STEP, H_STEP, FALLEN_AT = range(3)
-"""Places of those of `Times`."""
+"""Places of the fields of `Times`."""
 
 _NAMED = ((*Rows._fields, *Plan._fields, *Sizes._fields), Times._fields)
 if wrong := [name for names in _NAMED for place, name in enumerate(names) if globals()[name.upper()] != place]:

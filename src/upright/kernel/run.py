@@ -1,6 +1,7 @@
 """The loop over time for one block of robots after another: the compiled counterpart of `experiment.run`.
 
-Tables are plain addresses here, read by `item`: they are quicker to compile, and to hand on, than arrays.
+Tables are plain addresses here, read by `item`: they are quicker to compile, and to pass on, than arrays. Functions
+here and in `block` take all arguments by position, however many, since compiled code has no keyword-only ones.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from upright.compiled.jit import call_on_block, call_to_move, get, item, njit, p
 from upright.compiled.random import fill_normals
 from upright.kernel import block as b
 from upright.kernel.rows import (
+    ACCELEROMETER,
     ADVANCE,
     AFTER,
     ALIKE,
@@ -24,8 +26,6 @@ from upright.kernel.rows import (
     DRIVEN,
     EVERY,
     FALLEN_AT,
-    FEEL,
-    FELT,
     FOR_BIAS,
     FOR_NOISE,
     FOR_WALK,
@@ -47,24 +47,25 @@ from upright.kernel.rows import (
     RAMPS,
     RING,
     S_BIAS,
+    S_DELAY,
     S_EVERY,
     S_KIND,
-    S_LATE,
     S_LINE,
     S_LOUD,
     S_OFFSET,
     S_PLACES,
     S_READING,
     S_ROW,
-    S_SAID,
     S_SLACK,
     S_TOUCH,
+    S_VALUE,
     S_WHEEL,
     SEED,
     SENSOR_COLUMNS,
     SENSORS,
     SLOPE,
     SLOTS,
+    SPECIFIC_FORCE,
     STEP,
     STRIDE,
     SUBSTEPS,
@@ -83,9 +84,9 @@ def draw(w: Any, count: int, plan: Any, index: Any, first: int, k: int, purpose:
 
 @njit
 def sense_first(w: Any, count: int, plan: Any, sensors: Any, index: Any, first: int) -> None:
-    """Sensors at rest since ever: what is on its way is the first reading; offsets are drawn."""
-    if item(plan, FEEL) != 0:
-        call_on_block(item(plan, FEEL), w, count, FELT)
+    """Sensors of a robot that has been at rest: delay lines are full of the first reading; offsets are drawn."""
+    if item(plan, ACCELEROMETER) != 0:
+        call_on_block(item(plan, ACCELEROMETER), w, count, SPECIFIC_FORCE)
     for s in range(item(plan, SENSORS)):
         t = s * SENSOR_COLUMNS
         kind, row = item(sensors, t + S_KIND), item(sensors, t + S_ROW)
@@ -100,34 +101,34 @@ def sense_first(w: Any, count: int, plan: Any, sensors: Any, index: Any, first: 
 
 @njit
 def sense_all(w: Any, count: int, plan: Any, sensors: Any, now: int) -> int:
-    """At body step `now`: every sensor takes in what will be read at a period's start; returns the next such step."""
-    if item(plan, FEEL) != 0 and now > 0:
-        call_on_block(item(plan, FEEL), w, count, FELT)
+    """At body step `now`: every sensor that is read at a period's start samples; returns the next such step."""
+    if item(plan, ACCELEROMETER) != 0 and now > 0:
+        call_on_block(item(plan, ACCELEROMETER), w, count, SPECIFIC_FORCE)
     stride, following = item(plan, STRIDE), NEVER
     for s in range(item(plan, SENSORS)):
         t = s * SENSOR_COLUMNS
         kind, row = item(sensors, t + S_KIND), item(sensors, t + S_ROW)
-        every, late = item(sensors, t + S_EVERY), item(sensors, t + S_LATE)
-        fresh = now + late
-        wanted = fresh % every == 0 and -(-fresh // stride) * stride < fresh + every
+        every, delay = item(sensors, t + S_EVERY), item(sensors, t + S_DELAY)
+        fresh = now + delay
+        sampled = fresh % every == 0 and -(-fresh // stride) * stride < fresh + every
         slack = item(sensors, t + S_SLACK) != 0
         if slack and now > 0:
             b.sense(w, count, kind, row + S_WHEEL)
             b.slacken(w, count, row)
-        elif wanted:
+        elif sampled:
             b.sense(w, count, kind, row + S_TOUCH)
-        if wanted:
+        if sampled:
             b.copy(w, row + S_LINE + (fresh // every) % item(sensors, t + S_PLACES), row + S_TOUCH, count)
         fresh = (fresh // every + 1) * every
         while -(-fresh // stride) * stride >= fresh + every:
             fresh += every
-        following = min(following, now + 1 if slack else fresh - late)
+        following = min(following, now + 1 if slack else fresh - delay)
     return following
 
 
 @njit
 def read(w: Any, count: int, plan: Any, times: Any, sensors: Any, index: Any, first: int, k: int) -> None:
-    """Rows `reading`: what the sensors say at the start of period `k`; one without a fresh value holds its last."""
+    """Rows `reading`: the readings at the start of period `k`; a sensor without a new sample holds its last reading."""
     stride, drawn = item(plan, STRIDE), 0
     now = k * stride
     for s in range(item(plan, SENSORS)):
@@ -136,20 +137,20 @@ def read(w: Any, count: int, plan: Any, times: Any, sensors: Any, index: Any, fi
         if k > 0 and now // every == (now - stride) // every:
             continue
         loud, pair = item(sensors, t + S_LOUD), kind // 2
-        for wanted, purpose in ((LOUD_NOISE, FOR_NOISE), (LOUD_WALK, FOR_WALK)):
+        for part, purpose in ((LOUD_NOISE, FOR_NOISE), (LOUD_WALK, FOR_WALK)):
             done = 1 << (2 * pair + (purpose == FOR_WALK))
-            if loud & wanted and not drawn & done:
+            if loud & part and not drawn & done:
                 drawn |= done
                 draw(w, count, plan, index, first, k, purpose, pair)
         passed = max(every, stride) if k > 0 else every
         value = row + S_LINE + (now // every) % item(sensors, t + S_PLACES)
         b.corrupt(w, count, value, row, kind, (passed * item(times, STEP)) ** 0.5)
-        b.copy(w, item(sensors, t + S_READING), row + S_SAID, count)
+        b.copy(w, item(sensors, t + S_READING), row + S_VALUE, count)
 
 
 @njit
 def decide(w: Any, count: int, plan: Any, times: Any, gains: Any, index: Any, first: int, k: int) -> int:
-    """The command of period `k`, on its way to the motors; returns the last step of the period at which one arrives."""
+    """The command of period `k`, into the delay line; returns the last of its steps at which a command arrives."""
     if item(plan, RAMP_COUNT) > 0:
         t = k * item(plan, STRIDE) * item(times, STEP)
         b.refer(w, count, item(plan, RAMPS), item(plan, RAMP_COUNT), t)
@@ -195,7 +196,7 @@ def move(
 ) -> Any:  # fmt: skip
     """The bodies' steps of the period that begins at step `begin`, whose last command arrives `last` steps later.
 
-    Returns when sensors next take something in, and when push and floor next change.
+    Returns the steps of the next sample, the next change of a push, and the next change of the slope.
     """
     substeps, h, fallen = item(plan, SUBSTEPS), item(times, H_STEP), item(times, FALLEN_AT)
     for s in range(item(plan, STRIDE)):
@@ -218,7 +219,7 @@ def entry(
     truth: Any, sensors: Any, command: Any, memory: Any, bands: Any, before: Any, after: Any,
     final: Any, lived: Any, counted: Any, trace: Any,
 ) -> None:  # fmt: skip
-    """Robots from `start` to before `stop`, `LANES` at a time, in the working memory `w`; results in the last four.
+    """Robots from `start` to `stop` − 1, `LANES` at a time, in the working memory `w`; the last four are results.
 
     `plan` holds the fields of `Rows`, `Plan` and `Sizes`, `times` those of `Times`. `truth` (·, 2): row of a state and
     of its reading; `sensors` (·, SENSOR_COLUMNS); `command` and `memory`: see `b.apply_gains`.

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from upright.compiled.generated import LANES
 from upright.control import Controller
 from upright.errors import InvalidScenario, SpecMismatch
-from upright.kernel.batch import NAMES, FleetBatch, FleetResult, Rows
+from upright.kernel.batch import NAMES, FleetBatch, FleetResult, Selection
 from upright.kernel.work import Order, Outcome, run_piece
 from upright.physics.dynamics import derivative
 from upright.physics.integrate import substeps
@@ -34,7 +34,7 @@ _TINY = 1e-100
 PIECE = 8192
 """Most robots whose tables are made at once: few enough to stay near the processor, and to bound the memory."""
 
-_SHARES = 8  # pieces for each thread, so that one whose robots fall early leaves its thread more
+_PARTS = 8  # pieces for each thread: where robots fall early, their thread takes another piece
 
 VARIANTS = ("smooth", "coulomb", "slope", "coulomb_slope")
 
@@ -55,22 +55,23 @@ def simulate(
     `channels` are recorded every `record` periods (0: not at all): truth/…, reference/…, command/…, applied/…,
     push/force and the sensor/… that the controller reads. `bands` are |pitch|, |wheel|, |yaw| [rad] inside
     which a robot counts as settled. `dtype` is float64 or float32; `threads` is by default the number of processors.
-    The controller `called` decides in place of the batch's gains, which are then `Gains.silent`: any controller, in
+    The controller `called` acts in place of the batch's own, which is then `batch.silent(called)`: any controller, in
     Python for one robot after another, in float64 and one thread.
 
-    Raises `InvalidScenario` for times that make no sense, `SpecMismatch` for channels that are not there.
+    Raises `InvalidScenario` for an impossible time, `SpecMismatch` for unknown channels and periods that do not fit.
     """
-    stride, periods = _times(batch.period, batch.gains.period, seconds)
+    stride, periods = _times(batch.period, batch.form.period, seconds)
     steps = batch.substeps or substeps_for(batch.parameters, batch.model, batch.period)
     order = Order(
-        periods, stride, steps, record, tuple(channels if record else ()), tuple(bands), np.dtype(dtype), called
-    )
+        periods=periods, stride=stride, substeps=steps, record=record, channels=tuple(channels if record else ()),
+        bands=tuple(bands), dtype=np.dtype(dtype), called=called,
+    )  # fmt: skip
     out = Outcome.room(batch.n, order)
     workers = 1 if called else max(1, threads or os.cpu_count() or 1)
     pieces = _pieces(batch, workers)
     alone = min(workers, len(pieces)) == 1 or batch.n <= PIECE
 
-    def work(piece: tuple[str, Rows]) -> None:
+    def work(piece: tuple[str, Selection]) -> None:
         run_piece(batch, piece[1], piece[0], order, out, workers if alone else 1)
 
     if alone:
@@ -82,18 +83,18 @@ def simulate(
     return out.result(order, batch.period)
 
 
-def _pieces(batch: FleetBatch, workers: int) -> list[tuple[str, Rows]]:
-    """Robots that go together, and the step that moves them: no robot gets what only another one needs, so that its
-    arithmetic does not depend on its company."""
-    share = max(PIECE // _SHARES, batch.n // (_SHARES * workers))
-    size = batch.n if batch.n <= PIECE else min(PIECE, -(-share // LANES) * LANES)
+def _pieces(batch: FleetBatch, workers: int) -> list[tuple[str, Selection]]:
+    """Robots with the same terms in their equations, and the variant of the step for them: the arithmetic of a robot
+    does not depend on the others."""
+    even = max(PIECE // _PARTS, batch.n // (_PARTS * workers))
+    size = batch.n if batch.n <= PIECE else min(PIECE, -(-even // LANES) * LANES)
     rough = batch.parameters[:, NAMES.index("coulomb_friction")] != 0
     kinds = rough + 2 * (batch.slope[:, 0] != 0)
     if len(kinds) == 1 or (kinds == kinds[0]).all():
         starts = range(0, batch.n, size)
         return [(VARIANTS[int(kinds[0])], slice(start, min(batch.n, start + size))) for start in starts]
-    found = [(VARIANTS[k], np.flatnonzero(kinds == k)) for k in np.unique(kinds).tolist()]
-    return [(name, rows[start : start + size]) for name, rows in found for start in range(0, len(rows), size)]
+    groups = [(VARIANTS[k], np.flatnonzero(kinds == k)) for k in np.unique(kinds).tolist()]
+    return [(name, rows[start : start + size]) for name, rows in groups for start in range(0, len(rows), size)]
 
 
 def substeps_for(parameters: Array, model: str | Sequence[str], period: float) -> int:

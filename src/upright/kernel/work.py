@@ -1,8 +1,9 @@
-"""One piece of a batch through the compiled loop: its tables made, its blocks shared out, its outcome written."""
+"""One piece of a batch through the compiled loop: makes its tables, distributes its blocks, writes its results."""
 
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -13,20 +14,21 @@ from upright.bodies.body import FALLEN
 from upright.compiled.generated import LANES, ROW
 from upright.control import Controller
 from upright.kernel import rows as b
-from upright.kernel.batch import FleetBatch, FleetResult, Rows
+from upright.kernel.batch import FleetBatch, FleetResult, Selection
 from upright.kernel.kit import kit_tables
 from upright.kernel.lanes import Lanes
 from upright.kernel.pack import Packed, pack, recorded
 from upright.kernel.rows import Plan, Sizes, Times
 from upright.kernel.store import address_of, call
 
-_SHARES = 8  # shares of the work for each thread, so that one that falls early leaves its thread more
+_PARTS = 8  # parts of the work for each thread: where robots fall early, their thread takes another part
 
 MOTION = "compiled.generated_motion"
 
 
-class Order(NamedTuple):
-    """What is asked of all robots."""
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Order:
+    """Settings of a run, the same for all robots."""
 
     periods: int
     stride: int  # steps of a body in a period
@@ -39,7 +41,7 @@ class Order(NamedTuple):
 
 
 class Outcome(NamedTuple):
-    """Where the compiled loop writes."""
+    """Arrays that the compiled loop writes."""
 
     final: NDArray[Any]
     lived: NDArray[Any]
@@ -52,11 +54,11 @@ class Outcome(NamedTuple):
         kept = -(-order.periods // order.record) if order.record else 0
         return cls(final, lived, counted, np.full((n, kept, len(order.channels)), np.nan, order.dtype))
 
-    def part(self, rows: Rows) -> Outcome:
+    def part(self, rows: Selection) -> Outcome:
         """Some robots: a view for a slice, else a copy."""
         return Outcome(*(array[rows] for array in self))
 
-    def take(self, rows: Rows, part: Outcome) -> None:
+    def take(self, rows: Selection, part: Outcome) -> None:
         """Writes back a copied part."""
         for array, values in zip(self, part, strict=True):
             array[rows] = values
@@ -87,11 +89,10 @@ class Outcome(NamedTuple):
 
 def recorded_order(channels: tuple[str, ...]) -> tuple[str, ...]:
     """The channels as they stand in a trace: first those of a period's start, then those of its end."""
-    late = [name for name in channels if name.startswith(("applied/", "push/"))]
-    return (*(name for name in channels if name not in late), *late)
+    return tuple(sorted(channels, key=lambda name: name.startswith(("applied/", "push/"))))
 
 
-def run_piece(batch: FleetBatch, rows: Rows, variant: str, order: Order, out: Outcome, threads: int) -> None:
+def run_piece(batch: FleetBatch, rows: Selection, variant: str, order: Order, out: Outcome, threads: int) -> None:
     """The robots number `rows` of the batch, moved by the step called `variant`, into the same rows of `out`.
 
     Raises `SpecMismatch` for what the kit or the channels do not have, `InvalidScenario` for impossible times.
@@ -101,11 +102,11 @@ def run_piece(batch: FleetBatch, rows: Rows, variant: str, order: Order, out: Ou
     h = batch.period / order.substeps
     kit = kit_tables(piece, order.stride)
     packed = pack(piece, kit, h, order.dtype)
-    before, after, _ = recorded(order.channels, packed.at, piece.gains)
+    before, after = recorded(order.channels, packed.at, piece.form)
     lanes = Lanes(order.called, packed.at) if order.called else None
     plan = Plan(
-        order.periods, order.stride, order.substeps, order.record, int(len(piece.gains.C) > 1),
-        int("slope" in variant), int(len(kit.late) == 1 and not kit.late[0, 2]), *_motion(piece, variant, order.dtype),
+        order.periods, order.stride, order.substeps, order.record, int(len(piece.linear) > 1), int("slope" in variant),
+        int(len(kit.dead_time) == 1 and not kit.dead_time[0, 2]), *_motion(piece, variant, order.dtype),
         lanes.address if lanes else 0, int(np.uint64(batch.seed).astype(np.int64)),
     )  # fmt: skip
     here = out if whole else out.part(rows)
@@ -122,7 +123,7 @@ def _motion(batch: FleetBatch, variant: str, dtype: Any) -> tuple[int, int]:
     number = _name(dtype)
     move = "step" if batch.n == 1 else "advance"
     advance = address_of(MOTION, f"{move}_{variant}", (f"*{number}", "int64", number, number))
-    if not any("accel" in name for name in batch.gains.reads):
+    if not any("accel" in name for name in batch.form.reads):
         return advance, 0
     return advance, address_of(MOTION, f"specific_force_{variant}", (f"*{number}", "int64", "int64"))
 
@@ -130,7 +131,7 @@ def _motion(batch: FleetBatch, variant: str, dtype: Any) -> tuple[int, int]:
 def _run(
     batch: FleetBatch, packed: Packed, plan: Plan, times: Times, rows: tuple[Any, ...], out: Outcome, threads: int
 ) -> None:
-    """Shares the blocks out; each thread has its own working memory, which starts at a cache line."""
+    """Distributes the blocks; each thread has its own working memory, which starts at a cache line."""
     size = len(packed.common)
     entry = _entry(_name(packed.common.dtype))
     index = np.arange(batch.n, dtype=np.uint64) if batch.index is None else np.array(batch.index, dtype=np.uint64)
@@ -143,13 +144,13 @@ def _run(
     )  # fmt: skip
     addresses = [array.ctypes.data for array in arrays]
     blocks = -(-batch.n // LANES)
-    share = LANES * (blocks if threads == 1 else max(1, -(-blocks // (threads * _SHARES))))
+    size_of_part = LANES * (blocks if threads == 1 else max(1, -(-blocks // (threads * _PARTS))))
 
     def work(start: int) -> None:
         memory = _aligned(size * ROW, packed.common.dtype)
-        call(entry, [memory.ctypes.data, start, min(batch.n, start + share), *addresses])
+        call(entry, [memory.ctypes.data, start, min(batch.n, start + size_of_part), *addresses])
 
-    starts = range(0, batch.n, share)
+    starts = range(0, batch.n, size_of_part)
     if len(starts) == 1:
         work(0)
         return
