@@ -27,7 +27,7 @@ from upright.fleet.push_map import PushGrid, largest, push_map
 from upright.fleet.results import labelled, load, origin_of, save, summarise
 from upright.fleet.vary import variation, varied, with_number
 from upright.kernel.batch import parameters_of
-from upright.report.fleet import CIVIDIS, MapFigure, basin_figure, fleet_page, map_page, push_map_figures, shade
+from upright.report.fleet import CIVIDIS, MapFigure, basin_figure, page_of, push_map_figures, shade
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Family, Uncertainty
 
@@ -179,7 +179,7 @@ def test_the_summary_counts_falls_and_leaves_the_fallen_out(results):
     assert summary.fell == int((~stood).sum())
     assert summary.quantiles["travel"][1] == pytest.approx(np.median(results["travel"].values[stood]))
     json.dumps(summary.to_json(), allow_nan=False)
-    page = fleet_page(results, summary).html()
+    page = page_of(results).html()
     assert f"{summary.fell} of 100 robots fell" in page
 
 
@@ -313,9 +313,10 @@ def test_pages_of_maps_are_well_formed(small_map, tmp_path):
     for figure in figures:
         ElementTree.fromstring(figure.svg())
     xr.testing.assert_identical(load(save(data, tmp_path / "map.parquet")), data)  # texts, numbers and truths
-    assert "N s" in map_page(data, figures, "Pushes", "Lead.").html()
+    assert "still stands 3 s later, within 1 %" in page_of(data).html()  # `watch`, and the default tolerance
     cut = basin(bare(seconds=1.0), Axis("pitch", -1.0, 1.0, 5), Axis("wheel", -1, 1, 3))
     ElementTree.fromstring(basin_figure(cut).svg())
+    assert "Standing 1 s later" in page_of(cut).html()
 
 
 # The verbs

@@ -17,7 +17,7 @@ from upright.control.lqr import lqr
 from upright.control.state_space import continuous, controller_of, discrete
 from upright.errors import InvalidModel
 from upright.physics.linear import LinearModel
-from upright.report.analysis import analysis_page
+from upright.report import report
 from upright.robots import Kit, Robot
 
 control = pytest.importorskip("control")
@@ -177,7 +177,7 @@ def test_analysis_says_itself_in_words_numbers_and_a_page(analysis, tmp_path):
     assert "ms more delay" in " ".join(analysis.words())
     assert len(str(analysis).splitlines()) >= 2 + len(analysis.inputs) + len(analysis.outputs)
     assert json.loads(json.dumps(analysis.to_json()))["stable"] is True
-    html = analysis_page(analysis, tmp_path / "a.html").read_text()
+    html = report(analysis, tmp_path / "a.html").read_text()
     for word in ("Bode", "Nyquist", "poles", "ms more delay"):
         assert word in html
 

@@ -5,15 +5,19 @@ from __future__ import annotations
 import math
 import re
 from html.parser import HTMLParser
+from importlib import import_module
 from itertools import pairwise
+from typing import get_args, get_type_hints
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from xarray import Dataset
 
 from upright.comparison import compare
 from upright.errors import InvalidLog, UnknownName, UprightError
 from upright.report import (
+    PAGES,
     Figure,
     Maths,
     Page,
@@ -24,9 +28,9 @@ from upright.report import (
     Table,
     Trace,
     Verdict,
-    comparison_page,
+    page_of,
+    report,
 )
-from upright.report.comparing import page_of
 from upright.report.page import cell_text
 from upright.report.svg import decimate, nice_ticks, tick_texts
 from upright.signals import STATE_NAMES, Log
@@ -93,7 +97,7 @@ def comparison():
 
 
 def test_pages_are_well_formed_and_their_links_lead_to_ids_that_exist_once(comparison):
-    for html in (page().html(), page_of(comparison, "Runs").html()):
+    for html in (page().html(), page_of(comparison).html()):
         parser = Balanced()
         parser.feed(html)
         assert parser.open == []
@@ -102,13 +106,13 @@ def test_pages_are_well_formed_and_their_links_lead_to_ids_that_exist_once(compa
 
 
 def test_pages_fetch_nothing(comparison):
-    for html in (page().html(), page_of(comparison, "Runs").html()):
+    for html in (page().html(), page_of(comparison).html()):
         assert not re.search(r"https?://|//[a-z]+\.[a-z]", re.sub(r'xmlns="[^"]*"', "", html))
         assert not re.search(r"@import|url\((?!#)", html)  # url(#…) points into the drawing itself
 
 
 def test_every_drawing_is_xml_with_a_title_a_description_and_units_on_both_axes(comparison):
-    for html in (page().html(), page_of(comparison, "Runs").html()):
+    for html in (page().html(), page_of(comparison).html()):
         pictures = [root for root in drawings(html) if root.get("role") == "img"]
         assert pictures
         for root in pictures:
@@ -120,7 +124,7 @@ def test_every_drawing_is_xml_with_a_title_a_description_and_units_on_both_axes(
 
 
 def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(comparison):
-    html = page_of(comparison, "Runs").html()
+    html = page_of(comparison).html()
     assert sum(root.get("role") == "img" for root in drawings(html)) == len(STATE_NAMES) + 1
     assert "Pitch settles to 2 %: twin in" in html
     assert ">robot<" not in html
@@ -128,9 +132,24 @@ def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(com
 
 
 def test_the_same_page_is_the_same_bytes(comparison, tmp_path):
-    first, second = (comparison_page(comparison, tmp_path / name) for name in ("a.html", "b.html"))
+    first, second = (report(comparison, tmp_path / name) for name in ("a.html", "b.html"))
     assert first.read_bytes() == second.read_bytes()
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.html", "b.html"]  # no temporary file stays
+
+
+def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(comparison, tmp_path):
+    assert "<title>Runs compared</title>" in page_of(comparison).html()
+    assert "<title>Two &amp; one</title>" in report(comparison, tmp_path / "a.html", title="Two & one").read_text()
+    with pytest.raises(UprightError, match="float has no page; expected a result: Comparison, Calibration") as error:
+        report(1.0, tmp_path / "b.html")
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_every_class_of_the_list_exists_and_its_file_takes_it(name):
+    takes = get_type_hints(import_module(f"upright.report.{PAGES[name]}").page_of, localns={"Dataset": Dataset})
+    given = takes[next(iter(takes))]
+    assert name in {kind.__name__ for kind in (get_args(given) or (given,))}
 
 
 def test_text_is_escaped_wherever_it_stands():
@@ -233,7 +252,7 @@ def test_the_unit_circle_is_round_and_poles_stand_where_they_are():
 def test_a_run_that_dwarfs_the_reference_is_cut_and_named():
     base = run()
     wild = Log(base.t, {**base.channels, "truth/yaw": np.exp(base.t)}, origin=base.origin)
-    html = page_of(compare({"a": base, "wild": wild}), "Runs").html()
+    html = page_of(compare({"a": base, "wild": wild})).html()
     assert "Cut at the frame: wild." in html
     clips = set(re.findall(r'<clipPath id="(\w+)"', html))
     assert clips == set(re.findall(r'clip-path="url\(#(\w+)\)"', html)) != set()

@@ -36,6 +36,7 @@ from .paper.reproduce import reproduce as reproduce
 from .parity.parity import parity as parity
 from .physics.linear import LinearModel as LinearModel
 from .physics.linear import linearise as linearise
+from .report import report as report
 from .robots import Kit as Kit
 from .robots import Robot as Robot
 from .signals import Log as Log

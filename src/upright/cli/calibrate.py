@@ -57,7 +57,7 @@ def calibrate(
     if save:
         write_json(save, result.to_json())
     if report:
-        from upright.report.calibration import calibration_page
+        from upright.report import report as write_report
 
-        calibration_page(result, report)
+        write_report(result, report)
     finish(result, as_json, written=(output, report, save))

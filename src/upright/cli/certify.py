@@ -55,9 +55,9 @@ def certify(
             progress=show,
         )  # fmt: skip
     if report:
-        from upright.report.certificate import certificate_page
+        from upright.report import report as write_report
 
-        certificate_page(certificate, report)
+        write_report(certificate, report)
     finish(certificate, as_json, output=output, written=(report,))
     if certificate.light == "red":
         raise typer.Exit(RED)

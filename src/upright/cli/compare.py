@@ -26,14 +26,14 @@ def compare(
     Prints settling, overshoot, effort and other metrics of each log, and its fit to the reference.
     """
     from upright.comparison import compare as compare_logs
-    from upright.report import comparison_page
+    from upright.report import report as write_report
     from upright.signals import Log
 
     check_targets(output, report)
     comparison = compare_logs(
         {label: Log.load(path) for label, path in _labelled(logs).items()}, reference=reference, release=release
     )
-    page = comparison_page(comparison, report) if report else None
+    page = write_report(comparison, report) if report else None
     finish(comparison, as_json, output=output, written=(page,), **({"report": str(page)} if page else {}))
 
 

@@ -20,7 +20,6 @@ from upright.cli.options import (
     complete_method,
 )
 from upright.cli.output import check_targets, finish, print_json, print_table, progress
-from upright.errors import InvalidController
 
 
 def design(
@@ -45,16 +44,14 @@ def design(
     Prints its inputs, the residual of its equations, and the margins of its loop.
     """
     from upright.certify.design import design as design_controller
+    from upright.report import page_of
 
     check_targets(output, report)
     result = design_controller(method, robot, kit, period=period, posterior=posterior)
-    if report and not result.analysis:
-        raise InvalidController(f"no report: {result.remark}", expected="a controller that is linear near rest")
+    page = page_of(result) if report else None  # before any file is written, so that its failure leaves none
     written = result.save(output) if output else None
-    if report and result.analysis:
-        from upright.report.analysis import analysis_page
-
-        analysis_page(result.analysis, report)
+    if report and page:
+        page.write(report)
     finish(result, as_json, written=(written, report), file=str(written) if written else None)
 
 

@@ -66,7 +66,7 @@ def excite(
             enough=enough, known=known or (), posterior=posterior, samples=samples, seed=seed, progress=show,
         )  # fmt: skip
     if report:
-        from upright.report.excitation import excitation_page
+        from upright.report import report as write_report
 
-        excitation_page(plan, report)
+        write_report(plan, report)
     finish(plan, as_json, output=output, written=(report,))

@@ -44,11 +44,6 @@ def fleet(
     ensemble = asked.ensemble(pushes=pushes, references=references, start=_state(start), seconds=seconds)
     with progress("simulating") as show:
         result = simulate(ensemble, samples, threads=asked.threads, progress=show)
-    if asked.report:
-        from upright.report.fleet import fleet_page
-
-        title = f"{samples} robots like {ensemble.family.robot.name}"
-        fleet_page(result.data, result.summary, title).write(asked.report)
     _show(result.data, str(result), result.to_json(), asked)
 
 
@@ -95,15 +90,6 @@ def push_map(
         data = search(
             ensemble, grid, samples=samples, tolerance=tolerance, watch=watch, threads=asked.threads, progress=show
         )
-    if asked.report:
-        from upright.report.fleet import map_page, push_map_figures
-
-        lead = (
-            f"The largest impulse after which the robot still stands {watch:g} s later, within {100 * tolerance:g} %."
-        )
-        map_page(data, push_map_figures(data), f"Pushes that {ensemble.family.robot.name} survives", lead).write(
-            asked.report
-        )
     text, numbers = _push_map_summary(data)
     _show(data, text, numbers, asked)
 
@@ -132,13 +118,6 @@ def basin(
     ensemble = asked.ensemble(start=_state(start), seconds=seconds)
     with progress("simulating") as show:
         data = cut(ensemble, first, second, samples=samples, threads=asked.threads, progress=show)
-    if asked.report:
-        from upright.report.fleet import basin_figure, map_page
-
-        name = ensemble.family.robot.name
-        map_page(
-            data, [basin_figure(data)], f"States that {name} recovers from", f"Standing {seconds:g} s later."
-        ).write(asked.report)
     recovered = data["recovered"].values
     mean, points = float(recovered.mean()), int(recovered.size)
     text = f"recovers from {100 * mean:.4g} % of {points} states ({first.name} × {second.name})"
@@ -201,6 +180,10 @@ def _show(data: Dataset, text: str, numbers: Any, asked: Asked) -> None:
     from upright.fleet.results import origin_of, save
 
     output, report = asked.output, asked.report
+    if report:
+        from upright.report import report as write_report
+
+        write_report(data, report)
     if output:
         save(data, output)
     if asked.as_json:

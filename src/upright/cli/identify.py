@@ -84,9 +84,9 @@ def identify(
     if model and output:
         model.save(output)
     if comparison and report:
-        from upright.report.identification import identification_page
+        from upright.report import report as write_report
 
-        identification_page(comparison, report)
+        write_report(comparison, report)
     if result := model or comparison:
         finish(result, as_json, written=(output, controller, report))
 

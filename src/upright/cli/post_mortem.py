@@ -47,7 +47,7 @@ def post_mortem(
     with progress("examining the last seconds") as show:
         result = examine(log, robot, kit, controller, mapping=mapping, progress=show)
     if report:
-        from upright.report.postmortem import postmortem_page
+        from upright.report import report as write_report
 
-        postmortem_page(result, report)
+        write_report(result, report)
     finish(result, as_json, output=output, written=(report,))

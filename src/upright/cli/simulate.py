@@ -86,11 +86,11 @@ def _show(log: Log, *, body: str, robot: str, written: Path | None, report: Path
     """Prints the outcome and the metrics of a run, and writes its page."""
     from upright.comparison import compare
     from upright.experiment import outcome_of
-    from upright.report import comparison_page
+    from upright.report import report as write_report
 
     numbers, outcome = compare({body: log}), outcome_of(log)
     if report:
-        comparison_page(numbers, report, title=f"{robot}: {outcome}")
+        write_report(numbers, report, title=f"{robot}: {outcome}")
     if not as_json:
         typer.echo(f"{outcome}\n")
     facts: dict[str, Any] = {"outcome": outcome.to_json(), "origin": log.origin}

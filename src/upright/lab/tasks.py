@@ -150,9 +150,9 @@ def keep_log(report: Report, log: Log, path: Path) -> Path:  # noqa: ARG001
 def keep_report(report: Report, logs: dict[str, Log], path: Path) -> Path:  # noqa: ARG001
     """All bodies compared, as a page."""
     from upright.comparison import compare
-    from upright.report import comparison_page
+    from upright.report import report as write_report
 
-    return comparison_page(compare(logs), path, title="From the lab: runs compared")
+    return write_report(compare(logs), path, title="From the lab: runs compared")
 
 
 def keep_controller(report: Report, setup: Setup, path: Path) -> Path:  # noqa: ARG001

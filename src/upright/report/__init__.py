@@ -1,6 +1,13 @@
-"""Figures and pages from numbers that other rooms computed."""
+"""Figures and pages from numbers that other rooms computed; `report` writes the page of any result."""
 
-from upright.report.comparing import comparison_page as comparison_page
+from __future__ import annotations
+
+from dataclasses import replace
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from upright.errors import UprightError
 from upright.report.figure import Figure as Figure
 from upright.report.figure import Panel as Panel
 from upright.report.figure import PointFigure as PointFigure
@@ -11,3 +18,29 @@ from upright.report.page import Page as Page
 from upright.report.page import Section as Section
 from upright.report.page import Table as Table
 from upright.report.page import Verdict as Verdict
+
+PAGES = {
+    "Comparison": "comparing", "Calibration": "calibration", "MethodComparison": "identification",
+    "ExcitationPlan": "excitation", "Analysis": "analysis", "Designed": "analysis", "Certificate": "certificate",
+    "PostMortem": "postmortem", "Fleet": "fleet", "Dataset": "fleet",
+}  # fmt: skip
+"""Class of a result → the file of this room that has its page."""
+
+
+def report(result: Any, path: str | Path, *, title: str = "") -> Path:
+    """Write the page of a `result` as one self-contained HTML file, and return its path.
+
+    `result` is what a verb returns: a comparison, a calibration, all identified models, an excitation plan, a design or
+    its analysis, a certificate, a post-mortem, a fleet, a push map or a basin. `title` replaces the page's own. Raises
+    `UprightError` for a result without a page, or where the file cannot be written.
+    """
+    page = page_of(result)
+    return (replace(page, title=title) if title else page).write(path)
+
+
+def page_of(result: Any) -> Page:
+    """The page of a result, not yet written."""
+    file = next((PAGES[c.__name__] for c in type(result).__mro__ if c.__name__ in PAGES), None)
+    if file is None:
+        raise UprightError(f"{type(result).__name__} has no page", expected="a result: " + ", ".join(PAGES))
+    return import_module(f"upright.report.{file}").page_of(result)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import numpy as np
 
 from upright.certify.analysis import INPUTS, Analysis, broken
+from upright.certify.design import Designed
 from upright.certify.margins import Margins
+from upright.errors import InvalidController
 from upright.physics.linear import Complex
 from upright.report.figure import Figure, Panel, PointFigure, PointSet, Trace
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict
@@ -17,13 +18,13 @@ NEAR = 3.0
 """The Nyquist curve is drawn up to this distance from the origin, around the critical point."""
 
 
-def analysis_page(analysis: Analysis, path: str | Path) -> Path:
-    """Write the analysis as one self-contained HTML page and return its path."""
-    return page_of(analysis).write(path)
-
-
-def page_of(analysis: Analysis) -> Page:
-    """The analysis' page, not yet written."""
+def page_of(result: Analysis | Designed) -> Page:
+    """The page of an analysis, or of a design's; raises `InvalidController` for a design without one."""
+    if isinstance(result, Designed):
+        if not result.analysis:
+            raise InvalidController(f"no report: {result.remark}", expected="a controller that is linear near rest")
+        return page_of(result.analysis)
+    analysis = result
     verdict = Verdict("stable", "good") if analysis.stable else Verdict("unstable", "warn")
     sections = [Section("Summary", analysis.words(), verdict), Section("Margins", _margins(analysis))]
     if analysis.stable:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from pathlib import Path
 
 import numpy as np
 
@@ -14,11 +13,6 @@ from upright.report.page import Cell, Page, Section, Table, Verdict
 
 STRONG = 0.9
 """Correlations from this size up are listed: only the prior separates such pairs."""
-
-
-def calibration_page(calibration: Calibration, path: str | Path) -> Path:
-    """Write the calibration as one self-contained HTML page and return its path."""
-    return page_of(calibration).write(path)
 
 
 def page_of(calibration: Calibration) -> Page:

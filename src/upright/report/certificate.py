@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 
 from upright.certify.certificate import GREEN, RED, Certificate, LinearMargins
 from upright.certify.checks import Swept
@@ -11,11 +10,6 @@ from upright.report.figure import Figure, Panel, Trace
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict
 
 LEVEL = {GREEN: "good", RED: "warn"}
-
-
-def certificate_page(certificate: Certificate, path: str | Path) -> Path:
-    """Write the certificate as one self-contained HTML page and return its path."""
-    return page_of(certificate).write(path)
 
 
 def page_of(certificate: Certificate) -> Page:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import numpy as np
 
@@ -17,12 +16,7 @@ DWARFED = 5.0
 """A trace that leaves the reference's range by more than this many times its width is cut at the frame."""
 
 
-def comparison_page(comparison: Comparison, path: str | Path, *, title: str = "Runs compared") -> Path:
-    """Write the comparison as one self-contained HTML page and return its path."""
-    return page_of(comparison, title).write(path)
-
-
-def page_of(comparison: Comparison, title: str) -> Page:
+def page_of(comparison: Comparison) -> Page:
     """The comparison's page, not yet written."""
     labels = ", ".join(comparison.logs)
     sections = [
@@ -32,7 +26,7 @@ def page_of(comparison: Comparison, title: str) -> Page:
     commands = _command_figure(comparison)
     sections += [Section("Commands", [commands])] if commands else []
     sections.append(Section("Origin of the runs", [_origin_table(comparison)]))
-    return Page(title, sections, f"The same experiment in {labels}.", _provenance(comparison))
+    return Page("Runs compared", sections, f"The same experiment in {labels}.", _provenance(comparison))
 
 
 def _how(comparison: Comparison) -> str:

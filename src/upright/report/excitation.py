@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -12,11 +10,6 @@ from upright.report.figure import Figure, Panel, Trace
 from upright.report.page import Cell, Page, Section, Table, Verdict
 
 Array = NDArray[np.float64]
-
-
-def excitation_page(plan: ExcitationPlan, path: str | Path) -> Path:
-    """Write the plan as one self-contained HTML page and return its path."""
-    return page_of(plan).write(path)
 
 
 def page_of(plan: ExcitationPlan) -> Page:

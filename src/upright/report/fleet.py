@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.fleet.fleet import Fleet
+from upright.fleet.results import Summary, origin_of, summarise
 from upright.report import svg
 from upright.report.figure import Figure, Key, Panel, Trace
 from upright.report.page import Cell, Page, Section, Table
@@ -19,8 +21,6 @@ from upright.report.svg import Scale
 
 if TYPE_CHECKING:
     from xarray import Dataset
-
-    from upright.fleet.results import Summary
 
 Array = NDArray[np.float64]
 
@@ -198,8 +198,35 @@ def histogram(data: Dataset, name: str, bins: int = 60) -> Figure:
     return Figure(title, [Panel("fraction of robots", "1", [Trace(words, edges, fraction, step=True)])], words, unit)
 
 
-def fleet_page(data: Dataset, summary: Summary, title: str = "A fleet") -> Page:
-    """The page of `upright fleet`."""
+def page_of(result: Fleet | Dataset) -> Page:
+    """The page of a fleet, a push map or a basin, not yet written."""
+    if isinstance(result, Fleet):
+        return _fleet_page(result.data, result.summary)
+    if "impulse" in result:
+        return _push_map_page(result)
+    if "recovered" in result:
+        return _basin_page(result)
+    return _fleet_page(result, summarise(result))
+
+
+def _push_map_page(data: Dataset) -> Page:
+    origin = origin_of(data)
+    search, name = origin["push_map"], origin["robot"]["name"]
+    lead = (
+        f"The largest impulse after which the robot still stands {search['watch']:g} s later, within "
+        f"{100 * search['tolerance']:g} %."
+    )
+    return _map_page(data, push_map_figures(data), f"Pushes that {name} survives", lead)
+
+
+def _basin_page(data: Dataset) -> Page:
+    origin = origin_of(data)
+    title = f"States that {origin['robot']['name']} recovers from"
+    return _map_page(data, [basin_figure(data)], title, f"Standing {origin['scenario']['seconds']:g} s later.")
+
+
+def _fleet_page(data: Dataset, summary: Summary) -> Page:
+    """Falls and quantiles of the robots, with the distribution of each outcome."""
     names = [name for name in summary.quantiles if np.isfinite(data[name].values).any()]
     rows: list[list[Cell]] = [
         [str(data[name].attrs["long_name"]), summary.units[name], *summary.quantiles[name]]
@@ -212,18 +239,16 @@ def fleet_page(data: Dataset, summary: Summary, title: str = "A fleet") -> Page:
         f"{chance.low:.3g} and {chance.high:.3g} (Clopper and Pearson)."
     )
     figures = [histogram(data, name) for name in names]
+    title = f"{summary.n} robots like {origin_of(data)['robot']['name']}"
     return Page(title, [Section("Numbers", [table]), Section("Distributions", figures)], lead, provenance(data), False)
 
 
-def map_page(data: Dataset, figures: Sequence[Any], title: str, lead: str) -> Page:
-    """A page of figures for a push map or a basin."""
+def _map_page(data: Dataset, figures: Sequence[Any], title: str, lead: str) -> Page:
     return Page(title, [Section("Maps", list(figures))], lead, provenance(data), False)
 
 
 def provenance(data: Dataset) -> dict[str, str]:
     """Robot, controller, seed and versions for a page's foot."""
-    from upright.fleet.results import origin_of
-
     origin = origin_of(data)
     controller, versions = origin.get("controller", {}), origin.get("versions", {})
     facts = {

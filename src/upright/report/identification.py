@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import numpy as np
 
@@ -12,11 +11,6 @@ from upright.identify.identify import MethodComparison
 from upright.identify.methods import TITLES
 from upright.report.figure import Figure, Panel, PointFigure, PointSet, Trace
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
-
-
-def identification_page(compared: MethodComparison, path: str | Path) -> Path:
-    """Write the comparison as one self-contained HTML page and return its path."""
-    return page_of(compared).write(path)
 
 
 def page_of(compared: MethodComparison) -> Page:

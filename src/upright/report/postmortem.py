@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import numpy as np
 
@@ -14,11 +13,6 @@ from upright.report.page import Cell, Item, Page, Section, Table, Verdict
 
 SHOWN = 0.02
 """Less likely causes are only in the JSON."""
-
-
-def postmortem_page(result: PostMortem, path: str | Path) -> Path:
-    """Write the post-mortem as one self-contained HTML page and return its path."""
-    return page_of(result).write(path)
 
 
 def page_of(result: PostMortem) -> Page:
