@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import signal
 import subprocess
@@ -15,6 +16,7 @@ import pytest
 from upright.cli.fleet import sweep
 from upright.errors import InvalidScenario, UnknownName, UprightError
 from upright.fleet.campaign import chunk_path, collect, run_campaign
+from upright.fleet.fleet import ensemble_of
 from upright.fleet.sweep import campaign_of, read_campaign
 from upright.fleet.tally import Moments
 
@@ -114,6 +116,22 @@ def test_a_campaign_killed_half_way_goes_on_from_what_is_on_disk(spec, alone, tm
     assert told[-1][1] == 0  # no time is left at the end
     assert files(folder) == files(alone)
     assert all((folder / "chunks" / name).stat().st_mtime_ns == when for name, when in before.items())
+
+
+def test_a_campaign_puts_its_robot_at_the_medians_of_a_posterior_as_a_fleet_does(tmp_path):
+    file = tmp_path / "posterior.json"
+    names, covariance = ["com_height", "body_mass"], [[1e-6, 8e-6], [8e-6, 1e-4]]
+    file.write_text(json.dumps({"parameters": names, "mean": [0.07, 0.6], "covariance": covariance}))
+    table = {"n": 10, "seed": 5, "posterior": "posterior.json"}
+    (case,) = campaign_of(table, tmp_path).cases
+    robot = case.ensemble.family.robot
+    assert (robot.com_height, robot.body_mass) == (0.07, 0.6)
+    # robot, distributions, controller and scenario decide every outcome
+    assert case.ensemble.origin() == ensemble_of("nxtway-gs", posterior=file, seed=5).origin()
+    with pytest.raises(
+        InvalidScenario, match="the posterior draws body_mass"
+    ):  # the drawn mass would replace the grid's
+        campaign_of(table | {"grid": {"body_mass": [0.5, 0.7]}}, tmp_path)
 
 
 def test_a_chunk_cut_off_by_a_crash_is_run_again(spec, alone, tmp_path):

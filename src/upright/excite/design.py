@@ -19,7 +19,7 @@ from upright.excite.loop import Loop
 from upright.excite.plan import ExcitationPlan, Limits
 from upright.excite.search import Progress, Search
 from upright.robots import Kit, Robot, find_kit, find_robot
-from upright.robots.uncertainty import Family, Uncertainty, find_posterior
+from upright.robots.uncertainty import Family, Uncertainty, at_medians
 
 ENOUGH = 1.1
 """Width of the intervals over that of the largest allowed excitation: 1.1 takes a half to a quarter of its energy."""
@@ -53,9 +53,7 @@ def excite(
     if not 1 <= enough < math.inf:
         raise InvalidScenario(f"enough is {enough:g}", expected="1 or a little more")
     show = progress or _unwatched
-    nominal, unknown = find_robot(robot), find_posterior(posterior)
-    if unknown:
-        nominal = unknown.middle(nominal).replace(provenance=nominal.provenance)
+    nominal, unknown = at_medians(find_robot(robot), posterior)
     parts = find_kit(kit or nominal.kit)
     holding = find_controller(controller or "lqg", nominal, parts, parts.period)
     design = Search(Loop(nominal, parts, holding, seconds, seed), limits or Limits(), tuple(known), tuple(focus))

@@ -57,11 +57,11 @@ def basin(
     threads: int | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> Dataset:
-    """The share of `samples` robots that stand `ensemble.seconds` after a start at each point of the two axes.
+    """The fraction of `samples` robots that stand `ensemble.seconds` after a start at each point of the two axes.
 
-    The other states start as the ensemble's `start`. One sample is the nominal robot, so that the share is 0 or 1; more
-    are robots 0 to `samples` − 1 of the family, each with its own noise. `settling` [s] is the median time after which
-    pitch stays in the ensemble's band, NaN where the half of them or more did not.
+    The other states start as the ensemble's `start`. One sample is the nominal robot, so that the fraction is 0 or 1;
+    more are robots 0 to `samples` − 1 of the family, each with its own noise. `settling` [s] is the median time after
+    which pitch stays in the ensemble's band, NaN where half of them or more did not.
     """
     from upright.kernel.simulate import simulate
 
@@ -70,16 +70,16 @@ def basin(
     starts = _starts(ensemble, across, up)
     robots = _robots(ensemble, samples)
     stood, settled = (np.empty((len(starts), samples)) for _ in range(2))
-    share = max(1, _AT_ONCE // samples)
-    for first in range(0, len(starts), share):
-        part = starts[first : first + share]
+    at_once = max(1, _AT_ONCE // samples)
+    for first in range(0, len(starts), at_once):
+        part = starts[first : first + at_once]
         result = simulate(
             _batch(robots, part, samples), ensemble.seconds, bands=(ensemble.band, np.inf, np.inf), threads=threads
         )
-        stood[first : first + share] = ~result.fell.reshape(-1, samples)
-        settled[first : first + share] = result.settled.reshape(-1, samples)
+        stood[first : first + at_once] = ~result.fell.reshape(-1, samples)
+        settled[first : first + at_once] = result.settled.reshape(-1, samples)
         if progress:
-            progress(min(1.0, (first + share) / len(starts)))
+            progress(min(1.0, (first + at_once) / len(starts)))
     return _labelled(ensemble, across, up, stood, settled)
 
 
@@ -112,7 +112,7 @@ def _labelled(ensemble: Ensemble, across: Axis, up: Axis, stood: Array, settled:
     median = np.sort(inner, axis=1)[:, settled.shape[1] // 2]
     units = {signal.name.removeprefix("truth/"): signal.unit for signal in STATE}
     variables: dict[str, Any] = {
-        "recovered": (dims, stood.mean(axis=1).reshape(shape), {"unit": "1", "long_name": "share that recovered"}),
+        "recovered": (dims, stood.mean(axis=1).reshape(shape), {"unit": "1", "long_name": "fraction that recovered"}),
         "settling": (
             dims, np.where(np.isinf(median), np.nan, median).reshape(shape), {"unit": "s", "long_name": "settling time"}
         ),

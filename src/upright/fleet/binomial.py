@@ -1,4 +1,4 @@
-"""What a count of falls says of their probability."""
+"""Confidence intervals of a probability from a count."""
 
 from __future__ import annotations
 
@@ -24,5 +24,5 @@ def clopper_pearson(count: int, n: int, confidence: float = 0.95) -> Interval:
 
 
 def upper_bound(count: int, n: int, confidence: float = 0.95) -> float:
-    """What the true probability stays below: p with P(no more than `count` of `n` | p) = 1 − `confidence`."""
-    return clopper_pearson(count, n, 2 * confidence - 1).high  # one-sided: all of what is left stands above
+    """Upper confidence bound of the true probability: p with P(no more than `count` of `n` | p) = 1 − `confidence`."""
+    return clopper_pearson(count, n, 2 * confidence - 1).high  # one-sided: the whole remainder lies above

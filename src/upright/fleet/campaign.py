@@ -1,7 +1,7 @@
-"""Fleets larger than memory, or than one machine: cut into chunks, run anywhere, resumed from what is on disk.
+"""Fleets larger than memory, or than one machine: cut into chunks, run anywhere, resumed from the chunks on disk.
 
 A chunk's file depends on the campaign alone: every robot draws from its own streams, so that one process, many, or many
-after some were killed write the same bytes. A chunk is there whole or not at all; what is there is not run again.
+of which some were killed write the same bytes. A chunk is on disk whole or not at all, and is not run twice.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Chunk(NamedTuple):
 class Campaign:
     """Cases in chunks of `chunk` robots; `keep` names the columns to be written (empty: all).
 
-    What a robot's parameters were can be drawn again from the seed, so `keep=("fell",)` loses nothing of them.
+    A robot's parameters can be drawn again from the seed, so `keep=("fell",)` loses no information about them.
     """
 
     cases: tuple[Case, ...]
@@ -82,7 +82,7 @@ class Campaign:
                 number += 1
 
     def plan(self) -> dict[str, Any]:
-        """Everything that decides the bytes of the chunks, as JSON."""
+        """Everything that determines the bytes of the chunks, as JSON."""
         cases = [{"labels": dict(c.labels), "n": c.n, "origin": c.ensemble.origin()} for c in self.cases]
         return {"chunk": self.chunk, "keep": list(self.keep), "pyarrow": version("pyarrow"), "cases": cases}
 
@@ -108,7 +108,7 @@ def run_campaign(
     """Run what `folder` lacks of the campaign, and summarise.
 
     `cluster` is a Dask scheduler's address; without one, `workers` processes on this machine (None: one a processor),
-    or with 0 this process alone. `progress(done, total, seconds)` tells the chunks on disk and the time left. Raises
+    or with 0 this process alone. `progress(done, total, seconds)` gets the chunks on disk and the time left. Raises
     `InvalidScenario` where the folder holds another campaign, `UprightError` for a chunk that kills its workers.
     """
     place = Path(folder).expanduser()
@@ -228,7 +228,7 @@ def _fill(stream: Any, data: bytes) -> None:
 
 
 class _Watch:
-    """Counts chunks and foretells the time left from the pace since the start."""
+    """Counts chunks and predicts the remaining time from the pace since the start."""
 
     def __init__(self, total: int, done: int, tell: Callable[[int, int, float], None] | None) -> None:
         self._total, self._done, self._first, self._tell = total, done, done, tell

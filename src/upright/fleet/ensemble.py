@@ -1,4 +1,4 @@
-"""What a fleet is: a family of robots, their controller, and what is done to them. `run` gives any part of it."""
+"""A fleet: a family of robots, their controller, pushes and references. `run` simulates any part of it."""
 
 from __future__ import annotations
 
@@ -35,10 +35,10 @@ OUTCOMES: dict[str, tuple[str, str]] = {
     "settling": ("s", "settling time after the last push"),
     "rms_pitch": ("rad", "RMS pitch"),
     "effort": ("V² s", "effort"),
-    "saturated": ("1", "saturated share"),
+    "saturated": ("1", "saturated fraction"),
     "travel": ("m", "largest distance rolled"),
 }
-"""What is known of each robot afterwards: unit and words. Torque drives have an effort in N² m² s."""
+"""Results of each robot: unit and caption. Torque drives have an effort in N² m² s."""
 
 
 class Programme(NamedTuple):
@@ -111,13 +111,13 @@ class Ensemble:
         return drawn | self._outcomes(result, batch)
 
     def origin(self) -> dict[str, Any]:
-        """What decides the outcome, as JSON: robot, kit, controller and its hash, scenario, seed, versions."""
+        """All that determines the outcomes, as JSON: robot, kit, controller and its hash, scenario, seed, versions."""
         from importlib.metadata import version
 
         family, controller = self.family, self.controller
         kit = asdict(family.kit) if family.kit else None
         scenario = {
-            "push": [_said(p) for p in self.pushes], "reference": [_said(r) for r in self.references],
+            "push": [_entry(p) for p in self.pushes], "reference": [_entry(r) for r in self.references],
             "seconds": self.seconds, "start": list(self.start), "model": self.model, "band": self.band,
             "substeps": self.substeps, "single": self.single,
         }  # fmt: skip
@@ -141,18 +141,18 @@ class Ensemble:
     def _outcomes(self, result: FleetResult, batch: FleetBatch) -> dict[str, Array]:
         released = max([0.0, *(end for p in self.pushes if (end := release(p)) < self.seconds)])
         radius = batch.parameters[:, list(PARAMETERS).index("wheel_radius")]
-        found: Mapping[str, Any] = {
+        outcomes: Mapping[str, Any] = {
             "fell": result.fell, "lived": result.lived, "peak_pitch": result.peak[:, 0],
             "settling": np.maximum(result.settled - released, 0.0), "rms_pitch": result.rms_pitch,
             "effort": result.effort, "saturated": result.saturated, "travel": result.peak[:, 1] * radius,
         }  # fmt: skip
-        return {name: np.asarray(found[name], dtype=np.float64) for name in OUTCOMES}
+        return {name: np.asarray(outcomes[name], dtype=np.float64) for name in OUTCOMES}
 
 
 def tables(pushes: Sequence[Any], references: Sequence[Any], parameters: Array) -> Programme:
     """Pushes, slopes, drives and turns as tables for robots with `parameters` (n, 21); a hold has a force for each.
 
-    Raises `InvalidScenario` for a programme that the kernel does not know, or for slopes from different times.
+    Raises `InvalidScenario` for a push or reference that the kernel does not know, or slopes from different times.
     """
     robots = SimpleNamespace(**dict(zip(PARAMETERS, parameters.T, strict=True)))
     slopes = [p for p in pushes if isinstance(p, Slope)]
@@ -172,7 +172,7 @@ def tables(pushes: Sequence[Any], references: Sequence[Any], parameters: Array) 
 
 
 def release(push: Any) -> float:
-    """When a push ends [s]; 0 for what never does."""
+    """When a push ends [s]; 0 for one that does not end."""
     if isinstance(push, Hold):
         return push.until
     return push.start + push.duration if isinstance(push, Push | Impulse) else 0.0
@@ -198,12 +198,12 @@ def _ramp(reference: Any) -> list[float]:
     raise InvalidScenario(f"a {type(reference).__name__} in a fleet", expected="Drive or Turn")
 
 
-def _said(part: Any) -> dict[str, Any]:
+def _entry(part: Any) -> dict[str, Any]:
     return {"kind": type(part).__name__, **_limited(asdict(part))}
 
 
 def _limited(data: Any) -> Any:
-    """The same without infinities, which JSON does not have and which here mean: no limit."""
+    """The same without infinities, which JSON does not have: an absent number means no limit."""
     if isinstance(data, dict):
         entries = cast(dict[str, Any], data).items()
         return {k: _limited(v) for k, v in entries if not (isinstance(v, float) and not math.isfinite(v))}

@@ -1,4 +1,4 @@
-"""Many robots at once, from names: a fleet's outcomes and what they come to."""
+"""Many robots at once, from names: the outcomes of a fleet and their summary."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from upright.fleet.results import Summary, labelled, summarise
 from upright.fleet.sweep import electronics, find_controller
 from upright.fleet.vary import Vary, varied
 from upright.robots import Kit, Robot, find_robot
-from upright.robots.uncertainty import Family, Uncertainty, find_posterior
+from upright.robots.uncertainty import Family, Uncertainty, at_medians
 from upright.tables import Shown
 
 if TYPE_CHECKING:
@@ -51,11 +51,10 @@ def ensemble_of(
 ) -> Ensemble:
     """Robots like `robot` with `kit` (None: its own), all under one linear `controller`; each may be a name or a file.
 
-    `vary` is what differs from robot to robot: {"com_height": "±10%"}, or "spread". A `posterior` is drawn beside it,
-    and its medians are the robot. `scenario` is that of an `Ensemble`.
+    `vary` are the numbers that differ from robot to robot: {"com_height": "±10%"}, or "spread". A `posterior` is drawn
+    beside them, and its medians replace the robot's numbers. `scenario` is that of an `Ensemble`.
     """
-    nominal, unknown = find_robot(robot), find_posterior(posterior)
-    nominal = unknown.middle(nominal).replace(provenance=nominal.provenance) if unknown else nominal
+    nominal, unknown = at_medians(find_robot(robot), posterior)
     parts = kit if isinstance(kit, Kit) else electronics(kit or nominal.kit)
     family = Family(nominal, parts, varied(vary, nominal, parts, unknown))
     design = find_controller(controller, nominal, parts) if isinstance(controller, str) else controller

@@ -1,8 +1,8 @@
-"""The largest push a robot recovers from, by direction, height and duration, with a band for what is not known of it.
+"""The largest push from which a robot recovers, by direction, height and duration, with a band for its uncertainty.
 
 A robot has *recovered* if it has not fallen (`bodies.body.FALLEN`) `watch` seconds after the push ended. The search
-itself looks only `glance` seconds beyond the push, since who falls does so soon; each impulse found is then tried for
-the whole `watch`, and searched again at full length where that was too hopeful.
+itself runs only until `glance` seconds after the push, since most falls come soon; each result is then tried for the
+whole `watch`, and searched again at full length where the robot fell.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ Stands = Callable[[Array, NDArray[np.int64]], NDArray[np.bool_]]
 
 FORWARD, BACKWARD = 1, -1
 CEILING = 5.0
-"""[m/s] An impulse that would throw the whole robot this fast is as large as any the map looks for."""
+"""[m/s] The largest impulse of the search, as speed of the whole robot in free flight."""
 FLOOR = 1e-3
-"""[m/s] A robot that does not survive an impulse of this speed counts as recovering from none."""
+"""[m/s] The smallest impulse of the search, as such a speed: a robot that it fells recovers from none."""
 
 BAND = (0.025, 0.975)
 
@@ -40,9 +40,9 @@ _LEAP = 16.0  # largest factor between two tries while the bracket grows
 
 
 def largest(stands: Stands, guess: ArrayLike, ceiling: float, floor: float, tolerance: float, factor: float) -> Array:
-    """For each of n searches the largest impulse found to be survived: one `tolerance` (relative) more is not.
+    """For each of n searches the largest impulse that is survived: one `tolerance` (relative) larger is not.
 
-    `stands(impulse, which)` says for searches number `which` whether `impulse` is survived. The bracket grows from
+    `stands(impulse, which)` is True where search number `which` survives `impulse`. The bracket grows from
     `guess` by `factor` and its powers, then halves on a logarithmic scale. The result is `ceiling` where that is
     survived, and 0 where `floor` is not.
     """
@@ -68,7 +68,7 @@ def largest(stands: Stands, guess: ArrayLike, ceiling: float, floor: float, tole
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class PushGrid:
-    """Where the map is: `directions` (+1 forward, −1 backward), `heights` above the axle [m], `durations` [s]."""
+    """Points of the map: `directions` (+1 forward, −1 backward), `heights` above the axle [m], `durations` [s]."""
 
     directions: Sequence[int] = (FORWARD, BACKWARD)
     heights: Array
@@ -99,7 +99,7 @@ class PushGrid:
         return axes[0].reshape(-1), axes[1].reshape(-1), axes[2].reshape(-1)
 
     def thinned(self, heights: int, durations: int) -> PushGrid:
-        """At most so many of its heights and durations, the ends among them."""
+        """At most `heights` heights and `durations` durations of the grid, the ends included."""
         return PushGrid(
             directions=self.directions, heights=_some(self.heights, heights), durations=_some(self.durations, durations)
         )
@@ -124,8 +124,8 @@ def push_map(
     An `Ensemble` is taken without its own pushes; for a robot, `ensemble_of` makes one of it and `choices` (controller,
     kit, vary, posterior, seed), which by default varies all parameters by their spreads.
 
-    The band is found robot by robot at `nodes` (heights, durations) of the grid; between them the ratio to the nominal
-    robot is interpolated, linear in both. Robot s has its noise from stream s everywhere, the nominal one from 0.
+    The band is computed robot by robot at `nodes` (heights, durations) of the grid; between them the ratio to the
+    nominal robot is interpolated, linear in both. Robot s has noise from stream s everywhere, the nominal one from 0.
     """
     if samples < 0:
         raise InvalidScenario(f"{samples} samples", expected="zero or more")
@@ -135,17 +135,17 @@ def push_map(
     if grid is None:
         heights = np.linspace(0.0, ensemble.family.robot.body_height, 64)
         grid = PushGrid(heights=heights, durations=np.linspace(0.01, 0.5, 64))
-    say = progress or _silent
+    show = progress or _silent
     search = _Search(ensemble, tolerance, watch, glance, threads)
     nominal, capped = search.nominal(grid)
-    say(0.2)
+    show(0.2)
     small = grid.thinned(*nodes)
-    found = (
-        search.sampled(small, _at(nominal, grid, small), samples, lambda share: say(0.2 + 0.8 * share))
+    spread = (
+        search.sampled(small, _at(nominal, grid, small), samples, lambda fraction: show(0.2 + 0.8 * fraction))
         if samples
         else None
     )
-    return _labelled(ensemble, grid, small, nominal, capped, found, search)
+    return _labelled(ensemble, grid, small, nominal, capped, spread, search)
 
 
 class _Search:
@@ -170,24 +170,24 @@ class _Search:
         coarse = grid.thinned(8, 8)
         first = self._find(ensemble, coarse.flat(), zeros[: math.prod(coarse.shape)], self.ceiling / 20, 2.0)
         guess = _between(first.reshape(coarse.shape), coarse, grid).reshape(-1)
-        found = self._find(ensemble, points, zeros, guess, 1.06)
-        return found.reshape(grid.shape), (found >= self.ceiling).reshape(grid.shape)
+        impulses = self._find(ensemble, points, zeros, guess, 1.06).reshape(grid.shape)
+        return impulses, impulses >= self.ceiling
 
-    def sampled(self, grid: PushGrid, nominal: Array, samples: int, say: Callable[[float], None]) -> Array:
+    def sampled(self, grid: PushGrid, nominal: Array, samples: int, show: Callable[[float], None]) -> Array:
         """Impulses (samples, *grid.shape) of robots 0 to `samples` − 1 of the family."""
         count = math.prod(grid.shape)
-        found = np.empty((samples, count))
+        impulses = np.empty((samples, count))
         points = grid.flat()
-        share = max(1, 16384 // count)
-        for start in range(0, samples, share):
-            robots = np.arange(start, min(samples, start + share))
+        at_once = max(1, 16384 // count)
+        for start in range(0, samples, at_once):
+            robots = np.arange(start, min(samples, start + at_once))
             which = np.repeat(robots, count)
             spread_out = tuple(np.tile(p, len(robots)) for p in points)
             guess = np.tile(np.maximum(nominal.reshape(-1), self.floor), len(robots))
             values = self._find(self.ensemble, (spread_out[0], spread_out[1], spread_out[2]), which, guess, 1.08)
-            found[robots] = values.reshape(len(robots), count)
-            say((start + len(robots)) / samples)
-        return found.reshape(samples, *grid.shape)
+            impulses[robots] = values.reshape(len(robots), count)
+            show((start + len(robots)) / samples)
+        return impulses.reshape(samples, *grid.shape)
 
     def _find(
         self,
@@ -197,7 +197,7 @@ class _Search:
         guess: Any,
         factor: float,
     ) -> Array:
-        """Glance first, then watch what was found, and search again where that was too hopeful."""
+        """Search with `glance`, try each result for the whole `watch`, and search again where the robot fell."""
         table = ensemble.batch(robots)
 
         def stands(seconds: float, part: NDArray[np.int64]) -> Stands:
@@ -206,12 +206,12 @@ class _Search:
         everyone = np.arange(robots.size)
         guessed = np.broadcast_to(np.asarray(guess, dtype=np.float64), robots.shape)
         bounds = (self.ceiling, self.floor, self.tolerance)
-        found = largest(stands(self.glance, everyone), guessed, *bounds, factor)
-        alive = np.flatnonzero(found > 0)
-        late = alive[~stands(self.watch, alive)(found[alive], np.arange(alive.size))]
-        if late.size:
-            found[late] = largest(stands(self.watch, late), found[late] / (1 + self.tolerance), *bounds, 1.02)
-        return found
+        impulses = largest(stands(self.glance, everyone), guessed, *bounds, factor)
+        alive = np.flatnonzero(impulses > 0)
+        again = alive[~stands(self.watch, alive)(impulses[alive], np.arange(alive.size))]
+        if again.size:
+            impulses[again] = largest(stands(self.watch, again), impulses[again] / (1 + self.tolerance), *bounds, 1.02)
+        return impulses
 
     def _stand(
         self,
@@ -221,14 +221,14 @@ class _Search:
         which: NDArray[np.int64],
         beyond: float,
     ) -> NDArray[np.bool_]:
-        """Whether searches number `which` survive `impulse` [N s] (n,), looked at until `beyond` [s] after it."""
+        """Whether searches number `which` survive `impulse` [N s] (n,), simulated until `beyond` [s] after it."""
         from upright.kernel.simulate import simulate
 
         direction, height, duration = (p[which] for p in points)
         pushes = np.stack([direction * impulse / duration, height, np.zeros(which.size), duration], axis=1)[:, None]
         self.runs += which.size
         stood = np.empty(which.size, dtype=bool)
-        # Together go those whose pushes last about as long: a short one need not be watched as long as a long one.
+        # Robots whose pushes last about as long run together: a short push needs a shorter run than a long one.
         for part in np.array_split(np.argsort(duration, kind="stable"), max(1, min(8, which.size // 512))):
             batch = table.part(which[part], pushes=pushes[part])
             seconds = float(duration[part].max()) + beyond
@@ -254,8 +254,8 @@ def _between(values: Array, small: PushGrid, grid: PushGrid) -> Array:
 
 
 def _labelled(
-    ensemble: Ensemble, grid: PushGrid, small: PushGrid, nominal: Array, capped: NDArray[np.bool_], found: Array | None,
-    search: _Search,
+    ensemble: Ensemble, grid: PushGrid, small: PushGrid, nominal: Array, capped: NDArray[np.bool_],
+    spread: Array | None, search: _Search,
 ) -> Dataset:  # fmt: skip
     import xarray as xr
 
@@ -263,25 +263,25 @@ def _labelled(
     newton = {"unit": "N s"}
     variables: dict[str, Any] = {
         "impulse": (dims, nominal, newton | {"long_name": "largest impulse survived"}),
-        "capped": (dims, capped, {"unit": "1", "long_name": "larger than was looked for"}),
+        "capped": (dims, capped, {"unit": "1", "long_name": "at the largest impulse of the search"}),
     }
     coords: dict[str, Any] = {
         "direction": np.array(["forward" if d > 0 else "backward" for d in grid.directions]),
         "height": ("height", grid.heights, {"unit": "m", "long_name": "height above the axle"}),
         "duration": ("duration", grid.durations, {"unit": "s", "long_name": "duration of the push"}),
     }
-    if found is not None:
+    if spread is not None:
         base = np.maximum(_at(nominal, grid, small), search.floor)
         for name, quantile in zip(("low", "high"), BAND, strict=True):
-            ratio = np.quantile(found, quantile, axis=0) / base
+            ratio = np.quantile(spread, quantile, axis=0) / base
             words = {"long_name": f"{100 * quantile:g} % quantile over the family"}
             variables[name] = (dims, nominal * _between(ratio, small, grid), newton | words)
-    settings: dict[str, Any] = {"samples": 0 if found is None else len(found), "tolerance": search.tolerance}
+    settings: dict[str, Any] = {"samples": 0 if spread is None else len(spread), "tolerance": search.tolerance}
     settings |= {"watch": search.watch, "glance": search.glance, "ceiling": search.ceiling, "runs": search.runs}
     settings |= {"nodes": {"height": small.heights.tolist(), "duration": small.durations.tolist()}}
     origin = ensemble.origin() | {"push_map": settings}
     return xr.Dataset(variables, coords, {"origin": json.dumps(origin, ensure_ascii=False)})
 
 
-def _silent(share: float) -> None:
-    """Tell nobody of the `share` done."""
+def _silent(fraction: float) -> None:
+    """Show nothing of the `fraction` done."""

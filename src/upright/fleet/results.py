@@ -32,8 +32,8 @@ _NOTE = b"upright-fleet"
 
 @dataclass(frozen=True, repr=False)
 class Summary(Shown):
-    """A fleet in short: of `n` robots `fell` fell, the chance of it with its 95 % interval, and of each outcome of
-    those that stood the quantiles of 5, 50 and 95 %, in `units`."""
+    """Statistics of a fleet: `fell` of `n` robots fell; the probability of a fall with its 95 % interval; and the 5, 50
+    and 95 % quantiles of each outcome over the robots that stood, in `units`."""
 
     n: int
     fell: int
@@ -74,7 +74,7 @@ def _quantiles(values: Array) -> tuple[float, float, float]:
 
 
 def labelled(columns: Mapping[str, Array], index: Index, ensemble: Ensemble) -> Dataset:
-    """What `Ensemble.run` gave for the robots number `index`, with names, units and origin."""
+    """Results of `Ensemble.run` for the robots number `index`, with captions, units and origin."""
     import xarray as xr
 
     family = ensemble.family
@@ -101,7 +101,7 @@ def unit_of(name: str, kit: Kit | None) -> str:
 
 
 def origin_of(data: Dataset) -> dict[str, Any]:
-    """Where a result comes from: robot, controller and its hash, scenario, seed, versions."""
+    """Origin of a result: robot, controller and its hash, scenario, seed, versions."""
     return json.loads(data.attrs.get("origin", "{}"))
 
 
@@ -127,7 +127,7 @@ def save(data: Dataset, path: str | Path) -> Path:
 
 
 def load(path: str | Path) -> Dataset:
-    """What `save` wrote; raises `InvalidLog` for anything else."""
+    """A dataset that `save` wrote; raises `InvalidLog` for any other file."""
     source = Path(path).expanduser()
     check_suffix(source)
     if not source.exists():
@@ -136,9 +136,9 @@ def load(path: str | Path) -> Dataset:
 
 
 def check_suffix(path: Path) -> None:
-    """Refuse what is neither .parquet nor .zarr, before the work that would fill it."""
+    """Raise `UprightError` for a name that ends neither in .parquet nor in .zarr."""
     if path.suffix not in (".parquet", ".zarr"):
-        raise UprightError(f"cannot tell the form of {path.name}", expected="a name that ends in .parquet or .zarr")
+        raise UprightError(f"{path.name} has no known format", expected="a name that ends in .parquet or .zarr")
     if path.suffix == ".zarr":
         _zarr()
 

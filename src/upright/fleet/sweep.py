@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, cast
 
+from upright import control
 from upright.control import Controller
 from upright.errors import InvalidController, InvalidScenario, UnknownName
 from upright.experiment import Drive, Hold, Impulse, Push, Slope, Turn
@@ -16,12 +17,13 @@ from upright.fleet.campaign import CHUNK, Campaign, Case
 from upright.fleet.ensemble import Ensemble
 from upright.fleet.vary import varied, with_number
 from upright.robots import Kit, Robot, find_kit, find_robot
-from upright.robots.uncertainty import Family, read_posterior
+from upright.robots.uncertainty import Family, at_medians
+from upright.signals import STATE_NAMES
 
 Table = Mapping[str, Any]
 
 IDEAL = "ideal"
-"""The kit that hides nothing: no electronics, and controllers may read the true state."""
+"""The kit without electronics, with which controllers may read the true state."""
 
 PUSHES: dict[str, type] = {"hold": Hold, "force": Push, "impulse": Impulse, "slope": Slope}
 REFERENCES: dict[str, type] = {"drive": Drive, "turn": Turn}
@@ -76,14 +78,16 @@ def _case(
     point: dict[str, float],
 ) -> Case:
     _check(scenario, _SCENARIO, f"{where}: scenario")
-    robot = find_robot(_beside(robot_name, folder))
+    posterior = folder / table["posterior"] if "posterior" in table else None
+    robot, unknown = at_medians(find_robot(_beside(robot_name, folder)), posterior)
     kit = electronics(str(table.get("kit", robot.kit)), folder)
     controller = find_controller(_beside(controller_name, folder), robot, kit)
-    for name, value in point.items():  # the controller is made for the robot as it stands in its file
+    for name, value in point.items():  # after the design: the controller does not know the grid
+        if unknown and name in unknown.names:
+            raise InvalidScenario(f"{where}: the posterior draws {name}", expected="another number in the grid")
         robot, kit = with_number(name, float(value), robot, kit)
-    posterior = read_posterior(folder / table["posterior"]) if "posterior" in table else None
     ensemble = Ensemble(
-        family=Family(robot, kit, varied(table.get("vary", ()), robot, kit, posterior)),
+        family=Family(robot, kit, varied(table.get("vary", ()), robot, kit, unknown)),
         controller=controller,
         pushes=tuple(_programme(p, PUSHES, where) for p in scenario.get("push", [])),
         references=tuple(_programme(r, REFERENCES, where) for r in scenario.get("reference", [])),
@@ -107,12 +111,10 @@ def find_controller(name: str, robot: Robot, kit: Kit | None) -> Controller:
 
     On the ideal kit `lqr` is the regulator of the true state. Raises `InvalidController` where units do not fit.
     """
-    from upright.control import find_controller as named_or_read
-    from upright.robots import Kit as AnyKit
-
-    wanted = "lqr-state" if name == "lqr" and kit is None else name
-    parts = kit or AnyKit.preset(IDEAL)
-    controller = named_or_read(wanted, robot, parts, parts.period)
+    parts = kit or Kit.preset(IDEAL)
+    controller = control.find_controller(
+        "lqr-state" if name == "lqr" and kit is None else name, robot, parts, parts.period
+    )
     if controller.spec.command_unit != robot.command_unit:
         raise InvalidController(
             f"the controller commands {controller.spec.command_unit}",
@@ -143,8 +145,6 @@ def _programme(table: Any, kinds: Mapping[str, type], where: str) -> Any:
 
 
 def _start(table: Table, where: str) -> tuple[float, ...]:
-    from upright.signals import STATE_NAMES
-
     for key, value in table.items():
         if key not in STATE_NAMES:
             raise UnknownName(f"state in {where}", key, STATE_NAMES)

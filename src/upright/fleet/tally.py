@@ -1,4 +1,4 @@
-"""A campaign in short: chances and moments of each case, merged from its chunks one after the other."""
+"""Summary of a campaign: probability of a fall and moments of the outcomes of each case, merged chunk by chunk."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 
 class Moments(NamedTuple):
-    """Of `n` values the mean, the sum of squared deviations from it, the least and the most."""
+    """Mean, sum of squared deviations from it, minimum and maximum of `n` values."""
 
     n: int = 0
     mean: float = 0.0
@@ -31,7 +31,7 @@ class Moments(NamedTuple):
         return float(np.sqrt(self.squares / (self.n - 1))) if self.n > 1 else np.nan
 
     def with_values(self, values: Array) -> Moments:
-        """With more values: sums merge by Chan, Golub and LeVeque (1979)."""
+        """With more values; merged as by Chan, Golub and LeVeque (1979)."""
         if not len(values):
             return self
         own, more = float(values.mean()), len(values)
@@ -43,8 +43,8 @@ class Moments(NamedTuple):
 
 @dataclass(frozen=True)
 class CaseSummary:
-    """What came of one case of `n` robots: how many fell, with the 95 % interval of the chance (None where a campaign
-    does not keep `fell`), and the moments of each outcome over those that stood."""
+    """Results of one case of `n` robots: how many fell, the probability with its 95 % interval (None where a campaign
+    does not keep `fell`), and the moments of each outcome over the robots that stood."""
 
     labels: Mapping[str, str | float]
     n: int

@@ -1,4 +1,4 @@
-"""What differs from robot to robot, as text says it, and numbers of a robot or a kit by name."""
+"""Distributions of parameters from text (`--vary`), and numbers of a robot or a kit by name."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Vary = Mapping[str, str] | Sequence[str] | str
 
 
 def varied(vary: Vary, robot: Robot, kit: Kit | None = None, posterior: Uncertainty | None = None) -> Uncertainty:
-    """All that varies, beside a posterior and independent of it."""
+    """All distributions of `vary`, together with a posterior and independent of it."""
     texts = (vary,) if isinstance(vary, str) else vary
     if isinstance(texts, Mapping):
         texts = [f"{name}={text}" for name, text in texts.items()]
@@ -23,8 +23,8 @@ def varied(vary: Vary, robot: Robot, kit: Kit | None = None, posterior: Uncertai
 
 
 def variation(text: str, robot: Robot, kit: Kit | None = None) -> Uncertainty:
-    """What one `--vary` says: `name=±10%`, `name=±0.005`, `name=0.06..0.08`, `name=normal` (as the robot's sources have
-    it), `name=normal:5%`, `name=normal:0.002`; or `spread`: all parameters as the robot's sources have them.
+    """The distribution of one `--vary`: `name=±10%`, `name=±0.005`, `name=0.06..0.08`, `name=normal:5%`,
+    `name=normal:0.002`, `name=normal` (spread of the robot's sources); or `spread`: all parameters so.
 
     A name is a robot's parameter or a kit's number such as `delay` or `sensors.gyro.noise`. Raises `InvalidScenario`,
     `UnknownName`.

@@ -13,7 +13,7 @@ from upright.errors import MissingTool, UprightError
 T = TypeVar("T")
 
 FAILURES = 3
-"""Workers that may die of one piece of work before it is given up; one that dies of something else is forgiven so."""
+"""How often the worker of one piece may die before the piece is given up: a worker may also die of another cause."""
 
 
 def run_all(work: Iterable[T], submit: Callable[[Any, T], Any], keep: Callable[[T, Any], None], client: Any) -> None:
@@ -42,7 +42,7 @@ def run_all(work: Iterable[T], submit: Callable[[Any, T], Any], keep: Callable[[
             keep(piece, future.result())
         except KilledWorker:
             raise UprightError(
-                f"{piece} took its worker with it {FAILURES + 1} times", likely="too little memory for a chunk",
+                f"{piece} killed its worker {FAILURES + 1} times", likely="too little memory for a chunk",
                 hint="make chunks smaller",
             ) from None  # fmt: skip
         results.update(following())
@@ -52,7 +52,7 @@ def run_all(work: Iterable[T], submit: Callable[[Any, T], Any], keep: Callable[[
 def connected(workers: int | None = None, cluster: str | None = None) -> Generator[Any]:
     """A client of the scheduler at the address `cluster`, or of `workers` processes made here (None: one a processor).
 
-    Raises `MissingTool` where Dask is not installed, `UprightError` where nobody answers.
+    Raises `MissingTool` where Dask is not installed, `UprightError` where no scheduler answers.
     """
     try:
         import dask.config

@@ -297,6 +297,12 @@ def find_posterior(posterior: Uncertainty | str | PathLike[str] | None) -> Uncer
     return posterior if posterior is None or isinstance(posterior, Uncertainty) else read_posterior(posterior)
 
 
+def at_medians(robot: Robot, posterior: Uncertainty | str | PathLike[str] | None) -> tuple[Robot, Uncertainty | None]:
+    """`robot` at the medians of a posterior, whose sources stay on record, and that posterior; alone without one."""
+    unknown = find_posterior(posterior)
+    return (unknown.middle(robot).replace(provenance=robot.provenance), unknown) if unknown else (robot, None)
+
+
 def read_posterior(path: str | PathLike[str]) -> Uncertainty:
     """A JSON file of `parameters` (names), `mean` and `covariance`, or what `upright calibrate --save` writes.
 
