@@ -23,8 +23,9 @@ from upright.control.delay import RAW
 from upright.control.lqr import riccati, riccati_residual
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UnknownName
 from upright.experiment import Hold, run
+from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import linearise
-from upright.physics.sensing import sensor_matrix, turn_ratio
+from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, preset_names
 
 NXT = Robot.preset("nxtway-gs")

@@ -11,10 +11,10 @@ from scipy.linalg import expm
 
 from upright.errors import InvalidModel, SpecMismatch
 from upright.physics import energy
-from upright.physics.dynamics import Disturbance, derivative
+from upright.physics.dynamics import Disturbance, derivative, turn_ratio
 from upright.physics.integrate import PREDICTED, SIMULATED, rk4_step, substeps
 from upright.physics.linear import LinearModel, delayed, linearise
-from upright.physics.sensing import readings, sensor_matrix, turn_ratio
+from upright.physics.sensing import readings, sensor_matrix
 from upright.robots import Robot
 from upright.signals import STATE_NAMES
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from upright.calibrate.calibrate import NOISE_TIME, process
 from upright.calibrate.fitting import STICKING, Path, Problem
 from upright.logs.recording import SENSOR, first_noise, reading_matrix, record
-from upright.physics.dynamics import motor_gain
+from upright.physics.dynamics import motor_gain, turn_ratio
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -69,7 +69,7 @@ def _in_order(problem: Problem, path: Path, log: Log) -> FilteredLog:
     latest = np.maximum.accumulate(np.where(row < 0, np.arange(len(order)), 0))
     command = recording.commands[recording.value[order][latest].astype(int)]
     command[: int((row < 0).argmax())] = recording.commands[0]
-    turn = np.array([problem.robot.track / (2 * problem.robot.wheel_radius)])
+    turn = np.array([turn_ratio(problem.robot)])
     lost = ~np.isfinite(after).all(axis=1) | ((row >= 0) & ~np.isfinite(path.e[order]))
     first = int((row >= 0).argmax())
     lost[first:] |= ~after[first:].any(axis=1)  # the filter stopped where the robot toppled

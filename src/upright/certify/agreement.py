@@ -21,7 +21,7 @@ from upright.control.kalman import Filter, filtered, kalman_filter
 from upright.errors import InvalidLog, SpecMismatch
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
-from upright.physics.sensing import turn_ratio
+from upright.physics.dynamics import turn_ratio
 from upright.signals import Log
 
 Array = NDArray[np.float64]

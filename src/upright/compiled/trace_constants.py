@@ -12,7 +12,7 @@ import sympy as sp
 
 from upright.compiled.trace_print import COMPLETE, P
 from upright.errors import InvalidModel
-from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain, yaw_swing
+from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain, turn_ratio, yaw_swing
 
 
 def either(complete: Any, published: Any) -> Any:
@@ -22,7 +22,7 @@ def either(complete: Any, published: Any) -> Any:
 
 
 A11, _, A22, A33 = mass_matrix(1, 0, P)
-_HALF = P.track / (2 * P.wheel_radius)
+_HALF = turn_ratio(P)
 _LEVER = P.body_mass * P.com_height * P.wheel_radius
 _WEIGHT = P.gravity * P.body_mass * P.com_height
 _SWING = either(yaw_swing(P, "complete"), yaw_swing(P, "published"))

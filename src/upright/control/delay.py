@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 
 from upright.control.controller import TRUE_STATE
 from upright.errors import DesignFailed, SpecMismatch
+from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import LinearModel, delay_line, linearise
-from upright.physics.sensing import sensor_matrix, turn_ratio
+from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
 

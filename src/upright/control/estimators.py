@@ -14,7 +14,7 @@ from upright.control.controller import Controller, ControllerSpec
 from upright.control.delay import RAW, sampled
 from upright.control.kalman import DISTURBED, Disturbed, corrected, kalman_filter
 from upright.errors import SpecMismatch
-from upright.physics.sensing import turn_ratio
+from upright.physics.dynamics import turn_ratio
 from upright.robots import Kit, Robot, Sensor
 
 Array = NDArray[np.float64]

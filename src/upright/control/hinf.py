@@ -30,8 +30,9 @@ from upright.control.lqr import LARGEST_STATE
 from upright.control.observer import steady
 from upright.control.state_space import continuous, discrete, kept, plant_of
 from upright.errors import DesignFailed
+from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import LinearModel, delay_line
-from upright.physics.sensing import sensor_matrix, turn_ratio
+from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot
 
 Array = NDArray[np.float64]

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.diagnose.innovations import FilterRun
-from upright.physics.dynamics import motor_damping, motor_torque
+from upright.physics.dynamics import motor_damping, motor_torque, turn_ratio
 
 Array = NDArray[np.float64]
 
@@ -50,7 +50,7 @@ def _slip_acceleration(run: FilterRun) -> tuple[Array, Array, Array]:
     (events,)."""
     p, x, u = run.robot, run.before, run.command
     cos, sin, rate = np.cos(x[:, 0]), np.sin(x[:, 0]), x[:, 3] - x[:, 1]
-    turn = p.track / (2 * p.wheel_radius) * x[:, 5]
+    turn = turn_ratio(p) * x[:, 5]
     torque = motor_torque(u[:, 0], rate - turn, p, np) + motor_torque(u[:, 1], rate + turn, p, np)
     total, lever = p.body_mass + 2 * p.wheel_mass, p.body_mass * p.com_height
     rotors, n = 2 * p.gear_ratio**2 * p.rotor_inertia, len(x)

@@ -10,7 +10,7 @@ from upright.atomic import finite
 from upright.lab.lane import Lane
 from upright.lab.messages import Catalogue, Changed, Equations, Look, RobotInfo, Setup
 from upright.lab.plant import Plant, families
-from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain, yaw_swing
+from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain, turn_ratio, yaw_swing
 from upright.physics.linear import linearise
 from upright.robots import PARAMETERS, Robot, kit_names, preset_names
 
@@ -55,7 +55,7 @@ def equations(robot: Robot) -> Equations:
         inertias=tuple(float(a) for a in mass_matrix(1.0, 0.0, robot)), alpha=float(motor_gain(robot)),
         beta=float(motor_damping(robot)), weight=robot.body_mass * robot.gravity * robot.com_height,
         lever=robot.body_mass * robot.com_height * robot.wheel_radius, swing=float(yaw_swing(robot, "complete")),
-        half_track=robot.track / (2 * robot.wheel_radius), A=_rows(model.A), B=_rows(model.B), poles=poles,
+        half_track=turn_ratio(robot), A=_rows(model.A), B=_rows(model.B), poles=poles,
     )  # fmt: skip
 
 

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidLog
-from upright.physics.sensing import sensor_matrix, turn_ratio
+from upright.physics.dynamics import turn_ratio
+from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log
 

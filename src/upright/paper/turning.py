@@ -17,7 +17,7 @@ from upright.bodies.twin import Twin
 from upright.control import StateFeedback, lqr
 from upright.experiment import Drive, Turn, run
 from upright.paper.claim import BEYOND, Claim, Progress, silent
-from upright.physics.dynamics import accelerations, mass_matrix, motor_damping, motor_gain
+from upright.physics.dynamics import accelerations, mass_matrix, motor_damping, motor_gain, turn_ratio
 from upright.report import Figure, Panel, Table, Trace
 from upright.report.page import Cell, cell_text
 from upright.robots import Robot
@@ -99,7 +99,7 @@ def terms(robot: Robot, log: Log) -> list[Term]:
     pitch_acc, wheel_acc, yaw_acc = accelerations(list(x), list(u), robot, xp=np)
     alpha, beta = motor_gain(robot), motor_damping(robot)
     lever, point = robot.body_mass * robot.com_height * robot.wheel_radius, robot.body_mass * robot.com_height**2
-    half, roll = robot.track / (2 * robot.wheel_radius), robot.roll_inertia - robot.yaw_inertia
+    half, roll = turn_ratio(robot), robot.roll_inertia - robot.yaw_inertia
     net = alpha * (u[0] + u[1]) - 2 * beta * (wheel_rate - pitch_rate)
     turning = half * alpha * (u[1] - u[0]) - 2 * half**2 * beta * yaw_rate
     listed: list[tuple[str, str, Array, bool]] = [

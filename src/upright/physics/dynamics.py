@@ -62,6 +62,11 @@ def mass_matrix(cos: Any, sin: Any, p: Any, model: str = "complete") -> tuple[An
     return a11, a12, a22, a33
 
 
+def turn_ratio(p: Any) -> Any:
+    """W/(2R): wheel angle, from the mean of both wheels, for one radian of yaw."""
+    return p.track / (2 * p.wheel_radius)
+
+
 def yaw_swing(p: Any, model: str) -> Any:
     """∂a33/∂(sin² ψ) [kg m²]: how much a lean adds to the inertia about the vertical."""
     point_mass = p.body_mass * p.com_height**2
@@ -76,7 +81,7 @@ def accelerations(
     cos, sin = xp.cos(pitch), xp.sin(pitch)
     a11, a12, a22, a33 = mass_matrix(cos, sin, p, model)
     swing = yaw_swing(p, model)
-    half_track = p.track / (2 * p.wheel_radius)  # wheel angle, from the mean, per angle of yaw
+    half_track = turn_ratio(p)
     left = motor_torque(u[0], wheel_rate - half_track * yaw_rate - pitch_rate, p, xp)
     right = motor_torque(u[1], wheel_rate + half_track * yaw_rate - pitch_rate, p, xp)
     drag = 2 * p.wheel_friction * wheel_rate

@@ -10,16 +10,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from upright.errors import SpecMismatch
+from upright.physics.dynamics import turn_ratio
 from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
 
 _TRUTH = tuple(f"truth/{name}" for name in STATE_NAMES)
-
-
-def turn_ratio(p: Any) -> Any:
-    """W/(2R): by how much each wheel turns for one radian of yaw."""
-    return p.track / (2 * p.wheel_radius)
 
 
 def sensor_matrix(names: Sequence[str], turn: ArrayLike) -> Array:
