@@ -304,6 +304,12 @@ def test_the_page_shows_every_method_and_no_bad_number() -> None:
     assert json.dumps(compared().to_json(), allow_nan=False)
     assert compared().check() == ()
     assert "holds" in str(compared())
+    figure = compared().plot()
+    assert figure.axes[0].get_xlabel() == "unstable pole [1/s]"
+    assert [tick.get_text() for tick in figure.axes[0].get_yticklabels()] == list(compared().models)
+    one = next(iter(compared().models.values()))
+    (ax,) = one.plot().axes
+    assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_xscale()) == ("prediction horizon [samples]", "fit [%]", "log")
 
 
 # What cannot be used

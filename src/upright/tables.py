@@ -49,14 +49,19 @@ class Listing:
 
 
 class Shown:
-    """A result that prints itself: a notebook shows the same text, and its `repr` is the first line of it."""
+    """A result that prints itself. A notebook shows its table, or the same text; its `repr` is the first line."""
 
     def __repr__(self) -> str:
         first, *_ = str(self).splitlines() or [""]
         return f"<{type(self).__name__}: {' '.join(first.split())}>"
 
+    def listing(self) -> Listing | None:
+        """The result as a table, where it is one."""
+        return None
+
     def _repr_html_(self) -> str:
-        return f"<pre>{escape(str(self))}</pre>"
+        table = self.listing()
+        return table.html(type(self).__name__) if table else f"<pre>{escape(str(self))}</pre>"
 
 
 def _length(text: str) -> int:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,10 @@ from numpy.typing import NDArray
 from upright.atomic import finite
 from upright.errors import InvalidRobot
 from upright.robots import Robot
-from upright.tables import Shown
+from upright.tables import Listing, Shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 
@@ -25,6 +28,7 @@ VERDICTS = {
     BOUND: "the fit pressed against zero; the interval is one-sided",
     HELD: "not fitted: the log holds too little information",
 }
+NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution
 SURPRISE = 3.0
 """Prior deviations beyond which the log contradicts a stated value."""
 
@@ -51,7 +55,7 @@ class Estimate:
     @property
     def spread(self) -> float:
         """One standard deviation, as a quarter of the interval's width over 0.98."""
-        return (self.high - self.low) / (2 * 1.96)
+        return (self.high - self.low) / (2 * NORMAL)
 
     @property
     def surprising(self) -> bool:
@@ -168,6 +172,28 @@ class Calibration(Shown):
             "temper": self.temper, "samples": self.samples, "seconds": self.seconds, "sources": list(self.sources),
             "notes": list(self.notes), "unseen": list(self.unseen), "wrong": list(self.check()),
         }  # fmt: skip
+
+    def plot(self) -> Figure:
+        """Each parameter's estimate and 95 % interval against its prior, in standard deviations of the prior."""
+        from upright.plotting import intervals
+
+        known = [e for e in self.parameters if 0 < e.prior_spread < np.inf]
+        numbers = np.array([[e.value, e.low, e.high] for e in known]).reshape(-1, 3)
+        prior, spread = np.array([(e.prior, e.prior_spread) for e in known]).reshape(-1, 2, 1).swapaxes(0, 1)
+        shifts = (numbers - prior) / spread
+        x_label = "difference from the prior [standard deviations of the prior]"
+        figure = intervals([e.name for e in known], shifts[:, 0], shifts[:, 1:], x_label, "parameter")
+        ax = figure.axes[0]
+        ax.axvspan(-NORMAL, NORMAL, alpha=0.15, zorder=0, label="95 % of the prior")
+        ax.legend(loc="upper right")
+        return figure
+
+    def listing(self) -> Listing:
+        """All estimates with interval, prior and verdict, one row each."""
+        everything = (*self.parameters, *self.delays, *self.electronics, *self.combinations)
+        rows = [[e.name, f"{e.value:.5g}", f"{e.low:.4g} to {e.high:.4g}", e.unit, f"{e.prior:.4g}", e.verdict]
+                for e in everything]  # fmt: skip
+        return Listing(("name", "value", "95 % interval", "unit", "prior", "verdict"), rows, ("value", "prior"))
 
     def __str__(self) -> str:
         head = f"{self.robot.name} from {', '.join(self.sources) or 'a log'}: {self.samples} samples fitted"

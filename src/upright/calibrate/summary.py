@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.calibration import BOUND, HELD, PRIOR, SURPRISE, VISIBLE, Calibration, Estimate
+from upright.calibrate.calibration import BOUND, HELD, NORMAL, PRIOR, SURPRISE, VISIBLE, Calibration, Estimate
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.fitting import Normal, Path, Problem, around, slopes_of
 from upright.calibrate.informativity import posterior, unseen_directions
@@ -26,7 +26,6 @@ Array = NDArray[np.float64]
 
 HALVED = 0.5  # of the prior's deviation: a number known twice as well, or better, is called visible
 FINEST_TIME = 0.01  # of a period: no dead time is claimed to be known better, since the integration takes steps
-NORMAL = 1.96  # deviations that hold 95 % of a normal distribution
 
 COMBINATIONS: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "roll_inertia": ("kg m²", lambda p: p.roll_inertia),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,9 @@ from upright.physics.linear import Complex, LinearModel
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import draw
 from upright.tables import Shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 
@@ -89,6 +92,18 @@ class Analysis(Shown):
             f"Of {len(self.radii)} robots drawn from the spreads, {fell} are unstable.",
         ]
         return sentences + ([f"Over the intervals of the parameters it {self.mu.words()}"] if self.mu else [])
+
+    def plot(self) -> Figure:
+        """Bode diagram of the loop broken at both motors, frequency and magnitude on logarithmic axes."""
+        from upright.plotting import panels
+
+        omega, response = broken(self.loop, INPUTS["both motors"])
+        figure, (size, phase) = panels(["magnitude [1]", "phase [°]"], "frequency [rad/s]", "log")
+        size.plot(omega, np.abs(response))
+        size.set_yscale("log")
+        size.axhline(1.0, linestyle="--", color="grey")
+        phase.plot(omega, np.degrees(np.unwrap(np.angle(response))))
+        return figure
 
     def check(self) -> float:
         """How far off the unit circle the largest pole is at the gain margins of both motors: zero is perfect."""

@@ -8,7 +8,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,7 +17,10 @@ from upright.comparison import metrics
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import outcome_of
 from upright.signals import STATE_NAMES, Log
-from upright.tables import Shown
+from upright.tables import Listing, Shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 NEAR_LIMIT = 0.8
 """Fraction of its limit below which no command was cut: a battery that sags gives way by less than the rest."""
@@ -98,16 +101,33 @@ class Comparison(Shown):
         where = {"kind": self.kinds[label], "source": self.sources[label], "release": finite(self.releases[label])}
         return where | {"metrics": numbers, "fit": fits}
 
-    def __str__(self) -> str:
+    def plot(self) -> Figure:
+        """The compared states of all logs over time, one panel each, by matplotlib."""
+        from upright.plotting import panels
+
+        first = self.logs[self.reference]
+        units = [first.unit(f"{self.sources[self.reference]}/{name}") for name in self.signals]
+        figure, axes = panels([f"{n.replace('_', ' ')} [{u}]" for n, u in zip(self.signals, units, strict=True)])
+        for ax, name in zip(axes, self.signals, strict=True):
+            for label, log in self.logs.items():
+                ax.plot(log.t, log[f"{self.sources[label]}/{name}"], label=label)
+        axes[0].legend(loc="upper right")
+        return figure
+
+    def listing(self) -> Listing:
+        """Metrics and fits, one column for each log."""
         labels = list(self.logs)
-        rows = [["", "unit", *labels]]
+        rows: list[list[str]] = []
         for name, (_, text) in METRICS.items():
             rows.append([text, self.unit(name), *(_cell(getattr(self.metrics[label], name)) for label in labels)])
         for name in self.signals if self.fits else ():
             cells = (_cell(self.fits[label][name]) if label in self.fits else "reference" for label in labels)
             rows.append([f"fit of {name}", "%", *cells])
         rows.append(["states from", "", *(self.sources[label] for label in labels)])
-        return _aligned(rows)
+        return Listing(("", "unit", *labels), rows, labels)
+
+    def __str__(self) -> str:
+        return str(self.listing())
 
 
 def compare(
@@ -277,15 +297,3 @@ def _cell(value: float | bool | None) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     return "–" if value is None or math.isnan(value) else f"{value:.4g}"
-
-
-def _aligned(rows: Sequence[Sequence[str]]) -> str:
-    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
-    lines = (
-        "  ".join(
-            cell.ljust(width) if i < 2 else cell.rjust(width)
-            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
-        )
-        for row in rows
-    )
-    return "\n".join(line.rstrip() for line in lines)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,9 @@ from upright.identify.study import Pole
 from upright.physics.linear import INPUTS, LinearModel
 from upright.signals import STATE_NAMES
 from upright.tables import Shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 
@@ -66,6 +69,17 @@ class Identified(Shown):
             "orders": {name: order.to_json() for name, order in self.orders.items()}, "fits": fits,
             "notes": list(self.notes),
         }  # fmt: skip
+
+    def plot(self) -> Figure:
+        """The fit of each output on the held-out part, over the prediction horizon on a logarithmic axis."""
+        from upright.plotting import panels
+
+        figure, (ax,) = panels(["fit [%]"], "prediction horizon [samples]", "log")
+        ahead = [float(h) for h in self.fits]
+        for name in next(iter(self.fits.values()), {}):
+            ax.plot(ahead, [fit.get(name, np.nan) for fit in self.fits.values()], "o-", label=name)
+        ax.legend(loc="lower left")
+        return figure
 
     def __str__(self) -> str:
         p = self.pole

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -24,6 +25,9 @@ from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
 from upright.tables import Shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 ALL = "all"
 """The method that stands for all of them."""
@@ -58,6 +62,18 @@ class MethodComparison(Shown):
             "failed": dict(self.failed), "judge": self.judge.who, "notes": list(self.notes),
             "true_pole": finite(self.true_pole),
         }  # fmt: skip
+
+    def plot(self) -> Figure:
+        """The unstable pole of each method with its 95 % interval, and the true pole where it is known."""
+        from upright.plotting import intervals
+
+        poles = [m.pole for m in self.models.values()]
+        ends = [(p.low, p.high) for p in poles]
+        figure = intervals(list(self.models), [p.value for p in poles], ends, "unstable pole [1/s]", "method")
+        if math.isfinite(self.true_pole):
+            figure.axes[0].axvline(self.true_pole, linestyle="--", color="grey", label="true pole")
+        figure.axes[0].legend(loc="upper right")
+        return figure
 
     def __str__(self) -> str:
         lines = [f"{len(self.samples.log)} samples; judged by {self.judge.who}"]

@@ -142,18 +142,15 @@ class Log:
 
         Raises `InvalidLog` for a channel that the log does not have.
         """
-        from matplotlib.figure import Figure
+        from upright.plotting import panels
 
         names = channels or tuple(name for name in self.channels if re.search(PLOTTED, name)) or tuple(self.channels)
         units = list(dict.fromkeys(self.unit(name) for name in names))
-        figure = Figure(figsize=(8, 1 + 2 * len(units)), layout="constrained")
-        panels = figure.subplots(len(units), sharex=True, squeeze=False)[:, 0]
+        figure, axes = panels([f"[{unit}]" for unit in units])
         for name in names:
-            panels[units.index(self.unit(name))].plot(self.t, self[name], label=name)
-        for panel, unit in zip(panels, units, strict=True):
-            panel.set_ylabel(f"[{unit}]")
-            panel.legend(loc="upper right")
-        panels[-1].set_xlabel("t [s]")
+            axes[units.index(self.unit(name))].plot(self.t, self[name], label=name)
+        for ax in axes:
+            ax.legend(loc="upper right")
         return figure
 
     def save(self, path: str | Path) -> Path:

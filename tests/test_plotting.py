@@ -1,0 +1,95 @@
+"""Figures of results: every axis is named with its unit, and what is drawn are the result's own numbers."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from upright.calibrate.calibration import VISIBLE, Calibration, Estimate
+from upright.certify.analysis import Analysis, analyse
+from upright.comparison import compare
+from upright.control import lqr
+from upright.plotting import intervals, panels
+from upright.robots import Kit, Robot
+from upright.signals import STATE_NAMES, Log
+
+NXT = Robot.preset("nxtway-gs")
+
+
+def run(size: float) -> Log:
+    t = np.linspace(0.0, 2.0, 21)
+    return Log(t, {f"truth/{name}": size * np.exp(-t) for name in STATE_NAMES})
+
+
+def estimate(name: str, prior_spread: float) -> Estimate:
+    return Estimate(name=name, unit="kg", value=3.0, low=2.0, high=4.5, prior=2.0, prior_spread=prior_spread,
+                    verdict=VISIBLE, shift=2.0, shrink=0.5)  # fmt: skip
+
+
+def calibration() -> Calibration:
+    return Calibration(
+        robot=NXT, prior=NXT, parameters=(estimate("body_mass", 0.5), estimate("exact", 0.0)), combinations=(),
+        delays=(), names=("body_mass",), covariance=np.eye(1), noise={}, whiteness=(), fits={}, segments={}, temper=1.0,
+        samples=10, seconds=1.0,
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def analysis() -> Analysis:
+    return analyse(NXT, lqr(NXT, 0.01), Kit.preset("ideal"))
+
+
+def named(figure: Figure) -> bool:
+    """Whether every y has a name, and the shared x a name and a unit."""
+    assert isinstance(figure, Figure)
+    return all(ax.get_ylabel() for ax in figure.axes) and bool(re.search(r"\[.+\]$", figure.axes[-1].get_xlabel()))
+
+
+def test_a_comparison_draws_each_state_of_each_log() -> None:
+    figure = compare({"a": run(0.1), "b": run(0.2)}).plot()
+    assert named(figure)
+    assert {"pitch [rad]", "wheel [rad]", "pitch rate [rad/s]"} <= {ax.get_ylabel() for ax in figure.axes}
+    assert [line.get_label() for line in figure.axes[0].lines] == ["a", "b"]
+    assert max(figure.axes[1].lines[1].get_ydata()) == 0.2
+
+
+def test_a_calibration_draws_estimates_against_the_prior() -> None:
+    figure = calibration().plot()
+    assert named(figure)
+    (ax,) = figure.axes
+    assert [tick.get_text() for tick in ax.get_yticklabels()] == ["body_mass"]  # a prior without spread has no scale
+    assert ax.lines[0].get_xdata().tolist() == [2.0]  # (3 − 2) kg over 0.5 kg
+    assert ax.collections[0].get_segments()[0][:, 0].tolist() == [0.0, 5.0]  # (2 − 2) / 0.5 and (4.5 − 2) / 0.5
+
+
+def test_an_analysis_draws_bode_on_logarithmic_axes(analysis: Analysis) -> None:
+    figure = analysis.plot()
+    assert named(figure)
+    size, phase = figure.axes
+    assert (size.get_xscale(), size.get_yscale(), phase.get_yscale()) == ("log", "log", "linear")
+    omega, gain = size.lines[0].get_data()
+    crossings = omega[:-1][np.diff(np.sign(np.log(gain))) != 0]
+    # the grid has 400 points over four decades at most: neighbours differ by less than 3 %
+    assert crossings[-1] == pytest.approx(analysis.both().crossover, rel=0.03)
+
+
+def test_intervals_without_ends_are_not_drawn() -> None:
+    figure = intervals(["a", "b"], [1.0, 2.0], [(0.5, 1.5), (np.nan, np.nan)], "unstable pole [1/s]", "method")
+    assert named(figure)
+    figure.draw_without_rendering()  # raises where an axis cannot be laid out
+
+
+def test_panels_share_one_x() -> None:
+    figure, axes = panels(["a [m]", "b [V]"], "frequency [Hz]", "log")
+    assert named(figure)
+    assert [ax.get_xscale() for ax in axes] == ["log", "log"]
+
+
+def test_a_notebook_shows_tables() -> None:
+    html = compare({"a": run(0.1), "<b>": run(0.2)})._repr_html_()
+    assert html.startswith("<table><caption>Comparison</caption>")
+    assert "<th>&lt;b&gt;</th>" in html
+    assert "<td>body_mass</td><td>3</td><td>2 to 4.5</td><td>kg</td><td>2</td>" in calibration()._repr_html_()
