@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from upright.errors import InvalidScenario, UnknownName
 from upright.fleet.ensemble import Ensemble
-from upright.kernel.batch import FleetBatch
 from upright.signals import STATE_NAMES
 from upright.signals.signal import STATE
 
@@ -68,14 +67,13 @@ def basin(
     if samples < 1 or across.name == up.name:
         raise InvalidScenario(f"{samples} samples over {across.name} and {up.name}", expected="one or more, two states")
     starts = _starts(ensemble, across, up)
-    robots = _robots(ensemble, samples)
+    robots = (ensemble.nominal() if samples == 1 else ensemble).batch(np.arange(samples))
     stood, settled = (np.empty((len(starts), samples)) for _ in range(2))
     at_once = max(1, _AT_ONCE // samples)
     for first in range(0, len(starts), at_once):
         part = starts[first : first + at_once]
-        result = simulate(
-            _batch(robots, part, samples), ensemble.seconds, bands=(ensemble.band, np.inf, np.inf), threads=threads
-        )
+        every = robots.part(np.tile(np.arange(samples), len(part)), start=np.repeat(part, samples, axis=0))
+        result = simulate(every, ensemble.seconds, bands=(ensemble.band, np.inf, np.inf), threads=threads)
         stood[first : first + at_once] = ~result.fell.reshape(-1, samples)
         settled[first : first + at_once] = result.settled.reshape(-1, samples)
         if progress:
@@ -90,18 +88,6 @@ def _starts(ensemble: Ensemble, across: Axis, up: Axis) -> Array:
     for axis, values in zip((across, up), grid, strict=True):
         starts[:, STATE_NAMES.index(axis.name)] = values.reshape(-1)
     return starts
-
-
-def _robots(ensemble: Ensemble, samples: int) -> FleetBatch:
-    """The sampled robots, once each."""
-    nominal = ensemble.nominal() if samples == 1 else ensemble
-    return nominal.batch(np.arange(samples))
-
-
-def _batch(robots: FleetBatch, starts: Array, samples: int) -> FleetBatch:
-    """Every robot at every start."""
-    rows = np.tile(np.arange(samples), len(starts))
-    return robots.part(rows, start=np.repeat(starts, samples, axis=0))
 
 
 def _labelled(ensemble: Ensemble, across: Axis, up: Axis, stood: Array, settled: Array) -> Dataset:
