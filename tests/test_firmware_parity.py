@@ -32,8 +32,8 @@ from upright.parity.executor import Executor, HostExecutor
 from upright.parity.parity import SECONDS
 
 STEPS = round(SECONDS / 0.01)
-ALLOWED = {"double": 1e-6, "float": 1e-4, "fixed": 0.08 / 5}
-"""[V] the largest difference of a command. Below a step of the NXT's duty, 8 V / 100: 80 000, 800 and 5 times."""
+ALLOWED = {"double": 1e-6, "float": 1e-4, "fixed": 0.08 / 4}
+"""[V] the largest difference of a command. Below a step of the NXT's duty, 8 V / 100: 80 000, 800 and 4 times."""
 TRAPS = ("-fsanitize=undefined", "-fsanitize-undefined-trap-on-error")
 """An overflow of a signed number then ends the process, and with it the test."""
 
