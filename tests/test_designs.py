@@ -282,6 +282,28 @@ def test_wrong_matrices_are_named():
         LinearController(**values | {"period": 0.0})
 
 
+def test_a_memory_equals_its_equations_with_the_command_decided_and_the_one_applied():
+    # z⁺ = A z + By y + Bu u + Ba a, in which the method decides u from the outputs and the motors apply a
+    rng = np.random.default_rng(8)
+    A, By, Bu, Ba, S, Sy, C, Dy, Dr = (
+        rng.normal(size=shape) / 3 for shape in ((4, 4), (4, 3), (4, 2), (4, 2), (6, 4), (6, 3), (5, 4), (5, 3), (5, 6))
+    )
+    memory = LinearController(
+        A, By, np.zeros((4, 6)), Ba, C, Dy, Dr, reads=RAW, period=0.01, S=S, Sy=Sy, Bu=Bu, kind="memory"
+    )
+    again = LinearController.memory_from_json(memory.facts() | {"memory": memory.matrices()})
+    z = np.zeros(4)
+    for k in range(20):
+        y, r, u, a = (rng.normal(size=n) for n in (3, 6, 2, 2))
+        for each in (memory, again, copy.deepcopy(memory)) if k == 0 else (memory, again):
+            assert each.outputs(y, r) == pytest.approx(C @ z + Dy @ y + Dr @ r, rel=1e-9, abs=1e-9)
+            assert each.estimate() == pytest.approx(S @ z + Sy @ y, rel=1e-9, abs=1e-9)
+            each.decided(*u)
+            if k % 2:  # a command that nobody corrects counts as applied
+                each.applied(a)
+        z = A @ z + By @ y + Bu @ u + Ba @ (a if k % 2 else u)
+
+
 def test_a_copy_has_its_own_memory():
     for controller in (lqg(NXT, KIT), sliding(NXT, KIT)):
         twin = copy.deepcopy(controller)

@@ -51,16 +51,16 @@ def test_prediction_is_the_model_stepped():
 
 def recorded(controller, body, *args, **options):
     """The f and c of every step of a run, and the log."""
-    seen, step = [], controller.memory.step
+    seen, step = [], controller.memory.outputs
 
     def spy(y, r):
         outputs = step(y, r)
         seen.append(outputs.copy())
         return outputs
 
-    controller.memory.step = spy
+    controller.memory.outputs = spy
     log = run(body, controller, *args, **options)
-    del controller.memory.step
+    del controller.memory.outputs
     n = len(controller.programme.H)
     return [(out[:n], out[n:-2]) for out in seen], log
 
@@ -192,9 +192,9 @@ def test_a_solver_that_refuses_is_named():
     good = mpc(NXT, KIT)
     p = good.programme
     with pytest.raises(DesignFailed, match="DAQP refuses"):
-        PredictiveController(good.memory, QuadraticProgram(-p.H, p.rows, p.limit), good.reads, good.period)
+        PredictiveController(good.memory, QuadraticProgram(-p.H, p.rows, p.limit))
     with pytest.raises(InvalidController, match="do not fit"):
-        PredictiveController(good.memory, QuadraticProgram(p.H, p.rows[1:], p.limit), good.reads, good.period)
+        PredictiveController(good.memory, QuadraticProgram(p.H, p.rows[1:], p.limit))
 
 
 def test_copies_and_files_command_alike(tmp_path):

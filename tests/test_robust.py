@@ -13,7 +13,6 @@ from upright.control.guaranteed import excess, guaranteed
 from upright.control.kalman import RECOVERED, kalman_filter
 from upright.control.lqr import LARGEST_STATE, bryson, lqr
 from upright.control.observed import observed
-from upright.control.observer import observer
 from upright.control.robust import WORTH, Costs, Robust, robust
 from upright.errors import DesignFailed
 from upright.experiment import Drive, Hold, Turn, run
@@ -47,7 +46,7 @@ def test_the_plane_has_the_poles_of_the_whole_loop(preset):
     others = draw(robot, 3, seed=1)
     controller = observed(lqr(robot, kit.period), robot, kit)
     seen, estimator = sampled(robot, kit), controller.design.filter
-    loops = family([plane(sampled(each, kit)) for each in others], observer(estimator))
+    loops = family([plane(sampled(each, kit)) for each in others], estimator)
     out, _ = halves([*STATE_NAMES, *sides(seen.history)])
     k = (controller.design.feedback.gain @ seen.ahead @ out)[0]
     whole = [float(np.abs(robot_loop(each, controller, kit).closed.poles()[0])) for each in others]
@@ -58,7 +57,7 @@ def test_the_cost_is_that_of_a_noisy_run():
     # E[xᵀWx + price u²] against the mean over 2e5 periods of the plane driven by its own noise: a tenth of a standard
     # deviation for each of the some hundred periods that its slow modes remember
     seen = sampled(NXT, KIT)
-    loops = family([plane(seen)], observer(kalman_filter(seen, RECOVERED)))
+    loops = family([plane(seen)], kalman_filter(seen, RECOVERED))
     k = (
         np.concatenate([lqr(NXT, 0.01).gain[0, :4], [0, 0]])
         @ seen.ahead
@@ -79,7 +78,7 @@ def test_the_cost_is_that_of_a_noisy_run():
 
 def test_doubling_equals_the_lyapunov_equation_and_an_unstable_loop_costs_infinity():
     seen = sampled(NXT, KIT)
-    loops = family([plane(seen)], observer(kalman_filter(seen, RECOVERED)))
+    loops = family([plane(seen)], kalman_filter(seen, RECOVERED))
     k = design().design.k
     assert loops.costs(k, W, PRICE)[0] == pytest.approx(loops.direct(k, W, PRICE), rel=1e-9)
     assert loops.costs(-k, W, PRICE)[0] == np.inf
@@ -123,7 +122,7 @@ def test_what_is_called_better_is_better_on_robots_that_nobody_has_drawn_yet():
     spread = halves([*STATE_NAMES, *sides(nominal.history)])[0]
     plain = np.concatenate([lqr(NXT, 0.01).gain[0, :4], [0, 0]]) @ nominal.ahead @ spread
     worst = [
-        max(family([plane(sampled(each, KIT))], observer(filter_)).direct(k, found.W, found.price) for each in fresh)
+        max(family([plane(sampled(each, KIT))], filter_).direct(k, found.W, found.price) for each in fresh)
         for filter_, k in ((found.filter, found.k), (kalman_filter(nominal, RECOVERED), plain))
     ]
     assert worst[0] < (1 - WORTH) * worst[1]

@@ -18,8 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.control.delay import SampledRobot
-from upright.control.kalman import DISTURBED, Disturbed
-from upright.control.observer import Observer
+from upright.control.kalman import DISTURBED, Disturbed, Filter
+from upright.control.observer import observer
 from upright.control.state_space import kept, plant_of
 from upright.signals import STATE_NAMES
 
@@ -132,16 +132,16 @@ class LoopFamily:
         return LoopFamily(self.M[picked], self.b[picked], self.F, self.G[picked], self.N, self.Fy, self.noise)
 
 
-def family(planes: Sequence[Plane], watch: Observer) -> LoopFamily:
-    """The loops of `planes`, all of one size, with the observer `watch` of the nominal robot."""
-    model = watch.estimator.sampled
+def family(planes: Sequence[Plane], estimator: Filter) -> LoopFamily:
+    """The loops of `planes`, all of one size, with the observer of the nominal robot's `estimator`."""
+    model, watch = estimator.sampled, observer(estimator)
     spread, gather = halves([*model.names, *sides(model.history)])
     out, _ = halves([*STATE_NAMES, *sides(model.history)])
     into = np.linalg.pinv(out)
     both, apart = np.ones(2), np.array([[1.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
     A, By = gather @ watch.A @ spread, gather @ watch.By @ apart
     Bu, Ba = gather @ watch.Bu @ both, gather @ watch.Ba @ both
-    X, Xy = into @ watch.X @ spread, into @ watch.Xy @ apart
+    X, Xy = into @ watch.C[:-1] @ spread, into @ watch.Dy[:-1] @ apart
     n, size = len(planes[0].A), len(A)
     line = model.delay + bool(model.before.any())
     M = np.zeros((len(planes), n + size, n + size))

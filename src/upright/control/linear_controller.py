@@ -19,7 +19,7 @@ from upright.errors import InvalidController
 
 Array = NDArray[np.float64]
 
-MATRICES = ("A", "By", "Br", "Ba", "C", "Dy", "Dr", "S", "Sy")
+MATRICES = ("A", "By", "Br", "Ba", "C", "Dy", "Dr", "S", "Sy", "Bu")
 
 
 @dataclass(eq=False)
@@ -27,8 +27,13 @@ class LinearController:
     """z⁺ = A z + By y + Br r + Ba a, u = C z + Dy y + Dr r, x̂ = S z + Sy y, every `period` [s].
 
     y are the channels `reads`, r the reference state (6,), u the command (2,) and a the one that the motors really
-    applied, so that saturation winds nothing up. x̂ (6,) is the controller's opinion of the state; S and Sy stay empty
-    where it has none. Raises `InvalidController` for matrices that do not fit each other or are not finite.
+    applied, so that saturation winds nothing up. x̂ (6,) is the controller's estimate of the state; S and Sy stay empty
+    where it has none.
+
+    As the memory of a method that is not linear, it has any number of outputs C z + Dy y + Dr r, read by `outputs`. The
+    method computes u from them and passes it to `decided`; Bu u is then added to z⁺. Bu stays empty in all others.
+
+    Raises `InvalidController` for matrices that do not fit each other or are not finite.
     """
 
     A: Array
@@ -43,21 +48,24 @@ class LinearController:
     period: float
     S: Array = field(default_factory=lambda: np.zeros((0, 0)))
     Sy: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    Bu: Array = field(default_factory=lambda: np.zeros((0, 0)))
     command_unit: str = "V"
     kind: str = "linear controller"
     design: Design | None = field(default=None, repr=False)
     spec: ControllerSpec = field(init=False)
 
     def __post_init__(self) -> None:
-        n, m, opinions = len(self.A), len(self.reads), np.shape(self.S)[0]
-        shapes = {"A": (n, n), "By": (n, m), "Br": (n, 6), "Ba": (n, 2), "C": (2, n), "Dy": (2, m), "Dr": (2, 6)}
-        shapes |= {"S": (6, n), "Sy": (6, m)} if opinions else {"S": (0, 0), "Sy": (0, 0)}
+        n, m, estimates, memory = len(self.A), len(self.reads), np.shape(self.S)[0] > 0, np.size(self.Bu) > 0
+        o = len(self.C) if memory else 2
+        shapes = {"A": (n, n), "By": (n, m), "Br": (n, 6), "Ba": (n, 2), "C": (o, n), "Dy": (o, m), "Dr": (o, 6)}
+        shapes |= {"S": (6, n), "Sy": (6, m)} if estimates else {"S": (0, 0), "Sy": (0, 0)}
+        shapes |= {"Bu": (n, 2) if memory else (0, 0)}
         for name, shape in shapes.items():
             setattr(self, name, finite_matrix(getattr(self, name), name, shape))
         if not (np.isfinite(self.period) and self.period > 0):
             raise InvalidController(f"the period is {self.period} s", expected="a positive number")
         self.reads = tuple(self.reads)
-        self.spec = ControllerSpec(self.kind, self.reads, self.period, self.command_unit, estimates=opinions > 0)
+        self.spec = ControllerSpec(self.kind, self.reads, self.period, self.command_unit, estimates=estimates)
         self._stack()
         self.reset()
 
@@ -65,29 +73,35 @@ class LinearController:
         """One matrix from [p, a, x̂, y, r] to [p, u, x̂], with p = z − Ba a: the product needs no command but the last.
 
         It writes where the next step reads, u in the place of a, so that a command nobody corrects counts as applied.
-        A few numbers are copied through a memoryview in half the time that NumPy takes.
+        A memory has [p, outputs, x̂, a, u, y, r], with p = z − Ba a − Bu u. A few numbers are copied through a
+        memoryview in half the time that NumPy takes.
         """
-        n, m, opinions = len(self.A), len(self.reads), len(self.S)
+        n, m, o, opinions = len(self.A), len(self.reads), len(self.C), len(self.S)
         states = np.vstack([self.A, self.C, self.S.reshape(opinions, n)])
         readings = np.vstack([self.By, self.Dy, self.Sy.reshape(opinions, m)])
         references = np.vstack([self.Br, self.Dr, np.zeros((opinions, 6))])
-        stacked = np.hstack([states, states @ self.Ba, np.zeros((len(states), opinions)), readings, references])
+        top, idle = len(states), np.zeros((len(states), o + opinions))
+        if self.Bu.size:
+            commands, own = [idle, states @ self.Ba, states @ self.Bu], slice(top, top + 4)
+        else:
+            commands, own = [states @ self.Ba, idle[:, o:]], slice(n, n + 2)
+        stacked = np.hstack([states, *commands, readings, references])
         self._dot = np.ascontiguousarray(stacked).dot
         self._memory = np.zeros((2, stacked.shape[1]))
-        top, own = len(states), slice(n, n + 2)
-        first, second = self._memory
+        given, (first, second) = max(top, own.stop), self._memory
         view: Any = memoryview
         self._turns = [
-            (w, view(w[top : top + m]), view(w[top + m :]), other[:top], view(other[own]), view(w[own]), w[n + 2 : top])
+            (w, view(w[given : given + m]), view(w[given + m :]), other[:top], view(other[n : n + 2]), view(w[own]),
+             w[n + o : top], other[n : n + o])
             for w, other in ((first, second), (second, first))
-        ]
+        ]  # fmt: skip
 
     def reset(self) -> None:
         self._memory[:] = 0.0
         self._now, self._next = self._turns
 
     def step(self, measurement: Array, reference: Array) -> tuple[float, float]:
-        w, y, r, result, u, _, _ = self._now
+        w, y, r, result, u, _, _, _ = self._now
         try:
             y[:] = measurement
             r[:] = reference
@@ -97,6 +111,18 @@ class LinearController:
         self._dot(w, result)
         self._now, self._next = self._next, self._now
         return u[0], u[1]
+
+    def outputs(self, measurement: Array, reference: Array) -> Array:
+        """A step of a memory: all outputs, in an array that is written again two steps later."""
+        result = self._now[7]
+        self.step(measurement, reference)
+        return result
+
+    def decided(self, left: float, right: float) -> None:
+        """The command that was computed from the outputs; it counts as applied until `applied` corrects it."""
+        commands = self._now[5]
+        commands[0] = commands[2] = left
+        commands[1] = commands[3] = right
 
     def estimate(self) -> Sequence[float]:
         return self._now[6].tolist()
@@ -109,18 +135,30 @@ class LinearController:
         """The residual of the design, zero where there is none to check."""
         return 0.0 if self.design is None else self.design.check()
 
+    def facts(self) -> dict[str, Any]:
+        """Kind, channels, period and unit, for JSON."""
+        return {"kind": self.kind, "reads": list(self.reads), "period": self.period, "command_unit": self.command_unit}
+
+    def matrices(self) -> dict[str, Any]:
+        """Every matrix that has entries, by name, for JSON; a memory without Br, which is zero."""
+        names = [name for name in MATRICES if getattr(self, name).size and not (name == "Br" and self.Bu.size)]
+        return {name: getattr(self, name).tolist() for name in names}
+
     def to_json(self) -> dict[str, Any]:
-        matrices = {name: getattr(self, name).tolist() for name in MATRICES if getattr(self, name).size}
-        facts = {"kind": self.kind, "reads": list(self.reads), "period": self.period, "command_unit": self.command_unit}
-        return facts | {"states": len(self.A)} | matrices
+        return self.facts() | {"states": len(self.A)} | self.matrices()
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> LinearController:
         """The inverse of `to_json`; the design's record stays behind."""
         n, reads = int(data["states"]), tuple(data["reads"])
-        empty = {"A": (n, n), "By": (n, len(reads)), "Br": (n, 6), "Ba": (n, 2), "C": (2, n), "S": (0, 0), "Sy": (0, 0)}
-        given: dict[str, Any] = {name: data[name] if name in data else np.zeros(empty[name]) for name in MATRICES}
+        empty = {"A": (n, n), "By": (n, len(reads)), "Br": (n, 6), "Ba": (n, 2), "C": (2, n)}
+        given: dict[str, Any] = {name: data.get(name, np.zeros(empty.get(name, (0, 0)))) for name in MATRICES}
         return cls(**given, reads=reads, period=data["period"], command_unit=data["command_unit"], kind=data["kind"])
+
+    @classmethod
+    def memory_from_json(cls, data: dict[str, Any]) -> LinearController:
+        """The memory of a method that is not linear: its `facts` in `data`, its `matrices` under "memory"."""
+        return cls.from_json(data | data["memory"] | {"states": len(data["memory"]["A"])})
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Copies are made anew: what a step writes to and reads from is one memory."""

@@ -12,7 +12,7 @@ from upright.control.design import Design
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, riccati, riccati_residual, weight_matrix
-from upright.control.observer import observer, output_feedback
+from upright.control.observer import output_feedback
 from upright.errors import DesignFailed
 from upright.robots import Kit, Robot
 
@@ -56,7 +56,7 @@ def lqg(
     `DesignFailed` for weights of the wrong size or sign, or where no regulator or no filter exists.
     """
     design = regulated(kalman_filter(sampled(robot, kit, dt, reads), disturbed), Q, R)
-    return output_feedback(observer(design.filter), design.K, "lqg", design)
+    return output_feedback(design.filter, design.K, "lqg", design)
 
 
 def regulated(estimator: Filter, Q: ArrayLike | None = None, R: ArrayLike | None = None) -> Lqg:

@@ -13,7 +13,7 @@ from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqg import command_weight
 from upright.control.lqr import LARGEST_STATE, bryson, riccati, riccati_residual, weight_matrix
-from upright.control.observer import Extra, observer, output_feedback
+from upright.control.observer import Extra, output_feedback
 from upright.errors import DesignFailed
 from upright.physics.linear import LinearModel, linearise
 from upright.robots import Kit, Robot
@@ -78,7 +78,7 @@ def lqi(
     padded[np.ix_(order, order)] = weight
     P, K = riccati(servo, padded, price)
     extra = Extra(np.eye(1), servo.A[-1:, :-1], K[:, -1:], unwound(K[:, -1], model.dt / unwinding))
-    return output_feedback(observer(estimator), K[:, :-1], "lqi", Lqi(estimator, servo, padded, price, P, K), extra)
+    return output_feedback(estimator, K[:, :-1], "lqi", Lqi(estimator, servo, padded, price, P, K), extra)
 
 
 def unwound(gain: Array, fraction: float) -> Array:

@@ -23,9 +23,9 @@ from numpy.typing import ArrayLike, NDArray
 from upright.control.controller import ControllerSpec
 from upright.control.delay import RAW, sampled
 from upright.control.kalman import Disturbed, kalman_filter, offset_free
+from upright.control.linear_controller import LinearController
 from upright.control.lqg import Lqg, regulated
-from upright.control.observer import Observer, observer, steady_push, steady_state
-from upright.control.recursion import Recursion, recursion
+from upright.control.observer import memory, steady_push, steady_state
 from upright.errors import DesignFailed, InvalidController
 from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
@@ -73,14 +73,9 @@ class PredictiveController:
     cut at the limit, is taken instead, and `failures` counts it.
     """
 
-    memory: Recursion
+    memory: LinearController
     programme: QuadraticProgram
-    reads: tuple[str, ...]
-    period: float
-    command_unit: str = "V"
-    kind: str = "mpc"
     design: Lqg | None = field(default=None, repr=False)
-    spec: ControllerSpec = field(init=False)
     failures: int = field(default=0, init=False)
 
     def __post_init__(self) -> None:
@@ -91,7 +86,6 @@ class PredictiveController:
                 f"H {p.H.shape}, rows {p.rows.shape} and {len(self.memory.C)} outputs do not fit each other",
                 expected=f"{n + rows + 2} outputs",
             )
-        self.spec = ControllerSpec(self.kind, tuple(self.reads), self.period, self.command_unit, estimates=True)
         self._n, self._limit = n, p.limit if math.isfinite(p.limit) else NO_LIMIT
         self._upper = np.concatenate([np.full(n, self._limit), np.ones(rows)])
         self._lower = -self._upper
@@ -99,13 +93,17 @@ class PredictiveController:
         self._ones = np.ones(rows), -np.ones(rows)
         self.reset()
 
+    @property
+    def spec(self) -> ControllerSpec:
+        return self.memory.spec
+
     def reset(self) -> None:
         self.memory.reset()
         self.failures = 0
         self._solver = solver(self.programme, self._upper, self._lower)
 
     def step(self, measurement: Array, reference: Array) -> tuple[float, float]:
-        n, outputs = self._n, self.memory.step(measurement, reference)
+        n, outputs = self._n, self.memory.outputs(measurement, reference)
         np.subtract(self._ones[0], outputs[n:-2], self._free[0])
         np.subtract(self._ones[1], outputs[n:-2], self._free[1])
         self._solver.update(f=outputs[:n], bupper=self._upper, blower=self._lower)
@@ -143,23 +141,21 @@ class PredictiveController:
 
     def to_json(self) -> dict[str, Any]:
         p = self.programme
-        facts = {"kind": self.kind, "reads": list(self.reads), "period": self.period, "command_unit": self.command_unit}
         limit = p.limit if math.isfinite(p.limit) else None
         bounds = {"limit": limit, "soft": p.soft, "softness": p.softness}
-        return facts | bounds | {"H": p.H.tolist(), "rows": p.rows.tolist(), "memory": self.memory.to_json()}
+        matrices = {"H": p.H.tolist(), "rows": p.rows.tolist(), "memory": self.memory.matrices()}
+        return self.memory.facts() | bounds | matrices
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> PredictiveController:
         """The inverse of `to_json`; the design's record stays behind."""
         limit = math.inf if data["limit"] is None else data["limit"]
         programme = QuadraticProgram(np.array(data["H"]), np.array(data["rows"]), limit, data["soft"], data["softness"])
-        facts = {name: data[name] for name in ("period", "command_unit", "kind")}
-        return cls(Recursion.from_json(data["memory"]), programme, reads=tuple(data["reads"]), **facts)
+        return cls(LinearController.memory_from_json(data), programme)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Copies get a solver of their own."""
-        values = (self.memory, self.programme, self.reads, self.period, self.command_unit, self.kind, self.design)
-        return PredictiveController, values
+        return PredictiveController, (self.memory, self.programme, self.design)
 
 
 def solver(programme: QuadraticProgram, upper: Array, lower: Array, f: Array | None = None) -> Any:
@@ -210,11 +206,8 @@ def mpc(
             raise DesignFailed(f"{name} is {bound}", expected="a positive bound")
     model = sampled(robot, kit, dt, reads)
     design = regulated(kalman_filter(model, disturbed or offset_free(model)), Q, R)
-    memory, H, rows = _condensed(
-        observer(design.filter), design, horizon, {"pitch": pitch, "wheel": travel / robot.wheel_radius}
-    )
-    programme = QuadraticProgram(H, rows, most, soft)
-    return PredictiveController(memory, programme, model.reads, model.dt, robot.command_unit, design=design)
+    recursion, H, rows = _condensed(design, horizon, {"pitch": pitch, "wheel": travel / robot.wheel_radius})
+    return PredictiveController(recursion, QuadraticProgram(H, rows, most, soft), design)
 
 
 def largest_command(robot: Robot, kit: Kit) -> float:
@@ -236,16 +229,17 @@ def predicted(plant: LinearModel, horizon: int) -> tuple[Array, Array]:
     return free, forced
 
 
-def _condensed(watch: Observer, design: Lqg, horizon: int, bounds: dict[str, float]) -> tuple[Recursion, Array, Array]:
+def _condensed(design: Lqg, horizon: int, bounds: dict[str, float]) -> tuple[LinearController, Array, Array]:
     """The memory with outputs [f, c, u], H and the rows of the bounds, all in the commands themselves."""
-    plant = design.filter.sampled.plant
+    model = design.filter.sampled
+    plant = model.plant
     free, forced = predicted(plant, horizon)
     weights = np.repeat(design.Q[None], horizon, axis=0)
     weights[-1] = design.P
     weighed = weights @ forced
     H: Array = np.tensordot(forced, weighed, ((0, 1), (0, 1))).astype(np.float64) + np.kron(np.eye(horizon), design.R)
     gradient: Array = np.tensordot(weighed, free, ((0, 1), (0, 1))).astype(np.float64)
-    (xi_r, u_r), (xi_push, u_push) = steady_state(watch), steady_push(watch)
+    (xi_r, u_r), (xi_push, u_push) = steady_state(model), steady_push(model)
     every = np.tile(np.eye(2), (horizon, 1))
     when = np.unique(np.linspace(0, horizon - 1, min(BOUNDED, horizon)).round().astype(int))
     picked = [(STATE_NAMES.index(name), bound) for name, bound in bounds.items()]
@@ -261,4 +255,4 @@ def _condensed(watch: Observer, design: Lqg, horizon: int, bounds: dict[str, flo
         return np.asarray(offset - G @ xi_s, dtype=np.float64)
 
     g = outputs(xi_push[:, None], u_push[:, None])[:, 0]
-    return recursion(watch, G, g, outputs(xi_r, u_r)), (H + H.T) / 2, rows
+    return memory(design.filter, G, g, outputs(xi_r, u_r), kind="mpc"), (H + H.T) / 2, rows

@@ -18,7 +18,7 @@ from upright.control.design import Design
 from upright.control.feedback import StateFeedback
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
-from upright.control.observer import observer, output_feedback
+from upright.control.observer import output_feedback
 from upright.errors import SpecMismatch
 from upright.robots import Kit, Robot
 
@@ -61,6 +61,5 @@ def observed(
         )
     model = sampled(robot, kit, feedback.period, reads)
     estimator = kalman_filter(model, disturbed)
-    return output_feedback(
-        observer(estimator), feedback.gain @ model.ahead, feedback.kind, Observed(estimator, feedback)
-    )  # fmt: skip
+    design = Observed(estimator, feedback)
+    return output_feedback(estimator, feedback.gain @ model.ahead, feedback.kind, design)

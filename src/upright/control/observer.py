@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.control.delay import rolling
+from upright.control.delay import SampledRobot, rolling
 from upright.control.design import Design
 from upright.control.kalman import Filter, one_step
 from upright.control.linear_controller import LinearController
@@ -17,27 +17,12 @@ from upright.robots import Robot
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class Observer:
-    """z⁺ = A z + By y + Bu u + Ba a, where u is the command decided now and a the one applied now.
+def observer(estimator: Filter) -> LinearController:
+    """The memory behind `estimator`: commands on their way are remembered as sent, the last one as it was applied.
 
-    What it knows after the reading y is the regulator's state ξ = X z + Xy y (six states, then earlier commands) and
-    the push F = f z + fy y [N].
+    Its outputs are what is known after the reading: the regulator's state ξ (six states, then earlier commands) and
+    the push F [N]. No reference enters.
     """
-
-    estimator: Filter
-    A: Array
-    By: Array
-    Bu: Array
-    Ba: Array
-    X: Array
-    Xy: Array
-    f: Array
-    fy: Array
-
-
-def observer(estimator: Filter) -> Observer:
-    """The observer round a filter: commands on their way are remembered as sent, the last one as it was applied."""
     model = estimator.sampled
     n, m, d, h = len(model.A), len(model.reads), model.delay, model.history
     size = n + 2 * h
@@ -53,7 +38,18 @@ def observer(estimator: Filter) -> Observer:
     X[:6, :n], Xy[:6], X[6:, n:] = after[:6], gain[:6], np.eye(2 * h)
     push = model.names.index("push")
     f = np.concatenate([after[push], np.zeros(2 * h)])
-    return Observer(estimator=estimator, A=A, By=By, Bu=Bu, Ba=Ba, X=X, Xy=Xy, f=f, fy=gain[push])
+    C, Dy, none = np.vstack([X, f]), np.vstack([Xy, gain[push]]), np.zeros((size, 6))
+    return LinearController(
+        A, By, none, Ba, C, Dy, np.zeros((len(C), 6)), reads=model.reads, period=model.dt, S=X[:6], Sy=Xy[:6], Bu=Bu,
+        command_unit=model.robot.command_unit, kind="observer",
+    )  # fmt: skip
+
+
+def memory(estimator: Filter, G: Array, g: Array, H: Array, *, kind: str) -> LinearController:
+    """The `observer` with the outputs G ξ + g F + H r, for a method that is not linear."""
+    watch = observer(estimator)
+    C, Dy = (G @ M[:-1] + np.outer(g, M[-1]) for M in (watch.C, watch.Dy))
+    return replace(watch, C=C, Dy=Dy, Dr=H, kind=kind)
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,40 +91,39 @@ class Extra:
 
 
 def output_feedback(
-    watch: Observer, K: Array, kind: str, design: Design, extra: Extra | None = None
+    estimator: Filter, K: Array, kind: str, design: Design, extra: Extra | None = None
 ) -> LinearController:
     """u = u_r r − K (ξ − ξ_r) − K_w w, with ξ_r the steady motion at the reference r: K (2, 6 + earlier commands)."""
-    model = watch.estimator.sampled
+    model, watch = estimator.sampled, observer(estimator)
+    X, Xy = watch.C[:-1], watch.Dy[:-1]
     more = extra or Extra(np.zeros((0, 0)), np.zeros((0, K.shape[1])), np.zeros((2, 0)), np.zeros((0, 2)))
     n, m = len(watch.A), len(more.A)
-    xi_r, u_r = steady_state(watch)
-    C, Dy, Dr = np.hstack([-K @ watch.X, -more.K]), -K @ watch.Xy, u_r + K @ xi_r
-    open_loop = np.block([[watch.A, np.zeros((n, m))], [more.X @ watch.X, more.A]])
+    xi_r, u_r = steady_state(model)
+    C, Dy, Dr = np.hstack([-K @ X, -more.K]), -K @ Xy, u_r + K @ xi_r
+    open_loop = np.block([[watch.A, np.zeros((n, m))], [more.X @ X, more.A]])
     Bu, Ba = np.vstack([watch.Bu, np.zeros((m, 2))]), np.vstack([watch.Ba, more.back])
     if model.delay:
         due = len(model.A) + 2 * model.delay - 2
         open_loop[n:, due : due + 2] -= more.back
     else:
         Bu[n:] -= more.back
-    By = np.vstack([watch.By, more.X @ watch.Xy]) + Bu @ Dy
+    By = np.vstack([watch.By, more.X @ Xy]) + Bu @ Dy
     Br = np.vstack([np.zeros((n, 6)), -more.X @ xi_r]) + Bu @ Dr
-    S, unit = np.hstack([watch.X[:6], np.zeros((6, m))]), model.robot.command_unit
+    S = np.hstack([watch.S, np.zeros((6, m))])
     A = open_loop + Bu @ C
     return LinearController(
-        A, By, Br, Ba, C, Dy, Dr, reads=model.reads, period=model.dt, S=S, Sy=watch.Xy[:6],
-        command_unit=unit, kind=kind, design=design,
+        A, By, Br, Ba, C, Dy, Dr, reads=model.reads, period=model.dt, S=S, Sy=watch.Sy,
+        command_unit=watch.command_unit, kind=kind, design=design,
     )  # fmt: skip
 
 
-def steady_state(watch: Observer) -> tuple[Array, Array]:
+def steady_state(model: SampledRobot) -> tuple[Array, Array]:
     """ξ_r (6 + earlier commands, 6) and u_r (2, 6): what the steady motion at a reference needs."""
-    model = watch.estimator.sampled
     rest = steady(model.robot)
     return np.vstack([rest.x_r, np.tile(rest.u_r, (model.history, 1))]), rest.u_r
 
 
-def steady_push(watch: Observer) -> tuple[Array, Array]:
+def steady_push(model: SampledRobot) -> tuple[Array, Array]:
     """ξ_F (6 + earlier commands,) and u_F (2,): what the rest under a push of 1 N needs."""
-    model = watch.estimator.sampled
     rest = steady(model.robot)
     return np.concatenate([rest.x_push, np.tile(rest.u_push, model.history)]), rest.u_push

@@ -26,7 +26,7 @@ from upright.control.design import Design
 from upright.control.kalman import DISTURBED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqi import unwound
-from upright.control.observer import Extra, observer, output_feedback
+from upright.control.observer import Extra, output_feedback
 from upright.errors import DesignFailed
 from upright.physics.dynamics import motor_damping, motor_gain
 from upright.robots import Kit, Robot
@@ -102,7 +102,7 @@ def pid(
     still = rolling(robot)
     gains = _tuned(plane, motor_damping(still) / motor_gain(still), _heading(model, heading))
     K, extra = _law(model, gains, unwinding)
-    return output_feedback(observer(estimator), K, "pid", Pid(estimator, gains, plane.margin(gains)), extra)
+    return output_feedback(estimator, K, "pid", Pid(estimator, gains, plane.margin(gains)), extra)
 
 
 class _Plane:

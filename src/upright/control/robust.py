@@ -26,7 +26,7 @@ from upright.control.guaranteed import Guaranteed, guaranteed
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, lqr
-from upright.control.observer import observer, output_feedback
+from upright.control.observer import output_feedback
 from upright.errors import DesignFailed
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Uncertainty, draw
@@ -85,7 +85,7 @@ class Robust(Design):
         """The largest of the filter's Riccati residual, of the inequalities' excess, and of how far the nominal cost
         is from that of the covariance solved directly, as a share."""
         model = self.filter.sampled
-        direct = family([plane(model)], observer(self.filter)).direct(self.k, self.W, self.price)
+        direct = family([plane(model)], self.filter).direct(self.k, self.W, self.price)
         return max(self.filter.check(), self.proof.check() if self.proof else 0.0, abs(self.own.nominal / direct - 1))
 
     def verdict(self) -> str:
@@ -164,7 +164,7 @@ class _Task:
     def loops(self, trust: float) -> tuple[Filter, LoopFamily]:
         """The filter that takes the share `trust` of the command for noise, and all loops with it."""
         result = kalman_filter(self.sampled, Disturbed(motor=trust))
-        return result, family(self.planes, observer(result))
+        return result, family(self.planes, result)
 
     def regulator(self, price: float = 1.0) -> Array:
         """Plain LQR (2, 6) at that price of the command."""
@@ -239,7 +239,7 @@ def _chosen(task: _Task, result: tuple[Array, float], near: Sequence[SampledRobo
         filter=estimator, k=k, W=task.W, price=task.price, method=method, own=own, plain=plain, proof=proof,
         inequalities=other, why=why,
     )  # fmt: skip
-    return output_feedback(observer(estimator), _both(task, k), "robust", design)
+    return output_feedback(estimator, _both(task, k), "robust", design)
 
 
 def _inequalities(task: _Task, near: Sequence[SampledRobot]) -> Guaranteed:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import KW_ONLY, dataclass, field
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -14,9 +14,9 @@ from upright.control.controller import ControllerSpec
 from upright.control.delay import RAW, sampled
 from upright.control.design import Design
 from upright.control.kalman import RECOVERED, Disturbed, kalman_filter
+from upright.control.linear_controller import LinearController
 from upright.control.lqg import Lqg, regulated
-from upright.control.observer import Observer, observer, steady_state
-from upright.control.recursion import Recursion, recursion
+from upright.control.observer import memory, steady_state
 from upright.errors import DesignFailed, InvalidController
 from upright.robots import Kit, Robot
 
@@ -55,29 +55,26 @@ class SlidingMode:
     boundary layer in place of the sign). Inside the layer nothing chatters while reach ≤ keep · layer.
     """
 
-    memory: Recursion
+    memory: LinearController
     reach: float
     layer: float
-    _: KW_ONLY
-    reads: tuple[str, ...]
-    period: float
-    command_unit: str = "V"
-    kind: str = "sliding"
     design: Sliding | None = field(default=None, repr=False)
-    spec: ControllerSpec = field(init=False)
 
     def __post_init__(self) -> None:
         if not (0 <= self.reach < math.inf and 0 < self.layer < math.inf):
             raise InvalidController(
                 f"reach is {self.reach} and layer {self.layer}", expected="a reach of zero or more, a positive layer"
             )
-        self.spec = ControllerSpec(self.kind, tuple(self.reads), self.period, self.command_unit, estimates=True)
+
+    @property
+    def spec(self) -> ControllerSpec:
+        return self.memory.spec
 
     def reset(self) -> None:
         self.memory.reset()
 
     def step(self, measurement: Array, reference: Array) -> tuple[float, float]:
-        s_left, s_right, left, right = self.memory.step(measurement, reference).tolist()
+        s_left, s_right, left, right = self.memory.outputs(measurement, reference).tolist()
         left -= self.reach * min(max(s_left / self.layer, -1.0), 1.0)
         right -= self.reach * min(max(s_right / self.layer, -1.0), 1.0)
         self.memory.decided(left, right)
@@ -94,14 +91,12 @@ class SlidingMode:
         return 0.0 if self.design is None else self.design.check()
 
     def to_json(self) -> dict[str, Any]:
-        facts = {"kind": self.kind, "reads": list(self.reads), "period": self.period, "command_unit": self.command_unit}
-        return facts | {"reach": self.reach, "layer": self.layer, "memory": self.memory.to_json()}
+        return self.memory.facts() | {"reach": self.reach, "layer": self.layer, "memory": self.memory.matrices()}
 
     @classmethod
     def from_json(cls, data: dict[str, Any]) -> SlidingMode:
         """The inverse of `to_json`; the design's record stays behind."""
-        facts = {name: data[name] for name in ("reach", "layer", "period", "command_unit", "kind")}
-        return cls(Recursion.from_json(data["memory"]), reads=tuple(data["reads"]), **facts)
+        return cls(LinearController.memory_from_json(data), data["reach"], data["layer"])
 
 
 def sliding(
@@ -137,18 +132,16 @@ def sliding(
     S: Array = np.asarray(np.linalg.solve(B.T @ base.P @ B, B.T @ base.P), dtype=np.float64)
     design = Sliding(base, S, keep)
     usual = 1 / math.sqrt(float(base.R.diagonal().mean()))
-    return SlidingMode(
-        _memory(observer(base.filter), design), reach * usual, layer * usual, reads=model.reads, period=model.dt,
-        command_unit=robot.command_unit, design=design,
-    )  # fmt: skip
+    return SlidingMode(_memory(design), reach * usual, layer * usual, design)
 
 
-def _memory(watch: Observer, design: Sliding) -> Recursion:
+def _memory(design: Sliding) -> LinearController:
     """Outputs s = S (ξ − ξ_r) and u_r r − S (A − keep) (ξ − ξ_r)."""
-    A = watch.estimator.sampled.plant.A
-    xi_r, u_r = steady_state(watch)
+    estimator = design.base.filter
+    A, (xi_r, u_r) = estimator.sampled.plant.A, steady_state(estimator.sampled)
     G = np.vstack([design.S, -design.S @ (A - design.keep * np.eye(len(A)))])
-    return recursion(watch, G, np.zeros(4), np.vstack([np.zeros((2, 6)), u_r]) - G @ xi_r)
+    H = np.vstack([np.zeros((2, 6)), u_r]) - G @ xi_r
+    return memory(estimator, G, np.zeros(4), H, kind="sliding")
 
 
 def chattering(commands: ArrayLike, period: float) -> float:

@@ -89,10 +89,7 @@ def _parts(controller: Controller) -> tuple[LinearController, Switching | None]:
         )
     if isinstance(controller, SlidingMode):
         m = controller.memory
-        linear = LinearController(
-            m.A, m.By, np.zeros((len(m.A), 6)), m.Ba, m.C[2:], m.Dy[2:], m.Dr[2:], reads=controller.reads,
-            period=controller.period, S=m.S, Sy=m.Sy, command_unit=controller.command_unit, kind=controller.kind,
-        )  # fmt: skip
+        linear = replace(m, C=m.C[2:], Dy=m.Dy[2:], Dr=m.Dr[2:], Bu=np.zeros((0, 0)))
         return linear, Switching(m.C[:2], m.Dy[:2], m.Dr[:2], m.Bu, controller.reach, controller.layer)
     try:
         return as_linear(controller), None
