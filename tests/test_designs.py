@@ -94,9 +94,9 @@ def test_riccati_solutions_equal_python_control():
     design = lqg(robot, Kit.preset("ev3")).design
     seen, plant = design.filter.sampled, design.filter.sampled.plant
     gain = control.dlqr(plant.A, plant.B, design.Q, design.R, method="scipy")[0]
-    P = control.dare(seen.A.T, seen.C.T, design.filter.W, seen.noise)[0]
+    P = control.dare(seen.linear.A.T, seen.linear.C.T, design.filter.W, seen.noise)[0]
     assert np.allclose(design.K, gain, rtol=1e-7, atol=1e-9)
-    L = P @ seen.C.T @ np.linalg.inv(seen.C @ P @ seen.C.T + seen.noise)
+    L = P @ seen.linear.C.T @ np.linalg.inv(seen.linear.C @ P @ seen.linear.C.T + seen.noise)
     assert np.allclose(design.filter.L, L, rtol=1e-5, atol=1e-8)
 
 
@@ -133,29 +133,29 @@ def test_sampled_robot_equals_the_late_simulation():
     seen = sampled(robot, LATE, 0.01)
     body = Electronics(LinearBody(linearise(robot), robot), LATE)
     rng = np.random.default_rng(0)
-    p, ready = np.zeros(len(seen.A)), body.reset().values[-3:]
+    p, ready = np.zeros(len(seen.linear.A)), body.reset().values[-3:]
     before, commands = np.zeros(2), []
     order = [[s.name for s in body.spec.channels].index(name) for name in RAW]
     for k in range(60):
-        assert np.allclose(seen.C @ p, ready, atol=1e-12)
+        assert np.allclose(seen.linear.C @ p, ready, atol=1e-12)
         commands.append(rng.normal(size=2))
         for _ in range(10):
             sample = body.step(commands[-1])
         ready = sample.values[order]
         now = commands[k - 3] if k >= 3 else np.zeros(2)
         assert np.array_equal(sample.applied, now)  # 34 ms: the fourth period ends under the command of three before
-        p, before = seen.A @ p + seen.before @ before + seen.now @ now, now
+        p, before = seen.linear.A @ p + seen.before @ before + seen.now @ now, now
 
 
 def test_plant_of_the_regulator_equals_the_robot_seen():
     seen = sampled(NXT, LATE, 0.01)
     rng = np.random.default_rng(1)
     commands = rng.normal(size=(40, 2))
-    x, p, before = np.zeros(len(seen.plant.states)), np.zeros(len(seen.A)), np.zeros(2)
+    x, p, before = np.zeros(len(seen.plant.states)), np.zeros(len(seen.linear.A)), np.zeros(2)
     for k, u in enumerate(commands):
         now = commands[k - 3] if k >= 3 else np.zeros(2)
         x = seen.plant.A @ x + seen.plant.B @ u
-        p, before = seen.A @ p + seen.before @ before + seen.now @ now, now
+        p, before = seen.linear.A @ p + seen.before @ before + seen.now @ now, now
         assert np.allclose(x[:6], p[:6], atol=1e-12)
 
 
@@ -226,10 +226,10 @@ def test_the_loop_of_a_linear_controller_is_stable(name, preset):
 
 def closed_radius(seen, c):
     """Largest |eigenvalue| of robot and controller together, the commands on their way as states of the robot's."""
-    d, n, m = seen.delay, len(seen.A), len(c.A)
-    keep = [i for i in range(n) if seen.names[i] not in ("gyro_bias", "push")]
-    A, before, now = seen.A[np.ix_(keep, keep)], seen.before[keep], seen.now[keep]
-    C, k = seen.C[:, keep], len(keep)
+    d, n, m = seen.delay, len(seen.linear.A), len(c.A)
+    keep = [i for i in range(n) if seen.linear.states[i] not in ("gyro_bias", "push")]
+    A, before, now = seen.linear.A[np.ix_(keep, keep)], seen.before[keep], seen.now[keep]
+    C, k = seen.linear.C[:, keep], len(keep)
     u = np.hstack([c.Dy @ C, np.zeros((2, 2 * (d + 1))), c.C])
     size = k + 2 * (d + 1) + m
     loop = np.zeros((size, size))
@@ -342,12 +342,12 @@ def test_pid_keeps_the_margin_it_states():
     # the loop cut between command and motors, from the finished controller's matrices: robot and filter both feel a
     controller = pid(NXT, KIT)
     seen, c, design = controller.design.filter.sampled, controller, controller.design
-    n, m = len(seen.A), len(c.A)
+    n, m = len(seen.linear.A), len(c.A)
     A = np.zeros((n + 2 + m, n + 2 + m))
-    A[:n, :n], A[:n, n : n + 2] = seen.A, seen.before
-    A[n + 2 :, :n], A[n + 2 :, n + 2 :] = c.By @ seen.C, c.A
+    A[:n, :n], A[:n, n : n + 2] = seen.linear.A, seen.before
+    A[n + 2 :, :n], A[n + 2 :, n + 2 :] = c.By @ seen.linear.C, c.A
     B = np.vstack([seen.now, np.eye(2), c.Ba])
-    C = np.hstack([c.Dy @ seen.C, np.zeros((2, 2)), c.C])
+    C = np.hstack([c.Dy @ seen.linear.C, np.zeros((2, 2)), c.C])
     both = np.ones(2)
     distance = []
     for omega in np.geomspace(1.0, np.pi / 0.01, 400):

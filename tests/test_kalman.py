@@ -76,7 +76,7 @@ def test_the_robots_filter_has_normalised_innovations_of_size_one(preset):
     # 4000 samples give each variance to √(2/4000) = 2 %, here within four of that
     robot = Robot.preset(preset)
     found = kalman_filter(sampled(robot, Kit.preset(robot.kit)))
-    A, C = found.sampled.A, found.sampled.C
+    A, C = found.sampled.linear.A, found.sampled.linear.C
     closed = A - A @ found.L @ C
     rng = np.random.default_rng(0)
     root = np.linalg.cholesky(found.W + 1e-18 * np.eye(len(A)))

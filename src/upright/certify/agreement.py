@@ -119,16 +119,16 @@ def surprise(estimator: Filter, readings: Array, applied: Array) -> Array:
     """Size of the innovations (robots, 3) over what the filter foretells: 1.48 times the median of |e|, for
     readings (robots, n, 3) and commands (robots, n, 2); missing readings (NaN) are left out, and the first `SETTLED`
     seconds."""
-    model, C = estimator.sampled, estimator.sampled.C
+    model, linear = estimator.sampled, estimator.sampled.linear
     first = np.nan_to_num(readings[:, 0]).T
-    start = np.zeros((len(model.A), len(readings)))
+    start = np.zeros((len(linear.A), len(readings)))
     turn = turn_ratio(model.robot)
     start[2], start[4] = (first[0] + first[1]) / 2, (first[1] - first[0]) / (2 * turn)
-    for place, name in enumerate(model.names):
+    for place, name in enumerate(linear.states):
         start[place] += first[RAW.index(name[:-2])] if "@" in name else 0.0
     commands = np.moveaxis(applied, 0, 2)
     before = np.concatenate([np.zeros_like(commands[:1]), commands[:-1]])
     moved = model.before @ before + model.now @ commands
-    _, errors = filtered(model.A, C, estimator.L, np.moveaxis(readings, 0, 2), moved, start)
-    predicted = np.sqrt(np.diag(C @ estimator.P @ C.T + model.noise))
+    _, errors = filtered(linear.A, linear.C, estimator.L, np.moveaxis(readings, 0, 2), moved, start)
+    predicted = np.sqrt(np.diag(linear.C @ estimator.P @ linear.C.T + model.noise))
     return 1.4826 * np.nanmedian(np.abs(errors[round(SETTLED / model.dt) :]), axis=0).T / predicted

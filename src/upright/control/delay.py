@@ -35,31 +35,46 @@ LONGEST = 50  # periods of delay: beyond, the states of a filter would be many a
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class SampledRobot:
-    """`robot` every `dt` [s] between `delay` whole periods (and a fraction) of dead time and late sensors.
+    """`robot` once a period, between `delay` whole periods (and a fraction) of dead time and delayed sensors.
 
-    What an estimator follows: p⁺ = A p + before·a⁻ + now·a, y = C p, where a is the command that was really applied
-    at the end of the period and a⁻ the one of the period before. p holds the robot's six states, a gyro's bias [rad/s]
-    where one is read, a push at the centre of mass [N], and the readings still on their way. `noise` is the readings'
-    variance and `pushed` what 1 N does to p in a period.
+    What an estimator follows is `linear`: p⁺ = A p + B [a, a⁻] + E F, y = C p, where a is the command that was really
+    applied at the end of the period and a⁻ the one of the period before. p holds the robot's six states, a gyro's bias
+    [rad/s] where one is read, a push at the centre of mass [N], and the readings still on their way; F [N] is a push of
+    one period. `noise` (p, p) is the covariance of the readings.
 
-    What a regulator steers: `plant`, x⁺ = A x + B u of the six states and the commands sent before, newest first.
-    `ahead` (6, n) tells from these the six states at the moment when a command sent now reaches the motors.
+    What a regulator controls is `plant`: x⁺ = A x + B u of the six states and the commands sent before, newest first.
+    `ahead` (6, n) gives from these the six states at the moment when a command sent now reaches the motors.
+
+    It is no linear model itself: it pairs both with the robot, the kit and the delay that neither can state.
     """
 
     robot: Robot
     kit: Kit
-    dt: float
-    reads: tuple[str, ...]
     delay: int
-    names: tuple[str, ...]
-    A: Array
-    before: Array
-    now: Array
-    C: Array
+    linear: LinearModel
     noise: Array
-    pushed: Array
     plant: LinearModel
     ahead: Array
+
+    @property
+    def dt(self) -> float:
+        """The period [s]."""
+        return self.linear.dt
+
+    @property
+    def reads(self) -> tuple[str, ...]:
+        """The channels of the readings."""
+        return self.linear.outputs
+
+    @property
+    def now(self) -> Array:
+        """What the command applied at the end of a period adds to p (n, 2)."""
+        return self.linear.B[:, :2]
+
+    @property
+    def before(self) -> Array:
+        """What the command of the period before adds (n, 2): zero where the dead time is whole periods."""
+        return self.linear.B[:, 2:]
 
     @property
     def history(self) -> int:
@@ -132,17 +147,11 @@ def _assembled(
     waiting = [f"{name}@{i + 1}" for name, (count, _) in zip(reads, lines, strict=True) for i in range(count)]
     names = (*STATE_NAMES, *extra, *waiting)
     n, push = len(names), len(STATE_NAMES) + len(extra) - 1
-    A, before, now, pushed, C = (
-        np.zeros((n, n)),
-        np.zeros((n, 2)),
-        np.zeros((n, 2)),
-        np.zeros(n),
-        np.zeros((len(rows), n)),
-    )
+    A, B, E, C = np.zeros((n, n)), np.zeros((n, 4)), np.zeros((n, 1)), np.zeros((len(rows), n))
 
     def moves(row: int, c: Array, h: float) -> None:
         phi, old, new, force = between(h)
-        A[row, :6], A[row, push], before[row], now[row], pushed[row] = c @ phi, c @ force, c @ old, c @ new, c @ force
+        A[row, :6], A[row, push], B[row], E[row] = c @ phi, c @ force, np.concatenate([c @ new, c @ old]), c @ force
 
     for i in range(6):
         moves(i, np.eye(6)[i], between.dt)
@@ -160,10 +169,13 @@ def _assembled(
         C[reads.index(GYRO), 6] = 1.0
     noise = np.diag([max(s.noise**2 + s.quantum**2 / 12, _FINEST) for s, _ in rows])
     plant = _plant(between)
-    return SampledRobot(
-        robot=robot, kit=kit, dt=between.dt, reads=reads, delay=between.delay, names=names, A=A, before=before, now=now,
-        C=C, noise=noise, pushed=pushed, plant=plant, ahead=_ahead(between, plant),
+    linear = LinearModel(
+        A, B, C, dt=between.dt, states=names, inputs=(*SIDES, *(f"{side}_before" for side in SIDES)), outputs=reads,
+        E=E, disturbances=("push",),
     )  # fmt: skip
+    return SampledRobot(
+        robot=robot, kit=kit, delay=between.delay, linear=linear, noise=noise, plant=plant, ahead=_ahead(between, plant)
+    )
 
 
 def _line(delay: float, dt: float) -> tuple[int, float]:

@@ -112,7 +112,7 @@ def kalman(robot: Robot, kit: Kit, dt: float | None = None, disturbed: Disturbed
     sensors = {name: replace(_sensor(kit, name), delay=0.0) for name in RAW}
     prompt = Kit(name=kit.name, sensors=sensors, period=kit.period)
     steady = kalman_filter(sampled(robot, prompt, dt), disturbed)
-    return Kalman(steady.sampled.A, steady.sampled.now, steady.sampled.C, steady.L)
+    return Kalman(steady.sampled.linear.A, steady.sampled.now, steady.sampled.linear.C, steady.L)
 
 
 @dataclass(eq=False)

@@ -65,11 +65,11 @@ class Plane:
 def plane(model: SampledRobot, disturbed: Disturbed = DISTURBED) -> Plane:
     """The pitch plane of `model`, which reads both encoders and the gyro."""
     whole = plant_of(model)
-    names = [model.names[i] for i in kept(model)]
+    names = [model.linear.states[i] for i in kept(model)]
     line = (len(whole.A) - len(names)) // 2
     spread, gather = halves([*names, *sides(line)])
     entering = np.zeros((len(whole.A), 2))
-    entering[: len(names), 0] = model.pushed[kept(model)] * disturbed.push_size(model.robot)
+    entering[: len(names), 0] = model.linear.E[kept(model), 0] * disturbed.push_size(model.robot)
     motor = disturbed.motor_size(model.robot) / np.sqrt(2)
     entering[: len(names), 1] = (model.now + model.before)[kept(model)].sum(axis=1) * motor
     C = np.vstack([whole.C[:2].sum(axis=0) / 2, whole.C[2]]) @ spread
@@ -135,7 +135,7 @@ class LoopFamily:
 def family(planes: Sequence[Plane], estimator: Filter) -> LoopFamily:
     """The loops of `planes`, all of one size, with the observer of the nominal robot's `estimator`."""
     model, watch = estimator.sampled, observer(estimator)
-    spread, gather = halves([*model.names, *sides(model.history)])
+    spread, gather = halves([*model.linear.states, *sides(model.history)])
     out, _ = halves([*STATE_NAMES, *sides(model.history)])
     into = np.linalg.pinv(out)
     both, apart = np.ones(2), np.array([[1.0, 0.0], [1.0, 0.0], [0.0, 1.0]])

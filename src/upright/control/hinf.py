@@ -148,7 +148,7 @@ def _checked(wants: Expected, slack: float) -> Expected:
 
 def _names(model: SampledRobot) -> list[str]:
     """The states of `plant_of`, with the commands on their way named by their side."""
-    return [model.names[i] for i in kept(model)] + sides(model.delay + bool(model.before.any()))
+    return [model.linear.states[i] for i in kept(model)] + sides(model.delay + bool(model.before.any()))
 
 
 def _half(plant: LinearModel, names: Sequence[str], sign: float) -> LinearModel:

@@ -49,12 +49,15 @@ class Disturbed:
 
     def noise(self, model: SampledRobot) -> Array:
         """W (n, n), the covariance of what enters the states of `model` in a period."""
-        robot, names, n = model.robot, model.names, len(model.A)
+        robot, names, n = model.robot, model.linear.states, len(model.linear.A)
         root = math.sqrt(model.dt)
         walks = {"push": self.push_walk * robot.body_mass * robot.gravity / NXTWAY_WEIGHT * root}
         if "gyro_bias" in names:
             walks["gyro_bias"] = max(self.bias_walk, model.kit.sensors[GYRO].bias_walk) * root
-        columns = [model.pushed * self.push_size(robot), *((model.now + model.before) * self.motor_size(robot)).T]
+        columns = [
+            model.linear.E[:, 0] * self.push_size(robot),
+            *((model.now + model.before) * self.motor_size(robot)).T,
+        ]
         columns += [np.eye(n)[names.index(name)] * size for name, size in walks.items()]
         return process_noise(np.column_stack(columns))
 
@@ -85,14 +88,14 @@ class Filter:
 
     def check(self) -> float:
         """Largest entry of A P Aᵀ − P − A P Cᵀ(C P Cᵀ + V)⁻¹C P Aᵀ + W, relative to P's largest."""
-        return riccati_residual(self.sampled.A.T, self.sampled.C.T, self.W, self.sampled.noise, self.P)
+        return riccati_residual(self.sampled.linear.A.T, self.sampled.linear.C.T, self.W, self.sampled.noise, self.P)
 
 
 def kalman_filter(model: SampledRobot, disturbed: Disturbed = DISTURBED) -> Filter:
     """The steady filter; raises `DesignFailed` where it has no solution."""
     W = disturbed.noise(model)
     try:
-        return Filter(model, W, *steady_kalman(model.A, model.C, W, model.noise))
+        return Filter(model, W, *steady_kalman(model.linear.A, model.linear.C, W, model.noise))
     except DesignFailed:
         raise DesignFailed(
             f"no steady Kalman filter for '{model.robot.name}' at {model.dt:g} s",

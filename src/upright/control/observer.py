@@ -24,11 +24,11 @@ def observer(estimator: Filter) -> LinearController:
     the push F [N]. No reference enters.
     """
     model = estimator.sampled
-    n, m, d, h = len(model.A), len(model.reads), model.delay, model.history
+    n, m, d, h = len(model.linear.A), len(model.reads), model.delay, model.history
     size = n + 2 * h
     gain = estimator.L
     A, By, Bu, Ba = np.zeros((size, size)), np.zeros((size, m)), np.zeros((size, 2)), np.zeros((size, 2))
-    A[:n, :n], By[:n], after = one_step(model.A, model.C, gain)
+    A[:n, :n], By[:n], after = one_step(model.linear.A, model.linear.C, gain)
     Ba[:n] = model.now
     line = delay_line(2, d, model.dt)
     A[n : n + 2 * d, n : n + 2 * d], Bu[n : n + 2 * d] = line.A, line.B
@@ -36,7 +36,7 @@ def observer(estimator: Filter) -> LinearController:
         A[:n, n + 2 * d :], Ba[n + 2 * d :] = model.before, np.eye(2)
     X, Xy = np.zeros((6 + 2 * h, size)), np.zeros((6 + 2 * h, m))
     X[:6, :n], Xy[:6], X[6:, n:] = after[:6], gain[:6], np.eye(2 * h)
-    push = model.names.index("push")
+    push = model.linear.states.index("push")
     f = np.concatenate([after[push], np.zeros(2 * h)])
     C, Dy, none = np.vstack([X, f]), np.vstack([Xy, gain[push]]), np.zeros((size, 6))
     return LinearController(
@@ -103,7 +103,7 @@ def output_feedback(
     open_loop = np.block([[watch.A, np.zeros((n, m))], [more.X @ X, more.A]])
     Bu, Ba = np.vstack([watch.Bu, np.zeros((m, 2))]), np.vstack([watch.Ba, more.back])
     if model.delay:
-        due = len(model.A) + 2 * model.delay - 2
+        due = len(model.linear.A) + 2 * model.delay - 2
         open_loop[n:, due : due + 2] -= more.back
     else:
         Bu[n:] -= more.back

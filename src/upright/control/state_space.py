@@ -51,20 +51,20 @@ def plant_of(model: SampledRobot) -> LinearModel:
     n, fraction = len(keep), bool(model.before.any())
     line = 2 * (model.delay + fraction)
     A, B = np.zeros((n + line, n + line)), np.zeros((n + line, 3))
-    A[:n, :n], B[:n, 2] = model.A[np.ix_(keep, keep)], model.pushed[keep]
+    A[:n, :n], B[:n, 2] = model.linear.A[np.ix_(keep, keep)], model.linear.E[keep, 0]
     waiting = delay_line(2, line // 2, model.dt)
     A[n:, n:], B[n:, :2] = waiting.A, waiting.B
     places = [B[:, :2], *(A[:, n + 2 * i : n + 2 * i + 2] for i in range(line // 2))]
     places[model.delay][:n] = model.now[keep]
     if fraction:
         places[model.delay + 1][:n] = model.before[keep]
-    C = np.pad(model.C[:, keep], ((0, 0), (0, line)))
+    C = np.pad(model.linear.C[:, keep], ((0, 0), (0, line)))
     return LinearModel(A, B, C, np.zeros((len(C), 3)), model.dt)
 
 
 def kept(model: SampledRobot) -> list[int]:
     """Which of the names of `model` are states that the commands move."""
-    return [i for i, name in enumerate(model.names) if name in STATE_NAMES or "@" in name]
+    return [i for i, name in enumerate(model.linear.states) if name in STATE_NAMES or "@" in name]
 
 
 def controller_of(linear: LinearController, delay: int) -> LinearModel:
