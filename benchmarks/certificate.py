@@ -24,7 +24,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy loads; many s
 import numpy as np
 
 from upright.certify.certificate import certify
-from upright.certify.checks import BATTERIES, driver, standard_pushes
+from upright.certify.checks import BATTERIES, kernel_controller, standard_pushes
 from upright.control import LinearController, as_linear, lqg, make_controller
 from upright.errors import DesignFailed, InvalidRobot
 from upright.fleet.ensemble import tables
@@ -139,7 +139,7 @@ def falls(controller: LinearController, robot: Robot, truth: Robot, kit: Kit, rn
     fell = False
     for push in standard_pushes(robot).values():
         batch = FleetBatch(
-            parameters=parameters, controller=driver(controller, robot, kit).gains, kit=kit,
+            parameters=parameters, controller=kernel_controller(controller, robot, kit).gains, kit=kit,
             seed=int(rng.integers(2**31)), kit_changes={"battery.voltage": voltages},
             pushes=tables([push], (), parameters).pushes,
         )  # fmt: skip

@@ -27,7 +27,7 @@ from upright.certify.certificate import (
     judge,
     read_certificate,
 )
-from upright.certify.checks import KNOCK, Course, Driver, PushTrial, driver, trials
+from upright.certify.checks import KNOCK, Course, KernelController, PushTrial, kernel_controller, trials
 from upright.certify.learnt import learnt
 from upright.cli.main import main
 from upright.comparison.bench import bench_one
@@ -71,8 +71,8 @@ def red() -> Certificate:
 def test_a_controller_that_is_called_falls_where_its_matrices_fall() -> None:
     # the same lqg once as gains in compiled code and once called for each of 70 robots, more than one block of them
     family = draw(ROBOT, 70, 3)
-    course = Course(driver(designed("lqg"), ROBOT, KIT), ROBOT, family, KIT)
-    called = dataclasses.replace(course, driver=Driver(silent(designed("lqg")), designed("lqg")))
+    course = Course(kernel_controller(designed("lqg"), ROBOT, KIT), ROBOT, family, KIT)
+    called = dataclasses.replace(course, controller=KernelController(silent(designed("lqg")), designed("lqg")))
     (first, fell), (second, dropped) = trials(course), trials(called)
     assert np.array_equal(fell, dropped)
     # products are summed in another order: rounding, which quantised sensors now and then make a step of
@@ -81,7 +81,7 @@ def test_a_controller_that_is_called_falls_where_its_matrices_fall() -> None:
 
 def test_a_predictive_controller_holds_in_the_compiled_loop_as_in_run() -> None:
     controller = make_controller("mpc", ROBOT, KIT, KIT.period)
-    found, fell = trials(Course(driver(controller, ROBOT, KIT), ROBOT, [ROBOT] * 3, KIT))
+    found, fell = trials(Course(kernel_controller(controller, ROBOT, KIT), ROBOT, [ROBOT] * 3, KIT))
     assert not fell.any()
     log = run(Electronics(NonlinearBody(ROBOT), KIT), controller, Hold(pitch=0.1, until=3.0), seconds=4, seed=3)
     # peaks differ by noise alone, as for a linear controller: below some hundredths of a radian
@@ -151,7 +151,7 @@ def test_a_log_that_surprises_more_than_the_drawn_robots_tells_on_the_light(nois
     found = certify(designed("pid"), ROBOT, KIT, samples=100, posterior=CALIBRATED, sweeps=False, log=recording(noise))
     assert found.light == light
     assert [a.sensor for a in found.agreement] == ["encoder_left", "encoder_right", "gyro"]
-    assert light == GREEN or "gyro surprises" in found.reasons[0]
+    assert light == GREEN or "gyro innovations" in found.reasons[0]
     assert Certificate.from_json(json.loads(json.dumps(found.to_json()))) == found
     assert "the log:" in str(found)
 
@@ -162,12 +162,12 @@ def test_the_thresholds_of_surprise_stand_between_the_lights() -> None:
 
 
 def test_missing_readings_are_left_out_and_short_or_uneven_logs_refused() -> None:
-    log, course = recording(), Course(driver(designed("pid"), ROBOT, KIT), ROBOT, [ROBOT] * 12, KIT)
+    log, course = recording(), Course(kernel_controller(designed("pid"), ROBOT, KIT), ROBOT, [ROBOT] * 12, KIT)
     holes = np.array(log["sensor/gyro"])
     holes[::7] = np.nan
     with_holes = Log(log.t, {**log.channels, "sensor/gyro": holes})
     # one gyro reading in seven less: the filter foretells the others about as well
-    assert agreement(with_holes, course)[2].seen == pytest.approx(agreement(log, course)[2].seen, rel=0.3)
+    assert agreement(with_holes, course)[2].measured == pytest.approx(agreement(log, course)[2].measured, rel=0.3)
     with pytest.raises(InvalidLog, match="lasts"):
         agreement(log.between(0.0, 1.5), course)
     rows = np.sort(np.random.default_rng(0).choice(len(log), 400, replace=False))
@@ -262,7 +262,7 @@ def test_command_calibrates_the_log_first(tmp_path: Path, capsys: pytest.Capture
     said = json.loads(capsys.readouterr().out)
     assert code == (3 if said["light"] == RED else 0)
     # a log of this very robot: nothing in it surprises more than the drawn robots do
-    assert all(a["seen"] < 2 * a["expected"] for a in said["agreement"])
+    assert all(a["measured"] < 2 * a["expected"] for a in said["agreement"])
     assert len(said["agreement"]) == 3
 
 

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
+from upright.certify.agreement import Agreement
 from upright.certify.analysis import analyse
 from upright.certify.certificate import (
     AMBER,
@@ -25,7 +26,7 @@ from upright.certify.certificate import (
     judge,
     read_certificate,
 )
-from upright.certify.checks import RELEASE, Course, PushTrial, driver, standard_pushes, trials
+from upright.certify.checks import RELEASE, Course, PushTrial, kernel_controller, standard_pushes, trials
 from upright.cli import certify as command
 from upright.cli.main import main
 from upright.control import LinearController, as_linear, controller_hash, make_controller, write_controller
@@ -118,7 +119,7 @@ def test_falls_decide_by_their_bound(fell: int, light: str) -> None:
 
 def test_trials_are_the_loop_of_run() -> None:
     # the same robot in the one loop of `experiment.run`: peaks differ by noise alone, below some hundredths of a radian
-    found, fell = trials(Course(driver(designed("pid"), ROBOT, KIT), ROBOT, [ROBOT] * 20, KIT))
+    found, fell = trials(Course(kernel_controller(designed("pid"), ROBOT, KIT), ROBOT, [ROBOT] * 20, KIT))
     for trial in found[::2]:  # one battery: no motor is at its limit here
         push = standard_pushes(ROBOT)[trial.push]
         log = run(Electronics(NonlinearBody(ROBOT), KIT), designed("pid"), push, seconds=RELEASE + 1, seed=3)
@@ -128,7 +129,7 @@ def test_trials_are_the_loop_of_run() -> None:
 
 def test_more_delay_and_other_periods_are_swept() -> None:
     certificate = green()
-    assert [s.value for s in certificate.later] == pytest.approx([0.002, 0.005, 0.01, 0.015, 0.02])  # of 10 ms
+    assert [s.value for s in certificate.delayed] == pytest.approx([0.002, 0.005, 0.01, 0.015, 0.02])  # of 10 ms
     assert [s.value for s in certificate.slower] == pytest.approx([0.005, 0.008, 0.012, 0.015, 0.02])
     assert certificate.slower[-1].fell == certificate.slower[-1].runs  # half the rate: far beyond the margin
 
@@ -147,6 +148,13 @@ def test_same_seed_same_certificate() -> None:
 def test_file_brings_the_certificate_back() -> None:
     assert Certificate.from_json(json.loads(json.dumps(green().to_json()))) == green()
     assert green().check() == ()
+
+
+def test_a_file_with_the_older_names_is_read() -> None:
+    data = green().to_json()
+    older = {"later" if name == "delayed" else name: value for name, value in data.items()}
+    assert Certificate.from_json(older) == green()
+    assert Agreement.from_json({"sensor": "gyro", "seen": 1.0, "expected": 2.0}) == Agreement("gyro", 1.0, 2.0)
 
 
 @pytest.mark.parametrize("change", [{"light": RED}, {"bound": 0.5}, {"fell": 199}, {"reasons": ["trust me"]}])

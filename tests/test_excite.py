@@ -19,7 +19,7 @@ from upright.control.excited import Excited, random_binary
 from upright.errors import DesignFailed, InvalidScenario, SpecMismatch, UnknownName
 from upright.excite import excite
 from upright.excite.information import HELD_OUT, best_division, fisher, problem_of, shrunk
-from upright.excite.loop import Loop, perfect
+from upright.excite.loop import ExcitedLoop, perfect
 from upright.excite.plan import ExcitationPlan, Limits, read_plan
 from upright.excite.signals import band, signals, unit
 from upright.experiment import run
@@ -46,7 +46,7 @@ def plan() -> ExcitationPlan:
 def test_the_kernel_adds_what_the_wrapper_adds() -> None:
     """Both motors under an excitation in the kernel and in `experiment.run`: equal to rounding."""
     kit = perfect(KIT)
-    loop = Loop(NXT, kit, LQG, 2.0)
+    loop = ExcitedLoop(NXT, kit, LQG, 2.0)
     rows = random_binary(loop.rows, 0.8, 3)
     result = loop.run(rows, record=True)
     log = run(Electronics(NonlinearBody(NXT), kit), Excited(LQG, np.repeat(rows, loop.hold, axis=0)), seconds=2.0)
@@ -140,7 +140,7 @@ def test_a_calibration_finds_it_so() -> None:
     was predicted, to a seventh for one log of each. (A calibration that learns the noise before the parameters takes
     their errors for process noise on such logs, and loses half of that.)"""
     true = NXT.replace(com_height=0.075, pitch_inertia=1.2e-3, yaw_inertia=9e-4)
-    loop = Loop(NXT, KIT, LQG, SECONDS)
+    loop = ExcitedLoop(NXT, KIT, LQG, SECONDS)
     names = ("wheel_radius", "pitch_inertia", "yaw_inertia", "wheel_friction")
     predicted = np.mean([np.log(plan()[n].after / plan()[n].dither) for n in names])
     for seed in (1, 2):
@@ -163,7 +163,7 @@ def test_a_hundred_runs_leave_what_other_numbers_leave() -> None:
 
 def test_both_energies_are_the_same() -> None:
     """The plan's energy is what the motors of the nominal robot get, and a dither of its energy gets as much."""
-    loop = Loop(NXT, KIT, LQG, SECONDS)
+    loop = ExcitedLoop(NXT, KIT, LQG, SECONDS)
     dither = loop.scaled(random_binary(loop.periods, 0.5, 1)[None], plan().energy, 1)
     assert loop.energies(dither, 1)[0] == pytest.approx(plan().energy, rel=1e-3)
     log = run(Electronics(NonlinearBody(NXT), perfect(KIT)), plan().excited(LQG), seconds=SECONDS)

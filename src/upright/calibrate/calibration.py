@@ -85,7 +85,7 @@ class Whiteness:
         return self.ljung_box < self.threshold and self.input_test < self.threshold
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, kw_only=True)
 class Calibration(Shown):
     """A robot learnt from logs. `parameters` are what was fitted, `combinations` what the log really sees (ratios of
     them, and the unstable pole), `delays` the dead times, `electronics` what commands go through; `covariance` (n, n)

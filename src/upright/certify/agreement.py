@@ -1,16 +1,16 @@
-"""Whether a log looks like what a certificate assumes: its innovations against those of the robots that were drawn.
+"""Whether a log agrees with what a certificate assumes: its innovations against those of the robots that were drawn.
 
-The steady Kalman filter of the nominal robot, with the noise of its kit, foretells each reading of the log from the
-commands that were applied. The same filter foretells drawn robots in the nonlinear model with the kit's faults, driven
-by the controller under the standard pushes. What the certificate assumes is right as far as the log can tell where the
-innovations of the log are not larger than those. Their size is that of the median, so that a push or a lost sample here
-and there, which the log may have and the model not, says nothing.
+The steady Kalman filter of the nominal robot, with the noise of its kit, predicts each reading of the log from the
+commands that were applied. The same filter predicts drawn robots in the nonlinear model with the kit's faults, under
+the controller and the standard pushes. The log agrees where its innovations are not larger than theirs. Sizes are
+medians, so that a push or a lost sample here and there, which the log may have and the model not, has no effect.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,71 +29,79 @@ Array = NDArray[np.float64]
 AMBER, RED = "amber", "red"
 
 DRAWN = 12
-"""Robots with which the log is compared; of so many one in twelve exceeds what 92 % of all stay below."""
+"""Number of robots with which the log is compared: the largest of 12 is near the 92 % quantile of all."""
 
 LARGER = 2.0  # times the largest of the drawn robots: amber, since noise or model err by more than what was drawn
 FAR_LARGER = 5.0  # red: what was certified is another robot
 SETTLED = 1.0  # [s] in which the filter finds the first state
 LEAST = 2.0  # [s] of log after that
-UNEVEN = 0.02  # share of steps that may be half a period off
+UNEVEN = 0.02  # fraction of steps that may be half a period off
 APPLIED = ("applied/left", "applied/right")
 
 
 @dataclass(frozen=True)
 class Agreement:
-    """One sensor: size of the log's innovations `seen` and the largest of the drawn robots' `expected`, both as shares
-    of what the filter itself foretells."""
+    """One sensor: the size of the log's innovations, `measured`, and the largest of the drawn robots, `expected`, both
+    as multiples of the standard deviation that the filter predicts."""
 
     sensor: str
-    seen: float
+    measured: float
     expected: float
+
+    @classmethod
+    def from_json(cls, data: Mapping[str, Any]) -> Agreement:
+        """From a certificate's file; older ones say "seen" for `measured`."""
+        return cls(**{"measured" if name == "seen" else name: value for name, value in data.items()})
 
     @property
     def ratio(self) -> float:
-        """How many times larger the log's are."""
-        return self.seen / self.expected
+        """The log's innovations over the largest of the drawn robots."""
+        return self.measured / self.expected
 
     def __str__(self) -> str:
-        return f"{self.sensor} {self.ratio:.2f} of what was expected"
+        return f"{self.sensor} innovations {self.ratio:.2f} times those expected"
 
 
 def disagreements(agreements: Sequence[Agreement], light: str) -> list[str]:
-    """The reasons that a log gives for this light, the largest first."""
+    """The sensors of a log whose innovations ask for this light, the largest first, as sentences."""
     low, high = (FAR_LARGER, np.inf) if light == RED else (LARGER, FAR_LARGER)
     beyond = sorted((a for a in agreements if low < a.ratio <= high), key=lambda a: -a.ratio)
     return [
-        f"the log's {a.sensor} surprises {a.ratio:.1f} times as much as any drawn robot's, more than {low:g} times"
+        f"the log's {a.sensor} innovations are {a.ratio:.1f} times the largest of any drawn robot; the limit is {low:g}"
         for a in beyond
     ]
 
 
 def agreement(log: Log, course: Course) -> tuple[Agreement, ...]:
-    """Each sensor of `log`, recorded on the robot of `course`, against that of its first `DRAWN` robots.
+    """Each sensor of `log`, recorded on the robot of `course`, against the first `DRAWN` of its drawn robots.
 
     Robots that fall are left out. Raises `InvalidLog` where the log lacks encoders, gyro or commands, is uneven, or too
     short; `SpecMismatch` for a kit without these sensors.
     """
     readings, applied = recorded(log, sampled(course.robot, course.kit, log.period).delay)
-    seen = surprise(kalman_filter(sampled(course.robot, course.kit, log.period)), readings[None], applied[None])[0]
-    period = course.driver.gains.period
+    measured = innovation_size(
+        kalman_filter(sampled(course.robot, course.kit, log.period)), readings[None], applied[None]
+    )[0]
+    period = course.controller.gains.period
     estimator, agreements = kalman_filter(sampled(course.robot, course.kit, period)), list[Array]()
-    reads = course.driver.gains.reads
+    reads = course.controller.gains.reads
     if not set(RAW) <= set(reads):
         raise SpecMismatch(f"the controller reads {', '.join(reads)}", expected="both encoders and the gyro")
     for row, push in enumerate(standard_pushes(course.robot).values()):
         some = replace(course, robots=course.robots[:DRAWN], progress=None)
         for result in watched(some, push, row, (*RAW, *APPLIED)):
-            agreements.append(surprise(estimator, *np.split(result.trace[~result.fell], [3], axis=2)))
+            agreements.append(innovation_size(estimator, *np.split(result.trace[~result.fell], [3], axis=2)))
     standing = np.concatenate(agreements)
     largest = standing.max(axis=0) if len(standing) else np.ones(3)
     return tuple(
         Agreement(name.removeprefix("sensor/"), float(own), float(most))
-        for name, own, most in zip(RAW, seen, largest, strict=True)
+        for name, own, most in zip(RAW, measured, largest, strict=True)
     )
 
 
 def recorded(log: Log, delay: int) -> tuple[Array, Array]:
-    """Readings (n, 3) of both encoders and the gyro, and applied commands (n, 2), `delay` periods late."""
+    """Readings (n, 3) of both encoders and the gyro, and applied commands (n, 2), delayed by `delay` periods where
+    the log has only commands as sent."""
     steps = np.diff(log.t)
     if np.mean(np.abs(steps - log.period) > log.period / 2) > UNEVEN:
         raise InvalidLog("the log is uneven", expected=f"steps near {log.period:g} s", likely="dropped samples",
@@ -110,15 +118,15 @@ def recorded(log: Log, delay: int) -> tuple[Array, Array]:
 
 
 def _reading(log: Log, name: str) -> Array:
-    """An encoder that was logged as a rate is summed."""
+    """The channel; the integral of the rate for an encoder that was logged as a rate."""
     rate = RATES.get(name, "")
     return np.cumsum(log[rate]) * log.period if name not in log and rate in log else log[name]
 
 
-def surprise(estimator: Filter, readings: Array, applied: Array) -> Array:
-    """Size of the innovations (robots, 3) over what the filter foretells: 1.48 times the median of |e|, for
-    readings (robots, n, 3) and commands (robots, n, 2); missing readings (NaN) are left out, and the first `SETTLED`
-    seconds."""
+def innovation_size(estimator: Filter, readings: Array, applied: Array) -> Array:
+    """Size of the innovations (robots, 3) over the standard deviation that the filter predicts: 1.48 times the median
+    of |e|, for readings (robots, n, 3) and commands (robots, n, 2). Missing readings (NaN) and the first `SETTLED`
+    seconds are left out."""
     model, linear = estimator.sampled, estimator.sampled.linear
     first = np.nan_to_num(readings[:, 0]).T
     start = np.zeros((len(linear.A), len(readings)))

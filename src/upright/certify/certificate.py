@@ -20,7 +20,7 @@ from upright.atomic import finite
 from upright.calibrate.calibrate import calibrate
 from upright.certify.agreement import AMBER, RED, Agreement, agreement, disagreements
 from upright.certify.analysis import INPUTS, delay_margin
-from upright.certify.checks import Course, Progress, PushTrial, Swept, driver, later, slower, trials
+from upright.certify.checks import Course, PushTrial, RunCounter, Swept, delayed, kernel_controller, slower, trials
 from upright.certify.learnt import learnt
 from upright.certify.loop import robot_loop
 from upright.certify.margins import margins
@@ -37,7 +37,7 @@ from upright.tables import Shown
 GREEN = "green"
 
 FEWEST = 100
-"""Robots below which no certificate is given: even without a fall the bound would be 3 % and more."""
+"""Number of robots below which no certificate is given: even without a fall the bound would exceed 3 %."""
 
 CONFIDENCE = 0.95
 MOST_FALLS = 0.05  # red above: with one such robot in twenty, a class of students breaks one
@@ -72,9 +72,9 @@ class Certificate(Shown):
     """What was measured of the controller with this `hash`, every `period` [s], and the `light` that follows from it.
 
     Of `samples` robots `fell` fell in at least one of the `trials`; `bound` is what the chance of that stays below,
-    with a confidence of 95 %. `linear` is None for a controller that no matrices describe, not even near rest. `later`
-    and `slower` say what more dead time and other periods do; `agreement` how far the log from which the robot was
-    learnt looks like what was assumed here.
+    with a confidence of 95 %. `linear` is None for a controller that no matrices describe, not even near rest.
+    `delayed` and `slower` count falls with additional dead time and with other periods; `agreement` compares the log
+    from which the robot was learnt with these assumptions.
     """
 
     light: str
@@ -90,28 +90,30 @@ class Certificate(Shown):
     fell: int
     linear: LinearMargins | None
     trials: tuple[PushTrial, ...]
-    later: tuple[Swept, ...] = ()
+    delayed: tuple[Swept, ...] = ()
     slower: tuple[Swept, ...] = ()
     agreement: tuple[Agreement, ...] = ()
 
     def check(self) -> tuple[str, ...]:
-        """What does not follow from this certificate's own numbers; nothing where it may be trusted."""
+        """Contradictions among this certificate's own numbers, as sentences; none where it is consistent."""
         bound = upper_bound(self.fell, self.samples, CONFIDENCE)
         light, reasons = judge(self.samples, self.fell, self.linear, self.trials, self.period, self.agreement)
-        wrong = [f"the bound is {self.bound:g}, not {bound:g}"] if not math.isclose(bound, self.bound) else []
-        wrong += [f"the light is {self.light}, not {light}"] if light != self.light else []
-        wrong += ["the reasons are not those of the numbers"] if reasons != self.reasons else []
+        wrong = (
+            [f"the bound is {self.bound:g}; its numbers give {bound:g}"] if not math.isclose(bound, self.bound) else []
+        )
+        wrong += [f"the light is {self.light}; its numbers give {light}"] if light != self.light else []
+        wrong += ["the reasons do not follow from its numbers"] if reasons != self.reasons else []
         most, runs = max(t.fell for t in self.trials), {t.runs for t in self.trials}
         fits = most <= self.fell <= sum(t.fell for t in self.trials) and runs == {self.samples}
-        return (*wrong, *(() if fits else ("the trials are not those of the falls",)))
+        return (*wrong, *(() if fits else ("the trials and the number of falls disagree",)))
 
     def refuses(self, controller: Controller | None = None) -> str:
-        """Why a robot should not be driven with this certificate, or nothing: it is red, broken, or of another
-        controller than `controller`."""
+        """Why a robot should not be driven with this certificate, as a sentence; empty where it may. It is red,
+        contradicts itself, or belongs to another controller than `controller`."""
         if wrong := self.check():
             return f"the certificate contradicts itself: {wrong[0]}"
         if controller is not None and controller_hash(controller) != self.hash:
-            return f"the certificate is of another {self.controller} ({self.hash[:12]})"
+            return f"the certificate belongs to another {self.controller} ({self.hash[:12]})"
         return f"red: {self.reasons[0]}" if self.light == RED else ""
 
     def to_json(self) -> dict[str, Any]:
@@ -122,18 +124,18 @@ class Certificate(Shown):
 
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> Certificate:
-        """The inverse of `to_json`; raises `InvalidController` for what is no certificate, or contradicts itself."""
+        """The inverse of `to_json`; raises `InvalidController` for one that is broken or contradicts itself."""
         try:
             return _read(cls, data)
         except (KeyError, TypeError, ValueError, AttributeError) as error:
             raise InvalidController(
-                f"this is no certificate ({type(error).__name__}: {error})", expected="JSON by upright certify"
+                f"not a certificate ({type(error).__name__}: {error})", expected="JSON by upright certify"
             ) from None
 
     def __str__(self) -> str:
         head = f"{self.light.upper()}: {self.controller} on {self.robot} with kit {self.kit}"
         columns = f"{'push':<20}{'battery':>8}{'fell':>12}{'saturated':>11}{'travel':>10}{'peak':>11}{'sway':>11}"
-        sweeps = [_sweep("dead time +", self.later), _sweep("period ", self.slower)]
+        sweeps = [_sweep("dead time +", self.delayed), _sweep("period ", self.slower)]
         lines = [head, *(f"  {reason}" for reason in self.reasons), "", columns, *(_row(t) for t in self.trials)]
         sweeps += ["the log: " + "; ".join(map(str, self.agreement))] if self.agreement else []
         return "\n".join([*lines, *(line for line in sweeps if line)])
@@ -162,8 +164,8 @@ def certify(
     compared with what is assumed. `sweeps` adds further dead times and other periods, on which the light does not
     depend. Controller, robot and kit may be names or files.
 
-    A controller that is not linear is called for each robot, so that 1000 samples take minutes; `progress` is told the
-    share done. Raises `SpecMismatch` for a controller that does not fit, `InvalidScenario` for too few samples,
+    A controller that is not linear is called for each robot, so that 1000 samples take minutes; `progress` receives the
+    fraction done. Raises `SpecMismatch` for a controller that does not fit, `InvalidScenario` for too few samples,
     `InvalidLog` for a log that cannot be compared.
     """
     nominal, unknown = find_robot(robot), find_posterior(posterior)
@@ -176,18 +178,19 @@ def certify(
     design = find_controller(controller, nominal, parts, parts.period)
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
     _check_family(family, nominal)
-    course = Course(driver(design, nominal, parts), nominal, family, parts, seed, threads)
+    course = Course(kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads)
     if progress:
-        course = replace(course, progress=Progress(course.runs, progress))
+        course = replace(course, progress=RunCounter(course.runs, progress))
     runs, fell = trials(course)
     linear, count, period = linear_margins(design, nominal, parts), int(fell.sum()), design.spec.period
     compared = agreement(recording, course) if recording else ()
     light, reasons = judge(len(family), count, linear, runs, period, compared)
-    delayed, slow = (f(course) if sweeps else () for f in (later, slower))
+    swept = [f(course) if sweeps else () for f in (delayed, slower)]
     return Certificate(
         light=light, reasons=reasons, bound=upper_bound(count, len(family), CONFIDENCE), robot=nominal.name,
         kit=parts.name, controller=design.spec.kind, hash=controller_hash(design), period=period, seed=seed,
-        samples=len(family), fell=count, linear=linear, trials=runs, later=delayed, slower=slow, agreement=compared,
+        samples=len(family), fell=count, linear=linear, trials=runs, delayed=swept[0], slower=swept[1],
+        agreement=compared,
     )  # fmt: skip
 
 
@@ -279,7 +282,9 @@ def _laborious(runs: Sequence[PushTrial]) -> list[str]:
 
 def _check_family(family: Sequence[Robot], robot: Robot) -> None:
     if len(family) < FEWEST:
-        raise InvalidScenario(f"{len(family)} robots", expected=f"{FEWEST} or more, of which a bound can be given")
+        raise InvalidScenario(
+            f"{len(family)} robots are too few to bound the chance of a fall", expected=f"{FEWEST} or more"
+        )
     if stranger := next((r for r in family if r.command_unit != robot.command_unit), None):
         raise SpecMismatch(f"'{stranger.name}' among the robots is commanded in {stranger.command_unit}",
                            expected=f"{robot.command_unit}, as '{robot.name}'")  # fmt: skip
@@ -292,6 +297,8 @@ def _per_cent(probability: float) -> str:
 
 def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
     given = dict(data)
+    if "later" in given:  # what older files call it
+        given["delayed"] = given.pop("later")
     if (given.pop("file"), given.pop("version")) != (KIND, VERSION):
         raise ValueError(f"it is no '{KIND}' of version {VERSION}")
     linear = given["linear"]
@@ -300,10 +307,10 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
         "linear": LinearMargins(**{n: math.inf if v is None else float(v) for n, v in linear.items()})
         if linear
         else None,
-        "agreement": tuple(Agreement(**row) for row in given["agreement"]),
+        "agreement": tuple(Agreement.from_json(row) for row in given["agreement"]),
         "trials": tuple(PushTrial(**row) for row in given["trials"]),
     }
-    swept: dict[str, Any] = {name: tuple(Swept(**row) for row in given[name]) for name in ("later", "slower")}
+    swept: dict[str, Any] = {name: tuple(Swept(**row) for row in given[name]) for name in ("delayed", "slower")}
     certificate = cls(**{**given, **parts, **swept})
     if wrong := certificate.check():
         raise ValueError(wrong[0])

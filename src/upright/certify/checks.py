@@ -1,4 +1,4 @@
-"""What a certificate measures: drawn robots under the standard pushes, and how much later or slower the loop may run.
+"""What a certificate measures: falls of drawn robots under the standard pushes, with more dead time, at other periods.
 
 All of it is the nonlinear model in the batch kernel, with the kit's quanta, noise, dead time, limits and battery.
 """
@@ -30,19 +30,19 @@ TAIL = 2.0  # [s] at the end, over which the limit cycle is measured: several of
 FRONT, BACK = 0.1, -0.12  # [rad] both holds of Herrera et al. (2015)
 KNOCK = 0.15  # [m/s] of the body's speed by the impulse: half of walking into it slowly
 BATTERIES = {"low": 0.85, "full": 1.12}
-"""Shares of the kit's voltage: six AA cells under load give 7 to 9 V for 8, two lithium cells 6.4 to 8.4 V for 7.5."""
+"""Over the kit's voltage: six AA cells under load give 7 to 9 V for 8, two lithium cells 6.4 to 8.4 V for 7.5."""
 
-LATER = (0.25, 0.5, 1.0, 1.5, 2.0)
-"""Further dead times that are tried, in periods."""
+DELAYS = (0.25, 0.5, 1.0, 1.5, 2.0)
+"""Additional dead times that are tried, in periods."""
 
 SLOWER = (0.5, 0.8, 1.25, 1.5, 2.0)
-"""Periods that are tried, as shares of the controller's own."""
+"""Periods that are tried, as multiples of the controller's own."""
 
 SWEPT = 100
-"""How many of the drawn robots the sweeps are run with."""
+"""Number of drawn robots in the sweeps."""
 
 CALLED = 128
-"""Robots that run together where the controller is called for each: a second or some of work."""
+"""Robots in one batch where the controller is called for each of them: about a second of work."""
 
 PITCH = ("truth/pitch",)
 _STEP = 0.001  # [s] of the body, as everywhere
@@ -51,10 +51,9 @@ _MOST = 95  # per cent: what one run in twenty exceeds
 
 @dataclass(frozen=True)
 class PushTrial:
-    """One push at one battery: `runs`, how many `fell`, and what 95 % of the standing ones stay below: `saturated`
-    (share of periods), `travel` [m], `peak` pitch [rad] and `cycle`, half of pitch's range in the last seconds [rad].
-
-    The numbers are zero where nothing stood.
+    """One push at one battery voltage: `fell` of `runs` fell. The others are 95 % quantiles over the robots that stand:
+    `saturated` (fraction of periods), `travel` [m], `peak` pitch [rad], and `cycle`, half of pitch's range in the last
+    seconds [rad]. They are zero where every robot fell.
     """
 
     push: str
@@ -70,40 +69,40 @@ class PushTrial:
 
 @dataclass(frozen=True)
 class Swept:
-    """`fell` of `runs` with `value` [s] of further dead time, or as the period."""
+    """`fell` of `runs` fell with `value` [s] of additional dead time, or with `value` as the period."""
 
     value: float
     runs: int
     fell: int
 
 
-class Driver(NamedTuple):
-    """A controller as the kernel runs it: as `gains`, or `called` for each robot where no matrices describe it,
-    which takes some hundred times as long."""
+class KernelController(NamedTuple):
+    """A controller as the kernel runs it: as `gains`, or `called` for each robot where no matrices describe it, which
+    takes a hundred times as long."""
 
     gains: LinearController
     called: Controller | None = None
 
 
-def driver(controller: Controller, robot: Robot, kit: Kit) -> Driver:
-    """The controller at the wheel; `SpecMismatch` for one that reads what no sensor of the kit gives, or that commands
-    another unit."""
+def kernel_controller(controller: Controller, robot: Robot, kit: Kit) -> KernelController:
+    """The controller in the form that the kernel runs. Raises `SpecMismatch` where it reads the true state on a real
+    kit, or commands another unit than the robot's."""
     spec = controller.spec
     if spec.command_unit != robot.command_unit:
         raise SpecMismatch(f"the controller commands {spec.command_unit}", expected=f"{robot.command_unit}")
     if spec.reads_truth and kit.name != "ideal":
         raise SpecMismatch(
             f"a {spec.kind} that reads the true state, on kit '{kit.name}'",
-            expected="a controller of its sensors", hint="put a filter before it, or certify on the kit 'ideal'",
+            expected="a controller that reads its sensors", hint="put a filter in front of it, or take the kit 'ideal'",
         )  # fmt: skip
     try:
-        return Driver(as_linear(controller))
+        return KernelController(as_linear(controller))
     except InvalidController:
-        return Driver(silent(controller), controller)
+        return KernelController(silent(controller), controller)
 
 
 def standard_pushes(robot: Robot) -> dict[str, Any]:
-    """Both holds of the paper, then released, and a knock at the centre of mass."""
+    """Both holds of the paper, each followed by a release, and an impulse at the centre of mass."""
     return {
         f"hold at {FRONT:+.2f} rad": Hold(pitch=FRONT, until=RELEASE),
         f"hold at {BACK:+.2f} rad": Hold(pitch=BACK, until=RELEASE),
@@ -112,8 +111,8 @@ def standard_pushes(robot: Robot) -> dict[str, Any]:
 
 
 @dataclass
-class Progress:
-    """Counts robots that have run, and tells the share of `total`."""
+class RunCounter:
+    """Counts robots that have run, and shows the fraction of `total`."""
 
     total: int
     show: Callable[[float], None]
@@ -126,19 +125,19 @@ class Progress:
 
 @dataclass(frozen=True, eq=False)
 class Course:
-    """Who drives which robots, on which kit, from which seed."""
+    """A controller, the robots it drives, their kit and the seed of their noise."""
 
-    driver: Driver
+    controller: KernelController
     robot: Robot
     robots: Sequence[Robot]
     kit: Kit
     seed: int = 0
     threads: int | None = None
-    progress: Progress | None = None
+    progress: RunCounter | None = None
 
     @property
     def runs(self) -> int:
-        """How many robots run in all trials and sweeps."""
+        """Number of runs in all trials and sweeps."""
         pushes, some = len(standard_pushes(self.robot)), min(SWEPT, len(self.robots))
         return pushes * (len(BATTERIES) * len(self.robots) + (len(_extra(self)) + len(_periods(self))) * some)
 
@@ -150,71 +149,70 @@ def trials(course: Course) -> tuple[tuple[PushTrial, ...], NDArray[np.bool_]]:
     for name, push in standard_pushes(course.robot).items():
         for battery, fraction in BATTERIES.items():
             changes = _battery(course.kit, course.robot, fraction)
-            rows = list(_runs(course, course.robots, push, len(results), changes, course.driver, PITCH))
-            results.append(_trial(name, battery, rows, parameters_of(course.robots), course.driver.gains.period))
+            rows = list(_runs(course, course.robots, push, len(results), changes, course.controller, PITCH))
+            results.append(_trial(name, battery, rows, parameters_of(course.robots), course.controller.gains.period))
             fell |= np.concatenate([row.fell for row in rows])
     return tuple(results), fell
 
 
-def later(course: Course) -> tuple[Swept, ...]:
-    """Falls under every standard push with `LATER` periods of further dead time, which the controller does not know."""
+def delayed(course: Course) -> tuple[Swept, ...]:
+    """Falls under every standard push with `DELAYS` periods of additional dead time, unknown to the controller."""
     kit = course.kit
-    return tuple(_swept(course, value, {"delay": [kit.delay + value]}, course.driver) for value in _extra(course))
+    return tuple(_swept(course, value, {"delay": [kit.delay + value]}, course.controller) for value in _extra(course))
 
 
 def slower(course: Course) -> tuple[Swept, ...]:
-    """Falls under every standard push where the loop runs every `SLOWER` share of its period with the same gains."""
-    gains, called = course.driver
-    return tuple(
-        _swept(course, period, {}, Driver(replace(gains, period=period), called)) for period in _periods(course)
-    )
+    """Falls under every standard push with the same gains at `SLOWER` times the period."""
+    gains, called = course.controller
+    tried = [(period, KernelController(replace(gains, period=period), called)) for period in _periods(course)]
+    return tuple(_swept(course, period, {}, controller) for period, controller in tried)
 
 
 def watched(course: Course, push: Any, row: int, channels: Sequence[str]) -> Iterator[FleetResult]:
-    """The robots of `course` once under `push`, `channels` recorded; `row` numbers the trial."""
-    return _runs(course, course.robots, push, row, {}, course.driver, channels)
+    """One run of each robot of `course` under `push`, with `channels` recorded; `row` is the number of the trial."""
+    return _runs(course, course.robots, push, row, {}, course.controller, channels)
 
 
 def _extra(course: Course) -> list[float]:
-    return sorted({round(fraction * course.driver.gains.period / _STEP) * _STEP for fraction in LATER} - {0.0})
+    return sorted({round(fraction * course.controller.gains.period / _STEP) * _STEP for fraction in DELAYS} - {0.0})
 
 
 def _periods(course: Course) -> list[float]:
-    """The kernel takes no command that is later than the next one."""
-    tried = sorted({max(1, round(fraction * course.driver.gains.period / _STEP)) * _STEP for fraction in SLOWER})
+    """In the kernel no command may be delayed beyond the next one, so that jitter limits the period from below."""
+    tried = sorted({max(1, round(fraction * course.controller.gains.period / _STEP)) * _STEP for fraction in SLOWER})
     return [period for period in tried if period >= course.kit.jitter]
 
 
-def _swept(course: Course, value: float, changes: Mapping[str, Any], at_the_wheel: Driver) -> Swept:
+def _swept(course: Course, value: float, changes: Mapping[str, Any], controller: KernelController) -> Swept:
     some = course.robots[:SWEPT]
     fell = runs = 0
     for row, push in enumerate(standard_pushes(course.robot).values()):
-        for result in _runs(course, some, push, row, changes, at_the_wheel):
+        for result in _runs(course, some, push, row, changes, controller):
             fell, runs = fell + int(result.fell.sum()), runs + len(result.fell)
     return Swept(value, runs, fell)
 
 
 def _runs(
-    course: Course, robots: Sequence[Robot], push: Any, row: int, changes: Mapping[str, Any], at_the_wheel: Driver,
-    channels: Sequence[str] = (),
+    course: Course, robots: Sequence[Robot], push: Any, row: int, changes: Mapping[str, Any],
+    controller: KernelController, channels: Sequence[str] = (),
 ) -> Iterator[FleetResult]:  # fmt: skip
-    """The robots once each, a part at a time; `row` numbers the trial, so that each has its own noise."""
-    n, part = len(robots), CALLED if at_the_wheel.called else len(robots)
+    """One run of each robot, in batches; `row` is the number of the trial, so that each has its own noise."""
+    n, part = len(robots), CALLED if controller.called else len(robots)
     for first in range(0, n, part):
         some = parameters_of(robots[first : first + part])
         index = np.arange(row * n + first, row * n + first + len(some), dtype=np.uint64)
         batch = FleetBatch(
-            parameters=some, controller=at_the_wheel.gains, kit=course.kit, kit_changes=changes, seed=course.seed,
+            parameters=some, controller=controller.gains, kit=course.kit, kit_changes=changes, seed=course.seed,
             pushes=tables([push], (), some).pushes, index=index, period=_STEP,
         )  # fmt: skip
-        called, record = at_the_wheel.called, int(bool(channels))
+        called, record = controller.called, int(bool(channels))
         yield simulate(batch, SECONDS, record=record, channels=channels, threads=course.threads, called=called)
         if course.progress:
             course.progress.add(len(some))
 
 
 def _battery(kit: Kit, robot: Robot, fraction: float) -> dict[str, list[float]]:
-    """A torque drive has no battery in its equations."""
+    """The change to the kit; none for a torque drive, which has no battery in its equations."""
     known = robot.command_unit == "V" and math.isfinite(kit.battery.voltage)
     return {"battery.voltage": [fraction * kit.battery.voltage]} if known else {}
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.bodies import Body, Electronics, make_body
-from upright.certify.checks import Course, driver, watched
+from upright.certify.checks import Course, kernel_controller, watched
 from upright.comparison.comparison import compare
 from upright.control import CONTROLLERS, Controller, make_controller
 from upright.errors import UprightError
@@ -102,7 +102,7 @@ def bench_one(
     measured = next(iter(numbers.values()))["metrics"]
     end = outcome_of(log)
     outcome = f"fell at {end.seconds:.1f} s" if end.fell else "yes"
-    spread = _spread(Course(driver(controller, robot, kit), robot, drawn, kit, seed), side)
+    spread = _spread(Course(kernel_controller(controller, robot, kit), robot, drawn, kit, seed), side)
     names = {"peak": "pitch_peak", "settling": "settling_5", "travel": "wheel_travel"}
     numbers = {n: measured[names.get(n, n)] for n in ("peak", "settling", "travel", "effort", "saturated")}
     return BenchRow(controller=method, push=push, outcome=outcome, **numbers, impulse=impulse, spread=spread)
@@ -124,7 +124,7 @@ def largest_knock(plant: Body, controller: Controller, way: float, seed: int) ->
 
 def _spread(course: Course, side: str) -> float | None:
     """Fraction of drawn robots that fall, in the kernel."""
-    if course.driver.called:
+    if course.controller.called:
         return None
     runs = watched(course, Hold(pitch=PUSHES[side], until=UNTIL), 0, ())
     return float(np.concatenate([result.fell for result in runs]).mean())

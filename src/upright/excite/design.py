@@ -15,7 +15,7 @@ from os import PathLike
 
 from upright.control import Controller, find_controller
 from upright.errors import InvalidScenario
-from upright.excite.loop import Loop
+from upright.excite.loop import ExcitedLoop
 from upright.excite.plan import ExcitationPlan, Limits
 from upright.excite.search import Progress, Search
 from upright.robots import Kit, Robot, find_kit, find_robot
@@ -56,7 +56,7 @@ def excite(
     nominal, unknown = at_medians(find_robot(robot), posterior)
     parts = find_kit(kit or nominal.kit)
     holding = find_controller(controller or "lqg", nominal, parts, parts.period)
-    design = Search(Loop(nominal, parts, holding, seconds, seed), limits or Limits(), tuple(known), tuple(focus))
+    design = Search(ExcitedLoop(nominal, parts, holding, seconds, seed), limits or Limits(), tuple(known), tuple(focus))
     design.draw(Family(nominal, parts, unknown or Uncertainty.of(nominal, known)), samples)
     show(0.1)
     design.begin()

@@ -32,7 +32,7 @@ APPLIED = ("applied/left", "applied/right")
 
 
 @dataclass(frozen=True, eq=False)
-class Loop:
+class ExcitedLoop:
     """`controller` on `robot` with `kit` for `seconds`; every row of an excitation is held for `hold` periods.
 
     Raises `SpecMismatch` for a controller that is not linear or does not fit, `InvalidScenario` for the time.

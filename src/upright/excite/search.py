@@ -13,7 +13,7 @@ from upright.calibrate.summary import NORMAL
 from upright.control.excited import random_binary
 from upright.errors import DesignFailed, InvalidScenario, UnknownName
 from upright.excite.information import added, best_division, fisher, problem_of, quiet, score, shrunk
-from upright.excite.loop import APPLIED, Loop, stacked
+from upright.excite.loop import APPLIED, ExcitedLoop, stacked
 from upright.excite.plan import Checked, ExcitationPlan, Limits, Predicted, Tried
 from upright.excite.signals import mixture, signals
 from upright.kernel.batch import NAMES, FleetResult, parameters_of
@@ -57,7 +57,7 @@ class Way:
 class Search:
     """The search; `stand` (n, 21) are robots that stand unexcited."""
 
-    loop: Loop
+    loop: ExcitedLoop
     limits: Limits
     known: tuple[str, ...]
     focus: tuple[str, ...]
@@ -285,7 +285,7 @@ class Search:
         return tuple(filter(None, notes))
 
 
-def _most(loop: Loop) -> float:
+def _most(loop: ExcitedLoop) -> float:
     """The largest command of the kit, or where it has none, one that is a few times Bryson's."""
     limit = min(loop.kit.motor.limit, loop.kit.battery.voltage if loop.gains.command_unit == "V" else np.inf)
     return float(limit) if np.isfinite(limit) else {"V": 8.0, "N m": 0.5}[loop.gains.command_unit]

@@ -20,7 +20,7 @@ def page_of(certificate: Certificate) -> Page:
         Section("Pushes", [_intro(certificate), _trials(certificate)]),
         Section("Nominal loop", [_linear(certificate.linear)] if certificate.linear else []),
     ]
-    if certificate.later or certificate.slower:
+    if certificate.delayed or certificate.slower:
         sections.append(Section("Other delays and periods", _sweeps(certificate)))
     facts = {"controller": certificate.hash[:12], "seed": str(certificate.seed), "kit": certificate.kit}
     lead = "The expected behaviour of this controller, computed before it drives."
@@ -54,7 +54,7 @@ def _linear(margins: LinearMargins) -> Table:
 
 
 def _sweeps(c: Certificate) -> list[Item]:
-    sweeps = {"additional delay": c.later, "period": c.slower}
+    sweeps = {"additional delay": c.delayed, "period": c.slower}
     return [_figure(name, swept) for name, swept in sweeps.items() if len(swept) > 1]
 
 
