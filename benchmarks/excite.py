@@ -43,7 +43,7 @@ from upright.control import make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError
 from upright.excite import excite
-from upright.excite.loop import Loop
+from upright.excite.loop import ExcitedLoop
 from upright.excite.plan import ExcitationPlan
 from upright.excite.search import SWAY
 from upright.experiment import run
@@ -68,7 +68,7 @@ def robots(name: str, count: int, seed: int, known: tuple[str, ...] = ()) -> lis
     robot = Robot.preset(name)
     kit = Kit.preset(robot.kit)
     drawn = Family(robot, kit, Uncertainty.of(robot, known)).draw(seed, np.arange(4 * count + 20))
-    loop = Loop(robot, kit, make_controller("lqg", robot, kit, kit.period), SECONDS, seed)
+    loop = ExcitedLoop(robot, kit, make_controller("lqg", robot, kit, kit.period), SECONDS, seed)
     result = loop.run(np.zeros((1, 1, 2)), parameters_of(robot, drawn), hold=loop.periods)
     stands = np.flatnonzero(~result.fell & (result.peak[:, 0] < SWAY))
     found = (robot.replace(**{n: float(v[i]) for n, v in drawn.items()}) for i in stands)
@@ -96,7 +96,7 @@ def dither(name: str, energy: float, seed: int, hold: int, learnt: Robot | None 
     """A random binary dither (n, 2) of that energy, at the preset or at what was `learnt`."""
     robot = learnt or Robot.preset(name)
     kit = Kit.preset(robot.kit)
-    loop = Loop(robot, kit, make_controller("lqg", robot, kit, kit.period), SECONDS, seed)
+    loop = ExcitedLoop(robot, kit, make_controller("lqg", robot, kit, kit.period), SECONDS, seed)
     first = 1.0 if loop.gains.command_unit == "V" else 0.02
     rows = random_binary(-(-loop.periods // hold), first, seed)
     return np.repeat(loop.scaled(rows[None], energy, hold)[0], hold, axis=0)
