@@ -43,7 +43,7 @@ SCALARS = frozenset({Type.UBYTE, Type.SBYTE, Type.UWORD, Type.SWORD, Type.ULONG,
 
 
 @dataclass(frozen=True)
-class Entry:
+class TypeEntry:
     """A variable: its `type`; `data` is an address, or for a cluster the number of its members."""
 
     type: Type
@@ -66,7 +66,7 @@ class Code:
 class Executable:
     """The variables with their first `values`, where each clump starts, and the `code` words."""
 
-    entries: tuple[Entry, ...]
+    entries: tuple[TypeEntry, ...]
     values: tuple[Value | None, ...]
     clumps: tuple[int, ...]
     code: tuple[int, ...]
@@ -116,7 +116,7 @@ def _read(data: bytes) -> Executable:
     _, count, _, static, size, dynamic, _, _, _, vectors, clumps, words = HEADER.unpack_from(data)
     at = HEADER.size
     rows = list(struct.iter_unpack("<BBH", data[at : at + 4 * count]))
-    entries = tuple(Entry(Type(kind), bool(flags & ZERO), address) for kind, flags, address in rows)
+    entries = tuple(TypeEntry(Type(kind), bool(flags & ZERO), address) for kind, flags, address in rows)
     at += 4 * count
     first, at = data[at : at + size], at + size + (at + size) % 2
     records = [struct.unpack_from("<BBH", data, at + 4 * i) for i in range(clumps)]
@@ -129,7 +129,7 @@ def _read(data: bytes) -> Executable:
 
 
 def _values(
-    entries: tuple[Entry, ...], stored: bytes, heap: bytes, static: int, vectors: int
+    entries: tuple[TypeEntry, ...], stored: bytes, heap: bytes, static: int, vectors: int
 ) -> Iterator[Value | None]:
     """First values in the order of the entries; the heap begins at address `static`, the vectors of arrays in it."""
     at, element = 0, 0

@@ -39,7 +39,7 @@ def monitor(
 
     if output:
         check_folder(output)
-    shown = Shown(FASTEST if is_live(source) else float("inf"))
+    shown = Screen(FASTEST if is_live(source) else float("inf"))
     try:
         follow(source, shown.receive, program=program, seconds=seconds)
     finally:
@@ -52,7 +52,7 @@ def monitor(
         raise InvalidLog(f"{source} held no log", expected="the program's lines from H to E", likely="it still runs")
 
 
-class Shown:
+class Screen:
     """Prints lines as they arrive, telemetry at most at `fastest` [Hz]; `kept` holds those of the log."""
 
     def __init__(self, fastest: float) -> None:

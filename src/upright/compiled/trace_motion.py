@@ -30,8 +30,8 @@ from upright.compiled.trace_print import (
     WHEEL_RATE,
     YAW,
     YAW_RATE,
+    LanePrinter,
     P,
-    Printer,
     factored,
     function,
 )
@@ -188,7 +188,7 @@ class _Work:
         x = (PITCH, PITCH_RATE, sp.Symbol("wheel"), WHEEL_RATE, YAW, YAW_RATE)
         forces = accelerometer(x, sp.Symbol("wheel_acc", real=True), P, tilt, Maths(tilt))
         forward, up = (sp.expand(f).subs(VARIANTS[self.name]) for f in forces)
-        printer = Printer()
+        printer = LanePrinter()
         results = [printer.value(factored(forward)), printer.value(factored(up))]
         body = [
             self._hold(),
@@ -272,7 +272,7 @@ def _split(expression: Any) -> Any:
 
 def _acceleration_lines(absent: dict[Any, int]) -> list[str]:
     """The body of a function that gives ψ̈, θ̈, φ̈ without what is `absent`, with one reciprocal for all its divisions."""
-    traced, out = trace(), Printer()
+    traced, out = trace(), LanePrinter()
     coulomb, slope = SLIP_LEFT not in absent, SIN_SLOPE not in absent
     out.put("s, c", "sincos(pitch)")
     if slope:
@@ -300,7 +300,7 @@ def _acceleration_lines(absent: dict[Any, int]) -> list[str]:
     return [*out.lines, f"return pitch_acc, fma(-a12, pitch_acc, {wheel}), {yaw} * {over[1]}"]
 
 
-def _reciprocals(out: Printer, names: Sequence[str]) -> list[str]:
+def _reciprocals(out: LanePrinter, names: Sequence[str]) -> list[str]:
     """1/a, 1/b, … by one division of their product (Montgomery 1987)."""
     before = [names[0]]
     for i, name in enumerate(names[1:]):

@@ -28,7 +28,7 @@ DYNAMIC = (*STATE, *HELD)
 FACTOR_FIRST = (SIN, COS, YAW_RATE, PITCH_RATE, WHEEL_RATE)
 
 
-class Printer:
+class LanePrinter:
     """Straight-line source text: every value once, sums of products as chains of `fma`."""
 
     def __init__(self) -> None:
