@@ -352,7 +352,8 @@ def test_wheels_that_stick_leave_the_rest_of_a_log_its_worth() -> None:
     so correlated that its readings count for a third; with a noise of its own for these moments they are white."""
     preset = Robot.preset("twipr")
     robot = preset.replace(com_height=0.8 * preset.com_height)
-    found = calibrate(dry_twin(robot, 0.01, 1), preset)
+    # of seeds 3 to 6 the third alone has two optima of equal worth, and rounding decides between them
+    found = calibrate(dry_twin(robot, 0.01, 1, seed=4), preset)
     assert found.temper > 0.85  # as for white ones, but for what ten seconds of noise scatter by
     assert found["com_height"].low <= robot.com_height <= found["com_height"].high
 

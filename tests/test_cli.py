@@ -99,6 +99,7 @@ BAD = {
     "period of no length": ("linearise --period 0", "positive"),
     "model into a missing folder": ("linearise -o nowhere/model.json", "nowhere"),
     "missing log": ("compare missing.csv", "missing.csv"),
+    "missing program": ("parity missing.nxc missing.json", "a program by upright firmware"),
     "two logs of one name": ("compare good.csv good.csv", "good"),
     "unknown reference": ("compare good.csv --reference twin", "twin"),
     "log without time": ("compare no-time.csv", "'t'"),

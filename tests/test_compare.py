@@ -260,3 +260,9 @@ def test_a_command_cut_only_by_the_driver_s_steps_is_not_saturated():
 
     assert share(8.0) == 0
     assert share(0.9) == pytest.approx(1 / 3)  # one row of three, where 0.9 V is all there is
+
+
+def test_a_file_is_compared_as_the_log_in_it(tmp_path):
+    log = pushed()
+    file = log.save(tmp_path / "run.parquet")
+    assert compare({"a": file, "b": str(file)}).metrics == compare({"a": log, "b": log}).metrics

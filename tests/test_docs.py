@@ -160,6 +160,18 @@ def test_the_example_body_keeps_the_contract() -> None:
     assert last.values[0] == pytest.approx(0.01 * math.cosh(math.sqrt(9.81 / 0.072) * 0.1), rel=0.01)
 
 
+def test_the_command_printed_with_the_example_body_runs(tmp_path, monkeypatch, capsys) -> None:
+    page = ROOT / "docs" / "add-a-body.md"
+    (tmp_path / "my.py").write_text(blocks(page, "python")[0])
+    command = next(line for block in blocks(page, "sh") for line in block.splitlines() if "my.py" in line)
+    monkeypatch.chdir(tmp_path)
+    assert main(shlex.split(command)[1:]) == 0
+    # ψ = 0.01 cosh(11.67 t) reaches the body's 1.4 rad at 0.483 s; the log says so one period of 10 ms later
+    assert "fell at 0.49 s" in capsys.readouterr().out
+    assert main(["simulate", "--body", "my.py:Rod"]) == 2  # the NXT's sensors are missing on a rod
+    assert "try: a kit without them, such as 'ideal'" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_links_lead_to_files_that_exist(page: Path) -> None:
     prose = re.sub(r"`[^`\n]*`", "", FENCE.sub("", page.read_text("utf-8")))

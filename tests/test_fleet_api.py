@@ -66,6 +66,7 @@ def test_a_normal_variation_has_the_spread_of_the_robots_file():
         ("com_heigth=±10%", UnknownName, "com_height"),
         ("com_height", InvalidScenario, "±10%"),
         ("com_height=10%", InvalidScenario, "±10%"),
+        ("com_height=10", InvalidScenario, "try: com_height=±10%"),  # not ±10 m
         ("com_height=0.08..0.06", InvalidScenario, "low end"),
         ("com_height=±x%", InvalidScenario, "finite number"),
         ("coulomb_friction=±10%", InvalidScenario, "percentage of zero"),

@@ -35,7 +35,9 @@ class Electronics:
         missing = sorted(set(kit.sensors) - have.keys() - {BATTERY})
         if missing:
             raise SpecMismatch(
-                f"kit '{kit.name}' has sensors {', '.join(missing)}", expected=f"what a {inner.kind} offers"
+                f"kit '{kit.name}' needs {', '.join(missing)}, which a {inner.kind} does not offer",
+                expected="a body with these sensors",
+                hint="a kit without them, such as 'ideal'",
             )
         if kit.drive and kit.drive != inner.robot.drive:
             raise SpecMismatch(f"kit '{kit.name}' drives by {kit.drive}", expected=f"{inner.robot.drive}, as the robot")

@@ -7,6 +7,7 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from os import PathLike
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -131,13 +132,13 @@ class Comparison(Shown):
 
 
 def compare(
-    logs: Mapping[str, Log],
+    logs: Mapping[str, Log | str | PathLike[str]],
     *,
     reference: str | None = None,
     signals: Sequence[str] = STATE_NAMES,
     release: float | None = None,
 ) -> Comparison:
-    """Metrics of each log and the fit of each to the `reference` log (default: the first, normally the twin).
+    """Metrics of each log, or file of one, and its fit to the `reference` log (default: the first, normally the twin).
 
     A log on another time base is interpolated linearly onto the reference's times inside the interval both
     share. States are `truth/…` if all logs have them, else each log's `estimate/…`, or its `truth/…` where it has
@@ -152,8 +153,9 @@ def compare(
     first = next(iter(logs)) if reference is None else reference
     if first not in logs:
         raise UnknownName("log", first, logs)
-    labels = _labels(logs)
-    named = {labels[label]: log for label, log in logs.items()}
+    read = {label: log if isinstance(log, Log) else Log.load(log) for label, log in logs.items()}
+    labels = _labels(read)
+    named = {labels[label]: log for label, log in read.items()}
     anchor = named[labels[first]]
     sources = _sources(named, signals)
     releases = {label: _release(log, anchor) if release is None else release for label, log in named.items()}

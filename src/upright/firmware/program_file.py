@@ -67,8 +67,12 @@ def read_program(
 
 
 def read_text(path: str | Path) -> str:
-    """The text of a program; `InvalidController` for a file that is not text."""
+    """The text of a program; `InvalidController` for a file that cannot be read or is not text."""
     try:
         return Path(path).read_text(encoding="utf-8")
+    except OSError as error:
+        raise InvalidController(
+            f"cannot read {path}: {error.strerror}", expected="a program by upright firmware"
+        ) from None
     except UnicodeDecodeError:
         raise InvalidController(f"{path} is not text", expected="a program by upright firmware") from None

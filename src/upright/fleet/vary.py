@@ -49,7 +49,7 @@ def variation(text: str, robot: Robot, kit: Kit | None = None) -> Uncertainty:
             raise InvalidScenario(f"--vary '{text}'", expected="a low end below the high one")
         return Uncertainty((Spread(name, "uniform", low, high),))
     if not range_.startswith("±"):
-        raise InvalidScenario(f"--vary '{text}'", expected="±10%, LOW..HIGH or normal:5%", hint=f"{name}=±{range_}")
+        raise InvalidScenario(f"--vary '{text}'", expected="±10%, LOW..HIGH or normal:5%", hint=f"{name}=±10%")
     half = _size(range_[1:], value, text)
     return Uncertainty((Spread(name, "uniform", value - half, value + half),))
 

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from upright.errors import InvalidModel
 from upright.physics.dynamics import CALM, MODELS, Disturbance, derivative
-from upright.robots import Robot
+from upright.robots import Robot, find_robot
 from upright.signals import STATE_NAMES
 from upright.tables import Listing, Shown
 
@@ -239,12 +239,12 @@ def one_period(one: LinearModel, other: LinearModel) -> None:
 
 
 def linearise(
-    robot: Robot, x: Sequence[float] = (0.0,) * 6, u: Sequence[float] = (0.0, 0.0), model: str = "complete"
+    robot: Robot | str, x: Sequence[float] = (0.0,) * 6, u: Sequence[float] = (0.0, 0.0), model: str = "complete"
 ) -> LinearModel:
     """The tangent of the dynamics at state `x` (6,) and command `u` (2,), exact to rounding by complex steps
     (Squire and Trapp 1998). It is an equilibrium only where `f0` is zero: driving against losses is not.
 
-    >>> [round(float(pole.real), 2) for pole in linearise(Robot.preset("nxtway-gs")).poles()[:2]]
+    >>> [round(float(pole.real), 2) for pole in linearise("nxtway-gs").poles()[:2]]
     [7.44, 0.0]
     """
     if len(x) != 6 or len(u) != 2 or not np.isfinite([*x, *u]).all():
@@ -254,11 +254,12 @@ def linearise(
 
     if model not in MODELS:
         raise InvalidModel(f"no model is called '{model}'", expected=" or ".join(MODELS))
+    parameters = find_robot(robot)
 
     def column(dx: Sequence[complex], du: Sequence[complex], w: Disturbance) -> Array:
         at_x = [a + b for a, b in zip(x, dx, strict=True)]
         at_u = [a + b for a, b in zip(u, du, strict=True)]
-        slopes = derivative(at_x, at_u, robot, w, cmath, model)
+        slopes = derivative(at_x, at_u, parameters, w, cmath, model)
         return np.array([complex(s).imag / _TINY for s in slopes])
 
     def unit(size: int, index: int) -> list[complex]:
@@ -270,7 +271,7 @@ def linearise(
     force = column(still, idle, Disturbance(force=1j * _TINY))
     moment = column(still, idle, Disturbance(force=1j * _TINY, height=1.0)) - force
     slope = column(still, idle, Disturbance(slope=1j * _TINY))
-    f0 = np.array(derivative(x, u, robot, CALM, model=model), dtype=np.float64)
+    f0 = np.array(derivative(x, u, parameters, CALM, model=model), dtype=np.float64)
     E = np.column_stack([force, moment, slope])
     return LinearModel(A, B, E=E, disturbances=DISTURBANCES, x0=np.array(x), u0=np.array(u), f0=f0)
 
