@@ -7,7 +7,7 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from os import PathLike
+from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -132,7 +132,7 @@ class Comparison(Shown):
 
 
 def compare(
-    logs: Mapping[str, Log | str | PathLike[str]],
+    logs: Mapping[str, Log | str | Path],
     *,
     reference: str | None = None,
     signals: Sequence[str] = STATE_NAMES,
