@@ -31,7 +31,7 @@ from upright.fleet.binomial import upper_bound
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
 from upright.robots import Kit, Robot, find_kit, find_robot
-from upright.robots.uncertainty import Uncertainty, draw, find_posterior
+from upright.robots.uncertainty import Uncertainty, at_medians, draw
 from upright.tables import Shown
 
 GREEN = "green"
@@ -168,13 +168,11 @@ def certify(
     fraction done. Raises `SpecMismatch` for a controller that does not fit, `InvalidScenario` for too few samples,
     `InvalidLog` for a log that cannot be compared.
     """
-    nominal, unknown = find_robot(robot), find_posterior(posterior)
+    nominal, unknown = at_medians(find_robot(robot), posterior)
     parts, recording = find_kit(kit or nominal.kit), None if log is None else raw_log(log, mapping)
     if recording and unknown is None and robots is None:
         calibrated = learnt(calibrate(recording, nominal, parts, progress=progress), parts)
         nominal, parts, unknown = calibrated.robot, calibrated.kit, calibrated.uncertainty
-    elif unknown:
-        nominal = unknown.middle(nominal)
     design = find_controller(controller, nominal, parts, parts.period)
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
     _check_family(family, nominal)

@@ -19,7 +19,7 @@ from upright.control import (
 )  # fmt: skip
 from upright.errors import InvalidController, SpecMismatch
 from upright.robots import Kit, Robot, find_kit, find_robot
-from upright.robots.uncertainty import Uncertainty, find_posterior
+from upright.robots.uncertainty import Uncertainty, at_medians
 from upright.tables import Shown
 
 
@@ -76,13 +76,12 @@ def design(
     `posterior`, such as a file by `upright calibrate --save`, puts the robot at its medians; the method robust alone
     uses it. Raises `UnknownName` for a method that is not registered, `DesignFailed` where it has no solution.
     """
-    nominal, unknown = find_robot(robot), find_posterior(posterior)
+    nominal, unknown = at_medians(find_robot(robot), posterior)
     parts = find_kit(kit or nominal.kit)
     dt = parts.period if period is None else period
     if unknown is None:
         controller = make_controller(method, nominal, parts, dt)
     elif method == "robust":
-        nominal = unknown.middle(nominal)
         controller = robust(nominal, parts, dt, uncertainty=unknown)
     else:
         raise InvalidController(f"a posterior with {method}", expected="the method robust, which alone uses it")

@@ -7,25 +7,35 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.options import JsonOption, RobotOption
+from upright.cli.options import (
+    ControllerArgument,
+    JsonOption,
+    KitOption,
+    RobotOption,
+    complete_hub,
+    complete_target,
+)
 from upright.cli.output import check_folder, print_json
 
 
 def firmware(
-    controller: Annotated[str, typer.Argument(help="A controller.json, or a controller by name.")],
+    controller: ControllerArgument,
     *,
-    target: Annotated[str, typer.Option("--target", "-t", help="pybricks, nxc, c, arduino or ev3dev.")],
+    target: Annotated[
+        str,
+        typer.Option("--target", "-t", help="pybricks, nxc, c, arduino or ev3dev.", autocompletion=complete_target),
+    ],
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the program (.py, .nxc, .c with its .h, .ino).")
     ] = None,
     robot: RobotOption = "nxtway-gs",
-    kit: Annotated[
-        str | None, typer.Option(help="Electronics by name or TOML file (default: the robot's own).")
-    ] = None,
+    kit: KitOption = None,
     number: Annotated[
         str, typer.Option("--number", help="Arithmetic of c (float, double, fixed) and arduino (float, fixed).")
     ] = "",
-    hub: Annotated[str, typer.Option(help="What pybricks runs on: prime, technic, ev3 or nxt.")] = "prime",
+    hub: Annotated[
+        str, typer.Option(help="What pybricks runs on: prime, technic, ev3 or nxt.", autocompletion=complete_hub)
+    ] = "prime",
     reference: Annotated[bool, typer.Option("--reference", help="c: the reference state as further inputs.")] = False,
     seconds: Annotated[
         int | None,

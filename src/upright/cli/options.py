@@ -57,12 +57,26 @@ def _bodies() -> Iterable[str]:
     return BODIES
 
 
+def _targets() -> Iterable[str]:
+    from upright.firmware.targets import TARGETS
+
+    return TARGETS
+
+
+def _hubs() -> Iterable[str]:
+    from upright.firmware.generate import GYROS
+
+    return GYROS
+
+
 complete_robot = completed(_robots, ".toml")
 complete_kit = completed(_kits, ".toml")
 complete_mapping = completed(_mappings, ".toml")
 complete_controller = completed(controllers, ".json")
 complete_body = completed(_bodies)
 complete_method = completed(controllers)
+complete_target = completed(_targets)
+complete_hub = completed(_hubs)
 
 ROBOT_HELP = "Robot by name (see `upright robots`) or TOML file"
 KIT_HELP = "Electronics by name or TOML file"

@@ -292,14 +292,9 @@ def stated(robot: Robot, name: str) -> float | None:
     return source.spread if source else None
 
 
-def find_posterior(posterior: Uncertainty | str | PathLike[str] | None) -> Uncertainty | None:
-    """The uncertainty itself, or the one in the file of that path."""
-    return posterior if posterior is None or isinstance(posterior, Uncertainty) else read_posterior(posterior)
-
-
 def at_medians(robot: Robot, posterior: Uncertainty | str | PathLike[str] | None) -> tuple[Robot, Uncertainty | None]:
     """`robot` at the medians of a posterior, whose sources stay on record, and that posterior; alone without one."""
-    unknown = find_posterior(posterior)
+    unknown = posterior if posterior is None or isinstance(posterior, Uncertainty) else read_posterior(posterior)
     return (unknown.middle(robot).replace(provenance=robot.provenance), unknown) if unknown else (robot, None)
 
 
