@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import re
 import struct
+import subprocess
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,10 +24,11 @@ from upright.compiled.fixed import fractions, scaled
 from upright.compiled.interpret import Interpreter
 from upright.compiled.print_c import CPrinter
 from upright.compiled.print_nxc import NxcPrinter
-from upright.compiled.program import Kind, Sum
+from upright.compiled.program import Kind, Program, Sum
 from upright.control import LinearController, controller_hash, write_controller
 from upright.errors import InvalidController, SpecMismatch, UnknownName
 from upright.firmware import TARGETS, generate, head, trace
+from upright.firmware.generate import TEXTS, _facts
 from upright.firmware.setup import FALLEN, TOO_FAR
 from upright.fleet.binomial import upper_bound
 from upright.robots import Kit, Robot
@@ -67,6 +72,49 @@ def test_every_head_says_what_the_program_is():
         )
     with pytest.raises(InvalidController, match="not a program by upright"):
         head("print('hello')\n")
+
+
+HOSTILE = [
+    '"; PWN(); "',
+    "*/ PWN(); /*",
+    "a\nPWN()",
+    "a\rPWN()",
+    '""" + PWN() + """',
+    "a\\",
+    "%d {{ PWN() }}",
+    "a\u2028PWN()",
+]
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_no_name_gets_out_of_a_comment_or_a_text(name: str, tmp_path: Path):
+    """Robot, kit and controller by that name, past the checks of names: nothing of it becomes code."""
+    for target, (place, kit, options) in PROGRAMS.items():
+        traced = replace(trace(frozen(), ROBOT, kit, place), robot=name, kit=name, kind=name)
+        for ending, text in written_as(traced, options).items():
+            source = tmp_path / f"{target}{ending}"
+            source.write_text(text.replace("@HEADER@", f"{target}.h"), encoding="utf-8", newline="")
+            if ending == ".py":
+                names = {
+                    node.id for node in ast.walk(ast.parse(source.read_text("utf-8"))) if isinstance(node, ast.Name)
+                }
+                assert "PWN" not in names
+                continue
+            stripped = subprocess.run(  # what is left of comments and strings is the compiler's own reading
+                ["gcc", "-x", "c", "-fpreprocessed", "-dD", "-E", "-P", str(source)],
+                capture_output=True,
+                check=True,
+                text=True,
+            ).stdout
+            assert "PWN" not in re.sub(r'"(?:[^"\\\n]|\\.)*"', "", stripped)
+            if ending == ".c":
+                subprocess.run(["gcc", "-fsyntax-only", "-Werror", str(source)], check=True)
+
+
+def written_as(program: Program, options: Mapping[str, Any]) -> dict[str, str]:
+    """The files of a program that `generate` would make of `program`."""
+    facts = _facts(program, options.get("number", TARGETS[program.target].numbers[0]), None)
+    return TEXTS[program.target](program, {**facts, "hub": options.get("hub", "prime"), "seconds": 60})
 
 
 @pytest.mark.parametrize("name", ["lqr", "lqi", "lqg", "pid", "hinf", "sliding"])

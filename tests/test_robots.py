@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 import math
 import tomllib
 from importlib import resources
@@ -204,11 +205,40 @@ def test_wrong_correlations_are_named(lines: str, word: str, tmp_path: Path) -> 
         Robot.load(path)
 
 
-def test_names_and_sources_survive_quotes_backslashes_and_line_breaks(tmp_path: Path) -> None:
+HOSTILE = [
+    'a "name"', "it's", "a\nb", "a\rb", "*/ int x; /*", '"""', "a\\", "a;b", "{{ a }}", "<b>", "a\x00b", "a\u2028b",
+    "\ud800", "a\u202eb", "", " ", "x" * 41, 7, None,
+]  # fmt: skip
+"""What ends a comment, a string or a line in some language, turns text around, or is no name at all."""
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_a_name_that_would_break_a_program_is_refused_wherever_it_comes_from(name: Any, tmp_path: Path) -> None:
+    robot = Robot.preset("nxtway-gs")
+    with pytest.raises(InvalidRobot, match="name"):
+        robot.replace(name=name)
+    with pytest.raises(InvalidRobot, match="name"):
+        Kit(name=name)
+    if isinstance(name, str) and name.isascii():
+        path = robot.save(tmp_path / "robot.toml")
+        path.write_text(path.read_text("utf-8").replace('"nxtway-gs"', json.dumps(name).replace("\x7f", "")), "utf-8")
+        with pytest.raises(InvalidRobot, match="name"):
+            Robot.load(path)
+
+
+@pytest.mark.parametrize(
+    "name", ["Niño 2.0", "nxtway-gs_measured", "균형 로봇", "Ünal's".replace("'", ""), "x" * 40, "नमस्ते"]
+)
+def test_a_name_in_any_script_is_kept(name: str, tmp_path: Path) -> None:
+    assert Robot.load(Robot.preset("nxtway-gs").replace(name=name).save(tmp_path / "robot.toml")).name == name
+
+
+def test_sources_and_titles_survive_quotes_backslashes_and_line_breaks(tmp_path: Path) -> None:
     awkward = 'a "name"\\ with\nψ and \x7f'
-    robot = Robot.preset("nxtway-gs").replace(name=awkward, provenance={"track": Provenance(awkward, 0.1 + 0.2)})
+    robot = Robot.preset("nxtway-gs").replace(title=awkward, provenance={"track": Provenance(awkward, 0.1 + 0.2)})
     again = Robot.load(robot.save(tmp_path / "robot.toml"))
     assert again == robot
+    assert again.title == awkward
     assert dict(again.provenance) == dict(robot.provenance)
 
 

@@ -274,7 +274,8 @@ def test_motion_without_bounds_is_an_error_not_a_number(tmp_path: Path, monkeypa
 
 
 def test_a_name_cannot_break_the_model_file() -> None:
-    robot = ROBOT.replace(name='a <"b"> & c')
+    robot = ROBOT.replace()
+    object.__setattr__(robot, "name", 'a <"b"> & c')  # past the check of names: the printer escapes by itself
     text = mjcf(robot, timestep=0.001, contact_time=0.002, impedance=0.9, impratio=1.0, grip=1.0)
     assert "a &lt;&quot;b&quot;> &amp; c" in text
     Twin(robot)
