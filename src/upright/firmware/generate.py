@@ -133,12 +133,13 @@ def _check_period(program: Program, suffix: str) -> None:
 
 
 def _facts(program: Program, number: str, finest: float | None) -> dict[str, Any]:
-    head = [*program.head(), f"number: {number}"]
+    head = [*map(plain, program.head()), f"number: {number}"]
     head += [] if finest is None else [f"quantum: {finest:.3g} {program.command_unit}"]
     return {
         "head": head,
         "program": program,
-        "robot": program.robot,
+        "robot": plain(program.robot),
+        "kit": plain(program.kit),
         "hash": program.hash,
         "full": program.full,
         "number": number,
@@ -147,6 +148,11 @@ def _facts(program: Program, number: str, finest: float | None) -> dict[str, Any
         "time_is_over": TIME_IS_OVER,
         "statuses": ", ".join(f"{i} {text}" for i, text in enumerate(STATUS[:TIME_IS_OVER])),
     }
+
+
+def plain(text: str) -> str:
+    """The text as it may stand in a comment and between quotes in any language: what could end one is a blank."""
+    return re.sub(r"[^\w .:,()@+/-]", " ", text)
 
 
 def _c(program: Program, facts: Mapping[str, Any]) -> dict[str, str]:

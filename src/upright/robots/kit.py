@@ -98,6 +98,7 @@ class Kit:
     jitter: float = 0.0
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "name", toml.checked_name(self.name, "kit"))
         if self.drive not in ("", "voltage", "torque"):
             raise InvalidRobot(f"kit '{self.name}': drive is '{self.drive}'", expected="'voltage', 'torque' or nothing")
         _check_not_negative("kit delay", self.delay)

@@ -67,6 +67,7 @@ class Robot:
     correlation: Mapping[tuple[str, str], float] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "name", toml.checked_name(self.name, "robot"))
         _check_numbers(self)
         for rule in _RULES:
             if not rule.holds(self):

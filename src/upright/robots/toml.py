@@ -17,6 +17,8 @@ from upright.errors import InvalidRobot, UnknownName
 
 Table = Mapping[str, Any]
 
+LONGEST_NAME = 40
+
 _ONE_NUMBER = {"value", "unit", "source", "spread"}
 _LIKELY = {
     "mm": "millimetres; 1 mm is 0.001 m",
@@ -118,6 +120,17 @@ def word(table: Table, key: str, where: str) -> str:
     if not isinstance(table[key], str):
         raise InvalidRobot(f"{where}: {key} is {table[key]!r}", expected="text in quotes")
     return table[key]
+
+
+def checked_name(name: Any, kind: str) -> str:
+    """The `name` of a robot or a kit, in NFC; raises `InvalidRobot` for one that could not stand in any program, file
+    name or page as it is: letters and digits of any script, blanks and `-_.`, 1 to `LONGEST_NAME` of them."""
+    text = unicodedata.normalize("NFC", name) if isinstance(name, str) else ""
+    plain = all(c in "-_. " or unicodedata.category(c)[0] in "LMN" for c in text)
+    if not (plain and 0 < len(text) <= LONGEST_NAME and text == text.strip()):
+        expected = f"1 to {LONGEST_NAME} letters, digits, blanks and -_. in it"
+        raise InvalidRobot(f"the name of a {kind} is {name!a:.60}", expected=expected, hint=f'name = "my-{kind}"')
+    return text
 
 
 def number(table: Any, name: str, units: tuple[str, ...], where: str) -> float:
