@@ -65,7 +65,7 @@ RETIRED = {
 delay are what is meant (docs/conventions.md has the glossary)."""
 
 # It only ever shrinks: messages of the lab beside what they are about, and a motor of a brick and of a kit.
-KNOWN_TWICE = {"Maths", "Motor", "Refused", "Setup", "StandUp"}
+KNOWN_TWICE = {"Motor", "Refused", "Setup", "StandUp"}
 
 
 @dataclass(frozen=True)

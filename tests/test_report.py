@@ -19,7 +19,7 @@ from upright.errors import InvalidLog, UnknownName, UprightError
 from upright.report import (
     PAGES,
     Figure,
-    Maths,
+    Formula,
     Page,
     Panel,
     PointFigure,
@@ -74,10 +74,10 @@ def run(kind="nonlinear model", tau=0.5):
 
 def page():
     poles = PointFigure("All poles lie inside the circle", [PointSet("closed loop", [0.9 + 0.1j, 0.9 - 0.1j])])
-    maths = Maths('<math xmlns="http://www.w3.org/1998/Math/MathML"><mi>x</mi></math>')
+    maths = Formula('<math xmlns="http://www.w3.org/1998/Math/MathML"><mi>x</mi></math>')
     sections = [
         Section("First <em>", ["A & B <script>", figure(), poles], Verdict("reproduced", "good")),
-        Section("First", [Table(["", "s"], [["x", 1.5], ["y", math.nan]], "Times"), Maths("u = −K x"), maths]),
+        Section("First", [Table(["", "s"], [["x", 1.5], ["y", math.nan]], "Times"), Formula("u = −K x"), maths]),
     ]
     return Page("A page", sections, "Lead.", {"seed": "7"})
 
@@ -275,6 +275,6 @@ def test_mistakes_in_a_page_are_told():
     with pytest.raises(UnknownName, match="one of good, info, warn"):
         Verdict("fine", "great")
     with pytest.raises(UprightError, match="MathML does not parse"):
-        Maths("<math><mi>x</math>")
+        Formula("<math><mi>x</math>")
     with pytest.raises(InvalidLog, match="trace 'a' has 2 x and 1 y"):
         Trace("a", [0, 1], [0])

@@ -13,7 +13,7 @@ from upright.paper.claim import NOT_AS_PRINTED, REPRODUCED, Claim, Progress, sil
 from upright.paper.derivation import Derivation, Model, derive
 from upright.paper.errata import WITNESS, Erratum, Proof, errata, prove
 from upright.physics.dynamics import accelerations
-from upright.report import Maths, Table
+from upright.report import Formula, Table
 from upright.report.page import Cell, Item
 from upright.robots import Robot
 
@@ -67,7 +67,7 @@ def _model() -> Claim:
     items: list[Item] = [
         "Derived with the rolling constraint put into the energies before they are differentiated, as in the paper and "
         "in its source, reference [4]; torques in N m:",
-        *(Maths(line.replace(" = ", "\n= ")) for line in without_loads(derive("published")).equations),
+        *(Formula(line.replace(" = ", "\n= ")) for line in without_loads(derive("published")).equations),
         "with α = n K_t/R_m and β = n K_t K_b/R_m + f_m.",
     ]
     verdict = REPRODUCED if max(off.values()) < ROUNDING else NOT_AS_PRINTED
@@ -92,7 +92,7 @@ def _misprints(proofs: Mapping[Erratum, Proof | None]) -> Claim:
         "proved": holding, "provable": len(proved), "witness": WITNESS,
     }  # fmt: skip
     items: list[Item] = [_table(proofs), "What the derivation gives for the equations in which they stand:"]
-    items.extend(Maths(line) for line in _derived(proved))
+    items.extend(Formula(line) for line in _derived(proved))
     return Claim("1b", "The equations as printed: the errata", NOT_AS_PRINTED, summary, numbers, items)
 
 

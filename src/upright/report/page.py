@@ -67,7 +67,7 @@ class Table:
 
 
 @dataclass(frozen=True)
-class Maths:
+class Formula:
     """A formula: plain text with its line breaks kept, or a <math> element (MathML), which must parse as XML."""
 
     text: str
@@ -87,7 +87,7 @@ class Maths:
         return self.text.lstrip().startswith("<math")
 
 
-Item = str | Table | Maths | Figure | PointFigure
+Item = str | Table | Formula | Figure | PointFigure
 
 
 @dataclass(frozen=True)
