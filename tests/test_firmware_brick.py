@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import struct
 import subprocess
 import sys
@@ -13,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from firmware_cases import steering, written
+from firmware_cases import frozen, steering, written
 from upright.bricks.brick import Hardware, set_readings
 from upright.bricks.lcp import VirtualBrick
 from upright.bricks.line import Line
@@ -318,6 +319,26 @@ def test_a_log_that_does_not_fit_is_said_before_the_start(tmp_path: Path, virtua
     shorter, made = written(tmp_path, "nxc", seconds=28)
     virtual.line.until = 1.5
     assert fly_nxt(shorter, made.program, virtual.path, 1.5, clock=virtual.clock).log is not None
+
+
+@pytest.mark.needs("module:nxt")
+@pytest.mark.parametrize("name", ["nxtway-gs-measured", "x" * 40, "Ñandú verde 2.0 ñññ"])
+def test_the_log_has_a_name_that_a_brick_keeps_whatever_the_robot_is_called(tmp_path: Path, name: str) -> None:
+    """A brick's names are 15.3 characters of ASCII (LEGO, "NXT Communication Protocol", appendix 1)."""
+    firmware = generate(frozen(), ROBOT.replace(name=name), KIT, "nxc")
+    source = firmware.write(tmp_path / "a program with a long name.nxc")[0]
+    brick = VirtualBrick()
+    brick.hardware.inputs[0].raw = 600
+    with Line(brick) as line:
+        flight = fly_nxt(source, firmware.program, line.path, 1.2, clock=lambda: brick.seconds)
+    assert all(re.fullmatch(r"[\w-]{1,15}\.\w{1,3}", stored, re.ASCII) for stored in brick.hardware.flash.files)
+    assert flight.log is not None
+    assert flight.log.log.origin["robot"]["name"] == name
+
+
+def test_a_brick_refuses_a_name_that_does_not_fit() -> None:
+    """Status 0x92, "illegal file name"."""
+    assert VirtualBrick().telegram(b"\x01\x81" + b"sixteen-letters-.log".ljust(20, b"\0") + bytes(4))[2] == 0x92
 
 
 def test_a_brick_that_is_not_there_is_one_line() -> None:
