@@ -234,7 +234,7 @@ def test_a_pulled_cable_ends_with_the_motors_off_and_a_whole_log(tmp_path: Path,
     virtual.line.until = math.inf
     goes_on(virtual)
     assert motors_are_off(virtual)
-    later = fetched(virtual, made.program)
+    later = fetched(virtual, (source, made.program))
     assert later.log is not None
     assert (later.log.ended, later.log.flaws) == ("time is over", ())
     assert later.log.log.t == pytest.approx(0.01 * np.arange(len(later.log.log)))
@@ -252,7 +252,7 @@ def test_who_fetches_the_log_of_a_program_that_still_runs_stops_it(
         while virtual.clock() < virtual.line.until:
             time.sleep(0.01)
     assert not motors_are_off(virtual)
-    found = fetch_nxt(made[1], virtual.path)
+    found = fetch_nxt(*made, virtual.path)
     assert motors_are_off(virtual)
     assert found.notes == ["the program still ran; it was stopped"]
     assert found.log is not None
@@ -264,7 +264,7 @@ def test_its_button_ends_a_run_without_a_cable(made: tuple[Path, Program], virtu
     fly_nxt(*made, virtual.path, 30.0, progress=pull_after(virtual, 2.0), clock=virtual.clock)
     press_button(virtual)
     assert motors_are_off(virtual)
-    assert fetched(virtual, made[1]).log is not None
+    assert fetched(virtual, made).log is not None
 
 
 @pytest.mark.needs("module:nxt")
@@ -313,7 +313,7 @@ def test_a_log_that_does_not_fit_is_said_before_the_start(tmp_path: Path, virtua
     assert "upright firmware --seconds 28" in str(caught.value)  # 28 s · 100 rows/s · 14 bytes + 200 = 39400
     assert virtual.brick.machine is None
     assert motors_are_off(virtual)
-    flash.create(f"{ROBOT.name}.log", 39_400)
+    flash.create("balance.log", 39_400)
     with pytest.raises(FlightRefused, match="40000 free"):
         fly_nxt(source, made.program, virtual.path, 1.0, clock=virtual.clock)
     shorter, made = written(tmp_path, "nxc", seconds=28)
@@ -391,13 +391,13 @@ def test_a_log_of_another_controller_is_noted(made: tuple[Path, Program]) -> Non
     class Brick:
         def ask(self, request: str) -> list[list[object]]:
             assert request == "files"
-            return [["nxtway-gs.log", 1]]
+            return [["balance.log", 1]]
 
         def fetch(self, name: str) -> bytes:
             return HEAD + b"".join(struct.pack("<7h", 0, 0, 0, 0, 8000, 0, 0) for _ in range(3))
 
     flight = Flight()
-    fetch_log(Brick(), made[1], flight)  # type: ignore[arg-type]
+    fetch_log(Brick(), made[0].read_text(), made[1], flight)  # type: ignore[arg-type]
     assert "another controller" in flight.notes[0]
     assert flight.log is not None  # kept all the same
 
@@ -428,11 +428,11 @@ def pull_after(virtual: VirtualFlight, seconds: float) -> object:
     return progress
 
 
-def fetched(virtual: VirtualFlight, made: Program) -> Flight:
+def fetched(virtual: VirtualFlight, made: tuple[Path, Program]) -> Flight:
     """What a new connection to that brick brings home."""
     flight = Flight()
     with Line(virtual.brick) as line, Connection(line.path) as brick:
-        fetch_log(brick, made, flight)
+        fetch_log(brick, made[0].read_text(), made[1], flight)
     return flight
 
 

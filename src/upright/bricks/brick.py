@@ -6,6 +6,7 @@ Specification" 2.0 (appendix) and "NXT Communication Protocol" 1.1.
 
 from __future__ import annotations
 
+import re
 import struct
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -24,6 +25,7 @@ BLOCK_TACHO, ROTATION = 13, 14
 MOTOR_ON, RUNNING, RESET_TACHO, RESET_BLOCK, RESET_ROTATION = 0x01, 0x20, 0x08, 0x20, 0x40
 # results
 OK, NO_FILE, FILE_EXISTS, NO_HANDLE, END_OF_FILE, FLASH_FULL = 0, 0x8700, 0x8F00, 0x9300, 0x8500, 0xFB00
+ILLEGAL_NAME = 0x9200
 BUSY = 0x20  # of a digital sensor that has not answered yet
 
 FLASH = 130_000  # bytes that a user's files may take, about what firmware 1.28 leaves of 256 KiB
@@ -111,7 +113,9 @@ class Flash:
         return self.capacity - sum(self.sizes.values())
 
     def create(self, name: str, size: int) -> tuple[int, int]:
-        """(result, handle) of a new file of at most `size` bytes."""
+        """(result, handle) of a new file of at most `size` bytes; its name is 15.3 characters at most."""
+        if not re.fullmatch(r"[^.]{1,15}\.[^.]{1,3}", name, re.ASCII):
+            return ILLEGAL_NAME, 0
         if name in self.files:
             return FILE_EXISTS, 0
         if size > self.free:

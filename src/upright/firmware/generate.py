@@ -24,6 +24,9 @@ from upright.robots import Kit, Robot
 
 LONGEST_HEAD = 40  # lines in which the head of a program is searched
 NXT_ROWS = 6000  # most periods in an NXT's log: 84 kB of the 130 kB that its firmware leaves
+NXT_HEAD = 200  # bytes of its first line, where names are of ASCII
+NXT_LOG = "balance.log"
+"""Its name on every brick, whatever the robot is called: a brick keeps 15.3 characters of ASCII."""
 SECONDS = 60  # [s] of the longest run: three times a usual flight, and an NXT's log holds all of it
 LONGEST = 3600  # [s] of the longest run, at most
 
@@ -186,7 +189,9 @@ def _python(program: Program, facts: Mapping[str, Any]) -> dict[str, str]:
 
 def _nxc(program: Program, facts: Mapping[str, Any]) -> dict[str, str]:
     run = round(facts["seconds"] / program.period) or NXT_ROWS
-    parts = {**facts, "rows": min(run, NXT_ROWS), "printer": NxcPrinter(program)}
+    wide = "".join([facts["robot"], facts["kit"]])
+    parts = {**facts, "rows": min(run, NXT_ROWS), "printer": NxcPrinter(program), "log": NXT_LOG}
+    parts["head_bytes"] = NXT_HEAD + len(wide.encode()) - len(wide)
     parts["compass"] = "raw_compass" in program.variables
     return {".nxc": render("balance.nxc", parts)}
 

@@ -108,7 +108,8 @@ def fetch(
     if port == VIRTUAL:
         raise UprightError("a virtual brick keeps no log", expected="a real port to fetch from")
     plan = FlightPlan(_checked(program, controller, robot, port), port)
-    return _labelled((fetch_hub if plan.hub else fetch_nxt)(plan.file.program, port), plan)
+    file = plan.file
+    return _labelled(fetch_hub(file.program, port) if plan.hub else fetch_nxt(file.path, file.program, port), plan)
 
 
 def _checked(

@@ -9,6 +9,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from upright.compiled.program import Program
+from upright.firmware.generate import NXT_LOG
 from upright.flight.flight import Clock, Flight, FlightRefused, Progress, without_connection
 from upright.flight.program_logs import BRICK, BRICK_ROW, read_brick_log
 from upright.links.brick import GYRO, GYRO_KIND, REST, BrickLost, BrickRefused, Connection
@@ -21,6 +22,8 @@ LEAST_BATTERY = 6000  # [mV] of six cells below which the motors are too weak
 GYRO_MARGIN = 150  # largest deviation of a resting gyro from 600; an empty port reads 1023
 LOG_HEAD = 200  # bytes of a log besides its rows
 POLL = 0.2  # [s] between two requests whether the program runs
+OPENED = re.compile(r'CreateFile\("(.+)", (\d+),')
+"""Name and size [B] of the log that a program in NXC opens."""
 STOPS = 3  # attempts to stop the program
 
 
@@ -42,7 +45,7 @@ def fly_nxt(
     """
     with tempfile.TemporaryDirectory(prefix="upright-") as folder:
         binary = compile_nxc(source, Path(folder)).read_bytes()
-    flight, name, text = Flight(), f"{source.stem[:15]}.rxe", source.read_text("utf-8")
+    flight, name, text = Flight(), program_name(source), source.read_text("utf-8")
     with Connection(port) as brick:
         check_ready(brick)
         brick.upload(name, binary)
@@ -55,21 +58,21 @@ def fly_nxt(
             finally:
                 with suppress(BrickLost, BrickRefused):
                     _stop(brick)
-            fetch_log(brick, program, flight, where)
+            fetch_log(brick, text, program, flight, where)
         except BrickLost as error:
             flight.lost = True
             flight.notes.append(f"{error}; {without_connection(text)}, its log stays on the brick: upright fly --fetch")
     return flight
 
 
-def fetch_nxt(program: Program, port: str) -> Flight:
-    """Fetch the log from the brick at `port`; a program that still runs is stopped first."""
-    flight = Flight()
+def fetch_nxt(source: Path, program: Program, port: str) -> Flight:
+    """Fetch the log of the NXC in `source` from the brick at `port`; a program that still runs is stopped first."""
+    flight, text = Flight(), source.read_text("utf-8")
     with Connection(port) as brick:
         if brick.ask("running"):
             _stop(brick)
             flight.notes.append("the program still ran; it was stopped")
-        fetch_log(brick, program, flight)
+        fetch_log(brick, text, program, flight)
     return flight
 
 
@@ -96,7 +99,7 @@ def check_ready(brick: Connection) -> None:
 def check_flash(brick: Connection, text: str, period: float) -> None:
     """Refuse a brick whose flash has no room for the log that the program `text` opens; an old log of that name counts
     as free, since the program deletes it."""
-    opened = re.search(r'CreateFile\("(.+)", (\d+),', text)
+    opened = OPENED.search(text)
     if opened is None:
         return
     name, needs, row = opened[1], int(opened[2]), 2 * BRICK_ROW
@@ -111,9 +114,15 @@ def check_flash(brick: Connection, text: str, period: float) -> None:
     )  # fmt: skip
 
 
-def fetch_log(brick: Connection, program: Program, flight: Flight, where: str = BRICK) -> None:
-    """Fetch the log into `flight`, with a note for each of its flaws."""
-    name = f"{program.robot}.log"
+def program_name(source: Path) -> str:
+    """Its name on the brick, which keeps 15.3 characters of ASCII."""
+    return re.sub(r"[^A-Za-z0-9_-]", "_", source.stem)[:15] + ".rxe"
+
+
+def fetch_log(brick: Connection, text: str, program: Program, flight: Flight, where: str = BRICK) -> None:
+    """Fetch the log that the program `text` opens into `flight`, with a note for each of its flaws."""
+    opened = OPENED.search(text)
+    name = opened[1] if opened else NXT_LOG
     if name not in [stored for stored, _ in brick.ask("files")]:
         flight.notes.append("the brick has no log: the program did not come to balance, or the flash was full")
         return

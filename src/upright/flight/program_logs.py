@@ -139,7 +139,7 @@ def read_brick_log(data: bytes, where: str = BRICK) -> ProgramLog:
     Raises `InvalidLog` where there is no head or not two rows.
     """
     text, newline, rest = data.partition(b"\r\n")
-    head = dict(part.split("=", 1) for part in text.decode("ascii", "replace").split(";") if "=" in part)
+    head = dict(part.split("=", 1) for part in text.decode("utf-8", "replace").split(";") if "=" in part)
     if not newline or not {"robot", "hash", "period", "every"} <= head.keys():
         raise InvalidLog("this file of the brick is no log of a balancing program", likely="another program wrote it")
     whole = len(rest) // (2 * BRICK_ROW)
