@@ -102,6 +102,16 @@ def test_the_written_step_is_the_nonlinear_model_bit_for_bit(name, model, period
             assert (one.t, one.applied, one.fallen) == (two.t, two.applied, two.fallen)
 
 
+def test_a_stiff_robot_takes_no_more_memory():
+    """The step is written once, however often it is taken in a period."""
+    stiff = ROBOT.replace(torque_constant=250.0)
+    body = Straight(stiff, "complete", FINE)
+    called = NonlinearBody(stiff, "complete", FINE)
+    assert called.substeps > 300
+    assert len(body._next.__code__.co_code) < 50_000
+    assert np.array_equal(body.step((0.1, 0.2)).values, called.step((0.1, 0.2)).values)
+
+
 def test_the_same_messages_give_the_same_robots(tmp_path):
     def played() -> list[object]:
         session, _ = a_session(tmp_path, Setup())

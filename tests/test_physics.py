@@ -1,6 +1,7 @@
 """Linearisation, discretisation, integration and energy against closed forms and independent routes."""
 
 import math
+import re
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -9,16 +10,22 @@ import pytest
 from scipy.integrate import quad_vec, solve_ivp
 from scipy.linalg import expm
 
-from upright.errors import InvalidModel, SpecMismatch
+from upright.bodies import NonlinearBody
+from upright.control import lqr
+from upright.control.standup import lift
+from upright.errors import InvalidModel, InvalidRobot, SpecMismatch
+from upright.kernel.batch import FleetBatch, parameters_of
+from upright.kernel.simulate import simulate
 from upright.physics import energy
 from upright.physics.dynamics import Disturbance, derivative, turn_ratio
 from upright.physics.integrate import PREDICTED, SIMULATED, rk4_step, substeps
 from upright.physics.linear import LinearModel, delayed, linearise
 from upright.physics.sensing import readings, sensor_matrix
-from upright.robots import Robot
+from upright.robots import PARAMETERS, Kit, Robot
 from upright.signals import STATE_NAMES
 
 NXT = Robot.preset("nxtway-gs")
+KIT = Kit.preset("nxt")
 LOSSLESS = NXT.replace(back_emf=0.0, motor_friction=0.0)
 
 
@@ -208,6 +215,28 @@ def test_a_step_at_its_limit_is_off_by_what_is_stated(limit, error):
     # of ẋ = −x, one step against e^(−h); numbers are those of the series 1 − h + h²/2 − h³/6 + h⁴/24 by hand
     (value,) = rk4_step(lambda x: (-x[0],), (1.0,), limit)
     assert value - math.exp(-limit) == pytest.approx(error, rel=0.01)
+
+
+@pytest.mark.parametrize(("name", "value"), [("torque_constant", 7750.0), ("stiction_rate", 1e-6)])
+def test_a_pole_that_no_step_can_follow_is_named_with_what_is_out_of_its_range(name, value):
+    robot = NXT.replace(coulomb_friction=0.01, **{name: value})  # 0.317 is shipped: a slip of the decimal point
+    fastest = f"{max(abs(linearise(robot).poles())):.2g}"
+    batch = FleetBatch(parameters=parameters_of([robot]), controller=lqr(NXT, 0.01))
+    for make in (lambda: NonlinearBody(robot), lambda: simulate(batch, 0.1), lambda: lift(robot, KIT, 1.8, 0.01)):
+        with pytest.raises(InvalidRobot, match=f"pole of {re.escape(fastest)}.* steps.*{name}"):
+            make()
+
+
+@pytest.mark.parametrize("name", PARAMETERS)
+@pytest.mark.parametrize("value", [5e-324, 1e-200, 1e12, 1.7e308])
+def test_a_number_that_no_robot_has_is_refused_before_it_divides(name, value):
+    with pytest.raises(InvalidRobot, match=name):
+        NXT.replace(**{name: value})
+
+
+def test_numbers_that_are_possible_one_by_one_but_not_together_are_refused():
+    with pytest.raises(InvalidRobot, match="too far apart"):
+        linearise(NXT.replace(gear_ratio=1e6, rotor_inertia=1e6))
 
 
 def test_substeps_keep_every_step_within_its_limit():
