@@ -222,7 +222,7 @@ def test_a_pole_that_no_step_can_follow_is_named_with_what_is_out_of_its_range(n
     robot = NXT.replace(coulomb_friction=0.01, **{name: value})  # 0.317 is shipped: a slip of the decimal point
     fastest = f"{max(abs(linearise(robot).poles())):.2g}"
     batch = FleetBatch(parameters=parameters_of([robot]), controller=lqr(NXT, 0.01))
-    for make in (lambda: NonlinearBody(robot), lambda: simulate(batch, 0.1), lambda: lift(robot, KIT, 1.8, 0.01)):
+    for make in (lambda: NonlinearBody(robot), lambda: simulate(batch, 0.1), lambda: lift(robot, KIT, 0.3, 0.01)):
         with pytest.raises(InvalidRobot, match=f"pole of {re.escape(fastest)}.* steps.*{name}"):
             make()
 

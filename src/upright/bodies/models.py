@@ -31,7 +31,7 @@ class NonlinearBody:
         self.spec = _spec(f"{model} nonlinear model", robot, checked_period(period))
         self._model = model
         fastest = max(abs(linearise(robot, model=model).poles()))
-        self.substeps = substeps(period, float(fastest))
+        self.substeps = substeps(period, float(fastest), numbers=robot.numbers())
         self.reset()
 
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (nothing here is random)

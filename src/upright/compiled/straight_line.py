@@ -1,4 +1,4 @@
-"""The nonlinear model's step as straight-line Python: one function, without a loop or a call of another inside.
+"""The nonlinear model's step as straight-line Python: one function, without a call of another inside.
 
 The dynamics are generic over their numbers: called with names instead, they write down what they would compute. What
 depends on parameters alone stays a float and folds in the order in which the dynamics compute it, so that the numbers
@@ -23,19 +23,20 @@ Step = Callable[[Sequence[float], Sequence[float], Sequence[float]], tuple[float
 @lru_cache(maxsize=64)
 def written(robot: Robot, model: str, period: float, substeps: int) -> Step:
     """(x, u, w) → the state after `period` [s], six numbers, and what every ideal sensor then reads."""
-    book = _Book()
-    x: Sequence[Any] = [_Name(f"x{i}", book) for i in range(6)]
-    u = [_Name(f"u{i}", book) for i in range(2)]
-    w = Disturbance(*(_Name(f"w{i}", book) for i in range(3)))
+    step, after = _Book("t"), _Book("s")
 
-    def f(state: Sequence[Any]) -> tuple[Any, ...]:
-        return derivative(state, u, robot, w, book, model)
+    def inputs(book: _Book) -> tuple[list[_Name], list[_Name], Disturbance]:
+        return ([_Name(f"x{i}", book) for i in range(6)], [_Name(f"u{i}", book) for i in range(2)],
+                Disturbance(*(_Name(f"w{i}", book) for i in range(3))))  # fmt: skip
 
-    for _ in range(substeps):
-        x = rk4_step(f, x, period / substeps)
-    wheel_acc = accelerations(x, u, robot, w, book, model)[1]
-    result = ", ".join(map(_text, (*x, *readings(x, wheel_acc, robot, w.slope, book))))
-    lines = ["x0, x1, x2, x3, x4, x5 = x", "u0, u1 = u", "w0, w1, w2 = w", *book.lines(), f"return {result}"]
+    x, u, w = inputs(step)
+    moved = rk4_step(lambda state: derivative(state, u, robot, w, step, model), x, period / substeps)
+    x, u, w = inputs(after)
+    wheel_acc = accelerations(x, u, robot, w, after, model)[1]
+    result = ", ".join(map(_text, (*x, *readings(x, wheel_acc, robot, w.slope, after))))
+    once = [*step.lines(), f"x0, x1, x2, x3, x4, x5 = {', '.join(map(_text, moved))}"]
+    loop = once if substeps == 1 else [f"for _ in range({substeps}):", *(f" {line}" for line in once)]
+    lines = ["x0, x1, x2, x3, x4, x5 = x", "u0, u1 = u", "w0, w1, w2 = w", *loop, *after.lines(), f"return {result}"]
     words: dict[str, Any] = {"sin": math.sin, "cos": math.cos, "sqrt": math.sqrt}
     exec("def step(x, u, w):\n " + "\n ".join(lines), words)  # our own dynamics; a test compares the numbers
     return words["step"]
@@ -44,11 +45,11 @@ def written(robot: Robot, model: str, period: float, substeps: int) -> Step:
 class _Book:
     """Statements in order, each expression once; as `xp` it is the dynamics' namespace of mathematics."""
 
-    def __init__(self) -> None:
-        self._names: dict[str, str] = {}
+    def __init__(self, letter: str) -> None:
+        self._letter, self._names = letter, dict[str, str]()
 
     def let(self, expression: str) -> _Name:
-        return _Name(self._names.setdefault(expression, f"t{len(self._names)}"), self)
+        return _Name(self._names.setdefault(expression, f"{self._letter}{len(self._names)}"), self)
 
     def lines(self) -> list[str]:
         return [f"{name} = {expression}" for expression, name in self._names.items()]

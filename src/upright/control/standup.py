@@ -116,7 +116,7 @@ def _planned(robot: Robot, pitch: float, period: float, each: int, most: float) 
 def _ends(robot: Robot, pitch: float, period: float, commands: Array) -> Array:
     """Pitch, its rate and the wheels' rate (lanes, 3) after commands (lanes, n), from rest."""
     fastest = float(np.abs(linearise(robot).poles()).max())
-    steps = max(2, substeps(period, fastest, PREDICTED))
+    steps = max(2, substeps(period, fastest, PREDICTED, numbers=robot.numbers()))
     zero = np.zeros(len(commands))
     x: tuple[Any, ...] = (zero + pitch, *([zero] * 5))
     for u in commands.T:

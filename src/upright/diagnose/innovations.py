@@ -185,7 +185,7 @@ def _flown(robot: Robot, p: Any, x: Array, u: Array, w: Array, spans: Array) -> 
     """States (lanes, n, 6) of parameters `p` after `spans` [s] under commands u (lanes, n, 2), forces and moments w
     (lanes, n, 2), in steps that are short enough for `robot`."""
     fastest = float(np.abs(linearise(robot).poles()).max())
-    steps = substeps(float(spans.max()), fastest, PREDICTED)
+    steps = substeps(float(spans.max()), fastest, PREDICTED, numbers=robot.numbers())
     force = w[..., 0] + 1e-12  # a moment alone is a force of next to nothing, far up
     push = Disturbance(force, w[..., 1] / force)
     left, right = u[..., 0], u[..., 1]

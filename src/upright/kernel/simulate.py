@@ -101,8 +101,10 @@ def substeps_for(parameters: Array, model: str | Sequence[str], period: float) -
     """Runge–Kutta steps in a body's `period` [s] that follow the fastest pole of the fastest robot."""
     p = SimpleNamespace(**dict(zip(NAMES, parameters.T, strict=True)))
     models = {model} if isinstance(model, str) else set(model)
-    fastest = max(float(_fastest(p, name, len(parameters)).max()) for name in models)
-    return substeps(period, fastest)
+    fastest = np.max([_fastest(p, name, len(parameters)) for name in models], axis=0)
+    stiffest = int(np.argmax(fastest))
+    numbers = dict(zip(NAMES, parameters[stiffest].tolist(), strict=True))
+    return substeps(period, float(fastest[stiffest]), numbers=numbers)
 
 
 def _fastest(p: Any, model: str, n: int) -> Array:

@@ -11,9 +11,10 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from upright.errors import InvalidModel
+from upright.errors import InvalidModel, InvalidRobot, UprightError
 from upright.physics.dynamics import CALM, MODELS, Disturbance, derivative
 from upright.robots import Robot, find_robot
+from upright.robots.robot import unusual
 from upright.signals import STATE_NAMES
 from upright.tables import Listing, Shown
 
@@ -259,7 +260,10 @@ def linearise(
     def column(dx: Sequence[complex], du: Sequence[complex], w: Disturbance) -> Array:
         at_x = [a + b for a, b in zip(x, dx, strict=True)]
         at_u = [a + b for a, b in zip(u, du, strict=True)]
-        slopes = derivative(at_x, at_u, parameters, w, cmath, model)
+        try:
+            slopes = derivative(at_x, at_u, parameters, w, cmath, model)
+        except ArithmeticError:  # the mass matrix is singular to rounding, or a speed overflows
+            raise _extreme(parameters, x, u) from None
         return np.array([complex(s).imag / _TINY for s in slopes])
 
     def unit(size: int, index: int) -> list[complex]:
@@ -274,6 +278,14 @@ def linearise(
     f0 = np.array(derivative(x, u, parameters, CALM, model=model), dtype=np.float64)
     E = np.column_stack([force, moment, slope])
     return LinearModel(A, B, E=E, disturbances=DISTURBANCES, x0=np.array(x), u0=np.array(u), f0=f0)
+
+
+def _extreme(robot: Robot, x: Sequence[float], u: Sequence[float]) -> UprightError:
+    """What divides by zero or overflows: the robot's numbers upright and at rest, else the operating point."""
+    if any((*x, *u)):
+        return InvalidModel(f"no tangent at x = {list(x)}, u = {list(u)}", expected="a motion that a robot can make")
+    hint = f"check {unusual(robot.numbers()) or 'its inertias'}"
+    return InvalidRobot(f"{robot.name}: its numbers are too far apart to compute with", hint=hint)
 
 
 def unstable_pole(robot: Robot) -> float:

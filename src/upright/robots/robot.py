@@ -144,6 +144,8 @@ PARAMETERS: dict[str, tuple[str, str]] = {
 _ELECTRICAL = ("motor_resistance", "torque_constant", "back_emf")
 MAY_BE_ZERO = ("rotor_inertia", "back_emf", "motor_friction", "wheel_friction", "coulomb_friction")
 _LARGEST = 3.0  # [m] no balancing robot is larger
+_RANGE = (1e-12, 1e6)  # of every number that is not zero, in SI units: products of them neither vanish nor overflow
+_UNUSUAL = 30.0  # times beyond those of the shipped robots, a number is worth a look
 
 
 def preset_names() -> tuple[str, ...]:
@@ -171,16 +173,37 @@ class _Rule(NamedTuple):
     error: Callable[[Robot], InvalidRobot]
 
 
+def unusual(numbers: Mapping[str, float]) -> str:
+    """The number that lies furthest from those of the shipped robots, with theirs; "" where none is far off."""
+    shipped = [Robot.preset(name).numbers() for name in preset_names()]
+    far, words = _UNUSUAL, ""
+    for name, value in numbers.items():
+        usual = sorted(robot[name] for robot in shipped if robot[name] > 0)
+        if usual and value > 0 and (factor := max(value / usual[-1], usual[0] / value)) > far:
+            far, words = (
+                factor,
+                f"{name} = {value:g} {PARAMETERS[name][0]} (shipped: {usual[0]:.3g} to {usual[-1]:.3g})",
+            )
+    return words
+
+
 def _sign(name: str) -> _Rule:
     unit, zero = PARAMETERS[name][0], name in MAY_BE_ZERO
     lower = "zero or more" if zero else "more than zero"
+    least, most = _RANGE
 
     def holds(p: Any) -> Any:
-        return getattr(p, name) >= 0 if zero else getattr(p, name) > 0
+        value = getattr(p, name)
+        return (value <= most) & ((value >= least) | (value == 0) if zero else value >= least)
 
     def error(robot: Robot) -> InvalidRobot:
-        value = f"{name} is {getattr(robot, name):g} {unit}"
-        return InvalidRobot(f"{robot.name}: {value}", expected=lower, likely="a slip of the sign")
+        value = getattr(robot, name)
+        wrong_sign = value < 0 or (value == 0 and not zero)
+        return InvalidRobot(
+            f"{robot.name}: {name} is {value:g} {unit}",
+            expected=lower if wrong_sign else f"{'zero, or ' if zero else ''}{least:g} to {most:g}",
+            likely="a slip of the sign" if wrong_sign else "a slip of the exponent",
+        )
 
     return _Rule(holds, error)
 
@@ -230,7 +253,7 @@ def _electric(robot: Robot) -> InvalidRobot:
 
 
 def _stands(p: Any) -> Any:
-    return p.com_height > 0
+    return p.com_height >= _RANGE[0]
 
 
 def _hangs(robot: Robot) -> InvalidRobot:
