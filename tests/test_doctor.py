@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import importlib.util
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 import pytest
 
+from upright import calibrate, identify, post_mortem
 from upright.bodies import Electronics
 from upright.bodies.twin import Twin
 from upright.control import lqg
@@ -115,6 +117,37 @@ def test_a_pause_is_a_gap_and_dropped_rows_are_not(periods: int) -> None:
     assert [code for code in diagnosis.codes() if code in ("time/gap", "time/dropped")] == [expected]
     repaired, step = diagnosis.repaired(), periods * log.period
     assert np.diff(repaired.t).max() == pytest.approx(step if periods > 5 else log.period, rel=1e-6)
+
+
+@pytest.mark.parametrize("by", [20.0, 1e9, 1e300])
+def test_a_clock_that_jumps_leaves_its_longest_part(by: float) -> None:
+    log = made("nxt")
+    t = log.t.copy()
+    t[300:] += by
+    diagnosis = doctor(RawTable({"t": t, **log.channels}, dict(log.units)))
+    (jump,) = [finding for finding in diagnosis.findings if finding.code == "time/jump"]
+    assert "row 300" in jump.evidence
+    repaired = diagnosis.repaired()
+    assert len(repaired) <= len(log) - 300
+    assert np.diff(repaired.t).max() < 0.1
+    (left,) = {f.code for f in doctor(log).findings} - {f.code for f in diagnosis.findings} or {""}
+    assert left == ""  # what is found without the jump is found with it
+
+
+def test_a_clock_that_jumps_all_the_time_is_no_clock() -> None:
+    log = made("nxt")
+    t = log.t + 1e3 * (np.arange(len(log)) // 5)
+    with pytest.raises(InvalidLog, match="jumps"):
+        doctor(RawTable({"t": t, **log.channels}, dict(log.units)))
+
+
+@pytest.mark.parametrize("fit", [calibrate, identify, post_mortem])
+def test_no_fit_follows_a_robot_through_a_jump_of_the_clock(fit: Callable[..., object]) -> None:
+    log = made("nxt")
+    t = log.t.copy()
+    t[300:] += 1e9
+    with pytest.raises(InvalidLog, match=r"jumps by 1e\+09 s .*row 300.*--fix"):
+        fit(Log(t, log.channels, log.units), "nxtway-gs")
 
 
 def still(n: int) -> dict[str, np.ndarray]:
