@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from upright.doctor import delays, motion, rates, segments, sensors, time, units
-from upright.doctor.finding import SEVERITIES, Finding, Record
+from upright.doctor.finding import FEWEST, SEVERITIES, Finding, Record
 from upright.doctor.fixes import repaired
 from upright.errors import InvalidLog
 from upright.logs.mapping import Mapping, channels_of, find_mapping, propose
@@ -26,9 +26,6 @@ from upright.signals import Log
 from upright.tables import Shown
 
 Check = Callable[[Record], list[Finding]]
-
-_FEWEST = 20
-"""Fewest rows from which a motion can be judged."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
@@ -128,11 +125,11 @@ def _record(table: RawTable, mapping: Mapping) -> Record:
     t, channels, units = channels_of(mapping, table)
     measured = {name: values for name, values in channels.items() if not name.startswith("truth/")}
     record = Record(t, measured, units | {name: unit for name, unit in table.units.items() if name in measured})
-    if len(t) < _FEWEST:
+    if len(t) < FEWEST:
         raise InvalidLog(
-            f"the log has {len(t)} row{'' if len(t) == 1 else 's'}", expected=f"at least {_FEWEST} to judge a motion"
+            f"the log has {len(t)} row{'' if len(t) == 1 else 's'}", expected=f"at least {FEWEST} to judge a motion"
         )
-    if not np.isfinite(t).sum() >= _FEWEST:
+    if not np.isfinite(t).sum() >= FEWEST:
         raise InvalidLog(
             f"the time, column '{mapping.time.column}', holds no numbers", likely="another column is the time"
         )
@@ -152,6 +149,7 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [time.order],
         [time.order],
         [time.unit],
+        [time.jump],
         [sensors.dead, sensors.repeated, time.steps],
         [units.constants],
         [segments.fall],
@@ -167,8 +165,8 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
 
 
 _STAGE_OF = {
-    "time/missing": 0, "time/backwards": 1, "time/repeated": 1, "time/unit": 2, "time/gap": 3, "samples/repeated": 4,
-    "channel/holes": 4,
+    "time/missing": 0, "time/backwards": 1, "time/repeated": 1, "time/unit": 2, "time/jump": 3, "time/gap": 3,
+    "samples/repeated": 4, "channel/holes": 4,
     "units/scale": 10, "motion/integrated": 7, "motion/differentiated": 7, "motion/flipped": 8, "motion/swapped": 9,
     "units/command": 11, "delay/sensor": 12, "delay/command": 12, "gyro/bias": 12, "time/dropped": 20,
     "time/jitter": 20,

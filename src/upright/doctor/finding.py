@@ -17,6 +17,9 @@ SEVERITIES = ("error", "warning", "note")
 GAP = 5.0
 """[periods] A longer step is a pause of the recording; shorter ones are dropped rows or jitter."""
 
+FEWEST = 20
+"""Fewest rows from which a motion can be judged."""
+
 LEFT, RIGHT, GYRO = "sensor/encoder_left", "sensor/encoder_right", "sensor/gyro"
 BATTERY, COMPASS, PITCH = "sensor/battery", "sensor/compass", "estimate/pitch"
 FORWARD, UP = "sensor/accel_forward", "sensor/accel_up"

@@ -70,9 +70,10 @@ def motion(record: Record) -> Resampled | None:
     if LEFT not in record or RIGHT not in record or len(record.t) < _LEAST_ROWS:
         return None
     period = record.period
-    t = record.t[0] + np.arange(int((record.t[-1] - record.t[0]) / period) + 1) * period
-    if len(t) > 4 * len(record.t):
+    rows = (record.t[-1] - record.t[0]) / period + 1
+    if not rows <= 4 * len(record.t):
         return None
+    t = record.t[0] + np.arange(int(rows)) * period
 
     def even(name: str) -> Array:
         values = record[name]

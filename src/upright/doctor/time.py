@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.doctor.finding import GAP, Array, Finding, Fix, Record, error, warning
+from upright.doctor.finding import FEWEST, GAP, Array, Finding, Fix, Record, error, warning
+from upright.errors import InvalidLog
+from upright.logs.recording import jumps
 
 LONGEST, SHORTEST = 0.2, 2e-4
 """Plausible sampling periods [s] of a balancing robot: with a pole at 5 1/s, 0.2 s is too slow to balance."""
@@ -43,12 +45,31 @@ def _backwards(record: Record, back: NDArray[np.intp]) -> Finding:
         return error(
             "time/backwards", "t", evidence, "sort the rows, keep one for each time", Fix("sort"), Fix("unique")
         )
-    edges = np.concatenate([[0], back + 1, [len(record.t)]])
+    repair, fix = _longest(record, back + 1)
+    evidence += "; the clock was reset, or the file holds two recordings"
+    return error("time/backwards", "t", evidence, repair, fix, Fix("unique"))
+
+
+def _longest(record: Record, starts: NDArray[np.intp]) -> tuple[str, Fix]:
+    """The repair that keeps the longest of the runs that begin at the rows `starts` and at the first."""
+    edges = np.concatenate([[0], starts, [len(record.t)]])
     longest = int(np.argmax(np.diff(edges)))
     first, last = int(edges[longest]), int(edges[longest + 1])
-    evidence += "; the clock was reset, or the file holds two recordings"
-    repair = f"keep the longest run, rows {first} to {last - 1}"
-    return error("time/backwards", "t", evidence, repair, Fix("rows", numbers=(first, last)), Fix("unique"))
+    return f"keep the longest run, rows {first} to {last - 1}", Fix("rows", numbers=(first, last))
+
+
+def jump(record: Record) -> list[Finding]:
+    """A clock that leaps ahead by more than any pause of a recording; raises `InvalidLog` where it never runs."""
+    rows = jumps(record.t)
+    if not len(rows):
+        return []
+    first = int(rows[0])
+    evidence = f"the clock jumps {len(rows)} time{'s' if len(rows) > 1 else ''}, first at row {first} from "
+    evidence += f"{record.t[first - 1]:.4g} to {record.t[first]:.4g} s"
+    repair, fix = _longest(record, rows)
+    if fix.numbers[1] - fix.numbers[0] < FEWEST:
+        raise InvalidLog(evidence, expected=f"{FEWEST} rows of one run", likely="another column is the time")
+    return [error("time/jump", "t", f"{evidence}; it was set, or the file holds two recordings", repair, fix)]
 
 
 def unit(record: Record) -> list[Finding]:

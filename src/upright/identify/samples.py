@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from upright.errors import InvalidLog, UnknownName
 from upright.identify.arx import FirstResponse, arx, first_response
-from upright.logs.recording import one_encoder
+from upright.logs.recording import check_clock, one_encoder
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log
 
@@ -160,6 +160,7 @@ def _commands(log: Log, robot: Robot) -> tuple[str, Array]:
 
 
 def _clock(log: Log) -> list[str]:
+    check_clock(log)
     off = np.abs(np.diff(log.t) / log.period - 1) > UNEVEN
     if off.mean() > MOST_UNEVEN:
         raise InvalidLog(

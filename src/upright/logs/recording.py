@@ -24,6 +24,9 @@ ROWS = (
 SENSOR = {name: next(kind for kind in ("encoder", "gyro", "compass") if kind in name) for name in ROWS}
 """The sensor of each reading: one dead time and one noise for each sensor."""
 
+LONGEST_PAUSE = 10.0
+"""[s] A longer step of a log's time is a clock that jumped, or another recording: nobody knows the motion in it."""
+
 STATES = ("pitch", "pitch_rate", "wheel", "wheel_rate", "yaw", "yaw_rate", "gyro_bias", "compass_offset")
 FEWEST = 100
 """Fewest samples for a calibration."""
@@ -60,6 +63,26 @@ class Recording:
         return np.lexsort((self.kind, self.when - delay[self.kind])).astype(np.int64)
 
 
+def jumps(t: Array) -> Whole:
+    """The rows before which a clock `t` (n,) [s] jumps; a log of slow rows has a long period, and no jump."""
+    steps = np.diff(t)
+    usual = float(np.median(steps)) if len(steps) else 0.0
+    return np.flatnonzero(steps > max(LONGEST_PAUSE, 100 * usual)) + 1
+
+
+def check_clock(log: Log) -> None:
+    """Raise `InvalidLog` for a log whose clock jumps: no model follows a robot through it."""
+    rows = jumps(log.t)
+    if len(rows):
+        row = int(rows[np.argmax(log.t[rows] - log.t[rows - 1])])
+        by, when = log.t[row] - log.t[row - 1], log.t[row - 1]
+        raise InvalidLog(
+            f"the clock jumps by {by:.3g} s after t = {when:.4g} s, at row {row}",
+            expected=f"one run without a pause over {LONGEST_PAUSE:g} s",
+            likely="two recordings, or a clock that was set", hint="upright doctor --fix keeps the longest part",
+        )  # fmt: skip
+
+
 def record(log: Log, robot: Robot, *, skip: float = 0.0, held_out: float = 0.25) -> Recording:
     """The events of `log`. The last fraction `held_out` of its length is not fitted. Readings of the first `skip` [s]
     are omitted, since they respond to commands from before the log.
@@ -68,6 +91,7 @@ def record(log: Log, robot: Robot, *, skip: float = 0.0, held_out: float = 0.25)
     """
     if len(log) < FEWEST:
         raise InvalidLog(f"the log has {len(log)} samples", expected=f"at least {FEWEST} to calibrate from")
+    check_clock(log)
     commands = _commands(log)
     rows = _rows(log)
     last = log.t[0] + (log.t[-1] - log.t[0]) * (1 - held_out)
