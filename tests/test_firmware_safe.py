@@ -1,0 +1,198 @@
+"""Programs fail safe on every target: no reading, however hostile, gives a duty that no motor takes, and one that is not
+a number stops both motors before their duty is computed."""
+
+from __future__ import annotations
+
+import math
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from firmware_cases import NXT, ROBOT, SPIKE, frozen, steering, written
+from upright.compiled.interpret import Interpreter
+from upright.compiled.program import Program
+from upright.firmware import trace
+from upright.firmware.setup import SENSOR_FAILED, TOO_FAR
+from upright.firmware.tools import run_tool, tool
+from upright.parity.execute import execute
+from upright.parity.executed import Readings
+
+NAN, INF = math.nan, math.inf
+HOSTILE = {"float": (NAN, INF, -INF, 3.4e38, -3.4e38), "double": (NAN, INF, -INF, 1.7e308, -1.7e308)}
+WORDS = (2**31 - 1, -(2**31), 3000 * 65536, -3000 * 65536)  # the ends of a word, and an encoder at 3000 rad
+UNDEFINED = ("-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all", "-std=c99")
+
+HARNESS = """
+#include <stdio.h>
+#include "balance.h"
+static const upright_input table[] = { %s };
+int main(void)
+{
+    upright_state state;
+    upright_output out;
+    upright_reset(&state);
+    for (unsigned i = 0; i < sizeof table / sizeof *table; i++) {
+        if (i < %d)
+            upright_calibrate(&state, &table[i], &out);
+        else {
+            upright_command(&state, &table[i], &out);
+            upright_update(&state, &table[i], &out);
+        }
+        printf("%%.9g %%.9g %%.9g %%.9g\\n", (double)out.start_status, (double)out.duty_left, (double)out.duty_right, (double)out.status);
+    }
+    return 0;
+}
+"""
+
+
+def c_text(value: float) -> str:
+    if math.isnan(value):
+        return "0.0/0.0"
+    return f"{'-' if value < 0 else ''}1.0/0.0" if math.isinf(value) else repr(value)
+
+
+def run_c(folder: Path, rows: list[list[float]], still: int, number: str) -> list[list[float]]:
+    """[start status, left duty, right duty, status] after each row of readings, from a program that ends at the first
+    operation that C leaves undefined; the first `still` rows calibrate it."""
+    source, _ = written(folder, "c", number=number)
+    table = ", ".join("{" + ", ".join(map(c_text, row)) + "}" for row in rows)
+    (folder / "main.c").write_text(HARNESS % (table, still))
+    flags = [*UNDEFINED, "-O1", f"-I{folder}", "-o", str(folder / "try")]
+    run_tool([tool("gcc"), *flags, str(folder / "main.c"), str(source)], "main.c")
+    done = subprocess.run([str(folder / "try")], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return [[float(word) for word in line.split()] for line in done.stdout.splitlines()]
+
+
+def hostile_rows(resting: list[float], values: tuple[float, ...]) -> list[list[float]]:
+    """Each reading alone at each value, all of them at once, and a resting robot after each."""
+    rows: list[list[float]] = []
+    for value in values:
+        for i in range(len(resting)):
+            rows += [[value if k == i else r for k, r in enumerate(resting)], resting]
+        rows += [[value] * len(resting), resting]
+    return rows
+
+
+@pytest.mark.needs("gcc")
+@pytest.mark.parametrize("number", ["float", "double"])
+def test_a_reading_that_is_no_number_stops_c_before_the_duty_is_computed(tmp_path: Path, number: str) -> None:
+    resting = [0.0, 0.0, 0.0, 8.0]
+    rows = [[*resting] for _ in range(100)] + hostile_rows(resting, HOSTILE[number])
+    for row, (_, left, right, status) in list(zip(rows, run_c(tmp_path, rows, 100, number), strict=True))[100:]:
+        assert max(abs(left), abs(right)) <= 100
+        assert left == int(left)
+        if any(map(math.isnan, row)):
+            assert (left, right, status) == (0, 0, SENSOR_FAILED), row
+
+
+@pytest.mark.needs("gcc")
+def test_fixed_point_is_defined_for_every_word(tmp_path: Path) -> None:
+    resting = [0, 0, 0, 8 * 65536]
+    rows = [[*resting] for _ in range(100)] + hostile_rows(resting, WORDS)
+    for row, (_, left, right, status) in list(zip(rows, run_c(tmp_path, rows, 100, "fixed"), strict=True))[100:]:
+        assert max(abs(left), abs(right)) <= 100
+        if max(abs(row[0]), abs(row[1])) > 1000 * 65536:  # [rad] an encoder beyond its range has rolled too far
+            assert (left, right, status) == (0, 0, TOO_FAR)
+
+
+@pytest.mark.needs("gcc")
+@pytest.mark.parametrize("number", ["float", "double"])
+@pytest.mark.parametrize("which", [2, 3])
+def test_a_start_without_numbers_is_refused(tmp_path: Path, number: str, which: int) -> None:
+    """The gyro or the battery once in the second of the start: the loop goes no further."""
+    rows = [[0.0, 0.0, 0.0, 8.0] for _ in range(100)]
+    rows[50][which] = NAN
+    starts = [start for start, *_ in run_c(tmp_path, rows, 100, number)]
+    assert starts[50] == SENSOR_FAILED
+    assert set(starts[:50]) == {0}
+
+
+@pytest.mark.needs("gcc")
+def test_words_of_any_number_are_defined(tmp_path: Path) -> None:
+    """The header's own conversion to a word: at its ends where the number is beyond them, and for no number at all."""
+    written(tmp_path, "c", number="fixed")
+    values = [0.5, -0.5, 1e9, -1e9, INF, -INF, NAN]
+    body = "".join(f'v = {c_text(v)}; printf("%d\\n", (int)UPRIGHT_Q16(v)); ' for v in values)
+    (tmp_path / "main.c").write_text(
+        f'#include <stdio.h>\n#include "balance.h"\nint main(void) {{ volatile double v; {body} return 0; }}\n'
+    )
+    run_tool([tool("gcc"), *UNDEFINED, "-o", str(tmp_path / "try"), str(tmp_path / "main.c")], "main.c")
+    done = subprocess.run([str(tmp_path / "try")], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    half, minus, *ends, none = map(int, done.stdout.split())
+    assert (half, minus) == (32768, -32768)
+    assert ends[0] == ends[2] >= 2**31 - 2**17
+    assert ends[1] == ends[3] <= -(2**31) + 2**17
+    assert none == ends[1]  # the low end
+
+
+def hostile_program(target: str) -> Program:
+    kit = SPIKE if target == "pybricks" else NXT
+    return trace(steering() if target == "nxc" else frozen(), ROBOT, kit, target)
+
+
+@pytest.mark.parametrize("target", ["c", "arduino", "pybricks", "ev3dev", "nxc"])
+def test_the_representation_stops_for_any_reading_that_is_no_number(target: str) -> None:
+    program = hostile_program(target)
+    kit = SPIKE if target == "pybricks" else NXT
+    resting = Readings(program, kit).raw({})
+    for name in program.channels:
+        machine = Interpreter(program)
+        machine.command(resting)
+        machine.update()
+        out = dict(machine.command(resting | {name: NAN}))
+        assert (out["duty_left"], out["duty_right"], machine.update()["status"]) == (0, 0, SENSOR_FAILED), name
+        assert Interpreter(program).calibrate(resting | {name: NAN})["start_status"] == SENSOR_FAILED, name
+
+
+@pytest.mark.needs("module:micropython_unix")
+@pytest.mark.parametrize("value", [NAN, INF, -INF, 1e30, -1e30])
+def test_a_hub_s_gyro_may_say_anything(tmp_path: Path, value: float) -> None:
+    """The hub's gyro gives fractions, so that it could give what is no number; the program ends by itself."""
+    source, made = written(tmp_path, "pybricks", SPIKE)
+    executor, readings = execute(source, made.program, made.number), Readings(made.program, SPIKE)
+    executor.start()
+    for raw in readings.still(100):
+        executor.step(raw)
+    out = executor.step(readings.raw({}) | {"raw_gyro": value})
+    if math.isnan(value):
+        assert out["status"] == SENSOR_FAILED
+        assert (out["duty_left"], out["duty_right"]) == (0, 0)
+    assert max(abs(out["duty_left"]), abs(out["duty_right"])) <= 100
+    executor.close()
+
+
+@pytest.mark.needs("nbc")
+def test_an_nxt_s_sensors_may_say_anything(tmp_path: Path) -> None:
+    """What the brick's own integers can hold: the machine stops a program that goes beyond them."""
+    source, made = written(tmp_path, "nxc", controller=steering())
+    readings = Readings(made.program, NXT)
+    resting = readings.raw({})
+    ends = {"raw_encoder_left": (2**31 - 1, -(2**31)), "raw_encoder_right": (2**31 - 1, -(2**31))}
+    ends |= {"raw_gyro": (-600, 423), "raw_compass": (0, 32767), "raw_battery": (0, 65535)}
+    executor = execute(source, made.program, made.number)
+    for name, values in ends.items():
+        for value in values:
+            executor.start()
+            for raw in readings.still(100):
+                executor.step(raw)
+            out = executor.step(resting | {name: float(value)})
+            assert max(abs(out["duty_left"]), abs(out["duty_right"])) <= 100
+            if "encoder" in name:
+                assert (out["duty_left"], out["duty_right"], out["status"]) == (0, 0, TOO_FAR)
+    executor.close()
+
+
+@pytest.mark.parametrize("raw_battery", [-5.0, 0.0, 70.0e3])
+def test_an_ev3_s_battery_may_say_anything(tmp_path: Path, raw_battery: float) -> None:
+    source, made = written(tmp_path, "ev3dev")
+    executor, readings = execute(source, made.program, made.number), Readings(made.program, NXT)
+    executor.start()
+    for raw in readings.still(100):
+        executor.step(raw)
+    out = executor.step(readings.raw({}) | {"raw_battery": raw_battery})
+    assert max(abs(out["duty_left"]), abs(out["duty_right"])) <= 100
+    executor.step(readings.raw({}))  # it still runs
+    executor.close()
