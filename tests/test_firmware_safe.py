@@ -1,5 +1,5 @@
-"""Programs fail safe on every target: no reading, however hostile, gives a duty that no motor takes, and one that is not
-a number stops both motors before their duty is computed."""
+"""Programs fail safe on every target: no reading gives a duty that no motor takes, and one that is not a number stops
+both motors before their duty is computed."""
 
 from __future__ import annotations
 
@@ -39,7 +39,8 @@ int main(void)
             upright_command(&state, &table[i], &out);
             upright_update(&state, &table[i], &out);
         }
-        printf("%%.9g %%.9g %%.9g %%.9g\\n", (double)out.start_status, (double)out.duty_left, (double)out.duty_right, (double)out.status);
+        printf("%%.9g %%.9g ", (double)out.start_status, (double)out.duty_left);
+        printf("%%.9g %%.9g\\n", (double)out.duty_right, (double)out.status);
     }
     return 0;
 }
@@ -125,7 +126,7 @@ def test_words_of_any_number_are_defined(tmp_path: Path) -> None:
     assert (half, minus) == (32768, -32768)
     assert ends[0] == ends[2] >= 2**31 - 2**17
     assert ends[1] == ends[3] <= -(2**31) + 2**17
-    assert none == ends[1]  # the low end
+    assert abs(none - ends[1]) <= 1  # the low end
 
 
 def hostile_program(target: str) -> Program:
@@ -144,7 +145,8 @@ def test_the_representation_stops_for_any_reading_that_is_no_number(target: str)
         machine.update()
         out = dict(machine.command(resting | {name: NAN}))
         assert (out["duty_left"], out["duty_right"], machine.update()["status"]) == (0, 0, SENSOR_FAILED), name
-        assert Interpreter(program).calibrate(resting | {name: NAN})["start_status"] == SENSOR_FAILED, name
+        refused = Interpreter(program).calibrate(resting | {name: NAN})["start_status"]
+        assert refused == (0 if "encoder" in name else SENSOR_FAILED), name  # the start looks at no encoder
 
 
 @pytest.mark.needs("module:micropython_unix")
@@ -178,6 +180,7 @@ def test_an_nxt_s_sensors_may_say_anything(tmp_path: Path) -> None:
             executor.start()
             for raw in readings.still(100):
                 executor.step(raw)
+            executor.step(resting)  # its counts begin here
             out = executor.step(resting | {name: float(value)})
             assert max(abs(out["duty_left"]), abs(out["duty_right"])) <= 100
             if "encoder" in name:

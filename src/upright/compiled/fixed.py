@@ -144,7 +144,8 @@ def _reading_errors(program: Program, bits: Mapping[str, int]) -> dict[str, floa
             errors[target] = _row_error(statement, program, bits, errors)
         elif isinstance(statement, Limit | Absolute | Choose):
             carried = max((errors[name] for name in operands(statement)), default=0.0)
-            errors[target] = carried + 2.0 ** -bits[target]
+            kept = isinstance(statement, Limit) and bits[statement.value] == bits[target]
+            errors[target] = carried + (0.0 if kept else 2.0 ** -bits[target])
         else:
             errors[target] = 0.0  # from here on the design gets the program's own numbers
     return errors

@@ -1,5 +1,8 @@
 """The balancing program, written once: what `trace` writes down here is what every target runs.
 
+Every raw reading is kept within its range; one that is not a number, or a wheel out of range, stops both motors before
+their duty is computed.
+
 reading = scale · (raw − offset), kept within the sensor's range; positions enter the memory by what they moved
 u = the controller's output; duty = whole(full · u / battery), zero in the dead zone and within ±full
 applied = duty · battery / full, which enters the controller's memory in place of u
@@ -19,7 +22,7 @@ from upright.compiled.tracer import Form, Tracer
 from upright.control.controller import Controller, controller_hash
 from upright.errors import SpecMismatch
 from upright.firmware.incremental import Incremental, incremental
-from upright.firmware.readings import calibrate, inputs, moved, reading
+from upright.firmware.readings import calibrate, inputs, kept, moved, numbers, reading
 from upright.firmware.setup import (
     BALANCING,
     FALL_PITCH,
@@ -67,8 +70,9 @@ def trace(
     raw = inputs(t, setup)
     held = calibrate(t, setup, raw)
     at_start = t.block("calibrate")
-    y = [reading(t, setup, raw, channel, held) for channel in linear.reads]
-    steps = [moved(t, setup, raw, channel) for channel in linear.reads]
+    read = kept(t, raw, "read")
+    y = [reading(t, setup, read, channel, held) for channel in linear.reads]
+    steps = [moved(t, setup, read, channel) for channel in linear.reads]
     bounds = _bounds(setup)
     sizes = np.full(len(linear.A), UNPROVEN) if bounds is None else bounds
     w = [t.state(f"w{i}", "1", bound) for i, bound in enumerate(sizes.tolist())]
@@ -76,11 +80,12 @@ def trace(
     r = _reference(t, setup)
     pitch = _pitch(t, setup, z, y)
     u = _command(t, setup, z, y, r)
-    a = _applied(t, setup, u, raw)
+    fit = _fit(t, setup, read, [*read.values(), *(f for f in r if isinstance(f, Form)), *u])
+    a = _applied(t, setup, u, read, fit)
     command = t.block("command")
     rows = _memory(inner, z=z, y=y, r=r, u=u, arrived=_arrived(t, setup, a))
     _remember(t, w, rows, bounds is not None)
-    _stop(t, setup, pitch, raw)
+    _stop(t, setup, pitch, fit)
     update = t.block("update")
     channels = {form.name: channel for channel, form in raw.items()}
     return Program(
@@ -137,9 +142,13 @@ def _reference(t: Tracer, setup: Setup) -> list[Form | float]:
     linear, switching = setup.linear, setup.incremental.switching
     rows = np.vstack([linear.Br, linear.Dr, *([switching.Dr] if switching else [])])
     return [
-        t.input(f"reference_{name}", unit, most) if setup.reference and rows[:, i].any() else 0.0
+        _bounded_input(t, f"reference_{name}", unit, most) if setup.reference and rows[:, i].any() else 0.0
         for i, (name, unit, most) in enumerate(zip(STATE_NAMES, STATE_UNITS, REFERENCE_RANGE, strict=True))
     ]
+
+
+def _bounded_input(t: Tracer, name: str, unit: str, most: float) -> Form:
+    return t.limit(f"kept_{name}", t.input(name, unit, most), -most, most, unit)
 
 
 def _pitch(t: Tracer, setup: Setup, z: list[Form], y: list[Form]) -> Form:
@@ -166,23 +175,38 @@ def _command(t: Tracer, setup: Setup, z: list[Form], y: list[Form], r: list[Form
     return u
 
 
-def _applied(t: Tracer, setup: Setup, u: list[Form], raw: dict[str, Form]) -> list[Form]:
-    """The applied commands: zero in the dead zone, within the limit, in whole steps of the battery's voltage."""
+def _fit(t: Tracer, setup: Setup, read: dict[str, Form], values: list[Form]) -> Form:
+    """The status by what was read: `TOO_FAR` for a wheel out of range, `SENSOR_FAILED` where a value is no number."""
+    status: Form | float = float(BALANCING)
+    for side, channel in zip(SIDES, ENCODERS, strict=True):
+        far = t.absolute(f"far_{side}", read[channel], setup.raw(channel).unit)
+        most = setup.travel / setup.raw(channel).scale
+        status = t.choose(f"near_{side}", far, most, status, float(TOO_FAR), "1", whole=True)
+    return numbers(t, "fit", values, status)
+
+
+def _applied(t: Tracer, setup: Setup, u: list[Form], read: dict[str, Form], fit: Form) -> list[Form]:
+    """The applied commands: zero in the dead zone and unless the readings are `fit`, within the limit, in whole steps
+    of the battery's voltage."""
     d, full = setup.driver, float(setup.driver.full)
-    awake = [_awake(t, d, form, side) for form, side in zip(u, SIDES, strict=True)]
+    awake = [
+        t.choose(f"sure_{side}", fit, 0.5, _awake(t, d, form, side), 0.0, d.unit)
+        for form, side in zip(u, SIDES, strict=True)
+    ]
     if not full:
         return [
             t.let(f"applied_{s}", form, d.unit, setup.strongest, output=True)
             for form, s in zip(awake, SIDES, strict=True)
         ]
     # the battery is read before the motors load it anew
-    volts = t.let("volts", raw[BATTERY] * setup.raw(BATTERY).scale, "V")
-    battery = t.limit("battery", volts, d.lowest, d.highest, "V")
+    volts = t.let("volts", read[BATTERY] * setup.raw(BATTERY).scale, "V")
+    measured = t.limit("measured", volts, d.lowest, d.highest, "V")
+    battery = t.choose("battery", fit, 0.5, measured, d.lowest, "V")
     per_volt = t.quotient("per_volt", full, battery, "1/V")
     step = t.let("step", battery * (1 / full), "V")
     applied: list[Form] = []
     for form, side in zip(awake, SIDES, strict=True):
-        exact = t.product(f"wanted_duty_{side}", form, per_volt, "1")
+        exact = t.product(f"exact_duty_{side}", form, per_volt, "1")
         limited = t.limit(f"limited_duty_{side}", exact, -full, full, "1")
         duty = t.whole(f"duty_{side}", limited, "1")
         applied.append(t.product(f"applied_{side}", duty, step, "V", output=True))
@@ -236,17 +260,13 @@ def _remember(t: Tracer, w: list[Form], rows: Sequence[Form], proven: bool) -> N
         t.commit(state, value)
 
 
-def _stop(t: Tracer, setup: Setup, pitch: Form, raw: dict[str, Form]) -> None:
-    """The status: fallen, stuck at full duty, or rolled out of range."""
+def _stop(t: Tracer, setup: Setup, pitch: Form, fit: Form) -> None:
+    """The status: not `fit`, fallen, or stuck at full duty."""
     lean = t.absolute("lean", pitch, "rad")
     status = t.choose("fallen", lean, FALL_PITCH, float(BALANCING), float(FALLEN), "1", whole=True)
     if setup.driver.full:
         status = _stuck(t, setup, status)
-    for side, channel in zip(SIDES, ENCODERS, strict=True):
-        far = t.absolute(f"far_{side}", raw[channel], setup.raw(channel).unit)
-        most = setup.travel / setup.raw(channel).scale
-        status = t.choose(f"near_{side}", far, most, status, float(TOO_FAR), "1", whole=True)
-    t.let("status", status, "1", output=True)
+    t.choose("status", fit, 0.5, status, fit, "1", output=True, whole=True)
 
 
 def _stuck(t: Tracer, setup: Setup, status: Form) -> Form:

@@ -18,7 +18,7 @@ from upright.compiled.program import Kind, Program
 from upright.control.controller import Controller
 from upright.errors import InvalidController, UnknownName
 from upright.firmware.balance import trace
-from upright.firmware.setup import STATUS, TIME_IS_OVER
+from upright.firmware.setup import FLAT_BATTERY, SENSOR_FAILED, STATUS, TIME_IS_OVER
 from upright.firmware.targets import find_target
 from upright.robots import Kit, Robot
 
@@ -149,7 +149,8 @@ def _facts(program: Program, number: str, finest: float | None) -> dict[str, Any
         "period_ms": f"{program.period * 1e3:g}",
         "period_us": round(program.period * 1e6),
         "time_is_over": TIME_IS_OVER,
-        "statuses": ", ".join(f"{i} {text}" for i, text in enumerate(STATUS[:TIME_IS_OVER])),
+        "refusals": {status: STATUS[status] for status in (FLAT_BATTERY, SENSOR_FAILED)},
+        "statuses": ", ".join(f"{i} {text}" for i, text in enumerate(STATUS) if i != TIME_IS_OVER),
     }
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from upright.compiled.tracer import Form, Tracer
@@ -14,6 +15,7 @@ from upright.firmware.setup import (
     GYRO_MARGIN,
     HEADING,
     LEAST_SCATTER,
+    SENSOR_FAILED,
     Setup,
 )
 from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, SI, largest
@@ -32,8 +34,25 @@ def inputs(t: Tracer, setup: Setup) -> dict[str, Form]:
         raws[channel] = t.input(name, raw.unit, math.ceil(most) if raw.whole else most, raw.whole)
     if setup.driver.full:
         raw = setup.raw(BATTERY)
-        raws[BATTERY] = t.input("raw_battery", raw.unit, 2 * setup.driver.highest / raw.scale, raw.whole, low=0.0)
+        most = 2 * setup.driver.highest / raw.scale
+        raws[BATTERY] = t.input("raw_battery", raw.unit, math.ceil(most) if raw.whole else most, raw.whole, low=0.0)
     return raws
+
+
+def kept(t: Tracer, raw: dict[str, Form], when: str) -> dict[str, Form]:
+    """The readings within the ranges that everything after them is proven for; what is not a number stays none."""
+    found: dict[str, Form] = {}
+    for channel, form in raw.items():
+        v, name = t.variables[form.name], channel.rpartition("/")[2]
+        found[channel] = t.limit(f"{when}_{name}", form, v.low, v.high, v.unit)
+    return found
+
+
+def numbers(t: Tracer, name: str, values: Sequence[Form], status: Form | float) -> Form:
+    """`status` where all `values` are numbers, else `SENSOR_FAILED`: their sum stays below its range's end, and only
+    what is not a number is not below it."""
+    total = t.let(f"{name}_sum", sum(values, Form()), "1")
+    return t.choose(name, total, 1.5 * t.variables[total.name].most + 1, status, float(SENSOR_FAILED), "1", whole=True)
 
 
 @dataclass(frozen=True)
@@ -46,11 +65,12 @@ class Held:
 
 def calibrate(t: Tracer, setup: Setup, raw: dict[str, Form]) -> Held:
     """The gyro's mean over a second in which its readings stay within what a still gyro scatters; else anew."""
-    most, (unit, count) = t.variables[raw[GYRO].name].most, (setup.raw(GYRO).unit, setup.periods(CALIBRATION_TIME))
+    first = kept(t, {channel: form for channel, form in raw.items() if channel not in ENCODERS}, "first")
+    g, most = first[GYRO], t.variables[raw[GYRO].name].most
+    unit, count = setup.raw(GYRO).unit, setup.periods(CALIBRATION_TIME)
     offset = t.state("gyro_offset", unit, most)
     counted, total = t.state("still", "1", float(count), True), t.state("gyro_total", unit, most * count)
     low, high = t.state("gyro_low", unit, most), t.state("gyro_high", unit, most)
-    g = t.let("gyro_now", raw[GYRO], unit, most)
     lower = t.choose("lower", g, low, g, low, unit)
     higher = t.choose("higher", high, g, g, high, unit)
     spread = t.let("gyro_spread", higher - lower, unit)
@@ -64,19 +84,19 @@ def calibrate(t: Tracer, setup: Setup, raw: dict[str, Form]) -> Held:
     t.commit(high, t.choose("gyro_most", fresh, 0.5, g, higher, unit))
     t.commit(offset, t.let("gyro_mean", total_now * (1.0 / count), unit, most))
     t.choose("ready", more, count - 0.5, 0.0, 1.0, "1", output=True, whole=True)
+    flat: Form | float = 0.0
     if BATTERY in raw:
-        volts = t.let("start_battery", raw[BATTERY] * setup.raw(BATTERY).scale, "V")
-        t.choose("start_status", volts, setup.driver.lowest, float(FLAT_BATTERY), 0.0, "1", output=True, whole=True)
-    else:
-        t.let("start_status", 0.0, "1", output=True)
-    return Held(offset, _heading_at_start(t, raw))
+        volts = t.let("start_battery", first[BATTERY] * setup.raw(BATTERY).scale, "V")
+        flat = t.choose("flat", volts, setup.driver.lowest, float(FLAT_BATTERY), 0.0, "1", whole=True)
+    t.let("start_status", numbers(t, "first_fit", list(first.values()), flat), "1", output=True)
+    return Held(offset, _heading_at_start(t, first))
 
 
-def _heading_at_start(t: Tracer, raw: dict[str, Form]) -> Form | None:
-    if COMPASS not in raw:
+def _heading_at_start(t: Tracer, first: dict[str, Form]) -> Form | None:
+    if COMPASS not in first:
         return None
-    before = t.state("compass_before", "deg", t.variables[raw[COMPASS].name].most)
-    t.commit(before, raw[COMPASS])
+    before = t.state("compass_before", "deg", t.variables[first[COMPASS].name].most)
+    t.commit(before, first[COMPASS])
     return before
 
 
@@ -87,12 +107,12 @@ def _scatter(setup: Setup) -> float:
     return (8 * sensor.noise + 2 * step + LEAST_SCATTER) / raw.scale
 
 
-def reading(t: Tracer, setup: Setup, raw: dict[str, Form], channel: str, held: Held) -> Form:
+def reading(t: Tracer, setup: Setup, read: dict[str, Form], channel: str, held: Held) -> Form:
     """The channel in SI units, within what the sensor can say."""
     name, scale = channel.removeprefix("sensor/"), setup.raw(channel).scale
     if channel == COMPASS:
-        return _heading(t, raw[channel], held, scale)
-    value = raw[channel] - held.offset if channel == GYRO else raw[channel]
+        return _heading(t, read[channel], held, scale)
+    value = read[channel] - held.offset if channel == GYRO else read[channel]
     return t.let(name, value * scale, SI[channel], largest(setup.kit, channel, setup.travel))
 
 
@@ -112,14 +132,14 @@ def _heading(t: Tracer, raw: Form, held: Held, scale: float) -> Form:
     return t.let("compass", now * scale, "rad")
 
 
-def moved(t: Tracer, setup: Setup, raw: dict[str, Form], channel: str) -> Form | float:
+def moved(t: Tracer, setup: Setup, read: dict[str, Form], channel: str) -> Form | float:
     """How far a position has moved since the period before [SI], within what a wheel can do; 0 for a rate."""
     name, scale, most = channel.removeprefix("sensor/"), setup.raw(channel).scale, FASTEST * setup.linear.period
     if channel in ENCODERS:
-        variable = t.variables[raw[channel].name]
+        variable = t.variables[read[channel].name]
         before = t.state(f"before_{name}", variable.unit, variable.most, variable.whole)
-        step = raw[channel] - before
-        t.commit(before, raw[channel])
+        step = read[channel] - before
+        t.commit(before, read[channel])
     elif channel == COMPASS:
         step = Form({"compass_way": 1.0})
     else:

@@ -10,9 +10,12 @@ from upright.firmware.incremental import Incremental
 from upright.firmware.targets import COMPASS, ENCODERS, Driver, Raw, Target
 from upright.robots import Kit
 
-BALANCING, FALLEN, STUCK, TOO_FAR, FLAT_BATTERY, TIME_IS_OVER = range(6)
-STATUS = ("balancing", "fallen", "motors at their limit", "too far away", "battery too low", "time is over")
-"""Meanings of the program's `status`; all but the first stop the motors. The last is set by the loop."""
+BALANCING, FALLEN, STUCK, TOO_FAR, FLAT_BATTERY, TIME_IS_OVER, SENSOR_FAILED = range(7)
+STATUS = (
+    "balancing", "fallen", "motors at their limit", "too far away", "battery too low", "time is over",
+    "a sensor failed",
+)  # fmt: skip
+"""Meanings of the program's `status`; all but the first stop the motors. The loop sets `TIME_IS_OVER`."""
 
 FALL_PITCH = 0.8  # [rad] from which no robot here has the torque to come back
 STUCK_TIME = 1.0  # [s] both motors at full duty, as when the robot lies or a wheel is held

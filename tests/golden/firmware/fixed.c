@@ -54,67 +54,86 @@ void upright_reset(upright_state *s)
     s->gyro = 0;
     s->z2 = 0;
     s->z4 = 0;
+    s->fit = 0;
 }
 
 void upright_calibrate(upright_state *s, const upright_input *in, upright_output *out)
 {
-    const int32_t gyro_now = (int32_t)((int64_t)1024 * in->raw_gyro);
-    const int32_t lower = gyro_now < s->gyro_low ? gyro_now : s->gyro_low;
-    const int32_t higher = s->gyro_high < gyro_now ? gyro_now : s->gyro_high;
-    const int32_t gyro_spread = rounded((int64_t)higher - (int64_t)lower, 1);
+    const int32_t first_gyro = limit(in->raw_gyro, -617663, 617663);
+    const int32_t first_battery = limit(in->raw_battery, 0, 1572864);
+    const int32_t lower = (int64_t)first_gyro * 1024 < s->gyro_low ? first_gyro : rounded(s->gyro_low, 10);
+    const int32_t higher = s->gyro_high < (int64_t)first_gyro * 1024 ? first_gyro : rounded(s->gyro_high, 10);
+    const int32_t gyro_spread = (int32_t)((int64_t)512 * higher - (int64_t)512 * lower);
     const int32_t counted = gyro_spread < 3580923 ? s->still : 0;
     const int32_t summed = counted < 1 ? 0 : s->gyro_total;
     const int32_t more = (int32_t)((int64_t)counted + 1);
-    const int32_t gyro_sum = rounded((int64_t)64 * summed + (int64_t)gyro_now, 6);
+    const int32_t gyro_sum = (int32_t)((int64_t)summed + (int64_t)16 * first_gyro);
     const int32_t counted_now = limit(more, 0, 100);
     const int32_t gyro_sum_kept = limit(gyro_sum, -988260336, 988260336);
-    const int32_t gyro_least = counted < 1 ? gyro_now : lower;
-    const int32_t gyro_most = counted < 1 ? gyro_now : higher;
+    const int32_t gyro_least = counted < 1 ? first_gyro : lower;
+    const int32_t gyro_most = counted < 1 ? first_gyro : higher;
     const int32_t gyro_mean = settled((int64_t)1374389535 * gyro_sum, 31, -632486615, 632486615);
     out->ready = more < 100 ? 0 : 1;
-    const int32_t start_battery = (int32_t)((int64_t)512 * in->raw_battery);
-    out->start_status = start_battery < 161061274 ? 4 : 0;
+    const int32_t start_battery = (int32_t)((int64_t)512 * first_battery);
+    const int32_t flat = start_battery < 161061274 ? 4 : 0;
+    const int32_t first_fit_sum = (int32_t)((int64_t)256 * first_gyro + (int64_t)256 * first_battery);
+    const int32_t first_fit = first_fit_sum < 857939473 ? flat : 6;
+    out->start_status = first_fit;
     s->still = counted_now;
     s->gyro_total = gyro_sum_kept;
-    s->gyro_low = gyro_least;
-    s->gyro_high = gyro_most;
+    s->gyro_low = (gyro_least * 1024);
+    s->gyro_high = (gyro_most * 1024);
     s->gyro_offset = gyro_mean;
 }
 
 void upright_command(upright_state *s, const upright_input *in, upright_output *out)
 {
-    const int32_t encoder_left = (int32_t)((int64_t)16 * in->raw_encoder_left);
-    const int32_t encoder_right = (int32_t)((int64_t)16 * in->raw_encoder_right);
-    s->gyro = settled((int64_t)2048 * in->raw_gyro - (int64_t)2 * s->gyro_offset, 0, -843315486, 843315486);
-    const int32_t moved_encoder_left = settled((int64_t)8192 * in->raw_encoder_left - (int64_t)512 * s->before_encoder_left, 0, -536870912, 536870912);
-    const int32_t moved_encoder_right = settled((int64_t)8192 * in->raw_encoder_right - (int64_t)512 * s->before_encoder_right, 0, -536870912, 536870912);
+    const int32_t read_encoder_left = limit(in->raw_encoder_left, -65536000, 65536000);
+    const int32_t read_encoder_right = limit(in->raw_encoder_right, -65536000, 65536000);
+    const int32_t read_gyro = limit(in->raw_gyro, -617663, 617663);
+    const int32_t read_battery = limit(in->raw_battery, 0, 1572864);
+    const int32_t encoder_left = (int32_t)((int64_t)16 * read_encoder_left);
+    const int32_t encoder_right = (int32_t)((int64_t)16 * read_encoder_right);
+    s->gyro = settled((int64_t)2048 * read_gyro - (int64_t)2 * s->gyro_offset, 0, -843315486, 843315486);
+    const int32_t moved_encoder_left = settled((int64_t)8192 * read_encoder_left - (int64_t)512 * s->before_encoder_left, 0, -536870912, 536870912);
+    const int32_t moved_encoder_right = settled((int64_t)8192 * read_encoder_right - (int64_t)512 * s->before_encoder_right, 0, -536870912, 536870912);
     s->z2 = rounded((int64_t)128 * s->w2 - (int64_t)moved_encoder_left - (int64_t)moved_encoder_right, 7);
     s->z4 = rounded((int64_t)1073741824 * s->w4 + (int64_t)613566757 * moved_encoder_left - (int64_t)613566757 * moved_encoder_right, 30);
     out->pitch = settled((int64_t)2064817531 * s->w0 - (int64_t)36723494 * s->w1 + (int64_t)82666117 * s->z2 - (int64_t)2295218 * s->w6 + (int64_t)1147609 * s->gyro, 38, -209715, 209715);
     out->command_left = settled((int64_t)1406356248 * s->w0 + (int64_t)109361676 * s->w1 - (int64_t)491056043 * s->z2 + (int64_t)144043309 * s->w3 - (int64_t)3053241 * s->z4 + (int64_t)1737517 * s->w5 - (int64_t)3250345 * s->w6 - (int64_t)257190 * s->w8 - (int64_t)31404 * s->w9 - (int64_t)300565114 * encoder_left + (int64_t)423123624 * encoder_right + (int64_t)1625172 * s->gyro, 32, -1572864, 1572864);
     out->command_right = settled((int64_t)1406356248 * s->w0 + (int64_t)109361676 * s->w1 - (int64_t)491056043 * s->z2 + (int64_t)144043309 * s->w3 + (int64_t)3053241 * s->z4 - (int64_t)1737517 * s->w5 - (int64_t)3250345 * s->w6 - (int64_t)31404 * s->w8 - (int64_t)257190 * s->w9 + (int64_t)423123624 * encoder_left - (int64_t)300565114 * encoder_right + (int64_t)1625172 * s->gyro, 32, -1572864, 1572864);
+    const int32_t far_left = (read_encoder_left < 0 ? -read_encoder_left : read_encoder_left);
+    const int32_t near_left = far_left < 65536000 ? 0 : 3;
+    const int32_t far_right = (read_encoder_right < 0 ? -read_encoder_right : read_encoder_right);
+    const int32_t near_right = far_right < 65536000 ? near_left : 3;
+    const int32_t fit_sum = (int32_t)((int64_t)4 * read_encoder_left + (int64_t)4 * read_encoder_right + (int64_t)4 * read_gyro + (int64_t)4 * read_battery + (int64_t)4 * out->command_left + (int64_t)4 * out->command_right);
+    s->fit = fit_sum < 818711673 ? near_right : 6;
     const int32_t size_left = (out->command_left < 0 ? -out->command_left : out->command_left);
     const int32_t awake_left = size_left < 16385 ? 0 : out->command_left;
+    const int32_t sure_left = s->fit < 1 ? awake_left : 0;
     const int32_t size_right = (out->command_right < 0 ? -out->command_right : out->command_right);
     const int32_t awake_right = size_right < 16385 ? 0 : out->command_right;
-    const int32_t volts = (int32_t)((int64_t)512 * in->raw_battery);
-    const int32_t battery = limit(volts, 161061274, 402653184);
+    const int32_t sure_right = s->fit < 1 ? awake_right : 0;
+    const int32_t volts = (int32_t)((int64_t)512 * read_battery);
+    const int32_t measured = limit(volts, 161061274, 402653184);
+    const int32_t battery = s->fit < 1 ? measured : 161061274;
     const int32_t per_volt = (int32_t)((int64_t)112589990684262400 / battery);
     const int32_t step = rounded((int64_t)1374389535 * battery, 32);
-    const int32_t wanted_duty_left = rounded((int64_t)awake_left * per_volt, 20);
-    const int32_t limited_duty_left = limit(wanted_duty_left, -209715200, 209715200);
+    const int32_t exact_duty_left = rounded((int64_t)sure_left * per_volt, 20);
+    const int32_t limited_duty_left = limit(exact_duty_left, -209715200, 209715200);
     out->duty_left = limited_duty_left / 2097152;
     out->applied_left = rounded((int64_t)out->duty_left * step, 14);
-    const int32_t wanted_duty_right = rounded((int64_t)awake_right * per_volt, 20);
-    const int32_t limited_duty_right = limit(wanted_duty_right, -209715200, 209715200);
+    const int32_t exact_duty_right = rounded((int64_t)sure_right * per_volt, 20);
+    const int32_t limited_duty_right = limit(exact_duty_right, -209715200, 209715200);
     out->duty_right = limited_duty_right / 2097152;
     out->applied_right = rounded((int64_t)out->duty_right * step, 14);
-    s->before_encoder_left = (in->raw_encoder_left * 16);
-    s->before_encoder_right = (in->raw_encoder_right * 16);
+    s->before_encoder_left = (read_encoder_left * 16);
+    s->before_encoder_right = (read_encoder_right * 16);
 }
 
 void upright_update(upright_state *s, const upright_input *in, upright_output *out)
 {
+    (void)in;
     const int32_t next_w0 = settled((int64_t)1075943091 * s->w0 - (int64_t)11101132 * s->w1 + (int64_t)6564863 * s->z2 + (int64_t)8699123 * s->w3 - (int64_t)1768223 * s->w6 + (int64_t)2129360 * s->w7 - (int64_t)84323 * s->w8 - (int64_t)84323 * s->w9 + (int64_t)884111 * s->gyro - (int64_t)184217027 * out->applied_left - (int64_t)184217027 * out->applied_right, 30, -785173709, 785173709);
     const int32_t next_w1 = settled((int64_t)212041756 * s->w0 + (int64_t)32846804 * s->w1 - (int64_t)167464957 * s->z2 + (int64_t)39890168 * s->w3 - (int64_t)929054 * s->w6 + (int64_t)14393791 * s->w7 - (int64_t)88497 * s->w8 - (int64_t)88497 * s->w9 + (int64_t)464527 * s->gyro - (int64_t)1150060473 * out->applied_left - (int64_t)1150060473 * out->applied_right, 26, -696254464, 696254464);
     const int32_t next_w2 = settled((int64_t)1119990697 * s->w0 + (int64_t)50975465 * s->w1 + (int64_t)1007214956 * s->z2 + (int64_t)49833066 * s->w3 + (int64_t)2069090 * s->w6 + (int64_t)8155570 * s->w7 + (int64_t)349358 * s->w8 + (int64_t)349358 * s->w9 - (int64_t)1034545 * s->gyro + (int64_t)764007032 * out->applied_left + (int64_t)764007032 * out->applied_right, 31, -782657126, 782657126);
@@ -134,11 +153,7 @@ void upright_update(upright_state *s, const upright_input *in, upright_output *o
     const int32_t stuck_now = strength < 200 ? 0 : stuck_more;
     const int32_t stuck_kept = limit(stuck_now, 0, 100);
     const int32_t stuck_status = stuck_now < 100 ? fallen : 2;
-    const int32_t far_left = (in->raw_encoder_left < 0 ? -in->raw_encoder_left : in->raw_encoder_left);
-    const int32_t near_left = far_left < 65536000 ? stuck_status : 3;
-    const int32_t far_right = (in->raw_encoder_right < 0 ? -in->raw_encoder_right : in->raw_encoder_right);
-    const int32_t near_right = far_right < 65536000 ? near_left : 3;
-    out->status = near_right;
+    out->status = s->fit < 1 ? stuck_status : s->fit;
     s->w0 = next_w0;
     s->w1 = next_w1;
     s->w2 = next_w2;

@@ -14,7 +14,7 @@
      while the robot is held still: upright_calibrate, until out.ready is not 0; go no further if out.start_status is not 0;
      from then on: upright_command, the motors at out.duty_left and out.duty_right of 100, upright_update with
      the same structures, and both motors off as soon as out.status is not 0.
-   Status: 0 balancing, 1 fallen, 2 motors at their limit, 3 too far away, 4 battery too low.
+   Status: 0 balancing, 1 fallen, 2 motors at their limit, 3 too far away, 4 battery too low, 6 a sensor failed.
    Encoders begin at 0 when the robot starts to balance; positive turns and commands roll it forward.
 */
 #ifndef UPRIGHT_BALANCE_H
@@ -25,8 +25,8 @@
 #define UPRIGHT_ROBOT "nxtway-gs"
 #define UPRIGHT_HASH "23fdd5ad566b2f1841f88e207b6e0ef53f4e405d9ca17da10a6632bd856f3a94"
 #define UPRIGHT_PERIOD_US 10000L
-/* x as a Q16.16 word, and back */
-#define UPRIGHT_Q16(x) ((int32_t)((x) * 65536.0 + ((x) < 0 ? -0.5 : 0.5)))
+/* x as a Q16.16 word within ±32767, the lower end for what is not a number, and back */
+#define UPRIGHT_Q16(x) ((int32_t)(((x) > -32767 ? (x) < 32767 ? (x) : 32767 : -32767) * 65536.0 + ((x) < 0 ? -0.5 : 0.5)))
 #define UPRIGHT_FROM_Q16(q) ((q) / 65536.0)
 
 /* Readings: unit and range. What lies beyond its range is taken for its end. */
@@ -40,7 +40,7 @@ typedef struct {
 /* What to do, and what it is based on */
 typedef struct {
     int32_t ready; /* [1] 0 to 1 */
-    int32_t start_status; /* [1] 0 to 4 */
+    int32_t start_status; /* [1] 0 to 6 */
     int32_t pitch; /* [rad] -3.2 to 3.2, Q16.16 */
     int32_t command_left; /* [V] -24 to 24, Q16.16 */
     int32_t command_right; /* [V] -24 to 24, Q16.16 */
@@ -48,7 +48,7 @@ typedef struct {
     int32_t applied_left; /* [V] -12 to 12, Q16.16 */
     int32_t duty_right; /* [1] -100 to 100 */
     int32_t applied_right; /* [V] -12 to 12, Q16.16 */
-    int32_t status; /* [1] 0 to 3 */
+    int32_t status; /* [1] 0 to 6 */
 } upright_output;
 
 /* The program's memory */
@@ -74,6 +74,7 @@ typedef struct {
     int32_t gyro; /* [rad/s] -6.28319 to 6.28319 / 134217728 */
     int32_t z2; /* [1] -94.3 to 94.3 / 8388608 */
     int32_t z4; /* [1] -0.859429 to 0.859429 / 1073741824 */
+    int32_t fit; /* [1] 0 to 6 */
 } upright_state;
 
 void upright_reset(upright_state *s);

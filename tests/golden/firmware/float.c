@@ -37,26 +37,31 @@ void upright_reset(upright_state *s)
     s->gyro = 0.0f;
     s->z2 = 0.0f;
     s->z4 = 0.0f;
+    s->fit = 0.0f;
 }
 
 void upright_calibrate(upright_state *s, const upright_input *in, upright_output *out)
 {
-    const float gyro_now = in->raw_gyro;
-    const float lower = gyro_now < s->gyro_low ? gyro_now : s->gyro_low;
-    const float higher = s->gyro_high < gyro_now ? gyro_now : s->gyro_high;
+    const float first_gyro = limit(in->raw_gyro, -0x1.2d97d6p+3f, 0x1.2d97d6p+3f);
+    const float first_battery = limit(in->raw_battery, 0.0f, 24.0f);
+    const float lower = first_gyro < s->gyro_low ? first_gyro : s->gyro_low;
+    const float higher = s->gyro_high < first_gyro ? first_gyro : s->gyro_high;
     const float gyro_spread = higher - lower;
     const float counted = gyro_spread < 0x1.b51fd2p-4f ? s->still : 0.0f;
     const float summed = counted < 0x1p-1f ? 0.0f : s->gyro_total;
     const float more = counted + 1.0f;
-    const float gyro_sum = summed + gyro_now;
+    const float gyro_sum = summed + first_gyro;
     const float counted_now = limit(more, 0.0f, 100.0f);
     const float gyro_sum_kept = limit(gyro_sum, -0x1.d73d4p+9f, 0x1.d73d4p+9f);
-    const float gyro_least = counted < 0x1p-1f ? gyro_now : lower;
-    const float gyro_most = counted < 0x1p-1f ? gyro_now : higher;
+    const float gyro_least = counted < 0x1p-1f ? first_gyro : lower;
+    const float gyro_most = counted < 0x1p-1f ? first_gyro : higher;
     const float gyro_mean = limit(0x1.47ae14p-7f * gyro_sum, -0x1.2d97d6p+3f, 0x1.2d97d6p+3f);
     out->ready = more < 0x1.8ep+6f ? 0.0f : 1.0f;
-    const float start_battery = in->raw_battery;
-    out->start_status = start_battery < 0x1.333334p+2f ? 4.0f : 0.0f;
+    const float start_battery = first_battery;
+    const float flat = start_battery < 0x1.333334p+2f ? 4.0f : 0.0f;
+    const float first_fit_sum = first_gyro + first_battery;
+    const float first_fit = first_fit_sum < 0x1.9918fp+5f ? flat : 6.0f;
+    out->start_status = first_fit;
     s->still = counted_now;
     s->gyro_total = gyro_sum_kept;
     s->gyro_low = gyro_least;
@@ -66,38 +71,52 @@ void upright_calibrate(upright_state *s, const upright_input *in, upright_output
 
 void upright_command(upright_state *s, const upright_input *in, upright_output *out)
 {
-    const float encoder_left = in->raw_encoder_left;
-    const float encoder_right = in->raw_encoder_right;
-    s->gyro = limit(in->raw_gyro - s->gyro_offset, -0x1.921fc8p+2f, 0x1.921fc8p+2f);
-    const float moved_encoder_left = limit(in->raw_encoder_left - s->before_encoder_left, -1.0f, 1.0f);
-    const float moved_encoder_right = limit(in->raw_encoder_right - s->before_encoder_right, -1.0f, 1.0f);
+    const float read_encoder_left = limit(in->raw_encoder_left, -1000.0f, 1000.0f);
+    const float read_encoder_right = limit(in->raw_encoder_right, -1000.0f, 1000.0f);
+    const float read_gyro = limit(in->raw_gyro, -0x1.2d97d6p+3f, 0x1.2d97d6p+3f);
+    const float read_battery = limit(in->raw_battery, 0.0f, 24.0f);
+    const float encoder_left = read_encoder_left;
+    const float encoder_right = read_encoder_right;
+    s->gyro = limit(read_gyro - s->gyro_offset, -0x1.921fc8p+2f, 0x1.921fc8p+2f);
+    const float moved_encoder_left = limit(read_encoder_left - s->before_encoder_left, -1.0f, 1.0f);
+    const float moved_encoder_right = limit(read_encoder_right - s->before_encoder_right, -1.0f, 1.0f);
     s->z2 = s->w2 - 0x1p-1f * moved_encoder_left - 0x1p-1f * moved_encoder_right;
     s->z4 = s->w4 + 0x1.24924ap-2f * moved_encoder_left - 0x1.24924ap-2f * moved_encoder_right;
     out->pitch = limit(0x1.ec4a76p-1f * s->w0 - 0x1.182d94p-7f * s->w1 + 0x1.3b58a2p-5f * s->z2 - 0x1.182d94p-7f * s->w6 + 0x1.182d94p-7f * s->gyro, -0x1.99999ap+1f, 0x1.99999ap+1f);
     out->command_left = limit(0x1.4f4d2cp+5f * s->w0 + 0x1.a12e82p+0f * s->w1 - 0x1.d44ebap+3f * s->z2 + 0x1.12bda6p+0f * s->w3 - 0x1.74b5ccp+3f * s->z4 + 0x1.a832d4p-3f * s->w5 - 0x1.8cc548p-1f * s->w6 - 0x1.f65314p-5f * s->w8 - 0x1.eab196p-8f * s->w9 - 0x1.1ea428p+0f * encoder_left + 0x1.9385aap+0f * encoder_right + 0x1.8cc548p-1f * s->gyro, -24.0f, 24.0f);
     out->command_right = limit(0x1.4f4d2cp+5f * s->w0 + 0x1.a12e82p+0f * s->w1 - 0x1.d44ebap+3f * s->z2 + 0x1.12bda6p+0f * s->w3 + 0x1.74b5ccp+3f * s->z4 - 0x1.a832d4p-3f * s->w5 - 0x1.8cc548p-1f * s->w6 - 0x1.eab196p-8f * s->w8 - 0x1.f65314p-5f * s->w9 + 0x1.9385aap+0f * encoder_left - 0x1.1ea428p+0f * encoder_right + 0x1.8cc548p-1f * s->gyro, -24.0f, 24.0f);
+    const float far_left = (read_encoder_left < 0 ? -read_encoder_left : read_encoder_left);
+    const float near_left = far_left < 1000.0f ? 0.0f : 3.0f;
+    const float far_right = (read_encoder_right < 0 ? -read_encoder_right : read_encoder_right);
+    const float near_right = far_right < 1000.0f ? near_left : 3.0f;
+    const float fit_sum = read_encoder_left + read_encoder_right + read_gyro + read_battery + out->command_left + out->command_right;
+    s->fit = fit_sum < 0x1.866464p+11f ? near_right : 6.0f;
     const float size_left = (out->command_left < 0 ? -out->command_left : out->command_left);
     const float awake_left = size_left < 0x1p-2f ? 0.0f : out->command_left;
+    const float sure_left = s->fit < 0x1p-1f ? awake_left : 0.0f;
     const float size_right = (out->command_right < 0 ? -out->command_right : out->command_right);
     const float awake_right = size_right < 0x1p-2f ? 0.0f : out->command_right;
-    const float volts = in->raw_battery;
-    const float battery = limit(volts, 0x1.333334p+2f, 12.0f);
+    const float sure_right = s->fit < 0x1p-1f ? awake_right : 0.0f;
+    const float volts = read_battery;
+    const float measured = limit(volts, 0x1.333334p+2f, 12.0f);
+    const float battery = s->fit < 0x1p-1f ? measured : 0x1.333334p+2f;
     const float per_volt = 100.0f / battery;
     const float step = 0x1.47ae14p-7f * battery;
-    const float wanted_duty_left = awake_left * per_volt;
-    const float limited_duty_left = limit(wanted_duty_left, -100.0f, 100.0f);
+    const float exact_duty_left = sure_left * per_volt;
+    const float limited_duty_left = limit(exact_duty_left, -100.0f, 100.0f);
     out->duty_left = (float)(int32_t)limited_duty_left;
     out->applied_left = out->duty_left * step;
-    const float wanted_duty_right = awake_right * per_volt;
-    const float limited_duty_right = limit(wanted_duty_right, -100.0f, 100.0f);
+    const float exact_duty_right = sure_right * per_volt;
+    const float limited_duty_right = limit(exact_duty_right, -100.0f, 100.0f);
     out->duty_right = (float)(int32_t)limited_duty_right;
     out->applied_right = out->duty_right * step;
-    s->before_encoder_left = in->raw_encoder_left;
-    s->before_encoder_right = in->raw_encoder_right;
+    s->before_encoder_left = read_encoder_left;
+    s->before_encoder_right = read_encoder_right;
 }
 
 void upright_update(upright_state *s, const upright_input *in, upright_output *out)
 {
+    (void)in;
     const float next_w0 = 0x1.00865ap+0f * s->w0 - 0x1.52c798p-8f * s->w1 + 0x1.90affcp-8f * s->z2 + 0x1.0979e6p-9f * s->w3 - 0x1.afb1ecp-7f * s->w6 + 0x1.03ee82p-11f * s->w7 - 0x1.49633p-11f * s->w8 - 0x1.49633p-11f * s->w9 + 0x1.afb1ecp-7f * s->gyro - 0x1.5f5db8p-10f * out->applied_left - 0x1.5f5db8p-10f * out->applied_right;
     const float next_w1 = 0x1.947004p+2f * s->w0 + 0x1.f533d4p-2f * s->w1 - 0x1.3f6ap+2f * s->z2 + 0x1.30567cp-2f * s->w3 - 0x1.c5a3b6p-3f * s->w6 + 0x1.b7437ep-4f * s->w7 - 0x1.59b15p-6f * s->w8 - 0x1.59b15p-6f * s->w9 + 0x1.c5a3b6p-3f * s->gyro - 0x1.12321ep-2f * out->applied_left - 0x1.12321ep-2f * out->applied_right;
     const float next_w2 = 0x1.0b06cep-1f * s->w0 + 0x1.84e974p-7f * s->w1 + 0x1.e0470cp-2f * s->z2 + 0x1.7c3234p-8f * s->w3 + 0x1.f92622p-8f * s->w6 + 0x1.f1c6cap-11f * s->w7 + 0x1.552b76p-10f * s->w8 + 0x1.552b76p-10f * s->w9 - 0x1.f92622p-8f * s->gyro + 0x1.6c4e94p-9f * out->applied_left + 0x1.6c4e94p-9f * out->applied_right;
@@ -117,11 +136,7 @@ void upright_update(upright_state *s, const upright_input *in, upright_output *o
     const float stuck_now = strength < 0x1.8fp+7f ? 0.0f : stuck_more;
     const float stuck_kept = limit(stuck_now, 0.0f, 100.0f);
     const float stuck_status = stuck_now < 0x1.8ep+6f ? fallen : 2.0f;
-    const float far_left = (in->raw_encoder_left < 0 ? -in->raw_encoder_left : in->raw_encoder_left);
-    const float near_left = far_left < 1000.0f ? stuck_status : 3.0f;
-    const float far_right = (in->raw_encoder_right < 0 ? -in->raw_encoder_right : in->raw_encoder_right);
-    const float near_right = far_right < 1000.0f ? near_left : 3.0f;
-    out->status = near_right;
+    out->status = s->fit < 0x1p-1f ? stuck_status : s->fit;
     s->w0 = next_w0;
     s->w1 = next_w1;
     s->w2 = next_w2;

@@ -13,7 +13,7 @@
      while the robot is held still: upright_calibrate, until out.ready is not 0; go no further if out.start_status is not 0;
      from then on: upright_command, the motors at out.duty_left and out.duty_right of 100, upright_update with
      the same structures, and both motors off as soon as out.status is not 0.
-   Status: 0 balancing, 1 fallen, 2 motors at their limit, 3 too far away, 4 battery too low.
+   Status: 0 balancing, 1 fallen, 2 motors at their limit, 3 too far away, 4 battery too low, 6 a sensor failed.
    Encoders begin at 0 when the robot starts to balance; positive turns and commands roll it forward.
 */
 #ifndef UPRIGHT_BALANCE_H
@@ -24,7 +24,7 @@
 #define UPRIGHT_ROBOT "nxtway-gs"
 #define UPRIGHT_HASH "23fdd5ad566b2f1841f88e207b6e0ef53f4e405d9ca17da10a6632bd856f3a94"
 #define UPRIGHT_PERIOD_US 10000L
-/* Readings: unit and range. What lies beyond its range is taken for its end. */
+/* Readings: unit and range. What lies beyond its range is taken for its end; what is not a number stops the motors. */
 typedef struct {
     float raw_encoder_left; /* [rad] -1000 to 1000 */
     float raw_encoder_right; /* [rad] -1000 to 1000 */
@@ -35,7 +35,7 @@ typedef struct {
 /* What to do, and what it is based on */
 typedef struct {
     float ready; /* [1] 0 to 1 */
-    float start_status; /* [1] 0 to 4 */
+    float start_status; /* [1] 0 to 6 */
     float pitch; /* [rad] -3.2 to 3.2 */
     float command_left; /* [V] -24 to 24 */
     float command_right; /* [V] -24 to 24 */
@@ -43,7 +43,7 @@ typedef struct {
     float applied_left; /* [V] -12 to 12 */
     float duty_right; /* [1] -100 to 100 */
     float applied_right; /* [V] -12 to 12 */
-    float status; /* [1] 0 to 3 */
+    float status; /* [1] 0 to 6 */
 } upright_output;
 
 /* The program's memory */
@@ -69,6 +69,7 @@ typedef struct {
     float gyro; /* [rad/s] -6.28319 to 6.28319 */
     float z2; /* [1] -94.3 to 94.3 */
     float z4; /* [1] -0.859429 to 0.859429 */
+    float fit; /* [1] 0 to 6 */
 } upright_state;
 
 void upright_reset(upright_state *s);

@@ -66,7 +66,7 @@ def dump(log, count, late, status, offset):
 
 
 def clip(value, most):
-    return int(min(max(value, -most), most))
+    return int(min(max(value, -most), most)) if value == value else 0  # no number: 0
 
 
 def main():
@@ -98,29 +98,33 @@ def main():
     while not ready:
         raw_gyro = GYRO_SIGN * hub.imu.angular_velocity(AXIS)
         raw_battery = hub.battery.voltage()
-        gyro_now = raw_gyro
-        lower = gyro_now if gyro_now < gyro_low else gyro_low
-        higher = gyro_now if gyro_high < gyro_now else gyro_high
+        first_gyro = min(max(raw_gyro, -3000.001285727039), 3000.001285727039)
+        first_battery = min(max(raw_battery, 0.0), 22800.0)
+        lower = first_gyro if first_gyro < gyro_low else gyro_low
+        higher = first_gyro if gyro_high < first_gyro else gyro_high
         gyro_spread = higher - lower
         counted = still if gyro_spread < 0.8145912860713453 else 0.0
         summed = 0.0 if counted < 0.5 else gyro_total
         more = counted + 1.0
-        gyro_sum = summed + gyro_now
+        gyro_sum = summed + first_gyro
         counted_now = min(max(more, 0.0), 100.0)
         gyro_sum_kept = min(max(gyro_sum, -300000.1285727039), 300000.1285727039)
-        gyro_least = gyro_now if counted < 0.5 else lower
-        gyro_most = gyro_now if counted < 0.5 else higher
+        gyro_least = first_gyro if counted < 0.5 else lower
+        gyro_most = first_gyro if counted < 0.5 else higher
         gyro_mean = min(max(0.01 * gyro_sum, -3000.001285727039), 3000.001285727039)
         ready = 0.0 if more < 99.5 else 1.0
-        start_battery = 0.001 * raw_battery
-        start_status = 4.0 if start_battery < 4.56 else 0.0
+        start_battery = 0.001 * first_battery
+        flat = 4.0 if start_battery < 4.56 else 0.0
+        first_fit_sum = first_gyro + first_battery
+        first_fit = flat if first_fit_sum < 38701.00192859056 else 6.0
+        start_status = first_fit
         still = counted_now
         gyro_total = gyro_sum_kept
         gyro_low = gyro_least
         gyro_high = gyro_most
         gyro_offset = gyro_mean
         if start_status:
-            print("battery too low")
+            print({4: 'battery too low', 6: 'a sensor failed'}[int(start_status)])
             return
         due += PERIOD
         rest = due - watch.time()
@@ -136,34 +140,47 @@ def main():
             raw_encoder_right = right.angle()
             raw_gyro = GYRO_SIGN * hub.imu.angular_velocity(AXIS)
             raw_battery = hub.battery.voltage()
-            encoder_left = min(max(0.017453292519943295 * raw_encoder_left, -1000.0), 1000.0)
-            encoder_right = min(max(0.017453292519943295 * raw_encoder_right, -1000.0), 1000.0)
-            gyro = min(max(0.017453292519943295 * raw_gyro - 0.017453292519943295 * gyro_offset, -34.9066), 34.9066)
-            moved_encoder_left = min(max(0.017453292519943295 * raw_encoder_left - 0.017453292519943295 * before_encoder_left, -1.0), 1.0)
-            moved_encoder_right = min(max(0.017453292519943295 * raw_encoder_right - 0.017453292519943295 * before_encoder_right, -1.0), 1.0)
+            read_encoder_left = min(max(raw_encoder_left, -57296.0), 57296.0)
+            read_encoder_right = min(max(raw_encoder_right, -57296.0), 57296.0)
+            read_gyro = min(max(raw_gyro, -3000.001285727039), 3000.001285727039)
+            read_battery = min(max(raw_battery, 0.0), 22800.0)
+            encoder_left = min(max(0.017453292519943295 * read_encoder_left, -1000.0), 1000.0)
+            encoder_right = min(max(0.017453292519943295 * read_encoder_right, -1000.0), 1000.0)
+            gyro = min(max(0.017453292519943295 * read_gyro - 0.017453292519943295 * gyro_offset, -34.9066), 34.9066)
+            moved_encoder_left = min(max(0.017453292519943295 * read_encoder_left - 0.017453292519943295 * before_encoder_left, -1.0), 1.0)
+            moved_encoder_right = min(max(0.017453292519943295 * read_encoder_right - 0.017453292519943295 * before_encoder_right, -1.0), 1.0)
             z2 = w2 - 0.49999999999999967 * moved_encoder_left - 0.5000000000000003 * moved_encoder_right
             z4 = w4 + 0.2857142857142857 * moved_encoder_left - 0.2857142857142857 * moved_encoder_right
             pitch = min(max(0.9615055894628223 * w0 - 0.00855035479501427 * w1 + 0.038494410537177705 * z2 - 0.00855035479501427 * w6 + 0.00855035479501427 * gyro, -3.2), 3.2)
             command_left = min(max(41.91268228342778 * w0 + 1.629615959497094 * w1 - 14.634610504766034 * z2 + 1.0732062821568882 * w3 - 11.647191992801778 * z4 + 0.20712819037929844 * w5 - 0.7749426074548597 * w6 - 0.06131891094829555 * w8 - 0.0074873917862130915 * w9 - 1.1196923046477 * encoder_left + 1.5762583321928172 * encoder_right + 0.7749426074548597 * gyro, -22.799999999999997), 22.799999999999997)
             command_right = min(max(41.91268228342754 * w0 + 1.629615959497115 * w1 - 14.634610504765629 * z2 + 1.073206282156895 * w3 + 11.64719199279955 * z4 - 0.20712819037929878 * w5 - 0.7749426074548531 * w6 - 0.007487391786213162 * w8 - 0.061318910948295696 * w9 + 1.5762583321928227 * encoder_left - 1.1196923046476859 * encoder_right + 0.7749426074548531 * gyro, -22.799999999999997), 22.799999999999997)
+            far_left = abs(read_encoder_left)
+            near_left = 0.0 if far_left < 57295.77951308232 else 3.0
+            far_right = abs(read_encoder_right)
+            near_right = near_left if far_right < 57295.77951308232 else 3.0
+            fit_sum = read_encoder_left + read_encoder_right + read_gyro + read_battery + command_left + command_right
+            fit = near_right if fit_sum < 210657.4019285905 else 6.0
             size_left = abs(command_left)
             awake_left = 0.0 if size_left < 0.30000000000000004 else command_left
+            sure_left = awake_left if fit < 0.5 else 0.0
             size_right = abs(command_right)
             awake_right = 0.0 if size_right < 0.30000000000000004 else command_right
-            volts = 0.001 * raw_battery
-            battery = min(max(volts, 4.56), 11.399999999999999)
+            sure_right = awake_right if fit < 0.5 else 0.0
+            volts = 0.001 * read_battery
+            measured = min(max(volts, 4.56), 11.399999999999999)
+            battery = measured if fit < 0.5 else 4.56
             per_volt = 100.0 / battery
             step = 0.01 * battery
-            wanted_duty_left = awake_left * per_volt
-            limited_duty_left = min(max(wanted_duty_left, -100.0), 100.0)
+            exact_duty_left = sure_left * per_volt
+            limited_duty_left = min(max(exact_duty_left, -100.0), 100.0)
             duty_left = int(limited_duty_left)
             applied_left = duty_left * step
-            wanted_duty_right = awake_right * per_volt
-            limited_duty_right = min(max(wanted_duty_right, -100.0), 100.0)
+            exact_duty_right = sure_right * per_volt
+            limited_duty_right = min(max(exact_duty_right, -100.0), 100.0)
             duty_right = int(limited_duty_right)
             applied_right = duty_right * step
-            before_encoder_left = raw_encoder_left
-            before_encoder_right = raw_encoder_right
+            before_encoder_left = read_encoder_left
+            before_encoder_right = read_encoder_right
             left.dc(duty_left)
             right.dc(duty_right)
             next_w0 = 1.0020500894097282 * w0 - 0.0051693672629306575 * w1 + 0.006114005266505002 * z2 + 0.0020254223079628256 * w3 - 0.01317428608423706 * w6 + 0.0004957802938002158 * w7 - 0.0006282567317678942 * w8 - 0.0006282567317678942 * w9 + 0.01317428608423706 * gyro - 0.0013403552837104036 * applied_left - 0.0013403552837104036 * applied_right
@@ -185,11 +202,7 @@ def main():
             stuck_now = 0.0 if strength < 199.5 else stuck_more
             stuck_kept = min(max(stuck_now, 0.0), 100.0)
             stuck_status = fallen if stuck_now < 99.5 else 2.0
-            far_left = abs(raw_encoder_left)
-            near_left = stuck_status if far_left < 57295.77951308232 else 3.0
-            far_right = abs(raw_encoder_right)
-            near_right = near_left if far_right < 57295.77951308232 else 3.0
-            status = near_right
+            status = stuck_status if fit < 0.5 else fit
             w0 = next_w0
             w1 = next_w1
             w2 = next_w2
@@ -207,7 +220,7 @@ def main():
             row[:] = [pitch, command_left, command_right, duty_left, applied_left, duty_right, applied_right, status]
             pack_into(
                 "<hhhhHbbB", log, count % ROWS * SIZE, raw_encoder_left & 32767, raw_encoder_right & 32767,
-                clip(gyro * 1000, 32767), clip(pitch * 10000, 32767), raw_battery, duty_left, duty_right, status,
+                clip(gyro * 1000, 32767), clip(pitch * 10000, 32767), raw_battery & 65535, duty_left, duty_right, status,
             )
             count += 1
             if TELEMETRY and count % TELEMETRY == 0:
