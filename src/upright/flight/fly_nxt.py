@@ -12,7 +12,7 @@ from upright.compiled.program import Program
 from upright.firmware.generate import NXT_LOG
 from upright.flight.flight import Clock, Flight, FlightRefused, Progress, without_connection
 from upright.flight.program_logs import BRICK, BRICK_ROW, read_brick_log
-from upright.links.brick import GYRO, GYRO_KIND, REST, BrickLost, BrickRefused, Connection
+from upright.links.brick import GYRO, GYRO_KIND, PATIENCE, REST, BrickLost, BrickRefused, Connection
 from upright.parity.execute_nxc import compile_nxc
 
 FIRMWARE = ([1, 28], [1, 29], [1, 31], [1, 32])
@@ -36,6 +36,7 @@ def fly_nxt(
     progress: Progress | None = None,
     clock: Clock = time.monotonic,
     where: str = BRICK,
+    patience: float = PATIENCE,
 ) -> Flight:
     """Compile the NXC in `source`, upload it to the brick at `port`, and run it for `seconds` [s] of `clock`.
 
@@ -46,7 +47,7 @@ def fly_nxt(
     with tempfile.TemporaryDirectory(prefix="upright-") as folder:
         binary = compile_nxc(source, Path(folder)).read_bytes()
     flight, name, text = Flight(), program_name(source), source.read_text("utf-8")
-    with Connection(port) as brick:
+    with Connection(port, patience) as brick:
         check_ready(brick)
         brick.upload(name, binary)
         check_flash(brick, text, program.period)

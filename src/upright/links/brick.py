@@ -14,6 +14,7 @@ from typing import Any
 
 from upright.errors import MissingTool, UprightError
 
+SEARCH = 10.0  # [s] to find a brick: the process that looks for it must begin first
 PATIENCE = 10.0  # [s] for an answer; a file of 30 kB takes 3 s over Bluetooth
 REST = 600  # what HiTechnic's gyro reads at rest, as programs take it
 GYRO, COMPASS, LEFT, RIGHT = 0, 1, 2, 1  # the ports: S1, S2, OUT_C, OUT_B, as in generated programs
@@ -44,7 +45,7 @@ class Connection:
         self._answers: queue.Queue[str] = queue.Queue()
         threading.Thread(target=self._listen, daemon=True).start()
         try:
-            self._answer("find a brick")
+            self._answer("find a brick", max(patience, SEARCH))
         except BrickRefused as error:
             self.close()
             raise BrickLost(
@@ -73,7 +74,7 @@ class Connection:
             self._process.stdin.flush()
         except (BrokenPipeError, ValueError):
             raise self._lost(request) from None
-        return self._answer(request)
+        return self._answer(request, self._patience)
 
     def upload(self, name: str, data: bytes) -> None:
         """Put a file on the brick, in place of one of that name."""
@@ -89,9 +90,9 @@ class Connection:
             self._answers.put(line)
         self._answers.put("")
 
-    def _answer(self, request: str) -> Any:
+    def _answer(self, request: str, patience: float) -> Any:
         try:
-            line = self._answers.get(timeout=self._patience)
+            line = self._answers.get(timeout=patience)
         except queue.Empty:
             line = ""
         if not line:

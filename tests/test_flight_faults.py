@@ -1,0 +1,63 @@
+"""Whatever goes wrong in a flight: the motors are off or the user is told, and the log is kept where it can be."""
+
+from __future__ import annotations
+
+import random
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "benchmarks"))
+
+abuse_flights = pytest.importorskip("abuse_flights")
+
+pytestmark = pytest.mark.needs("nbc", "module:nxt", "module:pybricksdev", "module:micropython_unix")
+
+
+@pytest.mark.parametrize("fault", ["refused", "garbled", "lost reply", "lost request", "busy twice", "Ctrl-C"])
+@pytest.mark.parametrize("moment", ["start", "running", "stop", "fetch"])
+def test_one_fault_on_the_line_to_a_brick_leaves_it_stopped_and_its_log_here(moment: str, fault: str) -> None:
+    outcome = abuse_flights.on_brick(fault, moment)
+    assert outcome.off
+    assert outcome.flight is not None or not outcome.drove
+    assert not outcome.drove or outcome.flight.log is not None
+    assert outcome.wrong == ""
+
+
+@pytest.mark.parametrize("fault", ["refused for ever", "garbled for ever", "lost request for ever", "cable out"])
+def test_who_could_not_stop_a_brick_says_so(fault: str) -> None:
+    outcome = abuse_flights.on_brick(fault, "stop")
+    assert not outcome.off
+    assert outcome.flight.notes[0].startswith("motors may be running: ")
+    assert "stops after 60 s at most" in outcome.flight.notes[0]
+    assert outcome.flight.lost
+
+
+def test_a_brick_that_never_began_is_no_flight() -> None:
+    outcome = abuse_flights.on_brick("wrong file", "start")
+    assert (outcome.drove, outcome.off, outcome.flight) == (False, True, None)
+    assert "will not start" in str(outcome.error)
+
+
+@pytest.mark.parametrize("fault", ["refused", "lost reply", "lost request", "wrong answer twice", "Ctrl-C"])
+@pytest.mark.parametrize("moment", ["start", "stop"])
+def test_one_fault_on_the_line_to_a_hub_leaves_it_stopped_and_its_log_here(moment: str, fault: str) -> None:
+    outcome = abuse_flights.on_hub(fault, moment)
+    assert outcome.off
+    assert outcome.wrong == ""
+    assert not (outcome.drove and moment == "stop") or outcome.flight.log is not None
+
+
+@pytest.mark.parametrize("fault", ["refused for ever", "lost request for ever", "out of reach", "deaf to a stop"])
+def test_who_could_not_stop_a_hub_says_so(fault: str) -> None:
+    moment = "running" if fault == "deaf to a stop" else "stop"
+    outcome = abuse_flights.on_hub(fault, moment)
+    assert any(note.startswith("motors may be running: ") for note in outcome.flight.notes)
+    assert outcome.flight.lost
+
+
+def test_a_part_of_benchmarks_abuse_flights() -> None:
+    """The whole is: python benchmarks/abuse.py flights."""
+    faults = random.Random(14).sample(abuse_flights.cases(), 8)
+    assert {case: complaint for case in faults if (complaint := abuse_flights.wrong(*case))} == {}
