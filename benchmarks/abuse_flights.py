@@ -38,7 +38,7 @@ from upright.parity.execute_nxc import compile_nxc
 from upright.robots import Kit, Robot
 
 MOMENTS = ("connect", "upload", "start", "running", "stop", "fetch")
-PATIENCE = 0.4  # [s] for an answer of a device in this very process
+PATIENCE = 1.2  # [s] for an answer of a device in this very process
 SECONDS = 0.5  # of a flight, of the device's time
 STILL = 1.0  # [s] of a hub's program before it drives
 NEVER = 10**9
@@ -381,12 +381,16 @@ class Hub(VirtualHub):
 
     def __init__(self, planted: Planted) -> None:
         super().__init__(Bench())  # type: ignore[arg-type]
-        self.planted, self.moment, self.drove = planted, "connect", False
+        self.planted, self.moment, self.drove, self.deaf = planted, "connect", False, False
         self.garbled = self._sent_piece
 
     def client(self, lost: Callable[[], None]) -> HubClient:
         super().client(lost)
         return Client(self)
+
+    def write(self, uuid: str, data: bytes) -> None:
+        if not (self.deaf and data[:1] == b"\0"):
+            super().write(uuid, data)
 
     def _sent_piece(self, piece: bytes) -> bytes:
         moment = "fetch" if self.moment == "stop" else self.moment
@@ -467,7 +471,7 @@ def _empty(hub: Hub) -> None:
 
 def _deaf(hub: Hub) -> None:
     """It takes a stop, and goes on."""
-    hub.stop = lambda _=b"": None
+    hub.deaf = True
 
 
 def _piece(change: Callable[[bytes], bytes]) -> Fault:
@@ -585,8 +589,7 @@ def measure(seed: int, minutes: float | None) -> Iterator[tuple[str, str, str, b
         tally = tallies.setdefault((device, moment), Tally())
         tally.planted += 1
         if complaint := wrong(device, moment, fault):
-            tally.wrong.append(f"{fault}: {complaint}")
+            tally.wrong.append(fault)
+            yield f"{device}, {moment}, {fault}: {complaint}", "", "", False
     for (device, moment), tally in sorted(tallies.items()):
         yield f"{device}, {moment}", f"{tally.planted - len(tally.wrong)} of {tally.planted}", "all", not tally.wrong
-        for complaint in tally.wrong:
-            yield f"  {complaint}", "", "", False

@@ -17,8 +17,17 @@ Clock = Callable[[], float]
 """The time [s] of a real or virtual brick."""
 
 
+STOPS = 3
+"""Attempts to stop a program, and to fetch its log; none depends on the one before."""
+INTERRUPTED = "stopped by Ctrl-C"
+
+
 class FlightRefused(UprightError):
     """A robot that is not ready to be driven."""
+
+
+class MotorsMayRun(UprightError):
+    """A flight that went wrong, of a robot that did not confirm that it stopped."""
 
 
 @dataclass
@@ -64,6 +73,12 @@ class Flight:
     def __str__(self) -> str:
         result = f"balanced for {self.seconds:.1f} s; largest estimated pitch {self.largest_pitch or 0.0:.3f} rad"
         return "\n".join([f"{self.robot} ({self.where}): {result if self.log else 'no log'}", *self.notes])
+
+
+def may_run(brick: str, text: str = "") -> str:
+    """What its user must know of a brick that did not confirm that its program, `text` where known, stopped."""
+    fate = f"; {without_connection(text)}" if text else ""
+    return f"motors may be running: {brick} did not confirm its stop: press its button{fate}"
 
 
 def without_connection(text: str) -> str:

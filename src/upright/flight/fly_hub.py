@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import asyncio
+import signal
 import time
+from collections.abc import Coroutine
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 from upright.compiled.program import Program
 from upright.errors import InvalidLog
-from upright.flight.flight import Clock, Flight, FlightRefused, Progress, without_connection
+from upright.flight.flight import INTERRUPTED, STOPS, Clock, Flight, FlightRefused, MotorsMayRun, Progress, may_run
 from upright.flight.program_logs import HUB, is_signed, read_lines, read_telemetry
 from upright.links.hub import PATIENCE, HubLink, HubLost, HubRefused, Peripheral, linked
 
@@ -33,21 +36,19 @@ def fly_hub(
 ) -> Flight:
     """Upload the MicroPython in `source` to the hub at `port`, and run it for `seconds` [s] of `clock`.
 
-    `where` describes the hub in the log. The program is stopped however this ends, Ctrl-C included; only a lost
-    connection prevents that, and a note says so. Raises `FlightRefused`, `HubLost`, `HubRefused` or `MissingTool`
-    where nothing was driven.
+    `where` describes the hub in the log. The program is stopped however this ends, Ctrl-C included; where the hub does
+    not confirm that, a note says that motors may be running. Raises `FlightRefused`, `HubLost`, `HubRefused` or
+    `MissingTool` where nothing was driven.
     """
 
     async def flight() -> Flight:
         async with linked(port, patience) as hub:
             check_ready(hub)
             await hub.upload(source)
-            await hub.start()
-            fate = without_connection(source.read_text("utf-8"))
-            flight = await _flown(hub, clock() + seconds, progress, clock, fate)
+            flight = await _flown(hub, seconds, progress, clock, source.read_text("utf-8"))
             return _with_log(hub, program, flight, where)
 
-    return asyncio.run(flight())
+    return _run(flight())
 
 
 def fetch_hub(program: Program, port: str | Peripheral, *, where: str = HUB, patience: float = PATIENCE) -> Flight:
@@ -57,10 +58,27 @@ def fetch_hub(program: Program, port: str | Peripheral, *, where: str = HUB, pat
         async with linked(port, patience) as hub:
             if not hub.running:
                 raise FlightRefused(f"no program runs on {hub.name}", likely="its button ended it, log lost")
-            await _stop(hub)
-            return _with_log(hub, program, Flight(), where)
+            flight = Flight(lost=not await _stop(hub))
+            flight.notes += [may_run(hub.name)] if flight.lost else []
+            return _with_log(hub, program, flight, where)
 
-    return asyncio.run(fetched())
+    return _run(fetched())
+
+
+def _run(flight: Coroutine[Any, Any, Flight]) -> Flight:
+    """The result of a flight, in which each Ctrl-C cancels one wait and nothing else."""
+
+    async def interruptible() -> Flight:
+        loop, task = asyncio.get_running_loop(), asyncio.current_task()
+        assert task
+        with suppress(NotImplementedError, RuntimeError):  # Windows, or another thread than the main one
+            loop.add_signal_handler(signal.SIGINT, task.cancel)
+        return await flight
+
+    try:
+        return asyncio.run(interruptible())
+    except asyncio.CancelledError:
+        raise KeyboardInterrupt from None
 
 
 def check_ready(hub: HubLink) -> None:
@@ -76,24 +94,34 @@ def check_ready(hub: HubLink) -> None:
 
 async def _flown(
     hub: HubLink,
-    end: float,
+    seconds: float,
     progress: Progress | None,
     clock: Clock,
-    fate: str,
+    text: str,
 ) -> Flight:
-    flight, stopped = Flight(), False
+    flight, trouble = Flight(), None
     try:
+        end = clock() + seconds
+        await hub.start()
         await _watch(hub, end, progress, clock)
     except asyncio.CancelledError:  # Ctrl-C: the program is stopped, and its log kept
-        flight.notes.append("stopped by Ctrl-C")
-    finally:
-        with suppress(HubLost, HubRefused):
-            stopped = await _stop(hub)
-    flight.lost = hub.lost or hub.running
-    if flight.lost and stopped:
+        _go_on()
+        flight.notes.append(INTERRUPTED)
+    except (HubLost, HubRefused) as error:
+        trouble = error
+    except BaseException as error:
+        if not await _stop(hub):
+            raise MotorsMayRun(f"{may_run(hub.name, text)} ({error})") from error
+        raise
+    stopped = await _stop(hub, bool(trouble))
+    if trouble and stopped and not hub.begun:
+        raise trouble
+    flight.notes += [str(trouble)] if trouble else []
+    flight.lost = hub.lost or not stopped
+    if not stopped:
+        flight.notes.insert(0, f"{may_run(hub.name, text)}; it keeps its log: come nearer, upright fly --fetch")
+    elif hub.lost:
         flight.notes.append(f"{hub.name} was lost while it sent its log; its program was stopped before")
-    elif flight.lost:
-        flight.notes.append(f"{hub.name} does not answer: {fate} and keeps its log; come nearer: upright fly --fetch")
     return flight
 
 
@@ -113,12 +141,40 @@ async def _watch(hub: HubLink, end: float, progress: Progress | None, clock: Clo
             progress((now - began) / (end - began))
 
 
-async def _stop(hub: HubLink) -> bool:
-    """Stop the program and wait for the end of its output; whether the hub received the request."""
-    if hub.lost:
-        return False
-    if hub.running:
-        await hub.stop()
+async def _stop(hub: HubLink, doubtful: bool = False) -> bool:
+    """Stop the program and wait for the end of its output; whether the hub confirms that its motors are off.
+
+    Each attempt stands alone, and Ctrl-C ends no more than one. With `doubtful` a hub that reports no program is
+    stopped all the same: its start may be on the way.
+    """
+    for _ in range(STOPS):
+        try:
+            if hub.running or doubtful:
+                await hub.stop()
+                doubtful = False
+            await _ended(hub)
+        except asyncio.CancelledError:
+            _go_on()
+        except (HubLost, HubRefused):
+            pass
+        if (not hub.running and not doubtful) or _sends_log(hub):
+            return True
+    return False
+
+
+def _go_on() -> None:
+    """Whoever caught a cancellation goes on, and its time limits count again."""
+    if task := asyncio.current_task():
+        task.uncancel()
+
+
+def _sends_log(hub: HubLink) -> bool:
+    """Whether its log has begun, which a program sends when its motors are off."""
+    return any(line.startswith("H ") for line in hub.lines)
+
+
+async def _ended(hub: HubLink) -> None:
+    """Wait for the end of the program's output."""
     loop, quiet = asyncio.get_running_loop(), 0.0
     end = loop.time() + DUMP
     while loop.time() < end and quiet < hub.patience and not hub.lost and not _complete(hub):
@@ -128,7 +184,6 @@ async def _stop(hub: HubLink) -> bool:
             break
         else:
             quiet += QUIET
-    return True
 
 
 def _complete(hub: HubLink) -> bool:
@@ -141,10 +196,11 @@ def _with_log(hub: HubLink, program: Program, flight: Flight, where: str) -> Fli
     try:
         flight.keep(read_lines(hub.lines, known, where), program)
     except InvalidLog:
-        if not flight.lost:
-            raise _refusal(hub) from None
-        with suppress(InvalidLog):
+        try:
             flight.keep(read_telemetry(hub.lines, known, where), program)
+        except InvalidLog:
+            if not flight.notes:
+                raise _refusal(hub) from None
     return flight
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 import tempfile
 import time
-from contextlib import suppress
 from pathlib import Path
 
 from upright.compiled.program import Program
+from upright.errors import InvalidLog, UprightError
 from upright.firmware.generate import NXT_LOG
-from upright.flight.flight import Clock, Flight, FlightRefused, Progress, without_connection
+from upright.flight.flight import INTERRUPTED, STOPS, Clock, Flight, FlightRefused, MotorsMayRun, Progress, may_run
 from upright.flight.program_logs import BRICK, BRICK_ROW, read_brick_log
 from upright.links.brick import GYRO, GYRO_KIND, PATIENCE, REST, BrickLost, BrickRefused, Connection
 from upright.parity.execute_nxc import compile_nxc
@@ -24,7 +24,6 @@ LOG_HEAD = 200  # bytes of a log besides its rows
 POLL = 0.2  # [s] between two requests whether the program runs
 OPENED = re.compile(r'CreateFile\("(.+)", (\d+),')
 """Name and size [B] of the log that a program in NXC opens."""
-STOPS = 3  # attempts to stop the program
 
 
 def fly_nxt(
@@ -40,9 +39,9 @@ def fly_nxt(
 ) -> Flight:
     """Compile the NXC in `source`, upload it to the brick at `port`, and run it for `seconds` [s] of `clock`.
 
-    `where` describes the brick in the log. The program is stopped however this ends, Ctrl-C included; only a lost
-    connection prevents that, and a note says so. Raises `FlightRefused`, `BrickLost`, `BrickRefused`, `MissingTool` or
-    `ExecutionFailed` where nothing was driven.
+    `where` describes the brick in the log. The program is stopped however this ends, Ctrl-C included; where the brick
+    does not confirm that, the first note says that motors may be running. Raises `FlightRefused`, `BrickLost`,
+    `BrickRefused`, `MissingTool` or `ExecutionFailed` where nothing was driven.
     """
     with tempfile.TemporaryDirectory(prefix="upright-") as folder:
         binary = compile_nxc(source, Path(folder)).read_bytes()
@@ -51,18 +50,27 @@ def fly_nxt(
         check_ready(brick)
         brick.upload(name, binary)
         check_flash(brick, text, program.period)
-        began = clock()
-        brick.ask("start", name=name)
+        trouble: UprightError | None = None
         try:
-            try:
-                _watch(brick, began + seconds, progress, clock)
-            finally:
-                with suppress(BrickLost, BrickRefused):
-                    _stop(brick)
-            fetch_log(brick, text, program, flight, where)
-        except BrickLost as error:
+            end = clock() + seconds
+            brick.ask("start", name=name)
+            _watch(brick, end, progress, clock)
+        except KeyboardInterrupt:
+            flight.notes.append(INTERRUPTED)
+        except (BrickLost, BrickRefused) as error:
+            trouble = error
+        except BaseException as error:
+            if _stop(brick) is None:
+                raise MotorsMayRun(f"{may_run(f'the brick at {port}', text)} ({error})") from error
+            raise
+        ran = _stop(brick)
+        if trouble and ran is False:
+            raise trouble
+        flight.notes += [str(trouble)] if trouble else []
+        _bring(brick, text, program, flight, where)
+        if ran is None:
             flight.lost = True
-            flight.notes.append(f"{error}; {without_connection(text)}, its log stays on the brick: upright fly --fetch")
+            flight.notes.insert(0, may_run(f"the brick at {port}", text))
     return flight
 
 
@@ -70,15 +78,22 @@ def fetch_nxt(source: Path, program: Program, port: str) -> Flight:
     """Fetch the log of the NXC in `source` from the brick at `port`; a program that still runs is stopped first."""
     flight, text = Flight(), source.read_text("utf-8")
     with Connection(port) as brick:
-        if brick.ask("running"):
-            _stop(brick)
-            flight.notes.append("the program still ran; it was stopped")
-        fetch_log(brick, text, program, flight)
+        ran = _stop(brick)
+        flight.notes += ["the program still ran; it was stopped"] if ran else []
+        _bring(brick, text, program, flight)
+        if ran is None:
+            flight.lost = True
+            flight.notes.insert(0, may_run(f"the brick at {port}", text))
     return flight
 
 
 def check_ready(brick: Connection) -> None:
-    """Refuse a brick with another firmware, a flat battery, or no gyro where the program looks for it."""
+    """Refuse a brick that is busy, with another firmware, a flat battery, or no gyro where the program looks for it."""
+    if busy := brick.ask("running"):
+        raise FlightRefused(
+            f"{busy} runs on the brick already", expected="no program",
+            hint="stop it with the orange button, or fetch its log with --fetch",
+        )  # fmt: skip
     version = brick.ask("firmware")
     if version not in FIRMWARE:
         raise FlightRefused(
@@ -138,7 +153,39 @@ def _watch(brick: Connection, end: float, progress: Progress | None, clock: Cloc
         time.sleep(POLL)
 
 
-def _stop(brick: Connection) -> None:
-    for _ in range(STOPS):
-        if not brick.ask("stop"):
-            return
+def _stop(brick: Connection) -> bool | None:
+    """Whether a program was, or may have been, running; None where the brick does not confirm that none does now.
+
+    Each attempt stands alone: it begins with a new connection, and Ctrl-C ends no more than one.
+    """
+    ran = False
+    for attempt in range(STOPS):
+        try:
+            if attempt:
+                brick.reconnect()
+            ran = brick.ask("stop") or ran
+            if not brick.ask("running"):
+                return ran
+        except (BrickLost, BrickRefused, KeyboardInterrupt):
+            ran = True
+    return None
+
+
+def _bring(brick: Connection, text: str, program: Program, flight: Flight, where: str = BRICK) -> None:
+    """Fetch the log into `flight` in as many attempts, or note why there is none and where it is."""
+    trouble = ""
+    for attempt in range(STOPS):
+        try:
+            if attempt:
+                brick.reconnect()
+            return fetch_log(brick, text, program, flight, where)
+        except InvalidLog as error:
+            flight.notes.append(str(error))
+            return None
+        except (BrickLost, BrickRefused) as error:
+            trouble = str(error)
+        except KeyboardInterrupt:
+            trouble = INTERRUPTED
+    flight.lost = True
+    flight.notes.append(f"{trouble}; its log stays on the brick: upright fly --fetch")
+    return None

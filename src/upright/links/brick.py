@@ -10,7 +10,7 @@ import sys
 import threading
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import IO, Any
 
 from upright.errors import MissingTool, UprightError
 
@@ -38,18 +38,24 @@ class Connection:
         if find_spec("nxt") is None:
             raise MissingTool("nxt-python is not installed", hint="pip install 'upright[nxt]'")
         self._port, self._patience = port, patience
+        self.connect()
+
+    def connect(self) -> None:
+        """Find the brick, by a new process: whatever was left on the line is not taken for an answer."""
+        self._asked = 0
         self._process = subprocess.Popen(
-            [sys.executable, str(Path(__file__).with_name("nxt_process.py")), port],
+            [sys.executable, str(Path(__file__).with_name("nxt_process.py")), self._port],
             text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+            start_new_session=True, creationflags=getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0),
         )  # fmt: skip
         self._answers: queue.Queue[str] = queue.Queue()
-        threading.Thread(target=self._listen, daemon=True).start()
+        threading.Thread(target=self._listen, args=(self._process.stdout, self._answers), daemon=True).start()
         try:
-            self._answer("find a brick", max(patience, SEARCH))
+            self._answer("find a brick", max(self._patience, SEARCH))
         except BrickRefused as error:
             self.close()
             raise BrickLost(
-                f"no brick at {port}: {error}", likely="it is off, or the cable is out",
+                f"no brick at {self._port}: {error}", likely="it is off, or the cable is out",
                 hint="switch it on and plug it in; over Bluetooth name its device, such as /dev/rfcomm0",
             ) from None  # fmt: skip
 
@@ -61,6 +67,11 @@ class Connection:
     ) -> None:
         self.close()
 
+    def reconnect(self) -> None:
+        """Find the brick again, whatever became of the line to it."""
+        self.close()
+        self.connect()
+
     def close(self) -> None:
         """End the process that holds the line."""
         self._process.kill()
@@ -69,8 +80,9 @@ class Connection:
     def ask(self, request: str, **arguments: Any) -> Any:
         """One request of `nxt_process.REQUESTS`."""
         assert self._process.stdin is not None
+        self._asked += 1
         try:
-            self._process.stdin.write(json.dumps({"do": request, **arguments}) + "\n")
+            self._process.stdin.write(json.dumps({"do": request, "number": self._asked, **arguments}) + "\n")
             self._process.stdin.flush()
         except (BrokenPipeError, ValueError):
             raise self._lost(request) from None
@@ -84,20 +96,23 @@ class Connection:
         """A file of the brick; `BrickRefused` where it has none of that name."""
         return base64.b64decode(self.ask("fetch", name=name))
 
-    def _listen(self) -> None:
-        assert self._process.stdout is not None
-        for line in self._process.stdout:
-            self._answers.put(line)
-        self._answers.put("")
+    @staticmethod
+    def _listen(lines: IO[str], answers: queue.Queue[str]) -> None:
+        for line in lines:
+            answers.put(line)
+        answers.put("")
 
     def _answer(self, request: str, patience: float) -> Any:
-        try:
-            line = self._answers.get(timeout=patience)
-        except queue.Empty:
-            line = ""
-        if not line:
-            raise self._lost(request)
-        answer = json.loads(line)
+        """The answer to the last request: one to an earlier one, whose wait was interrupted, is left out."""
+        answer: dict[str, Any] = {"number": -1}
+        while answer["number"] != self._asked:
+            try:
+                line = self._answers.get(timeout=patience)
+            except queue.Empty:
+                line = ""
+            if not line:
+                raise self._lost(request)
+            answer = json.loads(line)
         if "error" in answer:
             if answer["error"].startswith(("OSError", "struct.error", "error:", "USB")):
                 raise self._lost(request)

@@ -50,7 +50,7 @@ class HubLink:
         self.name, self.patience, self.lines, self.lost = name, patience, list[str](), False
         self._hub, self._flags, self._gone = hub, StatusFlag, ConnectionState.DISCONNECTED
         self._rest, self._news = b"", asyncio.Event()
-        self._begun = False
+        self.begun = False  # whether the program was reported to run since its start
         hub.stdout_observable.subscribe(self._receive)
         hub.status_observable.subscribe(self._changed)
         self.reported = False  # until the hub itself sends its status, which that first call was not
@@ -85,9 +85,9 @@ class HubLink:
 
     async def start(self) -> None:
         """Start the program; its output goes into `lines`."""
-        self.lines, self._rest, self._begun = [], b"", False
+        self.lines, self._rest, self.begun = [], b"", False
         await self._do(self._hub.start_user_program(), "start")
-        while not self._begun and await self.news(self.patience):
+        while not self.begun and await self.news(self.patience):
             pass  # what it prints may come before its status
 
     async def stop(self) -> None:
@@ -112,7 +112,7 @@ class HubLink:
         self._news.set()
 
     def _changed(self, flags: Any) -> None:
-        self.reported, self._begun = True, self._begun or bool(flags & self._flags.USER_PROGRAM_RUNNING)
+        self.reported, self.begun = True, self.begun or bool(flags & self._flags.USER_PROGRAM_RUNNING)
         self._news.set()
 
     def _state(self, state: Any) -> None:

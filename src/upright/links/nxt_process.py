@@ -1,7 +1,7 @@
 """The process that talks to an NXT brick: a line of JSON in, a line of JSON out. Run as a script, never imported.
 
-nxt-python is under the GPL 3, so that it is loaded here and nowhere else. Requests: {"do": NAME, …}; answers:
-{"ok": …} or {"error": "one line"}.
+nxt-python is under the GPL 3, so that it is loaded here and nowhere else. Requests: {"do": NAME, "number": N, …};
+answers: {"number": N, "ok": …} or {"number": N, "error": "one line"}.
 """
 
 from __future__ import annotations
@@ -51,10 +51,13 @@ def running(brick: Any) -> str:
 
 
 def stop(brick: Any) -> bool:
-    """End the program, if one runs; whether one did."""
-    if not running(brick):
-        return False
-    brick.stop_program()
+    """End the program, if one runs; whether one did. It is one telegram, which no other one's failure prevents."""
+    try:
+        brick.stop_program()
+    except Exception as error:
+        if "no active program" in str(error).lower():
+            return False
+        raise
     return True
 
 
@@ -140,23 +143,31 @@ REQUESTS: dict[str, Callable[..., Any]] = {
 
 
 def answer(brick: Any, request: dict[str, Any]) -> dict[str, Any]:
-    """The result of one request."""
+    """The result of one request, with its number."""
+    number = request.pop("number")
     try:
-        return {"ok": REQUESTS[request.pop("do")](brick, **request)}
+        return {"number": number, "ok": REQUESTS[request.pop("do")](brick, **request)}
     except Exception as error:  # any error of the library or the connection, as one line
-        return {"error": f"{type(error).__name__}: {error}".replace("\n", " ")}
+        return {"number": number, "error": f"{type(error).__name__}: {error}".replace("\n", " ")}
 
 
 def main(port: str) -> None:
-    """Serve requests until the input ends."""
+    """Serve requests until the input ends, which only a flight that was killed lets happen: then end its program."""
     try:
         brick = connect(port)
     except Exception as error:
-        print(json.dumps({"error": f"{type(error).__name__}: {error}".replace("\n", " ")}), flush=True)
+        print(json.dumps({"number": 0, "error": f"{type(error).__name__}: {error}".replace("\n", " ")}), flush=True)
         return
-    print(json.dumps({"ok": "connected"}), flush=True)
-    for line in sys.stdin:
-        print(json.dumps(answer(brick, json.loads(line))), flush=True)
+    print(json.dumps({"number": 0, "ok": "connected"}), flush=True)
+    begun = False
+    try:
+        for line in sys.stdin:
+            request = json.loads(line)
+            begun = begun or request["do"] == "start"
+            print(json.dumps(answer(brick, request)), flush=True)
+    finally:
+        if begun:
+            stop(brick)
 
 
 if __name__ == "__main__":
