@@ -20,7 +20,7 @@ from upright.parity.executed import Readings
 
 NAN, INF = math.nan, math.inf
 HOSTILE = {"float": (NAN, INF, -INF, 3.4e38, -3.4e38), "double": (NAN, INF, -INF, 1.7e308, -1.7e308)}
-WORDS = (2**31 - 1, -(2**31), 3000 * 65536, -3000 * 65536)  # the ends of a word, and an encoder at 3000 rad
+WORDS = (2.0**31 - 1, -(2.0**31), 3000.0 * 65536, -3000.0 * 65536)  # the ends of a word, and an encoder at 3000 rad
 UNDEFINED = ("-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all", "-std=c99")
 
 HARNESS = """
@@ -90,7 +90,7 @@ def test_a_reading_that_is_no_number_stops_c_before_the_duty_is_computed(tmp_pat
 
 @pytest.mark.needs("gcc")
 def test_fixed_point_is_defined_for_every_word(tmp_path: Path) -> None:
-    resting = [0, 0, 0, 8 * 65536]
+    resting = [0.0, 0.0, 0.0, 8.0 * 65536]
     rows = [[*resting] for _ in range(100)] + hostile_rows(resting, WORDS)
     for row, (_, left, right, status) in list(zip(rows, run_c(tmp_path, rows, 100, "fixed"), strict=True))[100:]:
         assert max(abs(left), abs(right)) <= 100

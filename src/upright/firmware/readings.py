@@ -41,11 +41,11 @@ def inputs(t: Tracer, setup: Setup) -> dict[str, Form]:
 
 def kept(t: Tracer, raw: dict[str, Form], when: str) -> dict[str, Form]:
     """The readings within the ranges that everything after them is proven for; what is not a number stays none."""
-    found: dict[str, Form] = {}
+    within: dict[str, Form] = {}
     for channel, form in raw.items():
         v, name = t.variables[form.name], channel.rpartition("/")[2]
-        found[channel] = t.limit(f"{when}_{name}", form, v.low, v.high, v.unit)
-    return found
+        within[channel] = t.limit(f"{when}_{name}", form, v.low, v.high, v.unit)
+    return within
 
 
 def numbers(t: Tracer, name: str, values: Sequence[Form], status: Form | float) -> Form:
