@@ -4,7 +4,9 @@ both motors before their duty is computed."""
 from __future__ import annotations
 
 import math
+import re
 import subprocess
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -12,10 +14,13 @@ import pytest
 from firmware_cases import NXT, ROBOT, SPIKE, frozen, steering, written
 from upright.compiled.interpret import Interpreter
 from upright.compiled.program import Program
+from upright.errors import InvalidController
 from upright.firmware import trace
+from upright.firmware.generate import nxt_wiring
 from upright.firmware.setup import SENSOR_FAILED, TOO_FAR
-from upright.firmware.tools import run_tool, tool
+from upright.firmware.tools import ExecutionFailed, run_tool, tool
 from upright.parity.execute import execute
+from upright.parity.execute_nxc import NxcExecutor
 from upright.parity.executed import Readings
 
 NAN, INF = math.nan, math.inf
@@ -199,3 +204,90 @@ def test_an_ev3_s_battery_may_say_anything(tmp_path: Path, raw_battery: float) -
     assert max(abs(out["duty_left"]), abs(out["duty_right"])) <= 100
     executor.step(readings.raw({}))  # it still runs
     executor.close()
+
+
+WIRED = {
+    "nxc": {
+        "#define LEFT OUT_C": "#define LEFT OUT_A",
+        "#define RIGHT OUT_B": "#define RIGHT  OUT_C",
+        "#define GYRO S1": "#define GYRO S4",
+        "#define GYRO_SIGN 1": "#define GYRO_SIGN -1",
+        "#define COMPASS S2": "#define COMPASS S3",
+    },
+    "pybricks": {
+        "LEFT = (Port.A, Direction.COUNTERCLOCKWISE)": "LEFT = (Port.F, Direction.CLOCKWISE)",
+        "AXIS = Axis.Y ": "AXIS = -Axis.X ",
+        "GYRO_SIGN = 1": "GYRO_SIGN = -1",
+    },
+    "ev3dev": {
+        "import OUTPUT_A, OUTPUT_D, LargeMotor": "import OUTPUT_B, OUTPUT_C, LargeMotor",
+        "LEFT, RIGHT = OUTPUT_D, OUTPUT_A": "LEFT, RIGHT = OUTPUT_B, OUTPUT_C",
+        "GYRO_SIGN = 1": "GYRO_SIGN = -1",
+    },
+}
+"""Target → what a robot with other ports and a gyro the other way round has in its program's first constants."""
+
+
+def rewired(source: Path, edits: dict[str, str]) -> Path:
+    text = source.read_text("utf-8")
+    for old, new in edits.items():
+        assert text.count(old) == 1, old
+        text = text.replace(old, new)
+    other = source.with_name(f"rewired{source.suffix}")
+    other.write_text(text, "utf-8")
+    return other
+
+
+WIRINGS = [
+    pytest.param("nxc", marks=pytest.mark.needs("nbc")),
+    pytest.param("pybricks", marks=pytest.mark.needs("module:micropython_unix")),
+    "ev3dev",
+]
+
+
+@pytest.mark.parametrize("target", WIRINGS)
+def test_a_robot_with_other_ports_is_executed_with_them(tmp_path: Path, target: str) -> None:
+    """The stand-ins are wired as the program's first constants say, so that edited ones compute the same."""
+    kit = SPIKE if target == "pybricks" else NXT
+    source, made = written(tmp_path, target, kit, **({"controller": steering()} if target == "nxc" else {}))
+    readings = Readings(made.program, kit)
+    outputs: list[list[dict[str, float]]] = []
+    for path in (source, rewired(source, WIRED[target])):
+        executor = execute(path, made.program, made.number)
+        executor.start()
+        for raw in readings.still(100):
+            executor.step(raw)
+        rolled = [readings.raw({"sensor/encoder_left": 0.02 * k, "sensor/gyro": 0.1}, 3) for k in range(30)]
+        outputs.append([dict(executor.step(raw)) for raw in rolled])
+        executor.close()
+    assert outputs[0] == outputs[1]
+    assert any(out["duty_left"] for out in outputs[0])
+
+
+@pytest.mark.needs("nbc")
+@pytest.mark.parametrize("edits", [{}, WIRED["nxc"]])
+def test_an_nxt_switches_off_the_motors_that_it_drives(tmp_path: Path, edits: dict[str, str]) -> None:
+    """After a fall, while its display still says so: in the second before the firmware would do it."""
+    source, made = written(tmp_path, "nxc", controller=steering())
+    executor, readings = execute(rewired(source, edits), made.program, made.number), Readings(made.program, NXT)
+    assert isinstance(executor, NxcExecutor)
+    executor.start()
+    for raw in readings.still(100):
+        executor.step(raw)
+    falling, driven = readings.raw({"sensor/gyro": 4.0}), False
+    while not executor.step(falling)["status"]:
+        driven = driven or any(motor.duty for motor in executor.hardware.motors)
+    assert driven
+    with suppress(ExecutionFailed):  # it does not rest for longer than a period
+        executor.step(falling)
+    assert [motor.duty for motor in executor.hardware.motors] == [0, 0, 0]
+
+
+@pytest.mark.parametrize("line", ["#define LEFT MOTOR", "#define LEFT OUT_B", "#define GYRO S5", "#define GYRO_SIGN 2"])
+def test_wiring_that_parity_cannot_follow_is_one_line(tmp_path: Path, line: str) -> None:
+    source, _ = written(tmp_path, "nxc")
+    name = line.split()[1]
+    text = re.sub(rf"#define {name} .+", line, source.read_text("utf-8"))
+    with pytest.raises(InvalidController, match=name) as caught:
+        nxt_wiring(text)
+    assert "\n" not in str(caught.value)
