@@ -16,9 +16,9 @@ from upright.compiled.interpret import Interpreter
 from upright.compiled.program import Program
 from upright.errors import InvalidController
 from upright.firmware import trace
-from upright.firmware.generate import nxt_wiring
 from upright.firmware.setup import SENSOR_FAILED, TOO_FAR
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
+from upright.firmware.wiring import nxt_wiring
 from upright.parity.execute import execute
 from upright.parity.execute_nxc import NxcExecutor
 from upright.parity.executed import Readings

@@ -15,7 +15,7 @@ from typing import Any
 from upright.bricks.rxe import InvalidProgram
 from upright.firmware.targets import BATTERY, ENCODERS
 from upright.firmware.targets import COMPASS as BEARING
-from upright.links.brick import COMPASS, GYRO, LEFT, REST, RIGHT
+from upright.links.brick import REST, Wiring
 
 # properties of an input port
 KIND, MODE, RAW, NORMALISED, SCALED, INVALID = range(6)
@@ -30,6 +30,7 @@ BUSY = 0x20  # of a digital sensor that has not answered yet
 
 FLASH = 130_000  # bytes that a user's files may take, about what firmware 1.28 leaves of 256 KiB
 HEADING = 0x42  # HiTechnic's compass: half the heading [2 deg], and the odd degree in the register after it
+WIRED = Wiring()
 UI_MODULE, BATTERY_OFFSET = 0x000C0001, 4  # where a program reads the battery [mV]
 
 
@@ -320,12 +321,12 @@ CALLS: Mapping[int, Callable[[Hardware, list[Any]], None]] = {
 """Number of a system call → its function."""
 
 
-def set_readings(hardware: Hardware, raw: Mapping[str, float]) -> None:
-    """Set the sensors that a generated program reads to `raw` readings by channel."""
-    hardware.inputs[GYRO].raw = REST + round(raw["sensor/gyro"])
+def set_readings(hardware: Hardware, raw: Mapping[str, float], wiring: Wiring = WIRED) -> None:
+    """Set the sensors that a generated program reads, at the ports of its `wiring`, to `raw` readings by channel."""
+    hardware.inputs[wiring.gyro].raw = REST + wiring.gyro_sign * round(raw["sensor/gyro"])
     hardware.battery = round(raw[BATTERY])
-    for port, channel in zip((LEFT, RIGHT), ENCODERS, strict=True):
+    for port, channel in zip((wiring.left, wiring.right), ENCODERS, strict=True):
         hardware.motors[port].count = round(raw[channel])
     if BEARING in raw:
         upper, lower = divmod(round(raw[BEARING]) % 360, 2)
-        hardware.registers[COMPASS] = {HEADING: upper, HEADING + 1: lower}
+        hardware.registers[wiring.compass] = {HEADING: upper, HEADING + 1: lower}

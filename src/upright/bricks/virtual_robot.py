@@ -6,13 +6,13 @@ from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from upright.bricks.brick import Hardware, set_readings
+from upright.bricks.brick import WIRED, Hardware, set_readings
 from upright.bricks.hub import VirtualHub
 from upright.bricks.lcp import VirtualBrick
 from upright.bricks.line import Line
 from upright.bricks.world import World
 from upright.experiment.pushes import PushProgramme
-from upright.links.brick import LEFT, RIGHT
+from upright.links.brick import Wiring
 from upright.robots import Kit, Robot
 
 COST = 8
@@ -23,10 +23,10 @@ kiiruse testimine", 2011), and nbc makes ten instructions of an empty one. Arith
 class VirtualRobot:
     """The `world` of `hardware` (`hardware.world`), brought to the brick's time whenever the brick looks at it."""
 
-    def __init__(self, hardware: Hardware, world: World) -> None:
-        self.world, self._hardware = world, hardware
+    def __init__(self, hardware: Hardware, world: World, wiring: Wiring = WIRED) -> None:
+        self.world, self._hardware, self._wiring = world, hardware, wiring
         self._period, self._next = round(world.period * 1e6), 0
-        set_readings(hardware, world.raw())
+        set_readings(hardware, world.raw(), wiring)
         hardware.world = self.reach
 
     def reach(self, time: int) -> None:
@@ -34,9 +34,9 @@ class VirtualRobot:
         motors = self._hardware.motors
         while self._next <= time:
             self._next += self._period
-            duties = (motors[LEFT].duty, motors[RIGHT].duty)
+            duties = (motors[self._wiring.left].duty, motors[self._wiring.right].duty)
             self.world.step(duties, any(motor.mode for motor in motors))
-            set_readings(self._hardware, self.world.raw())
+            set_readings(self._hardware, self.world.raw(), self._wiring)
             self._hardware.tick(self._period // 1000)
 
     def wait(self, seconds: float) -> None:
@@ -62,11 +62,17 @@ class VirtualFlight:
 
 @contextmanager
 def virtual_flight(
-    robot: Robot, kit: Kit, pushes: Sequence[PushProgramme] = (), *, body: str = "twin", seed: int = 1
+    robot: Robot,
+    kit: Kit,
+    pushes: Sequence[PushProgramme] = (),
+    *,
+    body: str = "twin",
+    seed: int = 1,
+    wiring: Wiring = WIRED,
 ) -> Generator[VirtualFlight]:
-    """A brick with the twin round it, for as long as the block lasts; its time runs as fast as it can."""
+    """A brick with the twin round it, wired so, for as long as the block lasts; its time runs as fast as it can."""
     brick, world = VirtualBrick(cost=COST), World("nxc", robot, kit, pushes, body=body, seed=seed)
-    around = VirtualRobot(brick.hardware, world)
+    around = VirtualRobot(brick.hardware, world, wiring)
     with Line(brick) as line:
         yield VirtualFlight(line, brick, around)
     world.close()

@@ -13,6 +13,7 @@ from upright.errors import UprightError
 from upright.experiment.pushes import PushProgramme
 from upright.firmware.generate import head
 from upright.firmware.program_file import ProgramFile, read_program, read_text
+from upright.firmware.wiring import nxt_wiring
 from upright.flight.flight import Flight, Progress
 from upright.flight.fly_hub import fetch_hub, fly_hub
 from upright.flight.fly_nxt import fetch_nxt, fly_nxt
@@ -157,7 +158,7 @@ def _fly_virtual(
             return fly_hub(
                 file.path, file.program, hub, seconds, progress=progress, clock=lambda: hub.seconds, where=where
             )
-    with virtual_flight(file.robot, file.kit, pushes, seed=seed) as virtual:
+    with virtual_flight(file.robot, file.kit, pushes, seed=seed, wiring=nxt_wiring(file.text)) as virtual:
         virtual.line.until = seconds
         return fly_nxt(
             file.path, file.program, virtual.path, seconds, progress=progress, clock=virtual.clock, where=where

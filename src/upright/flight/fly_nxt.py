@@ -10,9 +10,10 @@ from pathlib import Path
 from upright.compiled.program import Program
 from upright.errors import InvalidLog, UprightError
 from upright.firmware.generate import NXT_LOG
+from upright.firmware.wiring import nxt_wiring
 from upright.flight.flight import INTERRUPTED, STOPS, Clock, Flight, FlightRefused, MotorsMayRun, Progress, may_run
 from upright.flight.program_logs import BRICK, BRICK_ROW, read_brick_log
-from upright.links.brick import GYRO, GYRO_KIND, PATIENCE, REST, BrickLost, BrickRefused, Connection
+from upright.links.brick import GYRO_KIND, PATIENCE, REST, BrickLost, BrickRefused, Connection
 from upright.parity.execute_nxc import compile_nxc
 
 FIRMWARE = ([1, 28], [1, 29], [1, 31], [1, 32])
@@ -46,8 +47,9 @@ def fly_nxt(
     with tempfile.TemporaryDirectory(prefix="upright-") as folder:
         binary = compile_nxc(source, Path(folder)).read_bytes()
     flight, name, text = Flight(), program_name(source), source.read_text("utf-8")
+    wiring = nxt_wiring(text)
     with Connection(port, patience) as brick:
-        check_ready(brick)
+        check_ready(brick, wiring.gyro)
         brick.upload(name, binary)
         check_flash(brick, text, program.period)
         trouble: UprightError | None = None
@@ -87,7 +89,7 @@ def fetch_nxt(source: Path, program: Program, port: str) -> Flight:
     return flight
 
 
-def check_ready(brick: Connection) -> None:
+def check_ready(brick: Connection, gyro: int) -> None:
     """Refuse a brick that is busy, with another firmware, a flat battery, or no gyro where the program looks for it."""
     if busy := brick.ask("running"):
         raise FlightRefused(
@@ -104,11 +106,11 @@ def check_ready(brick: Connection) -> None:
         raise FlightRefused(
             f"the battery gives {battery / 1000:.1f} V", expected="6 V at least", hint="use fresh cells"
         )
-    reads = brick.ask("sensor", port=GYRO, kind=GYRO_KIND)
+    reads = brick.ask("sensor", port=gyro, kind=GYRO_KIND)
     if abs(reads - REST) > GYRO_MARGIN:
         raise FlightRefused(
-            f"input {GYRO + 1} reads {reads}", expected=f"{REST} or so from a gyro at rest",
-            likely="the gyro is in another port, or the robot moves", hint=f"put it into port {GYRO + 1}, hold still",
+            f"input {gyro + 1} reads {reads}", expected=f"{REST} or so from a gyro at rest",
+            likely="the gyro is in another port, or the robot moves", hint=f"put it into port {gyro + 1}, hold still",
         )  # fmt: skip
 
 

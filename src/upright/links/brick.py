@@ -8,6 +8,7 @@ import queue
 import subprocess
 import sys
 import threading
+from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import IO, Any
@@ -19,6 +20,17 @@ PATIENCE = 10.0  # [s] for an answer; a file of 30 kB takes 3 s over Bluetooth
 REST = 600  # what HiTechnic's gyro reads at rest, as programs take it
 GYRO, COMPASS, LEFT, RIGHT = 0, 1, 2, 1  # the ports: S1, S2, OUT_C, OUT_B, as in generated programs
 GYRO_KIND = 6  # the sensor type that HiTechnic's gyro is read with: active, as a light sensor
+
+
+@dataclass(frozen=True)
+class Wiring:
+    """The ports that a program uses, as generated ones do by default, and the sign with which it reads the gyro."""
+
+    left: int = LEFT
+    right: int = RIGHT
+    gyro: int = GYRO
+    compass: int = COMPASS
+    gyro_sign: int = 1
 
 
 class BrickLost(UprightError):

@@ -10,6 +10,7 @@ from upright.bricks.rxe import Executable, read_rxe
 from upright.bricks.vm import Machine
 from upright.compiled.program import Program
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
+from upright.firmware.wiring import nxt_wiring
 from upright.parity.executor import Values
 
 COST = 1  # [µs] an instruction takes here; how many there are in a period is what is reported
@@ -38,7 +39,7 @@ class NxcExecutor:
 
     def __init__(self, source: Path, program: Program) -> None:
         self.where, self.numbers, self.instructions = "the NXT's bytecode machine (nbc)", "float", 0
-        self._program = program
+        self._program, self.wiring = program, nxt_wiring(source.read_text("utf-8"))
         with tempfile.TemporaryDirectory(prefix="upright-") as folder:
             self._executable, self._names = compiled(source, Path(folder))
         if missing := [name for name in (*program.results(), "ready") if name not in self._names]:
@@ -49,7 +50,8 @@ class NxcExecutor:
         self._machine = Machine(self._executable, self.hardware, COST)
 
     def step(self, raw: Values) -> Values:
-        set_readings(self.hardware, {channel: raw[name] for name, channel in self._program.channels.items()})
+        readings = {channel: raw[name] for name, channel in self._program.channels.items()}
+        set_readings(self.hardware, readings, self.wiring)
         calibrated, before = self._read("ready"), self._machine.executed
         self._until_it_rests()
         if not calibrated:
