@@ -50,7 +50,10 @@ class HereStage:
 
     def pump(self, seconds: float = 0.0) -> None:
         self.now += seconds
-        self.heard(self.stage.tick(self.now, self.now))
+        self.tick(self.now)
+
+    def tick(self, due: float) -> None:
+        self.heard(self.stage.tick(self.now, due))
 
 
 class Room:
