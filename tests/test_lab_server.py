@@ -37,10 +37,14 @@ class HereStage:
     """A stage within the test: what it is told it does at once, and `pump` lets time pass."""
 
     def __init__(self) -> None:
-        self.stage, self.now, self.heard = Stage(Options(certified=False)), 100.0, lambda words: None
+        self.now, self.heard = 100.0, lambda words: None
+        self.stage = Stage(Options(rate=30.0, certified=False, longest=0.5), lambda: self.now)
 
-    def listen(self, loop: Any, heard: Callable[[Any], None]) -> None:
+    def listen(self, loop: Any, heard: Callable[[Any], None], lost: Callable[[str], None]) -> None:
         self.heard = heard
+
+    def check(self) -> None:
+        """It is alive."""
 
     def say(self, *word: Any) -> None:
         self.stage.take(word, self.now)
@@ -62,7 +66,7 @@ class Room:
     def __init__(self, door: Door | None = None) -> None:
         self.stage = HereStage()
         self.hub = Hub(door or Door(), [self.stage])
-        self.stage.listen(None, self.hub._on_words)
+        self.stage.listen(None, self.hub.on_words, lambda culprit: None)
 
     def page(self, key: str, **hello: Any) -> Client:
         client = Client(key, Mailbox())
@@ -277,6 +281,7 @@ def test_only_the_teacher_gives_everyone_a_setup(classroom):
     classroom.hub.receive(ana, encode(Broadcast(Setup(controller="off"))))
     assert seats[teacher.session].session.setup.controller == "lqg"
     classroom.hub.receive(teacher, encode(Broadcast(Setup(controller="lqi"))))
+    classroom.stage.pump(0.04)
     assert {seat.session.setup.controller for seat in seats.values()} == {"lqi"}
     late = classroom.page("l", token="students", name="Late", setup=None)
     assert seats[late.session].session.setup.controller == "lqi"

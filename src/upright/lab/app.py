@@ -79,7 +79,8 @@ def _life(hub: Hub) -> Any:
 
 async def _sweep(hub: Hub) -> None:
     while True:
-        await asyncio.sleep(30.0)
+        await asyncio.sleep(1.0)
+        hub.check()
         hub.sweep()
 
 

@@ -70,8 +70,11 @@ class Scores:
     _rows: dict[str, tuple[Any, ...]] = field(default_factory=dict[str, tuple[Any, ...]])
 
     def update(self, rows: list[tuple[Any, ...]]) -> None:
-        """Remember the latest rows (session, pitch, fallen, best, effort, controller)."""
-        self._rows |= {row[0]: row for row in rows if row[0] in self.names}
+        """Remember the latest rows (session, pitch, fallen, best, effort, controller), and the best push of all."""
+        for name, pitch, fallen, best, *rest in rows:
+            if name in self.names:
+                before = self._rows[name][3] if name in self._rows else 0.0
+                self._rows[name] = (name, pitch, fallen, max(best, before), *rest)
 
     def forget(self, session: str) -> None:
         """Take a session off the board."""

@@ -9,6 +9,7 @@ import tempfile
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,8 @@ from upright.lab.stage_process import StageLink, Words
 
 BURST, STEADY = 400.0, 200.0  # messages at once, and a second, from one client
 PATIENCE = 100  # messages that are none, after which a client is let go
+RESTARTED = Notice("error", "the simulation stopped and was started again: all robots stand upright", "restarted")
+ENDED = Notice("error", "this robot stopped the simulation for all; the usual one stands here instead", "ended")
 FORGOTTEN = 900.0  # [s] that a session is kept without anybody watching it
 
 
@@ -46,10 +49,11 @@ class Client:
 
 @dataclass
 class Entry:
-    """A session, the stage on which it runs, its folder and its clients."""
+    """A session, the stage on which it runs, its folder, the set-up that last ran well, and its clients."""
 
     stage: int
     folder: Path
+    setup: Setup
     clients: dict[str, Client] = field(default_factory=dict[str, Client])
     left: float = 0.0
 
@@ -68,8 +72,8 @@ class Hub:
     def begin(self) -> None:
         """Listen to the stages, from within the running event loop."""
         loop = asyncio.get_running_loop()
-        for stage in self._stages:
-            stage.listen(loop, self._on_words)
+        for i, stage in enumerate(self._stages):
+            stage.listen(loop, self.on_words, partial(self.on_lost, i))
 
     def close(self) -> None:
         """Stop the stages and remove every session's folder."""
@@ -109,6 +113,11 @@ class Hub:
         """A message to a session."""
         if entry := self.entries.get(session):
             self._stages[entry.stage].say("message", session, message)
+
+    def check(self) -> None:
+        """To be called every second: see whether every stage is alive."""
+        for stage in self._stages:
+            stage.check()
 
     def sweep(self) -> None:
         """Forget sessions that nobody has watched for long."""
@@ -164,7 +173,7 @@ class Hub:
         setup = hello.setup or self._setup
         if role == "student":
             setup = _light(setup)
-        self.entries[name] = Entry(stage, folder)
+        self.entries[name] = Entry(stage, folder, setup)
         self._stages[stage].say("open", name, str(folder), setup)
         return name
 
@@ -205,8 +214,8 @@ class Hub:
         client.closed = why
         client.box.event(encode(Refused(why)))
 
-    def _on_words(self, words: Words) -> None:
-        """What a stage reports, on the event loop."""
+    def on_words(self, words: Words) -> None:
+        """What a stage reports."""
         for kind, name, content in words:
             entry = self.entries.get(name)
             if kind == "snapshot" and entry:
@@ -219,11 +228,24 @@ class Hub:
                 key, texts = content
                 for text in texts if key in entry.clients else ():
                     entry.clients[key].box.event(text)
+            elif kind == "setup" and entry:
+                entry.setup = content
             elif kind == "scores" and self.door.is_class:
                 self.scores.update(content)
                 self._show(self.scores.board())
             elif kind == "stats":
                 self.stats.put_nowait(content)
+
+    def on_lost(self, stage: int, culprit: str) -> None:
+        """A stage died at the session `culprit`, and another took its place: everybody stands up again there."""
+        for name, entry in self.entries.items():
+            if entry.stage != stage:
+                continue
+            entry.setup = CLASS_SETUP if name == culprit else entry.setup
+            self._stages[stage].say("open", name, str(entry.folder), entry.setup)
+            for client in entry.clients.values():
+                client.box.event(encode(ENDED if name == culprit else RESTARTED))
+                self._stages[stage].say("watch", name, client.key, len(entry.clients))
 
     def _show(self, board: Board) -> None:
         text = encode(board)

@@ -14,7 +14,7 @@ from annotated_types import Interval, MaxLen
 
 from upright.lab.message_types import MOST_ITEMS, STRICT, NamedNumbers, Numbers, Text, Whole, message
 
-VERSION = 3
+VERSION = 4
 """Raised whenever a message changes; a page of another version is refused with a sentence that says what to do."""
 
 BodyName = Literal["twin", "nonlinear", "linear", "published", "calibrated"]
@@ -330,10 +330,11 @@ class Made:
 
 @message
 class Notice:
-    """A sentence for the user: what went wrong, or what was done."""
+    """A sentence for the user: what went wrong, or what was done; `key` names the page's own words for it, if any."""
 
     level: Literal["info", "error"]
     text: str
+    key: str = ""
 
 
 @message

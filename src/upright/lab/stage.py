@@ -1,13 +1,16 @@
 """The process on which sessions run: it keeps simulated time to wall time and never waits for a browser.
 
-It speaks with the server over a pipe that the server drains in a thread of its own, whatever its clients do.
+It speaks with the server over a pipe that the server drains in a thread of its own, whatever its clients do. No session
+can trouble another: each has its own part of the computing time, and what fails in it ends in a message to it.
 """
 
 from __future__ import annotations
 
 import contextlib
+import os
 import time
 from collections import deque
+from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
 from multiprocessing.connection import Connection
@@ -15,9 +18,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from upright.errors import UprightError
+from upright.lab.classroom import CLASS_SETUP
 from upright.lab.codec import encode
 from upright.lab.desk import ProcessDesk
-from upright.lab.messages import Notice, Setup
+from upright.lab.messages import Notice, Setup, Step
+from upright.lab.seat import Seat, paid, within
 
 if TYPE_CHECKING:
     from upright.lab.session import Session
@@ -28,60 +33,70 @@ HASTE = 2.0  # times wall time, at most, while a session makes good what a busy 
 FORGIVEN = 5.0  # [s] beyond which a session makes nothing good: the machine has slept
 REMEMBERED = 6000  # ticks whose lateness is kept, to be asked for
 SCORED = 0.25  # [s] between two boards
+SPENT = 0.8  # part of the wall time that all sessions may compute; the rest is for words and the desk
+AT_ONCE, PIECE = 5, 0.02  # periods of a `Step`, and [s] of simulated time, between two looks at the clock
 
 
 @dataclass(frozen=True)
 class Options:
-    """How a stage runs: ticks a second, whether bodies take coarse steps, whether the light follows every change."""
+    """How a stage runs: ticks a second, whether bodies take coarse steps, whether the light follows every change, and
+    the processor time [s] after which a message of a session is given up."""
 
     rate: float = 50.0
     coarse: bool = False
     certified: bool = True
-
-
-@dataclass
-class _Seat:
-    """A session, the wall time up to which it was run, that of its last tick, and how many pages watch it."""
-
-    session: Session
-    at: float
-    last: float
-    watched: int = 0
-    shown: tuple[Any, ...] = ()
+    longest: float = 5.0
 
 
 class Stage:
-    """Sessions by name. `take` handles a word of the server, `tick` runs everything up to the wall time `now` [s]."""
+    """Sessions by name. `take` handles a word of the server, `tick` runs everything up to the wall time `now` [s].
 
-    def __init__(self, options: Options) -> None:
-        self._options, self._desk = options, ProcessDesk()
-        self._seats: dict[str, _Seat] = {}
+    `clock` [s] is what computing time is measured by; `at_work` is told which session is being computed.
+    """
+
+    def __init__(
+        self,
+        options: Options,
+        clock: Callable[[], float] = time.monotonic,
+        at_work: Callable[[str], None] = lambda name: None,  # noqa: ARG005
+    ) -> None:
+        self._options, self._clock, self._at_work, self._desk = options, clock, at_work, ProcessDesk()
+        self._seats: dict[str, Seat] = {}
+        self._door = Seat(Path(), CLASS_SETUP)  # who comes in pays from here: new sessions cannot be had for nothing
         self._out: list[tuple[str, str, Any]] = []
         self._scored, self._delays = 0.0, deque[float](maxlen=REMEMBERED)
 
     def take(self, word: tuple[Any, ...], now: float) -> None:
-        """One word of the server: open, close, watch or message, each of a session, or stats."""
+        """One word of the server: open, close, watch or message, each of a session, or stats. It costs next to nothing:
+        what it asks for waits for the session's turn."""
         kind, name, *rest = word
         if kind == "quit":
             raise EOFError
-        if kind == "open":
-            self._open(name, now, *rest)
-        elif kind == "stats":
+        if kind == "stats":
             self._out.append(("stats", "", self._stats()))
-        elif name in self._seats:
-            self._to_session(kind, name, rest, now)
+        elif kind == "open":
+            folder, setup = rest
+            self._seats[name] = seat = Seat(Path(folder), CLASS_SETUP, at=now, last=now)
+            seat.put("open", setup)
+        elif seat := self._seats.get(name):
+            self._to_seat(seat, kind, name, rest, now)
 
     def tick(self, now: float, due: float) -> list[tuple[str, str, Any]]:
         """Run every watched session up to `now`, which should have been `due`; what there is to say."""
         self._delays.append(now - due)
         for (name, job), status, result in self._desk.poll():
             if name in self._seats:
-                self._seats[name].session.reported(job, status, result)
-        for name, seat in self._seats.items():
-            self._run(name, seat, now)
+                self._seats[name].put("report", (job, status, result))
+        span = SPENT / self._options.rate
+        paid([self._door, *self._seats.values()], span)
+        end = self._clock() + span
+        for name, seat in sorted(self._seats.items(), key=lambda item: -item[1].credit):  # who used least comes first
+            self._turn(name, seat, now, end)
+        self._at_work("")
         if now - self._scored >= SCORED:
             self._scored = now
-            self._out.append(("scores", "", [self._score(name, seat) for name, seat in self._seats.items()]))
+            scores = [self._score(name, seat.session) for name, seat in self._seats.items() if seat.session]
+            self._out.append(("scores", "", scores))
         out, self._out = self._out, []
         return out
 
@@ -89,62 +104,124 @@ class Stage:
         """End every session and every job."""
         self._desk.close()
         for seat in self._seats.values():
-            seat.session.close()
+            seat.close()
 
-    def _open(self, name: str, now: float, folder: str, setup: Setup) -> None:
-        from upright.lab.plant import COARSE, FINE
-        from upright.lab.session import Session
-
-        fine = COARSE if self._options.coarse else FINE
-        options: dict[str, Any] = {"name": name, "fine": fine, "certified": self._options.certified}
-        try:
-            session = Session(setup, self._desk, Path(folder), **options)
-        except UprightError as error:
-            self._out.append(("event", name, encode(Notice("error", str(error)))))
-            session = Session(Setup(bodies=setup.bodies or ("nonlinear",)), self._desk, Path(folder), **options)
-        self._seats[name] = _Seat(session, now, now)
-
-    def _to_session(self, kind: str, name: str, rest: list[Any], now: float) -> None:
-        seat = self._seats[name]
-        if kind == "message":
-            seat.session.handle(rest[0])
+    def _to_seat(self, seat: Seat, kind: str, name: str, rest: list[Any], now: float) -> None:
+        if kind == "close":
+            self._desk.forget(name)
+            self._seats.pop(name).close()
         elif kind == "watch":
             client, count = rest
             seat.at, seat.watched, seat.shown = (now if not seat.watched else seat.at), count, ()
             if client:
-                welcome = [encode(event) for event in seat.session.welcome()]
-                self._out.append(("welcome", name, (client, welcome)))
-        elif kind == "close":
-            self._desk.forget(name)
-            self._seats.pop(name).session.close()
+                seat.put("welcome", client)
+        elif not seat.put(kind, rest[0]):
+            self._say(name, Notice("error", "too much at once: some of it was left out; try: wait a moment", "tooMany"))
 
-    def _run(self, name: str, seat: _Seat, now: float) -> None:
-        session, since = seat.session, now - seat.last
-        seat.last = now
+    def _turn(self, name: str, seat: Seat, now: float, end: float) -> None:
+        """A session's turn, as long as its part of the time lasts and the tick does."""
+        payer, began = seat if seat.session else self._door, self._clock()
+        if payer.credit <= 0 or began >= end:
+            return
+        self._at_work(name)
+        try:
+            with within(self._options.longest):
+                self._served(name, seat, now, min(end, began + payer.credit))
+        except Exception as error:  # whatever it was, the others go on
+            self._set_back(name, seat, error)
+        payer.credit -= self._clock() - began
+
+    def _served(self, name: str, seat: Seat, now: float, end: float) -> None:
+        standing = seat.session.setup if seat.session else None
+        while seat.words and self._clock() < end:
+            self._word(name, seat, *seat.words.popleft())
+        if seat.session is None:
+            return
+        self._run(seat, seat.session, now, end)
+        for event in seat.session.events():
+            self._say(name, event)
+        if seat.watched and (moment := seat.session.moment()) != seat.shown:
+            seat.shown = moment
+            self._out.append(("snapshot", name, encode(seat.session.snapshot())))
+        if standing and standing is not seat.good and seat.session.setup is standing:  # a whole turn went well
+            seat.good = standing
+            self._out.append(("setup", name, standing))
+
+    def _word(self, name: str, seat: Seat, kind: str, content: Any) -> None:
+        session = seat.session
+        if kind == "open" or session is None:
+            seat.session = self._session(name, seat, content if kind == "open" else seat.good)
+        elif kind == "welcome":
+            self._out.append(("welcome", name, (content, [encode(event) for event in session.welcome()])))
+        elif kind == "report":
+            session.reported(*content)
+        elif isinstance(content, Step) and content.periods > AT_ONCE:
+            session.handle(Step(AT_ONCE))
+            seat.words.appendleft((kind, Step(content.periods - AT_ONCE)))
+        else:
+            session.handle(content)
+
+    def _run(self, seat: Seat, session: Session, now: float, end: float) -> None:
+        """Run up to `now`, no further than the time lasts."""
+        since, seat.last = now - seat.last, now
         seat.at = max(seat.at, now - FORGIVEN) if seat.watched else now
         span = min(now - seat.at, HASTE * since, HURRIED)
-        seat.at += span
-        session.advance(span * session.speed)
-        self._out += [("event", name, encode(event)) for event in session.events()]
-        if seat.watched and (moment := session.moment()) != seat.shown:
-            seat.shown = moment
-            self._out.append(("snapshot", name, encode(session.snapshot())))
+        while span > 1e-9 and self._clock() < end:
+            piece = min(span, PIECE)
+            session.advance(piece * session.speed)
+            seat.at, span = seat.at + piece, span - piece
 
-    def _score(self, name: str, seat: _Seat) -> tuple[str, float, bool, float, float, str]:
-        main, score = seat.session.lanes[0], seat.session.score
-        kind = seat.session.setup.controller
+    def _session(self, name: str, seat: Seat, setup: Setup) -> Session:
+        from upright.lab.plant import COARSE, FINE
+        from upright.lab.session import Session
+
+        fine = COARSE if self._options.coarse else FINE
+        return Session(setup, self._desk, seat.folder, name=name, fine=fine, certified=self._options.certified)
+
+    def _set_back(self, name: str, seat: Seat, error: Exception) -> None:
+        """What stands there again after a fault: the set-up that ran, or where that is what failed, the usual one."""
+        failed = seat.session and seat.session.setup
+        seat.close()
+        if isinstance(error, UprightError):
+            self._say(name, Notice("error", str(error)))
+        else:
+            what = f"{type(error).__name__}: {str(error)[:200]}"
+            text = f"this robot cannot be simulated ({what}); the one before it stands here again"
+            self._say(name, Notice("error", text, "setBack"))
+        if failed == seat.good:
+            seat.good = CLASS_SETUP
+        with contextlib.suppress(Exception):
+            seat.session = self._session(name, seat, seat.good)
+            for event in seat.session.welcome():
+                self._say(name, event)
+
+    def _say(self, name: str, event: Any) -> None:
+        self._out.append(("event", name, encode(event)))
+
+    def _score(self, name: str, session: Session) -> tuple[str, float, bool, float, float, str]:
+        main, score = session.lanes[0], session.score
+        kind = session.setup.controller
         return name, round(main.state()[0], 3), main.fallen, round(score.best, 4), round(score.effort, 1), kind
 
     def _stats(self) -> dict[str, Any]:
-        simulated = {name: seat.session.t for name, seat in self._seats.items()}
+        simulated = {name: seat.session.t for name, seat in self._seats.items() if seat.session}
         return {"late": list(self._delays), "simulated": simulated, "cpu": time.process_time()}
 
 
-def perform(pipe: Connection, options: Options) -> None:
-    """The process's own loop: a tick every 1/rate seconds, words in between; it ends when the pipe does."""
+def perform(pipe: Connection, options: Options, at_work: Any) -> None:
+    """The process's own loop: a tick every 1/rate seconds, words in between; it ends when the pipe does.
+
+    `at_work` is memory that outlives the process: its `value` is the name of the session that is being computed.
+    """
+    if hasattr(os, "setsid"):
+        os.setsid()  # Ctrl-C is the server's, and its jobs end with the stage
     for slow in ("upright.bodies.twin", "upright.lab.session"):
         import_module(slow)  # before the first page asks for them
-    stage = Stage(options)
+
+    def note(name: str) -> None:
+        at_work.value = name.encode()
+
+    stage = Stage(options, at_work=note)
     period, due = 1.0 / options.rate, time.monotonic()
     with contextlib.suppress(EOFError, OSError, KeyboardInterrupt):
         while True:
@@ -162,7 +239,7 @@ def _listen(pipe: Connection, stage: Stage, until: float) -> None:
     while (left := until - time.monotonic()) > 0:
         if pipe.poll(left):
             stage.take(pipe.recv(), time.monotonic())
-    for _ in range(100):  # behind schedule words are still read, but a limited number
+    for _ in range(1000):  # behind schedule words are still read, but a limited number
         if not pipe.poll(0):
             return
         stage.take(pipe.recv(), time.monotonic())

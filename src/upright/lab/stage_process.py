@@ -4,64 +4,123 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import os
 import queue
+import signal
 import threading
+import time
 from collections.abc import Callable, Sequence
 from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
 from typing import Any, Protocol
 
 from upright.lab.stage import Options, perform
 
 Words = Sequence[tuple[str, str, Any]]
 
+MOST_WORDS = 2000  # that wait for a stage; students' messages beyond it are not passed on
+SILENT, STARTING = 10, 120  # [s] after which a stage that says nothing is replaced: it speaks four times a second
+HOPELESS = 2.0  # [s] of life of a stage that cannot start
+
 
 class StageLink(Protocol):
-    """What the hub needs of a stage: words go in at once, and what it says is handed to `receive` on the event loop."""
+    """What the hub needs of a stage: words go in at once, and what it says is handed to `receive` on the event loop;
+    `lost` is called there when the stage died and another took its place, with the session at which it died."""
 
-    def listen(self, loop: asyncio.AbstractEventLoop, receive: Callable[[Words], None]) -> None: ...
+    def listen(
+        self, loop: asyncio.AbstractEventLoop, receive: Callable[[Words], None], lost: Callable[[str], None]
+    ) -> None: ...
 
     def say(self, *word: Any) -> None: ...
+
+    def check(self) -> None: ...
 
     def close(self) -> None: ...
 
 
 class StageProcess:
-    """The server's side of a stage's process: words go into a pipe, and a thread drains what comes back."""
+    """The server's side of a stage's process: words go into a pipe, and a thread drains what comes back. A process that
+    dies, or says nothing for long, is replaced by another."""
 
     def __init__(self, options: Options) -> None:
+        self._options, self._closing, self._lock = options, False, threading.Lock()
+        self._begin()
+
+    def _begin(self) -> None:
         context = get_context("spawn")
         self._pipe, theirs = context.Pipe()
-        self._process = context.Process(target=perform, args=(theirs, options))
+        self._at_work = context.RawArray("c", 64)
+        self._process = context.Process(target=perform, args=(theirs, self._options, self._at_work))
         self._process.start()
         theirs.close()
         self._words: queue.SimpleQueue[tuple[Any, ...] | None] = queue.SimpleQueue()
-        threading.Thread(target=self._talk, daemon=True).start()
+        self._silent, self._began, self._greeted = 0, time.monotonic(), False
+        threading.Thread(target=self._talk, args=(self._pipe, self._words), daemon=True).start()
 
-    def listen(self, loop: asyncio.AbstractEventLoop, receive: Callable[[Words], None]) -> None:
-        """Hand everything the stage says to `receive` on the event loop."""
+    def listen(
+        self, loop: asyncio.AbstractEventLoop, receive: Callable[[Words], None], lost: Callable[[str], None]
+    ) -> None:
+        """Hand everything the stage says to `receive` on the event loop, and to `lost` where it died."""
 
         def drain() -> None:
-            with contextlib.suppress(EOFError, OSError, RuntimeError):
-                while True:
-                    loop.call_soon_threadsafe(receive, self._pipe.recv())
+            with contextlib.suppress(RuntimeError):  # the loop has ended
+                while not self._closing:
+                    with contextlib.suppress(EOFError, OSError):
+                        while True:
+                            words = self._pipe.recv()
+                            self._silent, self._greeted = 0, True
+                            loop.call_soon_threadsafe(receive, words)
+                    culprit = self._at_work.value.decode()
+                    if self._replaced():
+                        loop.call_soon_threadsafe(lost, culprit)
 
         threading.Thread(target=drain, daemon=True).start()
 
     def say(self, *word: Any) -> None:
         """A word to the stage, which listens between its ticks; this returns at once."""
-        self._words.put(word)
+        if word[0] != "message" or self._words.qsize() < MOST_WORDS:
+            self._words.put(word)
+
+    def check(self) -> None:
+        """To be called every second: a stage that has been silent for too long is killed, which has it replaced."""
+        self._silent += 1
+        if self._silent > (SILENT if self._greeted else STARTING):
+            _kill(self._process)
 
     def close(self) -> None:
         """End the process."""
+        with self._lock:
+            self._closing = True
         self._words.put(("quit", ""))
         self._words.put(None)
         self._process.join(3.0)
-        if self._process.is_alive():
-            self._process.kill()
-            self._process.join(1.0)
+        _kill(self._process)
         self._pipe.close()
 
-    def _talk(self) -> None:
+    def _replaced(self) -> bool:
+        """Whether another process was begun in the place of one that is gone."""
+        if time.monotonic() - self._began < HOPELESS:
+            time.sleep(1.0)  # it cannot even start: no use to hurry
+        with self._lock:
+            if self._closing:
+                return False
+            self._words.put(None)
+            _kill(self._process)
+            self._pipe.close()
+            self._begin()
+        return True
+
+    def _talk(self, pipe: Connection, words: queue.SimpleQueue[tuple[Any, ...] | None]) -> None:
         with contextlib.suppress(OSError):
-            while (word := self._words.get()) is not None:
-                self._pipe.send(word)
+            while (word := words.get()) is not None:
+                pipe.send(word)
+
+
+def _kill(process: BaseProcess) -> None:
+    """End a stage with the jobs of its desk, which are of its process group."""
+    if hasattr(os, "killpg") and process.pid:
+        with contextlib.suppress(OSError):
+            os.killpg(process.pid, signal.SIGKILL)
+    process.kill()
+    process.join(1.0)

@@ -234,7 +234,7 @@ class Page {
       case "Progress": this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.busy(message.fraction < 1); break;
       case "JobResult": this.identify.found(); this.toast(message.title, message.ok ? "info" : "error"); if (latestLog && this.tab === "Identify") this.identify.build(); break;
       case "Made": this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(t("made", { name: message.name }), "info"); break;
-      case "Notice": this.toast(message.text, message.level); break;
+      case "Notice": this.toast(message.key ? named(message.key) : message.text, message.level); break;
       case "Recovered": this.recovered(message.impulse, message.best, message.fell); break;
       case "Board": if (this.tab === "Class") replace(this.classRoot, ...board(store)); break;
     }

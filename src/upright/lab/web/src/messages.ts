@@ -1,6 +1,6 @@
 // Generated from src/upright/lab/messages.py by python -m upright.lab.typescript; do not edit.
 
-export const VERSION = 3;
+export const VERSION = 4;
 
 export type BodyName = "twin" | "nonlinear" | "linear" | "published" | "calibrated";
 
@@ -239,6 +239,7 @@ export interface Notice {
   kind: "Notice";
   level: "info" | "error";
   text: string;
+  key: string;
 }
 
 export interface Recovered {

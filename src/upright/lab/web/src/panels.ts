@@ -247,14 +247,14 @@ export let latestLog = "";
 
 async function send(file: File, what: "log" | "robot"): Promise<void> {
   const address = `upload/${store.session}?what=${what}&name=${encodeURIComponent(file.name)}`;
-  store.hear({ kind: "Notice", level: "info", text: t("uploaded", { name: file.name }) });
+  store.hear({ kind: "Notice", level: "info", text: t("uploaded", { name: file.name }), key: "" });
   try {
     const answer = await fetch(address, { method: "POST", body: file });
     const said = (await answer.json()) as { name?: string; error?: string };
-    if (said.error) store.hear({ kind: "Notice", level: "error", text: said.error });
+    if (said.error) store.hear({ kind: "Notice", level: "error", text: said.error, key: "" });
     else if (what === "log") latestLog = said.name ?? "";
   } catch {
-    store.hear({ kind: "Notice", level: "error", text: t("lost") });
+    store.hear({ kind: "Notice", level: "error", text: t("lost"), key: "" });
   }
 }
 
