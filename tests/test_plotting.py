@@ -60,7 +60,7 @@ def test_a_calibration_draws_estimates_against_the_prior() -> None:
     figure = calibration().plot()
     assert named(figure)
     (ax,) = figure.axes
-    assert [tick.get_text() for tick in ax.get_yticklabels()] == ["body_mass"]  # a prior without spread has no scale
+    assert [tick.get_text() for tick in ax.get_yticklabels()] == ["body mass"]  # a prior without spread has no scale
     assert ax.lines[0].get_xdata().tolist() == [2.0]  # (3 − 2) kg over 0.5 kg
     assert ax.collections[0].get_segments()[0][:, 0].tolist() == [0.0, 5.0]  # (2 − 2) / 0.5 and (4.5 − 2) / 0.5
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import re
 from html.parser import HTMLParser
@@ -16,23 +17,9 @@ from xarray import Dataset
 
 from upright.comparison import compare
 from upright.errors import InvalidLog, UnknownName, UprightError
-from upright.report import (
-    PAGES,
-    Figure,
-    Formula,
-    Page,
-    Panel,
-    PointFigure,
-    PointSet,
-    Section,
-    Table,
-    Trace,
-    Verdict,
-    page_of,
-    report,
-)
+from upright.plotting import COLOURS, decimate, legend, line, number, numbered, panels, plane, points, span
+from upright.report import PAGES, Figure, Formula, Page, Section, Table, Verdict, page_of, report
 from upright.report.page import cell_text
-from upright.report.svg import decimate, nice_ticks, tick_texts
 from upright.signals import STATE_NAMES, Log
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -58,10 +45,28 @@ class Balanced(HTMLParser):
         assert self.open.pop() == tag
 
 
-def figure(**changes):
+def drawn(*curves, label="y [m]", step=False):
+    """A figure with one panel for each curve (x, y)."""
+    drawing, axes = panels([label] * len(curves))
+    for ax, (x, y) in zip(axes, curves, strict=True):
+        line(ax, "a", x, y, step=step)
+    return drawing
+
+
+def figure(title="Twin & model agree"):
     t = np.linspace(0, 5, 100)
-    panels = [Panel("pitch ψ", "rad", [Trace("twin", t, np.sin(t)), Trace("model <1>", t, np.cos(t))])]
-    return Figure(**{"title": "Twin & model agree", "panels": panels, "spans": [(1.0, 2.0)], **changes})
+    drawing, axes = panels(["pitch ψ [rad]"])
+    line(axes[0], "twin", t, np.sin(t))
+    line(axes[0], "model <1>", t, np.cos(t))
+    span(axes, 1.0, 2.0, "push acts")
+    return Figure(title, legend(drawing))
+
+
+def circle(*sets):
+    drawing, ax = plane("real part [1]", "imaginary part [1]", circle=True)
+    for name, values in zip("pqr", sets, strict=False):
+        points(ax, name, values)
+    return drawing
 
 
 def run(kind="nonlinear model", tau=0.5):
@@ -73,7 +78,7 @@ def run(kind="nonlinear model", tau=0.5):
 
 
 def page():
-    poles = PointFigure("All poles lie inside the circle", [PointSet("closed loop", [0.9 + 0.1j, 0.9 - 0.1j])])
+    poles = Figure("All poles lie inside the circle", circle([0.9 + 0.1j, 0.9 - 0.1j]))
     maths = Formula('<math xmlns="http://www.w3.org/1998/Math/MathML"><mi>x</mi></math>')
     sections = [
         Section("First <em>", ["A & B <script>", figure(), poles], Verdict("reproduced", "good")),
@@ -87,8 +92,11 @@ def drawings(html):
 
 
 def coordinates(root):
-    lines = root.iter(f"{SVG}polyline")
-    return [[tuple(map(float, pair.split(","))) for pair in line.attrib["points"].split()] for line in lines]
+    """The lines that a pointer reads: the corners of each run between gaps."""
+    lines = [g for g in root.iter(f"{SVG}g") if (g.get("id") or "").startswith("line-")]
+    paths = [path.attrib["d"] for g in lines for path in g.iter(f"{SVG}path")]
+    runs = [run for d in paths for run in re.split(r"(?=M)", d) if run]
+    return [[(float(x), float(y)) for x, y in re.findall(r"[ML] ?(-?[\d.]+) (-?[\d.]+)", run)] for run in runs]
 
 
 @pytest.fixture(scope="module")
@@ -118,9 +126,9 @@ def test_every_drawing_is_xml_with_a_title_a_description_and_units_on_both_axes(
         for root in pictures:
             assert root.findtext(f"{SVG}title")
             assert root.findtext(f"{SVG}desc")
-            labels = [text.text for text in root.iter(f"{SVG}text") if text.get("class") == "axis"]
+            labels = [text.text for text in root.iter(f"{SVG}text") if re.search(r"\[.+\]$", text.text or "")]
             assert len(labels) >= 2
-            assert all(re.search(r"\[.+\]$", label) for label in labels)
+            assert set(labels) <= set(re.split(r", |: ", root.findtext(f"{SVG}desc")))
 
 
 def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(comparison):
@@ -177,32 +185,50 @@ def test_a_failed_write_leaves_the_old_page(tmp_path, monkeypatch):
 
 
 def test_a_line_goes_through_its_data():
-    root = ElementTree.fromstring(figure(panels=[Panel("y", "m", [Trace("a", [0, 1, 2], [0, 1, 0])])]).svg())
-    (line,) = coordinates(root)
-    (left, low), (middle, high), (right, end) = line
-    assert middle == pytest.approx((left + right) / 2, abs=0.01)  # rounded to 2 decimals
+    drawing = drawn(([0, 1, 2], [0, 1, 0]))
+    root = ElementTree.fromstring(Figure("t", drawing).svg())
+    (corners,) = coordinates(root)
+    (left, low), (middle, high), (right, end) = corners
+    assert middle == pytest.approx((left + right) / 2, abs=0.02)  # rounded to 2 decimals
     assert low == end > high  # a drawing's y runs downwards
-    panel = next(g for g in root.iter(f"{SVG}g") if g.get("class") == "panel")
-    assert low - high == pytest.approx(190 / 1.12, abs=0.02)  # a panel of 190 with 6 % of room on either side
-    assert float(panel.attrib["data-low"]) == pytest.approx(-0.06)
+    box, (bottom, top) = drawing.axes[0].get_position(), drawing.axes[0].get_ylim()
+    height = 72 * drawing.get_figheight() * box.height  # 72 units for an inch
+    assert low - high == pytest.approx(height / (top - bottom), abs=0.02)
 
 
-def test_nan_breaks_a_line_and_a_panel_of_nan_says_so():
-    gap = Panel("y", "m", [Trace("a", range(5), [0, 1, math.nan, 1, 0])])
-    nothing = Panel("z", "m", [Trace("a", range(2), [math.nan, math.nan])])
-    root = ElementTree.fromstring(figure(panels=[gap, nothing]).svg())
-    assert [len(line) for line in coordinates(root)] == [2, 2]
-    texts = [text.text for text in root.iter(f"{SVG}text")]
-    assert "no finite values" in texts
-    assert not any("nan" in (text or "") for text in texts)
+def test_nan_breaks_a_line():
+    root = ElementTree.fromstring(
+        Figure("t", drawn((range(5), [0, 1, math.nan, 1, 0]), ([0, 1], [math.nan] * 2))).svg()
+    )
+    assert [len(corners) for corners in coordinates(root)] == [2, 2]
+    assert not any("nan" in (text.text or "") for text in root.iter(f"{SVG}text"))
 
 
 def test_a_step_line_holds_each_value_up_to_the_next():
-    (line,) = coordinates(
-        ElementTree.fromstring(figure(panels=[Panel("u", "V", [Trace("a", [0, 1, 2], [0, 1, 0], step=True)])]).svg())
-    )
-    assert all(a[0] == b[0] or a[1] == b[1] for a, b in pairwise(line))
-    assert len(line) == 5  # three values and two corners between them
+    (corners,) = coordinates(ElementTree.fromstring(Figure("t", drawn(([0, 1, 2], [0, 1, 0]), step=True)).svg()))
+    assert all(a[0] == b[0] or a[1] == b[1] for a, b in pairwise(corners))
+    assert len(corners) == 5  # three values and two corners between them
+
+
+def test_what_a_pointer_reads_are_the_values_drawn():
+    drawing, (ax,) = panels(["gain [1]"], "frequency [rad/s]", "log")
+    line(ax, "loop", [0.1, 1, 10], [3, 2, 1])
+    root = ElementTree.fromstring(Figure("t", drawing).svg())
+    (panel,) = json.loads(root.get("data-curves"))
+    (corners,) = coordinates(root)
+    low, high = panel["x"]
+    parts = [(x - panel["left"]) / (panel["right"] - panel["left"]) for x, _ in corners]
+    assert [low * (high / low) ** part for part in parts] == pytest.approx([0.1, 1, 10], rel=1e-3)  # 2 decimals of 468
+    assert panel["logx"]
+    assert root.findall(f".//{SVG}g[@id='line-0-0-{root.find(f'{SVG}title').get('id')[1:]}']")
+
+
+def test_colours_are_the_pages_own_and_letters_stay_text():
+    svg = figure().svg()
+    assert "var(--c0)" in svg
+    assert "var(--c1)" in svg
+    assert not any(colour in svg for colour in COLOURS)
+    assert "pitch ψ [rad]" in [text.text for text in ElementTree.fromstring(svg).iter(f"{SVG}text")]
 
 
 def test_decimation_keeps_extremes_and_ends_and_bounds_the_count():
@@ -222,31 +248,61 @@ def test_few_samples_and_loops_are_drawn_whole():
     assert len(decimate(angle[:40], angle[:40], 10)[0]) == 40
 
 
-@pytest.mark.parametrize(("low", "high"), [(0, 1), (-0.013, 0.11), (3e5, 9e5), (-2e-7, 1e-7), (99.9, 100.1)])
-def test_ticks_are_round_inside_the_range_and_different_from_each_other(low, high):
-    ticks = nice_ticks(low, high, 5)
-    assert 2 <= len(ticks) <= 6
-    assert low - 1e-9 * abs(low) <= ticks[0] < ticks[-1] <= high + 1e-9 * abs(high)
-    mantissa = (ticks[1] - ticks[0]) / 10 ** math.floor(math.log10(ticks[1] - ticks[0]) + 1e-6)
-    assert min(abs(mantissa - round_one) for round_one in (1, 2, 5)) < 1e-6
-    assert len(set(tick_texts(ticks))) == len(ticks)
+RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"
 
 
-def test_traces_differ_by_dashes_too_and_keep_their_style_in_every_panel():
-    both = [Panel(side, "V", [Trace(n, [0, 1], [0, 1]) for n in names]) for side, names in (("l", "ab"), ("r", "b"))]
-    root = ElementTree.fromstring(figure(panels=both).svg())
-    lines = [(g.get("data-name"), g.get("class")) for g in root.iter(f"{SVG}g") if g.get("data-name")]
-    assert lines == [("a", "line c0 d0"), ("b", "line c1 d1"), ("b", "line c1 d1")]
+def value_of(text):
+    """The number that a tick says."""
+    plain = text.replace("−", "-")
+    power = re.fullmatch(rf"(-?)(?:([\d.]+) · )?10([{RAISED}]+)", plain)
+    if not power:
+        return float(plain)
+    sign, mantissa, exponent = power.groups()
+    return float(f"{sign}{mantissa or 1}e{exponent.translate(str.maketrans(RAISED, '0123456789-'))}")
+
+
+RANGES = [(0, 1), (-0.013, 0.11), (3e5, 9e5), (-2e-7, 1e-7), (99.9, 100.1), (0, 0.0155)]
+
+
+@pytest.mark.parametrize(("low", "high"), RANGES)
+def test_ticks_are_named_as_numbers_that_differ(low, high):
+    _, (ax,) = panels(["y [m]"])
+    ax.set_ylim(low, high)
+    texts = [text.get_text() for text in ax.get_yticklabels()]
+    assert len(set(texts)) == len(texts) >= 2
+    values = [value_of(text) for text in texts]
+    assert values == pytest.approx(ax.get_yticks()[: len(values)].tolist(), abs=1e-3 * (high - low))
+
+
+def test_a_logarithmic_axis_names_numbers_and_no_logarithms():
+    _, (ax,) = panels(["y [1]"], x_scale="log")
+    ax.set_xlim(0.05, 200)
+    assert {"0.1", "1", "10", "100"} <= {text.get_text() for text in ax.get_xticklabels()}
+    assert number(2e-7) == "2 · 10⁻⁷"
+    assert number(-1e6) == "−10⁶"
+    ax.set_yscale("log")
+    numbered(ax)
+    ax.set_ylim(0.5, 4)  # less than a power of ten: the ticks between are named too
+    assert {"1", "2"} <= {t.get_text() for t in (*ax.get_yticklabels(), *ax.get_yticklabels(minor=True))}
+
+
+def test_lines_differ_by_dashes_too_and_keep_their_style_in_every_panel():
+    _, (left, right) = panels(["l [V]", "r [V]"])
+    for name in "ab":
+        line(left, name, [0, 1], [0, 1])
+    line(right, "b", [0, 1], [0, 1])
+    a, b, again = (*left.lines, *right.lines)
+    assert a.get_color() != b.get_color() == again.get_color()
+    assert a.get_linestyle() != b.get_linestyle() == again.get_linestyle()
 
 
 def test_the_unit_circle_is_round_and_poles_stand_where_they_are():
-    root = ElementTree.fromstring(PointFigure("Pole at one", [PointSet("p", [1.0]), PointSet("q", [1j])]).svg())
-    circle = next(c for c in root.iter(f"{SVG}circle") if c.get("class") == "unit")
-    other = next(c for c in root.iter(f"{SVG}circle") if c.get("class") != "unit")  # the second marker's shape
-    assert float(other.attrib["cx"]) == pytest.approx(float(circle.attrib["cx"]), abs=0.02)  # both rounded
-    assert float(other.attrib["cy"]) == pytest.approx(
-        float(circle.attrib["cy"]) - float(circle.attrib["r"]), abs=0.02
-    )  # j is at the top
+    drawing = circle([1.0], [1j])
+    drawing.draw_without_rendering()
+    (ax,) = drawing.axes
+    centre, east, north = (ax.transData.transform(p) for p in ((0, 0), (1, 0), (0, 1)))
+    assert east[0] - centre[0] == pytest.approx(north[1] - centre[1], rel=1e-6)
+    assert [(line.get_xdata()[0], line.get_ydata()[0]) for line in ax.lines] == [(1, 0), (0, 1)]
 
 
 def test_a_run_that_dwarfs_the_reference_is_cut_and_named():
@@ -254,8 +310,8 @@ def test_a_run_that_dwarfs_the_reference_is_cut_and_named():
     wild = Log(base.t, {**base.channels, "truth/yaw": np.exp(base.t)}, origin=base.origin)
     html = page_of(compare({"a": base, "wild": wild})).html()
     assert "Cut at the frame: wild." in html
-    clips = set(re.findall(r'<clipPath id="(\w+)"', html))
-    assert clips == set(re.findall(r'clip-path="url\(#(\w+)\)"', html)) != set()
+    clips = set(re.findall(r'<clipPath id="([\w-]+)"', html))
+    assert clips >= set(re.findall(r'clip-path="url\(#([\w-]+)\)"', html)) != set()
 
 
 def test_cells_show_a_true_minus_and_a_dash_for_what_is_not_known():
@@ -276,5 +332,5 @@ def test_mistakes_in_a_page_are_told():
         Verdict("fine", "great")
     with pytest.raises(UprightError, match="MathML does not parse"):
         Formula("<math><mi>x</math>")
-    with pytest.raises(InvalidLog, match="trace 'a' has 2 x and 1 y"):
-        Trace("a", [0, 1], [0])
+    with pytest.raises(InvalidLog, match="line 'a' has 2 x and 1 y"):
+        drawn(([0, 1], [0]))

@@ -1,42 +1,377 @@
-"""Figures by matplotlib for notebooks: every axis is named by its quantity and unit."""
+"""Figures by matplotlib, the same on pages and in notebooks: every axis is named by its quantity and unit.
+
+Colours are those of Okabe and Ito (2008) that survive on paper. Each line also has its own dashes and each set of
+points its own marker, so that a print in black and white can be read. Fonts and sizes are given here, and not by the
+user's matplotlibrc, so that a page is the same bytes everywhere.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+import functools
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from typing import Any, ParamSpec, TypeVar
 
+import matplotlib
 import numpy as np
-from numpy.typing import ArrayLike
+from matplotlib.axes import Axes
+from matplotlib.colors import BoundaryNorm
+from matplotlib.figure import Figure
+from matplotlib.image import NonUniformImage
+from matplotlib.patches import Circle
+from matplotlib.ticker import Formatter, FuncFormatter, LogFormatter, MaxNLocator
+from numpy.typing import ArrayLike, NDArray
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+from upright.errors import InvalidLog
+
+Array = NDArray[np.float64]
+P = ParamSpec("P")
+T = TypeVar("T")
+
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#b8609a", "#1d2126", "#c98a00")
+DASHES: tuple[Any, ...] = (
+    "-", (0, (8, 3)), (0, (2, 2.5)), (0, (9, 3, 2, 3)), (0, (4, 3)), (0, (14, 4)), (0, (9, 3, 2, 3, 2, 3)),
+)  # fmt: skip
+MARKERS = ("x", "o", "s", "^", "D")
+INK, AXIS, GRID, SPAN = "#5b6570", "#6b757f", "#e6e9ec", "#e69f00"
+
+STYLE: dict[str, Any] = {
+    "font.family": ["DejaVu Sans"], "font.size": 9.0, "axes.titlesize": 9.0, "axes.labelsize": 9.0,
+    "text.color": INK, "axes.labelcolor": "#1d2126", "axes.titlecolor": "#1d2126", "axes.edgecolor": AXIS,
+    "xtick.color": AXIS, "ytick.color": AXIS, "xtick.labelcolor": INK, "ytick.labelcolor": INK,
+    "axes.grid": True, "axes.axisbelow": True, "grid.color": GRID, "grid.linewidth": 0.8,
+    "axes.linewidth": 0.8, "axes.spines.top": False, "axes.spines.right": False, "lines.linewidth": 1.4,
+    "legend.fontsize": 9.0, "legend.framealpha": 0.8, "path.simplify": False, "figure.dpi": 100.0,
+    "axes.titlelocation": "left", "axes.titlepad": 8.0, "image.cmap": "cividis", "axes.unicode_minus": True,
+}  # fmt: skip
+
+WIDTH, LEFT, RIGHT = 7.2, 0.75, 0.15  # [inches], as what follows
+PANEL, HEAD, FOOT = 1.85, 0.42, 0.55
+COLUMNS = 1000  # of a line that is thinned: two for each column of pixels at the width of a page
 
 
-def panels(labels: Sequence[str], x_label: str = "time [s]", x_scale: str = "linear") -> tuple[Figure, list[Axes]]:
+def styled(draw: Callable[P, T]) -> Callable[P, T]:
+    """Draw in our style, whatever the user's matplotlibrc says."""
+
+    @functools.wraps(draw)
+    def inside(*args: P.args, **kwargs: P.kwargs) -> T:
+        with matplotlib.rc_context():
+            matplotlib.rcdefaults()
+            matplotlib.rcParams.update(STYLE)  # pyright: ignore[reportArgumentType, reportCallIssue]
+            return draw(*args, **kwargs)
+
+    return inside
+
+
+@styled
+def panels(
+    labels: Sequence[str], x_label: str = "time [s]", x_scale: str = "linear", height: float = PANEL
+) -> tuple[Figure, list[Axes]]:
     """An empty figure of panels above each other over one x; `labels` name their y, `x_scale` is "linear" or "log"."""
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(8, 1 + 2 * len(labels)), layout="constrained")
-    axes: list[Axes] = list(figure.subplots(len(labels), sharex=True, squeeze=False)[:, 0])
-    for ax, label in zip(axes, labels, strict=True):
-        ax.set(ylabel=label, xscale=x_scale)
-        ax.grid(visible=True, which="both", alpha=0.3)
-    axes[-1].set_xlabel(x_label)
+    total = len(labels) * (HEAD + height) + FOOT
+    figure = _figure(WIDTH, total)
+    axes: list[Axes] = []
+    for row, label in enumerate(labels):
+        bottom = total - (row + 1) * (HEAD + height)
+        box = (LEFT / WIDTH, bottom / total, (WIDTH - LEFT - RIGHT) / WIDTH, height / total)
+        axes.append(_axes(figure, box, sharex=axes[0] if axes else None))
+        axes[-1].set(ylabel=label, xscale=x_scale)
+        _label_above(axes[-1])
+        numbered(axes[-1])
+    for ax in axes[:-1]:
+        ax.tick_params(labelbottom=False)
+    axes[-1].set_xlabel(x_label, loc="right")
     return figure, axes
 
 
+@styled
+def line(ax: Axes, name: str, x: ArrayLike, y: ArrayLike, *, step: bool = False, style: int | None = None) -> None:
+    """A line through (x, y), shape (n,), under a `name`; a gap where they are not finite.
+
+    `step` holds each value up to the next, as a command is held. `style` numbers its colour and dashes; by default the
+    place of its name among the figure's names. Many samples are thinned so that the line looks the same.
+    """
+    across, up = (np.asarray(values, dtype=np.float64).ravel() for values in (x, y))
+    if across.shape != up.shape:
+        raise InvalidLog(f"line '{name}' has {across.size} x and {up.size} y", expected="as many of both")
+    good = np.isfinite(across) & np.isfinite(up)
+    edges = np.flatnonzero(
+        np.diff(good, prepend=False, append=False)
+    )  # where stretches of finite values start and stop
+    runs = [decimate(across[a:b], up[a:b], COLUMNS) for a, b in edges.reshape(-1, 2)]
+    gap = np.array([np.nan])
+    across, up = (np.concatenate([part for run in runs for part in (run[k], gap)][:-1] or [gap]) for k in (0, 1))
+    names = _names(ax)
+    place = style if style is not None else names.index(name) if name in names else len(names)
+    ax.plot(
+        across, up, label=name, drawstyle="steps-post" if step else "default", color=COLOURS[place % len(COLOURS)],
+        linestyle=DASHES[place % len(DASHES)],
+    )  # fmt: skip
+
+
+@styled
+def span(axes: Sequence[Axes], start: float, stop: float, name: str) -> None:
+    """Shade [start, stop] of x in all `axes`."""
+    for ax in axes:
+        ax.axvspan(start, stop, color=SPAN, alpha=0.16, linewidth=0, label=name)
+
+
+@styled
+def plane(x_label: str, y_label: str, *, circle: bool = False) -> tuple[Figure, Axes]:
+    """An empty plane with one scale for both axes; `circle` draws the unit circle of a sampled system."""
+    side = 4.6
+    size = (LEFT + side + RIGHT, HEAD + side + FOOT)
+    figure = _figure(*size)
+    ax = _axes(figure, (LEFT / size[0], FOOT / size[1], side / size[0], side / size[1]))
+    ax.set(ylabel=y_label)
+    ax.set_xlabel(x_label, loc="right")
+    ax.set_aspect("equal", adjustable="datalim")
+    _label_above(ax)
+    numbered(ax)
+    if circle:
+        ax.add_patch(Circle((0, 0), 1, fill=False, edgecolor=AXIS, linestyle=(0, (2, 3))))
+    return figure, ax
+
+
+@styled
+def points(ax: Axes, name: str, values: Sequence[complex], style: int | None = None) -> None:
+    """Complex numbers under one name, such as the poles of a closed loop; what is not finite is left out."""
+    names = _names(ax)
+    place = len(names) if style is None else style
+    z: NDArray[np.complex128] = np.asarray(values, dtype=np.complex128).ravel()
+    z = z[np.isfinite(z)]
+    ax.plot(
+        z.real, z.imag, label=name, linestyle="", marker=MARKERS[place % len(MARKERS)], fillstyle="none",
+        markersize=7, color=COLOURS[place % len(COLOURS)],
+    )  # fmt: skip
+
+
+@styled
+def nyquist(response: ArrayLike, distance: float, reach: float = 3.0) -> Figure:
+    """The curve L(jω) and its mirror image, with an arrow towards rising ω, the point −1, and the circle of radius
+    `distance` round it, which the curve touches; cut `reach` away from the origin."""
+    L: NDArray[np.complex128] = np.asarray(response, dtype=np.complex128)
+    reach = min(reach, max(1.2 * float(np.abs(L).max(initial=0.0)), 1.6))
+    near = np.abs(L) < 2 * reach
+    real, imaginary = np.where(near, L.real, np.nan), np.where(near, L.imag, np.nan)
+    figure, ax = plane("real part [1]", "imaginary part [1]")
+    ax.plot(real, imaginary, color=COLOURS[0], linestyle="-", label="loop gain L(jω)")
+    ax.plot(real, -imaginary, color=COLOURS[0], linestyle=DASHES[2], label="its mirror image")
+    ax.add_patch(Circle((-1, 0), distance, facecolor=COLOURS[1], alpha=0.15, linewidth=0, label="never entered"))
+    ax.plot([-1], [0], linestyle="", marker="x", markersize=8, color=COLOURS[1], label="−1")
+    inside = np.flatnonzero(np.abs(L) < 0.7 * reach)
+    if len(inside) > 1:
+        at = inside[len(inside) // 3]
+        ends = [(float(L[k].real), float(L[k].imag)) for k in (at, at + 1)] if at + 1 < len(L) else []
+        if ends:
+            ax.annotate(
+                "", ends[1], ends[0], arrowprops={"arrowstyle": "-|>", "color": COLOURS[0], "mutation_scale": 16}
+            )
+    ax.set(xlim=(-reach, 0.8 * reach), ylim=(-0.9 * reach, 0.9 * reach))
+    return legend(figure)
+
+
+@styled
+def bars(names: Sequence[str], values: ArrayLike, x_label: str, y_label: str) -> Figure:
+    """One bar for each name, with its number beside it; NaN has a dash and no bar."""
+    lengths = np.asarray(values, dtype=np.float64)
+    figure, ax = rows_of(names, x_label, y_label)
+    ax.barh(np.arange(len(names)), np.nan_to_num(lengths), height=0.6, color=COLOURS[0])
+    for row, value in enumerate(lengths.tolist()):
+        text = number(value, 3) if np.isfinite(value) else "–"
+        ax.annotate(text, (value if np.isfinite(value) else 0.0, row), (4, 0), textcoords="offset points", va="center")
+    ax.set_xlim(0, 1.12 * max(float(np.nanmax(lengths, initial=0.0)), 1e-12))
+    numbered_x(ax)
+    return figure
+
+
+@styled
 def intervals(names: Sequence[str], values: ArrayLike, ends: ArrayLike, x_label: str, y_label: str) -> Figure:
     """`values` (n,) with their intervals `ends` (n, 2), one row for each name; an end that is NaN is not drawn."""
-    from matplotlib.figure import Figure
-
     low, high = np.asarray(ends, dtype=np.float64).reshape(-1, 2).T
-    rows = range(len(names))
-    figure = Figure(figsize=(8, 1 + 0.3 * len(names)), layout="constrained")
-    ax = figure.subplots()
-    ax.hlines(rows, low, high, linewidth=2, label="95 % interval")
-    ax.plot(np.asarray(values), rows, "o", label="estimate")
-    ax.set(yticks=rows, yticklabels=names, xlabel=x_label, ylabel=y_label)
-    ax.invert_yaxis()
-    ax.grid(visible=True, axis="x", alpha=0.3)
+    rows = np.arange(len(names))
+    figure, ax = rows_of(names, x_label, y_label)
+    ax.hlines(rows, low, high, linewidth=2.5, color=COLOURS[0], label="95 % interval")
+    ax.plot(np.asarray(values, dtype=np.float64), rows, "o", markersize=4.5, color=COLOURS[0], label="estimate")
     return figure
+
+
+@styled
+def rows_of(names: Sequence[str], x_label: str, y_label: str) -> tuple[Figure, Axes]:
+    """An empty figure with one row for each name, the first on top."""
+    left = min(2.6, 0.4 + 0.075 * max((len(name) for name in names), default=0))
+    height = 0.24 * max(len(names), 2)
+    total = HEAD + height + FOOT
+    figure = _figure(WIDTH, total)
+    ax = _axes(figure, (left / WIDTH, FOOT / total, (WIDTH - left - RIGHT) / WIDTH, height / total))
+    ax.set(yticks=range(len(names)), yticklabels=[name.replace("_", " ") for name in names], ylabel=y_label)
+    ax.set_ylim(len(names) - 0.4, -0.6)
+    ax.set_xlabel(x_label, loc="right")
+    ax.grid(visible=False, axis="y")
+    ax.tick_params(axis="y", length=0)
+    _label_above(ax, -left + 0.02)
+    return figure, ax
+
+
+@styled
+def colour_map(
+    x: Array, y: Array, values: Array, *, x_label: str, y_label: str, label: str,
+    levels: Sequence[float] | None = None, names: Sequence[str] = (), smooth: bool = False,
+) -> Figure:  # fmt: skip
+    """`values` (nx, ny) in colour over `x` (nx,) and `y` (ny,), each increasing; NaN stays blank.
+
+    `levels` are the borders between colours (None: round ones round the values), `names` what each colour means;
+    `smooth` draws the borders between the cells.
+    """
+    side, bar = 4.6, 1.1
+    size = (LEFT + side + bar, HEAD + side + FOOT)
+    figure = _figure(*size)
+    ax = _axes(figure, (LEFT / size[0], FOOT / size[1], side / size[0], side / size[1]))
+    ax.set(ylabel=y_label)
+    ax.set_xlabel(x_label, loc="right")
+    finite = values[np.isfinite(values)]
+    low, high = (float(finite.min()), float(finite.max())) if len(finite) else (0.0, 1.0)
+    borders = levels if levels is not None else round_levels(low, high, 10)
+    norm = BoundaryNorm(borders, 256, extend="neither")
+    shown = np.ma.masked_invalid(np.clip(values.T, borders[0], np.nextafter(borders[-1], -np.inf)))
+    way, extent = "bilinear" if smooth else "nearest", (*edges(x), *edges(y))
+    picture = NonUniformImage(ax, interpolation=way, extent=extent, cmap="cividis", norm=norm)
+    picture.set_data(x, y, shown)
+    ax.add_image(picture)
+    ax.set(xlim=edges(x), ylim=edges(y))
+    ax.grid(visible=False)
+    _label_above(ax)
+    numbered(ax)
+    beside = _axes(figure, ((LEFT + side + 0.2) / size[0], FOOT / size[1], 0.18 / size[0], side / size[1]))
+    key = figure.colorbar(picture, cax=beside, ticks=borders)
+    key.outline.set_visible(False)
+    beside.set_title(label, loc="right", x=1.0 + 0.7 / 0.18)
+    beside.yaxis.set_major_formatter(_Numbers())
+    if names:
+        key.set_ticks([(low + high) / 2 for low, high in pairwise(borders)], labels=list(names))
+    return figure
+
+
+def round_levels(low: float, high: float, count: int) -> list[float]:
+    """At most `count` + 1 round numbers from just below `low` to just above `high`."""
+    high = high if high > low else low + (abs(low) or 1.0)
+    return list(MaxNLocator(count, steps=[1, 2, 5, 10]).tick_values(low, high))
+
+
+def edges(values: Array) -> tuple[float, float]:
+    """The outer borders of the cells round n values: half a step beyond the first and the last."""
+    if len(values) == 1:
+        half = abs(float(values[0])) / 2 or 0.5
+        return float(values[0]) - half, float(values[0]) + half
+    return float(values[0] - (values[1] - values[0]) / 2), float(values[-1] + (values[-1] - values[-2]) / 2)
+
+
+@styled
+def legend(figure: Figure) -> Figure:
+    """The same figure with the names of its lines, in the first panel that has each."""
+    known: set[str] = set()
+    for ax in figure.axes:
+        names = set(ax.get_legend_handles_labels()[1])
+        if names - known and len(names | known) > 1:
+            ax.legend(loc="upper right")
+        known |= names
+    return figure
+
+
+def numbered_x(ax: Axes) -> None:
+    """Numbers at the ticks of x alone, where names stand at y."""
+    ax.xaxis.set_major_formatter(_Numbers())
+
+
+def numbered(ax: Axes) -> None:
+    """Numbers at the ticks in one style: 0.25, 1000, 2 · 10⁻⁷, and 0.1, 1, 10 on a logarithmic axis."""
+    for axis, scale in ((ax.xaxis, ax.get_xscale()), (ax.yaxis, ax.get_yscale())):
+        axis.set_major_formatter(FuncFormatter(_plain) if scale == "log" else _Numbers())
+        if scale == "log":
+            axis.set_minor_formatter(_Between(labelOnlyBase=False, minor_thresholds=(1.5, 0.5)))
+
+
+def _plain(value: float, _: object) -> str:
+    return number(value)
+
+
+class _Numbers(Formatter):
+    """All ticks of an axis with the same number of decimals."""
+
+    def __call__(self, x: float, pos: int | None = None) -> str:
+        del pos
+        return number(x)
+
+    def format_ticks(self, values: Any) -> list[str]:
+        ticks = np.asarray(values, dtype=np.float64)
+        step = float(np.diff(ticks).min()) if len(ticks) > 1 else 0.0
+        largest = float(np.abs(ticks).max()) if len(ticks) else 0.0
+        decimals = max(0, -int(np.floor(np.log10(step) + 1e-9))) if step > 0 else 4
+        if decimals > 4 or largest >= 1e5:
+            return [number(0.0 if abs(tick) < 1e-9 * step else float(tick), 3) for tick in ticks]
+        exact = [d for d in range(decimals, 5) if np.allclose(np.round(ticks, d), ticks, atol=1e-6 * step)]
+        decimals = exact[0] if exact else decimals
+        return [f"{tick + 0.0:.{decimals}f}".replace("-", "−") for tick in np.round(ticks, decimals)]
+
+
+class _Between(LogFormatter):
+    """Ticks between powers of ten are named where few powers are in view."""
+
+    def __call__(self, x: float, pos: int | None = None) -> str:
+        return number(x) if super().__call__(x, pos) else ""
+
+
+@styled
+def _figure(width: float, height: float) -> Figure:
+    return Figure(figsize=(width, height))
+
+
+@styled
+def _axes(figure: Figure, box: tuple[float, float, float, float], sharex: Axes | None = None) -> Axes:
+    return figure.add_axes(box, sharex=sharex)
+
+
+def _label_above(ax: Axes, left: float = -LEFT + 0.02) -> None:
+    """The name of y above its axis, from `left` [inches] of the axis on: no head has to be turned to read it."""
+    ax.yaxis.label.set(rotation=0, ha="left", va="bottom")
+    figure = ax.get_figure(root=True)
+    assert figure
+    width, height = figure.get_size_inches() * (ax.get_position().width, ax.get_position().height)
+    ax.yaxis.set_label_coords(left / width, 1.0 + 0.1 / height)
+
+
+def _names(panel: Axes) -> list[str]:
+    """The names drawn so far in the figure of a panel, each once, but for those of shaded spans."""
+    lines = (line.get_label() for ax in panel.figure.axes for line in ax.lines)
+    return list(dict.fromkeys(str(name) for name in lines if not str(name).startswith("_")))
+
+
+def number(value: float, digits: int = 4) -> str:
+    """A number as text with a true minus sign, and powers of ten beyond 10⁵ or 10⁻⁴."""
+    size = abs(value)
+    if size == 0 or 1e-4 <= size < 1e5:
+        return f"{value:.{digits}g}".replace("-", "−")
+    mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
+    mantissa = mantissa.rstrip("0").rstrip(".")
+    head = {"1": "", "-1": "-"}.get(mantissa, f"{mantissa} · ")
+    return (head + "10" + str(int(power)).translate(_RAISED)).replace("-", "−")
+
+
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def decimate(x: Array, y: Array, columns: int) -> tuple[Array, Array]:
+    """Keep the first, smallest, largest and last sample of each of `columns` equal parts of x, which looks the same.
+
+    Few samples, and an x that does not increase, come back as they are.
+    """
+    if len(x) <= 4 * columns or (np.diff(x) <= 0).any():
+        return x, y
+    column = np.minimum((x - x[0]) / (x[-1] - x[0]) * columns, columns - 1).astype(int)
+    starts = np.flatnonzero(np.diff(column, prepend=-1))
+    keep: set[int] = set()
+    for start, stop in zip(starts, np.append(starts[1:], len(x)), strict=True):
+        part = y[start:stop]
+        keep |= {int(start), int(start + part.argmin()), int(start + part.argmax()), int(stop - 1)}
+    rows = sorted(keep)
+    return x[rows], y[rows]

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
+Whole = NDArray[np.int64]
 
 VISIBLE, PRIOR, BOUND, HELD = "visible", "known from its prior", "at its bound", "held at its prior"
 VERDICTS = {
@@ -28,6 +29,13 @@ VERDICTS = {
     BOUND: "the fit pressed against zero; the interval is one-sided",
     HELD: "not fitted: the log holds too little information",
 }
+PREDICTED = {
+    "sensor/gyro": "rad/s", "sensor/encoder_left": "rad", "sensor/encoder_right": "rad",
+    "sensor/encoder_rate_left": "rad/s", "sensor/encoder_rate_right": "rad/s",
+}  # fmt: skip
+"""Readings that `Calibration.plot_prediction` draws, with their units."""
+
+FAR = 4.0  # a reading missed by more than twice its deviation counts as missed by that: one fall is not the whole score
 NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution
 SURPRISE = 3.0
 """Prior deviations beyond which the log contradicts a stated value."""
@@ -85,6 +93,59 @@ class Whiteness:
         return self.ljung_box < self.threshold and self.input_test < self.threshold
 
 
+@dataclass(frozen=True, eq=False)
+class Segments:
+    """Readings, measured and predicted by a free simulation from the first state of their segment, which alone is
+    fitted; NaN where the simulated robot fell. All arrays (readings,)."""
+
+    rows: tuple[str, ...]
+    row: Whole
+    when: Array
+    measured: Array
+    predicted: Array
+    segment: Whole
+
+    def r_squared(self, name: str) -> float:
+        """1 − Σ(y − ŷ)²/Σ(y − ȳ)² of one reading, or of the mean of a pair ("encoder", "encoder_rate"); a reading
+        beyond a simulated fall counts as missed by twice the deviation."""
+        y, predicted, _ = self._of(name)
+        variance = float(y.var())
+        missed = np.where(np.isfinite(predicted), (y - predicted) ** 2, FAR * variance)
+        return 1 - float(missed.mean()) / max(variance, 1e-30)
+
+    def score(self) -> float:
+        """Mean over the readings of R² against each segment's own mean, falls and misses counted up to `FAR`."""
+        scores: list[float] = []
+        for name in self.rows:
+            y, predicted, segment = self._of(name)
+            mean = np.bincount(segment, y) / np.maximum(np.bincount(segment), 1)
+            variance = float(((y - mean[segment]) ** 2).mean())
+            missed = np.where(np.isfinite(predicted), (y - predicted) ** 2, np.inf)
+            scores.append(1 - float(np.minimum(missed, FAR * variance).mean()) / max(variance, 1e-30))
+        return float(np.mean(scores))
+
+    def series(self, name: str) -> tuple[Array, Array, Array]:
+        """Times [s], measured and predicted values (n + gaps,) of one reading, with a gap of NaN between segments."""
+        at = np.flatnonzero(self.row == self.rows.index(name))
+        breaks = np.flatnonzero(np.diff(self.segment[at])) + 1
+        measured, predicted = (np.insert(column[at], breaks, np.nan) for column in (self.measured, self.predicted))
+        return np.insert(self.when[at], breaks, self.when[at][breaks]), measured, predicted
+
+    @property
+    def lost(self) -> float:
+        """Fraction of readings beyond a simulated fall."""
+        return float((~np.isfinite(self.predicted)).mean())
+
+    def _of(self, name: str) -> tuple[Array, Array, Whole]:
+        pair = [i for i, row in enumerate(self.rows) if row in (name, f"sensor/{name}_left", f"sensor/{name}_right")]
+        parts = [
+            (self.measured[self.row == i], self.predicted[self.row == i], self.segment[self.row == i]) for i in pair
+        ]
+        least = min(len(p[0]) for p in parts)
+        mean = [np.mean([p[k][:least] for p in parts], axis=0) for k in (0, 1)]
+        return mean[0], mean[1], parts[0][2][:least]
+
+
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Calibration(Shown):
     """A robot learnt from logs. `parameters` are what was fitted, `combinations` what the log really sees (ratios of
@@ -110,6 +171,7 @@ class Calibration(Shown):
     notes: tuple[str, ...] = ()
     unseen: tuple[str, ...] = ()
     electronics: tuple[Estimate, ...] = ()
+    free: tuple[Segments, ...] = ()
 
     def __post_init__(self) -> None:
         covariance = np.array(self.covariance, dtype=np.float64)
@@ -175,7 +237,7 @@ class Calibration(Shown):
 
     def plot(self) -> Figure:
         """Each parameter's estimate and 95 % interval against its prior, in standard deviations of the prior."""
-        from upright.plotting import intervals
+        from upright.plotting import SPAN, intervals, legend
 
         known = [e for e in self.parameters if 0 < e.prior_spread < np.inf]
         numbers = np.array([[e.value, e.low, e.high] for e in known]).reshape(-1, 3)
@@ -184,9 +246,23 @@ class Calibration(Shown):
         x_label = "difference from the prior [standard deviations of the prior]"
         figure = intervals([e.name for e in known], shifts[:, 0], shifts[:, 1:], x_label, "parameter")
         ax = figure.axes[0]
-        ax.axvspan(-NORMAL, NORMAL, alpha=0.15, zorder=0, label="95 % of the prior")
-        ax.legend(loc="upper right")
-        return figure
+        ax.axvspan(-NORMAL, NORMAL, color=SPAN, alpha=0.16, linewidth=0, zorder=0, label="95 % of the prior")
+        return legend(figure)
+
+    def plot_prediction(self) -> Figure:
+        """Measured readings, and what the calibrated robot predicts from the commands alone for half a second at a
+        time; one panel for the gyro and each encoder of the first log."""
+        from upright.plotting import legend, line, panels
+
+        free = self.free[0]
+        names = [name for name in free.rows if name in PREDICTED] or list(free.rows)
+        labels = [f"{n.removeprefix('sensor/').replace('_', ' ')} [{PREDICTED.get(n, '')}]" for n in names]
+        figure, axes = panels(labels)
+        for ax, name in zip(axes, names, strict=True):
+            t, measured, predicted = free.series(name)
+            line(ax, "measured", t, measured, style=4)
+            line(ax, "predicted", t, predicted, style=1)
+        return legend(figure)
 
     def listing(self) -> Listing:
         """All estimates with interval, prior and verdict, one row each."""

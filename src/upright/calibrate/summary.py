@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.calibration import BOUND, HELD, NORMAL, PRIOR, SURPRISE, VISIBLE, Calibration, Estimate
+from upright.calibrate.calibration import BOUND, HELD, NORMAL, PRIOR, SURPRISE, VISIBLE, Calibration, Estimate, Segments
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.fitting import Normal, Path, Problem, around, slopes_of
 from upright.calibrate.informativity import posterior, unseen_directions
@@ -54,7 +54,8 @@ def summarised(
     parameters = tuple(by_name[name] for name in names if name in PARAMETERS)
     sources = tuple(str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log"))) for log in logs)
     robot = _calibrated(problem, z, parameters, sources)
-    fits, free = _checks(problem, z)
+    free = tuple(segments(problem, recording, z) for recording in problem.recordings)
+    fits, scores = _checks(problem, z, free)
     return Calibration(
         robot=robot,
         prior=problem.robot,
@@ -67,12 +68,13 @@ def summarised(
         noise={name: math.exp(0.5 * value) for name, value in problem.noise.items()},
         whiteness=tuple(w for r, path in zip(problem.recordings, paths, strict=True) for w in whiteness(r, path)),
         fits=fits,
-        segments=free,
+        segments=scores,
+        free=free,
         temper=problem.temper,
         samples=int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
         seconds=time.perf_counter() - began,
         sources=sources,
-        notes=tuple(_notes(problem, every, free, reason)),
+        notes=tuple(_notes(problem, every, scores, reason)),
         unseen=tuple(unseen_directions(problem, normal)),
     )
 
@@ -181,12 +183,13 @@ def _delays(problem: Problem, z: Array, C: Array, every: Sequence[Estimate]) -> 
     return tuple(delays)
 
 
-def _checks(problem: Problem, z: Array) -> tuple[dict[str, dict[str, float]], dict[str, float]]:
+def _checks(
+    problem: Problem, z: Array, simulated: Sequence[Segments]
+) -> tuple[dict[str, dict[str, float]], dict[str, float]]:
     """h-step fits of the parts kept back, and R² of half seconds simulated freely: means over the recordings."""
     ahead: list[dict[str, dict[str, float]]] = []
     free: list[dict[str, float]] = []
-    for recording in problem.recordings:
-        parts = segments(problem, recording, z)
+    for recording, parts in zip(problem.recordings, simulated, strict=True):
         r2 = {name: parts.r_squared(name) for name in recording.rows}
         pairs = {n.removeprefix("sensor/").removesuffix("_left") for n in recording.rows if n.endswith("_left")}
         r2 |= {f"mean {pair}": parts.r_squared(pair) for pair in sorted(pairs)}

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.calibration import Whiteness
+from upright.calibrate.calibration import Segments, Whiteness
 from upright.calibrate.fitting import Normal, Path, Problem, fitted_readings
 from upright.logs.recording import Recording
 
@@ -17,56 +16,9 @@ Whole = NDArray[np.int64]
 
 HORIZONS = (1, 10, 50)
 LAGS = 20
-FAR = 4.0  # a reading missed by more than twice its deviation counts as missed by that: one fall is not the whole score
 
 _NUDGES = np.array([1e-5, 1e-4, 1e-4, 1e-3, 1e-4, 1e-3])  # steps in the first state, of its own size
 _SPANS = np.array([0.05, 0.5, 0.5, 5.0, 0.5, 2.0])  # [rad, rad/s] a weak hold, so that a still wheel is no singularity
-
-
-@dataclass(frozen=True, eq=False)
-class Segments:
-    """Readings, measured and predicted by a free simulation from the first state of their segment, which alone is
-    fitted; NaN where the simulated robot fell. All arrays (readings,)."""
-
-    rows: tuple[str, ...]
-    row: Whole
-    when: Array
-    measured: Array
-    predicted: Array
-    segment: Whole
-
-    def r_squared(self, name: str) -> float:
-        """1 − Σ(y − ŷ)²/Σ(y − ȳ)² of one reading, or of the mean of a pair ("encoder", "encoder_rate"); a reading
-        beyond a simulated fall counts as missed by twice the deviation."""
-        y, predicted, _ = self._of(name)
-        variance = float(y.var())
-        missed = np.where(np.isfinite(predicted), (y - predicted) ** 2, FAR * variance)
-        return 1 - float(missed.mean()) / max(variance, 1e-30)
-
-    def score(self) -> float:
-        """Mean over the readings of R² against each segment's own mean, falls and misses counted up to `FAR`."""
-        scores: list[float] = []
-        for name in self.rows:
-            y, predicted, segment = self._of(name)
-            mean = np.bincount(segment, y) / np.maximum(np.bincount(segment), 1)
-            variance = float(((y - mean[segment]) ** 2).mean())
-            missed = np.where(np.isfinite(predicted), (y - predicted) ** 2, np.inf)
-            scores.append(1 - float(np.minimum(missed, FAR * variance).mean()) / max(variance, 1e-30))
-        return float(np.mean(scores))
-
-    @property
-    def lost(self) -> float:
-        """Share of readings beyond a simulated fall."""
-        return float((~np.isfinite(self.predicted)).mean())
-
-    def _of(self, name: str) -> tuple[Array, Array, Whole]:
-        pair = [i for i, row in enumerate(self.rows) if row in (name, f"sensor/{name}_left", f"sensor/{name}_right")]
-        parts = [
-            (self.measured[self.row == i], self.predicted[self.row == i], self.segment[self.row == i]) for i in pair
-        ]
-        least = min(len(p[0]) for p in parts)
-        mean = [np.mean([p[k][:least] for p in parts], axis=0) for k in (0, 1)]
-        return mean[0], mean[1], parts[0][2][:least]
 
 
 def segments(

@@ -95,15 +95,34 @@ class Analysis(Shown):
 
     def plot(self) -> Figure:
         """Bode diagram of the loop broken at both motors, frequency and magnitude on logarithmic axes."""
-        from upright.plotting import panels
+        from upright.plotting import line, numbered, panels
 
         omega, response = broken(self.loop, INPUTS["both motors"])
         figure, (size, phase) = panels(["magnitude [1]", "phase [°]"], "frequency [rad/s]", "log")
-        size.plot(omega, np.abs(response))
         size.set_yscale("log")
-        size.axhline(1.0, linestyle="--", color="grey")
-        phase.plot(omega, np.degrees(np.unwrap(np.angle(response))))
+        numbered(size)
+        line(size, "loop gain", omega, np.abs(response))
+        line(phase, "loop gain", omega, np.degrees(np.unwrap(np.angle(response))))
+        size.axhline(1.0, linestyle="--", color="grey", linewidth=0.8)
         return figure
+
+    def plot_nyquist(self) -> Figure:
+        """Nyquist diagram of the loop broken at both motors, with an arrow towards rising frequency, the point −1, and
+        the circle round it that the loop does not enter (Ms)."""
+        from upright.plotting import nyquist
+
+        _, response = broken(self.loop, INPUTS["both motors"])
+        return nyquist(response, 1 / self.both().Ms)
+
+    def plot_poles(self) -> Figure:
+        """Poles of the nominal loop, and of the loops of the drawn robots, beside the unit circle."""
+        from upright.plotting import legend, plane, points
+
+        figure, ax = plane("real part [1]", "imaginary part [1]", circle=True)
+        if self.drawn.size:
+            points(ax, "robots drawn from the spreads", self.drawn.ravel().tolist(), style=1)
+        points(ax, "nominal robot", self.poles.tolist(), style=0)
+        return legend(figure)
 
     def check(self) -> float:
         """How far off the unit circle the largest pole is at the gain margins of both motors: zero is perfect."""

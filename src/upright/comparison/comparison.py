@@ -26,6 +26,10 @@ if TYPE_CHECKING:
 NEAR_LIMIT = 0.8
 """Fraction of its limit below which no command was cut: a battery that sags gives way by less than the rest."""
 
+NEGLIGIBLE = {"yaw": math.radians(1.0), "yaw_rate": math.radians(1.0)}
+"""[rad], [rad/s] A compass of an NXT resolves one degree: where two runs turn less than that, their yaw is noise, and
+has no fit."""
+
 
 def _number(unit: str, label: str) -> Any:
     return field(metadata={"unit": unit, "label": label})
@@ -102,18 +106,42 @@ class Comparison(Shown):
         where = {"kind": self.kinds[label], "source": self.sources[label], "release": finite(self.releases[label])}
         return where | {"metrics": numbers, "fit": fits}
 
-    def plot(self) -> Figure:
-        """The compared states of all logs over time, one panel each, by matplotlib."""
-        from upright.plotting import panels
+    def plot(self, *signals: str) -> Figure:
+        """States of all logs over time (default: all that are compared), one panel each; the push is shaded."""
+        from upright.plotting import legend, line, panels, span
 
-        first = self.logs[self.reference]
-        units = [first.unit(f"{self.sources[self.reference]}/{name}") for name in self.signals]
-        figure, axes = panels([f"{n.replace('_', ' ')} [{u}]" for n, u in zip(self.signals, units, strict=True)])
-        for ax, name in zip(axes, self.signals, strict=True):
+        names, first = signals or self.signals, self.logs[self.reference]
+        units = [first.unit(f"{self.sources[self.reference]}/{name}") for name in names]
+        figure, axes = panels([f"{n.replace('_', ' ')} [{u}]" for n, u in zip(names, units, strict=True)])
+        for ax, name in zip(axes, names, strict=True):
             for label, log in self.logs.items():
-                ax.plot(log.t, log[f"{self.sources[label]}/{name}"], label=label)
-        axes[0].legend(loc="upper right")
-        return figure
+                line(ax, label, log.t, log[f"{self.sources[label]}/{name}"])
+        for start, stop in self.pushed:
+            span(axes, start, stop, "push acts")
+        return legend(figure)
+
+    def plot_commands(self) -> Figure | None:
+        """Both commands of the logs that have them, applied ones first; None where no log has any."""
+        from upright.plotting import legend, line, panels, span
+
+        prefixes = {label: _command_prefix(log) for label, log in self.logs.items()}
+        if not any(prefixes.values()):
+            return None
+        figure, axes = panels([f"{side} command [{self.command_unit}]" for side in ("left", "right")])
+        for style, (label, log) in enumerate(self.logs.items()):
+            for ax, side in zip(axes, ("left", "right"), strict=True):
+                if prefixes[label]:
+                    line(ax, label, log.t, log[f"{prefixes[label]}/{side}"], step=True, style=style)
+        for start, stop in self.pushed:
+            span(axes, start, stop, "push acts")
+        return legend(figure)
+
+    @property
+    def pushed(self) -> tuple[tuple[float, float], ...]:
+        """From when to when [s] a push acts, by the reference's log or the first that has pushes."""
+        logs = (self.logs[self.reference], *self.logs.values())
+        log = next((log for log in logs if "push/force" in log), None)
+        return () if log is None else metrics.active_intervals(log.t, log["push/force"])
 
     def listing(self) -> Listing:
         """Metrics and fits, one column for each log."""
@@ -292,7 +320,16 @@ def _fit(anchor: Log, log: Log, mine: Mapping[str, str], other: Mapping[str, str
             expected="at least two samples of the reference inside both",
         )
     t = anchor.t[keep]
-    return {name: metrics.nrmse_fit(anchor[mine[name]][keep], np.interp(t, log.t, log[other[name]])) for name in mine}
+    pairs = {name: (anchor[mine[name]][keep], np.interp(t, log.t, log[other[name]])) for name in mine}
+    return {
+        name: math.nan if np.ptp(y) <= NEGLIGIBLE.get(name, 0.0) and np.ptp(z) <= NEGLIGIBLE.get(name, 0.0)
+        else metrics.nrmse_fit(y, z)
+        for name, (y, z) in pairs.items()
+    }  # fmt: skip
+
+
+def _command_prefix(log: Log) -> str:
+    return next((p for p in ("applied", "command") if f"{p}/left" in log and f"{p}/right" in log), "")
 
 
 def _cell(value: float | bool | None) -> str:

@@ -72,14 +72,13 @@ class Identified(Shown):
 
     def plot(self) -> Figure:
         """The fit of each output on the held-out part, over the prediction horizon on a logarithmic axis."""
-        from upright.plotting import panels
+        from upright.plotting import legend, line, panels
 
         figure, (ax,) = panels(["fit [%]"], "prediction horizon [samples]", "log")
         ahead = [float(h) for h in self.fits]
         for name in next(iter(self.fits.values()), {}):
-            ax.plot(ahead, [fit.get(name, np.nan) for fit in self.fits.values()], "o-", label=name)
-        ax.legend(loc="lower left")
-        return figure
+            line(ax, name, ahead, [fit.get(name, np.nan) for fit in self.fits.values()])
+        return legend(figure)
 
     def __str__(self) -> str:
         p = self.pole

@@ -65,15 +65,14 @@ class MethodComparison(Shown):
 
     def plot(self) -> Figure:
         """The unstable pole of each method with its 95 % interval, and the true pole where it is known."""
-        from upright.plotting import intervals
+        from upright.plotting import intervals, legend
 
         poles = [m.pole for m in self.models.values()]
         ends = [(p.low, p.high) for p in poles]
         figure = intervals(list(self.models), [p.value for p in poles], ends, "unstable pole [1/s]", "method")
         if math.isfinite(self.true_pole):
             figure.axes[0].axvline(self.true_pole, linestyle="--", color="grey", label="true pole")
-        figure.axes[0].legend(loc="upper right")
-        return figure
+        return legend(figure)
 
     def __str__(self) -> str:
         lines = [f"{len(self.samples.log)} samples; judged by {self.judge.who}"]

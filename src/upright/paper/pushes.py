@@ -11,6 +11,7 @@ import numpy as np
 from upright.bodies import Body, Electronics, LinearBody, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.comparison import Comparison, compare
+from upright.comparison.comparison import NEGLIGIBLE
 from upright.control import Controller, Estimated, StateFeedback, kalman
 from upright.experiment import Hold, run
 from upright.paper import printed
@@ -31,7 +32,7 @@ FIGURES = {
 """Which figure of the paper shows which state under which push."""
 NAMED = {"front": "figures 5 to 10", "back": "figures 12 and 13"}
 
-YAW_NEGLIGIBLE = math.radians(1.0)  # what the paper's compass resolves
+YAW_NEGLIGIBLE = NEGLIGIBLE["yaw"]
 ALIKE = 0.8  # correlation with the twin above which two curves count as alike
 
 
@@ -163,9 +164,9 @@ def _figure(comparison: Comparison, measured: Measured, state: str, number: int)
         degrees = cell_text(math.degrees(measured.largest_yaw), 2)
         title = f"Yaw is negligible: at most {degrees} degrees in any run, where the compass reads whole ones"
         # rounding errors alone are no curve: there the axis shows what the compass could tell
-        limits = None if measured.largest_yaw > YAW_NEGLIGIBLE / 100 else (-YAW_NEGLIGIBLE, YAW_NEGLIGIBLE)
-        panels = [replace(panel, limits=limits) for panel in drawn.panels]
-        drawn = replace(drawn, title=title, panels=panels, note="")
+        if measured.largest_yaw <= YAW_NEGLIGIBLE / 100:
+            drawn.drawing.axes[0].set_ylim(-YAW_NEGLIGIBLE, YAW_NEGLIGIBLE)
+        drawn = replace(drawn, title=title, note="")
     return replace(drawn, title=f"Figure {number} again. {drawn.title}")
 
 

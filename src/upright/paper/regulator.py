@@ -12,7 +12,8 @@ from upright.control import Lqr, StateFeedback, dlqr
 from upright.paper import printed
 from upright.paper.claim import NOT_AS_PRINTED, Claim
 from upright.physics.linear import LinearModel, linearise
-from upright.report import PointFigure, PointSet, Table
+from upright.plotting import legend, plane, points
+from upright.report import Figure, Table
 from upright.report.page import cell_text
 from upright.robots import Robot
 from upright.signals import STATE_NAMES
@@ -113,12 +114,15 @@ def _stability(loops: dict[str, float]) -> Table:
     )
 
 
-def _poles(feedback: StateFeedback, clean: Lqr) -> PointFigure:
+def _poles(feedback: StateFeedback, clean: Lqr) -> Figure:
     """Each under its own sign of yaw: the printed gains suit the equations', dlqr the printed matrices'."""
     model = _turned()
-    sets = [
-        PointSet("printed gains", np.linalg.eigvals(model.A - model.B @ feedback.gain).tolist()),
-        PointSet("dlqr of the printed Q and R", clean.poles().tolist()),
-    ]
-    largest = ", ".join(f"{cell_text(max(map(abs, s.values)), 6)} ({s.name})" for s in sets)
-    return PointFigure(f"Largest pole of the printed robot under both regulators: {largest}", sets)
+    poles = {
+        "printed gains": np.linalg.eigvals(model.A - model.B @ feedback.gain),
+        "dlqr of the printed Q and R": clean.poles(),
+    }
+    figure, ax = plane("real part [1]", "imaginary part [1]", circle=True)
+    for name, values in poles.items():
+        points(ax, name, values.tolist())
+    largest = ", ".join(f"{cell_text(float(np.abs(values).max()), 6)} ({name})" for name, values in poles.items())
+    return Figure(f"Largest pole of the printed robot under both regulators: {largest}", legend(figure))

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,10 +19,14 @@ from upright.control import StateFeedback, lqr
 from upright.experiment import Drive, Turn, run
 from upright.paper.claim import BEYOND, Claim, Progress, silent
 from upright.physics.dynamics import accelerations, mass_matrix, motor_damping, motor_gain, turn_ratio
-from upright.report import Figure, Panel, Table, Trace
+from upright.plotting import legend, line, panels
+from upright.report import Figure, Table
 from upright.report.page import Cell, cell_text
 from upright.robots import Robot
 from upright.signals import Log
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 Array = NDArray[np.float64]
 
@@ -229,35 +234,36 @@ def _contact_table(limits: Mapping[float, Mapping[str, float]]) -> Table:
 
 
 def _pitch_figure(runs: Mapping[str, Log], at: Mapping[str, Mapping[str, Deviation]]) -> Figure:
-    drawn = ("twin", "complete", "published")
-    pitch = Panel("pitch ψ", "rad", [Trace(n, runs[n].t, runs[n]["truth/pitch"], style=i) for i, n in enumerate(drawn)])
+    figure, (pitch, difference) = panels(["pitch ψ [rad]", "pitch ψ minus the twin's [mrad]"])
+    for name in ("twin", "complete", "published"):
+        line(pitch, name, runs[name].t, runs[name]["truth/pitch"])
+    _difference(difference, runs)
     complete, published = (_percent(at[name]["pitch"].rms) for name in ("complete", "published"))
     title = (
         f"Turning at {SHOWN:g} rad/s: pitch of the complete model differs from the twin's by {complete}, "
         f"that of the published one by {published} (RMS over peak)"
     )
-    return Figure(title, [pitch, _difference(runs, "pitch ψ minus the twin's")])
+    return Figure(title, legend(figure))
 
 
 def _error_figure(
     logs: Mapping[float, Mapping[str, Log]], errors: Mapping[float, Mapping[str, Mapping[str, Deviation]]]
 ) -> Figure:
-    panels = [_difference(runs, f"pitch ψ minus the twin's at {rate:g} rad/s of yaw") for rate, runs in logs.items()]
+    figure, axes = panels([f"pitch ψ minus the twin's at {rate:g} rad/s of yaw [mrad]" for rate in logs])
+    for ax, runs in zip(axes, logs.values(), strict=True):
+        _difference(ax, runs)
     worst = {name: max(of[name]["pitch"].largest for of in errors.values()) for name in ("complete", "published")}
     title = (
         f"The published model's error grows with the yaw rate, to {_percent(worst['published'])} of the peak; "
         f"the complete model stays within {_percent(worst['complete'])}"
     )
-    return Figure(title, panels)
+    return Figure(title, legend(figure))
 
 
-def _difference(runs: Mapping[str, Log], label: str) -> Panel:
+def _difference(ax: Axes, runs: Mapping[str, Log]) -> None:
     twin = runs["twin"]["truth/pitch"]
-    traces = [
-        Trace(name, runs[name].t, 1000 * (runs[name]["truth/pitch"] - twin), style=style)
-        for style, name in enumerate(("complete", "published"), start=1)
-    ]
-    return Panel(label, "mrad", traces)
+    for style, name in enumerate(("complete", "published"), start=1):
+        line(ax, name, runs[name].t, 1000 * (runs[name]["truth/pitch"] - twin), style=style)
 
 
 def _percent(part: float) -> str:

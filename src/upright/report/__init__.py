@@ -9,10 +9,6 @@ from typing import Any
 
 from upright.errors import UprightError
 from upright.report.figure import Figure as Figure
-from upright.report.figure import Panel as Panel
-from upright.report.figure import PointFigure as PointFigure
-from upright.report.figure import PointSet as PointSet
-from upright.report.figure import Trace as Trace
 from upright.report.page import Formula as Formula
 from upright.report.page import Page as Page
 from upright.report.page import Section as Section

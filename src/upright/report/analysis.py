@@ -6,16 +6,12 @@ import math
 
 import numpy as np
 
-from upright.certify.analysis import INPUTS, Analysis, broken
+from upright.certify.analysis import Analysis
 from upright.certify.design import Designed
 from upright.certify.margins import Margins
 from upright.errors import InvalidController
-from upright.physics.linear import Complex
-from upright.report.figure import Figure, Panel, PointFigure, PointSet, Trace
-from upright.report.page import Cell, Item, Page, Section, Table, Verdict
-
-NEAR = 3.0
-"""The Nyquist curve is drawn up to this distance from the origin, around the critical point."""
+from upright.report.figure import Figure
+from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
 
 
 def page_of(result: Analysis | Designed) -> Page:
@@ -25,15 +21,30 @@ def page_of(result: Analysis | Designed) -> Page:
             raise InvalidController(f"no report: {result.remark}", expected="a controller that is linear near rest")
         return page_of(result.analysis)
     analysis = result
-    verdict = Verdict("stable", "good") if analysis.stable else Verdict("unstable", "warn")
-    sections = [Section("Summary", analysis.words(), verdict), Section("Margins", _margins(analysis))]
+    first, *rest = analysis.words()
+    sections = [Section("Margins", [*rest, *_margins(analysis)])]
     if analysis.stable:
-        sections += [Section("Broken at both motors", _loop(analysis))]
-    sections.append(Section("Closed-loop poles", [_poles(analysis)]))
+        last = f"Bode: the loop crosses 0 dB last at {analysis.both().crossover:.3g} rad/s"
+        sections = [Section("Frequency response", [Figure(last, analysis.plot())]), *sections]
+        sections += [Section("Closed-loop poles", [_poles(analysis)])]
     facts = {"controller": analysis.hash[:12], "period": f"{analysis.period * 1e3:g} ms"}
     return Page(
-        f"{analysis.controller} on {analysis.robot}", sections, "The stability margins of this loop.", facts, False
-    )
+        f"{analysis.controller} on {analysis.robot}", sections, f"{first[0].upper()}{first[1:]}", facts, False,
+        verdict=Verdict("stable", "good") if analysis.stable else Verdict("unstable", "warn"),
+        picture=_nyquist(analysis) if analysis.stable else _poles(analysis), numbers=_numbers(analysis),
+    )  # fmt: skip
+
+
+def _numbers(analysis: Analysis) -> list[tuple[str, str]]:
+    if not analysis.stable:
+        return []
+    both, every = analysis.both(), (*analysis.inputs, *analysis.outputs)
+    delay = min(analysis.delay, *(m.delay for m in every))
+    return [
+        (f"{cell_text(both.gain_low, 2)} to {cell_text(both.gain_high, 2)}", "gain of both motors, times"),
+        (f"{cell_text(math.degrees(both.phase), 2)}°", "phase margin"),
+        (f"{cell_text(delay * 1e3, 3)} ms", "delay margin, the smallest of all loops"),
+    ]
 
 
 def _margins(analysis: Analysis) -> list[Item]:
@@ -60,26 +71,12 @@ def _row(m: Margins) -> list[Cell]:
     return [m.channel, m.gain_low, m.gain_high, math.degrees(m.phase), m.delay * 1e3, m.disk, m.Ms, m.Mt]
 
 
-def _loop(analysis: Analysis) -> list[Item]:
-    omega, response = broken(analysis.loop, INPUTS["both motors"])
-    decades, name = np.log10(omega), "loop gain"
-    size, phase = 20 * np.log10(np.abs(response)), np.degrees(np.unwrap(np.angle(response)))
-    panels = [Panel("size", "dB", [Trace(name, decades, size)]), Panel("phase", "°", [Trace(name, decades, phase)])]
-    title = "Bode: the loop crosses 0 dB last at " + f"{analysis.both().crossover:.3g} rad/s"
-    return [Figure(title, panels, "frequency, power of ten", "rad/s"), _nyquist(analysis, response)]
-
-
-def _nyquist(analysis: Analysis, response: Complex) -> PointFigure:
-    near = response[np.abs(response) < NEAR]
-    sets = [PointSet("loop gain", [complex(v) for v in (*near, *near.conj())]), PointSet("−1", [-1.0])]
+def _nyquist(analysis: Analysis) -> Figure:
     title = f"Nyquist: the loop stays {1 / analysis.both().Ms:.2f} away from −1"
-    return PointFigure(title, sets, note=f"Points beyond {NEAR:g} from the origin are omitted.")
+    return Figure(title, analysis.plot_nyquist(), "Both motors broken at once.")
 
 
-def _poles(analysis: Analysis) -> PointFigure:
-    drawn = [complex(p) for p in analysis.drawn.ravel()]
-    sets = [PointSet("robots drawn from the spreads", drawn)] if drawn else []
-    sets.append(PointSet("nominal robot", [complex(p) for p in analysis.poles]))
+def _poles(analysis: Analysis) -> Figure:
     fell = int((analysis.radii >= 1).sum())
     inside = "All poles lie inside the circle" if analysis.stable else "A pole lies outside the circle"
-    return PointFigure(f"{inside}; {fell} of {len(analysis.radii)} drawn robots are unstable", sets)
+    return Figure(f"{inside}; {fell} of {len(analysis.radii)} drawn robots are unstable", analysis.plot_poles())

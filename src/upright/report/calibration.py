@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-import numpy as np
-
 from upright.calibrate.calibration import VERDICTS, Calibration, Estimate
-from upright.report.figure import Figure, Panel, Trace
-from upright.report.page import Cell, Page, Section, Table, Verdict
+from upright.plotting import legend, line, panels
+from upright.report.figure import Figure
+from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
 
 STRONG = 0.9
 """Correlations from this size up are listed: only the prior separates such pairs."""
@@ -19,28 +18,61 @@ def page_of(calibration: Calibration) -> Page:
     """The calibration's page, not yet written."""
     wrong = calibration.check()
     verdict = Verdict("passes its checks", "good") if not wrong else Verdict(f"{len(wrong)} reservations", "warn")
+    others = (*calibration.delays, *calibration.electronics)
     sections = [
-        Section("Estimates", [*calibration.notes, _estimates(calibration.parameters), _meanings()], verdict),
-        Section("Delays and motors", [_DELAYS, _estimates((*calibration.delays, *calibration.electronics))]),
-        Section("Coefficients of the motion", [_COMBINED, _estimates(calibration.combinations)]),
-        Section(
-            "What the log does not determine",
-            [*(calibration.unseen or ["The log determines every direction."]), _pairs(calibration)],
-        ),
+        *([Section("Reservations", [f"{text[0].upper()}{text[1:]}." for text in wrong])] if wrong else []),
+        Section("Estimates", [*calibration.notes, *_by_name(calibration), _estimates(calibration.parameters)]),
         Section("Prediction", [_PREDICTED, *_predicted(calibration)]),
-        Section("Innovations", [_INNOVATIONS, _whiteness(calibration), *wrong]),
+        *([Section("Delays and motors", [_DELAYS, _estimates(others)], folded=True)] if others else []),
+        Section("Coefficients of the motion", [_COMBINED, _estimates(calibration.combinations)], folded=True),
+        Section("What the log does not determine", _undetermined(calibration), folded=True),
+        Section("Innovations", [_INNOVATIONS, _whiteness(calibration)], folded=True),
+        Section("What the verdicts mean", [_meanings()], folded=True),
     ]
     kept = {
         "prior": calibration.prior.name,
         "samples": str(calibration.samples),
         "logs": ", ".join(calibration.sources),
     }
-    return Page(f"{calibration.robot.name}, calibrated", sections, _lead(calibration), kept, twin_note=False)
+    return Page(
+        f"{calibration.robot.name}, calibrated", sections, _lead(calibration), kept, False, verdict=verdict,
+        picture=_measured(calibration), numbers=_numbers(calibration),
+    )  # fmt: skip
+
+
+def _numbers(c: Calibration) -> list[tuple[str, str]]:
+    pole, visible = c["unstable_pole"], sum(e.verdict == "visible" for e in c.parameters)
+    worst = [(n, v) for n, v in c.segments.items() if n.startswith("sensor/")]
+    name, value = min(worst, key=lambda pair: pair[1]) if worst else ("", math.nan)
+    return [
+        (f"{pole.value:.3g} 1/s", f"unstable pole, 95 %: {pole.low:.3g} to {pole.high:.3g}"),
+        (f"{visible} of {len(c.parameters)}", "parameters determined by the log"),
+        (cell_text(value, 3), f"R² of {name.removeprefix('sensor/').replace('_', ' ')}, half seconds, the least"),
+    ]
+
+
+def _measured(c: Calibration) -> Figure | None:
+    if not c.free:
+        return None
+    lowest = min((v for n, v in c.segments.items() if n.startswith("sensor/")), default=math.nan)
+    title = f"Measured, and predicted half a second at a time: R² is {cell_text(lowest, 3)} or more"
+    return Figure(title, c.plot_prediction(), "Each half second starts from a fitted state and gets only the commands.")
+
+
+def _by_name(c: Calibration) -> list[Item]:
+    if not any(0 < e.prior_spread < math.inf for e in c.parameters):
+        return []
+    return [Figure("What the log adds: estimates and their 95 % intervals beside the prior", c.plot())]
+
+
+def _undetermined(c: Calibration) -> list[Item]:
+    pairs = _pairs(c)
+    return [*(c.unseen or ["The log determines every direction."]), *([pairs] if pairs.rows else [])]
 
 
 _DELAYS = (
-    "The delay from a command to each sensor, then the motors. `asymmetry` is right motor less left over their mean; "
-    "`battery` is the fraction of the logged command that reaches the motors."
+    "The delay from a command to each sensor, then the motors. Asymmetry: right motor less left, over their mean. "
+    "Battery: the fraction of the logged command that reaches the motors."
 )
 _COMBINED = (
     "The coefficients of the equations of motion, and the unstable pole. A log often determines these much better than "
@@ -67,11 +99,11 @@ def _lead(c: Calibration) -> str:
 
 def _estimates(estimates: Sequence[Estimate]) -> Table:
     rows: list[list[Cell]] = [
-        [e.name, e.unit, e.value, f"{e.low:.4g} to {e.high:.4g}", e.prior, e.prior_spread, e.shift, e.verdict]
+        [e.name.replace("_", " "), e.unit, e.value, f"{cell_text(e.low, 3)} … {cell_text(e.high, 3)}", e.prior,
+         e.prior_spread, e.verdict]
         for e in estimates
-    ]
-    header = ["", "unit", "value", "95 % interval", "prior", "prior spread", "shift [spreads]", "verdict"]
-    return Table(header, rows)
+    ]  # fmt: skip
+    return Table(["", "unit", "value", "95 % interval", "prior", "±", "verdict"], rows, digits=3)
 
 
 def _meanings() -> Table:
@@ -86,23 +118,20 @@ def _pairs(c: Calibration) -> Table:
     return Table(["", "with", "correlation"], rows, f"Pairs correlated by {STRONG:g} or more", digits=3)
 
 
-def _predicted(c: Calibration) -> list[Table | Figure]:
+def _predicted(c: Calibration) -> list[Item]:
     free: list[list[Cell]] = [[name.removeprefix("sensor/"), value] for name, value in c.segments.items()]
-    tables: list[Table | Figure] = [Table(["free simulation of half a second", "R²"], free)]
+    tables: list[Item] = [Table(["free simulation of half a second", "R²"], free)]
     if not c.fits:
         return tables
     names = list(next(iter(c.fits.values())))
     rows: list[list[Cell]] = [[f"{h} samples", *fits.values()] for h, fits in c.fits.items()]
     tables.append(Table(["ahead", *(n.removeprefix("sensor/") for n in names)], rows, "Fit [%]", digits=3))
-    ahead = np.array([float(h) for h in c.fits])
-    traces = [Trace(n.removeprefix("sensor/"), ahead, [_shown(f[n]) for f in c.fits.values()]) for n in names]
-    panel = Panel("Fit on the part held out", "%", traces, (0.0, 100.0))
-    tables.append(Figure("Fit over the prediction horizon", [panel], x_label="samples ahead", x_unit=""))
+    figure, (ax,) = panels(["fit on the part held out [%]"], "samples ahead", "log")
+    for name in names:
+        line(ax, name.removeprefix("sensor/"), [float(h) for h in c.fits], [fits[name] for fits in c.fits.values()])
+    ax.set_ylim(0, 100)
+    tables.append(Figure("Fit over the prediction horizon", legend(figure)))
     return tables
-
-
-def _shown(value: float) -> float:
-    return value if math.isfinite(value) else 0.0
 
 
 def _whiteness(c: Calibration) -> Table:

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 
 from upright.certify.certificate import GREEN, RED, Certificate, LinearMargins
 from upright.certify.checks import Swept
-from upright.report.figure import Figure, Panel, Trace
-from upright.report.page import Cell, Item, Page, Section, Table, Verdict
+from upright.plotting import bars, line, panels
+from upright.report.figure import Figure
+from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
 
 LEVEL = {GREEN: "good", RED: "warn"}
 
@@ -16,15 +17,38 @@ def page_of(certificate: Certificate) -> Page:
     """The certificate's page, not yet written."""
     verdict = Verdict(certificate.light, LEVEL.get(certificate.light, "info"))
     sections = [
-        Section("Reasons", [f"{reason[0].upper()}{reason[1:]}." for reason in certificate.reasons], verdict),
+        Section("Reasons", [f"{reason[0].upper()}{reason[1:]}." for reason in certificate.reasons]),
         Section("Pushes", [_intro(certificate), _trials(certificate)]),
-        Section("Nominal loop", [_linear(certificate.linear)] if certificate.linear else []),
     ]
+    if certificate.linear:
+        sections.append(Section("Nominal loop", [_linear(certificate.linear)], folded=True))
     if certificate.delayed or certificate.slower:
         sections.append(Section("Other delays and periods", _sweeps(certificate)))
     facts = {"controller": certificate.hash[:12], "seed": str(certificate.seed), "kit": certificate.kit}
-    lead = "The expected behaviour of this controller, computed before it drives."
-    return Page(f"{certificate.controller} on {certificate.robot}", sections, lead, facts, False)
+    c = certificate
+    lead = f"{c.fell} of {c.samples} robots drawn from the uncertainty of {c.robot} fell in at least one trial."
+    return Page(
+        f"{c.controller} on {c.robot}: {c.light}", sections, lead, facts, False, verdict=verdict,
+        picture=_falls(c), numbers=_numbers(c),
+    )  # fmt: skip
+
+
+def _numbers(c: Certificate) -> list[tuple[str, str]]:
+    numbers = [(f"{cell_text(100 * c.bound, 2)} %", "probability of a fall, at most (95 % confidence)")]
+    if c.linear:
+        numbers += [(f"{cell_text(c.linear.delay * 1e3, 3)} ms", "more delay of both motors, at most")]
+    stood = [t.travel for t in c.trials if t.fell < t.runs]
+    return [*numbers, *([(f"{cell_text(max(stood), 2)} m", "travel of the robots that stood")] if stood else [])]
+
+
+def _falls(c: Certificate) -> Figure:
+    worst = sorted(c.trials, key=lambda t: -t.fell / t.runs)
+    names = [f"{t.push}, {t.battery}" for t in worst]
+    most = worst[0]
+    title = "No robot falls in any trial"
+    if most.fell:
+        title = f"Most falls: {names[0]}, {cell_text(100 * most.fell / most.runs, 3)} % of the robots"
+    return Figure(title, bars(names, [100 * t.fell / t.runs for t in worst], "robots that fell [%]", "push, battery"))
 
 
 def _intro(c: Certificate) -> str:
@@ -60,6 +84,7 @@ def _sweeps(c: Certificate) -> list[Item]:
 
 def _figure(name: str, swept: Sequence[Swept]) -> Figure:
     milliseconds = [1e3 * s.value for s in swept]
-    trace = Trace("fell", milliseconds, [100 * s.fell / s.runs for s in swept])
-    title = f"Falls of {swept[0].runs} runs by {name}, unknown to the controller"
-    return Figure(title, [Panel("fell", "%", [trace], limits=(-2.0, 102.0))], name, "ms")
+    figure, (ax,) = panels(["fell [%]"], f"{name} [ms]")
+    line(ax, "fell", milliseconds, [100 * s.fell / s.runs for s in swept])
+    ax.set_ylim(-2, 102)
+    return Figure(f"Falls of {swept[0].runs} runs by {name}, unknown to the controller", figure)

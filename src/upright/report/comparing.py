@@ -6,11 +6,10 @@ import math
 
 import numpy as np
 
-from upright.comparison import Comparison, active_intervals
+from upright.comparison import Comparison
 from upright.comparison.comparison import METRICS
-from upright.report.figure import Figure, Panel, Trace
+from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, cell_text
-from upright.signals import STATE, Log
 
 DWARFED = 5.0
 """A trace that leaves the reference's range by more than this many times its width is cut at the frame."""
@@ -19,14 +18,32 @@ DWARFED = 5.0
 def page_of(comparison: Comparison) -> Page:
     """The comparison's page, not yet written."""
     labels = ", ".join(comparison.logs)
+    first = "pitch" if "pitch" in comparison.signals else comparison.signals[0]
+    rest = [name for name in comparison.signals if name != first]
     sections = [
-        Section("Numbers", [_how(comparison), metrics_table(comparison), *fit_tables(comparison)]),
-        Section("States", [state_figure(comparison, name) for name in comparison.signals]),
+        Section("Numbers", [metrics_table(comparison), *fit_tables(comparison), _how(comparison)]),
+        Section("Other states", [state_figure(comparison, name) for name in rest]),
     ]
-    commands = _command_figure(comparison)
-    sections += [Section("Commands", [commands])] if commands else []
-    sections.append(Section("Origin of the runs", [_origin_table(comparison)]))
-    return Page("Runs compared", sections, f"The same experiment in {labels}.", _provenance(comparison))
+    commands = comparison.plot_commands()
+    sections += [Section("Commands", [Figure(_efforts(comparison), commands)])] if commands else []
+    sections.append(Section("Origin of the runs", [_origin_table(comparison)], folded=True))
+    lead = f"The same experiment in {labels}."
+    if comparison.fits:
+        fits = (f"{label} {_percent(f[first])}" for label, f in comparison.fits.items() if first in f)
+        lead += f" Fit of {first.replace('_', ' ')} to {comparison.reference}: {', '.join(fits)}."
+    return Page(
+        "Runs compared", sections, lead, _provenance(comparison),
+        picture=state_figure(comparison, first), numbers=_numbers(comparison),
+    )  # fmt: skip
+
+
+def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
+    """Of the first three runs how long pitch takes to settle; a fall says so."""
+    return [
+        ("fell" if m.fell else "never" if math.isnan(m.settling_5) else f"{m.settling_5:.3g} s",
+         label if m.fell else f"{label}: pitch settles to 5 %")
+        for label, m in list(comparison.metrics.items())[:3]
+    ]  # fmt: skip
 
 
 def _how(comparison: Comparison) -> str:
@@ -61,15 +78,11 @@ def fit_tables(comparison: Comparison) -> list[Table]:
 
 def state_figure(comparison: Comparison, name: str) -> Figure:
     """One state of all runs over time, under a title that says how they differ."""
-    signal = next((signal for signal in STATE if signal.name == name), None)
-    channels = {label: f"{comparison.sources[label]}/{name}" for label in comparison.logs}
-    traces = [Trace(label, log.t, log[channels[label]]) for label, log in comparison.logs.items()]
-    reference = comparison.logs[comparison.reference]
-    text = name.replace("_", " ") + (f" {signal.symbol}" if signal else "")
-    unit = reference.unit(channels[comparison.reference])
-    limits, note = _limits(traces, reference[channels[comparison.reference]])
-    panel = Panel(text, unit, traces, limits)
-    return Figure(_claim(comparison, name), [panel], spans=_spans(comparison), note=note)
+    figure = comparison.plot(name)
+    limits, note = _limits(comparison, name)
+    if limits:
+        figure.axes[0].set_ylim(*limits)
+    return Figure(_claim(comparison, name), figure, note)
 
 
 def _claim(comparison: Comparison, name: str) -> str:
@@ -84,50 +97,27 @@ def _claim(comparison: Comparison, name: str) -> str:
 
 def _percent(fit: float) -> str:
     if math.isnan(fit):
-        return "not defined"
-    return f"{cell_text(fit, 3)} %" if fit > 0 else "worse than its mean"
+        return "none (no motion)"
+    return f"{cell_text(fit, 3)} %" if fit > 0 else "below 0 %"
 
 
-def _limits(traces: list[Trace], reference: np.ndarray) -> tuple[tuple[float, float] | None, str]:
+def _limits(comparison: Comparison, name: str) -> tuple[tuple[float, float] | None, str]:
+    """The range to draw where a run dwarfs the reference, and which runs are cut."""
+    states = {label: log[f"{comparison.sources[label]}/{name}"] for label, log in comparison.logs.items()}
+    reference = states[comparison.reference]
     finite = reference[np.isfinite(reference)]
     low, high = (float(finite.min()), float(finite.max())) if len(finite) else (0.0, 0.0)
     room = DWARFED * (high - low)
     with np.errstate(invalid="ignore"):
-        cut = [t.name for t in traces if ((t.y > high + room) | (t.y < low - room)).any()]
+        cut = [label for label, y in states.items() if ((y > high + room) | (y < low - room)).any()]
     if not cut or high == low:
         return None, ""
     return (low - (high - low), high + (high - low)), f"Cut at the frame: {', '.join(cut)}."
 
 
-def _spans(comparison: Comparison) -> tuple[tuple[float, float], ...]:
-    pushed = (log for log in (comparison.logs[comparison.reference], *comparison.logs.values()) if "push/force" in log)
-    log = next(pushed, None)
-    return () if log is None else active_intervals(log.t, log["push/force"])
-
-
-def _command_figure(comparison: Comparison) -> Figure | None:
-    prefixes = {label: _command_prefix(log) for label, log in comparison.logs.items()}
-    drawn = [(style, label, log) for style, (label, log) in enumerate(comparison.logs.items()) if prefixes[label]]
-    if not drawn:
-        return None
-    panels = [
-        Panel(
-            f"{side} command",
-            comparison.command_unit,
-            [
-                Trace(label, log.t, log[f"{prefixes[label]}/{side}"], step=True, style=style)
-                for style, label, log in drawn
-            ],
-        )
-        for side in ("left", "right")
-    ]
+def _efforts(comparison: Comparison) -> str:
     unit = comparison.unit("effort")
-    efforts = (f"{label} {cell_text(m.effort, 3)} {unit}" for label, m in comparison.metrics.items())
-    return Figure("Effort: " + ", ".join(efforts), panels, spans=_spans(comparison))
-
-
-def _command_prefix(log: Log) -> str:
-    return next((p for p in ("applied", "command") if f"{p}/left" in log and f"{p}/right" in log), "")
+    return "Effort: " + ", ".join(f"{label} {cell_text(m.effort, 3)} {unit}" for label, m in comparison.metrics.items())
 
 
 def _origin_table(comparison: Comparison) -> Table:

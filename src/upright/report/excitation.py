@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.excite.plan import VISIBLE, ExcitationPlan, Predicted
-from upright.report.figure import Figure, Panel, Trace
-from upright.report.page import Cell, Page, Section, Table, Verdict
+from upright.plotting import COLOURS, legend, line, number, panels, rows_of
+from upright.report.figure import Figure
+from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 
 Array = NDArray[np.float64]
 
@@ -17,13 +18,21 @@ def page_of(plan: ExcitationPlan) -> Page:
     wrong = plan.check()
     verdict = Verdict("keeps its limits", "good") if not wrong else Verdict(f"{len(wrong)} reservations", "warn")
     sections = [
+        Section("Limits", [_checked_words(plan), _limits(plan), *wrong, *plan.notes]),
         Section("Excitation", [_WHAT, _over_time(plan), _spectrum(plan), _energies(plan)]),
-        Section("Predicted intervals", [_PREDICTED, _widths(plan), _table(plan)]),
-        Section("Limits", [_checked_words(plan), _limits(plan), *wrong, *plan.notes], verdict),
-        Section("Alternatives", [_TRIED, _tried(plan)]),
+        Section("Predicted intervals", [_PREDICTED, _table(plan)]),
+        Section("Alternatives", [_TRIED, _tried(plan)], folded=True),
     ]
     facts = {"controller": plan.hash[:12], "seed": str(plan.seed), "kit": plan.kit}
-    return Page(f"The next run of {plan.robot}", sections, _lead(plan), facts, twin_note=False)
+    numbers = [
+        (f"{cell_text(100 * plan.checked.bound, 2)} %", "probability of a fall, at most"),
+        (f"{cell_text(plan.checked.travel, 2)} m", "travel, 95 % of the robots"),
+        (f"{cell_text(100 * plan.checked.saturated, 2)} %", "periods with a saturated motor"),
+    ]
+    return Page(
+        f"The next run of {plan.robot}", sections, _lead(plan), facts, False, verdict=verdict, picture=_widths(plan),
+        numbers=numbers,
+    )  # fmt: skip
 
 
 _WHAT = (
@@ -51,27 +60,24 @@ def _lead(plan: ExcitationPlan) -> str:
 
 def _over_time(plan: ExcitationPlan) -> Figure:
     t = np.arange(len(plan.excitation)) * plan.hold * plan.period
-    drive, turn = plan.excitation.mean(axis=1), (plan.excitation[:, 1] - plan.excitation[:, 0]) / 2
-    panels = [
-        Panel("both motors", plan.unit, [Trace("driving", t, drive, step=True)]),
-        Panel("right less left, halved", plan.unit, [Trace("turning", t, turn, step=True)]),
-    ]
-    return Figure("The excitation over time", panels)
+    figure, axes = panels([f"both motors [{plan.unit}]", f"right less left, halved [{plan.unit}]"])
+    for ax, (name, wave) in zip(axes, _waves(plan).items(), strict=True):
+        line(ax, name, t, wave, step=True)
+    return Figure("The excitation over time", legend(figure))
+
+
+def _waves(plan: ExcitationPlan) -> dict[str, Array]:
+    left, right = plan.excitation.T
+    return {"driving": (left + right) / 2, "turning": (right - left) / 2}
 
 
 def _spectrum(plan: ExcitationPlan) -> Figure:
     step = plan.hold * plan.period
     frequency: Array = np.fft.rfftfreq(len(plan.excitation), step)[1:].astype(np.float64)
-    drive, turn = plan.excitation.mean(axis=1), (plan.excitation[:, 1] - plan.excitation[:, 0]) / 2
-    traces = [Trace(n, np.log10(frequency), _level(x, frequency)) for n, x in (("driving", drive), ("turning", turn))]
-    note = "Amplitude of each sine of the run, in decibels over 1 unit of command."
-    return Figure(
-        "Its spectrum",
-        [Panel("amplitude", f"dB over 1 {plan.unit}", traces)],
-        "log₁₀ of frequency in Hz",
-        "",
-        note=note,
-    )
+    figure, (ax,) = panels([f"amplitude [dB over 1 {plan.unit}]"], "frequency [Hz]", "log")
+    for name, wave in _waves(plan).items():
+        line(ax, name, frequency, _level(wave, frequency))
+    return Figure("Its spectrum", legend(figure), "Amplitude of each sine of the run.")
 
 
 QUIETEST = 60.0  # [dB] below the loudest sine: less is not drawn
@@ -102,17 +108,19 @@ DRAWN = 0.95  # of the width before: parameters whose intervals shrink less are 
 
 
 def _widths(plan: ExcitationPlan) -> Figure:
-    """Widths over those before, a step for each parameter, the least certain first."""
+    """Widths over those before, a row for each parameter, the least certain first."""
     shown = sorted((p for p in plan.predicted if p.after < DRAWN * p.before), key=lambda p: -p.after / p.before)
-    place = np.arange(0.5, len(shown) + 1)
-    kinds = {"plan": "after", "dither": "dither", "dither held 40 ms": "held"}
-    traces = [
-        Trace(name, place, [np.log10(getattr(p, kind) / p.before) for p in (*shown, *shown[-1:])], step=True)
-        for name, kind in kinds.items()
-    ]
-    names = ", ".join(f"{i} {p.name}" for i, p in enumerate(shown, 1))
-    panel = Panel("log₁₀ of width after over before", "", traces)
-    return Figure("Intervals after over before, by parameter", [panel], "parameter, by number", "", note=names)
+    figure, ax = rows_of([p.name for p in shown], "width of the 95 % interval after over before [1]", "parameter")
+    ax.set_xscale("log")
+    ax.xaxis.set_major_formatter(lambda value, _: number(value))
+    kinds = {"plan": ("after", "o"), "dither": ("dither", "x"), "dither held 40 ms": ("held", "s")}
+    for k, (name, (kind, marker)) in enumerate(kinds.items()):
+        ratios = [getattr(p, kind) / p.before for p in shown]
+        ax.plot(ratios, range(len(shown)), label=name, linestyle="", marker=marker, color=COLOURS[k], fillstyle="none")
+    ax.axvline(VISIBLE, linestyle="--", linewidth=0.8, color="grey")
+    halved = sum(p.after < VISIBLE * p.before for p in shown)
+    title = f"This run at least halves the intervals of {halved} of {len(plan.predicted)} parameters"
+    return Figure(title, legend(figure), f"Left of the dashed line an interval shrinks below {VISIBLE:g} of its width.")
 
 
 def _table(plan: ExcitationPlan) -> Table:

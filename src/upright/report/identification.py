@@ -9,7 +9,8 @@ import numpy as np
 from upright.identify.identified import Identified
 from upright.identify.identify import MethodComparison
 from upright.identify.methods import TITLES
-from upright.report.figure import Figure, Panel, PointFigure, PointSet, Trace
+from upright.plotting import legend, line, numbered, panels, plane, points
+from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
 
 
@@ -19,11 +20,11 @@ def page_of(compared: MethodComparison) -> Page:
     verdict = Verdict(f"{len(holding)} of {len(compared.trials)} hold it", "good" if holding else "warn")
     data = compared.samples
     sections = [
-        Section("In the loop", [_lead_of_loop(compared), trial_table(compared)], verdict),
+        Section("In the loop", [_lead_of_loop(compared), trial_table(compared)]),
         Section("The unstable pole", [_POLES, pole_table(compared), _eigenvalues(compared)]),
         Section("Predictions", [_PREDICTIONS, *_predictions(compared)]),
-        Section("Model order", _orders(compared)),
-        Section("Notes", [*compared.notes, *_failures(compared), *_delays(compared)]),
+        Section("Model order", _orders(compared), folded=True),
+        Section("Notes", [*compared.notes, *_failures(compared), *_delays(compared)], folded=True),
     ]
     facts = {
         "samples": f"{data.fitted} fitted of {len(data.log)}",
@@ -32,7 +33,23 @@ def page_of(compared: MethodComparison) -> Page:
         "robot": data.robot.name,
         "kit": data.kit.name,
     }
-    return Page(f"Linear models of {data.robot.name}", sections, _lead(compared), facts, compared.judge.made_the_log)
+    return Page(
+        f"Linear models of {data.robot.name}", sections, _lead(compared), facts, compared.judge.made_the_log,
+        verdict=verdict, picture=_pole_figure(compared), numbers=_numbers(compared),
+    )  # fmt: skip
+
+
+def _pole_figure(compared: MethodComparison) -> Figure:
+    title = "The unstable pole by each method, with its 95 % interval"
+    true = "" if math.isnan(compared.true_pole) else "The dashed line is the pole of the robot itself."
+    return Figure(title, compared.plot(), true)
+
+
+def _numbers(compared: MethodComparison) -> list[tuple[str, str]]:
+    return [
+        (f"{cell_text(m.pole.value, 3)} 1/s", f"unstable pole by {name}")
+        for name, m in list(compared.models.items())[:3]
+    ]
 
 
 _POLES = (
@@ -94,15 +111,14 @@ def _pole_row(name: str, model: Identified) -> list[Cell]:
     return [name, p.value, known, p.bias, 2 * p.bias_error, p.corrected]
 
 
-def _eigenvalues(compared: MethodComparison) -> PointFigure:
-    sets = [
-        PointSet(name, [complex(v) for v in np.linalg.eigvals(m.halves["pitch"].A) if abs(v) < 2])
-        for name, m in compared.models.items()
-    ]
+def _eigenvalues(compared: MethodComparison) -> Figure:
+    figure, ax = plane("real part [1]", "imaginary part [1]", circle=True)
+    for name, m in compared.models.items():
+        points(ax, name, [complex(v) for v in np.linalg.eigvals(m.halves["pitch"].A) if abs(v) < 2])
     spread = [m.pole.value for m in compared.models.values()]
     between = f"{cell_text(min(spread), 2)} to {cell_text(max(spread), 2)}" if spread else "none"
     title = f"Eigenvalues of pitch and wheels over one period; unstable poles from {between} 1/s"
-    return PointFigure(title, sets)
+    return Figure(title, legend(figure))
 
 
 def _predictions(compared: MethodComparison) -> list[Item]:
@@ -112,19 +128,13 @@ def _predictions(compared: MethodComparison) -> list[Item]:
     rows: list[list[Cell]] = [
         [name, *(m.fits[h].get(output) for output in outputs for h in horizons)] for name, m in compared.models.items()
     ]
-    panels = [
-        Panel(f"fit of {output}", "%", [_trace(name, m, output) for name, m in compared.models.items()], (0.0, 100.0))
-        for output in outputs
-    ]
-    title = "Predictions of the held-out part"
-    figure = Figure(title, panels, "samples ahead, power of ten", "")
-    return [Table(header, rows, "Fit [%]; – where the prediction diverges", digits=3), figure]
-
-
-def _trace(name: str, model: Identified, output: str) -> Trace:
-    ahead = [math.log10(float(h)) for h in model.fits]
-    values = [fit.get(output, math.nan) for fit in model.fits.values()]
-    return Trace(name, ahead, [max(value, -100.0) if math.isfinite(value) else -100.0 for value in values])
+    figure, axes = panels([f"fit of {output} [%]" for output in outputs], "samples ahead", "log")
+    for ax, output in zip(axes, outputs, strict=True):
+        for name, m in compared.models.items():
+            line(ax, name, [float(h) for h in m.fits], [fit.get(output, math.nan) for fit in m.fits.values()])
+        ax.set_ylim(0, 100)
+    drawing = Figure("Predictions of the held-out part", legend(figure))
+    return [Table(header, rows, "Fit [%]; – where the prediction diverges", digits=3), drawing]
 
 
 def _orders(compared: MethodComparison) -> list[Item]:
@@ -136,10 +146,14 @@ def _orders(compared: MethodComparison) -> list[Item]:
         ]
         caption = f"Order of {name}: BIC above its least value, from {order.past} past rows"
         items.append(Table(["states", "BIC", "chosen"], rows, caption, digits=3))
-        values = np.log10(np.maximum(order.singular, 1e-300))
-        trace = Trace("singular value", np.arange(1, len(values) + 1), values)
+        figure, (ax,) = panels(["singular value"], "direction")
+        ax.set_yscale("log")
+        numbered(ax)
+        sizes = np.maximum(order.singular, 1e-300)
+        ax.plot(np.arange(1, len(sizes) + 1), sizes, "o", fillstyle="none", label="left out")
+        ax.plot(np.arange(1, order.chosen + 1), sizes[: order.chosen], "o", label="kept")
         title = f"Singular values of the prediction of {name}: {order.chosen} states are kept"
-        items.append(Figure(title, [Panel("size, power of ten", "", [trace])], "direction", ""))
+        items.append(Figure(title, legend(figure)))
     return items
 
 

@@ -7,7 +7,7 @@ import math
 import re
 import unicodedata
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import KW_ONLY, dataclass, field
 from html import escape
 from importlib import resources
 from pathlib import Path
@@ -16,7 +16,7 @@ from xml.etree import ElementTree
 
 from upright.atomic import write_text
 from upright.errors import UnknownName, UprightError
-from upright.report.figure import Figure, PointFigure
+from upright.report.figure import Figure
 
 if TYPE_CHECKING:
     from jinja2 import Template
@@ -87,16 +87,20 @@ class Formula:
         return self.text.lstrip().startswith("<math")
 
 
-Item = str | Table | Formula | Figure | PointFigure
+Item = str | Table | Formula | Figure
 
 
 @dataclass(frozen=True)
 class Section:
-    """A heading, perhaps a verdict, and what follows in order; a plain string is a paragraph."""
+    """A heading, perhaps a verdict, and what follows in order; a plain string is a paragraph.
+
+    A `folded` section shows its heading, and the rest when that is pressed.
+    """
 
     heading: str
     items: Sequence[Item] = ()
     verdict: Verdict | None = None
+    folded: bool = False
 
     def parts(self) -> list[tuple[str, Item]]:
         """The items, each with the name of its template."""
@@ -105,13 +109,18 @@ class Section:
 
 @dataclass(frozen=True)
 class Page:
-    """A page under `title`; `lead` is its first paragraph, `provenance` (versions, seeds, hashes) its foot."""
+    """A page under `title`. Its first screen has the answer: a `verdict`, the `lead` in a sentence, the `picture` that
+    shows it and the `numbers` that matter, each with what it is. `provenance` (versions, seeds, hashes) is its foot."""
 
     title: str
     sections: Sequence[Section]
     lead: str = ""
     provenance: Mapping[str, str] = field(default_factory=dict[str, str])
     twin_note: bool = True
+    _: KW_ONLY
+    verdict: Verdict | None = None
+    picture: Figure | None = None
+    numbers: Sequence[tuple[str, str]] = ()
 
     def html(self) -> str:
         """The whole page: style, script and drawings inside, nothing fetched."""

@@ -8,7 +8,8 @@ import numpy as np
 
 from upright.diagnose import PostMortem
 from upright.diagnose.verdict import NO_FALL
-from upright.report.figure import Figure, Panel, Trace
+from upright.plotting import legend, line, numbered, panels, span
+from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict
 
 SHOWN = 0.02
@@ -18,14 +19,18 @@ SHOWN = 0.02
 def page_of(result: PostMortem) -> Page:
     """The post-mortem's page, not yet written."""
     level = "good" if result.verdict == NO_FALL else "warn" if result.fell else "info"
-    sections = [Section("Cause", [*_words(result), _causes(result)] if result.causes else _words(result),
-                        Verdict(result.verdict, level))]  # fmt: skip
-    if len(result.series.t) > 1:
-        sections.append(Section("The last seconds", [_figure(result), _READ]))
+    sections = [Section("Cause", [*_words(result), _causes(result)] if result.causes else _words(result))]
+    drawn = len(result.series.t) > 1
+    if drawn:
+        sections.append(Section("How to read the figure", [_READ]))
     facts = {"robot": result.robot, "kit": result.kit, "samples": str(result.rows)}
     facts |= {"controller": f"{result.controller}, {result.hash[:12]}"} if result.controller else {}
     title = f"Why {result.robot} fell" if result.fell else f"{result.robot}: {result.verdict}"
-    return Page(title, sections, _lead(result), facts, twin_note=False)
+    return Page(
+        title, sections, _lead(result), facts, False, verdict=Verdict(result.verdict, level),
+        picture=_figure(result) if drawn else None,
+        numbers=[(f"{100 * c.likelihood:.0f} %", c.name) for c in result.causes[:3] if c.likelihood >= SHOWN],
+    )  # fmt: skip
 
 
 _READ = (
@@ -57,19 +62,20 @@ def _causes(result: PostMortem) -> Table:
 
 def _figure(result: PostMortem) -> Figure:
     s = result.series
-    band = [Trace(f"{side} of 95 %", s.t[[0, -1]], [level] * 2, style=3) for side, level in _levels(result)]
-    nis = np.maximum(s.nis, 1e-3)
-    panels = [
-        Panel("Pitch", "rad", [Trace("pitch", s.t, s.pitch, style=0)]),
-        Panel("Command / largest command", "1", [Trace("command", s.t, s.command, step=True, style=1)], (-1.5, 1.5)),
-        Panel("Reach used", "1", [Trace("reach used", s.t, s.reserve, style=2)], (0.0, 1.5)),
-        Panel("log₁₀ NIS", "1", [Trace("NIS", s.t, np.log10(nis), style=4), *band]),
-    ]
-    spans = [(result.onset, result.fell_at)] if result.fell and math.isfinite(result.onset) else []
-    spans = [(max(a, float(s.t[0])), b) for a, b in spans]
-    return Figure("From the onset to the fall", panels, spans=spans, span_name="from onset to fall")
-
-
-def _levels(result: PostMortem) -> list[tuple[str, float]]:
-    levels = {"lower edge": result.series.low, "upper edge": result.series.high}
-    return [(name, math.log10(level)) for name, level in levels.items() if math.isfinite(level) and level > 0]
+    labels = ["pitch [rad]", "command / largest command [1]", "reach used [1]", "NIS [1]"]
+    figure, axes = panels(labels, height=1.35)
+    pitch, command, reach, nis = axes
+    line(pitch, "pitch", s.t, s.pitch, style=0)
+    line(command, "command", s.t, s.command, step=True, style=1)
+    line(reach, "reach used", s.t, s.reserve, style=2)
+    nis.set_yscale("log")
+    numbered(nis)
+    line(nis, "NIS", s.t, np.maximum(s.nis, 1e-3), style=4)
+    for name, level in {"lower edge": s.low, "upper edge": s.high}.items():
+        if math.isfinite(level) and level > 0:
+            line(nis, f"{name} of 95 %", s.t[[0, -1]], [level] * 2, style=3)
+    command.set_ylim(-1.5, 1.5)
+    reach.set_ylim(0, 1.5)
+    if result.fell and math.isfinite(result.onset):
+        span(axes, max(result.onset, float(s.t[0])), result.fell_at, "from onset to fall")
+    return Figure("From the onset to the fall", legend(figure))

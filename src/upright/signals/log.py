@@ -142,16 +142,14 @@ class Log:
 
         Raises `InvalidLog` for a channel that the log does not have.
         """
-        from upright.plotting import panels
+        from upright.plotting import legend, line, panels
 
         names = channels or tuple(name for name in self.channels if re.search(PLOTTED, name)) or tuple(self.channels)
         units = list(dict.fromkeys(self.unit(name) for name in names))
         figure, axes = panels([f"[{unit}]" for unit in units])
         for name in names:
-            axes[units.index(self.unit(name))].plot(self.t, self[name], label=name)
-        for ax in axes:
-            ax.legend(loc="upper right")
-        return figure
+            line(axes[units.index(self.unit(name))], name, self.t, self[name])
+        return legend(figure)
 
     def save(self, path: str | Path) -> Path:
         """Write as Parquet, CSV or MCAP, chosen by the suffix; `load` gives back an equal log.
