@@ -20,6 +20,8 @@ REQUIRE_ALL = os.environ.get("UPRIGHT_REQUIRE_ALL", "") not in ("", "0")
 
 def missing(need: str) -> bool:
     """Whether a folder or file ("shared/data/regbot"), a module ("module:cvxpy") or a program ("node") is absent."""
+    if need.startswith("/"):
+        return not Path(need).exists()
     if need.startswith("shared/"):
         return not (SHARED.parent / need).exists()
     if need.startswith("module:"):
