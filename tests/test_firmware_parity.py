@@ -27,6 +27,7 @@ from upright.parity.execute_arm import ArmExecutor, cycles
 from upright.parity.execute_avr import FLASH, MEMORY, AvrExecutor
 from upright.parity.execute_nxc import NxcExecutor
 from upright.parity.execute_python import PythonExecutor
+from upright.parity.execute_sketch import CORE, SketchExecutor
 from upright.parity.executed import Readings, calibrated
 from upright.parity.executor import Executor, HostExecutor
 from upright.parity.parity import SECONDS
@@ -160,7 +161,7 @@ def duties_now(executor: Executor) -> list[float]:
     """What both motors get at this moment, as the brick's own parts have it."""
     if isinstance(executor, NxcExecutor):
         return [executor.hardware.motors[port].duty for port in (LEFT, RIGHT)]
-    if isinstance(executor, AvrExecutor):
+    if isinstance(executor, SketchExecutor):
         return executor.pwm()
     assert isinstance(executor, PythonExecutor)
     return list(executor.duties)
@@ -170,7 +171,7 @@ LOOPS = [
     pytest.param("nxc", NXT, marks=pytest.mark.needs("nbc")),
     pytest.param("pybricks", SPIKE, marks=pytest.mark.needs("module:micropython_unix")),
     pytest.param("ev3dev", NXT),
-    pytest.param("arduino", NXT, marks=pytest.mark.needs("avr-gcc", "simavr", "module:elftools")),
+    pytest.param("arduino", NXT, marks=pytest.mark.needs("avr-gcc", "simavr", "module:elftools", str(CORE))),
 ]
 
 
@@ -285,10 +286,10 @@ def test_cycles_are_those_of_the_manual(word, expected):
     assert cycles(word) == expected  # ARM7TDMI manual (DDI 0029), table of instruction cycle times
 
 
-@pytest.mark.needs("avr-gcc", "simavr", "module:elftools")
+@pytest.mark.needs("avr-gcc", "simavr", "module:elftools", str(CORE))
 def test_the_sketch_on_an_atmega328p(tmp_path: Path):
     source, made = written(tmp_path, "arduino")
-    executor = AvrExecutor(source, made.program, "float")
+    executor = SketchExecutor(source, made.program, "float")
     passed(executed_parity(executor, frozen(), made, ROBOT, NXT))
     executor.close()
     assert made.program.operations() < executor.worst < 160_000  # cycles of 10 ms at 16 MHz

@@ -28,6 +28,7 @@ NXT_HEAD = 200  # bytes of its first line, where names are of ASCII
 NXT_LOG = "balance.log"
 """Its name on every brick, whatever the robot is called: a brick keeps 15.3 characters of ASCII."""
 SECONDS = 60  # [s] of the longest run: three times a usual flight, and an NXT's log holds all of it
+WATCHDOG = (60, 120, 250, 500, 1000, 2000, 4000, 8000)  # [ms] after which an AVR's watchdog acts
 LONGEST = 3600  # [s] of the longest run, at most
 
 GYROS = {
@@ -149,6 +150,7 @@ def _facts(program: Program, number: str, finest: float | None) -> dict[str, Any
         "period_ms": f"{program.period * 1e3:g}",
         "period_us": round(program.period * 1e6),
         "time_is_over": TIME_IS_OVER,
+        "sensor_failed": SENSOR_FAILED,
         "refusals": {status: STATUS[status] for status in (FLAT_BATTERY, SENSOR_FAILED)},
         "statuses": ", ".join(f"{i} {text}" for i, text in enumerate(STATUS) if i != TIME_IS_OVER),
     }
@@ -167,7 +169,10 @@ def _c(program: Program, facts: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _arduino(program: Program, facts: Mapping[str, Any]) -> dict[str, str]:
-    return {".ino": render("arduino.ino", {**facts, **_c_parts(program, facts["number"])})}
+    patience = next((ms for ms in WATCHDOG if ms >= 4 * program.period * 1000), WATCHDOG[-1])
+    name = f"WDTO_{patience}MS" if patience < 1000 else f"WDTO_{patience // 1000}S"
+    parts = {**facts, **_c_parts(program, facts["number"]), "watchdog": name}
+    return {".ino": render("arduino.ino", parts)}
 
 
 def _c_parts(program: Program, number: str) -> dict[str, Any]:

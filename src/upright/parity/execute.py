@@ -11,6 +11,7 @@ from upright.parity.execute_arm import ArmExecutor
 from upright.parity.execute_avr import AvrExecutor
 from upright.parity.execute_nxc import NxcExecutor
 from upright.parity.execute_python import PythonExecutor
+from upright.parity.execute_sketch import SketchExecutor
 from upright.parity.executor import Executor, HostExecutor
 
 Maker = Callable[[Path, Program, str], Executor]
@@ -18,7 +19,7 @@ Maker = Callable[[Path, Program, str], Executor]
 
 EXECUTORS: dict[str, dict[str, Maker]] = {
     "c": {"host": HostExecutor, "arm7": ArmExecutor, "avr": AvrExecutor},
-    "arduino": {"avr": AvrExecutor},
+    "arduino": {"avr": SketchExecutor},
     "pybricks": {
         "micropython": lambda source, program, _: PythonExecutor(source, program),
         "mpy": lambda source, program, _: PythonExecutor(source, program, compiled=True),

@@ -6,9 +6,10 @@ import struct
 import subprocess
 import tempfile
 from collections.abc import Mapping
+from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 from upright.compiled.program import Program
 from upright.errors import MissingTool
@@ -18,49 +19,86 @@ from upright.parity.executor import FLAGS, Values, Words
 CLOCK = 16e6  # [Hz]
 FLASH, MEMORY = 32_256, 2048  # [bytes] beside the boot loader of an Uno
 RESET, CALIBRATE, BALANCE = 1, 2, 3
-LEFT_PWM = 5  # the pin of the sketch; the right one's is the next
+SHIMS = files("upright.parity") / "shims"
+CHIP = ("-mmcu=atmega328p", f"-DF_CPU={int(CLOCK)}UL", "-Os", "-ffp-contract=off")
 HEADER = Path("/usr/include/simavr/sim_avr.h")
 
 
-class AvrExecutor:
-    """One simulated processor with the C of a program, or with its whole sketch among stand-ins for Arduino's core.
+class Chip:
+    """A simulated processor that runs `binary`; `step` and `start` come from its kind.
 
     `worst` is the largest number of cycles that a period in balance took, `code_bytes` and `memory_bytes` what the
     program takes of flash and RAM.
     """
 
+    where = "a simulated ATmega328P"
+
     def __init__(self, source: Path, program: Program, number: str) -> None:
-        self._sketch = program.target == "arduino"
-        self.where, self.numbers = "a simulated ATmega328P", number
+        self.numbers, self.worst = number, 0
         self._words = Words(program, number)
         self._folder = tempfile.TemporaryDirectory(prefix="upright-")
         folder = Path(self._folder.name)
         self._binary = folder / "balance.elf"
-        self._build(source, folder)
-        self._symbols = self._read_symbols()
-        self._runner = _runner(folder)
+        self.build(source, folder)
+        self.symbols = self._read_symbols()
+        self._runner = _runner()[1]
         self._process: subprocess.Popen[bytes] | None = None
-        self.worst = 0
         self.start()
 
-    def _build(self, source: Path, folder: Path) -> None:
-        shims = files("upright.parity") / "shims"
-        chip = ["-mmcu=atmega328p", f"-DF_CPU={int(CLOCK)}UL", "-Os", "-ffp-contract=off", "-o", str(self._binary)]
-        if self._sketch:
-            for name, shim in (("Arduino.h", "arduino.h"), ("Wire.h", "arduino.h"), ("main.cpp", "arduino_main.cpp")):
-                (folder / name).write_text((shims / shim).read_text("utf-8"), encoding="utf-8")
-            (folder / "balance.ino").write_text(source.read_text("utf-8"), encoding="utf-8")
-            command = [tool("avr-g++"), "-std=gnu++11", "-Wall", "-Wextra", "-Werror", f"-I{folder}", *chip]
-            run_tool([*command, str(folder / "main.cpp")], source.name)
-            return
-        header = source.with_suffix(".h").read_text("utf-8")
-        (folder / "balance.h").write_text(header, encoding="utf-8")
-        (folder / "main.c").write_text((shims / "avr_main.c").read_text("utf-8"), encoding="utf-8")
-        flags = [flag for flag in FLAGS if flag != "-O2"]
-        run_tool([tool("avr-gcc"), *flags, *chip, f"-I{folder}", str(folder / "main.c"), str(source)], source.name)
+    def build(self, source: Path, folder: Path) -> None:
+        """Make the binary of a source."""
+        raise NotImplementedError
+
+    def start(self) -> None:
+        """Switch the processor on."""
+        self._stop()
+        self._process = subprocess.Popen(
+            [str(self._runner), str(self._binary)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+        )  # fmt: skip
+        self._ready = False
+
+    def close(self) -> None:
+        self._stop()
+        self._folder.cleanup()
+
+    def write(self, name: str, data: bytes) -> None:
+        """Set a variable of the program."""
+        self.request("W", self.symbols[name], len(data), data=data)
+
+    def read(self, at: int, layout: str) -> tuple[Any, ...]:
+        """Numbers that stand at an address of the processor's memory."""
+        size = struct.calcsize(f"<{layout}")
+        return struct.unpack(f"<{layout}", self.request("R", at, size, answer=size))
+
+    def results(self) -> dict[str, float]:
+        """The program's outputs by name."""
+        layout = f"{len(self._words.outputs)}{self._words.code}"
+        return self._words.from_words(self.read(self.symbols["results"], layout))
+
+    def request(self, what: str, *numbers: int, data: bytes = b"", answer: int = 0) -> bytes:
+        """Ask the runner (`shims/runner.c`) for something; `answer` bytes come back."""
+        process = self._process
+        assert process, "start() comes first"
+        assert process.stdin
+        process.stdin.write(what.encode() + b"".join(struct.pack("<I", n & 0xFFFFFFFF) for n in numbers) + data)
+        if not answer:
+            return b""
+        process.stdin.flush()
+        return self.receive(answer)
+
+    def receive(self, count: int) -> bytes:
+        """That many bytes of an answer."""
+        process = self._process
+        assert process
+        assert process.stdout
+        given = process.stdout.read(count)
+        if len(given) != count:
+            raise ExecutionFailed("the simulated ATmega328P stopped answering")
+        return given
 
     def _read_symbols(self) -> Mapping[str, int]:
-        """Addresses in the processor's memory, and the sizes of the program."""
+        """Addresses in the processor's memory, or in its flash for functions, and the sizes of the program."""
         try:
             from elftools.elf.elffile import ELFFile
         except ImportError:
@@ -71,76 +109,7 @@ class AvrExecutor:
             self.code_bytes = sizes.get(".text", 0) + sizes.get(".data", 0)
             self.memory_bytes = sizes.get(".data", 0) + sizes.get(".bss", 0)
             symbols = elf.get_section_by_name(".symtab").iter_symbols()
-            return {s.name: s["st_value"] & 0xFFFF for s in symbols if s["st_value"] >= 0x800000}
-
-    def start(self) -> None:
-        self._stop()
-        self._process = subprocess.Popen(
-            [str(self._runner), str(self._binary)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-        )  # fmt: skip
-        self._go(RESET)
-        self._ready = False
-
-    def step(self, raw: Values) -> Values:
-        for name, data in self._readings(raw).items():
-            self._say(b"W", self._symbols[name], struct.pack("<I", len(data)) + data)
-        if not self._ready:
-            self._go(CALIBRATE)
-            self._ready = bool(self._results()["ready"])
-            return {}
-        self.worst = max(self.worst, self._go(BALANCE))
-        return self._results()
-
-    def pwm(self) -> list[float]:
-        """What both motors of a sketch get now, of 255 and without a sign."""
-        self._say(b"R", self._symbols["stub_pwm"] + 2 * LEFT_PWM, struct.pack("<I", 4))
-        return list(struct.unpack("<2h", self._hear(4)))
-
-    def close(self) -> None:
-        self._stop()
-        self._folder.cleanup()
-
-    def _readings(self, raw: Values) -> dict[str, bytes]:
-        """What stands where in the processor's memory before a period."""
-        if not self._sketch:
-            words = self._words.to_words(raw)
-            return {"readings": struct.pack(f"<{len(words)}{self._words.code}", *words)}
-        sides = {f"encoder_{s}": struct.pack("<i", round(raw[f"raw_encoder_{s}"])) for s in ("left", "right")}
-        others = {"stub_gyro": raw["raw_gyro"], "stub_battery": raw["raw_battery"]}
-        return sides | {name: struct.pack("<h", round(value)) for name, value in others.items()}
-
-    def _results(self) -> dict[str, float]:
-        count = len(self._words.outputs)
-        self._say(b"R", self._symbols["results"], struct.pack("<I", 4 * count))
-        return self._words.from_words(struct.unpack(f"<{count}{self._words.code}", self._hear(4 * count)))
-
-    def _go(self, what: int) -> int:
-        """Run one piece of the program and return its cycles."""
-        self._say(b"W", self._symbols["go"], struct.pack("<IB", 1, what))
-        self._say(b"G", self._symbols["go"], b"")
-        (cycles,) = struct.unpack("<Q", self._hear(8))
-        if cycles == 2**64 - 1:
-            raise ExecutionFailed("the program hangs or crashes on the simulated ATmega328P")
-        return cycles
-
-    def _say(self, what: bytes, address: int, rest: bytes) -> None:
-        self._pipes()[0].write(what + struct.pack("<I", address) + rest)
-
-    def _hear(self, count: int) -> bytes:
-        given, answers = self._pipes()
-        given.flush()
-        data = answers.read(count)
-        if len(data) != count:
-            raise ExecutionFailed("the simulated ATmega328P stopped answering")
-        return data
-
-    def _pipes(self) -> tuple[IO[bytes], IO[bytes]]:
-        process = self._process
-        assert process, "start() comes first"
-        assert process.stdin
-        assert process.stdout
-        return process.stdin, process.stdout
+            return {s.name: s["st_value"] & 0xFFFF for s in symbols if s.name}
 
     def _stop(self) -> None:
         if self._process is not None:
@@ -148,12 +117,54 @@ class AvrExecutor:
             self._process.communicate()
 
 
-def _runner(folder: Path) -> Path:
-    """What drives simavr, built against its library."""
+class AvrExecutor(Chip):
+    """The C of a program."""
+
+    def build(self, source: Path, folder: Path) -> None:
+        header = source.with_suffix(".h").read_text("utf-8")
+        (folder / "balance.h").write_text(header, encoding="utf-8")
+        (folder / "main.c").write_text((SHIMS / "avr_main.c").read_text("utf-8"), encoding="utf-8")
+        flags = [flag for flag in FLAGS if flag != "-O2"]
+        command = [tool("avr-gcc"), *flags, *CHIP, f"-I{folder}", "-o", str(self._binary)]
+        run_tool([*command, str(folder / "main.c"), str(source)], source.name)
+
+    def start(self) -> None:
+        super().start()
+        self._go(RESET)
+
+    def step(self, raw: Values) -> Values:
+        words = self._words.to_words(raw)
+        self.write("readings", struct.pack(f"<{len(words)}{self._words.code}", *words))
+        if not self._ready:
+            self._go(CALIBRATE)
+            self._ready = bool(self.results()["ready"])
+            return {}
+        self.worst = max(self.worst, self._go(BALANCE))
+        return self.results()
+
+    def _go(self, what: int) -> int:
+        """Run one piece of the program and return its cycles."""
+        self.write("go", bytes([what]))
+        return spent(self.request("G", self.symbols["go"], answer=8))
+
+
+def spent(answer: bytes) -> int:
+    """The cycles in an answer; `ExecutionFailed` where the program did not come to an end."""
+    (cycles,) = struct.unpack("<Q", answer)
+    if cycles == 2**64 - 1:
+        raise ExecutionFailed("the program hangs or crashes on the simulated ATmega328P")
+    return cycles
+
+
+@cache
+def _runner() -> tuple[tempfile.TemporaryDirectory[str], Path]:
+    """What drives simavr, built once against its library, and the folder that it lives in."""
     if not HEADER.exists():
         raise MissingTool("simavr's library is not installed", hint="apt install libsimavr-dev")
-    source, runner = folder / "runner.c", folder / "runner"
-    source.write_text((files("upright.parity") / "shims" / "runner.c").read_text("utf-8"), encoding="utf-8")
+    kept = tempfile.TemporaryDirectory(prefix="upright-")
+    source, runner = Path(kept.name) / "runner.c", Path(kept.name) / "runner"
+    for name in (source.name, "board.h"):
+        source.with_name(name).write_text((SHIMS / name).read_text("utf-8"), encoding="utf-8")
     include = f"-I{HEADER.parent}"  # its own headers name each other without the folder
     run_tool([tool("gcc"), "-O2", include, "-o", str(runner), str(source), "-lsimavr"], "runner.c")
-    return runner
+    return kept, runner

@@ -80,6 +80,7 @@ void upright_update(upright_state *s, const upright_input *in, upright_output *o
 #endif
 
 #include <Wire.h>
+#include <avr/wdt.h>
 
 /* How this robot is built: change these where yours differs. */
 #define LEFT_ENCODER_A 2 /* with an interrupt; its B on the pin after the next */
@@ -93,10 +94,12 @@ void upright_update(upright_state *s, const upright_input *in, upright_output *o
 #define BUTTON 4 /* to ground: stops the motors */
 #define BATTERY A0 /* behind a divider by 3 */
 #define MPU 0x68
+#define MPU_IDENTITY 0x68 /* WHO_AM_I: 0x68 of an MPU-6050, 0x70 of an MPU-6500, 0x71 of an MPU-9250 */
 #define GYRO_REGISTER 0x45 /* GYRO_YOUT_H: the axis along the axle */
 #define GYRO_SIGN 1
 #define SECONDS 60UL /* the longest run [s], whatever becomes of the computer; 0 for no end */
 #define TELEMETRY 10 /* periods from one line to the next */
+#define MISSES 3 /* periods in a row that the motors may run on without a reading */
 
 static float limit(float x, float low, float high)
 {
@@ -244,29 +247,56 @@ volatile long encoder_left, encoder_right;
 upright_input readings;
 upright_output results;
 static upright_state memory;
-static uint8_t phase;
-static unsigned long due, count;
+static uint8_t phase, misses;
+unsigned long due;
+static unsigned long count;
 
 static void on_left() { encoder_left += digitalRead(LEFT_ENCODER_A) == digitalRead(LEFT_ENCODER_B) ? 1 : -1; }
 static void on_right() { encoder_right += digitalRead(RIGHT_ENCODER_A) == digitalRead(RIGHT_ENCODER_B) ? 1 : -1; }
 
-static void tell_mpu(uint8_t where, uint8_t what)
+static bool set_mpu(uint8_t where, uint8_t what)
 {
     Wire.beginTransmission(MPU);
     Wire.write(where);
     Wire.write(what);
-    Wire.endTransmission();
+    return Wire.endTransmission() == 0;
 }
 
-static int16_t gyro()
+static bool ask_mpu(uint8_t where, uint8_t *bytes, uint8_t count)
 {
     Wire.beginTransmission(MPU);
-    Wire.write(GYRO_REGISTER);
-    Wire.endTransmission(false);
-    Wire.requestFrom((uint8_t)MPU, (uint8_t)2);
-    const uint8_t high = Wire.read();
-    const uint8_t low = Wire.read();
-    return GYRO_SIGN * (int16_t)(high << 8 | low);
+    Wire.write(where);
+    if (Wire.endTransmission() != 0 || Wire.requestFrom((uint8_t)MPU, count) != count)
+        return false;
+    while (count--)
+        *bytes++ = Wire.read();
+    return true;
+}
+
+static bool mpu_is(uint8_t where, uint8_t what)
+{
+    uint8_t byte;
+    return ask_mpu(where, &byte, 1) && byte == what;
+}
+
+static bool start_mpu()
+{
+    return mpu_is(0x75, MPU_IDENTITY) /* WHO_AM_I */
+        && set_mpu(0x6B, 0)           /* PWR_MGMT_1: awake */
+        && set_mpu(0x1A, 3)           /* CONFIG: low pass at 44 Hz */
+        && set_mpu(0x1B, 0x08);       /* GYRO_CONFIG: 500 degrees/s */
+}
+
+/* A sensor that was without power answers, but asleep and at another range: its settings are looked at as well. */
+static void read_gyro()
+{
+    uint8_t bytes[2];
+    if ((misses && !start_mpu()) || (count % TELEMETRY == 0 && !mpu_is(0x1B, 0x08)) || !ask_mpu(GYRO_REGISTER, bytes, 2)) {
+        misses += misses <= MISSES;
+        return;
+    }
+    misses = 0;
+    readings.raw_gyro = (long)GYRO_SIGN * (int16_t)(bytes[0] << 8 | bytes[1]);
 }
 
 static void drive(int16_t left, int16_t right)
@@ -328,12 +358,31 @@ static void read_sensors()
     readings.raw_encoder_left = encoder_left;
     readings.raw_encoder_right = encoder_right;
     interrupts();
-    readings.raw_gyro = gyro();
+    read_gyro();
     readings.raw_battery = analogRead(BATTERY);
+}
+
+static void stop()
+{
+    drive(0, 0);
+    phase = STOPPED;
+    digitalWrite(LED_BUILTIN, LOW);
+    last_words();
+}
+
+/* The loop hangs: motors off, until somebody presses RESET. With interrupts off as well the watchdog resets the board. */
+ISR(WDT_vect)
+{
+    drive(0, 0);
+    digitalWrite(LED_BUILTIN, LOW);
+    for (;;)
+        wdt_reset();
 }
 
 void setup()
 {
+    MCUSR = 0; /* after its reset the watchdog would go on */
+    wdt_disable();
     pinMode(LEFT_PWM, OUTPUT);
     pinMode(RIGHT_PWM, OUTPUT);
     pinMode(LEFT_BACK, OUTPUT);
@@ -345,45 +394,53 @@ void setup()
     send("H robot=" UPRIGHT_ROBOT ";hash=" UPRIGHT_HASH);
     Wire.begin();
     Wire.setClock(400000);
-    tell_mpu(0x6B, 0);    /* PWR_MGMT_1: awake */
-    tell_mpu(0x1A, 3);    /* CONFIG: low pass at 44 Hz */
-    tell_mpu(0x1B, 0x08); /* GYRO_CONFIG: 500 degrees/s */
+    Wire.setWireTimeout(UPRIGHT_PERIOD_US / 4, true); /* Arduino AVR Boards 1.8.3 or later */
     attachInterrupt(digitalPinToInterrupt(LEFT_ENCODER_A), on_left, CHANGE);
     attachInterrupt(digitalPinToInterrupt(RIGHT_ENCODER_A), on_right, CHANGE);
     upright_reset(&memory);
     phase = CALIBRATING;
+    misses = 1; /* the sensor has no settings yet */
+    wdt_enable(WDTO_60MS);
+    WDTCSR |= _BV(WDIE);
     due = micros();
 }
 
 void loop()
 {
-    if ((long)(micros() - due) < 0)
+    const unsigned long now = micros();
+    if ((long)(now - due) < 0)
         return;
+    if (now - due > UPRIGHT_PERIOD_US / 8)
+        due = now; /* after a stall: no short periods to catch up */
     due += UPRIGHT_PERIOD_US;
+    wdt_reset();
     read_sensors();
-    if (phase == CALIBRATING) {
+    if (phase == STOPPED)
+        drive(0, 0);
+    else if (misses > MISSES) {
+        results.status = 6;
+        stop();
+    } else if (phase == CALIBRATING && misses)
+        upright_reset(&memory); /* a second of readings without a gap */
+    else if (phase == CALIBRATING) {
         upright_calibrate(&memory, &readings, &results);
-        if (results.start_status != 0)
-            phase = STOPPED;
+        results.status = results.start_status;
+        if (results.status != 0)
+            stop();
         else if (results.ready != 0) {
             encoder_left = encoder_right = 0;
             phase = BALANCING;
             digitalWrite(LED_BUILTIN, HIGH);
         }
-    } else if (phase == BALANCING) {
+    } else {
         upright_command(&memory, &readings, &results);
         drive(results.duty_left, results.duty_right);
         upright_update(&memory, &readings, &results);
         count++;
         if (results.status == 0 && count == SECONDS * 1000000 / UPRIGHT_PERIOD_US)
             results.status = 5;
-        if (results.status != 0 || digitalRead(BUTTON) == LOW) {
-            drive(0, 0);
-            phase = STOPPED;
-            digitalWrite(LED_BUILTIN, LOW);
-            last_words();
-        }
+        if (results.status != 0 || digitalRead(BUTTON) == LOW)
+            stop();
         telemetry();
-    } else
-        drive(0, 0);
+    }
 }

@@ -1,0 +1,146 @@
+"""A sketch on a simulated Arduino Uno: compiled with Arduino's own core, among parts that can fail."""
+
+from __future__ import annotations
+
+import re
+import struct
+import tempfile
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+
+from upright.compiled.program import Program
+from upright.errors import InvalidController, MissingTool
+from upright.firmware.tools import run_tool, tool
+from upright.parity.execute_avr import CHIP, Chip, spent
+from upright.parity.executor import Values
+
+CORE = Path("/usr/share/arduino/hardware/arduino/avr")
+SOURCES = (
+    "wiring", "wiring_analog", "wiring_digital", "hooks", "WInterrupts", "HardwareSerial", "HardwareSerial0", "Print",
+    "main", "abi", "new",
+)  # fmt: skip
+"""What a sketch needs of the core in `cores/arduino`."""
+
+GYRO, BATTERY, LEFT, RIGHT, BUTTON, CONDITION, IDENTITY, POWER, PINS = range(9)
+PRESENT, ABSENT, HUNG = range(3)
+"""Inputs of the board, and conditions of its sensor (`shims/board.h`)."""
+
+TIMERS = {3: (0xB0, 5, 0xB4), 5: (0x44, 5, 0x48), 6: (0x44, 7, 0x47), 9: (0x80, 7, 0x88), 10: (0x80, 5, 0x8A),
+          11: (0xB0, 7, 0xB3)}  # fmt: skip
+"""Pin with a timer → its control register, the bit that connects the pin, and the register of its duty."""
+
+PORTS = ((8, 0x2B), (14, 0x25), (20, 0x28))
+"""First pin of the next port, and the register with this one's levels."""
+
+LED = 13
+PIN_NAMES = (
+    "LEFT_ENCODER_A", "LEFT_ENCODER_B", "RIGHT_ENCODER_A", "RIGHT_ENCODER_B", "BUTTON", "LEFT_PWM", "RIGHT_PWM",
+    "LEFT_BACK", "RIGHT_BACK",
+)  # fmt: skip
+
+
+@cache
+def _core() -> tuple[tempfile.TemporaryDirectory[str], list[str]]:
+    """Arduino's core and its Wire, compiled once: their folder and object files."""
+    if not CORE.exists():
+        raise MissingTool("Arduino's core is not installed", hint="apt install arduino-core-avr")
+    kept = tempfile.TemporaryDirectory(prefix="upright-")
+    wire = CORE / "libraries" / "Wire" / "src"
+    paths = [path for name in SOURCES for path in (CORE / "cores" / "arduino").glob(f"{name}.c*")]
+    paths += [wire / "Wire.cpp", wire / "utility" / "twi.c"]
+    for compiler, suffix, language in (("avr-gcc", ".c", "gnu11"), ("avr-g++", ".cpp", "gnu++11")):
+        chosen = [str(path) for path in paths if path.suffix == suffix]
+        run_tool([tool(compiler), f"-std={language}", "-w", *FLAGS, *chosen], "Arduino's core", cwd=Path(kept.name))
+    return kept, [str(path) for path in Path(kept.name).glob("*.o")]
+
+
+HEADERS = ("cores/arduino", "variants/standard", "libraries/Wire/src", "libraries/Wire/src/utility")
+INCLUDES = tuple(f"-I{CORE / part}" for part in HEADERS)
+FLAGS = ("-c", *CHIP, "-ffunction-sections", "-fdata-sections", "-DARDUINO=10819", "-DARDUINO_ARCH_AVR", *INCLUDES)
+
+
+class SketchExecutor(Chip):
+    """A sketch on an Uno with an MPU-6050, wired as its first constants say. With `real` no time is leapt over."""
+
+    where = "a simulated Arduino Uno"
+
+    def __init__(self, source: Path, program: Program, number: str, real: bool = False) -> None:
+        self.real, self._constants = real, constants(source.read_text("utf-8"))
+        super().__init__(source, program, number)
+
+    def build(self, source: Path, folder: Path) -> None:
+        sketch, made = folder / "balance.cpp", folder / "balance.o"
+        sketch.write_text("#include <Arduino.h>\n" + source.read_text("utf-8"), encoding="utf-8")
+        strict = ["-std=gnu++11", "-Wall", "-Wextra", "-Werror"]
+        run_tool([tool("avr-g++"), *strict, *FLAGS, "-o", str(made), str(sketch)], source.name)
+        link = [tool("avr-g++"), *CHIP, "-Wl,--gc-sections", "-o", str(self._binary), str(made), *_core()[1]]
+        run_tool(link, source.name)
+
+    def start(self) -> None:
+        super().start()
+        self.request("A", self.symbols["due"], self.symbols["loop"], self.symbols["timer0_overflow_count"])
+        for place, name in enumerate(PIN_NAMES[:5]):
+            self.set_input(PINS + place, self._constants[name])
+        self.period()  # its setup
+
+    def step(self, raw: Values) -> Values:
+        sign = self._constants["GYRO_SIGN"]
+        inputs = {GYRO: sign * raw["raw_gyro"], BATTERY: raw["raw_battery"]}
+        inputs |= {LEFT: raw["raw_encoder_left"], RIGHT: raw["raw_encoder_right"]}
+        for what, value in inputs.items():
+            self.set_input(what, round(value))
+        cycles = self.period()[1]
+        if not self._ready:
+            self._ready = bool(self.results()["ready"])
+            return {}
+        self.worst = max(self.worst, cycles)
+        return self.results()
+
+    def set_input(self, what: int, value: int) -> None:
+        self.request("I", what, value)
+
+    def period(self) -> tuple[int, int]:
+        """Run a period: when it began, and how long its work took [cycles]."""
+        began, took = struct.unpack("<8s8s", self.request("P", not self.real, answer=16))
+        return spent(began), spent(took)
+
+    def run(self, seconds: float) -> None:
+        """Let that time [s] pass."""
+        for _ in range(round(seconds * 1000)):
+            self.request("T", 16_000, answer=8)
+
+    def pwm(self) -> list[float]:
+        """What both motors get now, of 255 and without a sign."""
+        return [self._duty(self._constants[name]) for name in ("LEFT_PWM", "RIGHT_PWM")]
+
+    def level(self, pin: int) -> bool:
+        """Whether an output is high."""
+        first, register = next((end - (8 if end < 14 else 6), port) for end, port in PORTS if pin < end)
+        return bool(self.read(register, "B")[0] >> (pin - first) & 1)
+
+    def output(self) -> list[str]:
+        """The lines that came over the serial port."""
+        (count,) = struct.unpack("<I", self.request("S", answer=4))
+        return self.receive(count).decode("ascii", "replace").splitlines()
+
+    def _duty(self, pin: int) -> float:
+        if pin in TIMERS:
+            control, bit, duty = TIMERS[pin]
+            if self.read(control, "B")[0] >> bit & 1:
+                return float(self.read(duty, "B")[0])
+        return 255.0 * self.level(pin)
+
+
+def constants(text: str) -> Mapping[str, int]:
+    """The pins and the gyro's sign of a sketch; `InvalidController` for what is not a number of an Uno's pin."""
+    numbers: dict[str, int] = {}
+    for name in (*PIN_NAMES, "GYRO_SIGN"):
+        constant = re.search(rf"^#define {name}\s+(\S+)", text, re.MULTILINE)
+        known = constant and re.fullmatch(r"-1|\d|1[0-9]", constant[1])
+        if not constant or not known:
+            raise InvalidController(
+                f"{name} is {constant[1] if constant else 'missing'}", expected="the number of an Uno's pin, or a sign"
+            )
+        numbers[name] = int(constant[1])
+    return numbers
