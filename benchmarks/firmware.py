@@ -1,10 +1,11 @@
 """What a generated program costs on each chip: instructions, cycles and time of a period, flash and memory.
 
 Run: python benchmarks/firmware.py [--controller NAME ...] [--robot NAME] [--kit NAME]. Each program drives the twin
-through both of the paper's pushes for 20 s; the row is its most expensive period, beside 10 ms. Cycles are counted, so
-that the figures do not depend on this machine: on the ARM7TDMI from the code that ran, at most what the manual allows
-and with memory that never waits; on the ATmega328P by simavr. Bus and converter are in the figures of a sketch, not in those of C. The NXT
-runs NXC as bytecode: the instructions are those of its virtual machine, and the time an estimate, at `COST` each.
+through both of the paper's pushes for 20 s; the row is its most expensive period, beside 10 ms. Cycles are counted,
+so that the figures do not depend on this machine: on the ARM7TDMI from the code that ran, at most what the manual
+allows and with memory that never waits; on the ATmega328P by simavr. Bus and converter are in the figures of a
+sketch, not in those of C. The NXT runs NXC as bytecode: the instructions are those of its virtual machine, and the
+time an estimate, at `COST` each.
 """
 
 from __future__ import annotations
