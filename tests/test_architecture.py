@@ -19,7 +19,7 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 SOURCE = CHECKOUT / "src" / "upright"
 
 ROOMS = (
-    "errors", "atomic", "tables", "plotting", "plugins", "signals", "robots", "physics", "compiled", "links",
+    "errors", "atomic", "reading", "tables", "plotting", "plugins", "signals", "robots", "physics", "compiled", "links",
     "bodies", "control", "logs", "doctor", "experiment", "kernel", "calibrate", "fleet", "firmware", "bricks", "parity",
     "excite", "identify", "certify", "diagnose", "flight", "comparison", "report", "paper", "lab", "cli",
 )  # fmt: skip

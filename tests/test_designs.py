@@ -459,7 +459,7 @@ def test_broken_files_are_refused_in_one_line(tmp_path):
             read_controller(path)
         assert "\n" not in str(caught.value)
     path.write_text("{", "utf-8")
-    with pytest.raises(InvalidController, match="is broken"):
+    with pytest.raises(InvalidController, match="is no JSON"):
         read_controller(path)
     with pytest.raises(InvalidController, match="cannot read"):
         read_controller(tmp_path / "none.json")

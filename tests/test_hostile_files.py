@@ -147,7 +147,7 @@ def test_a_log_that_would_fill_the_memory_is_refused_before_it_does(
     t = np.arange(400.0)
     log = Log(t, {"sensor/gyro": 0 * t, "command/left": 0 * t})
     path = log.save(tmp_path / f"large.{suffix}")
-    with pytest.raises(UprightError, match=r"1200 numbers.*at most 1000"):
+    with pytest.raises(UprightError, match=r"120\d numbers.*at most 1000"):
         reader(path)
 
 

@@ -62,7 +62,7 @@ def test_json_mat_parquet_and_mcap_give_the_same_numbers(tmp_path: Path) -> None
         ("empty.csv", "", "empty"),
         ("head.csv", "t,a\n", "no rows"),
         ("short.csv", "t,a\n0,1\n2\n", "rows cannot be read"),
-        ("broken.json", '{"t": [0, 1', "JSON cannot be read"),
+        ("broken.json", '{"t": [0, 1', "is no JSON"),
         ("uneven.json", '{"t": [0, 1], "a": [1]}', "unequal lengths"),
         ("nothing.mat", "no mat file", "MAT file cannot be read"),
         ("nothing.parquet", "no parquet", "Parquet cannot be read"),
@@ -166,7 +166,7 @@ def test_a_shipped_mapping_reads_back_from_what_it_writes(tmp_path: Path, name: 
     ("text", "error", "said"),
     [
         ("time = 3", InvalidLog, "incomplete"),
-        ("= 3", InvalidLog, "not valid TOML"),
+        ("= 3", InvalidLog, "broken TOML"),
         ('[time]\ncolumn = "t"\n[channels.x]\ncolumn = "a"\nunit = "furlong"', InvalidLog, "furlong"),
         ('[time]\ncolumn = "t"\n[channels.x]\ncolumn = "a"\ncolour = 1', UnknownName, "colour"),
         ('[time]\ncolumn = "t"\n[channels.x]\ncolumn = "a"\ntimes = "b"', InvalidLog, "times = 'b'"),

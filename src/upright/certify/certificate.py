@@ -7,7 +7,6 @@ bounded from above by Clopper and Pearson (1934).
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
@@ -30,6 +29,7 @@ from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.fleet.binomial import upper_bound
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
+from upright.reading import check_types, read_json, understood
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Uncertainty, at_medians, draw
 from upright.tables import Shown
@@ -125,12 +125,10 @@ class Certificate(Shown):
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> Certificate:
         """The inverse of `to_json`; raises `InvalidController` for one that is broken or contradicts itself."""
-        try:
-            return _read(cls, data)
-        except (KeyError, TypeError, ValueError, AttributeError) as error:
-            raise InvalidController(
-                f"not a certificate ({type(error).__name__}: {error})", expected="JSON by upright certify"
-            ) from None
+        with understood("not a certificate: it", InvalidController, "JSON by upright certify"):
+            certificate = _read(cls, data)
+            check_types(certificate)
+        return certificate
 
     def __str__(self) -> str:
         head = f"{self.light.upper()}: {self.controller} on {self.robot} with kit {self.kit}"
@@ -194,12 +192,7 @@ def certify(
 
 def read_certificate(path: str | Path) -> Certificate:
     """The certificate in a file by `upright certify -o`; raises `InvalidController` for what is none."""
-    try:
-        return Certificate.from_json(json.loads(Path(path).read_text(encoding="utf-8")))
-    except OSError as error:
-        raise InvalidController(f"cannot read {path}: {error.strerror}", expected="a certificate file") from None
-    except ValueError as error:
-        raise InvalidController(f"{path} is broken ({error})", expected="JSON by upright certify") from None
+    return Certificate.from_json(read_json(path, InvalidController, "a certificate, JSON by upright certify"))
 
 
 def linear_margins(controller: Controller, robot: Robot, kit: Kit) -> LinearMargins | None:

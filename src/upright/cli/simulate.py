@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -11,6 +10,7 @@ import typer
 from upright.cli import options
 from upright.cli.output import check_targets, finish, progress
 from upright.errors import InvalidController
+from upright.reading import read_json, understood
 
 if TYPE_CHECKING:
     from upright.control import Controller
@@ -153,9 +153,7 @@ def _state_feedback(gains: str, robot: Robot, kit: Kit | None, dt: float) -> Con
 def _read_gain(path: Path) -> Any:
     import numpy as np
 
-    try:
-        return np.array(json.loads(path.read_text(encoding="utf-8"))["gain"], dtype=np.float64)
-    except (ValueError, KeyError, TypeError) as error:
-        raise InvalidController(
-            f"{path} holds no gain ({type(error).__name__}: {error})", expected='JSON such as {"gain": [[six], [six]]}'
-        ) from None
+    expected = 'JSON such as {"gain": [[six], [six]]}'
+    data = read_json(path, InvalidController, expected)
+    with understood(f"the gain in {path}", InvalidController, expected):
+        return np.array(data["gain"], dtype=np.float64)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -16,7 +15,8 @@ from upright.control.feedback import StateFeedback
 from upright.control.linear_controller import LinearController
 from upright.control.mpc import PredictiveController
 from upright.control.sliding import SlidingMode
-from upright.errors import InvalidController, UprightError
+from upright.errors import InvalidController
+from upright.reading import check_types, read_json, understood
 
 VERSION = 1
 
@@ -37,12 +37,9 @@ def read_controller(path: str | Path) -> Controller:
     form = data.get("form")
     if not isinstance(form, str) or form not in FORMS:
         raise InvalidController(f"{path} holds a controller of form {form!r}", expected="one of " + ", ".join(FORMS))
-    try:
+    with understood(str(path), InvalidController, "JSON by write_controller"):
         controller = FORMS[form][1](data["controller"])
-    except UprightError:
-        raise
-    except (KeyError, TypeError, ValueError, IndexError) as error:
-        raise _broken(path, f"{type(error).__name__}: {error}") from None
+        check_types(controller)
     if controller_hash(controller) != data.get("hash"):
         raise InvalidController(
             f"{path} was changed after it was written: its hash does not fit", likely="an edit by hand",
@@ -52,21 +49,12 @@ def read_controller(path: str | Path) -> Controller:
 
 
 def _read(path: Path) -> dict[str, Any]:
-    try:
-        data = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InvalidController(f"cannot read {path}: {error.strerror}", expected="a controller file") from None
-    except ValueError as error:
-        raise _broken(path, str(error)) from None
+    data = read_json(path, InvalidController, "a controller file, JSON by write_controller")
     if not isinstance(data, dict) or data.get("file") != "upright controller":
         raise InvalidController(f"{path} is no controller file", expected="JSON by write_controller or upright design")
     if data.get("version") != VERSION:
         raise InvalidController(f"{path} is of version {data.get('version')}", expected=f"version {VERSION}")
     return data
-
-
-def _broken(path: str | Path, why: str) -> InvalidController:
-    return InvalidController(f"{path} is broken ({why})", expected="JSON by write_controller")
 
 
 def _form(controller: Controller) -> str:

@@ -19,6 +19,9 @@ from upright.errors import InvalidController
 
 Array = NDArray[np.float64]
 
+MOST_STATES = 1000
+"""Of a controller in a file."""
+
 MATRICES = ("A", "By", "Br", "Ba", "C", "Dy", "Dr", "S", "Sy", "Bu")
 
 
@@ -151,6 +154,8 @@ class LinearController:
     def from_json(cls, data: dict[str, Any]) -> LinearController:
         """The inverse of `to_json`; the design's record stays behind."""
         n, reads = int(data["states"]), tuple(data["reads"])
+        if not 0 <= n <= MOST_STATES:
+            raise InvalidController(f"{n:.3g} states", expected=f"0 to {MOST_STATES}")
         empty = {"A": (n, n), "By": (n, len(reads)), "Br": (n, 6), "Ba": (n, 2), "C": (2, n)}
         given: dict[str, Any] = {name: data.get(name, np.zeros(empty.get(name, (0, 0)))) for name in MATRICES}
         return cls(**given, reads=reads, period=data["period"], command_unit=data["command_unit"], kind=data["kind"])

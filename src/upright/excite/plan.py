@@ -15,6 +15,7 @@ from upright.control import Controller
 from upright.control.excited import Excited
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.fleet.binomial import upper_bound
+from upright.reading import check_types, read_json, understood
 from upright.tables import Shown
 
 Array = NDArray[np.float64]
@@ -186,13 +187,11 @@ class ExcitationPlan(Shown):
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> ExcitationPlan:
         """The inverse of `to_json`; raises `InvalidScenario` for what is no plan, or contradicts itself."""
-        try:
+        with understood("this is no plan: it", InvalidScenario, "JSON by upright excite"):
             plan = _read(cls, data)
-        except (KeyError, TypeError, ValueError, AttributeError) as error:
-            raise InvalidScenario(
-                f"this is no plan ({type(error).__name__}: {error})", expected="JSON by upright excite"
-            ) from None
-        if wrong := plan.check():
+            check_types(plan)
+            wrong = plan.check()
+        if wrong:
             raise InvalidScenario(f"the plan contradicts itself: {wrong[0]}", hint="make it anew with upright excite")
         return plan
 
@@ -214,15 +213,7 @@ VISIBLE = 0.5  # of the interval before: narrower ones are called visible, as in
 
 def read_plan(path: str | Path) -> ExcitationPlan:
     """The plan in a JSON file; raises `InvalidScenario` for one that cannot be read or is none."""
-    import json
-
-    try:
-        data = json.loads(Path(path).read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InvalidScenario(f"cannot read {path}: {error.strerror}", expected="a plan by upright excite") from None
-    except ValueError as error:
-        raise InvalidScenario(f"{path} is no JSON ({error})", expected="a plan by upright excite") from None
-    return ExcitationPlan.from_json(data)
+    return ExcitationPlan.from_json(read_json(path, InvalidScenario, "a plan by upright excite"))
 
 
 def _row(p: Predicted) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from upright import reading
 from upright.compiled.program import Program
 from upright.control import find_controller
 from upright.control.controller import Controller, controller_hash
@@ -68,11 +69,4 @@ def read_program(
 
 def read_text(path: str | Path) -> str:
     """The text of a program; `InvalidController` for a file that cannot be read or is not text."""
-    try:
-        return Path(path).read_text(encoding="utf-8")
-    except OSError as error:
-        raise InvalidController(
-            f"cannot read {path}: {error.strerror}", expected="a program by upright firmware"
-        ) from None
-    except UnicodeDecodeError:
-        raise InvalidController(f"{path} is not text", expected="a program by upright firmware") from None
+    return reading.read_text(path, InvalidController, "a program by upright firmware")

@@ -19,7 +19,9 @@ from upright.errors import InvalidLog, MissingTool, UprightError
 from upright.fleet.binomial import Interval, clopper_pearson
 from upright.fleet.ensemble import OUTCOMES, Ensemble, Index
 from upright.fleet.vary import kit_numbers
+from upright.reading import expanded, understood
 from upright.robots import PARAMETERS, Kit
+from upright.signals import parquet
 from upright.tables import Shown
 
 if TYPE_CHECKING:
@@ -128,7 +130,7 @@ def save(data: Dataset, path: str | Path) -> Path:
 
 def load(path: str | Path) -> Dataset:
     """A dataset that `save` wrote; raises `InvalidLog` for any other file."""
-    source = Path(path).expanduser()
+    source = expanded(path, InvalidLog)
     check_suffix(source)
     if not source.exists():
         raise InvalidLog(f"there is no {source}", expected="a result of upright fleet, push-map, basin or sweep")
@@ -172,19 +174,15 @@ def _spread_out(values: NDArray[Any], dims: Sequence[str], sizes: Mapping[str, i
 
 
 def _load_parquet(path: Path) -> Dataset:
+    table = parquet.table_of(path)
+    with understood(f"{path} as a fleet's result", InvalidLog, "Parquet by upright"):
+        return _dataset(table, json.loads((table.schema.metadata or {})[_NOTE]))
+
+
+def _dataset(table: Any, note: Any) -> Dataset:
     import pyarrow as pa
-    import pyarrow.parquet as pq
     import xarray as xr
 
-    try:
-        with pq.ParquetFile(path, page_checksum_verification=True) as file:
-            table = file.read()
-        note = json.loads((table.schema.metadata or {})[_NOTE])
-    except (pa.ArrowException, OSError, KeyError, ValueError) as error:
-        raise InvalidLog(
-            f"{path} cannot be read as a fleet's result ({type(error).__name__})", expected="Parquet by upright",
-            likely="a file that was cut off, or of another kind", hint="make it again",
-        ) from None  # fmt: skip
     sizes: dict[str, int] = note["sizes"]
     read: dict[str, Any] = {}
     for column in table.schema:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import itertools
-import tomllib
+import math
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, cast
@@ -16,6 +16,7 @@ from upright.experiment import Drive, Hold, Impulse, Push, Slope, Turn
 from upright.fleet.campaign import CHUNK, Campaign, Case
 from upright.fleet.ensemble import Ensemble
 from upright.fleet.vary import varied, with_number
+from upright.reading import read_toml, understood
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Family, at_medians
 from upright.signals import STATE_NAMES
@@ -43,13 +44,9 @@ def read_campaign(path: str | Path) -> Campaign:
     Raises `InvalidScenario`, `InvalidRobot`, `InvalidController` or `UnknownName` for what is wrong with it.
     """
     source = Path(path)
-    try:
-        table = tomllib.loads(source.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InvalidScenario(f"cannot read {path}: {error.strerror}", expected="a campaign in TOML") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise InvalidScenario(f"{path} is broken TOML: {error}", expected="a campaign (see docs/fleet.md)") from None
-    return campaign_of(table, source.parent, str(path))
+    table = read_toml(source, InvalidScenario, "a campaign in TOML (see docs/fleet.md)")
+    with understood(str(path), InvalidScenario, "a campaign (see docs/fleet.md)"):
+        return campaign_of(table, source.expanduser().parent, str(path))
 
 
 def campaign_of(table: Table, folder: Path = Path(), where: str = "the campaign") -> Campaign:
@@ -168,4 +165,4 @@ def _check(table: Any, kinds: Mapping[str, type], where: str) -> None:
 
 
 def _number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)

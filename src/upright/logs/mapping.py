@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 import re
-import tomllib
 from collections.abc import Mapping as Mapped
 from collections.abc import Sequence
 from dataclasses import dataclass, field, fields
@@ -18,6 +17,7 @@ from numpy.typing import NDArray
 
 from upright.errors import InvalidLog, UnknownName
 from upright.logs.readers import RawTable
+from upright.reading import check_types, parse_toml, read_text, understood
 from upright.signals import Log
 from upright.signals.header import TIME
 from upright.signals.signal import KNOWN
@@ -54,6 +54,7 @@ class Source:
     integrate: bool = False
 
     def __post_init__(self) -> None:
+        check_types(self)
         if self.unit not in UNITS:
             raise UnknownName("unit", self.unit, [unit for unit in UNITS if unit])
         if self.sign not in (1, -1):
@@ -84,12 +85,7 @@ class Mapping:
     @classmethod
     def load(cls, path: str | Path) -> Mapping:
         """A mapping from a TOML file; raises `InvalidLog`."""
-        source = Path(path).expanduser()
-        try:
-            text = source.read_text("utf-8")
-        except (OSError, UnicodeDecodeError) as error:
-            raise InvalidLog(f"mapping {source} cannot be read ({getattr(error, 'strerror', error)})") from None
-        return _read(text, str(source))
+        return _read(read_text(path, InvalidLog, "a mapping in TOML"), str(path))
 
     def to_toml(self) -> str:
         """The text that `load` reads back as this mapping."""
@@ -125,14 +121,12 @@ def _from_file(name: str | Path) -> Mapping:
 
 
 def _read(text: str, where: str) -> Mapping:
-    try:
-        entries = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InvalidLog(f"mapping {where} is not valid TOML ({error})") from None
+    entries = parse_toml(text, f"mapping {where}", InvalidLog, '[time] and [channels."our/name"] with column = …')
     if not (isinstance(entries.get("time"), dict) and isinstance(entries.get("channels"), dict)):
         raise InvalidLog(f"mapping {where} is incomplete", expected='[time] and [channels."our/name"] with column = …')
     channels = {name: _source(entry, f"{where}, {name}") for name, entry in entries["channels"].items()}
-    constants = {name: float(value) for name, value in entries.get("constants", {}).items()}
+    with understood(f"mapping {where}", InvalidLog, '[constants] with "our/name" = number'):
+        constants = {name: float(value) for name, value in entries.get("constants", {}).items()}
     for name, source in channels.items():
         if source.times and source.times not in {*channels, *constants}:
             raise InvalidLog(
@@ -150,7 +144,8 @@ def _source(entry: Any, where: str) -> Source:
         if key not in known:
             raise UnknownName(f"entry of mapping {where}", key, known)
     try:
-        return Source(**cast("dict[str, Any]", entry))
+        with understood(f"mapping {where}", InvalidLog, 'column = "name in the file"'):
+            return Source(**cast("dict[str, Any]", entry))
     except (InvalidLog, UnknownName) as error:
         raise InvalidLog(f"mapping {where}: {error}") from None
 

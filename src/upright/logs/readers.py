@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import re
+import subprocess
+import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
@@ -16,12 +17,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidLog
-from upright.signals import Log
-from upright.signals.header import TIME, understand
+from upright.reading import expanded, read_json
+from upright.signals import Log, parquet
+from upright.signals.header import TIME, check_lines, understand
 
 Array = NDArray[np.float64]
 
 _NOTE = "# upright-log: "
+
+MAT_READER = [sys.executable, "-m", "upright.logs.mat_process"]
+"""The program that reads MAT files, since damaged ones crash SciPy's parser and the process that it runs in."""
+
+MAT_SECONDS = 120
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +64,7 @@ def read_table(path: str | PathLike[str]) -> RawTable:
     A text file may have comment lines with # or %, commas, semicolons, tabs or spaces between its columns, decimal
     commas beside semicolons, and no header: columns are then called c1, c2, …. Raises `InvalidLog`.
     """
-    source = Path(path).expanduser()
+    source = expanded(Path(path), InvalidLog)
     if not source.is_file():
         raise InvalidLog(f"there is no file {source}", hint="check the path")
     try:
@@ -90,6 +97,7 @@ class _Dialect:
 
 
 def _text(path: Path) -> RawTable:
+    check_lines(path, 1)
     raw = path.read_bytes()
     if raw.lstrip()[:1] in (b"{", b"["):
         return _json(path)
@@ -102,6 +110,7 @@ def _text(path: Path) -> RawTable:
     dialect = _dialect([line.rstrip("\r") for line in head.split("\n")])
     note = next((line for line in dialect.comments if line.startswith(_NOTE)), "")
     units, origin = understand(note.removeprefix(_NOTE)) if note else ({}, {})
+    check_lines(path, len(dialect.names))
     columns, text = _parse(raw, dialect)
     return RawTable(columns, units, text, dialect.comments, origin=origin)
 
@@ -190,10 +199,7 @@ def _first_text(values: Sequence[Any]) -> str:
 
 
 def _json(path: Path) -> RawTable:
-    try:
-        content: Any = json.loads(path.read_text("utf-8-sig"))
-    except (ValueError, UnicodeDecodeError) as error:
-        raise InvalidLog(f"the JSON cannot be read ({error})", likely="a recording that was cut off") from None
+    content = read_json(path, InvalidLog, '{"name": [numbers], …} or a list of such rows')
     if isinstance(content, list) and content and all(isinstance(row, dict) for row in cast("list[Any]", content)):
         rows = cast("list[dict[str, Any]]", content)
         content = {name: [row.get(name) for row in rows] for name in rows[0]}
@@ -221,44 +227,21 @@ def _equal(columns: Mapping[str, Array | str]) -> RawTable:
 
 
 def _mat(path: Path) -> RawTable:
-    from scipy.io import loadmat
-
     try:
-        content: dict[str, Any] = loadmat(path, squeeze_me=True, struct_as_record=True)
-    except OSError:
-        raise
-    except Exception as error:  # damaged bytes make the parser raise any exception
-        hint = "save it in MATLAB with '-v7'" if isinstance(error, NotImplementedError) else "export it again"
-        raise InvalidLog(f"the MAT file cannot be read ({' '.join(str(error).split())[:80]})", hint=hint) from None
-    columns: dict[str, Array] = {}
-    for name, value in content.items():
-        if not name.startswith("__"):
-            _collect(name, value, columns)
-    longest = max((len(value) for value in columns.values()), default=0)
-    return RawTable({name: value for name, value in columns.items() if len(value) == longest})
-
-
-def _collect(name: str, value: Any, columns: dict[str, Array]) -> None:
-    array = np.asarray(value)
-    if array.dtype.names:
-        for part in array.dtype.names:
-            _collect(f"{name}.{part}", array[part].item() if array.ndim == 0 else array[part], columns)
-    elif array.dtype.kind in "fiub" and array.ndim == 1:
-        columns[name] = array.astype(np.float64)
-    elif array.dtype.kind in "fiub" and array.ndim == 2:
-        for i in range(array.shape[1]):
-            columns[f"{name}_{i + 1}"] = array[:, i].astype(np.float64)
+        done = subprocess.run([*MAT_READER, str(path)], capture_output=True, check=False, timeout=MAT_SECONDS)
+    except subprocess.TimeoutExpired:
+        raise InvalidLog(f"the MAT file cannot be read in {MAT_SECONDS} s", hint="export it again") from None
+    if done.returncode or not done.stdout:
+        why = done.stderr.decode("utf-8", "replace").strip().splitlines()[-1:] or ["its parser crashed"]
+        hint = "save it in MATLAB with '-v7'" if "HDF" in why[0] else "export it again"
+        raise InvalidLog(f"the MAT file cannot be read ({' '.join(why[0].split())[:80]})", hint=hint)
+    with np.load(io.BytesIO(done.stdout), allow_pickle=False) as stored:
+        names = stored["names"].tolist()
+        return RawTable({name: stored[f"column{i}"] for i, name in enumerate(names)})
 
 
 def _parquet(path: Path) -> RawTable:
-    import pyarrow as pa
-    import pyarrow.parquet as pq
-
-    try:
-        with pq.ParquetFile(path) as file:
-            table = file.read()
-    except (pa.ArrowException, OSError, UnicodeDecodeError) as error:
-        raise InvalidLog(f"the Parquet cannot be read ({error})", likely="a file that was cut off") from None
+    table = parquet.table_of(path)
     note = (table.schema.metadata or {}).get(b"upright-log")
     units, origin = understand(note) if note is not None else ({}, {})
     columns, text = _sorted({name: table.column(name) for name in table.column_names})

@@ -5,7 +5,6 @@ from __future__ import annotations
 import difflib
 import json
 import math
-import tomllib
 import unicodedata
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -14,6 +13,7 @@ from pathlib import Path
 from typing import Any, NoReturn, cast
 
 from upright.errors import InvalidRobot, UnknownName
+from upright.reading import parse_toml, read_toml
 
 Table = Mapping[str, Any]
 
@@ -61,12 +61,13 @@ def shipped(kind: str, folder: str, name: str) -> tuple[Table, str]:
     if name not in names(folder):
         raise UnknownName(kind, name, names(folder))
     text = resources.files("upright.robots").joinpath(folder, f"{name}.toml").read_text(encoding="utf-8")
-    return _parse(text, where := f"{kind} preset {name}"), where
+    where = f"{kind} preset {name}"
+    return parse_toml(text, where, InvalidRobot, "tables like [wheel_radius] value = 0.04"), where
 
 
 def read(kind: str, path: str | Path) -> tuple[Table, str]:
     """The table in the file `path` and what messages call it; raises `InvalidRobot` for a file that cannot be read."""
-    return _parse(_text(Path(path), kind), str(path)), str(path)
+    return read_toml(path, InvalidRobot, f"a {kind} file in TOML"), str(path)
 
 
 def is_path(name_or_path: str | Path) -> bool:
@@ -76,24 +77,6 @@ def is_path(name_or_path: str | Path) -> bool:
     if "/" in name_or_path or "\\" in name_or_path:
         raise InvalidRobot(f"'{name_or_path}' is no preset", expected="a preset's name or a path that ends in .toml")
     return False
-
-
-def _text(path: Path, kind: str) -> str:
-    try:
-        return path.read_text(encoding="utf-8")
-    except UnicodeDecodeError:
-        raise InvalidRobot(f"{path} is not text in UTF-8", expected=f"a {kind} file in TOML") from None
-    except OSError as error:
-        raise InvalidRobot(f"cannot read {path}: {error.strerror}", expected=f"a {kind} file in TOML") from None
-
-
-def _parse(text: str, where: str) -> Table:
-    try:
-        return tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InvalidRobot(
-            f"{where} is broken TOML: {error}", expected="tables like [wheel_radius] value = 0.04"
-        ) from error
 
 
 def numbers(

@@ -15,7 +15,6 @@ again would narrow all three.
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -28,6 +27,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from upright.errors import InvalidRobot, InvalidScenario, UnknownName
+from upright.reading import read_json, understood
 from upright.robots.kit import Kit
 from upright.robots.robot import PARAMETERS, Robot, possible
 
@@ -303,8 +303,9 @@ def read_posterior(path: str | PathLike[str]) -> Uncertainty:
 
     Of a calibration the robot's parameters are taken, and its dead times left out. Raises `InvalidRobot`.
     """
-    try:
-        data = json.loads(Path(path).read_text(encoding="utf-8"))
+    expected = '{"parameters": [names], "mean": [numbers], "covariance": [[numbers]]}'
+    data = read_json(Path(path), InvalidRobot, expected)
+    with understood(f"the posterior {path}", InvalidRobot, expected):
         if "mean" in data:
             return Uncertainty.joint(data["parameters"], data["mean"], data["covariance"])
         names: Sequence[str] = data["names"]
@@ -312,13 +313,6 @@ def read_posterior(path: str | PathLike[str]) -> Uncertainty:
         kept = [names[row] for row in rows]
         covariance = np.array(data["covariance"], dtype=np.float64)[np.ix_(rows, rows)]
         return Uncertainty.joint(kept, [data["robot"][name] for name in kept], covariance)
-    except OSError as error:
-        raise InvalidRobot(f"cannot read {path}: {error.strerror}", expected="a posterior as JSON") from None
-    except (ValueError, KeyError, TypeError) as error:
-        raise InvalidRobot(
-            f"{path} holds no posterior ({type(error).__name__}: {error})",
-            expected='{"parameters": [names], "mean": [numbers], "covariance": [[numbers]]}',
-        ) from None
 
 
 def roll_bounds(pitch: Any, yaw: Any) -> tuple[Any, Any]:

@@ -11,6 +11,7 @@ from typing import BinaryIO, TypeVar
 
 from upright.atomic import write_whole
 from upright.errors import InvalidLog
+from upright.reading import expanded
 from upright.signals.header import Columns, check_writable
 
 
@@ -52,7 +53,7 @@ def write(log: Columns, path: str | Path) -> Path:
     One log always gives the same bytes. The file appears whole or not at all. Raises `InvalidLog` for an unknown
     suffix, a missing folder, or a channel name that no column can have.
     """
-    target = _expanded(path)
+    target = expanded(path, InvalidLog)
     form = _format(target)
     check_writable(log.channels)
     if target.is_dir():
@@ -73,7 +74,7 @@ def read(path: str | Path, make: Callable[[Columns], T]) -> T:
 
     Cells that are empty or say NaN are NaN. Raises `InvalidLog` with the file's name, also for what `make` refuses.
     """
-    source = _expanded(path)
+    source = expanded(path, InvalidLog)
     if source.is_dir():
         raise InvalidLog(f"{source} is a folder", expected="one file: " + ", ".join(FORMATS))
     if not source.exists():
@@ -87,13 +88,6 @@ def read(path: str | Path, make: Callable[[Columns], T]) -> T:
         raise InvalidLog(f"{source} cannot be read: {error.strerror or error}") from None
     except InvalidLog as error:
         raise InvalidLog(f"{source}: {error}") from None
-
-
-def _expanded(path: str | Path) -> Path:
-    try:
-        return Path(path).expanduser()
-    except RuntimeError:
-        raise InvalidLog(f"{path} names a home folder that is not known", hint="write the path in full") from None
 
 
 def _format(path: Path) -> _Format:

@@ -6,15 +6,20 @@ import json
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidLog
+from upright.reading import parse_json
 
 TIME = "t"
 """The column of time in seconds: a channel cannot have this name in a file."""
+
+MOST_NUMBERS = 40_000_000
+"""Numbers in one log, all channels together: 30 channels at 100 Hz for almost four hours, 320 MB."""
 
 _TIME_WORDS = {"t", "ts", "time", "times", "timestamp", "stamp", "sec", "secs", "second", "seconds", "clock"}
 
@@ -39,10 +44,8 @@ def describe(log: Columns) -> str:
 
 def understand(text: str | bytes) -> tuple[dict[str, str], dict[str, Any]]:
     """Units and origin from what `describe` wrote; raises `InvalidLog` for anything else."""
-    try:
-        data = json.loads(text)
-    except ValueError as error:
-        raise InvalidLog(f"the note of units and origin is no JSON ({error})", likely="a file edited by hand") from None
+    text = text.decode("utf-8", "replace") if isinstance(text, bytes) else text
+    data = parse_json(text, "the note of units and origin", InvalidLog, "the line that upright wrote")
     parts = [data.get(key) for key in ("units", "origin")] if isinstance(data, dict) else []
     if len(parts) != 2 or not all(isinstance(part, dict) for part in parts):
         raise InvalidLog("the note of units and origin is incomplete", expected='{"units": {…}, "origin": {…}}')
@@ -58,15 +61,36 @@ def check_writable(channels: Iterable[str]) -> None:
             raise InvalidLog(f"channel {name!a} cannot be a column name", expected="printable characters")
 
 
+def check_size(rows: int, columns: int) -> None:
+    """Raise `InvalidLog` for a log of more than `MOST_NUMBERS`, before they are read."""
+    if rows * columns > MOST_NUMBERS:
+        raise InvalidLog(
+            f"{rows} rows of {columns} columns are {rows * columns} numbers", expected=f"at most {MOST_NUMBERS}",
+            hint="cut the log into parts",
+        )  # fmt: skip
+
+
+def check_lines(path: Path, columns: int) -> None:
+    """The same of a text file, whose lines are counted."""
+    with path.open("rb") as stream:
+        rows = sum(block.count(b"\n") for block in iter(lambda: stream.read(1 << 24), b""))
+    check_size(rows, columns)
+
+
 def check_names(names: Sequence[str]) -> None:
     """Raise `InvalidLog` unless every column has its own name and one of them is `t`."""
-    twice = [name for name, count in Counter(names).items() if count > 1]
-    if twice:
-        raise InvalidLog(f"column '{twice[0]}' appears {Counter(names)[twice[0]]} times", hint="rename or drop one")
+    check_twice(names)
     if TIME not in names:
         likely, hint = _where_is_time(names)
         came = f"no column 't' among {', '.join(names[:12])}{', …' if len(names) > 12 else ''}"
         raise InvalidLog(came, expected="time in seconds in a column 't'", likely=likely, hint=hint)
+
+
+def check_twice(names: Sequence[str]) -> None:
+    """Raise `InvalidLog` unless every column has its own name."""
+    twice = [name for name, count in Counter(names).items() if count > 1]
+    if twice:
+        raise InvalidLog(f"column '{twice[0]}' appears {Counter(names)[twice[0]]} times", hint="rename or drop one")
 
 
 def assemble(table: Mapping[str, NDArray[Any]], units: Mapping[str, str], origin: Mapping[str, Any]) -> Columns:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidLog
-from upright.signals.header import TIME, Columns, assemble, check_names, describe, understand
+from upright.signals.header import TIME, Columns, assemble, check_names, check_size, check_twice, describe, understand
 
 _NOTE = b"upright-log"
 
@@ -29,7 +29,7 @@ def write(log: Columns, stream: BinaryIO) -> None:
 
 def read(path: Path) -> Columns:
     """Read numeric columns, with or without our metadata; null is NaN. Raises `InvalidLog`."""
-    table = _table(path)
+    table = table_of(path)
     check_names(table.column_names)
     columns = {name: _numbers(name, table.column(name)) for name in table.column_names}
     note = (table.schema.metadata or {}).get(_NOTE)
@@ -37,15 +37,18 @@ def read(path: Path) -> Columns:
     return assemble(columns, units, origin)
 
 
-def _table(path: Path) -> Any:
+def table_of(path: Path) -> Any:
+    """The table in a Parquet file, each column under its own name; raises `InvalidLog`."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
     try:
         # Not read_table, which would add columns for folders that are called like `robot=2`.
         with pq.ParquetFile(path, page_checksum_verification=True) as file:
+            check_size(file.metadata.num_rows, file.metadata.num_columns)
+            check_twice(file.schema_arrow.names)
             return file.read()
-    except (pa.ArrowException, OSError, UnicodeDecodeError) as error:
+    except (pa.ArrowException, OSError, UnicodeDecodeError, MemoryError) as error:
         raise InvalidLog(
             f"the Parquet cannot be read ({error})",
             likely="a file that was cut off, or another kind of file under this name",

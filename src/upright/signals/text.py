@@ -13,7 +13,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from upright.errors import InvalidLog
-from upright.signals.header import TIME, Columns, assemble, check_names, describe, understand
+from upright.signals.header import TIME, Columns, assemble, check_lines, check_names, describe, understand
 
 _NOTE = "# upright-log: "
 _ROWS_AT_ONCE = 50_000  # bounds the memory for text to some tens of megabytes
@@ -47,6 +47,7 @@ def read(path: Path) -> Columns:
     with path.open("rb") as stream:
         head = _head(stream)
         check_names(head.names)
+        check_lines(path, len(head.names))
         table = _table(path, stream, head)
     columns = {name: table.column(i).to_numpy() for i, name in enumerate(head.names)}
     units, origin = understand(head.note) if head.note else ({}, {})
