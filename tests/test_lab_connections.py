@@ -1,0 +1,255 @@
+"""Connections to the lab: none is held for nothing, and however many there are, a newcomer gets the page."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import resource
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from test_lab_server import HereStage
+from upright.cli.main import main
+from upright.lab import connections
+from upright.lab.classroom import Door
+from upright.lab.codec import encode
+from upright.lab.hub import Hub
+from upright.lab.messages import VERSION, Hello
+from upright.lab.server import Lab, listening, server_of
+from upright.lab.uploads import MOST_FILES, UploadRefused, receive
+
+UPGRADE = (
+    "GET /ws HTTP/1.1\r\nHost: {host}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+    "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
+)
+
+
+class Served:
+    """A lab in a thread, round a stage that does nothing by itself."""
+
+    def __init__(self) -> None:
+        self.lab = Lab(port=0, door=Door())
+        sock = listening(self.lab)
+        self.hub = Hub(self.lab.door, [HereStage()])
+        self.server = server_of(self.lab, self.hub)
+        self.thread = threading.Thread(target=lambda: asyncio.run(self.server.serve(sockets=[sock])), daemon=True)
+        self.thread.start()
+        while not self.server.started:
+            time.sleep(0.01)
+
+    def connect(self, data: str = "") -> socket.socket:
+        made = socket.create_connection((self.lab.host, self.lab.port), timeout=20)
+        made.sendall(data.format(host=f"{self.lab.host}:{self.lab.port}").encode())
+        return made
+
+    def page(self) -> bytes:
+        """What a newcomer gets."""
+        with self.connect("GET / HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n") as made:
+            return made.recv(100)
+
+
+@pytest.fixture
+def patient(monkeypatch: Any) -> None:
+    monkeypatch.setattr(connections, "PATIENCE", 0.3)
+
+
+@pytest.fixture
+def served(patient: None) -> Iterator[Served]:
+    made = Served()
+    yield made
+    made.server.should_exit = True
+    made.thread.join(10)
+    made.hub.close()
+
+
+def ended(sock: socket.socket, seconds: float = 10.0) -> bool:
+    """Whether the server ends the connection, whatever it says before."""
+    sock.settimeout(seconds)
+    with contextlib.suppress(ConnectionError):
+        while sock.recv(4096):
+            pass
+    return True
+
+
+@pytest.mark.parametrize("data", [
+    "", "GET / HT", "GET / HTTP/1.1\r\nHost: {host}\r\nX-Slow: 1", UPGRADE,
+    "GET / HTTP/1.1\r\nHost: {host}\r\n\r\nGET /again HTTP/1.1\r\n", "\x16\x03\x01 this is TLS",
+    "POST /upload/none?name=x.csv HTTP/1.1\r\nHost: {host}\r\nContent-Length: 9\r\n\r\nslow",
+], ids=["nothing", "half a line", "half a head", "no hello", "half a second head", "junk", "half a body"])  # fmt: skip
+def test_a_connection_that_says_nothing_whole_is_ended(served, data):
+    """They were held for ever: nothing, half a request, a socket without its Hello."""
+    with served.connect(data) as made:
+        assert ended(made)
+
+
+def test_a_page_stays(served):
+    """What has said Hello is kept, whether it says more or not."""
+    from websockets.sync.client import connect
+
+    address = f"ws://{served.lab.host}:{served.lab.port}/ws"
+    with connect(address) as made:
+        made.send(encode(Hello(VERSION)))
+        assert "Welcome" in str(made.recv(timeout=10))
+        time.sleep(1.0)  # more than three times the patience
+        made.send("nonsense")
+        assert "Notice" in str(made.recv(timeout=10))
+
+
+def test_more_connections_than_there_may_be_cost_the_oldest_of_who_has_most(served, monkeypatch):
+    monkeypatch.setattr(connections, "PATIENCE", 60.0)
+    served.server.config.http_protocol_class.book.most = 20
+    idle = [served.connect() for _ in range(60)]
+    assert b"200 OK" in served.page()
+    assert sum(_open(sock) for sock in idle) <= 20
+    assert _open(idle[-1])
+    for sock in idle:
+        sock.close()
+
+
+def _open(sock: socket.socket) -> bool:
+    sock.setblocking(False)
+    try:
+        return sock.recv(1) != b""
+    except BlockingIOError:
+        return True
+    except ConnectionError:
+        return False
+
+
+@pytest.mark.slow
+def test_three_hundred_idle_connections_leave_room_for_a_newcomer():
+    """At the 256 files that some systems give a process."""
+    command = [sys.executable, "-m", "upright.cli.main", "lab", "--port", "0", "--no-browser"]
+
+    def few_files() -> None:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (256, 256))
+
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=few_files)
+    assert process.stdout
+    port = int(process.stdout.readline().split()[-1].rstrip("/").rpartition(":")[2])
+    idle = [socket.create_connection(("127.0.0.1", port)) for _ in range(300)]
+    with socket.create_connection(("127.0.0.1", port), timeout=20) as made:
+        made.sendall(f"GET / HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n\r\n".encode())
+        assert b"200 OK" in made.recv(100)
+    for sock in idle:
+        sock.close()
+    process.send_signal(signal.SIGINT)
+    assert process.communicate(timeout=30)[1] == ""
+
+
+def test_a_client_that_never_reads_is_let_go(served):
+    """It sends messages whose answers it does not read: what waits for it is bounded."""
+    with served.connect(UPGRADE) as made:
+        made.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        frame = bytes([0x81, 0x80 | 2, 0, 0, 0, 0]) + b"[]"
+        hello = encode(Hello(VERSION)).encode()
+        made.sendall(bytes([0x81, 0xFE, *len(hello).to_bytes(2, "big"), 0, 0, 0, 0]) + hello)
+        with contextlib.suppress(OSError):
+            for _ in range(200):
+                made.sendall(frame * 50)
+        time.sleep(1.0)
+        made.settimeout(0.5)
+        with contextlib.suppress(OSError):
+            made.sendall(frame * 50)
+            made.sendall(frame * 50)
+        end = time.monotonic() + 10
+        while any(entry.clients for entry in served.hub.entries.values()):
+            assert time.monotonic() < end
+            time.sleep(0.05)
+
+
+def test_pings_without_end_are_no_way_to_take_the_server_s_time(served):
+    """A million empty frames: the line that sends them is cut."""
+    with served.connect(UPGRADE) as made, pytest.raises(OSError):  # noqa: PT012
+        for _ in range(100):
+            made.sendall(bytes([0x89, 0x80, 0, 0, 0, 0]) * 10_000)
+
+
+async def chunks(count: int) -> Any:
+    for i in range(count):
+        await asyncio.sleep(0)
+        yield bytes([i % 256]) * 1000
+
+
+def test_files_of_one_name_that_arrive_together_all_arrive(tmp_path):
+    """Twelve at once: each is written whole, and one of them is what lies there."""
+
+    async def together() -> list[Path]:
+        return await asyncio.gather(*(receive(chunks(10 + i), tmp_path, "run.csv", "log") for i in range(12)))
+
+    paths = asyncio.run(together())
+    assert {path.name for path in paths} == {"in-run.csv"}
+    assert [p.name for p in tmp_path.iterdir()] == ["in-run.csv"]
+    assert paths[0].stat().st_size in {1000 * (10 + i) for i in range(12)}
+
+
+def test_files_that_arrive_together_are_no_more_than_there_may_be(tmp_path):
+    async def together() -> list[Any]:
+        coming = (receive(chunks(3), tmp_path, f"run{i}.csv", "log") for i in range(MOST_FILES + 10))
+        return await asyncio.gather(*coming, return_exceptions=True)
+
+    results = asyncio.run(together())
+    assert sum(isinstance(r, UploadRefused) for r in results) == 10
+    assert len(list(tmp_path.iterdir())) == MOST_FILES
+
+
+def test_a_file_whose_sender_stops_is_given_up(tmp_path, monkeypatch):
+    monkeypatch.setattr("upright.lab.uploads.PATIENCE", 0.05)
+
+    async def stalled() -> Any:
+        yield b"t,a\n"
+        await asyncio.sleep(60)
+
+    with pytest.raises(UploadRefused):
+        asyncio.run(receive(stalled(), tmp_path, "run.csv", "log"))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_session_that_ends_while_its_file_arrives_is_one_line(tmp_path):
+    folder = tmp_path / "session"
+    folder.mkdir()
+
+    async def leaving() -> Any:
+        yield b"t,a\n"
+        for path in folder.iterdir():
+            path.unlink()
+        folder.rmdir()
+        yield b"1,2\n"
+
+    with pytest.raises(UploadRefused):
+        asyncio.run(receive(leaving(), folder, "run.csv", "log"))
+
+
+@pytest.mark.parametrize("host", [
+    "", " ", "0", "0.0", "0.0.0.0", "0x0", "00000000000", "127.1", "127.0.0.2", "2130706433", "localhost", "LOCALHOST",
+    "::", "[::]", "::1", "255.255.255.255", "224.0.0.1", "no such name", "1.2.3.4:80", "\ud800", "a\0b",
+])  # fmt: skip
+def test_a_class_is_served_at_an_address_of_this_machine_alone(host, capsys):
+    """Not at all of its addresses, however they are written, nor at one that no student can reach."""
+    assert main(["lab", "--class", "--no-browser", "--port", "0", "--host", host]) == 2
+    message = capsys.readouterr().err
+    assert message.count("\n") == 1
+    assert "try:" in message
+
+
+def test_text_that_is_no_utf_8_is_answered_and_prints_nothing(served, capfd):
+    """A lone surrogate, encoded as bytes: the line is closed with the code that stands for it (RFC 6455, 7.4.1)."""
+    payload = b'{"kind":"\xed\xa0\x80"}'
+    with served.connect(UPGRADE) as made:
+        made.sendall(bytes([0x81, 0x80 | len(payload), 0, 0, 0, 0]) + payload)
+        made.settimeout(10)
+        data = b""
+        with contextlib.suppress(OSError):
+            while more := made.recv(4096):
+                data += more
+        assert (1007).to_bytes(2, "big") in data.partition(b"\r\n\r\n")[2]
+    assert capfd.readouterr().err == ""
