@@ -31,7 +31,7 @@ from upright.lab.codec import encode
 from upright.lab.desk import InlineDesk
 from upright.lab.hub import Hub
 from upright.lab.messages import VERSION, Setup, Strike
-from upright.lab.server import ALONE, CLASS, CLASS_STAGES, Lab, listening
+from upright.lab.server import ALONE, CLASS, CLASS_STAGES, Lab, listening, server_of
 from upright.lab.stage import Options
 from upright.lab.stage_process import StageProcess
 
@@ -119,14 +119,7 @@ def measured(title: str, door: Door, options: Options, stages: int, clients: int
 
 def _served(lab: Lab, hub: Hub, sock: Any) -> asyncio.AbstractEventLoop:
     """The application in a thread of this process, and its event loop."""
-    import uvicorn
-
-    from upright.lab.app import application
-
-    config = uvicorn.Config(
-        application(lab.foreign, hub), log_level="warning", access_log=False, ws_per_message_deflate=False
-    )
-    server, box = uvicorn.Server(config), list[asyncio.AbstractEventLoop]()
+    server, box = server_of(lab, hub), list[asyncio.AbstractEventLoop]()
     ready = threading.Event()
 
     async def serve() -> None:

@@ -46,9 +46,21 @@ class Served:
         while not self.server.started:
             time.sleep(0.01)
 
+    def close(self) -> None:
+        self.server.should_exit = True
+        self.thread.join(10)
+        self.hub.close()
+
     def connect(self, data: str = "") -> socket.socket:
         made = socket.create_connection((self.lab.host, self.lab.port), timeout=20)
         made.sendall(data.format(host=f"{self.lab.host}:{self.lab.port}").encode())
+        return made
+
+    def socket(self) -> socket.socket:
+        """One whose first message may follow."""
+        made, head = self.connect(UPGRADE), b""
+        while not head.endswith(b"\r\n\r\n"):
+            head += made.recv(1)
         return made
 
     def page(self) -> bytes:
@@ -66,9 +78,7 @@ def patient(monkeypatch: Any) -> None:
 def served(patient: None) -> Iterator[Served]:
     made = Served()
     yield made
-    made.server.should_exit = True
-    made.thread.join(10)
-    made.hub.close()
+    made.close()
 
 
 def ended(sock: socket.socket, seconds: float = 10.0) -> bool:
@@ -104,15 +114,16 @@ def test_a_page_stays(served):
         assert "Notice" in str(made.recv(timeout=10))
 
 
-def test_more_connections_than_there_may_be_cost_the_oldest_of_who_has_most(served, monkeypatch):
-    monkeypatch.setattr(connections, "PATIENCE", 60.0)
-    served.server.config.http_protocol_class.book.most = 20
+def test_more_connections_than_there_may_be_cost_the_oldest_of_who_has_most(monkeypatch):
+    monkeypatch.setattr("upright.lab.server.files", lambda: 20)
+    served = Served()
     idle = [served.connect() for _ in range(60)]
     assert b"200 OK" in served.page()
     assert sum(_open(sock) for sock in idle) <= 20
     assert _open(idle[-1])
     for sock in idle:
         sock.close()
+    served.close()
 
 
 def _open(sock: socket.socket) -> bool:
@@ -133,7 +144,8 @@ def test_three_hundred_idle_connections_leave_room_for_a_newcomer():
     def few_files() -> None:
         resource.setrlimit(resource.RLIMIT_NOFILE, (256, 256))
 
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=few_files)
+    pipes: Any = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, "preexec_fn": few_files}
+    process = subprocess.Popen(command, **pipes)
     assert process.stdout
     port = int(process.stdout.readline().split()[-1].rstrip("/").rpartition(":")[2])
     idle = [socket.create_connection(("127.0.0.1", port)) for _ in range(300)]
@@ -148,7 +160,7 @@ def test_three_hundred_idle_connections_leave_room_for_a_newcomer():
 
 def test_a_client_that_never_reads_is_let_go(served):
     """It sends messages whose answers it does not read: what waits for it is bounded."""
-    with served.connect(UPGRADE) as made:
+    with served.socket() as made:
         made.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
         frame = bytes([0x81, 0x80 | 2, 0, 0, 0, 0]) + b"[]"
         hello = encode(Hello(VERSION)).encode()
@@ -169,7 +181,7 @@ def test_a_client_that_never_reads_is_let_go(served):
 
 def test_pings_without_end_are_no_way_to_take_the_server_s_time(served):
     """A million empty frames: the line that sends them is cut."""
-    with served.connect(UPGRADE) as made, pytest.raises(OSError):  # noqa: PT012
+    with served.socket() as made, pytest.raises(OSError):  # noqa: PT011, PT012
         for _ in range(100):
             made.sendall(bytes([0x89, 0x80, 0, 0, 0, 0]) * 10_000)
 
@@ -244,12 +256,12 @@ def test_a_class_is_served_at_an_address_of_this_machine_alone(host, capsys):
 def test_text_that_is_no_utf_8_is_answered_and_prints_nothing(served, capfd):
     """A lone surrogate, encoded as bytes: the line is closed with the code that stands for it (RFC 6455, 7.4.1)."""
     payload = b'{"kind":"\xed\xa0\x80"}'
-    with served.connect(UPGRADE) as made:
+    with served.socket() as made:
         made.sendall(bytes([0x81, 0x80 | len(payload), 0, 0, 0, 0]) + payload)
         made.settimeout(10)
         data = b""
         with contextlib.suppress(OSError):
             while more := made.recv(4096):
                 data += more
-        assert (1007).to_bytes(2, "big") in data.partition(b"\r\n\r\n")[2]
+        assert (1007).to_bytes(2, "big") in data
     assert capfd.readouterr().err == ""

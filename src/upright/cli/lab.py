@@ -23,10 +23,9 @@ def lab(
     Works offline and answers this machine only; --class opens it to an address. Ctrl-C ends it.
     """
     from upright.lab.classroom import Door
-    from upright.lab.server import LOOPBACK, Lab, listening, serve
+    from upright.lab.server import LOOPBACK, Lab, listening, reachable, serve
 
-    if class_ and host in (LOOPBACK, "localhost", "0.0.0.0"):
-        raise UprightError("--class without an address", hint="--class --host ADDRESS, this machine's in the network")
+    host = reachable(host) if class_ else host
     if not class_ and host != LOOPBACK:
         raise UprightError(f"--host {host} without --class", expected=f"this machine, {LOOPBACK}", hint="add --class")
     if not 0 <= port < 65536:

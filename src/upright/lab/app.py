@@ -12,7 +12,8 @@ from fastapi import FastAPI, Request, Response, WebSocket, WebSocketDisconnect
 from fastapi.responses import FileResponse, HTMLResponse, JSONResponse
 
 from upright.errors import UprightError
-from upright.lab import uploads
+from upright.lab import connections, uploads
+from upright.lab.connections import FINE, Address, Book
 from upright.lab.hub import Client, Hub
 from upright.lab.mailbox import Mailbox
 from upright.lab.messages import Uploaded
@@ -29,9 +30,10 @@ HEADERS = {
 }
 
 
-def application(foreign: Foreign, hub: Hub) -> FastAPI:
-    """The application round a hub; `foreign(host, origin)` says whether a request comes from another site."""
-    app = FastAPI(title="upright lab", docs_url=None, redoc_url=None, openapi_url=None, lifespan=_life(hub))
+def application(foreign: Foreign, hub: Hub, book: Book) -> FastAPI:
+    """The application round a hub; `foreign(host, origin)` says whether a request comes from another site, `book` has
+    the server's connections."""
+    app = FastAPI(title="upright lab", docs_url=None, redoc_url=None, openapi_url=None, lifespan=_life(hub, book))
 
     async def guard(request: Request, call_next: Any) -> Response:
         if foreign(request.headers.get("host"), request.headers.get("origin")):
@@ -53,7 +55,7 @@ def application(foreign: Foreign, hub: Hub) -> FastAPI:
         return await _upload(hub, session, request, what, name)
 
     async def talk(socket: WebSocket) -> None:
-        await _talk(foreign, hub, socket)
+        await _talk(foreign, hub, book, socket)
 
     app.middleware("http")(guard)
     app.get("/", response_model=None)(index)
@@ -64,11 +66,11 @@ def application(foreign: Foreign, hub: Hub) -> FastAPI:
     return app
 
 
-def _life(hub: Hub) -> Any:
+def _life(hub: Hub, book: Book) -> Any:
     @contextlib.asynccontextmanager
     async def life(_: Any) -> AsyncGenerator[None]:
         hub.begin()
-        sweeping = asyncio.create_task(_sweep(hub))
+        sweeping = asyncio.create_task(_sweep(hub, book))
         try:
             yield
         finally:
@@ -77,9 +79,10 @@ def _life(hub: Hub) -> Any:
     return life
 
 
-async def _sweep(hub: Hub) -> None:
+async def _sweep(hub: Hub, book: Book) -> None:
     while True:
         await asyncio.sleep(1.0)
+        book.sweep()
         hub.check()
         hub.sweep()
 
@@ -91,7 +94,7 @@ def _asset(name: str) -> Response:
     folder = static() / "assets"
     known = {entry.name for entry in folder.iterdir()} if folder.is_dir() else set()
     if name not in known:
-        return Response("not event", 404)
+        return Response("not found", 404)
     kind = TYPES.get(name.rpartition(".")[2], "application/octet-stream")
     return Response((folder / name).read_bytes(), media_type=kind)
 
@@ -100,7 +103,7 @@ def _download(hub: Hub, session: str, name: str) -> Response:
     folder = hub.folder(session)
     known = {entry.name for entry in folder.iterdir()} if folder else set()
     if folder is None or name not in known or name.startswith("."):
-        return Response("not event", 404)
+        return Response("not found", 404)
     return FileResponse(folder / name, filename=name, content_disposition_type="attachment")
 
 
@@ -116,23 +119,39 @@ async def _upload(hub: Hub, session: str, request: Request, what: str, name: str
     return JSONResponse({"name": path.name})
 
 
-async def _talk(foreign: Foreign, hub: Hub, socket: WebSocket) -> None:
+async def _talk(foreign: Foreign, hub: Hub, book: Book, socket: WebSocket) -> None:
     if foreign(socket.headers.get("host"), socket.headers.get("origin")):
         await socket.close(code=4403, reason="this page belongs to another site")
         return
     await socket.accept()
+    address = (socket.client.host, socket.client.port) if socket.client else ("", 0)
     client = Client(secrets.token_hex(8), Mailbox())
-    sending = asyncio.create_task(client.box.deliver(socket.send_text))
+    both = client.box.deliver(socket.send_text), _listen(hub, client, book, socket, address)
+    tasks = [asyncio.create_task(task) for task in (*both, client.box.overflown.wait())]
     try:
-        while not client.closed and not sending.done():
-            hub.receive(client, await _next(socket))
-        await asyncio.sleep(0.2)  # let the reason go out before the door closes
-        await socket.close(code=4400, reason=client.closed[:100])
+        await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+        if client.closed:
+            await asyncio.sleep(0.2)  # let the reason go out before the door closes
+            await socket.close(code=4400, reason=client.closed[:100])
     except (WebSocketDisconnect, RuntimeError):
         pass
     finally:
-        sending.cancel()
         hub.leave(client)
+        for task in tasks:
+            task.cancel()
+        asyncio.get_running_loop().call_later(1.0, book.end, address)  # whatever it has not read
+        await asyncio.gather(*tasks, return_exceptions=True)
+
+
+async def _listen(hub: Hub, client: Client, book: Book, socket: WebSocket, address: Address) -> None:
+    """Hand over what the client says, until it is let go or its first Hello does not come."""
+    async with asyncio.timeout(connections.PATIENCE):
+        while not (client.session or client.closed):
+            hub.receive(client, await _next(socket))
+    book.pages.add(address)
+    while not client.closed:
+        hub.receive(client, await _next(socket))
+    book.asks(address, FINE)
 
 
 async def _next(socket: WebSocket) -> str:

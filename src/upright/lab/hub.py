@@ -16,11 +16,14 @@ from typing import Any
 from upright.errors import UprightError
 from upright.lab.classroom import CLASS_SETUP, MOST_ALONE, MOST_STUDENTS, Door, NotAdmitted, Role, Scores
 from upright.lab.codec import InvalidMessage, decode, encode
+from upright.lab.connections import Bucket
 from upright.lab.mailbox import Mailbox
 from upright.lab.messages import VERSION, Ack, Board, Broadcast, Change, Hello, Notice, Refused, Setup, Welcome
 from upright.lab.stage_process import StageLink, Words
 
-BURST, STEADY = 400.0, 200.0  # messages at once, and a second, from one client
+BURST, STEADY = 400.0, 200.0  # messages of `SHORT` characters at once, and a second, from one client
+SHORT = 1000  # characters: a longer message counts as several
+MOST_PAGES = 6  # that show one robot
 PATIENCE = 100  # messages that are none, after which a client is let go
 RESTARTED = Notice("error", "the simulation stopped and was started again: all robots stand upright", "restarted")
 ENDED = Notice("error", "this robot stopped the simulation for all; the usual one stands here instead", "ended")
@@ -37,14 +40,7 @@ class Client:
     role: Role = "alone"
     closed: str = ""
     wrong: int = 0
-    _tokens: float = field(default=BURST, init=False)
-    _since: float = field(default_factory=time.monotonic, init=False)
-
-    def may_speak(self, now: float) -> bool:
-        """Whether it keeps to the pace: a bucket of `BURST` that refills with `STEADY` a second."""
-        self._tokens = min(BURST, self._tokens + STEADY * (now - self._since)) - 1
-        self._since = now
-        return self._tokens >= 0
+    pace: Bucket = field(default_factory=lambda: Bucket(BURST, STEADY))
 
 
 @dataclass
@@ -85,7 +81,7 @@ class Hub:
         """One message of a client. Whatever it is, nothing is raised and nobody else is troubled."""
         if client.closed:
             return
-        if not client.may_speak(time.monotonic()):
+        if not client.pace.take(1 + len(text) // SHORT):
             self._let_go(client, "too many messages; try: wait a moment and reload the page")
             return
         try:
@@ -157,6 +153,8 @@ class Hub:
         known = hello.session in self.entries
         client.session = hello.session if known else self._open(client.role, hello)
         entry = self.entries[client.session]
+        if len(entry.clients) >= MOST_PAGES:
+            raise NotAdmitted(f"this robot is shown on {MOST_PAGES} pages already", hint="close one of them")
         entry.clients[client.key] = client
         if client.role == "student":
             self.scores.names[client.session] = hello.name.strip()[:40]

@@ -6,8 +6,9 @@ import asyncio
 from collections import deque
 from collections.abc import Awaitable, Callable
 
-MOST_EVENTS = 2000
-"""Events that may wait for a client; one that lets more pile up is let go, since none may be dropped."""
+MOST_EVENTS, MOST_TEXT = 2000, 4 << 20
+"""Events, and their characters, that may wait for a client; one that lets more pile up is let go, since none may be
+dropped."""
 
 
 class Mailbox:
@@ -19,14 +20,16 @@ class Mailbox:
     def __init__(self) -> None:
         self._events: deque[str] = deque()
         self._latest: dict[str, str] = {}
-        self._unacknowledged = False
-        self._wake = asyncio.Event()
-        self.overflown = False
+        self._unacknowledged, self._size = False, 0
+        self._wake, self.overflown = asyncio.Event(), asyncio.Event()
 
     def event(self, text: str) -> None:
         """Put an event at the end."""
-        self.overflown |= len(self._events) >= MOST_EVENTS
-        if not self.overflown:
+        self._size += len(text)
+        if len(self._events) >= MOST_EVENTS or self._size > MOST_TEXT:
+            self.overflown.set()
+            self._events.clear()
+        else:
             self._events.append(text)
         self._wake.set()
 
@@ -57,9 +60,11 @@ class Mailbox:
         while True:
             await self._wake.wait()
             self._wake.clear()
-            while self._events and not self.overflown:
-                await send(self._events.popleft())
-            if self.overflown:
+            while self._events:
+                text = self._events.popleft()
+                await send(text)
+                self._size -= len(text)
+            if self.overflown.is_set():
                 return
             if board := self._latest.pop("board", ""):
                 await send(board)

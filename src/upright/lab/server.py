@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import contextlib
+import errno
+import ipaddress
 import socket
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -11,6 +13,7 @@ from typing import Any
 from upright.errors import UprightError
 from upright.lab.classroom import Door
 from upright.lab.codec import LARGEST
+from upright.lab.connections import WAITING, Book, files, protocols
 from upright.lab.hub import Hub
 from upright.lab.recording import page_text
 from upright.lab.stage import Options
@@ -51,6 +54,22 @@ class Lab:
         return host not in self.hosts or (origin is not None and origin.removeprefix("http://") not in self.hosts)
 
 
+def reachable(host: str) -> str:
+    """The address `host` of this machine, as a browser writes it; raises an `UprightError` for one that students cannot
+    reach, and for all of this machine's at once, however they are written."""
+    try:
+        address = ipaddress.IPv4Address(socket.gethostbyname(host.strip()))
+    except (OSError, ValueError, TypeError):  # no such name, and what cannot be one
+        address = ipaddress.IPv4Address(0)
+    if address.is_unspecified or address.is_loopback or address.is_multicast or address.is_reserved:
+        raise UprightError(
+            f"--class at {host[:60]!r}", expected="one address of this machine that students can reach",
+            hint="--class --host ADDRESS, this machine's in the network",
+        )  # fmt: skip
+    named = any(letter.isalpha() for letter in host.rpartition(".")[2]) and not host.lower().startswith("0x")
+    return host.strip().lower() if named else str(address)
+
+
 def listening(lab: Lab) -> socket.socket:
     """A socket on the lab's address; port 0 takes any that is free and notes it. Raises an `UprightError`."""
     made = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
@@ -59,10 +78,12 @@ def listening(lab: Lab) -> socket.socket:
         made.bind((lab.host, lab.port))
     except OSError as error:
         made.close()
+        taken = error.errno == errno.EADDRINUSE
         raise UprightError(
-            f"cannot serve on {lab.host}:{lab.port}: {error.strerror}", likely="another lab that runs there",
-            hint=f"--port {lab.port + 1}" if lab.port else "look at --host again",
-        ) from None  # fmt: skip
+            f"cannot serve on {lab.host}:{lab.port}: {error.strerror}",
+            likely="another lab that runs there" if taken else "",
+            hint=f"--port {lab.port + 1}" if taken else "look at --host and --port again",
+        ) from None
     lab.port = made.getsockname()[1]
     return made
 
@@ -73,21 +94,29 @@ def serve(lab: Lab, sock: socket.socket, ready: Callable[[], None] | None = None
     options, count = (CLASS, CLASS_STAGES) if lab.door.is_class else (ALONE, 1)
     hub = Hub(lab.door, [StageProcess(options) for _ in range(count)])
     try:
-        import uvicorn
-
-        from upright.lab.app import application
-
-        config = uvicorn.Config(
-            application(lab.foreign, hub), log_level="warning", access_log=False, ws_max_size=LARGEST, lifespan="on",
-            timeout_graceful_shutdown=1, server_header=False, ws_per_message_deflate=False,
-        )  # fmt: skip
-        server = uvicorn.Server(config)
+        server = server_of(lab, hub)
         if ready:
-            server.startup = _then(server.startup, ready)  # type: ignore[method-assign]
+            server.startup = _then(server.startup, ready)
         with contextlib.suppress(KeyboardInterrupt):  # Ctrl-C is how a lab ends
             server.run(sockets=[sock])
     finally:
         hub.close()
+
+
+def server_of(lab: Lab, hub: Hub) -> Any:
+    """The web server round a hub, with its limits on connections."""
+    import uvicorn
+
+    from upright.lab.app import application
+
+    book = Book(files())
+    requests, sockets = protocols(book)
+    config = uvicorn.Config(
+        application(lab.foreign, hub, book), http=requests, ws=sockets, log_level="critical", access_log=False,
+        ws_max_size=LARGEST, ws_per_message_deflate=False, lifespan="on", timeout_graceful_shutdown=1,
+        server_header=False, proxy_headers=False, backlog=WAITING,
+    )  # fmt: skip
+    return uvicorn.Server(config)
 
 
 def _then(startup: Any, ready: Callable[[], None]) -> Any:

@@ -45,16 +45,18 @@ class StageProcess:
 
     def __init__(self, options: Options) -> None:
         self._options, self._closing, self._lock = options, False, threading.Lock()
-        self._begin()
+        self._begin(lambda: None)
 
-    def _begin(self) -> None:
+    def _begin(self, ready: Callable[[], Any]) -> None:
+        """Begin a process; `ready` is called as soon as words to it are kept, which is before it starts."""
         context = get_context("spawn")
         self._pipe, theirs = context.Pipe()
+        self._words: queue.SimpleQueue[tuple[Any, ...] | None] = queue.SimpleQueue()
+        ready()
         self._at_work = context.RawArray("c", 64)
         self._process = context.Process(target=perform, args=(theirs, self._options, self._at_work))
         self._process.start()
         theirs.close()
-        self._words: queue.SimpleQueue[tuple[Any, ...] | None] = queue.SimpleQueue()
         self._silent, self._began, self._greeted = 0, time.monotonic(), False
         threading.Thread(target=self._talk, args=(self._pipe, self._words), daemon=True).start()
 
@@ -71,9 +73,7 @@ class StageProcess:
                             words = self._pipe.recv()
                             self._silent, self._greeted = 0, True
                             loop.call_soon_threadsafe(receive, words)
-                    culprit = self._at_work.value.decode()
-                    if self._replaced():
-                        loop.call_soon_threadsafe(lost, culprit)
+                    self._replaced(loop, lost)
 
         threading.Thread(target=drain, daemon=True).start()
 
@@ -98,18 +98,17 @@ class StageProcess:
         _kill(self._process)
         self._pipe.close()
 
-    def _replaced(self) -> bool:
-        """Whether another process was begun in the place of one that is gone."""
+    def _replaced(self, loop: asyncio.AbstractEventLoop, lost: Callable[[str], None]) -> None:
+        """Begin another process in the place of one that is gone."""
+        culprit = self._at_work.value.decode()
         if time.monotonic() - self._began < HOPELESS:
             time.sleep(1.0)  # it cannot even start: no use to hurry
         with self._lock:
-            if self._closing:
-                return False
-            self._words.put(None)
-            _kill(self._process)
-            self._pipe.close()
-            self._begin()
-        return True
+            if not self._closing:
+                self._words.put(None)
+                self._pipe.close()
+                _kill(self._process)
+                self._begin(lambda: loop.call_soon_threadsafe(lost, culprit))
 
     def _talk(self, pipe: Connection, words: queue.SimpleQueue[tuple[Any, ...] | None]) -> None:
         with contextlib.suppress(OSError):

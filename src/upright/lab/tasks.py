@@ -111,7 +111,7 @@ def doctor(report: Report, source: Path | Log, robot: Robot) -> tuple[JobResult]
     rows = tuple((f.severity, f.code, f.channel, f.evidence, f.repair) for f in diagnosis.findings)
     name = Path(diagnosis.source).name if diagnosis.source else "this run"
     title = f"{name}: {diagnosis.rows} rows, {diagnosis.seconds:.1f} s, every {1e3 * diagnosis.period:.3g} ms"
-    text = "" if rows else "Nothing diagnosis: this log can be used as it is."
+    text = "" if rows else "Nothing found: this log can be used as it is."
     return (JobResult("doctor", title, text, ("", "what", "channel", "evidence", "repair"), rows, diagnosis.healthy),)
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import asyncio
 import re
+import secrets
 from collections.abc import AsyncIterator
 from pathlib import Path
 
@@ -12,6 +14,9 @@ LARGEST = 32 * 1024 * 1024
 """Bytes of a file: an hour of raw sensors at 100 Hz is a third of it."""
 
 MOST_FILES = 20
+
+PATIENCE = 120.0
+"""[s] in which a file must have arrived."""
 
 SUFFIXES = {
     "log": {".csv", ".txt", ".log", ".tsv", ".dat", ".json", ".mat", ".parquet", ".mcap"},
@@ -37,18 +42,26 @@ def safe_name(name: str, what: str) -> str:
 async def receive(chunks: AsyncIterator[bytes], folder: Path, name: str, what: str) -> Path:
     """Write what arrives into `folder`; nothing of a file that is refused stays there."""
     target = folder / safe_name(name, what)
-    if len(list(folder.iterdir())) >= MOST_FILES and not target.exists():
-        raise UploadRefused(f"{MOST_FILES} files lie here already", hint="reload the page without its session")
-    unfinished = target.with_name(f".{target.name}.part")
     size = 0
     try:
-        with unfinished.open("wb") as stream:
-            async for chunk in chunks:
-                size += len(chunk)
-                if size > LARGEST:
-                    raise UploadRefused(f"{name[:60]} is larger than {LARGEST >> 20} MB", hint="cut it, or use the CLI")
-                stream.write(chunk)
-        unfinished.replace(target)
-    finally:
-        unfinished.unlink(missing_ok=True)
+        if len(list(folder.iterdir())) - target.exists() >= MOST_FILES:
+            raise UploadRefused(f"{MOST_FILES} files lie here already", hint="reload the page without its session")
+        unfinished = target.with_name(f".{secrets.token_hex(8)}.part")  # two may arrive under one name
+        try:
+            with unfinished.open("wb") as stream:
+                async with asyncio.timeout(PATIENCE):
+                    async for chunk in chunks:
+                        size += len(chunk)
+                        if size > LARGEST:
+                            most = f"{name[:60]} is larger than {LARGEST >> 20} MB"
+                            raise UploadRefused(most, hint="cut it, or use the CLI")
+                        stream.write(chunk)
+            unfinished.replace(target)
+        finally:
+            unfinished.unlink(missing_ok=True)
+    except TimeoutError:
+        raise UploadRefused(f"{name[:60]} did not arrive within {PATIENCE:g} s", hint="send it again") from None
+    except OSError as error:
+        why = f"{name[:60]} could not be kept: {error.strerror}"
+        raise UploadRefused(why, likely="a session that has ended, or a full disk") from None
     return target
