@@ -5,8 +5,10 @@ from __future__ import annotations
 
 import math
 import re
+import struct
 import subprocess
 from contextlib import suppress
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -21,6 +23,7 @@ from upright.firmware.tools import ExecutionFailed, run_tool, tool
 from upright.firmware.wiring import nxt_wiring
 from upright.parity.execute import execute
 from upright.parity.execute_nxc import NxcExecutor
+from upright.parity.execute_python import PythonExecutor
 from upright.parity.executed import Readings
 
 NAN, INF = math.nan, math.inf
@@ -291,3 +294,53 @@ def test_wiring_that_parity_cannot_follow_is_one_line(tmp_path: Path, line: str)
     with pytest.raises(InvalidController, match=name) as caught:
         nxt_wiring(text)
     assert "\n" not in str(caught.value)
+
+
+CLOCKS = {
+    "pybricks": ("raw_encoder_left = left.angle()\n", "print('at', watch.time())", "wait(26)"),
+    "ev3dev": ("raw_encoder_left = left.position\n", "print('at', time.monotonic() * 1000)", "time.sleep(0.026)"),
+}
+"""Target → the first line of a period, what shows its time [ms], and what stalls it for two periods and a half."""
+
+
+@pytest.mark.parametrize("target", WIRINGS[1:])
+def test_after_a_stall_no_period_is_short(tmp_path: Path, target: str) -> None:
+    kit = SPIKE if target == "pybricks" else NXT
+    source, made = written(tmp_path, target, kit)
+    first, shown, stall = CLOCKS[target]
+    stalled = f"{shown}            if count == 8:\n                {stall}\n"
+    executor, readings = (
+        execute(rewired(source, {first: stalled + first}), made.program, made.number),
+        Readings(made.program, kit),
+    )
+    assert isinstance(executor, PythonExecutor)
+    executor.start()
+    for raw in [*readings.still(100), *[readings.raw({}, readings.offset)] * 20]:
+        executor.step(raw)
+    begun = [float(line.split()[1]) for line in executor.lines if line.startswith("at")]
+    periods = [b - a for a, b in pairwise(begun)]
+    assert max(periods) > 25  # [ms] the stall
+    assert min(periods) > 9.9
+    assert periods[-1] == pytest.approx(10)
+    executor.close()
+
+
+@pytest.mark.needs("nbc")
+def test_after_a_stall_no_period_of_an_nxt_is_short(tmp_path: Path) -> None:
+    """The rows of its log keep the clock in the place of the battery."""
+    source, made = written(tmp_path, "nxc")
+    clocked = rewired(
+        source, {"  row.battery = level;\n": "  row.battery = CurrentTick() % 10000;\n  if (rows == 8) Wait(26);\n"}
+    )
+    executor, readings = execute(clocked, made.program, made.number), Readings(made.program, NXT)
+    assert isinstance(executor, NxcExecutor)
+    executor.start()
+    for raw in [*readings.still(100), *[readings.raw({}, readings.offset)] * 20]:
+        executor.step(raw)
+    _, _, rows = bytes(next(iter(executor.hardware.flash.files.values()))).partition(b"\r\n")
+    begun = [row[4] for row in struct.iter_unpack("<7h", rows)]
+    periods = [b - a for a, b in pairwise(begun)]
+    assert max(periods) > 25  # [ms] the stall
+    assert min(periods) >= 9  # its clock counts whole milliseconds
+    assert periods[-1] in (9, 10, 11)
+    executor.close()
