@@ -308,11 +308,8 @@ def test_after_a_stall_no_period_is_short(tmp_path: Path, target: str) -> None:
     kit = SPIKE if target == "pybricks" else NXT
     source, made = written(tmp_path, target, kit)
     first, shown, stall = CLOCKS[target]
-    stalled = f"{shown}            if count == 8:\n                {stall}\n"
-    executor, readings = (
-        execute(rewired(source, {first: stalled + first}), made.program, made.number),
-        Readings(made.program, kit),
-    )
+    edits = {first: f"{shown}\n            if count == 8:\n                {stall}\n            {first}"}
+    executor, readings = execute(rewired(source, edits), made.program, made.number), Readings(made.program, kit)
     assert isinstance(executor, PythonExecutor)
     executor.start()
     for raw in [*readings.still(100), *[readings.raw({}, readings.offset)] * 20]:

@@ -68,16 +68,25 @@ def dump(log, count, late, status, offset):
     send("E", "%d" % kept)
 
 
+def stop(*motors):
+    # Each by itself: one whose cable is out does not let the other run on.
+    for motor in motors:
+        try:
+            motor.stop()
+        except Exception:
+            pass
+
+
 def clip(value, most):
     return int(min(max(value, -most), most)) if value == value else 0  # no number: 0
 
 
 def pause(due):
-    # Until `due` [s]; whether that had already passed.
+    # Until `due` [s]; what the next period is counted from: after a stall none is short to catch up.
     rest = due - time.monotonic()
     if rest > 0:
         time.sleep(rest)
-    return rest <= 0
+    return due - min(rest, 0)
 
 
 def main():
@@ -138,8 +147,7 @@ def main():
         if start_status:
             print({4: 'battery too low', 6: 'a sensor failed'}[int(start_status)])
             return
-        due += PERIOD
-        pause(due)
+        due = pause(due + PERIOD)
     leds.set_color("LEFT", "GREEN")
     left.position = right.position = 0
     left.run_direct(duty_cycle_sp=0)
@@ -241,11 +249,11 @@ def main():
                 ))
             if buttons.any():
                 break
-            due += PERIOD
-            late += pause(due)
+            now = pause(due + PERIOD)
+            late += now > due + PERIOD
+            due = now
     finally:
-        left.stop()
-        right.stop()
+        stop(left, right)
         leds.set_color("LEFT", "RED")
         dump(log, count, late, status, gyro_offset)
 

@@ -65,8 +65,25 @@ def dump(log, count, late, status, offset):
     send("E", "%d" % kept)
 
 
+def stop(*motors):
+    # Each by itself: one whose cable is out does not let the other run on.
+    for motor in motors:
+        try:
+            motor.stop()
+        except Exception:
+            pass
+
+
 def clip(value, most):
     return int(min(max(value, -most), most)) if value == value else 0  # no number: 0
+
+
+def pause(watch, due):
+    # Until `due` [ms]; what the next period is counted from: after a stall none is short to catch up.
+    rest = due - watch.time()
+    if rest > 0:
+        wait(rest)
+    return due - min(rest, 0)
 
 
 def main():
@@ -126,10 +143,7 @@ def main():
         if start_status:
             print({4: 'battery too low', 6: 'a sensor failed'}[int(start_status)])
             return
-        due += PERIOD
-        rest = due - watch.time()
-        if rest > 0:
-            wait(rest)
+        due = pause(watch, due + PERIOD)
     hub.light.on(Color.GREEN)
     left.reset_angle(0)
     right.reset_angle(0)
@@ -230,15 +244,11 @@ def main():
                 ))
             if hub.buttons.pressed():
                 break
-            due += PERIOD
-            rest = due - watch.time()
-            if rest > 0:
-                wait(rest)
-            else:
-                late += 1
+            now = pause(watch, due + PERIOD)
+            late += now > due + PERIOD
+            due = now
     finally:
-        left.stop()
-        right.stop()
+        stop(left, right)
         hub.light.on(Color.RED)
         try:
             if status:
