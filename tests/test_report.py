@@ -325,6 +325,19 @@ def test_cells_show_a_true_minus_and_a_dash_for_what_is_not_known():
     ]
 
 
+def test_a_table_without_rows_is_a_sentence_instead_of_a_bare_header():
+    html = Page("P", [Section("S", [Table(["a", "b"], [], "Pairs"), Table(["c", "d"], [])])]).html()
+    assert "<th" not in html
+    assert [html.count(sentence) for sentence in ("<p>Pairs: none.</p>", "<p>No entries.</p>")] == [1, 1]
+
+
+def test_a_name_in_backticks_is_set_as_code():
+    cell = "see `upright certify` for J_ψ & `a_b`"
+    html = Page("P", [Section("S", [cell, Table(["a"], [[cell]])])]).html()
+    assert html.count("see <code>upright certify</code> for J<sub>ψ</sub> &amp; <code>a_b</code>") == 2
+    assert "`" not in re.sub(r"<script>.*?</script>", "", html, flags=re.DOTALL)
+
+
 def test_mistakes_in_a_page_are_told():
     with pytest.raises(UprightError, match="a row of table 'T' has 1 cells; expected 2"):
         Table(["a", "b"], [["x"]], "T")
