@@ -1,7 +1,7 @@
 """One log under one method: the models of both halves, and their uncertainty from repeated logs.
 
 Every method is run again on simulated logs of the loop of the subspace model and the feedback law, whose pole is known.
-The scatter of the estimates gives the method's 95 % intervals, their mean its bias.
+The scatter of the estimates gives the method's 95 % intervals, their median its bias.
 """
 
 from __future__ import annotations

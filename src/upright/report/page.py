@@ -148,11 +148,13 @@ def cell_text(cell: Cell, digits: int = 4) -> str:
 
 
 def symbols(text: str) -> str:
-    """Text as HTML, in which a letter with an index, such as J_ψ, is set with a subscript."""
-    return _INDEX.sub(r"\1<sub>\2</sub>", escape(text))
+    """Text as HTML: a letter with an index, such as J_ψ, gets a subscript, and a name in backticks is code."""
+    parts = _CODE.split(escape(text))  # prose and code by turns
+    return "".join(f"<code>{p}</code>" if i % 2 else _INDEX.sub(r"\1<sub>\2</sub>", p) for i, p in enumerate(parts))
 
 
 _INDEX = re.compile(r"\b([A-Za-zα-ωΔ]\u0307?)_(\w)\b")
+_CODE = re.compile(r"`([^`]+)`")
 _POWER = re.compile(r"e([+-])0*(\d+)$")
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
