@@ -207,7 +207,7 @@ def test_hardware_is_not_driven_on_a_red_certificate_unless_told_otherwise() -> 
         run(brick, wrong, seconds=0.1, certificate=red())
     assert brick.steps == 0  # it is refused before the motors turn
     log = run(brick, wrong, seconds=0.1, certificate=red(), anyway=True)
-    assert log.origin["scenario"]["certificate"].startswith("told otherwise: red")
+    assert log.origin["scenario"]["certificate"].startswith("overridden: red")
     with pytest.raises(NotPermitted, match="another"):
         run(brick, scaled(designed("pid"), 1.01), seconds=0.1, certificate=green())
     assert (

@@ -311,7 +311,7 @@ def test_a_hub_without_a_program_says_so(hub: VirtualHub) -> None:
         async with linked(hub, PATIENCE) as link:
             await link.start()
 
-    with pytest.raises(HubRefused, match="will not start"):
+    with pytest.raises(HubRefused, match="refuses to start"):
         asyncio.run(start())
 
 

@@ -332,7 +332,7 @@ def test_a_red_certificate_is_refused_unless_somebody_insists(tmp_path: Path, ca
     assert "may not drive this robot: red" in capsys.readouterr().err
     assert not Path("balance.py").exists()
     assert main([*call, "--anyway"]) == 0
-    assert "told otherwise: red" in capsys.readouterr().out
+    assert "overridden: red" in capsys.readouterr().out
     assert Path("balance.py").exists()
 
 

@@ -22,12 +22,12 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 
-VISIBLE, PRIOR, BOUND, HELD = "visible", "known from its prior", "at its bound", "held at its prior"
+VISIBLE, PRIOR, BOUND, HELD = "visible", "prior dominates", "at its bound", "not fitted"
 VERDICTS = {
     VISIBLE: "the log halves the prior's uncertainty, or better",
     PRIOR: "the log adds little to the prior; the value is meaningful only together with the others",
-    BOUND: "the fit pressed against zero; the interval is one-sided",
-    HELD: "not fitted: the log holds too little information",
+    BOUND: "the estimate is at its bound of zero; the interval is one-sided",
+    HELD: "the log holds too little information: the value is the prior's",
 }
 PREDICTED = {
     "sensor/gyro": "rad/s", "sensor/encoder_left": "rad", "sensor/encoder_right": "rad",
@@ -273,11 +273,15 @@ class Calibration(Shown):
 
     def __str__(self) -> str:
         head = f"{self.robot.name} from {', '.join(self.sources) or 'a log'}: {self.samples} samples fitted"
-        lines = [head, *(_line(e) for e in (*self.parameters, *self.delays, *self.electronics)), "What the log sees:"]
+        lines = [
+            head,
+            *(_line(e) for e in (*self.parameters, *self.delays, *self.electronics)),
+            "Coefficients of the motion:",
+        ]
         lines += [_line(e) for e in self.combinations]
         return "\n".join([*lines, *self.unseen, *self.notes])
 
 
 def _line(e: Estimate) -> str:
     mark = "  contradicts its prior" if e.surprising else ""
-    return f"  {e.name:<18} {e.value:>11.5g} [{e.low:.4g}, {e.high:.4g}] {e.unit:<10} {e.verdict}{mark}"
+    return f"  {e.name:<18} {e.value:>11.5g} {f'[{e.low:.4g}, {e.high:.4g}]':<24} {e.unit:<10} {e.verdict}{mark}"

@@ -19,9 +19,9 @@ Array = NDArray[np.float64]
 
 ASYMMETRY, BATTERY, DEAD_ZONE = "asymmetry", "battery", "dead_zone"
 MEANING = {
-    ASYMMETRY: "how much stronger the right motor is than the left, of their mean",
-    BATTERY: "what reaches the motors, of what the log says",
-    DEAD_ZONE: "commands up to this size do nothing",
+    ASYMMETRY: "strength of the right motor less that of the left, over their mean",
+    BATTERY: "fraction of the logged command that reaches the motors",
+    DEAD_ZONE: "commands up to this size do not move the motors",
 }
 
 UNEQUAL = 0.05  # [1] spread of the difference of two motors of one make
@@ -30,7 +30,7 @@ MEASURED = 0.02  # [1] spread where it was: drop in driver and wires
 
 
 def electronics_of(robot: Robot, kit: Kit, logs: Sequence[Log]) -> tuple[Parameter, ...]:
-    """What lies between the commands of these logs and the motors, with its priors."""
+    """The parameters between the commands of these logs and the motors, with their priors."""
     parameters = [Parameter(ASYMMETRY, "1", 0.0, UNEQUAL, "linear")]
     if all("body" in log.origin for log in logs):
         return tuple(parameters)

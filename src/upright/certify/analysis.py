@@ -76,22 +76,22 @@ class Analysis(Shown):
         return np.abs(self.drawn).max(axis=1) if len(self.drawn) else np.empty(0)
 
     def both(self) -> Margins:
-        """The margins of both motors together, which say most of pitch."""
+        """The margins of both motors together, which describe the pitch loop best."""
         return next(m for m in self.inputs if m.channel == "both motors")
 
     def words(self) -> list[str]:
-        """What it comes to, in sentences."""
+        """The result, in sentences."""
         if not self.stable:
             return [f"The loop is unstable: its largest pole is at |z| = {np.abs(self.poles).max():.4f}."]
         low, high = disk_gain(self.disk)
         fell = int((self.radii >= 1).sum())
         sentences = [
             self.both().words(),
-            f"Both motors at once and each on its own: gains between {low * 100:.0f} and {high * 100:.0f} %, "
+            f"Both motors, varied independently: gains between {low * 100:.0f} and {high * 100:.0f} %, "
             f"or phases up to {math.degrees(disk_phase(self.disk)):.0f}°.",
             f"Of {len(self.radii)} robots drawn from the spreads, {fell} are unstable.",
         ]
-        return sentences + ([f"Over the intervals of the parameters it {self.mu.words()}"] if self.mu else [])
+        return sentences + ([f"Parameters within their intervals (μ): the loop {self.mu.words()}"] if self.mu else [])
 
     def plot(self) -> Figure:
         """Bode diagram of the loop broken at both motors, frequency and magnitude on logarithmic axes."""

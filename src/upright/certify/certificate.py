@@ -224,11 +224,11 @@ def judge(
     if amber := disagreements(compared, AMBER) + thin + _laborious(runs):
         return AMBER, tuple(amber[:2])
     chance = _per_cent(upper_bound(fell, samples, CONFIDENCE))
-    message = f"{fell} of {samples} robots fell: the chance is below {chance}"
+    message = f"{fell} of {samples} robots fell: the probability of a fall is below {chance}"
     if linear is None:
-        return GREEN, (message, "its linear margins are not known")
+        return GREEN, (message, "no linear margins are known")
     delay = "any delay" if math.isinf(linear.delay) else f"{linear.delay * 1e3:.1f} ms more delay"
-    return GREEN, (message, f"it survives {delay}")
+    return GREEN, (message, f"stable with {delay}")
 
 
 def _falls(samples: int, fell: int, runs: Sequence[PushTrial]) -> list[str]:
@@ -237,7 +237,7 @@ def _falls(samples: int, fell: int, runs: Sequence[PushTrial]) -> list[str]:
         return []
     worst = max(runs, key=lambda t: t.fell)
     where = f", {worst.fell} of them after a {worst.push} at {worst.battery} battery" if fell else ""
-    message = f"the chance may be {_per_cent(bound)}, more than {100 * MOST_FALLS:g} %"
+    message = f"the probability of a fall may be {_per_cent(bound)}, more than {100 * MOST_FALLS:g} %"
     return [f"{fell} of {samples} robots fell{where}: {message}"]
 
 
@@ -248,18 +248,21 @@ def _unstable(linear: LinearMargins) -> list[str]:
 def _thin(linear: LinearMargins, period: float) -> list[str]:
     up, down = linear.gain_high - 1, 1 - linear.gain_low
     slack, way = (up, "stronger") if up < down else (down, "weaker")
-    thin = [f"motors {100 * slack:.1f} % {way} make it unstable"] if slack < LEAST_GAIN else []
+    thin = [f"motors {100 * slack:.1f} % {way} make the loop unstable"] if slack < LEAST_GAIN else []
     if linear.delay >= LEAST_DELAY * period:
         return thin
-    return [*thin, f"{linear.delay * 1e3:.1f} ms more delay make it unstable, {linear.delay / period:.2f} of a period"]
+    return [
+        *thin,
+        f"{linear.delay * 1e3:.1f} ms more delay ({linear.delay / period:.2f} of a period) make the loop unstable",
+    ]
 
 
 def _laborious(runs: Sequence[PushTrial]) -> list[str]:
     limits = {"saturated": MOST_SATURATED, "travel": MOST_TRAVEL, "cycle": MOST_CYCLE}
     words = {
         "saturated": "a motor is at its limit for {:.0%} of the time",
-        "travel": "it rolls {:.2f} m away",
-        "cycle": "at rest it sways by ±{:.2f} rad",
+        "travel": "the robot rolls {:.2f} m away",
+        "cycle": "at rest the robot sways by ±{:.2f} rad",
     }
     reasons: list[str] = []
     for name, limit in limits.items():
@@ -274,7 +277,7 @@ def _laborious(runs: Sequence[PushTrial]) -> list[str]:
 def _check_family(family: Sequence[Robot], robot: Robot) -> None:
     if len(family) < FEWEST:
         raise InvalidScenario(
-            f"{len(family)} robots are too few to bound the chance of a fall", expected=f"{FEWEST} or more"
+            f"{len(family)} robots are too few to bound the probability of a fall", expected=f"{FEWEST} or more"
         )
     if stranger := next((r for r in family if r.command_unit != robot.command_unit), None):
         raise SpecMismatch(f"'{stranger.name}' among the robots is commanded in {stranger.command_unit}",

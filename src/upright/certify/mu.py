@@ -61,9 +61,9 @@ class Mu:
 
     def words(self) -> str:
         """One sentence."""
-        sure = f"holds for every robot within {1 / self.upper:.2f} of the intervals" if self.upper else "always holds"
+        sure = f"is stable within {1 / self.upper:.2f} of the intervals" if self.upper else "is always stable"
         fails = (
-            f"fails at {1 / self.lower:.2f} of them" if self.lower else f"no failure is found up to {_FAR:g} of them"
+            f"unstable at {1 / self.lower:.2f} of them" if self.lower else f"no unstable robot up to {_FAR:g} of them"
         )
         return f"{sure}; {fails}."
 

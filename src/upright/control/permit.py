@@ -15,7 +15,7 @@ class Permit(Protocol):
 
 
 def permitted(controller: Controller, permit: Permit | None, anyway: bool = False) -> str:
-    """What a log or a program says of it: "certified", "not certified", or "told otherwise" with what was refused.
+    """What a log or a program says of it: "certified", "not certified", or "overridden" with what was refused.
 
     Raises `NotPermitted` where `permit` refuses the controller and `anyway` does not tell otherwise. Without a permit
     nothing is known of the controller, and nothing is refused.
@@ -28,5 +28,5 @@ def permitted(controller: Controller, permit: Permit | None, anyway: bool = Fals
             hint="change the design and certify it again, or say anyway=True (--anyway) and stand beside the robot",
         )
     if refused:
-        return f"told otherwise: {refused}"
+        return f"overridden: {refused}"
     return "certified" if permit else "not certified"

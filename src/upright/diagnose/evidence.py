@@ -235,9 +235,9 @@ def _evidence(
 
 def _foreign(ordinary: float) -> str:
     return (
-        "the given robot does not fit this log even before the fall: innovations are "
-        f"{math.sqrt(ordinary):.0f} times what they should be; calibrate it first (`upright calibrate`), or name the "
-        "right robot"
+        "the given robot does not fit this log, even before the fall: innovations are "
+        f"{math.sqrt(ordinary):.0f} times the expected size. Calibrate it first (`upright calibrate`), or name another "
+        "robot"
     )
 
 
@@ -255,7 +255,7 @@ def _match(
     stable = _stable(controller, run.robot, run.kit)
     if best.known or best.explained > SAME:
         return best, stable, ()
-    note = "the controller's file does not give the commands of this log, not even before the trouble"
+    note = "the controller's file does not reproduce the commands of this log, even before the fault"
     return best, stable, (note,)
 
 

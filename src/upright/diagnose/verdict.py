@@ -62,13 +62,13 @@ SOUND = 4.0  # NIS over the ordinary one, below which robot and sensors are soun
 LEAST = 1e-4  # of a likelihood, below which a cause is left out
 
 REPAIRS = {
-    SATURATION: "ask for less (slower changes of speed, less slope), or fit stronger motors or a higher voltage",
+    SATURATION: "reduce the demand (slower changes of speed, less slope), or fit stronger motors or a higher voltage",
     BIAS: "calibrate the gyro at rest before every start; use a controller that estimates the offset (lqg, lqi)",
     DROPPED: "take logging and sockets out of the loop, relieve the bus, and count missed periods with a watchdog",
-    SLIP: "clean tyres and floor, use softer tyres, or limit the command to what the floor holds",
+    SLIP: "clean tyres and floor, use softer tyres, or limit the command to the grip of the floor",
     BATTERY: "charge or change the battery; scale the duty by the measured voltage",
     PUSH: "nothing is broken: push less, or design for larger pushes (see `upright certify`)",
-    DELAY: "look for what became slow (bus, filter, sensor mode), or design for the longer delay",
+    DELAY: "find the cause of the delay (bus, filter, sensor mode), or design for it",
     LOW: "raise the gain again, or design a new controller (`upright design`)",
     HIGH: "lower the gain again, or design a new controller (`upright design`)",
     CANNOT_TELL: "",
@@ -136,7 +136,7 @@ def _changed_gain(evidence: Evidence) -> list[_Answer]:
     if match is None or match.explained < EXACT or abs(math.log(max(match.gain, 1e-9))) < GAIN_STEP:
         return []
     text = (
-        f"the commands are {match.gain:.2f} times those of the controller's file on the same readings, which explains "
+        f"the commands are {match.gain:.2f} times those of the controller's file on the same readings; this explains "
         f"{_most(match.explained)} of their difference"
     )
     text += f"; before, they agreed to {_percent(match.misfit)}" if match.known else ""
@@ -224,8 +224,8 @@ def _steady_load(evidence: Evidence) -> list[_Answer]:
         return []
     fit = max(loads, key=lambda f: f.score)
     text = (
-        f"a steady force of {fit.size:+.2g} N at the axle since t = {fit.onset:.2f} s, such as a slope or a rope, "
-        f"explains {_percent(fit.explained)} of the innovations; {_at_limit(evidence)}"
+        f"a steady force of {fit.size:+.2g} N at the axle since t = {fit.onset:.2f} s explains "
+        f"{_percent(fit.explained)} of the innovations (a slope or a rope?); {_at_limit(evidence)}"
     )
     name = SATURATION if evidence.motors.saturated > SATURATED else PUSH
     chance = LIKELY * _surer(evidence, fit) * _enough(evidence, fit, EXPLAINED)
@@ -309,8 +309,8 @@ def _of_push(evidence: Evidence, push: PushEstimate, lean: float) -> str:
     way = "forward" if push.impulse > 0 else "backward"
     return (
         f"a push {way} of {abs(push.impulse):.2g} N s within {push.stop - push.start:.2g} s at t = {push.start:.2f} s "
-        f"explains {_most(evidence.pushes_only.explained)} of the innovations; with later pushes it is worth "
-        f"{lean:.2g} rad of lean, and the motors bring back {min(evidence.toppling.largest, LEANING):.2g} rad at most"
+        f"explains {_most(evidence.pushes_only.explained)} of the innovations. With later pushes it causes {lean:.2g} "
+        f"rad of lean; the motors bring back {min(evidence.toppling.largest, LEANING):.2g} rad at most"
     )
 
 
@@ -323,22 +323,24 @@ def _of_demand(evidence: Evidence, demand: Demand) -> str:
 
 
 def _of_low(evidence: Evidence) -> str:
-    gave = "the motors had more to give"
+    gave = "the motors had torque left"
     if math.isfinite(evidence.motors.help):
-        gave = f"the motors gave {evidence.motors.help:.2g} of what stops the fall, and had more"
-    return f"{_sound(evidence)}, no push shows, and the fall grew without swings: {gave}"
+        gave = f"the motors gave {evidence.motors.help:.2g} of the torque that stops the fall, and had more"
+    return f"{_sound(evidence)}, no push is seen, and the fall grew without swings: {gave}"
 
 
 def _of_high(evidence: Evidence) -> str:
     return (
-        f"{_sound(evidence)}, no push shows, and the commands changed sign {evidence.motors.swings:.0f} times a second "
-        "with growing swings"
+        f"{_sound(evidence)}, no push is seen, and the commands changed sign {evidence.motors.swings:.0f} times a "
+        "second with growing swings"
     )
 
 
 def _of_pegged(evidence: Evidence) -> str:
     pegged = _percent(evidence.motors.pegged)
-    return f"the motors were at their limit for {pegged} of the last second; other causes need the right robot"
+    return (
+        f"the motors were at their limit for {pegged} of the last second; to judge other causes, name the right robot"
+    )
 
 
 def _at_limit(evidence: Evidence) -> str:

@@ -128,7 +128,7 @@ class Connection:
         if "error" in answer:
             if answer["error"].startswith(("OSError", "struct.error", "error:", "USB")):
                 raise self._lost(request)
-            raise BrickRefused(f"the brick will not {request}: {answer['error']}")
+            raise BrickRefused(f"the brick refused '{request}': {answer['error']}")
         return answer["ok"]
 
     def _lost(self, request: str) -> BrickLost:

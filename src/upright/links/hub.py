@@ -137,9 +137,9 @@ async def _done(request: Awaitable[T], name: str, what: str, patience: float) ->
     except BleakError as error:
         if "onnect" in str(error):
             raise _lost(name, what, error) from None
-        raise HubRefused(f"{name} will not {what}: {error}", likely="another program runs on it") from None
+        raise HubRefused(f"{name} refuses to {what}: {error}", likely="another program runs on it") from None
     except (RuntimeError, ValueError) as error:
-        raise HubRefused(f"{name} will not {what}: {error}", hint="install Pybricks at code.pybricks.com") from None
+        raise HubRefused(f"{name} refuses to {what}: {error}", hint="install Pybricks at code.pybricks.com") from None
 
 
 def _lost(name: str, what: str, error: BaseException) -> HubLost:

@@ -18,7 +18,7 @@ def chapter(robot: Robot, kit: Kit, progress: Progress = silent) -> Claim:
     least = min((row for row in rows if row.holds), key=lambda row: row.travel or 0.0)
     summary = (
         f"{len(held)} of {len(METHODS)} controllers balance {robot.name} on its sensors through both pushes. The "
-        "paper's state feedback has no integral action, so the robot rolls away under a constant force; "
+        "paper's state feedback has no integral action, so the robot rolls away under a constant force. "
         f"{least.controller} travels least, {least.travel:.2g} rad of wheel."
     )
     return Claim(

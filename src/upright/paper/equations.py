@@ -60,13 +60,13 @@ def _model() -> Claim:
     models: tuple[Model, Model] = ("published", "complete")
     off = {model: disagreement(model, robot) for model in models}
     summary = (
-        "The equations of this package, which are (11) to (24) with their misprints corrected, agree with those that "
-        f"SymPy derives from the energies to {_power(max(off.values()))} of the largest acceleration over {STATES} "
+        "The equations of this package are (11) to (24) with their misprints corrected. They agree with those that "
+        f"SymPy derives from the energies to {_power(max(off.values()))} of the largest acceleration, over {STATES} "
         "random states and voltages. So do those of the complete model (chapter 2)."
     )
     items: list[Item] = [
-        "Derived with the rolling constraint put into the energies before they are differentiated, as in the paper and "
-        "in its source, reference [4]; torques in N m:",
+        "As in the paper and in its source, reference [4], the rolling constraint is put into the energies before they "
+        "are differentiated. Torques in N m:",
         *(Formula(line.replace(" = ", "\n= ")) for line in without_loads(derive("published")).equations),
         "with α = n K_t/R_m and β = n K_t K_b/R_m + f_m.",
     ]
@@ -83,7 +83,7 @@ def _misprints(proofs: Mapping[Erratum, Proof | None]) -> Claim:
     summary = (
         f"{len(proofs)} misprints, {len(proved)} of them in equations of motion. Against the derivation {holding} of "
         f"{len(proved)} are proved: the corrected form equals it identically, the printed one does not. Each alone "
-        f"is off by {100 * least:.1f} % to {100 * worst:.0f} % of the derived value when NXTway-GS leans "
+        f"is off by {100 * least:.1f} % to {100 * worst:.0f} % of the derived value. For this, NXTway-GS leans "
         f"{WITNESS['pitch']:g} rad, rolls at {WITNESS['wheel_rate']:g} rad/s and turns at {WITNESS['yaw_rate']:g} "
         f"rad/s. The other {len(proofs) - len(proved)} are slips of notation."
     )
@@ -91,7 +91,7 @@ def _misprints(proofs: Mapping[Erratum, Proof | None]) -> Claim:
         "errata": [_as_json(erratum, proof) for erratum, proof in proofs.items()],
         "proved": holding, "provable": len(proved), "witness": WITNESS,
     }  # fmt: skip
-    items: list[Item] = [_table(proofs), "What the derivation gives for the equations in which they stand:"]
+    items: list[Item] = [_table(proofs), "The derived form of each equation with a misprint:"]
     items.extend(Formula(line) for line in _derived(proved))
     return Claim("1b", "The equations as printed: the errata", NOT_AS_PRINTED, summary, numbers, items)
 

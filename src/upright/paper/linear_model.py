@@ -85,10 +85,10 @@ def _fitted(log: Log, fit: LeastSquares) -> Claim:
     offset = float(np.abs(fit.offset).max())
     good = blocks[0].agrees and blocks[1].agrees and fit.full_rank
     summary = (
-        f"Least squares on {fit.samples} samples gives the printed pitch block within {blocks[0].units:.1f} and the "
-        f"yaw block within {blocks[1].units:.1f} units of the last printed digit, once the sign of the yaw inputs is "
-        f"turned. X_g has rank {fit.rank} of 9 and condition number {fit.condition:.1f}; the independent term is at "
-        f"most {cell_text(offset, 2)}."
+        f"Least squares on {fit.samples} samples gives the printed pitch block within {blocks[0].units:.1f} units of "
+        "the last printed digit. With the sign of the yaw inputs turned, the yaw block is within "
+        f"{blocks[1].units:.1f}. X_g has rank {fit.rank} of 9 and condition number {fit.condition:.1f}; the "
+        f"independent term is at most {cell_text(offset, 2)}."
     )
     numbers = {
         "misfit": {b.block: {"last_digits": b.units, "entries": b.entries} for b in blocks},
@@ -120,8 +120,8 @@ def _biased(robot: Robot, log: Log, fit: LeastSquares, longer: LeastSquares) -> 
     true = unstable_pole(linearise(robot).c2d(printed.PERIOD))
     estimated, with_more = unstable_pole(fit.model), unstable_pole(longer.model)
     summary = (
-        "From the twin's sensors (encoders of 1°, gyro with noise and bias) the same regression puts the unstable "
-        f"pole at {cell_text(estimated, 3)} 1/s (true value: {cell_text(true, 3)} 1/s). Noise in the regressors "
+        "The same regression on the twin's sensors (encoders of 1°, gyro with noise and bias) gives an unstable pole "
+        f"of {cell_text(estimated, 3)} 1/s; the true value is {cell_text(true, 3)} 1/s. Noise in the regressors "
         f"biases least squares, and {MORE} times the data does not remove the bias ({cell_text(with_more, 3)} 1/s)."
     )
     reference = linearise(robot).c2d(printed.PERIOD)

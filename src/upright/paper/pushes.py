@@ -123,8 +123,8 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     force = Hold(pitch=PUSHES[side], until=RELEASE).force(robot)
     fits = {name: cell_text(fit["pitch"], 2) for name, fit in comparison.fits.items()}
     summary = (
-        f"Held at {cell_text(PUSHES[side])} rad by {cell_text(force, 2)} N at the centre of mass and let go, pitch "
-        f"settles to 5 % in {_times(measured.settling)}; its fit to the twin is {fits['nonlinear']} % for the "
+        f"Held at {cell_text(PUSHES[side])} rad by {cell_text(force, 2)} N at the centre of mass and released, pitch "
+        f"settles to 5 % in {_times(measured.settling)}. Its fit to the twin is {fits['nonlinear']} % for the "
         f"nonlinear and {fits['linear']} % for the linear model. {trial.why}"
     )
     figures = [_figure(comparison, measured, state, number) for state, number in FIGURES[side].items()]
@@ -143,10 +143,10 @@ def _restless(comparison: Comparison) -> str:
     band = 0.05 * float(np.abs(comparison.logs["twin"].between(RELEASE, SECONDS)["truth/pitch"]).max())
     outside = "wider" if swing > band else "narrower"
     return (
-        "The twin never settles completely: encoder and driver resolution, the motors' dead zone and gyro noise keep "
-        f"its pitch oscillating by up to {cell_text(1000 * swing, 2)} mrad in the last 2 s, {outside} than the 5 % "
-        f"band ({cell_text(1000 * band, 2)} mrad). The models have none of these: their poles alone set the settling "
-        "time."
+        "The twin never settles completely. Encoder and driver resolution, the motors' dead zone and gyro noise keep "
+        f"its pitch oscillating. In the last 2 s it swings by up to {cell_text(1000 * swing, 2)} mrad, {outside} than "
+        f"the 5 % band ({cell_text(1000 * band, 2)} mrad). The models have none of these: their poles alone set the "
+        "settling time."
     )
 
 
@@ -181,7 +181,7 @@ def _tested(measured: dict[str, Measured]) -> Claim:
     text = "; ".join(f"{claim}: {'holds' if holds else 'does not hold'}" for claim, holds in verdicts.items())
     fastest = sum(c.linear_fastest for c in every)
     summary = (
-        f"{text[0].upper()}{text[1:]}. A claim holds where it does for both robots and both pushes; the linear model "
+        f"{text[0].upper()}{text[1:]}. A claim holds if it does for both robots and both pushes. The linear model "
         f"is the fastest in {fastest} of {len(every)} cases."
     )
     numbers = {"claims": verdicts, "cases": {name: vars(c) for name, c in measured.items()}}

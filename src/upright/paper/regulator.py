@@ -54,8 +54,8 @@ def chapter(light: Robot) -> Claim:
     summary = (
         f"dlqr of the printed A, B, Q, R gives a pitch gain of {cell_text(clean.gain[0, 0], 3)} (printed: "
         f"{cell_text(printed.KU1[0], 3)}) and a wheel gain of {cell_text(clean.gain[0, 2], 2)} (printed: "
-        f"{cell_text(printed.KU1[2], 2)}). With the 30 different orders of the diagonal of Q and R = r·I, r from 1 "
-        f"to 10⁴, the smallest distance from the printed gains is {100 * nearest:.0f} % (RMS over the six gains). "
+        f"{cell_text(printed.KU1[2], 2)}). A search covers the 30 orders of the diagonal of Q, and R = r·I with r from "
+        f"1 to 10⁴. Its smallest distance from the printed gains is {100 * nearest:.0f} % (RMS over the six gains). "
         "The printed gains stabilise the printed model (largest |eigenvalue| "
         f"{loops['printed A, B, yaw inputs turned']:.4f} with the yaw sign corrected, "
         f"{loops['printed A, B as printed']:.4f} without) but not {light.name} ({loops[light.name]:.1f})."

@@ -63,8 +63,8 @@ def _items(compared: MethodComparison) -> list[Item]:
     )
     why = (
         "Total least squares assumes white errors that are independent of the controller, which feedback "
-        "contradicts. The other three methods account for the loop: instrumental variables by signals free of noise, "
-        "the subspace method and calibration by predictors whose innovations are white."
+        "contradicts. The other three methods account for the loop: instrumental variables by signals free of noise; "
+        "the subspace method and calibration by predictors with white innovations."
     )
     return [
         pole_table(compared),

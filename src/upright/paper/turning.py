@@ -155,9 +155,9 @@ def _sizes(robot: Robot, logs: Mapping[float, Mapping[str, Log]]) -> Claim:
     kept = {term.text: term.rms for term in listed[SHOWN] if term.kept and term.equation == "φ"}
     beside = next(term.rms for term in listed[SHOWN] if term.text == DRIFT) / kept[CORIOLIS]
     summary = (
-        f"Rolling without slip is a non-holonomic constraint; the correct equations have two more terms: −{SPIN} on "
-        f"the left of the θ equation and +{DRIFT} on the left of the φ equation. At {_rates()} rad/s of yaw the "
-        f"first has {_percentages(spin)} % of the size of the largest term kept in its equation, the second "
+        "Rolling without slip is a non-holonomic constraint. So the correct equations have two more terms on the left: "
+        f"−{SPIN} in the θ equation and +{DRIFT} in the φ equation. At {_rates()} rad/s of yaw the first has "
+        f"{_percentages(spin)} % of the size of the largest term kept in its equation. The second has "
         f"{_percentages(drift)} %, {beside:.0f} times the Coriolis term that the model keeps (RMS along the run). A "
         "body whose roll inertia J_ρ differs from J_φ adds the terms with J_ρ − J_φ. All of them vanish in straight "
         "motion."
@@ -196,11 +196,11 @@ def _judged(logs: Mapping[float, Mapping[str, Log]], stiffened: Mapping[float, L
     at = errors[SHOWN]
     complete, published = (_percent(at[name]["pitch"].rms) for name in ("complete", "published"))
     summary = (
-        f"MuJoCo, which uses neither derivation, agrees with the complete model: turning at {SHOWN:g} rad/s, its pitch "
-        f"differs from the twin’s by {complete} of the peak (RMS), that of the published model by {published}. "
+        f"MuJoCo uses neither derivation and agrees with the complete model. Turning at {SHOWN:g} rad/s, the complete "
+        f"model's pitch differs from the twin’s by {complete} of the peak (RMS), the published model's by {published}. "
         "The remaining difference comes from the twin’s contact, which slips slightly, most at the start. When the "
         f"contact time falls from {1000 * CONTACTS[0]:g} ms to {1000 * CONTACTS[-1]:g} ms, the complete model’s error "
-        f"falls from {_percent(soft['complete'])} to {_percent(stiff['complete'])}; the published model’s does not "
+        f"falls from {_percent(soft['complete'])} to {_percent(stiff['complete'])}. The published model’s does not "
         f"({_percent(soft['published'])}, {_percent(stiff['published'])})."
     )
     numbers = {
@@ -240,8 +240,8 @@ def _pitch_figure(runs: Mapping[str, Log], at: Mapping[str, Mapping[str, Deviati
     _difference(difference, runs)
     complete, published = (_percent(at[name]["pitch"].rms) for name in ("complete", "published"))
     title = (
-        f"Turning at {SHOWN:g} rad/s: pitch of the complete model differs from the twin's by {complete}, "
-        f"that of the published one by {published} (RMS over peak)"
+        f"Turning at {SHOWN:g} rad/s: RMS difference of pitch from the twin, over the peak: {complete} complete, "
+        f"{published} published"
     )
     return Figure(title, legend(figure))
 

@@ -114,7 +114,7 @@ class ArmExecutor:
         try:
             self._machine.emu_start(self._functions[f"upright_{name}"], RETURN, timeout=LONGEST)
         except failed as error:
-            raise ExecutionFailed(f"upright_{name} went astray on the emulated ARM7TDMI: {error}") from None
+            raise ExecutionFailed(f"upright_{name} crashed on the emulated ARM7TDMI: {error}") from None
 
     def _count(self, machine: Any, address: int, size: int, _: object) -> None:
         if address not in self._blocks:
