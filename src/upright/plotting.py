@@ -156,8 +156,8 @@ def nyquist(response: ArrayLike, distance: float, reach: float = 3.0) -> Figure:
     real, imaginary = np.where(near, L.real, np.nan), np.where(near, L.imag, np.nan)
     figure, ax = plane("real part [1]", "imaginary part [1]")
     ax.plot(real, imaginary, color=COLOURS[0], linestyle="-", label="loop gain L(jω)")
-    ax.plot(real, -imaginary, color=COLOURS[0], linestyle=DASHES[2], label="its mirror image")
-    ax.add_patch(Circle((-1, 0), distance, facecolor=COLOURS[1], alpha=0.15, linewidth=0, label="never entered"))
+    ax.plot(real, -imaginary, color=COLOURS[0], linestyle=DASHES[2], label="negative frequencies")
+    ax.add_patch(Circle((-1, 0), distance, facecolor=COLOURS[1], alpha=0.15, linewidth=0, label="distance 1 / Ms"))
     ax.plot([-1], [0], linestyle="", marker="x", markersize=8, color=COLOURS[1], label="−1")
     inside = np.flatnonzero(np.abs(L) < 0.7 * reach)
     if len(inside) > 1:

@@ -24,7 +24,7 @@ def page_of(result: Analysis | Designed) -> Page:
     first, *rest = analysis.words()
     sections = [Section("Margins", [*rest, *_margins(analysis)])]
     if analysis.stable:
-        last = f"Bode: the loop crosses 0 dB last at {analysis.both().crossover:.3g} rad/s"
+        last = f"Bode diagram: last gain crossover at {analysis.both().crossover:.3g} rad/s"
         sections = [Section("Frequency response", [Figure(last, analysis.plot())]), *sections]
         sections += [Section("Closed-loop poles", [_poles(analysis)])]
     facts = {"controller": analysis.hash[:12], "period": f"{analysis.period * 1e3:g} ms"}
@@ -41,9 +41,9 @@ def _numbers(analysis: Analysis) -> list[tuple[str, str]]:
     both, every = analysis.both(), (*analysis.inputs, *analysis.outputs)
     delay = min(analysis.delay, *(m.delay for m in every))
     return [
-        (f"{cell_text(both.gain_low, 2)} to {cell_text(both.gain_high, 2)}", "gain of both motors, times"),
+        (f"{cell_text(both.gain_low, 2)} to {cell_text(both.gain_high, 2)}", "gain margins of both motors (factors)"),
         (f"{cell_text(math.degrees(both.phase), 2)}°", "phase margin"),
-        (f"{cell_text(delay * 1e3, 3)} ms", "delay margin, the smallest of all loops"),
+        (f"{cell_text(delay * 1e3, 3)} ms", "smallest delay margin of all loops"),
     ]
 
 
@@ -53,7 +53,7 @@ def _margins(analysis: Analysis) -> list[Item]:
     numbers: list[list[Cell]] = [
         ["disk α of both motors at once", analysis.disk],
         ["delay margin [ms]", analysis.delay * 1e3],
-        ["b(P, C), normalised coprime stability margin", analysis.coprime],
+        ["b(P, C), stability margin of the normalised coprime factors", analysis.coprime],
         ["largest ν-gap of the drawn robots", analysis.gap],
         ["largest |pole|", float(np.abs(analysis.poles).max())],
         ["largest |pole| of the drawn robots", float(analysis.radii.max()) if len(analysis.radii) else math.nan],
@@ -72,11 +72,11 @@ def _row(m: Margins) -> list[Cell]:
 
 
 def _nyquist(analysis: Analysis) -> Figure:
-    title = f"Nyquist: the loop stays {1 / analysis.both().Ms:.2f} away from −1"
-    return Figure(title, analysis.plot_nyquist(), "Both motors broken at once.")
+    title = f"Nyquist diagram: least distance from −1 is {1 / analysis.both().Ms:.2f}"
+    return Figure(title, analysis.plot_nyquist(), "The loop is broken at both motors at once.")
 
 
 def _poles(analysis: Analysis) -> Figure:
-    fell = int((analysis.radii >= 1).sum())
+    unstable = int((analysis.radii >= 1).sum())
     inside = "All poles lie inside the circle" if analysis.stable else "A pole lies outside the circle"
-    return Figure(f"{inside}; {fell} of {len(analysis.radii)} drawn robots are unstable", analysis.plot_poles())
+    return Figure(f"{inside}; {unstable} of {len(analysis.radii)} drawn robots are unstable", analysis.plot_poles())

@@ -27,7 +27,7 @@ def page_of(calibration: Calibration) -> Page:
         Section("Coefficients of the motion", [_COMBINED, _estimates(calibration.combinations)], folded=True),
         Section("What the log does not determine", _undetermined(calibration), folded=True),
         Section("Innovations", [_INNOVATIONS, _whiteness(calibration)], folded=True),
-        Section("What the verdicts mean", [_meanings()], folded=True),
+        Section("Meaning of the verdicts", [_meanings()], folded=True),
     ]
     kept = {
         "prior": calibration.prior.name,
@@ -47,7 +47,10 @@ def _numbers(c: Calibration) -> list[tuple[str, str]]:
     return [
         (f"{pole.value:.3g} 1/s", f"unstable pole, 95 %: {pole.low:.3g} to {pole.high:.3g}"),
         (f"{visible} of {len(c.parameters)}", "parameters determined by the log"),
-        (cell_text(value, 3), f"R² of {name.removeprefix('sensor/').replace('_', ' ')}, half seconds, the least"),
+        (
+            cell_text(value, 3),
+            f"R² of half seconds, smallest of all sensors ({name.removeprefix('sensor/').replace('_', ' ')})",
+        ),
     ]
 
 
@@ -55,14 +58,14 @@ def _measured(c: Calibration) -> Figure | None:
     if not c.free:
         return None
     lowest = min((v for n, v in c.segments.items() if n.startswith("sensor/")), default=math.nan)
-    title = f"Measured, and predicted half a second at a time: R² is {cell_text(lowest, 3)} or more"
+    title = f"Measured and simulated for half a second at a time: R² is {cell_text(lowest, 3)} or more"
     return Figure(title, c.plot_prediction(), "Each half second starts from a fitted state and gets only the commands.")
 
 
 def _by_name(c: Calibration) -> list[Item]:
     if not any(0 < e.prior_spread < math.inf for e in c.parameters):
         return []
-    return [Figure("What the log adds: estimates and their 95 % intervals beside the prior", c.plot())]
+    return [Figure("Estimates with their 95 % intervals, relative to the prior", c.plot())]
 
 
 def _undetermined(c: Calibration) -> list[Item]:
@@ -80,7 +83,8 @@ _COMBINED = (
 )
 _PREDICTED = (
     "Fit, 100 (1 − rms error / standard deviation) [%], on the part of the log held out. Each simulation starts from "
-    "the filter's state and gets only the commands. R² is that of half seconds, simulated freely from a fitted start."
+    "the filter's state and gets only the commands. R² is that of free simulations of half a second, each from a "
+    "fitted start."
 )
 _INNOVATIONS = (
     "Innovations are the filter's prediction errors. They should not correlate with each other (Ljung and Box) or with "

@@ -36,16 +36,19 @@ def page_of(certificate: Certificate) -> Page:
 def _numbers(c: Certificate) -> list[tuple[str, str]]:
     numbers = [(f"{cell_text(100 * c.bound, 2)} %", "probability of a fall, at most (95 % confidence)")]
     if c.linear:
-        numbers += [(f"{cell_text(c.linear.delay * 1e3, 3)} ms", "more delay of both motors, at most")]
+        numbers += [(f"{cell_text(c.linear.delay * 1e3, 3)} ms", "delay margin of both motors")]
     stood = [t.travel for t in c.trials if t.fell < t.runs]
-    return [*numbers, *([(f"{cell_text(max(stood), 2)} m", "travel of the robots that stood")] if stood else [])]
+    return [
+        *numbers,
+        *([(f"{cell_text(max(stood), 2)} m", "travel of 95 % of the robots that stood")] if stood else []),
+    ]
 
 
 def _falls(c: Certificate) -> Figure:
     worst = sorted(c.trials, key=lambda t: -t.fell / t.runs)
     names = [f"{t.push}, {t.battery}" for t in worst]
     most = worst[0]
-    title = "No robot falls in any trial"
+    title = "No robot fell in any trial"
     if most.fell:
         title = f"Most falls: {names[0]}, {cell_text(100 * most.fell / most.runs, 3)} % of the robots"
     return Figure(title, bars(names, [100 * t.fell / t.runs for t in worst], "robots that fell [%]", "push, battery"))
@@ -64,14 +67,14 @@ def _trials(c: Certificate) -> Table:
         [t.push, t.battery, t.runs, t.fell, 100 * t.saturated, t.travel, t.peak, t.cycle] for t in c.trials
     ]
     header = ["push", "battery", "robots", "fell", "saturated [%]", "travel [m]", "peak pitch [rad]", "sway [rad]"]
-    return Table(header, rows, "Every standard push at every battery", 3)
+    return Table(header, rows, "Standard pushes with full and low battery", 3)
 
 
 def _linear(margins: LinearMargins) -> Table:
     rows: list[list[Cell]] = [
         ["largest |pole|", margins.radius],
-        ["least gain of both motors", margins.gain_low],
-        ["largest gain of both motors", margins.gain_high],
+        ["gain margin, from", margins.gain_low],
+        ["gain margin, to", margins.gain_high],
         ["delay margin [ms]", margins.delay * 1e3],
     ]
     return Table(["", "value"], rows, "Linear margins, loop broken at both motors", 4)
@@ -87,4 +90,4 @@ def _figure(name: str, swept: Sequence[Swept]) -> Figure:
     figure, (ax,) = panels(["fell [%]"], f"{name} [ms]")
     line(ax, "fell", milliseconds, [100 * s.fell / s.runs for s in swept])
     ax.set_ylim(-2, 102)
-    return Figure(f"Falls of {swept[0].runs} runs by {name}, unknown to the controller", figure)
+    return Figure(f"Falls in {swept[0].runs} runs over the {name}, unknown to the controller", figure)

@@ -52,19 +52,20 @@ def _how(comparison: Comparison) -> str:
     release = next(iter(times.values())) if same else ", ".join(f"{label} {text}" for label, text in times.items())
     return (
         f"Settling and overshoot are those of pitch about zero after the release of the push at {release}. "
-        "Settling: the time until pitch stays within 2 % (5 %) of its largest deviation. Overshoot: the largest swing "
-        "to the other side over the largest to the first. Effort: the integral of both squared commands. Saturated: "
-        "the fraction of samples with a command above the largest applied one. Fell: the recorded outcome of the run."
+        "Settling: the time until pitch stays within 2 % (5 %) of its largest deviation. Overshoot: the largest "
+        "deviation on the far side over the largest on the side of the start. Effort: the integral of both squared "
+        "commands. Saturated: the fraction of samples with a command above the largest applied one. Fell: the recorded "
+        "outcome of the run."
     )
 
 
 def metrics_table(comparison: Comparison) -> Table:
-    """What each run shows, one column a run."""
+    """The metrics, one column a run."""
     rows: list[list[Cell]] = [
         [text, comparison.unit(name), *(getattr(numbers, name) for numbers in comparison.metrics.values())]
         for name, (_, text) in METRICS.items()
     ]
-    return Table(["", "unit", *comparison.logs], rows, "What each run shows")
+    return Table(["", "unit", *comparison.logs], rows, "Metrics of each run")
 
 
 def fit_tables(comparison: Comparison) -> list[Table]:
@@ -72,7 +73,7 @@ def fit_tables(comparison: Comparison) -> list[Table]:
     if not comparison.fits:
         return []
     rows: list[list[Cell]] = [[label, *fits.values()] for label, fits in comparison.fits.items()]
-    caption = f"Fit to {comparison.reference} [%]: 100 is perfect, 0 no better than its mean (NRMSE)"
+    caption = f"NRMSE fit to {comparison.reference} [%]: 100 is perfect; 0 is that of a constant, its mean"
     return [Table(["", *(name.replace("_", " ") for name in comparison.signals)], rows, caption, digits=3)]
 
 

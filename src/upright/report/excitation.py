@@ -36,8 +36,8 @@ def page_of(plan: ExcitationPlan) -> Page:
 
 
 _WHAT = (
-    "Added to the commands of the controller, which keeps the robot upright. The mean of both motors drives; half of "
-    "their difference turns."
+    "The excitation is added to the commands of the controller, which keeps the robot upright. The mean of both motors "
+    "drives the robot; half of their difference turns it."
 )
 _PREDICTED = (
     "Predicted from the Fisher information of the calibration's predictor, along a run of the nonlinear model with the "
@@ -45,22 +45,22 @@ _PREDICTED = (
     "The intervals after a hundred runs come from the spreads of other parameters: measure those."
 )
 _TRIED = (
-    "Each excitation is as large as the limits allow. Intervals shrink to this fraction: the geometric mean over the "
-    "parameters in focus."
+    "Each excitation is as large as the limits allow. The last column is the width of the intervals after the run over "
+    "that before: the geometric mean over the parameters in focus."
 )
 
 
 def _lead(plan: ExcitationPlan) -> str:
     halved = [p.name.replace("_", " ") for p in plan.predicted if p.after < VISIBLE * p.before and "/" not in p.name]
     return (
-        f"{plan.seconds:g} s of {plan.way} under {plan.controller} halve at least the intervals of "
+        f"{plan.seconds:g} s under {plan.controller} with {plan.way} at least halve the intervals of "
         f"{', '.join(halved) or 'no parameter'}. The probability of a fall is below {100 * plan.checked.bound:.2g} %."
     )
 
 
 def _over_time(plan: ExcitationPlan) -> Figure:
     t = np.arange(len(plan.excitation)) * plan.hold * plan.period
-    figure, axes = panels([f"both motors [{plan.unit}]", f"right less left, halved [{plan.unit}]"])
+    figure, axes = panels([f"both motors [{plan.unit}]", f"(right − left) / 2 [{plan.unit}]"])
     for ax, (name, wave) in zip(axes, _waves(plan).items(), strict=True):
         line(ax, name, t, wave, step=True)
     return Figure("The excitation over time", legend(figure))
@@ -77,7 +77,7 @@ def _spectrum(plan: ExcitationPlan) -> Figure:
     figure, (ax,) = panels([f"amplitude [dB over 1 {plan.unit}]"], "frequency [Hz]", "log")
     for name, wave in _waves(plan).items():
         line(ax, name, frequency, _level(wave, frequency))
-    return Figure("Its spectrum", legend(figure), "Amplitude of each sine of the run.")
+    return Figure("Spectrum of the excitation", legend(figure), "Amplitude of each sine in the run.")
 
 
 QUIETEST = 60.0  # [dB] below the loudest sine: less is not drawn
@@ -120,7 +120,9 @@ def _widths(plan: ExcitationPlan) -> Figure:
     ax.axvline(VISIBLE, linestyle="--", linewidth=0.8, color="grey")
     halved = sum(p.after < VISIBLE * p.before for p in shown)
     title = f"This run at least halves the intervals of {halved} of {len(plan.predicted)} parameters"
-    return Figure(title, legend(figure), f"Left of the dashed line an interval shrinks below {VISIBLE:g} of its width.")
+    return Figure(
+        title, legend(figure), f"Left of the dashed line the interval shrinks below {VISIBLE:g} of its width."
+    )
 
 
 def _table(plan: ExcitationPlan) -> Table:
@@ -156,5 +158,5 @@ def _limits(plan: ExcitationPlan) -> Table:
 def _tried(plan: ExcitationPlan) -> Table:
     rows: list[list[Cell]] = [[t.name, t.energy, t.shrinks] for t in plan.tried]
     return Table(
-        ["excitation", f"energy [{_energy_unit(plan)}]", "intervals shrink to"], rows, "Excitations, the best first", 3
+        ["excitation", f"energy [{_energy_unit(plan)}]", "width after / before"], rows, "Excitations, the best first", 3
     )

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 LEVELS = 10
-"""Colours of a map: few enough to be told apart beside each other, and to be named at the bar."""
+"""Colours of a map: few enough to be distinguished side by side, and to be named at the bar."""
 
 
 def push_map_figures(data: Dataset) -> list[Figure]:
@@ -35,7 +35,7 @@ def push_map_figures(data: Dataset) -> list[Figure]:
 def _map(part: Any, direction: str) -> Figure:
     impulse: Array = part["impulse"].values
     lowest = _place(part, impulse, int(np.nanargmin(impulse)))
-    title = f"Pushed {direction}, it survives at least {float(np.nanmin(impulse)):.3g} N s ({lowest})"
+    title = f"Pushed {direction}, the robot survives at least {float(np.nanmin(impulse)):.3g} N s ({lowest})"
     high = float(np.nanquantile(impulse, 0.98))
     note = "The lightest colour includes all larger impulses." if float(np.nanmax(impulse)) > high else ""
     low = float(np.nanmin(impulse))
@@ -63,7 +63,7 @@ def _slices(part: Any, direction: str) -> Figure:
     title = f"Pushed {direction}: largest impulse over the duration of the push"
     if bands:
         width = float(np.nanmedian((part["high"].values - part["low"].values) / part["impulse"].values))
-        title = f"Pushed {direction}: the band of 95 % is {100 * width:.2g} % of the impulse wide (median)"
+        title = f"Pushed {direction}: median width of the 95 % band is {100 * width:.2g} % of the impulse"
     return Figure(title, legend(figure))
 
 
@@ -73,13 +73,13 @@ def basin_figure(data: Dataset) -> Figure:
     across, up = (str(name) for name in data["recovered"].dims)
     names = [f"{name.replace('_', ' ')} [{data[name].attrs['unit']}]" for name in (across, up)]
     family = len(np.unique(recovered)) > 2
-    title = f"It recovers from {100 * float(recovered.mean()):.3g} % of these states"
+    title = f"The robot recovers from {100 * float(recovered.mean()):.3g} % of these states"
     drawing = colour_map(
         data[across].values, data[up].values, recovered, x_label=names[0], y_label=names[1],
         label="recovers [1]" if family else "", names=() if family else ("falls", "recovers"),
         levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0],
     )  # fmt: skip
-    return Figure(title + (", on average over the family" if family else ""), drawing)
+    return Figure(title + (", mean over the robots drawn" if family else ""), drawing)
 
 
 def histogram(data: Dataset, name: str, bins: int = 60) -> Figure:
@@ -97,7 +97,7 @@ def histogram(data: Dataset, name: str, bins: int = 60) -> Figure:
 
 
 def influence(data: Dataset, outcome: str) -> Figure | None:
-    """How strongly an outcome follows each number that was varied: rank correlations, the strongest first."""
+    """The rank correlation of an outcome with each varied number, the strongest first."""
     varied = [str(n) for n, v in data.data_vars.items() if str(n) not in OUTCOMES and np.ptp(v.values) > 0]
     y = data[outcome].values.astype(np.float64)
     use = np.isfinite(y)
@@ -106,9 +106,9 @@ def influence(data: Dataset, outcome: str) -> Figure | None:
     sizes = {name: _rank_correlation(data[name].values[use], y[use]) for name in varied}
     ranked = sorted(sizes, key=lambda name: -abs(sizes[name]))[:12]
     words = str(data[outcome].attrs["long_name"])
-    drawing = bars(ranked, [abs(sizes[n]) for n in ranked], "size of the rank correlation [1]", "what was varied")
+    drawing = bars(ranked, [abs(sizes[n]) for n in ranked], "size of the rank correlation [1]", "varied number")
     sign = "grows" if sizes[ranked[0]] > 0 else "shrinks"
-    return Figure(f"{words[:1].upper()}{words[1:]} {sign} most clearly with {ranked[0].replace('_', ' ')}", drawing)
+    return Figure(f"{words[:1].upper()}{words[1:]} {sign} most with {ranked[0].replace('_', ' ')}", drawing)
 
 
 def _rank_correlation(x: Array, y: Array) -> float:
@@ -162,7 +162,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     table = Table(["robots that stood", "unit", "5 %", "median", "95 %"], rows, "Quantiles over the robots")
     chance = summary.chance
     pushes = origin_of(data).get("scenario", {}).get("push")
-    lead = f"{summary.fell} of {summary.n} robots fell{'' if pushes else '; nothing pushed them'}."
+    lead = f"{summary.fell} of {summary.n} robots fell{'' if pushes else ', without a push'}."
     numbers = [
         (f"{cell_text(100 * chance.value, 3)} %", "of the robots fell"),
         (f"{cell_text(100 * chance.low, 2)} to {cell_text(100 * chance.high, 2)} %", "95 % interval of that"),
@@ -170,10 +170,10 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     first, *rest = [histogram(data, name) for name in names] or [None]
     causes = [influence(data, name) for name in (*(["fell"] if 0 < summary.fell < summary.n else []), *names[:1])]
     shown = [figure for figure in causes if figure]
-    title = f"{summary.n} robots like {origin_of(data)['robot']['name']}"
+    title = f"Fleet of {summary.n} robots around {origin_of(data)['robot']['name']}"
     sections = [
         Section("Numbers", [table]),
-        *([Section("What matters", shown[1:] if len(shown) > 1 else shown)] if shown else []),
+        *([Section("Influence of each number", shown[1:] if len(shown) > 1 else shown)] if shown else []),
         Section("Distributions", [figure for figure in rest if figure]),
     ]
     picture = shown[0] if len(shown) > 1 else first

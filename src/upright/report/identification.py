@@ -17,10 +17,10 @@ from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_
 def page_of(compared: MethodComparison) -> Page:
     """The comparison's page, not yet written."""
     holding = [name for name, trial in compared.trials.items() if trial.holds]
-    verdict = Verdict(f"{len(holding)} of {len(compared.trials)} hold it", "good" if holding else "warn")
+    verdict = Verdict(f"{len(holding)} of {len(compared.trials)} hold the robot", "good" if holding else "warn")
     data = compared.samples
     sections = [
-        Section("In the loop", [_lead_of_loop(compared), trial_table(compared)]),
+        Section("Regulators in closed loop", [_lead_of_loop(compared), trial_table(compared)]),
         Section("The unstable pole", [_POLES, pole_table(compared), _eigenvalues(compared)]),
         Section("Predictions", [_PREDICTIONS, *_predictions(compared)]),
         Section("Model order", _orders(compared), folded=True),
@@ -29,7 +29,7 @@ def page_of(compared: MethodComparison) -> Page:
     facts = {
         "samples": f"{data.fitted} fitted of {len(data.log)}",
         "period": f"{data.dt * 1e3:.4g} ms",
-        "read from": data.source,
+        "states from": data.source,
         "robot": data.robot.name,
         "kit": data.kit.name,
     }
@@ -53,13 +53,13 @@ def _numbers(compared: MethodComparison) -> list[tuple[str, str]]:
 
 
 _POLES = (
-    "The rate at which the robot falls, with its 95 % interval. The bias is the method's mean estimate from repeated "
+    "The rate at which the robot falls, with its 95 % interval. The bias is the method's median estimate from repeated "
     "logs, less their true pole. These logs are simulated with the subspace model, the log's feedback law and new "
     "innovations. An interval covers the scatter, not the bias."
 )
 _PREDICTIONS = (
-    "Fit in per cent, 100 (1 − rms error / rms of the motion), on the held-out part of the log, with the same filter "
-    "for all models. For angles the motion is their change over the prediction horizon."
+    "Fit [%] on the held-out part of the log: 100 (1 − rms error / rms of the motion). The filter is the same for all "
+    "models. For angles the motion is their change over the prediction horizon."
 )
 
 
@@ -100,7 +100,7 @@ def pole_table(compared: MethodComparison) -> Table:
     rows: list[list[Cell]] = [_pole_row(name, m) for name, m in compared.models.items()]
     if not math.isnan(compared.true_pole):
         rows.append(["the robot itself", compared.true_pole, "", None, None, None])
-    header = ["method", "pole [1/s]", "95 % interval", "bias [1/s]", "± of the bias", "pole less bias"]
+    header = ["method", "pole [1/s]", "95 % interval", "bias [1/s]", "± of the bias", "pole − bias"]
     how = dict.fromkeys(m.pole.how for m in compared.models.values() if math.isfinite(m.pole.low))
     return Table(header, rows, "Unstable pole; intervals from the " + ", or the ".join(how), digits=3)
 
@@ -146,7 +146,7 @@ def _orders(compared: MethodComparison) -> list[Item]:
         ]
         caption = f"Order of {name}: BIC above its least value, from {order.past} past rows"
         items.append(Table(["states", "BIC", "chosen"], rows, caption, digits=3))
-        figure, (ax,) = panels(["singular value"], "direction")
+        figure, (ax,) = panels(["singular value"], "number")
         ax.set_yscale("log")
         numbered(ax)
         sizes = np.maximum(order.singular, 1e-300)
@@ -167,5 +167,5 @@ def _delays(compared: MethodComparison) -> list[Item]:
         for part in compared.samples.parts
         for output, count in zip(part.outputs, part.delays, strict=True)
     ]
-    caption = "Delays from a command to the response in whole periods, taken out before any fit"
+    caption = "Delays from a command to the response, in whole periods, removed before any fit"
     return [Table(["output", "periods", "ms"], rows, caption)]

@@ -22,7 +22,7 @@ def page_of(result: PostMortem) -> Page:
     sections = [Section("Cause", [*_words(result), _causes(result)] if result.causes else _words(result))]
     drawn = len(result.series.t) > 1
     if drawn:
-        sections.append(Section("How to read the figure", [_READ]))
+        sections.append(Section("Reading the figure", [_READ]))
     facts = {"robot": result.robot, "kit": result.kit, "samples": str(result.rows)}
     facts |= {"controller": f"{result.controller}, {result.hash[:12]}"} if result.controller else {}
     title = f"Why {result.robot} fell" if result.fell else f"{result.robot}: {result.verdict}"
@@ -34,7 +34,7 @@ def page_of(result: PostMortem) -> Page:
 
 
 _READ = (
-    "Reach used is the lean over the largest lean that the motors can recover from: 1 is the point of no return. NIS "
+    "Relative lean is the lean over the largest one that the motors can recover from: 1 is the point of no return. NIS "
     "is the mean normalised innovation squared over a tenth of a second. Without faults it stays between the dashed "
     "lines in 95 of 100 cases."
 )
@@ -43,7 +43,7 @@ _READ = (
 def _lead(result: PostMortem) -> str:
     if not result.fell:
         return "The robot did not fall in this log."
-    return f"Its pitch passed 0.7 rad for the last time at t = {result.fell_at:.2f} s in the log's time."
+    return f"Pitch exceeded 0.7 rad and did not come back, at t = {result.fell_at:.2f} s in the log's time."
 
 
 def _words(result: PostMortem) -> list[Item]:
@@ -62,12 +62,12 @@ def _causes(result: PostMortem) -> Table:
 
 def _figure(result: PostMortem) -> Figure:
     s = result.series
-    labels = ["pitch [rad]", "command / largest command [1]", "reach used [1]", "NIS [1]"]
+    labels = ["pitch [rad]", "command / largest command [1]", "relative lean [1]", "NIS [1]"]
     figure, axes = panels(labels, height=1.35)
     pitch, command, reach, nis = axes
     line(pitch, "pitch", s.t, s.pitch, style=0)
     line(command, "command", s.t, s.command, step=True, style=1)
-    line(reach, "reach used", s.t, s.reserve, style=2)
+    line(reach, "relative lean", s.t, s.reserve, style=2)
     nis.set_yscale("log")
     numbered(nis)
     line(nis, "NIS", s.t, np.maximum(s.nis, 1e-3), style=4)
