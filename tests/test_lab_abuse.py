@@ -14,14 +14,18 @@ from typing import Any
 import pytest
 
 from test_lab_server import MODEL, Room, heard, kinds
+from upright.compiled.straight_line import written
+from upright.lab import desk as desk_module
+from upright.lab import display, stage_process
 from upright.lab import session as session_module
-from upright.lab import stage_process
 from upright.lab.classroom import Door
 from upright.lab.codec import encode
+from upright.lab.desk import InlineDesk, ProcessDesk
 from upright.lab.hub import Client, Hub
 from upright.lab.mailbox import Mailbox
-from upright.lab.messages import VERSION, Ack, Change, Drag, Hello, Play, Setup, Step, Strike
+from upright.lab.messages import VERSION, Ack, Change, Drag, Hello, Play, Save, Setup, Step, Strike
 from upright.lab.stage import Options, Stage
+from upright.robots import Robot
 
 HOSTILE = {
     "gear": Setup(numbers={"gear_ratio": 7630376392.0}),
@@ -282,3 +286,72 @@ def test_a_setup_that_computes_for_ever_is_stopped(classroom, monkeypatch):
     (notice,) = [m for m in heard(ana) if m["kind"] == "Notice"]
     assert "longer than" in notice["text"]
     assert goes_on(classroom, ana)
+
+
+@pytest.mark.parametrize(
+    ("numbers", "said"), [({"torque_constant": 7750.0}, "pole"), ({"stiction_rate": 1e-5}, "pole")]
+)
+def test_a_robot_too_stiff_for_the_page_is_refused_with_its_pole(classroom, numbers, said):
+    """A slip of a decimal point: it blocked the stage for minutes and took 4.9 GB. The robot before goes on."""
+    ana = student(classroom, "Ana")
+    heard(ana)
+    classroom.hub.receive(ana, encode(Change(replace(MODEL, numbers=numbers))))
+    classroom.stage.pump(0.04)
+    (notice,) = [m for m in heard(ana) if m["kind"] == "Notice"]
+    assert said in notice["text"]
+    assert not notice["key"]  # its own session said so, and nothing was set back
+    classroom.hub.receive(ana, encode(Ack(0)))
+    assert goes_on(classroom, ana)
+
+
+def test_the_written_step_is_no_longer_for_a_stiff_robot():
+    robot = Robot.preset("nxtway-gs")
+    sizes = {len(written(robot, "complete", 0.01, n).__code__.co_code) for n in (2, 200)}
+    assert len(sizes) == 1
+
+
+def test_a_replay_is_made_at_the_desk_and_not_in_the_loop(tmp_path, monkeypatch):
+    """Three thousand pictures are not made while everybody waits."""
+    desk = InlineDesk()
+    session = session_module.Session(MODEL, desk, tmp_path, fine=0.01, certified=False)
+    session.advance(1.0)
+    made: list[int] = []
+    monkeypatch.setattr(display, "Snapshot", lambda **fields: made.append(1))
+    session.handle(Save("replay"))
+    assert not made
+
+
+class FakeClerk:
+    """A process that has done its job when it is asked."""
+
+    done: list[tuple[str, str]] = []
+
+    def __init__(self) -> None:
+        self.idle, self.dead = True, False
+
+    def give(self, key: Any, task: str, args: Any) -> None:
+        self.idle, self._key = False, key
+
+    def poll(self, patience: float) -> list[Any]:
+        self.idle = True
+        FakeClerk.done.append(self._key)
+        return [(self._key, "done", None)]
+
+    def kill(self) -> None:
+        """It is gone."""
+
+
+@pytest.mark.parametrize("alone", [False, True])
+def test_at_the_desk_each_session_has_its_turn(monkeypatch, alone):
+    """However many jobs one submits, another's waits for one of them at each of the desk's places, no more."""
+    monkeypatch.setattr(desk_module, "_Clerk", FakeClerk)
+    FakeClerk.done = []
+    desk = ProcessDesk()
+    for i in range(20):
+        desk.submit(("hostile", f"job {i}"), "design", (), alone)
+    desk.poll()
+    desk.submit(("honest", "mine"), "design", (), alone)
+    for _ in range(3):
+        desk.poll()
+    assert ("honest", "mine") in FakeClerk.done[:3]
+    assert len(FakeClerk.done) >= 3
