@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from functools import cache
 from importlib.metadata import version
 from typing import Any
 
@@ -63,11 +64,16 @@ class Stepper:
             "controller": {**controller.to_json(), "hash": controller_hash(controller)},
             "scenario": scenario,
             "outcome": RunOutcome(self.now.fallen, self.now.t).to_json(),
-            "versions": {name: version(name) for name in ("upright", "numpy", "mujoco")},
+            "versions": dict(_versions()),
         }
         channels = {signal.name: table[:, i] for i, signal in enumerate(self.signals)}
         units = {signal.name: signal.unit for signal in self.signals}
         return Log(np.arange(len(table)) * controller.spec.period, channels, units, origin)
+
+
+@cache
+def _versions() -> dict[str, str]:
+    return {name: version(name) for name in ("upright", "numpy", "mujoco")}  # each reads a file
 
 
 def _fit(spec: BodySpec, controller: Controller) -> tuple[list[int], int]:

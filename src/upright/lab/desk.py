@@ -1,6 +1,8 @@
 """Work that takes longer than a frame runs at a desk: in processes of its own, which can be killed.
 
-One clerk serves quick requests, of which the latest of each key wins; every other job has a process to itself.
+One clerk serves quick requests, of which the latest of each key wins; every other job has a process to itself. Whose
+job was done longest ago comes first, and no session has two processes: however much one asks for, the others have their
+turn.
 """
 
 from __future__ import annotations
@@ -18,10 +20,11 @@ Key = tuple[str, str]
 Word = tuple[Key, str, Any]
 
 PATIENCE = 600.0  # [s] after which a job is killed
-BRIEF = 60.0  # [s] the same for what the one clerk does
+CROWDED = 120.0  # [s] the same while another session's job waits for its place
+BRIEF = 30.0  # [s] the same for what the one clerk does
 MOST_ALONE = 2  # jobs at a time, since the loop has the first claim on the machine
 MODEST = 5  # of nice: behind the loop, without starving on a machine where others work
-MEMORY = 8 << 30  # [bytes] of addresses for one job: a hostile file must not take the machine
+MEMORY = 4 << 30  # [bytes] of addresses for one job: a hostile file must not take the machine
 
 
 class Desk(Protocol):
@@ -58,6 +61,7 @@ class ProcessDesk:
         self._waiting: dict[Key, tuple[str, tuple[Any, ...]]] = {}
         self._alone: dict[Key, _Clerk] = {}
         self._queue: dict[Key, tuple[str, tuple[Any, ...]]] = {}
+        self._served: dict[str, float] = {}  # when a session's job was begun last
 
     def submit(self, key: Key, task: str, args: tuple[Any, ...], alone: bool = False) -> None:
         self.cancel(key)
@@ -74,12 +78,14 @@ class ProcessDesk:
         for key in [*self._waiting, *self._queue, *self._alone]:
             if key[0] == session:
                 self.cancel(key)
+        self._served.pop(session, None)
 
     def poll(self) -> list[Word]:
         """What was done since, in order, without waiting; begins what can begin."""
         words = self._polled(self._quick, BRIEF) if self._quick else []
         for key, clerk in list(self._alone.items()):
-            words += self._polled(clerk, PATIENCE)
+            waiting = any(other[0] != key[0] for other in self._queue)
+            words += self._polled(clerk, CROWDED if waiting else PATIENCE)
             if clerk.idle:
                 self._alone.pop(key).kill()
         self._begin()
@@ -94,12 +100,21 @@ class ProcessDesk:
     def _begin(self) -> None:
         if self._waiting and (self._quick is None or self._quick.idle):
             self._quick = self._quick or _Clerk()
-            key = next(iter(self._waiting))
-            self._quick.give(key, *self._waiting.pop(key))
-        while self._queue and len(self._alone) < MOST_ALONE:
-            key = next(iter(self._queue))
-            self._alone[key] = _Clerk()
-            self._alone[key].give(key, *self._queue.pop(key))
+            self._give(self._quick, self._waiting, list(self._waiting))
+        while len(self._alone) < MOST_ALONE:
+            busy = {session for session, _ in self._alone}
+            free = [key for key in self._queue if key[0] not in busy]
+            if not free:
+                return
+            clerk = _Clerk()
+            self._alone[self._give(clerk, self._queue, free)] = clerk
+
+    def _give(self, clerk: _Clerk, jobs: dict[Key, tuple[str, tuple[Any, ...]]], keys: list[Key]) -> Key:
+        """Give the clerk the job of whoever was served longest ago."""
+        key = min(keys, key=lambda key: self._served.get(key[0], 0.0))
+        self._served[key[0]] = time.monotonic()
+        clerk.give(key, *jobs.pop(key))
+        return key
 
     def _polled(self, clerk: _Clerk, patience: float) -> list[Word]:
         words = clerk.poll(patience)

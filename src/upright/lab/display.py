@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,30 +46,41 @@ class Display:
 
     def snapshot(self, n: int, back: float, paused: bool) -> Snapshot:
         """The moment `back` [s] ago."""
-        return self._snapshot(self._rows.back(round(back / self._period)).tolist(), n, back, paused)
+        return self.view().snapshot(self._rows.back(round(back / self._period)).tolist(), n, back, paused)
 
-    def snapshots(self, every: float, back: float, paused: bool) -> list[Snapshot]:
-        """All that is kept, oldest first, a snapshot each `every` seconds."""
-        rows = self._rows.rows(max(1, round(every / self._period))).tolist()
-        return [self._snapshot(row, i, back, paused) for i, row in enumerate(rows)]
+    def rows(self, every: float) -> NDArray[np.float64]:
+        """All that is kept, oldest first, a row each `every` seconds; `view` makes pictures of them."""
+        return self._rows.rows(max(1, round(every / self._period)))
+
+    def view(self) -> View:
+        """How the rows are read."""
+        return View(len(self._lanes), self._lanes[0].controller.spec.estimates)
 
     def history(self) -> History:
         """What was recorded, thinned out, for a page that connects later."""
-        rows = self._rows.rows(max(1, round(SHOWN / self._period))).tolist()
-        states = [
-            tuple(v for i in range(len(self._lanes)) for v in _round(row[1 + 9 * i : 7 + 9 * i], _STATE))
-            for row in rows
-        ]
-        return History(tuple(round(row[0], 3) for row in rows), tuple(states))
+        rows = self.rows(SHOWN)
+        columns = [1 + 9 * i + k for i in range(len(self._lanes)) for k in range(6)]
+        states = np.column_stack(
+            [np.round(rows[:, c], digits) for c, digits in zip(columns, _STATE * len(self._lanes), strict=True)]
+        )
+        return History(tuple(np.round(rows[:, 0], 3).tolist()), tuple(map(tuple, states.tolist())))
 
-    def _snapshot(self, row: list[float], n: int, back: float, paused: bool) -> Snapshot:
-        count = len(self._lanes)
-        end = 1 + 9 * count
+
+@dataclass(frozen=True)
+class View:
+    """How a row is read: of so many `lanes`, with the first one's estimate or without."""
+
+    lanes: int
+    estimates: bool
+
+    def snapshot(self, row: list[float], n: int, back: float, paused: bool) -> Snapshot:
+        """The row's moment as a page draws it."""
+        end = 1 + 9 * self.lanes
         return Snapshot(
             n=n,
             t=round(row[0], 3),
-            x=tuple(_round(row[1 + 9 * i : 10 + 9 * i], _LANE) for i in range(count)),
-            e=_round(row[end : end + 6], _STATE) if self._lanes[0].controller.spec.estimates else (),
+            x=tuple(_round(row[1 + 9 * i : 10 + 9 * i], _LANE) for i in range(self.lanes)),
+            e=_round(row[end : end + 6], _STATE) if self.estimates else (),
             f=_round(row[end + 6 : end + 10], _DISTURBANCE),
             r=_round(row[end + 10 : end + 12], (3, 3)),
             s=int(row[end + 12]),

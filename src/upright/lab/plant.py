@@ -10,7 +10,7 @@ from typing import Any
 from upright.bodies import Body, Electronics, LinearBody, Sample
 from upright.bodies.body import REST
 from upright.control import CONTROLLERS, Controller, ControllerSpec, Method, StateFeedback, observed
-from upright.errors import InvalidController, InvalidPlugin, UnknownName
+from upright.errors import InvalidController, InvalidPlugin, InvalidRobot, UnknownName
 from upright.lab.messages import FamilyInfo, Setup
 from upright.lab.straight import Straight
 from upright.physics.dynamics import CALM, Disturbance, motor_gain
@@ -19,6 +19,9 @@ from upright.robots import PARAMETERS, Kit, Robot
 
 FINE, COARSE = 0.002, 0.01
 """[s] that one step of a body takes: alone, and in a class of thirty on one machine; a kit's times round to it."""
+
+QUICKEST = 20_000
+"""Steps of RK4 a second, at 20 to 40 µs each, that one body may take; those of the presets take up to 1000."""
 
 TWIN_STEP = 0.0005
 """[s] of MuJoCo's own step: pitch keeps to 0.25 % of its peak (docs/twin.md), less than a page can draw, at two
@@ -198,7 +201,8 @@ class Pulled:
 
 
 def body_of(name: str, plant: Plant, setup: Setup, period: float, calibrated: Robot | None = None) -> Pulled:
-    """The body of that name, not yet behind its electronics."""
+    """The body of that name, not yet behind its electronics. Raises `InvalidRobot` for a robot so stiff that it cannot
+    be simulated while it is watched."""
     if name == "twin":
         from upright.bodies.twin import Twin
 
@@ -207,7 +211,15 @@ def body_of(name: str, plant: Plant, setup: Setup, period: float, calibrated: Ro
         # The linear model is of what the controller knows: no payload, no other floor.
         return Pulled(LinearBody(linearise(plant.nominal), plant.nominal, period))
     robot = calibrated if name == "calibrated" and calibrated else plant.robot
-    return Pulled(Straight(robot, "published" if name == "published" else "complete", period))
+    body = Straight(robot, "published" if name == "published" else "complete", period)
+    if body.substeps > QUICKEST * period:
+        fastest = max(abs(linearise(robot).poles()))
+        raise InvalidRobot(
+            f"{robot.name}: a pole of {fastest:.2g} 1/s needs {body.substeps / period:.2g} steps a second",
+            expected=f"at most {QUICKEST} on this page", likely="a slip of the decimal point",
+            hint="upright simulate, which need not keep to the time",
+        )  # fmt: skip
+    return Pulled(body)
 
 
 def behind(body: Pulled, kit: Kit) -> Body:

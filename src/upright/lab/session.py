@@ -51,6 +51,7 @@ from upright.physics.dynamics import CALM
 from upright.robots import Robot, kit_names
 from upright.signals import Log
 
+MOMENT = 0.02  # [s] between two pictures of a replay
 LONGEST = 1.0  # [s] of simulated time in one go
 
 FILES: dict[Keep, str] = {
@@ -133,10 +134,6 @@ class Session:
         self._n += 1
         return self._display.snapshot(self._n, self._back, self.paused)
 
-    def moments(self, every: float = 0.02) -> list[Snapshot]:
-        """All that is kept, oldest first, a snapshot each `every` seconds."""
-        return self._display.snapshots(every, self._back, self.paused)
-
     def changed(self) -> Changed:
         """The set-up as it is now."""
         return views.changed(self.setup, self.plant, self.lanes, bool(self._busy))
@@ -213,7 +210,7 @@ class Session:
         """The controller at once, or nothing but gravity until the desk has it; its loop is analysed beside."""
         slow = is_slow(setup.controller)
         controller = None if slow else design(setup, plant.nominal, plant.kit)
-        self._desk.submit((self.name, "design"), "design", (setup, slow))
+        self._desk.submit((self.name, "design"), "design", (setup, slow), alone=slow)
         standing = getattr(self, "_designed", None)
         if controller is not None:
             return controller, ""
@@ -353,8 +350,8 @@ class Session:
         content: dict[str, Callable[[], Any]] = {
             "controller": lambda: self.setup,
             "robot": lambda: self.calibrated or self.plant.nominal,
-            "replay": lambda: [Welcome(VERSION, "", "alone", ""), views.catalogue(), *self.standing_events(),
-                               *self.moments()],
+            "replay": lambda: ([Welcome(VERSION, "", "alone", ""), views.catalogue(), *self.standing_events()],
+                               self._display.view(), self._display.rows(MOMENT)),
             "report": self._recorded,
         }  # fmt: skip
         given = content[what]() if what in content else next(iter(self._recorded().values()))

@@ -18,6 +18,7 @@ class Straight:
     def __init__(self, robot: Robot, model: str, period: float) -> None:
         self._body = NonlinearBody(robot, model, period)
         self.spec = self._body.spec
+        self.substeps = self._body.substeps
         self._next = written(robot, model, period, self._body.substeps)
         self.reset()
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +10,7 @@ from upright.atomic import finite
 from upright.control import Controller, gain_of
 from upright.errors import InvalidController, SpecMismatch
 from upright.lab.codec import encode
+from upright.lab.display import View
 from upright.lab.messages import Analysed, JobResult, Light, Setup
 from upright.lab.plant import design as design_of
 from upright.lab.plant import design_part, plant_of
@@ -168,11 +169,12 @@ def keep_robot(report: Report, which: Robot, path: Path) -> Path:  # noqa: ARG00
     return which.save(path)
 
 
-def keep_replay(report: Report, messages: Sequence[Any], path: Path) -> Path:  # noqa: ARG001
-    """The last minute as a page that replays it without a server."""
+def keep_replay(report: Report, recorded: tuple[list[Any], View, Any], path: Path) -> Path:  # noqa: ARG001
+    """The last minute as a page that replays it without a server, from what it begins with and the display's rows."""
     from upright.lab.recording import replay_page
 
-    return replay_page(messages, path)
+    begin, view, rows = recorded
+    return replay_page([*begin, *(view.snapshot(row, i, 0.0, False) for i, row in enumerate(rows.tolist()))], path)
 
 
 TASKS: dict[str, Callable[..., Any]] = {
