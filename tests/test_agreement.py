@@ -220,10 +220,10 @@ def test_hardware_is_not_driven_on_a_red_certificate_unless_told_otherwise() -> 
 def test_a_program_for_a_brick_asks_the_same_question(tmp_path: Path) -> None:
     path = tmp_path / "c.json"
     path.write_text(json.dumps(green().to_json()))
-    assert permitted(designed("pid"), read_certificate(path)) == "certified"
-    assert permitted(designed("pid"), None) == "not certified"
+    assert permitted(designed("pid"), read_certificate(path), ROBOT, KIT) == "certified"
+    assert permitted(designed("pid"), None, ROBOT) == "not certified"
     with pytest.raises(NotPermitted, match="another"):
-        permitted(designed("lqg"), read_certificate(path))
+        permitted(designed("lqg"), read_certificate(path), ROBOT, KIT)
     path.write_text("{")
     with pytest.raises(InvalidController, match="broken"):
         read_certificate(path)

@@ -32,6 +32,7 @@ from upright.firmware.generate import TEXTS, _facts
 from upright.firmware.setup import FALLEN, TOO_FAR
 from upright.fleet.binomial import upper_bound
 from upright.robots import Kit, Robot
+from upright.robots.facts import kit_facts, robot_facts
 
 PROGRAMS = {
     "float": ("c", NXT, {"number": "float"}),
@@ -320,6 +321,7 @@ def red_certificate() -> Certificate:
     return Certificate(
         light=light, reasons=reasons, bound=upper_bound(100, 100), robot=ROBOT.name, kit=NXT.name, controller="lqg",
         hash=controller_hash(frozen()), period=0.01, seed=0, samples=100, fell=100, linear=linear, trials=trials,
+        subject={"robot": robot_facts(ROBOT), "kit": kit_facts(NXT)},
     )  # fmt: skip
 
 

@@ -20,7 +20,7 @@ KITS = {"nxc": ("nxt", "balance.nxc", "/dev/rfcomm0"), "pybricks": ("spike", "ba
 class Red:
     """A certificate of a controller under which every robot fell."""
 
-    def refuses(self, controller: object = None) -> str:
+    def refuses(self, controller: object = None, robot: object = None, kit: object = None) -> str:
         return "red: 100 of 100 robots fell"
 
 

@@ -116,7 +116,7 @@ def test_what_hardware_cannot_do_is_refused(name: str) -> None:
 class Red:
     """A certificate of a controller under which every robot fell."""
 
-    def refuses(self, controller: object = None) -> str:
+    def refuses(self, controller: object = None, robot: object = None, kit: object = None) -> str:
         return "red: 100 of 100 robots fell"
 
 

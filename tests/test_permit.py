@@ -1,15 +1,13 @@
-"""What a certificate allows: this controller, this robot, this kit, this period, on every processor, and nothing else."""
+"""What a certificate allows: this controller, robot, kit and period, on every processor, and nothing else."""
 
 from __future__ import annotations
 
 import json
 import subprocess
 import sys
-from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -17,8 +15,17 @@ from firmware_cases import NXT, ROBOT, frozen
 from upright.atomic import write_json
 from upright.certify.certificate import Certificate, certify
 from upright.cli.main import USER_ERROR, main
-from upright.control import write_controller
-from upright.robots import Kit, Robot
+from upright.control import (
+    CONTROLLERS,
+    LinearController,
+    controller_hash,
+    find_controller,
+    read_controller,
+    write_controller,
+)
+from upright.control.identity import identity
+from upright.firmware.program_file import read_program
+from upright.robots import Kit
 
 
 @cache
@@ -55,7 +62,7 @@ def test_another_kit_is_refused_by_firmware(tmp_path: Path, capsys: pytest.Captu
     assert firmware(tmp_path, certificate("ideal")) == USER_ERROR
     said = capsys.readouterr().err
     assert "kit nxt instead of ideal" in said
-    assert "motor/limit" in said
+    assert "battery/voltage" in said
     assert firmware(tmp_path, certificate("ideal"), "--anyway") == 0
 
 
@@ -85,3 +92,62 @@ def test_a_certificate_that_names_no_robot_is_refused(tmp_path: Path, capsys: py
     call = ["firmware", str(tmp_path / "controller.json"), "-t", "nxc", "--certificate", str(tmp_path / "old.json")]
     assert main(call) == USER_ERROR
     assert "certify it again" in capsys.readouterr().err
+
+
+def on_kernel(kernel: str, *arguments: str) -> None:
+    """A command with the matrix routines of another processor, as OpenBLAS has them."""
+    from os import environ
+
+    command = [sys.executable, "-m", "upright.cli.main", *arguments]
+    subprocess.run(command, env={**environ, "OPENBLAS_CORETYPE": kernel}, check=True, capture_output=True)
+
+
+@pytest.fixture(scope="module")
+def elsewhere(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a design, and a program of it, each of another processor."""
+    folder = tmp_path_factory.mktemp("elsewhere")
+    on_kernel("Nehalem", "design", "lqg", "-o", str(folder / "nehalem.json"))
+    on_kernel("Sandybridge", "firmware", "lqg", "-t", "nxc", "-o", str(folder / "balance.nxc"))
+    return folder
+
+
+def test_a_design_is_the_same_on_every_processor(elsewhere: Path) -> None:
+    """Its numbers differ in their last digits, and with them its hash; what was asked for does not."""
+    here, there = find_controller("lqg", ROBOT, NXT, NXT.period), read_controller(elsewhere / "nehalem.json")
+    if controller_hash(here) == controller_hash(there):
+        pytest.skip("this processor computes as Nehalem does")
+    assert identity(here).differs(identity(there)) == ""
+    given = certify("lqg", ROBOT, NXT, robots=[ROBOT] * 100, sweeps=False)
+    assert given.refuses(there, ROBOT, NXT) == ""
+    assert read_program(elsewhere / "balance.nxc", "lqg").controller.spec.kind == "lqg"
+    assert read_program(elsewhere / "balance.nxc", there).robot == ROBOT
+
+
+def test_a_flight_of_a_program_made_elsewhere_knows_its_log(elsewhere: Path) -> None:
+    file = read_program(elsewhere / "balance.nxc", "lqg")
+    assert file.program.hash == file.head["hash"]
+
+
+def test_another_design_with_nearly_the_same_numbers_is_another_controller() -> None:
+    """Asked for with a radius that differs by a nanometre: the commands differ by less than the tolerance."""
+    near = CONTROLLERS["lqg"](ROBOT.replace(wheel_radius=0.04 + 1e-12), NXT, NXT.period)
+    here = CONTROLLERS["lqg"](ROBOT, NXT, NXT.period)
+    assert "asked" in identity(here).differs(identity(near))
+    assert identity(here).differs(identity(CONTROLLERS["lqg"](ROBOT, NXT, NXT.period))) == ""
+
+
+def test_numbers_that_do_not_come_from_what_was_asked_for_are_another_controller(tmp_path: Path) -> None:
+    """A file whose gains were changed by a hundred-thousandth, with a hash that fits them."""
+    here = CONTROLLERS["lqg"](ROBOT, NXT, NXT.period)
+    path = write_controller(here, tmp_path / "c.json")
+    data = json.loads(path.read_text())
+    data["controller"]["C"] = [[1.00001 * x for x in row] for row in data["controller"]["C"]]
+    data["hash"] = controller_hash(LinearController.from_json(data["controller"]))
+    path.write_text(json.dumps(data))
+    assert "commands differ" in identity(read_controller(path)).differs(identity(here))
+
+
+def test_what_was_asked_for_is_forgotten_by_a_change() -> None:
+    here = CONTROLLERS["lqg"](ROBOT, NXT, NXT.period)
+    changed = replace(here, C=1.0000001 * here.C)  # type: ignore[type-var, attr-defined]
+    assert identity(changed).differs(identity(here)) != ""

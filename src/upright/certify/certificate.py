@@ -24,13 +24,15 @@ from upright.certify.learnt import learnt
 from upright.certify.loop import robot_loop
 from upright.certify.margins import margins
 from upright.control import find_controller
-from upright.control.controller import Controller, controller_hash
+from upright.control.controller import Controller
+from upright.control.identity import Identity, identity
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.fleet.binomial import upper_bound
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
 from upright.reading import check_types, read_json, understood
 from upright.robots import Kit, Robot, find_kit, find_robot
+from upright.robots.facts import Facts, differences, kit_facts, robot_facts
 from upright.robots.uncertainty import Uncertainty, at_medians, draw
 from upright.tables import Shown
 
@@ -48,7 +50,8 @@ MOST_TRAVEL = 1.0  # [m] amber above: it leaves the table
 MOST_CYCLE = 0.1  # [rad] amber above: at rest it sways as far as the paper's pushes lean it
 
 KIND = "upright certificate"
-VERSION = 1
+VERSION = 2
+"""2: it names robot and kit by their numbers; without them it could be used for any."""
 
 
 @dataclass(frozen=True)
@@ -71,6 +74,8 @@ class LinearMargins:
 class Certificate(Shown):
     """What was measured of the controller with this `hash`, every `period` [s], and the `light` that follows from it.
 
+    It is of that controller (by its `hash`, or by what was `asked` of its design and its `response`: see
+    `control.identity`) on the `subject`: every number of robot and kit, by name. `robot` and `kit` are their names.
     Of `samples` robots `fell` fell in at least one of the `trials`; `bound` is what the chance of that stays below,
     with a confidence of 95 %. `linear` is None for a controller that no matrices describe, not even near rest.
     `delayed` and `slower` count falls with additional dead time and with other periods; `agreement` compares the log
@@ -93,6 +98,9 @@ class Certificate(Shown):
     delayed: tuple[Swept, ...] = ()
     slower: tuple[Swept, ...] = ()
     agreement: tuple[Agreement, ...] = ()
+    subject: Mapping[str, Facts]
+    asked: str = ""
+    response: tuple[float, ...] = ()
 
     def check(self) -> tuple[str, ...]:
         """Contradictions among this certificate's own numbers, as sentences; none where it is consistent."""
@@ -107,14 +115,29 @@ class Certificate(Shown):
         fits = most <= self.fell <= sum(t.fell for t in self.trials) and runs == {self.samples}
         return (*wrong, *(() if fits else ("the trials and the number of falls disagree",)))
 
-    def refuses(self, controller: Controller | None = None) -> str:
+    def refuses(self, controller: Controller | None = None, robot: Robot | None = None, kit: Kit | None = None) -> str:
         """Why a robot should not be driven with this certificate, as a sentence; empty where it may. It is red,
-        contradicts itself, or belongs to another controller than `controller`."""
+        contradicts itself, or is of another controller, robot, kit or period than these, each as far as it is known.
+        """
         if wrong := self.check():
             return f"the certificate contradicts itself: {wrong[0]}"
-        if controller is not None and controller_hash(controller) != self.hash:
-            return f"the certificate belongs to another {self.controller} ({self.hash[:12]})"
-        return f"red: {self.reasons[0]}" if self.light == RED else ""
+        if self.light == RED:
+            return f"red: {self.reasons[0]}"
+        others = [self._period_and_controller(controller)] if controller else []
+        others += [self._other("robot", self.robot, robot.name, robot_facts(robot))] if robot else []
+        others += [self._other("kit", self.kit, kit.name, kit_facts(kit))] if kit else []
+        return f"the certificate is of {'; of '.join(filter(None, others))}" if any(others) else ""
+
+    def _period_and_controller(self, controller: Controller) -> str:
+        if not math.isclose(controller.spec.period, self.period):
+            return f"another period: period {controller.spec.period:g} s instead of {self.period:g} s"
+        return identity(controller).differs(Identity(self.hash, self.asked, self.response))
+
+    def _other(self, what: str, certified: str, name: str, facts: Facts) -> str:
+        """The differences of a robot or a kit, led by its name where that differs too."""
+        if not (others := differences(facts, self.subject[what])):
+            return ""
+        return f"another {what}: {f'{what} {name} instead of {certified}, ' if name != certified else ''}{others}"
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is unlimited."""
@@ -166,8 +189,10 @@ def certify(
     fraction done. Raises `SpecMismatch` for a controller that does not fit, `InvalidScenario` for too few samples,
     `InvalidLog` for a log that cannot be compared.
     """
-    nominal, unknown = at_medians(find_robot(robot), posterior)
+    given = find_robot(robot)
+    nominal, unknown = at_medians(given, posterior)
     parts, recording = find_kit(kit or nominal.kit), None if log is None else raw_log(log, mapping)
+    subject = {"robot": robot_facts(given), "kit": kit_facts(parts)}
     if recording and unknown is None and robots is None:
         calibrated = learnt(calibrate(recording, nominal, parts, progress=progress), parts)
         nominal, parts, unknown = calibrated.robot, calibrated.kit, calibrated.uncertainty
@@ -181,12 +206,13 @@ def certify(
     linear, count, period = linear_margins(design, nominal, parts), int(fell.sum()), design.spec.period
     compared = agreement(recording, course) if recording else ()
     light, reasons = judge(len(family), count, linear, runs, period, compared)
+    who = identity(design)
     swept = [f(course) if sweeps else () for f in (delayed, slower)]
     return Certificate(
         light=light, reasons=reasons, bound=upper_bound(count, len(family), CONFIDENCE), robot=nominal.name,
-        kit=parts.name, controller=design.spec.kind, hash=controller_hash(design), period=period, seed=seed,
+        kit=parts.name, controller=design.spec.kind, hash=who.hash, period=period, seed=seed,
         samples=len(family), fell=count, linear=linear, trials=runs, delayed=swept[0], slower=swept[1],
-        agreement=compared,
+        agreement=compared, subject=subject, asked=who.asked, response=who.response,
     )  # fmt: skip
 
 
@@ -293,8 +319,14 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
     given = dict(data)
     if "later" in given:  # what older files call it
         given["delayed"] = given.pop("later")
-    if (given.pop("file"), given.pop("version")) != (KIND, VERSION):
-        raise ValueError(f"it is no '{KIND}' of version {VERSION}")
+    kind, version = given.pop("file"), given.pop("version")
+    if kind == KIND and version != VERSION:
+        raise InvalidController(
+            f"a certificate of version {version}", expected=f"version {VERSION}, which names its robot and kit",
+            hint="certify it again",
+        )  # fmt: skip
+    if kind != KIND:
+        raise ValueError(f"it is no '{KIND}'")
     linear = given["linear"]
     parts: dict[str, Any] = {
         "reasons": tuple(given["reasons"]),
@@ -303,6 +335,8 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
         else None,
         "agreement": tuple(Agreement.from_json(row) for row in given["agreement"]),
         "trials": tuple(PushTrial(**row) for row in given["trials"]),
+        "subject": {what: dict(given["subject"][what]) for what in ("robot", "kit")},
+        "response": tuple(map(float, given["response"])),
     }
     swept: dict[str, Any] = {name: tuple(Swept(**row) for row in given[name]) for name in ("delayed", "slower")}
     certificate = cls(**{**given, **parts, **swept})

@@ -66,7 +66,7 @@ def firmware(
     parts = find_kit(kit or chosen.kit)
     design = find_controller(controller, chosen, parts, parts.period)
     made = generate(design, chosen, parts, target, number=number, hub=hub, reference=reference, seconds=seconds)
-    permit = permitted(design, read_certificate(certificate), anyway) if certificate else ""
+    permit = permitted(design, read_certificate(certificate), chosen, parts, anyway=anyway) if certificate else ""
     warning = permit if permit != "certified" else ""
     written = made.write(output) if output else []
     if as_json:

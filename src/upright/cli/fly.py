@@ -27,6 +27,9 @@ def fly(
             "--robot", "-r", help="Robot or brick it must be made for: a name, a TOML file, or nxt, spike or ev3."
         ),
     ] = None,
+    kit: Annotated[
+        str | None, typer.Option(help="Kit it must be made for: a name or a TOML file (default: its own, by name).")
+    ] = None,
     port: Annotated[
         str,
         typer.Option(help="NXT: usb or a device such as /dev/rfcomm0. Hub: ble or ble:NAME. virtual: a simulated one."),
@@ -61,13 +64,13 @@ def fly(
     if output:
         check_folder(output)
     if fetch:
-        flight = fetch_log(program, controller, robot=robot, port=port)
+        flight = fetch_log(program, controller, robot=robot, kit=kit, port=port)
     else:
         pushes = [options.push(p) for p in push or []]
         with progress("flying") as show:
             flight = run_flight(
-                program, controller, robot=robot, port=port, certificate=certificate, anyway=anyway, seconds=seconds,
-                pushes=pushes, seed=seed, confirm=None if yes or as_json else _ask, progress=show,
+                program, controller, robot=robot, kit=kit, port=port, certificate=certificate, anyway=anyway,
+                seconds=seconds, pushes=pushes, seed=seed, confirm=None if yes or as_json else _ask, progress=show,
             )  # fmt: skip
     path = flight.log.log.save(output) if flight.log and output else None
     finish(flight, as_json, written=[path], log=str(path) if path else None)

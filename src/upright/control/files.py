@@ -12,6 +12,7 @@ from upright.atomic import write_json
 from upright.control.controller import Controller, controller_hash
 from upright.control.estimators import Complementary, Estimated, Estimator, Kalman
 from upright.control.feedback import StateFeedback
+from upright.control.identity import asked_of, designed_from
 from upright.control.linear_controller import LinearController
 from upright.control.mpc import PredictiveController
 from upright.control.sliding import SlidingMode
@@ -25,6 +26,7 @@ def write_controller(controller: Controller, path: str | Path) -> Path:
     """Write `controller` as JSON and return the path; `InvalidController` for a kind that no file can bring back."""
     form = _form(controller)
     data = {"file": "upright controller", "version": VERSION, "form": form, "hash": controller_hash(controller)}
+    data |= {"asked": asked_of(controller)}
     return write_json(path, data | {"controller": controller.to_json()})
 
 
@@ -45,7 +47,7 @@ def read_controller(path: str | Path) -> Controller:
             f"{path} was changed after it was written: its hash does not fit", likely="an edit by hand",
             hint="design the controller anew, or write it with write_controller",
         )  # fmt: skip
-    return controller
+    return designed_from(controller, str(data.get("asked", "")))
 
 
 def _read(path: Path) -> dict[str, Any]:

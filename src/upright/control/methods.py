@@ -14,6 +14,7 @@ from upright.control.controller import Controller
 from upright.control.estimators import Estimated, complementary
 from upright.control.files import read_controller
 from upright.control.hinf import hinf
+from upright.control.identity import designed_from, request_hash
 from upright.control.lqg import lqg
 from upright.control.lqi import LARGEST_INTEGRAL, lqi
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, Lqr, bryson, lqr
@@ -62,11 +63,12 @@ class Method:
         if len(largest) != len(STATE_NAMES):
             raise InvalidController(f"{len(largest)} largest deviations", expected="six, one for each state")
         size = LARGEST_COMMAND[robot.command_unit] if command is None else command
+        asked = request_hash(self.name, robot, kit, dt, largest=list(largest), command=size)
         if self.weighted:
-            return self.make(robot, kit, dt, largest=tuple(largest), command=size)
+            return designed_from(self.make(robot, kit, dt, largest=tuple(largest), command=size), asked)
         if command is not None or tuple(largest) != LARGEST_STATE:
             raise InvalidController(f"{self.name or 'this method'} takes no weights", expected="its defaults")
-        return self.make(robot, kit, dt)
+        return designed_from(self.make(robot, kit, dt), asked)
 
 
 def _by_weights(

@@ -47,7 +47,9 @@ def run(
     pushes, references = _several(push, "at"), _several(reference, "at")
     _check_pushable(body.spec, pushes)
     _check_time(seconds, controller.spec.period)
-    permit = {"certificate": permitted(controller, certificate, anyway)} if body.spec.real else {}
+    permit = (
+        {"certificate": permitted(controller, certificate, body.spec.robot, anyway=anyway)} if body.spec.real else {}
+    )
     robot, count = body.spec.robot, round(seconds / controller.spec.period)
     loop = Stepper(body, controller, start, seed)
     stood, rows = not loop.now.fallen, list[list[float]]()

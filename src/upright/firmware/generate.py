@@ -16,6 +16,7 @@ from upright.compiled.print_nxc import NxcPrinter
 from upright.compiled.print_python import PythonPrinter
 from upright.compiled.program import Kind, Program
 from upright.control.controller import Controller
+from upright.control.identity import identity
 from upright.errors import InvalidController, UnknownName
 from upright.firmware.balance import trace
 from upright.firmware.setup import FLAT_BATTERY, SENSOR_FAILED, STATUS, TIME_IS_OVER
@@ -115,7 +116,10 @@ def generate(
     _check_period(program, place.suffix)
     finest = quantum(program, fractions(program)) if arithmetic == "fixed" else None
     facts: dict[str, Any] = {**_facts(program, arithmetic, finest), "hub": hub, "seconds": longest}
-    more = ([f"hub: {hub}"] if target == "pybricks" else []) + (["reference: yes"] if reference else [])
+    who = identity(controller)
+    more = [f"asked: {who.asked}"] if who.asked else []
+    more += [f"response: {' '.join(f'{x:.9g}' for x in who.response)}"]
+    more += ([f"hub: {hub}"] if target == "pybricks" else []) + (["reference: yes"] if reference else [])
     facts["head"] = [*facts["head"], *more]
     return Firmware(program, arithmetic, TEXTS[target](program, facts), finest)
 
@@ -225,7 +229,7 @@ def render(name: str, facts: Mapping[str, Any]) -> str:
 def head(text: str) -> dict[str, str]:
     """The facts in the first lines of a generated program; `InvalidController` for any other text."""
     lines = text.splitlines()[:LONGEST_HEAD]
-    pattern = r"\W*(target|robot|kit|controller|hash|period|version|number|quantum|hub|reference): (.+)"
+    pattern = r"\W*(target|robot|kit|controller|hash|period|version|number|quantum|hub|reference|asked|response): (.+)"
     facts = {m[1]: m[2].strip() for m in (re.fullmatch(pattern, line) for line in lines) if m}
     if missing := [name for name in ("target", "robot", "kit", "hash", "number") if name not in facts]:
         raise InvalidController(

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from upright import reading
 from upright.compiled.program import Program
 from upright.control import find_controller
-from upright.control.controller import Controller, controller_hash
+from upright.control.controller import Controller
+from upright.control.identity import Identity, identity
 from upright.errors import InvalidController
 from upright.firmware.generate import Firmware, generate, head, longest_run
 from upright.robots import Kit, Robot, find_kit, find_robot
@@ -28,7 +30,8 @@ class ProgramFile:
 
     @property
     def program(self) -> Program:
-        return self.firmware.program
+        """With the hash in its head, which is what its logs say: that of another processor differs."""
+        return replace(self.firmware.program, hash=self.head["hash"])
 
     @property
     def longest(self) -> int:
@@ -55,9 +58,9 @@ def read_program(
     facts = head(text)
     chosen, parts = find_robot(robot or facts["robot"]), find_kit(kit or facts["kit"])
     design = find_controller(controller, chosen, parts, parts.period)
-    if controller_hash(design) != facts["hash"]:
+    if other := identity(design).differs(_identity(facts)):
         raise InvalidController(
-            f"{source} holds another controller ({facts['hash'][:12]})", expected=controller_hash(design)[:12],
+            f"{source} holds another controller than this: {other}",
             hint="generate the program again, or name the controller it was made from",
         )  # fmt: skip
     made = generate(
@@ -65,6 +68,15 @@ def read_program(
         reference="reference" in facts, seconds=longest_run(text),
     )  # fmt: skip
     return ProgramFile(path=source, text=text, head=facts, robot=chosen, kit=parts, controller=design, firmware=made)
+
+
+def _identity(facts: Mapping[str, str]) -> Identity:
+    """The controller in a program's head; a response that is no list of numbers is none."""
+    try:
+        response = tuple(map(float, facts.get("response", "").split()))
+    except ValueError:
+        response = ()
+    return Identity(facts["hash"], facts.get("asked", ""), response)
 
 
 def read_text(path: str | Path) -> str:

@@ -19,7 +19,7 @@ from upright.flight.fly_hub import fetch_hub, fly_hub
 from upright.flight.fly_nxt import fetch_nxt, fly_nxt
 from upright.flight.follow import VIRTUAL
 from upright.links.hub import AIR
-from upright.robots import Robot, find_robot
+from upright.robots import Kit, Robot, find_kit, find_robot
 
 MOST_SECONDS = 600.0  # [s] of a flight
 HUB = "pybricks"  # the target of programs for hubs
@@ -60,6 +60,7 @@ def fly(
     controller: Controller | str | Path,
     *,
     robot: Robot | str | Path | None = None,
+    kit: Kit | str | Path | None = None,
     port: str = VIRTUAL,
     certificate: Permit | str | Path | None = None,
     anyway: bool = False,
@@ -71,9 +72,9 @@ def fly(
 ) -> Flight:
     """Upload a program to an NXT brick or a Pybricks hub, run it for `seconds` [s], and fetch its log.
 
-    `robot` is a robot or a brick's name that the program must be made for. `port` is usb or a device for a brick, ble
-    or ble:NAME for a hub, or virtual: a simulated one, which `pushes` and the noise of `seed` disturb. `confirm` is
-    called with the plan before anything is started, and prevents the flight by raising.
+    `robot` is a robot or a brick's name that the program must be made for, `kit` its kit. `port` is usb or a device for
+    a brick, ble or ble:NAME for a hub, or virtual: a simulated one, which `pushes` and the noise of `seed` disturb.
+    `confirm` is called with the plan before anything is started, and prevents the flight by raising.
 
     Raises `UprightError` for what cannot be flown, `NotPermitted` for a certificate that refuses the controller without
     `anyway`, and like `fly_nxt` or `fly_hub`.
@@ -82,13 +83,14 @@ def fly(
         raise UprightError(f"a flight of {seconds:g} s", expected=f"more than 0 and at most {MOST_SECONDS:g} s")
     if pushes and port != VIRTUAL:
         raise UprightError("a real robot cannot be pushed by a number", expected=f"pushes at port {VIRTUAL} only")
-    file = _checked(program, controller, robot, port)
+    file = _checked(program, controller, robot, kit, port)
     if file.longest and seconds > file.longest:
         raise UprightError(
             f"a flight of {seconds:g} s: {program} stops by itself after {file.longest} s",
             expected=f"at most {file.longest}", hint=f"upright firmware --seconds {math.ceil(seconds)}",
         )  # fmt: skip
-    plan = FlightPlan(file, port, permitted(file.controller, _certificate(certificate), anyway))
+    permit = permitted(file.controller, _certificate(certificate), file.robot, file.kit, anyway=anyway)
+    plan = FlightPlan(file, port, permit)
     if confirm:
         confirm(plan)
     if port == VIRTUAL:
@@ -104,19 +106,24 @@ def fetch(
     *,
     port: str,
     robot: Robot | str | Path | None = None,
+    kit: Kit | str | Path | None = None,
 ) -> Flight:
     """Stop the program on the brick or hub at `port`, and fetch its log; nothing is started. Raises like `fly`."""
     if port == VIRTUAL:
         raise UprightError("a virtual brick keeps no log", expected="a real port to fetch from")
-    plan = FlightPlan(_checked(program, controller, robot, port), port)
+    plan = FlightPlan(_checked(program, controller, robot, kit, port), port)
     file = plan.file
     return _labelled(fetch_hub(file.program, port) if plan.hub else fetch_nxt(file.path, file.program, port), plan)
 
 
 def _checked(
-    program: str | Path, controller: Controller | str | Path, robot: Robot | str | Path | None, port: str
+    program: str | Path,
+    controller: Controller | str | Path,
+    robot: Robot | str | Path | None,
+    kit: Kit | str | Path | None,
+    port: str,
 ) -> ProgramFile:
-    """Read a program; refuse one that is not flown from here, or made for another robot, brick or port."""
+    """Read a program; refuse one that is not flown from here, or made for another robot, kit, brick or port."""
     facts = head(read_text(program))
     target = facts["target"]
     if target not in PORTS:
@@ -130,7 +137,11 @@ def _checked(
             f"{program} was made for {facts['robot']} on the brick {brick}", expected=f"a program for {robot}",
             hint="upright firmware makes one",
         )  # fmt: skip
-    return read_program(program, controller, chosen)
+    parts = find_kit(facts["kit"] if kit is None else kit)
+    if parts.name != facts["kit"]:
+        raise UprightError(f"{program} was made for the kit {facts['kit']}", expected=f"a program for {parts.name}",
+                           hint="upright firmware makes one")  # fmt: skip
+    return read_program(program, controller, chosen, parts)
 
 
 def _certificate(certificate: Permit | str | Path | None) -> Permit | None:

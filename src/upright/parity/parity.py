@@ -78,7 +78,9 @@ class Parity(Shown):
             f"  {rest} later steps not compared: this controller's memory amplifies rounding" if rest else "",
             f"  {self.duties} duties do not follow from their commands" if self.duties else "",
             *(f"  {p.push} push: {p.outcome}, largest pitch {p.peak:.3f} rad" for p in self.pushes),
-            "" if self.as_generated else "  the file differs from what upright generates now: edited, or older",
+            ""
+            if self.as_generated
+            else "  the file differs from what upright generates here: edited, or made elsewhere",
         ]
         return "\n".join(filter(None, lines))
 

@@ -8,6 +8,7 @@
 # period: 0.01 s
 # version: upright
 # number: float
+# response: 2.21174851 0.813544247 -0.380736686 -0.363960323 -0.00912462404 -1.93854087
 #
 # A balancing program for ev3dev with python-ev3dev2. Hold the robot upright and still until the lights turn green, then
 # let go. It stops by itself when it has fallen, after SECONDS, when its terminal hangs up, and with any button of the

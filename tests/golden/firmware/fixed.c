@@ -8,6 +8,7 @@
    version: upright
    number: fixed
    quantum: 0.0173 V
+   response: 2.21174851 0.813544247 -0.380736686 -0.363960323 -0.00912462404 -1.93854087
 */
 #include "fixed.h"
 

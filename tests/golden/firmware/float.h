@@ -7,6 +7,7 @@
    period: 0.01 s
    version: upright
    number: float
+   response: 2.21174851 0.813544247 -0.380736686 -0.363960323 -0.00912462404 -1.93854087
    A balancing program in C99: no allocation, no library beyond <stdint.h>, no loop and no recursion.
 
    Every 10 ms fill an upright_input, then

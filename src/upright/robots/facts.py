@@ -1,0 +1,57 @@
+"""Robot and kit as numbers by name, and in which of them two differ."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import Any
+
+from upright.atomic import finite
+from upright.robots.kit import Kit
+from upright.robots.robot import Robot
+
+Facts = Mapping[str, float | str | None]
+
+MOST_VALUES = 6
+"""Differences that are told with their values; of more, the names."""
+
+
+def robot_facts(robot: Robot) -> Facts:
+    """Every physical parameter of a robot, and its drive; its name, sources and spreads decide nothing."""
+    return {"drive": robot.drive, **robot.numbers()}
+
+
+def kit_facts(kit: Kit) -> Facts:
+    """Every number of a kit, as `motor/limit` or `sensor/gyro/noise`; None for what is unlimited."""
+    facts: dict[str, float | str | None] = {}
+    parts: list[tuple[str, Any]] = [(name, value) for name, value in asdict(kit).items() if name != "name"]
+    while parts:
+        name, value = parts.pop(0)
+        if isinstance(value, dict):
+            known = "" if name == "sensors" else f"{name}/"
+            parts[:0] = [(known + str(key), inner) for key, inner in value.items()]
+        else:
+            facts[name] = finite(value)
+    return facts
+
+
+def differences(here: Facts, there: Facts) -> str:
+    """In what `here` differs from `there`, each by name; empty where in nothing."""
+    names = [name for name in {**there, **here} if here.get(name, "none") != there.get(name, "none")]
+    names = list(dict.fromkeys(_whole(name, here, there) for name in names))
+    first = [f"{n} {_text(here, n)} instead of {_text(there, n)}" for n in names[:MOST_VALUES]]
+    return ", ".join([*first, *names[MOST_VALUES:]])
+
+
+def _whole(name: str, here: Facts, there: Facts) -> str:
+    """The sensor where only one side has it, the number itself otherwise."""
+    part = name.rpartition("/")[0]
+    both = all(any(key.startswith(f"{part}/") for key in facts) for facts in (here, there))
+    return name if both or not part else part
+
+
+def _text(facts: Facts, name: str) -> str:
+    if name not in facts:
+        return "present" if any(key.startswith(f"{name}/") for key in facts) else "absent"
+    value = facts[name]
+    return "unlimited" if value is None else f"{value:.12g}" if isinstance(value, float | int) else value or "any"
