@@ -11,8 +11,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from test_architecture import trees
 
+from test_architecture import trees
 from upright.atomic import write_text, write_whole
 from upright.cli.main import USER_ERROR, main
 from upright.errors import UprightError

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -141,6 +142,83 @@ def test_a_chunk_cut_off_by_a_crash_is_run_again(spec, alone, tmp_path):
     chunk_path(tmp_path, 6).write_bytes(b"")
     run_campaign(read_campaign(spec), tmp_path, workers=0)
     assert files(tmp_path) == files(alone)
+
+
+def flip(path: Path, _: Path) -> None:
+    data = bytearray(path.read_bytes())
+    data[len(data) // 3] ^= 1
+    path.write_bytes(data)
+
+
+def exchange(path: Path, _: Path) -> None:
+    path.write_bytes(path.with_name("00000004.parquet").read_bytes())
+
+
+def foreign(path: Path, other: Path) -> None:
+    path.write_bytes((other / "chunks" / path.name).read_bytes())
+
+
+def table_of_another(path: Path, _: Path) -> None:
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    pq.write_table(pa.table({"fell": [0.0] * 20}), path)
+
+
+@pytest.fixture(scope="module")
+def another(tmp_path_factory):
+    """A campaign of another seed, whose chunks have the same names and columns."""
+    folder = tmp_path_factory.mktemp("another")
+    (folder / "c.toml").write_text(SPEC.replace("seed = 3", "seed = 4"))
+    run_campaign(read_campaign(folder / "c.toml"), folder, workers=0)
+    return folder
+
+
+@pytest.mark.parametrize("damage", [flip, exchange, foreign, table_of_another])
+def test_a_chunk_is_known_by_its_content(damage, spec, alone, another, tmp_path):
+    shutil.copytree(alone, tmp_path, dirs_exist_ok=True)
+    damage(chunk_path(tmp_path, 7), another)
+    done = []
+    run_campaign(read_campaign(spec), tmp_path, workers=0, progress=lambda d, total, left: done.append(d))
+    assert done == [CHUNKS - 1, CHUNKS]
+    assert files(tmp_path) == files(alone)
+
+
+def test_a_damaged_chunk_is_not_collected(alone, tmp_path):
+    shutil.copytree(alone, tmp_path, dirs_exist_ok=True)
+    flip(chunk_path(tmp_path, 7), tmp_path)
+    with pytest.raises(InvalidScenario, match="chunk 7"):
+        collect(tmp_path)
+
+
+def test_a_campaign_that_fails_writes_nothing(spec, alone, tmp_path):
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(SPEC.replace("seconds = 1.0", "seconds = -1.0"))
+    folder = tmp_path / "c"
+    with pytest.raises(UprightError):
+        run_campaign(read_campaign(wrong), folder, workers=0)
+    assert not folder.exists()
+    run_campaign(read_campaign(spec), folder, workers=0)
+    assert files(folder) == files(alone)
+
+
+def test_a_full_disk_is_one_line_and_the_campaign_goes_on_from_there(spec, alone, tmp_path):
+    largest = max(len(data) for data in files(alone).values())
+    code = (
+        "import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]),) * 2); "
+        "from upright.cli.main import main; sys.exit(main(sys.argv[2:]))"
+    )
+    command = ["sweep", str(spec), "-o", str(tmp_path / "c"), "--workers", "0"]
+    done = subprocess.run(
+        [sys.executable, "-c", code, str(largest - 1), *command], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 2
+    lines = [line for line in done.stderr.splitlines() if line.startswith("upright:")]
+    assert len(lines) == 1
+    assert "cannot write" in lines[0]
+    assert "Traceback" not in done.stderr
+    run_campaign(read_campaign(spec), tmp_path / "c", workers=0)
+    assert files(tmp_path / "c") == files(alone)
 
 
 def test_the_size_of_a_chunk_changes_no_robot(alone):

@@ -1,0 +1,27 @@
+"""The process of the command `upright`: ready for signals and for any stdout before it loads anything else."""
+
+from __future__ import annotations
+
+import sys
+from typing import NoReturn
+
+from upright import interrupts
+from upright.cli.streams import guard
+
+
+def run() -> NoReturn:
+    """Run the command of this process's arguments, and end the process with its exit code."""
+    interrupts.watch()
+    code = interrupts.exit_code()
+    try:
+        printed = guard()
+        from upright.cli.main import USER_ERROR, complain, main
+
+        code = main()
+        sys.stdout.flush()
+        if printed.error and not interrupts.interrupted():
+            complain(f"cannot print: {printed.error.strerror}; try: -o FILE, or another place for the output")
+            code = code or USER_ERROR
+    except KeyboardInterrupt:
+        pass
+    interrupts.leave(code)
