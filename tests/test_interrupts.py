@@ -1,0 +1,182 @@
+"""An interrupted run ends at once, with 128 and the signal's number, and leaves nothing, whatever computes."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+
+from upright.control import make_controller
+from upright.kernel.batch import FleetBatch, parameters_of, silent
+from upright.kernel.simulate import simulate
+from upright.robots import Kit, Robot
+
+PATIENCE = 20.0  # [s] for a busy machine; alone it takes half a second
+
+SLEEPS = {
+    "Python": "time.sleep(60)",
+    "C that lets other threads run": "import ctypes; ctypes.CDLL(None).sleep(60)",
+    "a handler that swallows": """
+while True:
+    try:
+        time.sleep(60)
+    except BaseException:
+        pass
+""",
+    "a callback from C, whose exceptions are lost": """
+import ctypes
+def called(a, b):
+    time.sleep(60)
+    return 0
+made = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)(called)
+ctypes.CDLL(None).qsort(ctypes.create_string_buffer(16), 2, 8, made)
+""",
+    "a pool of threads": """
+from concurrent.futures import ThreadPoolExecutor
+with ThreadPoolExecutor(2) as pool:
+    list(pool.map(time.sleep, [60] * 4))
+""",
+    "what waits for threads at the end": """
+import threading
+threading.Thread(target=time.sleep, args=(60,)).start()
+time.sleep(60)
+""",
+}
+
+
+def child(body: str, folder: Path, before: str = "") -> subprocess.Popen[str]:
+    """A process that has a file under way and a temporary folder, and then does `body`."""
+    text = f"""
+import sys, time
+{before}
+from upright import interrupts
+from upright.atomic import TemporaryFolder, together, write_text
+interrupts.watch()
+folder = TemporaryFolder()
+code = interrupts.exit_code()
+def ready():
+    print("ready", flush=True)
+def run():
+    with together():
+        write_text("result.txt", "result")
+        {"" if "ready()" in body else "ready()"}
+{"".join(f"        {line}{chr(10)}" for line in body.strip().splitlines())}
+try:
+    run()
+    code = 0
+except KeyboardInterrupt:
+    code = interrupts.exit_code()
+interrupts.leave(code)
+"""
+    process = subprocess.Popen(
+        [sys.executable, "-c", text], cwd=folder, stdout=subprocess.PIPE, text=True, env=os.environ | {"TMPDIR": "."}
+    )
+    assert process.stdout
+    assert process.stdout.readline() == "ready\n"
+    return process
+
+
+@pytest.mark.parametrize("body", [*SLEEPS.values()], ids=list(SLEEPS))
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_run_ends_whatever_it_does_and_leaves_nothing(body: str, number: signal.Signals, tmp_path: Path) -> None:
+    process = child(body, tmp_path)
+    process.send_signal(number)
+    assert process.wait(PATIENCE) == 128 + number
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_run_that_swallows_the_signal_and_ends_still_writes_nothing(tmp_path: Path) -> None:
+    process = child("try:\n    time.sleep(60)\nexcept BaseException:\n    pass", tmp_path)
+    process.send_signal(signal.SIGINT)
+    assert process.wait(PATIENCE) == 130
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_the_parent_had_it_ignore_stays_ignored(tmp_path: Path) -> None:
+    ignored = "import signal; signal.signal(signal.SIGHUP, signal.SIG_IGN)"  # as nohup does
+    process = child("time.sleep(1)", tmp_path, before=ignored)
+    process.send_signal(signal.SIGHUP)
+    assert process.wait(PATIENCE) == 0
+    assert [p.name for p in tmp_path.iterdir()] == ["result.txt"]
+
+
+def test_a_motor_is_stopped_first(tmp_path: Path) -> None:
+    body = """
+with interrupts.patience():
+    try:
+        ready()
+        time.sleep(60)
+    finally:
+        time.sleep(1.5)
+        open("stopped", "w").close()
+"""
+    process = child(body, tmp_path)
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(PATIENCE) == 143
+    assert [p.name for p in tmp_path.iterdir()] == ["stopped"]
+
+
+def test_a_killed_run_leaves_what_the_next_one_removes(tmp_path: Path) -> None:
+    killed, alive = (child("time.sleep(60)", tmp_path) for _ in range(2))
+    killed.kill()
+    killed.wait()
+    before = set(tmp_path.iterdir())
+    assert len(before) == 4  # a folder and an unfinished file each
+    for path in before:
+        os.utime(path, (0, 0))
+    following = child("pass", tmp_path)
+    assert following.wait(PATIENCE) == 0
+    left = set(tmp_path.iterdir()) - {tmp_path / "result.txt"}
+    assert len(left) == 2  # the living one's
+    alive.send_signal(signal.SIGINT)
+    assert alive.wait(PATIENCE) == 130
+    assert [p.name for p in tmp_path.iterdir()] == ["result.txt"]
+
+
+def test_a_controller_in_the_compiled_loop_is_interrupted() -> None:
+    """Compiled code calls Python here, and an exception that is raised there does not pass."""
+    robot, kit = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+    controller = make_controller("sliding", robot, kit, kit.period)
+    batch = FleetBatch(parameters=parameters_of(robot), controller=silent(controller), start=(0.0,) * 6, kit=kit)
+    kind, calls = type(controller), [0]
+    step = kind.step
+
+    def interrupted(self: Any, *given: Any) -> Any:
+        calls[0] += 1
+        if calls[0] == 3:
+            raise KeyboardInterrupt
+        return step(self, *given)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(kind, "step", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            simulate(batch, 0.5, called=controller)
+    assert calls[0] == 3
+
+
+def abuse() -> ModuleType:
+    from importlib.util import module_from_spec, spec_from_file_location
+
+    path = Path(__file__).parents[1] / "benchmarks" / "abuse_interrupts.py"
+    spec = spec_from_file_location("abuse_interrupts", path)
+    assert spec
+    assert spec.loader
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("name", ["certify mpc", "push-map", "reproduce"])
+def test_a_long_command_is_interrupted_at_a_random_moment(name: str, number: signal.Signals) -> None:
+    module, draw = abuse(), np.random.default_rng([number, len(name)])
+    end = module.interrupted(module.COMMANDS[name].split(), number, draw.uniform(0.2, 3.0))
+    assert end.early or module.held(end, number), end
