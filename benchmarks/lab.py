@@ -81,7 +81,7 @@ def answered(repeats: int = 3) -> float:
 
 
 def started() -> tuple[subprocess.Popen[str], str]:
-    command = [sys.executable, "-m", "upright.cli.main", "lab", "--port", "0", "--no-browser"]
+    command = [sys.executable, "-m", "upright", "lab", "--port", "0", "--no-browser"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     assert process.stdout
     return process, re.findall(r"http://\S+", process.stdout.readline())[0]

@@ -9,9 +9,9 @@ import time
 COMMANDS = {
     "python -c pass": ["-c", "pass"],
     "import upright": ["-c", "import upright"],
-    "upright --help": ["-m", "upright.cli.main", "--help"],
-    "upright robots": ["-m", "upright.cli.main", "robots"],
-    "upright linearise": ["-m", "upright.cli.main", "linearise"],
+    "upright --help": ["-m", "upright", "--help"],
+    "upright robots": ["-m", "upright", "robots"],
+    "upright linearise": ["-m", "upright", "linearise"],
 }
 REPEATS = 9
 

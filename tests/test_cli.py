@@ -16,7 +16,7 @@ from typer.main import get_command
 
 from upright.atomic import write_json
 from upright.cli import main as cli
-from upright.cli.main import BUG, STOPPED, USER_ERROR, app, main
+from upright.cli.main import BUG, USER_ERROR, app, main
 from upright.cli.options import complete_controller, complete_kit, complete_robot
 from upright.control import CONTROLLERS
 from upright.errors import InvalidLog
@@ -144,7 +144,7 @@ def test_a_mistake_is_one_line_that_names_it(
 @pytest.mark.parametrize("call", ["simulate --robot nxtway", "compare backwards.csv"])
 def test_a_mistake_in_a_real_process_shows_no_traceback(call: str, files: Path) -> None:
     said = subprocess.run(
-        [sys.executable, "-m", "upright.cli.main", *call.split()],
+        [sys.executable, "-m", "upright", *call.split()],
         cwd=files,
         capture_output=True,
         text=True,
@@ -183,7 +183,7 @@ def test_a_bug_is_one_line_that_says_how_to_see_more(
 
 def test_ctrl_c_ends_with_130(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr(Robot, "preset", broken(KeyboardInterrupt()))
-    assert main(["robots"]) == STOPPED
+    assert main(["robots"]) == 128 + 2  # SIGINT is signal 2
     assert capsys.readouterr().err == "stopped; no incomplete file is left\n"
 
 
@@ -345,4 +345,4 @@ def test_json_is_written_whole_or_not_at_all(tmp_path: Path) -> None:
 
 
 def test_the_exit_codes_are_those_that_shells_know() -> None:
-    assert (cli.USER_ERROR, cli.BUG, cli.STOPPED) == (2, 1, 128 + 2)  # 2 as for usage errors; SIGINT is signal 2
+    assert (cli.USER_ERROR, cli.BUG) == (2, 1)  # 2 as for usage errors

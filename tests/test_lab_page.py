@@ -37,7 +37,7 @@ class Lab:
         command = [
             sys.executable,
             "-m",
-            "upright.cli.main",
+            "upright",
             "lab",
             "--port",
             str(self.port),

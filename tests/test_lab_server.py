@@ -365,7 +365,7 @@ def test_a_port_in_use_is_said_in_one_line(capsys):
 @pytest.fixture(scope="module")
 def served() -> Iterator[str]:
     """A lab of its own process, as a user starts it; its address."""
-    command = [sys.executable, "-m", "upright.cli.main", "lab", "--port", "0", "--no-browser"]
+    command = [sys.executable, "-m", "upright", "lab", "--port", "0", "--no-browser"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert process.stdout
     address = process.stdout.readline().split()[-1]

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import asyncio
 import binascii
-import tempfile
 from collections.abc import Sequence
 from contextlib import AsyncExitStack, suppress
 from importlib.resources import files
 from pathlib import Path
 
+from upright.atomic import TemporaryFolder, write_text
 from upright.bodies.body import REST, Sample, checked
 from upright.bodies.remote import STILL, Reading, as_sample, at_rest, duty, remote_spec, unpushed
 from upright.links.hub import HubLink, HubLost, HubRefused, Peripheral, linked
@@ -73,10 +73,10 @@ class PybricksBody:
 
     async def _connected(self) -> HubLink:
         hub = await self._stack.enter_async_context(linked(self._port))
-        with tempfile.TemporaryDirectory(prefix="upright-") as folder:
+        with TemporaryFolder() as folder:
             source = Path(folder) / "remote.py"
             text = self._program or (files("upright.bodies") / "remote.micropython")
-            source.write_text(text.read_text(encoding="utf-8"), encoding="utf-8")
+            write_text(source, text.read_text(encoding="utf-8"))
             if hub.running:
                 await self._ended(hub)
             await hub.upload(source)

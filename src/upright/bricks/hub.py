@@ -14,6 +14,7 @@ from collections.abc import Callable, Sequence
 from enum import IntEnum
 from typing import Any
 
+from upright.atomic import write_bytes
 from upright.bricks.script import Reply, Script
 from upright.bricks.world import World
 from upright.firmware.targets import BATTERY, ENCODERS, GYRO
@@ -132,7 +133,7 @@ class VirtualHub:
         for old in self._script.folder.glob("*.mpy"):
             old.unlink()
         for name, code in modules.items():
-            (self._script.folder / f"{'balance' if name == '__main__' else name}.mpy").write_bytes(code)
+            write_bytes(self._script.folder / f"{'balance' if name == '__main__' else name}.mpy", code)
         self._script.start()
         self.running, self.seconds, self._clock, self._sent, self._typed = True, 0.0, 0.0, 0, b""
         self._stopped, self._stops = False, 0

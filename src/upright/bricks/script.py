@@ -6,13 +6,13 @@ import math
 import struct
 import subprocess
 import sys
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
 from typing import IO
 
+from upright.atomic import TemporaryFolder, write_text
 from upright.errors import MissingTool
 from upright.firmware.tools import tool
 
@@ -37,10 +37,10 @@ class Script:
     as balance.py or balance.mpy. `lines` holds its output, `absent` names empty ports."""
 
     def __init__(self, target: str, absent: Sequence[str] = ()) -> None:
-        self._folder = tempfile.TemporaryDirectory(prefix="upright-")
+        self._folder = TemporaryFolder()
         self.folder, self.lines = Path(self._folder.name), list[str]()
         shim = (files("upright.bricks") / "shims" / f"{target}.shim").read_text("utf-8")
-        (self.folder / "start.py").write_text(shim, encoding="utf-8")
+        write_text(self.folder / "start.py", shim)
         self._command = [_interpreter(target == "pybricks"), "start.py", *absent]
         self._process: subprocess.Popen[str] | None = None
 

@@ -10,6 +10,8 @@ from typing import Annotated
 import typer
 from typer.main import get_command
 
+from upright import interrupts
+from upright.atomic import together
 from upright.cli.calibrate import calibrate
 from upright.cli.certify import certify
 from upright.cli.compare import compare
@@ -30,8 +32,12 @@ from upright.cli.robots import robots
 from upright.cli.simulate import simulate
 from upright.errors import UprightError
 
-USER_ERROR, BUG, STOPPED = 2, 1, 130
-"""Exit codes: an error that the user can correct, a bug, and Ctrl-C (128 + SIGINT, as in shells)."""
+USER_ERROR, BUG = 2, 1
+"""Exit codes: an error that the user can correct, and a bug. An interrupted run has 128 and the signal's number, as in
+shells: 130 for Ctrl-C."""
+
+LASTING = ("fly", "monitor", "lab")
+"""Commands that Ctrl-C ends as they usually end: they stop motors then, and write what they have."""
 
 app = typer.Typer(name="upright", rich_markup_mode=None, context_settings={"help_option_names": ["-h", "--help"]})
 COMMANDS = (
@@ -60,28 +66,36 @@ def start(
     ] = False,
 ) -> None:
     """The workbench for two-wheeled balancing robots: model, identify, control, prove, compare."""
+    interrupts.last(context.invoked_subcommand in LASTING)
     if context.invoked_subcommand is None:
         typer.echo(context.get_help())
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one command and return its exit code: 0, 2 for an error of the user, 1 for a bug, 130 for Ctrl-C."""
+    """Run one command and return its exit code: 0, 2 for an error of the user, 1 for a bug, 130 for Ctrl-C.
+
+    All its files appear at the end, if it is neither interrupted nor fails.
+    """
     arguments = sys.argv[1:] if argv is None else list(argv)
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices here are small: more threads only wait for each other
     try:
-        code = get_command(app).main(arguments, prog_name="upright", standalone_mode=False)
+        with together():
+            code = get_command(app).main(arguments, prog_name="upright", standalone_mode=False)
+            if code == interrupts.exit_code():
+                raise KeyboardInterrupt  # which typer turned into a number
+        return code if isinstance(code, int) else 0
     except (KeyboardInterrupt, typer.Abort):
-        code = STOPPED
+        pass
     except Exception as error:  # whatever it is, a user gets one line
-        if _debugging(arguments):
-            raise
-        return _complain(error)
-    if code == STOPPED:
-        typer.secho("stopped; no incomplete file is left", err=True)
-    return code if isinstance(code, int) else 0
+        if not interrupts.interrupted():  # which may end in any exception
+            if _debugging(arguments):
+                raise
+            return _code_of(error)
+    typer.echo(interrupts.STOPPED, err=True, nl=False)
+    return interrupts.exit_code()
 
 
-def _complain(error: Exception) -> int:
+def _code_of(error: Exception) -> int:
     """Print the error as one line on stderr and return the exit code."""
     code = USER_ERROR
     if isinstance(error, typer.TyperException):
@@ -93,9 +107,14 @@ def _complain(error: Exception) -> int:
     else:
         code = BUG
         message = f"unexpected {type(error).__name__}: {error}; try: UPRIGHT_DEBUG=1, and report the traceback"
+    complain(message)
+    return code
+
+
+def complain(message: str) -> None:
+    """Print one line on stderr."""
     colour = None if "NO_COLOR" not in os.environ else False
     typer.secho(f"upright: {' '.join(message.split())}", fg="red", err=True, color=colour)
-    return code
 
 
 def _debugging(arguments: Sequence[str]) -> bool:

@@ -11,7 +11,7 @@ from typing import Any, Protocol
 
 import typer
 
-from upright.atomic import json_text, write_json
+from upright.atomic import json_text, place_of, write_json
 from upright.errors import UprightError
 from upright.tables import Listing
 
@@ -30,7 +30,7 @@ def print_table(header: Sequence[str], rows: Sequence[Sequence[str]], numbers: C
 
 def print_json(data: Any) -> None:
     """Print JSON on stdout."""
-    typer.echo(json_text(data))
+    typer.echo(json_text(data, sys.stdout.encoding))
 
 
 def finish(
@@ -47,13 +47,12 @@ def finish(
 
 
 def check_folder(path: Path) -> None:
-    """Refuse a file whose folder does not exist, before the work that would fill it."""
-    if not path.parent.is_dir():
-        raise UprightError(f"there is no folder {path.parent} for {path.name}", hint=f"mkdir -p {path.parent}")
+    """Refuse a place where no file can be written, before the work that would fill it."""
+    place_of(path)
 
 
 def check_targets(*targets: Path | None, logs: Iterable[Path] = ()) -> None:
-    """Refuse, before the work, a file whose folder does not exist and one that would replace a log."""
+    """Refuse, before the work, a place where no file can be written, and a file that would replace a log."""
     for target in filter(None, targets):
         check_folder(target)
         if any(target.exists() and log.exists() and target.samefile(log) for log in logs):

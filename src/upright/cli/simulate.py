@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import closing
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -10,6 +11,7 @@ import typer
 from upright.cli import options
 from upright.cli.output import check_targets, finish, progress
 from upright.errors import InvalidController
+from upright.interrupts import patience
 from upright.reading import read_json, understood
 
 if TYPE_CHECKING:
@@ -75,9 +77,8 @@ def simulate(
     length = planned if seconds is None else seconds
     if lying is not None:
         design, first = _standing_up(design, chosen, kit or chosen.kit, lying, start), [lying, *[0.0] * 5]
-    with progress("simulating") as show:
+    with patience(), closing(plant), progress("simulating") as show:  # hardware is stopped however this ends
         log = run(plant, design, pushes, reference=references, seconds=length, seed=seed, start=first, progress=show)
-    plant.close()
     written = log.save(output) if output else None
     _show(log, body=body, robot=chosen.name, written=written, report=report, as_json=as_json)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import os
 import sys
+from typing import Any, TextIO
 
 
 class Sink(io.RawIOBase):
@@ -25,7 +26,7 @@ class Sink(io.RawIOBase):
     def isatty(self) -> bool:
         return os.isatty(self._descriptor)
 
-    def write(self, data: bytes | bytearray | memoryview) -> int:  # type: ignore[override]
+    def write(self, data: Any, /) -> int:
         size = memoryview(data).nbytes
         if self._broken:
             return size
@@ -55,7 +56,7 @@ def guard() -> Sink:
     return out
 
 
-def _text(sink: Sink, before: io.TextIOWrapper | None) -> io.TextIOWrapper:
+def _text(sink: Sink, before: TextIO | None) -> io.TextIOWrapper:
     encoding, error = before.encoding if before else "utf-8", sink.fileno() == 2
     return io.TextIOWrapper(
         io.BufferedWriter(sink), encoding=encoding, errors="backslashreplace" if error else "replace",

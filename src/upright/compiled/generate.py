@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from upright.atomic import write_text
 from upright.compiled.trace import ROWS
 from upright.compiled.trace_constants import NAMED
 from upright.compiled.trace_motion import motions, work_rows
@@ -69,7 +70,7 @@ LANES, ROW = 64, 80
 def main() -> None:
     """Writes the generated files beside this one."""
     for name, text in sources().items():
-        Path(__file__).with_name(name).write_text(text, encoding="utf-8")
+        write_text(Path(__file__).with_name(name), text)
 
 
 if __name__ == "__main__":

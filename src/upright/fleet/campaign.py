@@ -9,7 +9,6 @@ from __future__ import annotations
 import hashlib
 import io
 import json
-import os
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -19,8 +18,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from upright.atomic import write_json, write_whole
-from upright.errors import InvalidScenario, SpecMismatch, UprightError
+from upright.atomic import make_folder, place_of, write_bytes, write_json
+from upright.errors import InvalidScenario, SpecMismatch
 from upright.fleet.ensemble import OUTCOMES, Ensemble
 from upright.fleet.results import labelled, load, write_parquet
 from upright.fleet.tally import CaseSummary, tally
@@ -33,7 +32,7 @@ CHUNK = 16384
 """Robots in a chunk: some seconds of work and about a megabyte of result, so that neither start nor loss costs much."""
 
 _PLAN, _CHUNKS = "plan.json", "chunks"
-_PARQUET_END = b"PAR1"
+_CHECKSUM = hashlib.sha256().digest_size
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,12 +112,17 @@ def run_campaign(
     """
     place = Path(folder).expanduser()
     total = sum(1 for _ in campaign.chunks())
-    _claim(campaign, place)
-    todo = [chunk for chunk in campaign.chunks() if not _there(chunk_path(place, chunk.number))]
+    plan = json.loads(json.dumps(campaign.plan()))
+    digest = _digest(plan)
+    _check_folder(place, digest)
+    todo = [chunk for chunk in campaign.chunks() if not _there(place, chunk.number, digest)]
     show = _Watch(total, total - len(todo), progress)
 
     def keep(chunk: Chunk, data: bytes) -> None:
-        write_whole(chunk_path(place, chunk.number), lambda stream: _fill(stream, data))
+        if not (place / _PLAN).exists():  # not before there is a result: a faulty plan leaves nothing
+            make_folder(place / _CHUNKS)
+            write_json(place / _PLAN, plan, at_once=True)
+        write_bytes(chunk_path(place, chunk.number), _sealed(data, digest, chunk.number), at_once=True)
         show.one_more()
 
     if todo and workers == 0 and cluster is None:
@@ -165,31 +169,24 @@ def collect(folder: str | Path) -> Dataset:
 
     place = Path(folder).expanduser()
     plan = _read_plan(place)
+    digest = _digest(plan)
     parts: list[Any] = []
     number = 0
     for index, case in enumerate(plan["cases"]):
         for _ in range(0, case["n"], plan["chunk"]):
-            path = chunk_path(place, number)
-            if not _there(path):
+            if not _there(place, number, digest):
                 raise InvalidScenario(f"{folder} lacks chunk {number}", hint="run the campaign again: it resumes")
-            part = load(path)
+            part = load(chunk_path(place, number))
             parts.append(part.assign(case=("robot", np.full(part.sizes["robot"], index), {"unit": "1"})))
             number += 1
     data = xr.concat(parts, "robot", data_vars="all", coords="minimal", compat="override", join="outer")
     return data.assign_attrs(origin=json.dumps(plan, ensure_ascii=False))
 
 
-def _claim(campaign: Campaign, folder: Path) -> None:
-    """Make the folder this campaign's; refuse one that holds another's."""
-    plan = json.loads(json.dumps(campaign.plan()))
-    try:
-        (folder / _CHUNKS).mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise UprightError(f"cannot make {folder}: {error.strerror}", hint="choose another folder") from None
-    if not (folder / _PLAN).exists():
-        write_json(folder / _PLAN, plan)
-        return
-    if _digest(_read_plan(folder)) != _digest(plan):
+def _check_folder(folder: Path, digest: str) -> None:
+    """Refuse a folder that cannot be made or written, and one that holds the results of another campaign."""
+    place_of(next(path for path in (folder, *folder.parents) if path.exists()) / "any")
+    if (folder / _PLAN).exists() and _digest(_read_plan(folder)) != digest:
         raise InvalidScenario(
             f"{folder} holds another campaign", expected="the same robots, controllers, seeds and versions to resume",
             hint="choose another folder, or remove this one",
@@ -213,18 +210,31 @@ def _versions() -> dict[str, str]:
     return {name: version(name) for name in ("upright", "numpy", "numba", "pyarrow")}
 
 
-def _there(path: Path) -> bool:
-    """Whether a chunk's file is whole: it ends as Parquet does."""
+def _sealed(data: bytes, digest: str, number: int) -> bytes:
+    """A chunk's file with the checksum of its bytes, its plan and its number, before the footer, where no reader of
+    Parquet looks."""
+    at = _footer(data)
+    return data[:at] + _checksum(data, digest, number) + data[at:]
+
+
+def _there(folder: Path, number: int, digest: str) -> bool:
+    """Whether this chunk of the plan is there, as it was written."""
     try:
-        with path.open("rb") as stream:
-            stream.seek(-len(_PARQUET_END), os.SEEK_END)
-            return stream.read() == _PARQUET_END
+        data = chunk_path(folder, number).read_bytes()
     except OSError:
         return False
+    at = _footer(data)
+    start = max(0, at - _CHECKSUM)
+    return data[start:at] == _checksum(data[:start] + data[at:], digest, number)
 
 
-def _fill(stream: Any, data: bytes) -> None:
-    stream.write(data)
+def _footer(data: bytes) -> int:
+    """Where the footer of a Parquet file begins: before it ends with its own length and the format's name."""
+    return max(0, len(data) - 8 - int.from_bytes(data[-8:-4], "little"))
+
+
+def _checksum(data: bytes, digest: str, number: int) -> bytes:
+    return hashlib.sha256(f"{digest} {number} ".encode() + data).digest()
 
 
 class _Watch:

@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import shutil
-import uuid
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,7 +11,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.atomic import write_whole
+from upright.atomic import write_folder, writing
 from upright.errors import InvalidLog, MissingTool, UprightError
 from upright.fleet.binomial import Interval, clopper_pearson
 from upright.fleet.ensemble import OUTCOMES, Ensemble, Index
@@ -114,17 +111,10 @@ def save(data: Dataset, path: str | Path) -> Path:
     """
     target = Path(path).expanduser()
     check_suffix(target)
-    if not target.parent.is_dir():
-        raise UprightError(f"there is no folder {target.parent} for {target.name}", hint=f"mkdir -p {target.parent}")
-    try:
-        if target.suffix == ".zarr":
-            _save_zarr(data, target)
-        else:
-            write_whole(target, lambda stream: write_parquet(data, stream))
-    except OSError as error:
-        raise UprightError(
-            f"cannot write {target}: {error.strerror}", hint="choose a place that can be written"
-        ) from None
+    if target.suffix == ".zarr":
+        return _save_zarr(data, target)
+    with writing(target) as stream:
+        write_parquet(data, stream)
     return target
 
 
@@ -203,18 +193,11 @@ def _zarr() -> Any:
     return zarr
 
 
-def _save_zarr(data: Dataset, target: Path) -> None:
-    """Into a folder beside the target, then moved there in one step; an older one is moved away first."""
-    mark = uuid.uuid4().hex[:8]
-    unfinished, older = (target.with_name(f".{target.name}.{mark}.{end}") for end in ("part", "old"))
-    try:
-        data.to_zarr(unfinished, mode="w", consolidated=False, zarr_format=2)  # 3 has no settled form of texts
-        if target.exists():
-            os.replace(target, older)
-        os.replace(unfinished, target)
-    finally:
-        for folder in (unfinished, older):
-            shutil.rmtree(folder, ignore_errors=True)
+def _save_zarr(data: Dataset, target: Path) -> Path:
+    """Format 2, since 3 has no settled form of texts."""
+    if target.exists() and not (target / ".zgroup").exists():
+        raise UprightError(f"{target} is something else", expected="nothing there, or a result in Zarr")
+    return write_folder(target, lambda folder: data.to_zarr(folder, mode="w", consolidated=False, zarr_format=2))
 
 
 def _load_zarr(path: Path) -> Dataset:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-import tempfile
 import time
 from pathlib import Path
 
+from upright.atomic import TemporaryFolder
 from upright.compiled.program import Program
 from upright.errors import InvalidLog, UprightError
 from upright.firmware.generate import NXT_LOG
@@ -44,7 +44,7 @@ def fly_nxt(
     does not confirm that, the first note says that motors may be running. Raises `FlightRefused`, `BrickLost`,
     `BrickRefused`, `MissingTool` or `ExecutionFailed` where nothing was driven.
     """
-    with tempfile.TemporaryDirectory(prefix="upright-") as folder:
+    with TemporaryFolder() as folder:
         binary = compile_nxc(source, Path(folder)).read_bytes()
     flight, name, text = Flight(), program_name(source), source.read_text("utf-8")
     wiring = nxt_wiring(text)

@@ -28,7 +28,7 @@ class Lanes:
         self._copies = [copy.deepcopy(controller) for _ in range(LANES)]
         self._reading = slice(at.reading, at.reading + len(controller.spec.reads))
         self._rows = max(at.reading + len(controller.spec.reads), COMMAND + 2, REFERENCE + 6)
-        self._error: Exception | None = None
+        self._error: BaseException | None = None
         self._function: Any = _CALLED(self._decide)
         self.address = int(ctypes.cast(self._function, ctypes.c_void_p).value or 0)
 
@@ -43,7 +43,7 @@ class Lanes:
         try:
             if not self._error:
                 self._command(w, k)
-        except Exception as error:  # a compiled caller would print it and go on
+        except BaseException as error:  # a compiled caller would print it and go on, Ctrl-C included
             self._error = error
         if self._error:
             w[COMMAND : COMMAND + 2] = 0.0

@@ -13,15 +13,17 @@ import ctypes
 import hashlib
 import os
 import sys
-import tempfile
 from collections.abc import Generator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import cache
 from importlib import import_module
 from importlib.metadata import version
 from pathlib import Path
 from threading import Lock
 from typing import Any
+
+from upright.atomic import write_bytes
+from upright.errors import UprightError
 
 llvm: Any = import_module("llvmlite.binding")
 
@@ -91,13 +93,9 @@ def _kept(path: Path) -> bytes | None:
 
 def _keep(path: Path, code: bytes) -> None:
     """Written whole or not at all, so that another process never reads half a file."""
-    try:
+    with suppress(OSError, UprightError):
         path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
-            file.write(hashlib.sha256(code).digest() + code)
-        os.replace(file.name, path)
-    except OSError:
-        return
+        write_bytes(path, hashlib.sha256(code).digest() + code, at_once=True)
 
 
 def _compiled(module: str, function: str, arguments: tuple[str, ...]) -> bytes:

@@ -142,13 +142,13 @@ def _run(
         numbers, np.array(times), packed.common, packed.rows, packed.table, index, packed.truth, packed.sensors,
         packed.command, packed.memory, *rows, *out,
     )  # fmt: skip
-    addresses = [array.ctypes.data for array in arrays]
     blocks = -(-batch.n // LANES)
     size_of_part = LANES * (blocks if threads == 1 else max(1, -(-blocks // (threads * _PARTS))))
 
     def work(start: int) -> None:
         memory = _aligned(size * ROW, packed.common.dtype)
-        call(entry, [memory.ctypes.data, start, min(batch.n, start + size_of_part), *addresses])
+        addresses = [array.ctypes.data for array in (memory, *arrays)]  # here, so that a thread alone keeps them alive
+        call(entry, [addresses[0], start, min(batch.n, start + size_of_part), *addresses[1:]])
 
     starts = range(0, batch.n, size_of_part)
     if len(starts) == 1:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import secrets
 import shutil
-import tempfile
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -13,6 +12,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from upright.atomic import TemporaryFolder
 from upright.errors import UprightError
 from upright.lab.classroom import CLASS_SETUP, MOST_ALONE, MOST_STUDENTS, Door, NotAdmitted, Role, Scores
 from upright.lab.codec import InvalidMessage, decode, encode
@@ -59,7 +59,8 @@ class Hub:
 
     def __init__(self, door: Door, stages: Sequence[StageLink]) -> None:
         self.door, self.scores = door, Scores()
-        self.root = Path(tempfile.mkdtemp(prefix="upright-lab-"))
+        self._folder = TemporaryFolder()
+        self.root = self._folder.path
         self.entries: dict[str, Entry] = {}
         self.stats: asyncio.Queue[Any] = asyncio.Queue()
         self._stages = list(stages)
@@ -75,7 +76,7 @@ class Hub:
         """Stop the stages and remove every session's folder."""
         for stage in self._stages:
             stage.close()
-        shutil.rmtree(self.root, ignore_errors=True)
+        self._folder.cleanup()
 
     def receive(self, client: Client, text: str) -> None:
         """One message of a client. Whatever it is, nothing is raised and nobody else is troubled."""

@@ -11,6 +11,7 @@ from dataclasses import fields, is_dataclass
 from pathlib import Path
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
+from upright.atomic import write_text
 from upright.lab import messages
 from upright.lab.codec import plain
 
@@ -39,7 +40,7 @@ def generate() -> str:
 
 def write() -> Path:
     """Write `messages.ts` and return its path."""
-    TARGET.write_text(generate(), encoding="utf-8")
+    write_text(TARGET, generate())
     return TARGET
 
 

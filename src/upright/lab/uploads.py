@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import asyncio
 import re
-import secrets
 from collections.abc import AsyncIterator
 from pathlib import Path
 
+from upright.atomic import writing
 from upright.errors import UprightError
 
 LARGEST = 32 * 1024 * 1024
@@ -46,22 +46,19 @@ async def receive(chunks: AsyncIterator[bytes], folder: Path, name: str, what: s
     try:
         if len(list(folder.iterdir())) - target.exists() >= MOST_FILES:
             raise UploadRefused(f"{MOST_FILES} files lie here already", hint="reload the page without its session")
-        unfinished = target.with_name(f".{secrets.token_hex(8)}.part")  # two may arrive under one name
-        try:
-            with unfinished.open("wb") as stream:
-                async with asyncio.timeout(PATIENCE):
-                    async for chunk in chunks:
-                        size += len(chunk)
-                        if size > LARGEST:
-                            most = f"{name[:60]} is larger than {LARGEST >> 20} MB"
-                            raise UploadRefused(most, hint="cut it, or use the CLI")
-                        stream.write(chunk)
-            unfinished.replace(target)
-        finally:
-            unfinished.unlink(missing_ok=True)
+        async with asyncio.timeout(PATIENCE):
+            with writing(target) as stream:
+                async for chunk in chunks:
+                    size += len(chunk)
+                    if size > LARGEST:
+                        most = f"{name[:60]} is larger than {LARGEST >> 20} MB"
+                        raise UploadRefused(most, hint="cut it, or use the CLI")
+                    stream.write(chunk)
     except TimeoutError:
         raise UploadRefused(f"{name[:60]} did not arrive within {PATIENCE:g} s", hint="send it again") from None
-    except OSError as error:
-        why = f"{name[:60]} could not be kept: {error.strerror}"
+    except UploadRefused:
+        raise
+    except (OSError, UprightError):
+        why = f"{name[:60]} could not be kept"
         raise UploadRefused(why, likely="a session that has ended, or a full disk") from None
     return target

@@ -8,9 +8,8 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from upright.atomic import write_json
+from upright.atomic import make_folder, write_json
 from upright.control import lqr
-from upright.errors import UprightError
 from upright.paper import controllers, equations, linear_model, printed, pushes, regulator, sensors, turning
 from upright.paper.claim import Claim, Progress, silent
 from upright.paper.pushes import RegulatedRobot
@@ -51,7 +50,7 @@ def reproduce(folder: str | Path = "herrera2015", progress: Progress = silent) -
 
     `progress` is called with the fraction done. Raises `UprightError` where the folder cannot be written.
     """
-    target = _folder(folder)
+    target = make_folder(Path(folder) / "logs").parent
     claims = chapters(progress)
     for claim in claims:
         for name, log in claim.logs.items():
@@ -85,15 +84,6 @@ def chapters(progress: Progress = silent) -> list[Claim]:
     claims += pushes.chapter(robots, kit, lambda fraction: progress(0.5 + 0.25 * fraction))
     claims.append(controllers.chapter(light, kit, lambda fraction: progress(0.75 + 0.25 * fraction)))
     return claims
-
-
-def _folder(folder: str | Path) -> Path:
-    target = Path(folder).expanduser()
-    try:
-        (target / "logs").mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise UprightError(f"cannot make {target}: {error.strerror}", hint="choose another folder with -o") from None
-    return target
 
 
 def _versions() -> dict[str, str]:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import struct
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from upright.atomic import TemporaryFolder
 from upright.compiled.program import Program
 from upright.errors import MissingTool
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
@@ -36,7 +36,7 @@ class ArmExecutor:
     def __init__(self, source: Path, program: Program, number: str, counting: bool = True) -> None:
         self.where, self.numbers = "an emulated ARM7TDMI (soft float)", number
         self._words = Words(program, number)
-        with tempfile.TemporaryDirectory(prefix="upright-") as folder:
+        with TemporaryFolder() as folder:
             binary = Path(folder) / "balance.elf"
             chip = ["-mcpu=arm7tdmi", "-marm", "-ffreestanding", "-nostdlib", "-static"]
             places = [f"-Wl,-Ttext={FLASH:#x},-Tdata={RAM + SAVED:#x},-e,upright_command"]

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import struct
 import subprocess
-import tempfile
 from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
+from upright.atomic import TemporaryFolder, write_text
 from upright.compiled.program import Program
 from upright.errors import MissingTool
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
@@ -36,7 +36,7 @@ class Chip:
     def __init__(self, source: Path, program: Program, number: str) -> None:
         self.numbers, self.worst = number, 0
         self._words = Words(program, number)
-        self._folder = tempfile.TemporaryDirectory(prefix="upright-")
+        self._folder = TemporaryFolder()
         folder = Path(self._folder.name)
         self._binary = folder / "balance.elf"
         self.build(source, folder)
@@ -122,8 +122,8 @@ class AvrExecutor(Chip):
 
     def build(self, source: Path, folder: Path) -> None:
         header = source.with_suffix(".h").read_text("utf-8")
-        (folder / "balance.h").write_text(header, encoding="utf-8")
-        (folder / "main.c").write_text((SHIMS / "avr_main.c").read_text("utf-8"), encoding="utf-8")
+        write_text(folder / "balance.h", header)
+        write_text(folder / "main.c", (SHIMS / "avr_main.c").read_text("utf-8"))
         flags = [flag for flag in FLAGS if flag != "-O2"]
         command = [tool("avr-gcc"), *flags, *CHIP, f"-I{folder}", "-o", str(self._binary)]
         run_tool([*command, str(folder / "main.c"), str(source)], source.name)
@@ -157,14 +157,14 @@ def spent(answer: bytes) -> int:
 
 
 @cache
-def _runner() -> tuple[tempfile.TemporaryDirectory[str], Path]:
+def _runner() -> tuple[TemporaryFolder, Path]:
     """What drives simavr, built once against its library, and the folder that it lives in."""
     if not HEADER.exists():
         raise MissingTool("simavr's library is not installed", hint="apt install libsimavr-dev")
-    kept = tempfile.TemporaryDirectory(prefix="upright-")
-    source, runner = Path(kept.name) / "runner.c", Path(kept.name) / "runner"
+    kept = TemporaryFolder()
+    source, runner = kept.path / "runner.c", kept.path / "runner"
     for name in (source.name, "board.h"):
-        source.with_name(name).write_text((SHIMS / name).read_text("utf-8"), encoding="utf-8")
+        write_text(source.with_name(name), (SHIMS / name).read_text("utf-8"))
     include = f"-I{HEADER.parent}"  # its own headers name each other without the folder
     run_tool([tool("gcc"), "-O2", include, "-o", str(runner), str(source), "-lsimavr"], "runner.c")
     return kept, runner

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import tempfile
 from pathlib import Path
 
+from upright.atomic import TemporaryFolder
 from upright.bricks.brick import Hardware, set_readings
 from upright.bricks.rxe import Executable, read_rxe
 from upright.bricks.vm import Machine
@@ -40,7 +40,7 @@ class NxcExecutor:
     def __init__(self, source: Path, program: Program) -> None:
         self.where, self.numbers, self.instructions = "the NXT's bytecode machine (nbc)", "float", 0
         self._program, self.wiring = program, nxt_wiring(source.read_text("utf-8"))
-        with tempfile.TemporaryDirectory(prefix="upright-") as folder:
+        with TemporaryFolder() as folder:
             self._executable, self._names = compiled(source, Path(folder))
         if missing := [name for name in (*program.results(), "ready") if name not in self._names]:
             raise ExecutionFailed(f"the compiled program has no variable {missing[0]}")

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
 
+from upright.atomic import write_text
 from upright.bricks.script import READINGS, Script
 from upright.compiled.program import Program
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
@@ -22,7 +22,7 @@ class PythonExecutor:
         self.numbers, self.pressed, self.duties = "double", False, (0.0, 0.0)
         self._script = Script(program.target)
         copy = self._script.folder / "balance.py"
-        shutil.copyfile(source, copy)
+        write_text(copy, source.read_text("utf-8"))
         if compiled:
             run_tool([tool("mpy-cross"), "-o", str(copy.with_suffix(".mpy")), str(copy)], source.name)
             copy.unlink()

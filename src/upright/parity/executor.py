@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import ctypes
-import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
+from upright.atomic import TemporaryFolder
 from upright.compiled.fixed import fractions
 from upright.compiled.program import Kind, Program
 from upright.firmware.tools import run_tool, tool
@@ -61,7 +61,7 @@ class HostExecutor:
     def __init__(self, source: Path, program: Program, number: str, flags: Sequence[str] = ()) -> None:
         self.where, self.numbers = "this machine (gcc)", number
         self._words = Words(program, number)
-        self._folder = tempfile.TemporaryDirectory(prefix="upright-")
+        self._folder = TemporaryFolder()
         library = Path(self._folder.name) / "balance.so"
         run_tool([tool("gcc"), *FLAGS, *flags, "-shared", "-fPIC", "-o", str(library), str(source)], source.name)
         self._library = ctypes.CDLL(str(library))

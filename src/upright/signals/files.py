@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, TypeVar
 
-from upright.atomic import write_whole
-from upright.errors import InvalidLog
+from upright.atomic import writing
+from upright.errors import InvalidLog, UprightError
 from upright.reading import expanded
 from upright.signals.header import Columns, check_writable
 
@@ -51,21 +51,18 @@ def write(log: Columns, path: str | Path) -> Path:
     """Write a log as Parquet, CSV or MCAP by the suffix of `path`, and return that path with `~` expanded.
 
     One log always gives the same bytes. The file appears whole or not at all. Raises `InvalidLog` for an unknown
-    suffix, a missing folder, or a channel name that no column can have.
+    suffix, a place that cannot be written, or a channel name that no column can have.
     """
     target = expanded(path, InvalidLog)
     form = _format(target)
     check_writable(log.channels)
-    if target.is_dir():
-        raise InvalidLog(f"{target} is a folder", expected="the name of a file in it")
-    if not target.parent.is_dir():
-        raise InvalidLog(f"there is no folder {target.parent}", hint="make it first, or correct the path")
     try:
-        write_whole(target, lambda stream: form.write(log, stream))
-    except OSError as error:
-        raise InvalidLog(f"{target} cannot be written: {error.strerror or error}") from None
+        with writing(target) as stream:
+            form.write(log, stream)
     except InvalidLog as error:
         raise InvalidLog(f"{target}: {error}") from None
+    except UprightError as error:
+        raise InvalidLog(str(error)) from None
     return target
 
 
