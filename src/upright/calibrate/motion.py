@@ -11,9 +11,9 @@ import math
 from functools import partial
 from typing import Any
 
-import numba
 import numpy as np
 
+from upright.calibrate.kept import njit
 from upright.compiled.generated import (
     COULOMB_TORQUE,
     HALF_TRACK,
@@ -32,13 +32,9 @@ from upright.compiled.generated import (
     Constants,
 )
 from upright.compiled.generated_motion import constants_free, rk4_free
-from upright.compiled.jit import get, put
+from upright.compiled.jit import get, numba, put
 
-_compile: Any = numba.njit  # its stubs know fewer options than it has
-njit: Any = partial(_compile, cache=True, nogil=True, error_model="numpy")
-"""A compiled function, kept on disk, that lets other threads run and divides as IEEE says."""
-
-inlined: Any = partial(_compile, error_model="numpy", forceinline=True, no_cpython_wrapper=True)
+inlined: Any = partial(numba.njit, error_model="numpy", forceinline=True, no_cpython_wrapper=True)
 """A function for other compiled functions, put into its callers and vectorised there across lanes."""
 
 STATES = 6

@@ -1,10 +1,10 @@
 """Compiled functions kept on disk as machine code, so that only the first run on a machine needs the compiler.
 
 The key is a hash of the sources, of the versions of Python, Numba and LLVM, and of the processor, so that nothing stale
-is ever loaded; each file begins with a checksum of the rest, so that a damaged one is made anew. Loading needs LLVM's
-linker alone, not Numba, whose import takes longer than everything else together. Files stand in `UPRIGHT_CACHE`, or in
-the user's cache folder; where neither can be written, every process compiles. Parts of Numba used here are not public,
-hence the upper bound on its version in pyproject.toml.
+is ever loaded; each file begins with a checksum of the rest and of its name, so that a damaged one is made anew.
+Loading needs LLVM's linker alone, not Numba, whose import takes longer than everything else together. Files stand in
+`UPRIGHT_CACHE`, or in the user's cache folder; where neither can be written, every process compiles. Parts of Numba
+used here are not public, hence the upper bound on its version in pyproject.toml.
 """
 
 from __future__ import annotations
@@ -31,6 +31,9 @@ SOURCES = (
     "compiled/generated.py", "compiled/generated_motion.py", "compiled/jit.py", "compiled/lane_math.py",
     "compiled/random.py", "kernel/block.py", "kernel/rows.py", "kernel/run.py", "kernel/store.py",
 )  # fmt: skip
+ALSO = ("calibrate/kept.py", "calibrate/motion.py", "calibrate/predictor.py")
+"""What else decides about functions that Numba itself compiles and calls."""
+
 _CHECKSUM = hashlib.sha256().digest_size  # bytes before the code of a file
 _engines: list[Any] = []  # what they loaded lives as long as they do
 _lock = Lock()
@@ -55,19 +58,19 @@ def _prototype(count: int) -> Any:
 
 @cache
 def _address_of(module: str, function: str, arguments: tuple[str, ...]) -> int:
-    path = folder() / f"{function}-{hashlib.sha256(repr((_stamp(), module, arguments)).encode()).hexdigest()[:24]}.o"
-    code = _kept(path)
+    path = path_of(function, repr((module, arguments)))
+    code = kept(path)
     if code is None:
         code = _compiled(module, function, arguments)
-        _keep(path, code)
+        keep(path, code)
     return _load(code, function)
 
 
 @cache
-def _stamp() -> str:
+def _stamp(sources: tuple[str, ...]) -> str:
     """All that decides what the compiler makes."""
     here = Path(__file__).parents[1]
-    texts = [(here / name).read_bytes() for name in SOURCES]
+    texts = [(here / name).read_bytes() for name in sources]
     tools = [version("numba"), version("llvmlite"), sys.version, sys.platform]
     machine = [llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()]
     return hashlib.sha256(b"\0".join([*texts, *(part.encode() for part in tools + machine)])).hexdigest()
@@ -81,21 +84,31 @@ def folder() -> Path:
     return Path(home or os.environ.get("XDG_CACHE_HOME") or "~/.cache").expanduser() / "upright"
 
 
-def _kept(path: Path) -> bytes | None:
+def path_of(function: str, key: str, also: tuple[str, ...] = ()) -> Path:
+    """Where the code of a function is kept that `key`, the `SOURCES`, and those that it `also` has decide."""
+    stamp = f"{_stamp(SOURCES + also)} {key}"
+    return folder() / f"{function}-{hashlib.sha256(stamp.encode()).hexdigest()[:24]}.o"
+
+
+def kept(path: Path) -> bytes | None:
     """The code in that file; None where there is none, or where it is not what was written."""
     try:
         entry = path.read_bytes()
     except OSError:
         return None
     checksum, code = entry[:_CHECKSUM], entry[_CHECKSUM:]
-    return code if hashlib.sha256(code).digest() == checksum else None
+    return code if _checksum(path, code) == checksum else None
 
 
-def _keep(path: Path, code: bytes) -> None:
-    """Written whole or not at all, so that another process never reads half a file."""
+def _checksum(path: Path, code: bytes) -> bytes:
+    return hashlib.sha256(path.name.encode() + code).digest()
+
+
+def keep(path: Path, code: bytes) -> None:
+    """Keep it there, where that can be; whole or not at all, so that another process never reads half a file."""
     with suppress(OSError, UprightError):
         path.parent.mkdir(parents=True, exist_ok=True)
-        write_bytes(path, hashlib.sha256(code).digest() + code, at_once=True)
+        write_bytes(path, _checksum(path, code) + code, at_once=True)
 
 
 def _compiled(module: str, function: str, arguments: tuple[str, ...]) -> bytes:
