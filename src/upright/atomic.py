@@ -140,7 +140,7 @@ def make_folder(target: str | Path) -> Path:
     """A folder, made where it is missing, and removed again where the run fails before there is anything in it."""
     path = Path(os.path.expanduser(target))
     missing = [p for p in (path, *path.parents) if not os.path.lexists(p)]
-    with _reported(path, "make"):
+    with _reported(path, "make", "choose another folder"):
         path.mkdir(parents=True, exist_ok=True)
     if _Pending.moves is not None:
         _Pending.made += missing
@@ -227,11 +227,11 @@ def finite(value: Any) -> Any:
 
 
 @contextmanager
-def _reported(path: Path, verb: str = "write") -> Generator[None]:
+def _reported(path: Path, verb: str = "write", hint: str = "choose a place that can be written") -> Generator[None]:
     try:
         yield
     except OSError as error:
-        hint = "make room, then run it again" if error.errno == errno.ENOSPC else "choose a place that can be written"
+        hint = "make room, then run it again" if error.errno == errno.ENOSPC else hint
         raise UprightError(f"cannot {verb} {path}: {error.strerror or error}", hint=hint) from None
 
 
