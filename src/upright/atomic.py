@@ -231,6 +231,8 @@ def _reported(path: Path, verb: str = "write", hint: str = "choose a place that 
     try:
         yield
     except OSError as error:
+        if error.errno is None:
+            raise  # a time limit of whoever writes
         hint = "make room, then run it again" if error.errno == errno.ENOSPC else hint
         raise UprightError(f"cannot {verb} {path}: {error.strerror or error}", hint=hint) from None
 

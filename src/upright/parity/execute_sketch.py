@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 import struct
-import tempfile
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
+from upright.atomic import TemporaryFolder, write_text
 from upright.compiled.program import Program
 from upright.errors import InvalidController, MissingTool
 from upright.firmware.tools import run_tool, tool
@@ -41,11 +41,11 @@ PIN_NAMES = (
 
 
 @cache
-def _core() -> tuple[tempfile.TemporaryDirectory[str], list[str]]:
+def _core() -> tuple[TemporaryFolder, list[str]]:
     """Arduino's core and its Wire, compiled once: their folder and object files."""
     if not CORE.exists():
         raise MissingTool("Arduino's core is not installed", hint="apt install arduino-core-avr")
-    kept = tempfile.TemporaryDirectory(prefix="upright-")
+    kept = TemporaryFolder()
     wire = CORE / "libraries" / "Wire" / "src"
     paths = [path for name in SOURCES for path in (CORE / "cores" / "arduino").glob(f"{name}.c*")]
     paths += [wire / "Wire.cpp", wire / "utility" / "twi.c"]
@@ -71,7 +71,7 @@ class SketchExecutor(Chip):
 
     def build(self, source: Path, folder: Path) -> None:
         sketch, made = folder / "balance.cpp", folder / "balance.o"
-        sketch.write_text("#include <Arduino.h>\n" + source.read_text("utf-8"), encoding="utf-8")
+        write_text(sketch, "#include <Arduino.h>\n" + source.read_text("utf-8"))
         strict = ["-std=gnu++11", "-Wall", "-Wextra", "-Werror"]
         run_tool([tool("avr-g++"), *strict, *FLAGS, "-o", str(made), str(sketch)], source.name)
         link = [tool("avr-g++"), *CHIP, "-Wl,--gc-sections", "-o", str(self._binary), str(made), *_core()[1]]
