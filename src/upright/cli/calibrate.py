@@ -34,10 +34,12 @@ def calibrate(
     held_out: HeldOutOption = 0.25,
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the calibrated robot as TOML.")] = None,
     report: ReportOption = None,
-    save: Annotated[Path | None, typer.Option(help="Write all numbers with their covariance as JSON.")] = None,
+    save: Annotated[
+        Path | None, typer.Option(help="Write all estimates with their covariance as JSON (a posterior).")
+    ] = None,
     as_json: JsonOption = False,
 ) -> None:
-    """Estimate a robot's parameters, delays and noise from its raw logs.
+    """Estimate a robot's parameters from its raw logs.
 
     Prints each estimate with its 95 % interval, and whether the logs determine it.
     """

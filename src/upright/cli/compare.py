@@ -13,7 +13,7 @@ from upright.errors import InvalidLog
 
 
 def compare(
-    logs: Annotated[list[str], typer.Argument(metavar="LOG...", help="Logs (.parquet, .csv, .mcap), or LABEL=FILE.")],
+    logs: Annotated[list[str], typer.Argument(metavar="LOG", help="Logs (.parquet, .csv, .mcap), or LABEL=FILE.")],
     *,
     reference: Annotated[str | None, typer.Option(help="Label of the reference log (default: the first).")] = None,
     release: Annotated[float | None, typer.Option(help="End of the push [s] (default: from each log).")] = None,

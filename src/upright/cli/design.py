@@ -74,8 +74,8 @@ def bench_controllers(
 ) -> None:
     """Compare all controllers under the same pushes.
 
-    Each holds the robot through both pushes of Herrera et al. (2015), and meets growing impulses up to the largest that
-    it recovers from. Linear ones also meet 200 robots drawn from the spreads. Takes a minute.
+    Tests: both pushes of Herrera et al. (2015), and the largest impulse that the robot recovers from. Linear
+    controllers are also tested on 200 robots drawn from the spreads. Takes a minute.
     """
     from upright.atomic import write_json
     from upright.comparison.bench import bench_controllers as bench

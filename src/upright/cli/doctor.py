@@ -18,15 +18,15 @@ def doctor(
     robot: Annotated[
         str | None,
         typer.Option(
-            "--robot", "-r", help=f"{ROBOT_HELP}; sharpens the checks of units.", autocompletion=complete_robot
+            "--robot", "-r", help=f"{ROBOT_HELP}; improves the checks of units.", autocompletion=complete_robot
         ),
     ] = None,
     fix: Annotated[Path | None, typer.Option(help="Write the repaired log: .parquet, .csv or .mcap.")] = None,
-    write_mapping: Annotated[Path | None, typer.Option(help="Write the mapping as TOML, to be edited.")] = None,
+    write_mapping: Annotated[Path | None, typer.Option(help="Write the mapping as TOML, for editing.")] = None,
     output: OutputOption = None,
     as_json: JsonOption = False,
 ) -> None:
-    """Examine a log: units, signs, sides, time, delays, saturation, bias, falls.
+    """Find faults of a log: units, signs, delays, bias, …
 
     Prints each finding with its evidence and repair. Exit code 0, whatever the findings.
     """

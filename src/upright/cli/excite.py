@@ -50,7 +50,7 @@ def excite(
     report: ReportOption = None,
     as_json: JsonOption = False,
 ) -> None:
-    """Design an excitation: the signal added to the commands, for the most informative log.
+    """Design an excitation for the most informative log.
 
     Then run it (`upright simulate --controller … --excite plan.json -o run.csv`, or the robot) and calibrate from the
     log.

@@ -23,7 +23,9 @@ def firmware(
     *,
     target: Annotated[
         str,
-        typer.Option("--target", "-t", help="pybricks, nxc, c, arduino or ev3dev.", autocompletion=complete_target),
+        typer.Option(
+            "--target", "-t", help="Language: pybricks, nxc, c, arduino or ev3dev.", autocompletion=complete_target
+        ),
     ],
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the program (.py, .nxc, .c with its .h, .ino).")
@@ -34,25 +36,31 @@ def firmware(
         str, typer.Option("--number", help="Arithmetic of c (float, double, fixed) and arduino (float, fixed).")
     ] = "",
     hub: Annotated[
-        str, typer.Option(help="What pybricks runs on: prime, technic, ev3 or nxt.", autocompletion=complete_hub)
+        str, typer.Option(help="Hub of pybricks: prime, technic, ev3 or nxt.", autocompletion=complete_hub)
     ] = "prime",
-    reference: Annotated[bool, typer.Option("--reference", help="c: the reference state as further inputs.")] = False,
+    reference: Annotated[
+        bool, typer.Option("--reference", help="For c: further inputs for the reference state.")
+    ] = False,
     seconds: Annotated[
         int | None,
-        typer.Option("--seconds", "-s", help="When it stops by itself, whatever happens [s]; 0: never (default: 60)."),
+        typer.Option(
+            "--seconds", "-s", help="Longest run, after which the program stops [s]; 0: no limit (default: 60)."
+        ),
     ] = None,
     certificate: Annotated[
-        Path | None, typer.Option(help="What upright certify wrote; a red or foreign one is refused.")
+        Path | None, typer.Option(help="Certificate by `upright certify`; refused if red or of another controller.")
     ] = None,
-    anyway: Annotated[bool, typer.Option("--anyway", help="Write the program in spite of the certificate.")] = False,
+    anyway: Annotated[
+        bool, typer.Option("--anyway", help="Write the program although the certificate refuses it.")
+    ] = False,
     listing: Annotated[
-        bool, typer.Option("--listing", help="Print the program before it is put into a language.")
+        bool, typer.Option("--listing", help="Print the statements of the program, in no language.")
     ] = False,
     as_json: JsonOption = False,
 ) -> None:
     """Turn a controller into a program for a brick.
 
-    Linear and sliding controllers can be turned; without -o the program is printed. Check it with upright parity.
+    The controller must be linear or sliding-mode. Without -o the program is printed. Check it with `upright parity`.
     """
     from upright.certify import read_certificate
     from upright.control import find_controller

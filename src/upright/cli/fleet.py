@@ -59,7 +59,7 @@ def push_map(
     points: Annotated[int, typer.Option(help="Number of heights, and of durations.")] = 64,
     samples: Annotated[int, typer.Option("--samples", "-n", help="Robots drawn for the band; 0: none.")] = 200,
     tolerance: Annotated[float, typer.Option(help="Relative accuracy of each impulse.")] = 0.01,
-    watch: Annotated[float, typer.Option(help="Time [s] after the push to count as recovered.")] = 5.0,
+    watch: Annotated[float, typer.Option(help="Time to stand after the push [s], to count as recovered.")] = 5.0,
 ) -> None:
     """Find the largest push a robot recovers from.
 
@@ -100,10 +100,10 @@ def basin(
     asked: Asked,
     across: Annotated[str, typer.Option(metavar="STATE=LOW..HIGH", help="First state.")] = "pitch=-1..1",
     up: Annotated[str, typer.Option(metavar="STATE=LOW..HIGH", help="Second state.")] = "pitch_rate=-10..10",
-    points: Annotated[int, typer.Option(help="Values of each state.")] = 101,
+    points: Annotated[int, typer.Option(help="Number of values of each state.")] = 101,
     samples: Annotated[int, typer.Option("--samples", "-n", help="Robots drawn at each point; 1: nominal.")] = 1,
     start: StartOption = "",
-    seconds: Annotated[float, typer.Option("--seconds", "-s", help="Time [s] to count as recovered.")] = 5.0,
+    seconds: Annotated[float, typer.Option("--seconds", "-s", help="Time to stand [s], to count as recovered.")] = 5.0,
 ) -> None:
     """Find the states from which a robot recovers.
 
@@ -138,7 +138,7 @@ def sweep(
     ] = None,
     as_json: JsonOption = False,
 ) -> None:
-    """Run a campaign: robots × controllers × scenarios × grid.
+    """Run a campaign of robots, controllers and scenarios.
 
     Runs in chunks on Dask. A stopped campaign continues from its finished chunks when it is started again.
     """

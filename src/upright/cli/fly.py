@@ -19,12 +19,14 @@ LOST = 3
 
 def fly(
     program: Annotated[Path, typer.Argument(help="A program by upright firmware for nxc (.nxc) or pybricks (.py).")],
-    controller: Annotated[str, typer.Argument(help="The controller.json it was made from.")],
+    controller: Annotated[str, typer.Argument(help="The controller.json of its design.")],
     *,
     robot: Annotated[
         str | None,
         typer.Option(
-            "--robot", "-r", help="Robot or brick it must be made for: a name, a TOML file, or nxt, spike or ev3."
+            "--robot",
+            "-r",
+            help="Refuse a program for another robot (name or TOML file) or brick (nxt, spike, technic, ev3).",
         ),
     ] = None,
     kit: Annotated[
@@ -35,25 +37,28 @@ def fly(
         typer.Option(help="NXT: usb or a device such as /dev/rfcomm0. Hub: ble or ble:NAME. virtual: a simulated one."),
     ] = "virtual",
     certificate: Annotated[
-        Path | None, typer.Option(help="Certificate by upright certify; a red or foreign one is refused.")
+        Path | None, typer.Option(help="Certificate by `upright certify`; refused if red or of another controller.")
     ] = None,
     anyway: Annotated[bool, typer.Option("--anyway", help="Fly although the certificate refuses it.")] = False,
-    yes: Annotated[bool, typer.Option("--yes", "-y", help="Do not ask.")] = False,
-    seconds: Annotated[float, typer.Option("--seconds", "-s", help="Duration, the still start included [s].")] = 20.0,
+    yes: Annotated[bool, typer.Option("--yes", "-y", help="Start without asking.")] = False,
+    seconds: Annotated[
+        float, typer.Option("--seconds", "-s", help="Duration [s], with the calibration at the start.")
+    ] = 20.0,
     push: Annotated[
-        list[str] | None, typer.Option("--push", "-p", metavar="KIND:NUMBER,...", help="Virtual: " + options.PUSH_HELP)
+        list[str] | None,
+        typer.Option("--push", "-p", metavar="KIND:NUMBER,...", help="Only with --port virtual. " + options.PUSH_HELP),
     ] = None,
-    seed: Annotated[int, typer.Option(help="Virtual: seed of all noise.")] = 0,
+    seed: Annotated[int, typer.Option(help="Only with --port virtual: seed of all noise.")] = 0,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the log: .parquet, .csv or .mcap.")
     ] = None,
     fetch: Annotated[
         bool,
-        typer.Option("--fetch", help="Start nothing; stop the program that runs and fetch its log."),
+        typer.Option("--fetch", help="Start nothing; stop the running program and fetch its log."),
     ] = False,
     as_json: options.JsonOption = False,
 ) -> None:
-    """Upload a program to an NXT brick or a Pybricks hub, start it, and fetch its log.
+    """Upload a program, start it, and fetch its log.
 
     Shows robot, controller and certificate, and asks before the start. The motors are off when this ends, Ctrl-C
     included. Exit code 3 where the connection was lost.

@@ -59,9 +59,10 @@ def identify(
     report: ReportOption = None,
     as_json: JsonOption = False,
 ) -> None:
-    """Identify a linear model from a log, with intervals and the bias of the method.
+    """Identify a linear model from a log.
 
-    --method all compares the methods, and tests a regulator designed on each model.
+    Prints the unstable pole with its interval and the bias of the method. --method all compares the methods, and tests
+    a regulator designed on each model.
     """
     from upright.control import write_controller
     from upright.identify.identify import ALL, identify_all, identify_one, study_of

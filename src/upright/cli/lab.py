@@ -18,9 +18,9 @@ def lab(
     ] = False,
     host: Annotated[str, typer.Option(help="Address of this machine in the network (with --class).")] = "127.0.0.1",
 ) -> None:
-    """Serve a page on this machine: push the robot with the mouse.
+    """Open the lab: push a simulated robot with the mouse.
 
-    Works offline and answers this machine only; --class opens it to an address. Ctrl-C ends it.
+    The page works offline and is for this machine only; --class --host ADDRESS opens it to a class. Ctrl-C ends it.
     """
     from upright.lab.classroom import Door
     from upright.lab.server import LOOPBACK, Lab, listening, reachable, serve

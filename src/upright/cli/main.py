@@ -65,7 +65,7 @@ def start(
         bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and exit.")
     ] = False,
 ) -> None:
-    """The workbench for two-wheeled balancing robots: model, identify, control, prove, compare."""
+    """The workbench for two-wheeled balancing robots: model, identify, control, certify, compare."""
     interrupts.last(context.invoked_subcommand in LASTING)
     if context.invoked_subcommand is None:
         typer.echo(context.get_help())

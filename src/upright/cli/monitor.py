@@ -17,20 +17,19 @@ FASTEST = 20.0  # [Hz] of telemetry on the screen: faster is not readable
 def monitor(
     source: Annotated[
         str,
-        typer.Argument(
-            help="A hub at ble or ble:NAME; a file, a serial device, or - for stdin; virtual, a simulated hub."
-        ),
+        typer.Argument(help="Hub: ble or ble:NAME. A file, a serial device, or - for stdin. virtual: a simulated hub."),
     ] = "-",
     *,
-    program: Annotated[Path | None, typer.Option(help="virtual: the .py program that it runs.")] = None,
+    program: Annotated[Path | None, typer.Option(help="Program (.py) that the virtual hub runs.")] = None,
     seconds: Annotated[
-        float, typer.Option("--seconds", "-s", help="Time to follow a hub [s] (default: to its end).")
+        float,
+        typer.Option("--seconds", "-s", show_default=False, help="Time to follow a hub [s] (default: to its end)."),
     ] = float("inf"),
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Write the log that the program dumps: .parquet, .csv, .mcap.")
+        Path | None, typer.Option("--output", "-o", help="Write the program's log: .parquet, .csv or .mcap.")
     ] = None,
 ) -> None:
-    """Follow a Pybricks or ev3dev program: its telemetry, then its log.
+    """Show the telemetry of a running program, then its log.
 
     On a hub the program is started by the hub's button and not stopped from here. The CRC of every line is checked.
     """

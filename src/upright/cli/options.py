@@ -102,12 +102,15 @@ MappingOption = Annotated[
                  autocompletion=complete_mapping),
 ]  # fmt: skip
 PosteriorOption = Annotated[
-    Path | None, typer.Option("--posterior", help="Posterior by `upright calibrate --save` (default: the spreads).")
+    Path | None,
+    typer.Option("--posterior", help="Posterior by `upright calibrate --save` (default: the robot's spreads)."),
 ]
 PeriodOption = Annotated[float | None, typer.Option(help="Period of the controller [s] (default: the kit's).")]
 AfterOption = Annotated[float | None, typer.Option("--start", help="Ignore the log before this time [s].")]
 BeforeOption = Annotated[float | None, typer.Option("--until", help="Ignore the log from this time on [s].")]
-KnownOption = Annotated[list[str] | None, typer.Option(help="Parameter taken as exact, such as body_mass; repeatable.")]
+KnownOption = Annotated[
+    list[str] | None, typer.Option(metavar="NAME", help="Parameter taken as exact, such as body_mass; repeatable.")
+]
 HeldOutOption = Annotated[float, typer.Option(help="Last fraction of each log, kept for validation.")]
 SamplesOption = Annotated[int, typer.Option("--samples", "-n", help="Number of robots drawn.")]
 SeedOption = Annotated[int, typer.Option("--seed", help="Seed of all random draws and noise.")]

@@ -16,19 +16,19 @@ NOT_EQUAL = 3
 
 def parity(
     program: Annotated[Path, typer.Argument(help="A program by upright firmware: .py, .c, .ino or .nxc.")],
-    controller: Annotated[str, typer.Argument(help="The controller.json it was made from.")],
+    controller: Annotated[str, typer.Argument(help="The controller.json of its design.")],
     *,
     robot: Annotated[
-        str | None, typer.Option("--robot", "-r", help="By name or TOML file (default: the program's).")
+        str | None, typer.Option("--robot", "-r", help="Robot by name or TOML file (default: the program's).")
     ] = None,
-    kit: Annotated[str | None, typer.Option(help="By name or TOML file (default: the program's).")] = None,
+    kit: Annotated[str | None, typer.Option(help="Kit by name or TOML file (default: the program's).")] = None,
     chip: Annotated[
-        str, typer.Option(help="c: host, arm7 or avr; pybricks: micropython or mpy (default: the first).")
+        str, typer.Option(help="For c: host, arm7 or avr; for pybricks: micropython or mpy (default: the first).")
     ] = "",
     body: Annotated[str, typer.Option("--body", "-b", help="Body it drives: twin (MuJoCo) or nonlinear.")] = "twin",
     as_json: JsonOption = False,
 ) -> None:
-    """Execute a program step by step and compare it with its design.
+    """Execute a program and compare it with its design.
 
     The program drives the twin for 20 s through both pushes of Herrera et al. (2015). Every command is compared with
     the design's. Exit code 3 where they differ or the robot falls.

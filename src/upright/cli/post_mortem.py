@@ -29,7 +29,7 @@ def post_mortem(
         typer.Option(help=f"{KIT_HELP} (default: the log's, else the robot's).", autocompletion=complete_kit),
     ] = None,
     controller: Annotated[
-        Path | None, typer.Option("--controller", "-c", help="Designed controller: controller.json.")
+        Path | None, typer.Option("--controller", "-c", help="Controller of the robot, as designed: controller.json.")
     ] = None,
     mapping: MappingOption = None,
     output: OutputOption = None,

@@ -18,7 +18,7 @@ def reproduce(
     ] = Path("herrera2015"),
     as_json: JsonOption = False,
 ) -> None:
-    """Reproduce the study of Herrera et al. (2015).
+    """Reproduce the paper of Herrera and others (2015).
 
     Its model, fit, regulator and pushes beside the printed numbers, and the errata of the text.
     """

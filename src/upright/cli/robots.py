@@ -17,7 +17,7 @@ robots = typer.Typer(rich_markup_mode=None)
 
 @robots.callback(invoke_without_command=True)
 def every(context: typer.Context, *, as_json: JsonOption = False) -> None:
-    """List the robots; `robots show NAME` prints every parameter of one."""
+    """List the robots, or `show` the parameters of one."""
     if context.invoked_subcommand is not None:
         return
     from upright.robots import Robot, preset_names
@@ -38,7 +38,7 @@ def show(
     *,
     as_json: JsonOption = False,
 ) -> None:
-    """Print every parameter of a robot with unit, symbol, source and spread."""
+    """Print every parameter of a robot, with source and spread."""
     from upright.robots import find_robot
 
     robot = find_robot(name)

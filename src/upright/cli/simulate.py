@@ -49,7 +49,7 @@ def simulate(
     turn: options.TurnOption = None,
     excite: Annotated[Path | None, typer.Option(help="Plan by `upright excite`, added to the commands.")] = None,
     start: options.StartOption = "",
-    lying: Annotated[float | None, typer.Option(metavar="RAD", help="Lie at this pitch, then stand up.")] = None,
+    lying: Annotated[float | None, typer.Option(metavar="RAD", help="Start lying at this pitch, and stand up.")] = None,
     seconds: Annotated[
         float | None, typer.Option("--seconds", "-s", help="Length of the run [s] (default: 10, or the plan's).")
     ] = None,
