@@ -279,3 +279,11 @@ def test_a_name_cannot_break_the_model_file() -> None:
     text = mjcf(robot, timestep=0.001, contact_time=0.002, impedance=0.9, impratio=1.0, grip=1.0)
     assert "a &lt;&quot;b&quot;> &amp; c" in text
     Twin(robot)
+
+
+def test_an_unstable_twin_leaves_no_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    twin = Twin(Robot.preset("nxtway-gs"))
+    with pytest.raises(UprightError, match="unstable"):
+        twin.step((0.0, 0.0), Disturbance(1e15, 0.05, 0.0))
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,108 @@
+"""What a command prints may go anywhere: to another alphabet, a closed or full stream, a reader that leaves."""
+
+from __future__ import annotations
+
+import json
+import os
+import stat
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+COMMAND = [sys.executable, "-m", "upright"]
+PRINTS = ["linearise"]  # prints Greek letters
+
+
+def run(arguments: list[str], **options: Any) -> subprocess.CompletedProcess[bytes]:
+    given = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE} | options
+    done = subprocess.run([*COMMAND, *arguments], check=False, timeout=120, **given)
+    assert b"Traceback" not in (done.stderr or b"")
+    assert b"Exception ignored" not in (done.stderr or b"")
+    return done
+
+
+@pytest.mark.parametrize("alphabet", ["latin-1", "ascii", "cp1252", "utf-16"])
+def test_a_character_that_an_alphabet_lacks_is_replaced(alphabet: str) -> None:
+    environment = os.environ | {"PYTHONIOENCODING": alphabet}
+    done = run([*PRINTS], env=environment)
+    assert done.returncode == 0
+    # the framework of the command line prints UTF-8 where a stream knows nothing but ASCII
+    assert len(done.stdout.decode("utf-8" if alphabet == "ascii" else alphabet).splitlines()) > 5
+    data = run([*PRINTS, "--json"], env=environment)
+    assert json.loads(data.stdout.decode(alphabet)) == json.loads(run([*PRINTS, "--json"]).stdout)
+
+
+def close(*numbers: int) -> Callable[[], None]:
+    def before() -> None:
+        for number in numbers:
+            os.close(number)
+
+    return before
+
+
+@pytest.mark.parametrize("numbers", [(1,), (2,), (0, 1, 2)], ids=str)
+def test_a_closed_stream_is_nothing_to_a_command(numbers: tuple[int, ...], tmp_path: Path) -> None:
+    inherited = {"stdin": None, "stdout": None, "stderr": None}
+    done = run([*PRINTS, "-o", str(tmp_path / "m.json")], preexec_fn=close(*numbers), **inherited)
+    assert done.returncode == 0
+    assert set(json.loads((tmp_path / "m.json").read_text())) >= {"A", "B"}, "nothing else in its place"
+    assert [p.name for p in tmp_path.iterdir()] == ["m.json"]
+    assert run(["linearise", "--robot", "nobody"], preexec_fn=close(*numbers), **inherited).returncode == 2
+
+
+@pytest.fixture
+def full(tmp_path: Path) -> Path:
+    """A device that is always full."""
+    node = tmp_path / "full"
+    try:
+        os.mknod(node, 0o666 | stat.S_IFCHR, os.makedev(1, 7))
+        node.open("wb").close()
+    except PermissionError:
+        node = Path("/dev/full")
+    return node
+
+
+def test_a_full_stdout_is_one_line(full: Path) -> None:
+    with full.open("wb") as stream:
+        done = run(PRINTS, stdout=stream)
+    assert done.returncode == 2
+    assert done.stderr.decode().splitlines() == [
+        "upright: cannot print: No space left on device; try: -o FILE, or another place for the output"
+    ]
+
+
+def test_a_full_stderr_changes_no_exit_code(full: Path) -> None:
+    with full.open("wb") as stream:
+        assert run(["linearise", "--robot", "nobody"], stderr=stream).returncode == 2
+        assert run(PRINTS, stderr=stream).returncode == 0
+
+
+def test_a_reader_that_leaves_has_what_it_wants(tmp_path: Path) -> None:
+    reader, writer = os.pipe()
+    os.close(reader)
+    try:
+        done = run([*PRINTS, "-o", str(tmp_path / "m.json")], stdout=writer)
+    finally:
+        os.close(writer)
+    assert done.returncode == 0
+    assert done.stderr == b""
+    assert (tmp_path / "m.json").exists()
+
+
+def test_head_ends_nothing_badly() -> None:
+    line = f"set -o pipefail; {sys.executable} -m upright robots | head -1"
+    done = subprocess.run(["bash", "-c", line], capture_output=True, check=False)
+    assert done.returncode == 0
+    assert done.stderr == b""
+    assert done.stdout.count(b"\n") == 1
+
+
+def test_a_name_in_no_alphabet_is_printed_and_written(tmp_path: Path) -> None:
+    odd = os.fsencode(tmp_path) + b"/\xff.json"
+    done = run([*PRINTS, "-o", odd.decode("utf-8", "surrogateescape")])
+    assert done.returncode == 0
+    assert os.path.exists(odd)
