@@ -21,6 +21,13 @@ from upright.signals.signal import SENSORS, TRUTH
 
 mujoco: Any = import_module("mujoco")  # compiled and untyped: `Any` says so to the type checker
 
+
+def _not_written(_warning: str) -> None:
+    """MuJoCo would write its warnings into a file of the current folder; `Twin` raises what matters."""
+
+
+mujoco.set_mju_user_warning(_not_written)
+
 _WILD = 1e9  # [rad/s²] a tenth of the acceleration at which MuJoCo gives up, and writes a file about it
 
 
