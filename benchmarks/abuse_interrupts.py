@@ -67,6 +67,7 @@ class End(NamedTuple):
 
 
 def measure(seed: int, minutes: float | None) -> Iterator[tuple[str, str, str, bool]]:
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background has it ignored, children too
     draw = random.Random(seed)
     until = time.monotonic() + (60 * minutes if minutes else 1e9)
     with tempfile.TemporaryDirectory() as folder:

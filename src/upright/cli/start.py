@@ -12,9 +12,9 @@ from upright.cli.streams import guard
 def run() -> NoReturn:
     """Run the command of this process's arguments, and end the process with its exit code."""
     printed = guard()  # first, since whatever opens a file might get the number of a closed stream
-    interrupts.watch()
     code = interrupts.exit_code()
     try:
+        interrupts.watch()
         from upright.cli.main import USER_ERROR, complain, main
 
         code = main()
