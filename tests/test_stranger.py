@@ -1,0 +1,104 @@
+"""What somebody tries who has read nothing: every verb takes what every other takes, and says what it takes."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import upright as up
+from upright.cli.main import USER_ERROR, main
+from upright.control.controller import controller_hash
+from upright.errors import UnknownName, UprightError
+from upright.identify.identify import study_of
+from upright.signals import STATE_NAMES
+
+ROBOT, KIT = up.Robot.preset("nxtway-gs"), up.Kit.preset("nxt")
+TINY = up.Log(np.arange(20) * 0.01, {f"truth/{name}": np.linspace(0.1, 0, 20) for name in STATE_NAMES})
+
+
+def test_the_package_runs_as_a_module() -> None:
+    done = subprocess.run([sys.executable, "-m", "upright", "--version"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0
+    assert done.stdout.startswith("upright ")
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"), [("lgq", "lqg"), ("lrq", "lqr"), ("qlr", "lqr"), ("mcp", "mpc"), ("lq", "lqr")]
+)
+def test_two_letters_in_the_wrong_order_are_put_right(typed: str, meant: str) -> None:
+    with pytest.raises(UnknownName, match=f"did you mean '{meant}'"):
+        up.design(typed, "nxtway-gs")
+
+
+@pytest.mark.parametrize(
+    "call", [lambda: up.certify(robots=50), lambda: up.compare(logs=[], nosuch=1), lambda: up.doctor()]
+)
+def test_a_wrong_argument_is_one_line_with_the_right_ones(call) -> None:
+    with pytest.raises(UprightError, match=r"expected .*\("):
+        call()
+    with pytest.raises(TypeError):
+        call()
+
+
+def test_logs_are_compared_in_a_list(tmp_path: Path) -> None:
+    path = TINY.save(tmp_path / "run.csv")
+    comparison = up.compare([TINY, path, TINY])
+    assert len(comparison.logs) == 3
+    assert up.compare(TINY).metrics.keys() == {"1"}
+
+
+@pytest.mark.parametrize("name", ["lqg", "lqi", "mpc", "sliding", "hinf", "kalman", "complementary"])
+def test_a_design_takes_names(name: str) -> None:
+    named, given = (getattr(up, name)(*pair, 0.01) for pair in (("nxtway-gs", "nxt"), (ROBOT, KIT)))
+    if hasattr(given, "step"):
+        assert controller_hash(named) == controller_hash(given)
+
+
+def test_lqr_takes_a_name() -> None:
+    assert np.array_equal(up.lqr("nxtway-gs", 0.01).gain, up.lqr(ROBOT, 0.01).gain)
+
+
+def test_a_flight_that_nobody_can_confirm_says_so(tmp_path: Path, capsys, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["design", "lqg", "-o", "c.json"]) == 0
+    assert main(["firmware", "c.json", "-t", "pybricks", "-o", "p.py"]) == 0
+    with Path("/dev/null").open() as nothing:
+        monkeypatch.setattr(sys, "stdin", nothing)
+        assert main(["fly", "p.py", "c.json"]) == USER_ERROR
+    assert "--yes" in capsys.readouterr().err
+
+
+SIZES = {
+    "a run": lambda: up.run(up.NonlinearBody(ROBOT), up.lqr(ROBOT, 0.01), seconds=1e9),
+    "a fleet": lambda: up.fleet("nxtway-gs", "lqr", n=10**9),
+    "a long fleet": lambda: up.fleet("nxtway-gs", "lqr", seconds=1e9, n=10),
+    "a certificate": lambda: up.certify("lqr", samples=10**9),
+    "an excitation": lambda: up.excite(seconds=1e9),
+    "repeats": lambda: study_of(TINY, ROBOT, runs=10**9),
+    "a negative seed": lambda: up.fleet("nxtway-gs", "lqr", n=10, seed=-1),
+    "a seed of 400 digits": lambda: up.run(up.NonlinearBody(ROBOT), up.lqr(ROBOT, 0.01), seconds=1.0, seed=10**400),
+}
+
+
+@pytest.mark.parametrize("what", SIZES)
+def test_what_would_take_days_or_all_memory_is_refused_with_its_limit(what: str) -> None:
+    with pytest.raises(UprightError, match=r"expected .*\d"):
+        SIZES[what]()
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        "push-map --points 100000 -n 0", "basin --points 1000000", "simulate --seed -1", "fleet -n 1000000000",
+        "simulate -s 1e9", "fleet --threads 1000000000", "sweep x.toml --workers 1000000",
+    ],
+)  # fmt: skip
+def test_sizes_are_refused_before_the_work(arguments: str, capsys, tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "x.toml").write_text("n = 1\n")
+    assert main(arguments.split()) == USER_ERROR
+    assert len(capsys.readouterr().err.splitlines()) == 1
