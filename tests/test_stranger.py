@@ -26,17 +26,13 @@ def test_the_package_runs_as_a_module() -> None:
     assert done.stdout.startswith("upright ")
 
 
-@pytest.mark.parametrize(
-    ("typed", "meant"), [("lgq", "lqg"), ("lrq", "lqr"), ("qlr", "lqr"), ("mcp", "mpc"), ("lq", "lqr")]
-)
+@pytest.mark.parametrize(("typed", "meant"), [("lgq", "lqg"), ("lrq", "lqr"), ("mcp", "mpc")])
 def test_two_letters_in_the_wrong_order_are_put_right(typed: str, meant: str) -> None:
     with pytest.raises(UnknownName, match=f"did you mean '{meant}'"):
         up.design(typed, "nxtway-gs")
 
 
-@pytest.mark.parametrize(
-    "call", [lambda: up.certify(robots=50), lambda: up.compare(logs=[], nosuch=1), lambda: up.doctor()]
-)
+@pytest.mark.parametrize("call", [lambda: up.certify(robots=50), lambda: up.compare(logs=[], nosuch=1), up.doctor])
 def test_a_wrong_argument_is_one_line_with_the_right_ones(call) -> None:
     with pytest.raises(UprightError, match=r"expected .*\("):
         call()
@@ -74,12 +70,12 @@ def test_a_flight_that_nobody_can_confirm_says_so(tmp_path: Path, capsys, monkey
 
 SIZES = {
     "a run": lambda: up.run(up.NonlinearBody(ROBOT), up.lqr(ROBOT, 0.01), seconds=1e9),
-    "a fleet": lambda: up.fleet("nxtway-gs", "lqr", n=10**9),
-    "a long fleet": lambda: up.fleet("nxtway-gs", "lqr", seconds=1e9, n=10),
-    "a certificate": lambda: up.certify("lqr", samples=10**9),
-    "an excitation": lambda: up.excite(seconds=1e9),
+    "a fleet": lambda: up.fleet("nxtway-gs", n=10**9),
+    "a long fleet": lambda: up.fleet("nxtway-gs", seconds=1e9, n=10),
+    "a certificate": lambda: up.certify("lqr", ROBOT, samples=10**9),
+    "an excitation": lambda: up.excite("nxtway-gs", seconds=1e9),
     "repeats": lambda: study_of(TINY, ROBOT, runs=10**9),
-    "a negative seed": lambda: up.fleet("nxtway-gs", "lqr", n=10, seed=-1),
+    "a negative seed": lambda: up.fleet("nxtway-gs", n=10, seed=-1),
     "a seed of 400 digits": lambda: up.run(up.NonlinearBody(ROBOT), up.lqr(ROBOT, 0.01), seconds=1.0, seed=10**400),
 }
 

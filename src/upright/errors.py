@@ -5,6 +5,9 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 
+LONGEST_SHOWN = 80
+"""Letters of a name that a message repeats."""
+
 
 class UprightError(Exception):
     """Root of all errors of this package.
@@ -63,11 +66,34 @@ class MissingTool(UprightError):
     """An optional package or program that is not installed."""
 
 
+class WrongArguments(UprightError, TypeError):
+    """A verb that was called with arguments that it does not take."""
+
+
 class UnknownName(UprightError):
     """A name that is in no registry; the message lists what there is."""
 
     def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
         names = sorted(known)
-        close = difflib.get_close_matches(name, names, n=1, cutoff=0.5)
-        hint = f"did you mean '{close[0]}'?" if close else ""
-        super().__init__(f"no {kind} is called '{name}'", expected="one of " + ", ".join(names), hint=hint)
+        shown = name if len(name) <= LONGEST_SHOWN else f"{name[:LONGEST_SHOWN]}…"
+        super().__init__(
+            f"no {kind} is called '{shown}'", expected="one of " + ", ".join(names), hint=meant(name, names)
+        )
+
+
+def meant(name: str, names: Iterable[str], text: str = "{}") -> str:
+    """A question for a hint: the one of `names` that is closest to `name`, put into `text`; "" where none is close.
+
+    Of those that are equally close, the one of the same letters: who types `lgq` means `lqg`.
+    """
+    close = difflib.get_close_matches(name[:LONGEST_SHOWN], list(names), n=5, cutoff=0.5)
+    if not close:
+        return ""
+    return f"did you mean '{text.format(min(close, key=lambda c: sorted(c) != sorted(name)))}'?"
+
+
+def check_within(what: str, value: float, least: float, most: float) -> None:
+    """Raise `InvalidScenario` for a size not from `least` to `most`, which would take days or all memory."""
+    if not least <= value <= most:
+        shown = f"{value:g}" if isinstance(value, float) else str(value)[:20]
+        raise InvalidScenario(f"{shown} {what}", expected=f"from {least:g} to {most:g}")

@@ -56,8 +56,10 @@ def push_map(
         str | None, typer.Option(metavar="LOW..HIGH", help="Height above the axle [m] (default: up to the body's).")
     ] = None,
     durations: Annotated[str, typer.Option(metavar="LOW..HIGH", help="Duration of the push [s].")] = "0.01..0.5",
-    points: Annotated[int, typer.Option(help="Number of heights, and of durations.")] = 64,
-    samples: Annotated[int, typer.Option("--samples", "-n", help="Robots drawn for the band; 0: none.")] = 200,
+    points: Annotated[int, typer.Option(min=1, max=1000, help="Number of heights, and of durations.")] = 64,
+    samples: Annotated[
+        int, typer.Option("--samples", "-n", min=0, max=100_000, help="Robots drawn for the band; 0: none.")
+    ] = 200,
     tolerance: Annotated[float, typer.Option(help="Relative accuracy of each impulse.")] = 0.01,
     watch: Annotated[float, typer.Option(help="Time to stand after the push [s], to count as recovered.")] = 5.0,
 ) -> None:
@@ -74,8 +76,6 @@ def push_map(
     directions = {"forward": (1,), "backward": (-1,), "both": (1, -1)}
     if direction not in directions:
         raise InvalidScenario(f"--direction {direction}", expected=" or ".join(directions))
-    if points < 1:
-        raise InvalidScenario(f"--points {points}", expected="one or more")
     ensemble = asked.ensemble(vary=() if asked.posterior else ("spread",))
     ranges = [
         _range(heights or f"0..{ensemble.family.robot.body_height}", "--heights"),
@@ -100,8 +100,10 @@ def basin(
     asked: Asked,
     across: Annotated[str, typer.Option(metavar="STATE=LOW..HIGH", help="First state.")] = "pitch=-1..1",
     up: Annotated[str, typer.Option(metavar="STATE=LOW..HIGH", help="Second state.")] = "pitch_rate=-10..10",
-    points: Annotated[int, typer.Option(help="Number of values of each state.")] = 101,
-    samples: Annotated[int, typer.Option("--samples", "-n", help="Robots drawn at each point; 1: nominal.")] = 1,
+    points: Annotated[int, typer.Option(min=2, max=3000, help="Number of values of each state.")] = 101,
+    samples: Annotated[
+        int, typer.Option("--samples", "-n", min=1, max=100_000, help="Robots drawn at each point; 1: nominal.")
+    ] = 1,
     start: StartOption = "",
     seconds: Annotated[float, typer.Option("--seconds", "-s", help="Time to stand [s], to count as recovered.")] = 5.0,
 ) -> None:
@@ -134,7 +136,10 @@ def sweep(
         str | None, typer.Option("--cluster", metavar="ADDRESS", help="Dask scheduler, such as tcp://host:8786.")
     ] = None,
     workers: Annotated[
-        int | None, typer.Option("--workers", help="Processes on this machine (default: one per processor); 0: none.")
+        int | None,
+        typer.Option(
+            "--workers", min=0, max=1024, help="Processes on this machine (default: one per processor); 0: none."
+        ),
     ] = None,
     as_json: JsonOption = False,
 ) -> None:
@@ -145,8 +150,6 @@ def sweep(
     from upright.fleet.campaign import run_campaign
     from upright.fleet.sweep import read_campaign
 
-    if workers is not None and workers < 0:
-        raise InvalidScenario(f"--workers {workers}", expected="zero or more")
     campaign = read_campaign(spec)
     place = output or spec.with_suffix("")
     with _countdown() as tell:

@@ -48,7 +48,9 @@ class Asked:
     vary: Annotated[list[str] | None, typer.Option("--vary", metavar="NAME=...", help=VARY_HELP)] = None
     posterior: PosteriorOption = None
     seed: SeedOption = 0
-    threads: Annotated[int | None, typer.Option("--threads", min=1, help="Threads (default: all processors).")] = None
+    threads: Annotated[
+        int | None, typer.Option("--threads", min=1, max=1024, help="Threads (default: all processors).")
+    ] = None
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the result: .parquet or .zarr.")] = None
     report: ReportOption = None
     as_json: JsonOption = False

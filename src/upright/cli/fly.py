@@ -9,6 +9,7 @@ import typer
 
 from upright.cli import options
 from upright.cli.output import check_folder, finish, progress
+from upright.errors import UprightError
 
 if TYPE_CHECKING:
     from upright.flight.fly import FlightPlan
@@ -48,7 +49,9 @@ def fly(
         list[str] | None,
         typer.Option("--push", "-p", metavar="KIND:NUMBER,...", help="Only with --port virtual. " + options.PUSH_HELP),
     ] = None,
-    seed: Annotated[int, typer.Option(help="Only with --port virtual: seed of all noise.")] = 0,
+    seed: Annotated[
+        int, typer.Option(min=0, max=options.MOST_SEED, help="Only with --port virtual: seed of all noise.")
+    ] = 0,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the log: .parquet, .csv or .mcap.")
     ] = None,
@@ -85,4 +88,11 @@ def fly(
 
 def _ask(plan: FlightPlan) -> None:
     typer.echo(str(plan), err=True)
-    typer.confirm("Hold it upright and still. Start?", abort=True, err=True)
+    try:
+        typer.confirm("Hold it upright and still. Start?", abort=True, err=True)
+    except typer.Abort as stop:
+        if not isinstance(stop.__context__, EOFError):
+            raise
+        raise UprightError(
+            "nobody answered: the input is no terminal, and has ended", hint="--yes, or a terminal"
+        ) from None

@@ -48,9 +48,11 @@ def identify(
     until: BeforeOption = None,
     states: Annotated[bool, typer.Option("--states", help="Use the true states of a twin's log.")] = False,
     delay: Annotated[float | None, typer.Option(help="Delay from command to sensors [s] (default: estimated).")] = None,
-    order: Annotated[int | None, typer.Option(help="States of pitch and wheels, 4 or more (default: chosen).")] = None,
+    order: Annotated[
+        int | None, typer.Option(max=50, help="States of pitch and wheels, 4 or more (default: chosen).")
+    ] = None,
     held_out: HeldOutOption = 0.25,
-    repeats: Annotated[int, typer.Option(help="Simulated logs for intervals and bias.")] = 40,
+    repeats: Annotated[int, typer.Option(min=0, max=10_000, help="Simulated logs for intervals and bias.")] = 40,
     seed: SeedOption = 0,
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the model as JSON.")] = None,
     controller: Annotated[

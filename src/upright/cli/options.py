@@ -15,6 +15,9 @@ from upright.errors import InvalidScenario, UnknownName
 
 Names = Callable[[], Iterable[str]]
 
+MOST_SEED = 2**63 - 1
+MOST_ROBOTS = 10_000_000
+
 
 def completed(names: Names, suffix: str = "") -> Callable[[str], list[str]]:
     """Completion in the shell: registered names, and files of that suffix."""
@@ -112,8 +115,8 @@ KnownOption = Annotated[
     list[str] | None, typer.Option(metavar="NAME", help="Parameter taken as exact, such as body_mass; repeatable.")
 ]
 HeldOutOption = Annotated[float, typer.Option(help="Last fraction of each log, kept for validation.")]
-SamplesOption = Annotated[int, typer.Option("--samples", "-n", help="Number of robots drawn.")]
-SeedOption = Annotated[int, typer.Option("--seed", help="Seed of all random draws and noise.")]
+SamplesOption = Annotated[int, typer.Option("--samples", "-n", min=1, max=MOST_ROBOTS, help="Number of robots drawn.")]
+SeedOption = Annotated[int, typer.Option("--seed", min=0, max=MOST_SEED, help="Seed of all random draws and noise.")]
 BodyOption = Annotated[
     str, typer.Option("--body", "-b", help="Body by name or my.py:Name, such as nonlinear or twin (MuJoCo).",
                       autocompletion=complete_body),

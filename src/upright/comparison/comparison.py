@@ -160,7 +160,7 @@ class Comparison(Shown):
 
 
 def compare(
-    logs: Mapping[str, Log | str | Path],
+    logs: Mapping[str, Log | str | Path] | Sequence[Log | str | Path] | Log | str | Path,
     *,
     reference: str | None = None,
     signals: Sequence[str] = STATE_NAMES,
@@ -168,6 +168,7 @@ def compare(
 ) -> Comparison:
     """Metrics of each log, or file of one, and its fit to the `reference` log (default: the first, normally the twin).
 
+    Logs without labels are called 1, 2, ….
     A log on another time base is interpolated linearly onto the reference's times inside the interval both
     share. States are `truth/…` if all logs have them, else each log's `estimate/…`, or its `truth/…` where it has
     no estimate. `release` [s] is when the push ends; by default each log's own `push/force` says so, or the
@@ -176,6 +177,9 @@ def compare(
 
     Raises `InvalidLog` for no logs, missing states, or no common time; `UnknownName` for an unknown reference.
     """
+    if not isinstance(logs, Mapping):
+        several = [logs] if isinstance(logs, Log | str | Path) else logs
+        logs = {str(number): log for number, log in enumerate(several, start=1)}
     if not logs:
         raise InvalidLog("no logs to compare", expected="a mapping of labels to logs")
     first = next(iter(logs)) if reference is None else reference

@@ -15,7 +15,7 @@ from upright.control.delay import RAW, sampled
 from upright.control.kalman import DISTURBED, Disturbed, corrected, kalman_filter
 from upright.errors import SpecMismatch
 from upright.physics.dynamics import turn_ratio
-from upright.robots import Kit, Robot, Sensor
+from upright.robots import Kit, Robot, Sensor, find_kit, find_robot
 
 Array = NDArray[np.float64]
 
@@ -103,12 +103,13 @@ class Kalman:
         return {"kind": "Kalman filter", "reads": list(self.reads), **matrices}
 
 
-def kalman(robot: Robot, kit: Kit, dt: float | None = None, disturbed: Disturbed = DISTURBED) -> Kalman:
+def kalman(robot: Robot | str, kit: Kit | str, dt: float | None = None, disturbed: Disturbed = DISTURBED) -> Kalman:
     """The filter for `robot` under `kit`, every `dt` [s] (None: the kit's period): `filtering.kalman_filter` of the kit
     without its delays.
 
     Raises `SpecMismatch` for a kit without both encoders and a gyro, `DesignFailed` when it has no solution.
     """
+    robot, kit = find_robot(robot), find_kit(kit)
     sensors = {name: replace(_sensor(kit, name), delay=0.0) for name in RAW}
     prompt = Kit(name=kit.name, sensors=sensors, period=kit.period)
     steady = kalman_filter(sampled(robot, prompt, dt), disturbed)
@@ -164,9 +165,10 @@ class Complementary:
         return {"kind": "complementary filter", "reads": list(self.reads), **numbers}
 
 
-def complementary(robot: Robot, kit: Kit, dt: float | None = None, **options: float) -> Complementary:
+def complementary(robot: Robot | str, kit: Kit | str, dt: float | None = None, **options: float) -> Complementary:
     """The complementary filter for `robot` under `kit`, every `dt` [s] (None: the kit's period), with the kit's
     accelerometer where there is one."""
+    robot, kit = find_robot(robot), find_kit(kit)
     for name in RAW:
         _sensor(kit, name)
     accelerometer = all(name in kit.sensors for name in ACCELEROMETER)

@@ -33,7 +33,7 @@ from upright.errors import DesignFailed
 from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import LinearModel, delay_line
 from upright.physics.sensing import sensor_matrix
-from upright.robots import Kit, Robot
+from upright.robots import Kit, Robot, find_kit, find_robot
 
 Array = NDArray[np.float64]
 
@@ -120,13 +120,14 @@ def hinf_norm(system: LinearModel) -> float:
 
 
 def hinf(
-    robot: Robot, kit: Kit, dt: float | None = None, *, expected: Expected | None = None, slack: float = 1.1
+    robot: Robot | str, kit: Kit | str, dt: float | None = None, *, expected: Expected | None = None, slack: float = 1.1
 ) -> LinearController:
     """The H∞ controller for `robot` on the encoders and the gyro of `kit`.
 
     It is the central controller at `slack` times the least γ: at the least itself its gains know no bound. Raises
     `DesignFailed` for weights that make no sense or where SLICOT finds no controller.
     """
+    robot, kit = find_robot(robot), find_kit(kit)
     model = sampled(robot, kit, dt, RAW)
     wants = _checked(expected or Expected(), slack)
     size = COMMAND[robot.command_unit] if wants.command is None else wants.command

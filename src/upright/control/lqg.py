@@ -14,7 +14,7 @@ from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, riccati, riccati_residual, weight_matrix
 from upright.control.observer import output_feedback
 from upright.errors import DesignFailed
-from upright.robots import Kit, Robot
+from upright.robots import Kit, Robot, find_kit, find_robot
 
 Array = NDArray[np.float64]
 
@@ -41,8 +41,8 @@ class Lqg(Design):
 
 
 def lqg(
-    robot: Robot,
-    kit: Kit,
+    robot: Robot | str,
+    kit: Kit | str,
     dt: float | None = None,
     Q: ArrayLike | None = None,
     R: ArrayLike | None = None,
@@ -55,6 +55,7 @@ def lqg(
     Q (6, 6) or its diagonal (6,) weighs the state, R (2, 2) or (2,) the command; without them Bryson's rule. Raises
     `DesignFailed` for weights of the wrong size or sign, or where no regulator or no filter exists.
     """
+    robot, kit = find_robot(robot), find_kit(kit)
     design = regulated(kalman_filter(sampled(robot, kit, dt, reads), disturbed), Q, R)
     return output_feedback(design.filter, design.K, "lqg", design)
 

@@ -16,7 +16,7 @@ from upright.control.lqr import LARGEST_STATE, bryson, riccati, riccati_residual
 from upright.control.observer import Extra, output_feedback
 from upright.errors import DesignFailed
 from upright.physics.linear import LinearModel, linearise
-from upright.robots import Kit, Robot
+from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
@@ -50,8 +50,8 @@ class Lqi(Design):
 
 
 def lqi(
-    robot: Robot,
-    kit: Kit,
+    robot: Robot | str,
+    kit: Kit | str,
     dt: float | None = None,
     Q: ArrayLike | None = None,
     R: ArrayLike | None = None,
@@ -66,6 +66,7 @@ def lqi(
     the heading. What saturation, dead zone and battery take from a command flows back into e within `unwinding` [s].
     Q (7, 7) or its diagonal, e last; R (2, 2) or (2,); without them Bryson's rule. Raises `DesignFailed` like `lqg`.
     """
+    robot, kit = find_robot(robot), find_kit(kit)
     if not unwinding > 0:
         raise DesignFailed(f"unwinding takes {unwinding} s", expected="a positive time")
     model = sampled(robot, kit, dt, reads)

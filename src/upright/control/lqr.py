@@ -12,7 +12,7 @@ from upright.control.delay import rolling
 from upright.control.feedback import StateFeedback
 from upright.errors import DesignFailed
 from upright.physics.linear import LinearModel, linearise
-from upright.robots import Robot
+from upright.robots import Robot, find_robot
 
 Array = NDArray[np.float64]
 
@@ -53,12 +53,13 @@ def bryson(largest: ArrayLike) -> Array:
     return np.diag(1 / scale**2)
 
 
-def lqr(robot: Robot, dt: float, Q: ArrayLike | None = None, R: ArrayLike | None = None) -> Lqr:
+def lqr(robot: Robot | str, dt: float, Q: ArrayLike | None = None, R: ArrayLike | None = None) -> Lqr:
     """The regulator of the robot linearised upright, its Coulomb friction as `rolling` has it, and held over `dt` [s].
 
     Q (6, 6) or its diagonal (6,), R (2, 2) or (2,); without them Bryson's rule on `LARGEST_STATE` and
     `LARGEST_COMMAND`. Raises `DesignFailed` for weights of the wrong size or sign, or when no gain stabilises.
     """
+    robot = find_robot(robot)
     state_weight = bryson(LARGEST_STATE) if Q is None else Q
     command_weight = bryson([LARGEST_COMMAND[robot.command_unit]] * 2) if R is None else R
     return dlqr(linearise(rolling(robot)).c2d(dt), state_weight, command_weight, robot.command_unit)

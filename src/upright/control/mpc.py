@@ -28,7 +28,7 @@ from upright.control.lqg import Lqg, regulated
 from upright.control.observer import memory, steady_push, steady_state
 from upright.errors import DesignFailed, InvalidController
 from upright.physics.linear import LinearModel
-from upright.robots import Kit, Robot
+from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
@@ -178,8 +178,8 @@ def solver(programme: QuadraticProgram, upper: Array, lower: Array, f: Array | N
 
 
 def mpc(
-    robot: Robot,
-    kit: Kit,
+    robot: Robot | str,
+    kit: Kit | str,
     dt: float | None = None,
     Q: ArrayLike | None = None,
     R: ArrayLike | None = None,
@@ -198,6 +198,7 @@ def mpc(
     reference, both soft unless said otherwise; `disturbed` is by default `offset_free`. Raises
     `DesignFailed` like `lqg`, or for bounds that are not positive.
     """
+    robot, kit = find_robot(robot), find_kit(kit)
     if horizon not in range(1, 201):
         raise DesignFailed(f"a horizon of {horizon}", expected="between 1 and 200 periods", likely="seconds")
     most = largest_command(robot, kit) if limit is None else limit

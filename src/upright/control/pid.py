@@ -29,7 +29,7 @@ from upright.control.lqi import unwound
 from upright.control.observer import Extra, output_feedback
 from upright.errors import DesignFailed
 from upright.physics.dynamics import motor_damping, motor_gain
-from upright.robots import Kit, Robot
+from upright.robots import Kit, Robot, find_kit, find_robot
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -79,8 +79,8 @@ class Pid(Design):
 
 
 def pid(
-    robot: Robot,
-    kit: Kit,
+    robot: Robot | str,
+    kit: Kit | str,
     dt: float | None = None,
     *,
     heading: float = HEADING[0],
@@ -94,6 +94,7 @@ def pid(
     modulus margin min |1 + L| at the motors above `MARGIN`. What saturation takes flows out of the integral within
     `unwinding` [s]. Raises `DesignFailed` where no cascade stabilises the robot.
     """
+    robot, kit = find_robot(robot), find_kit(kit)
     if not (heading > 0 and unwinding > 0):
         raise DesignFailed(f"heading {heading}, unwinding {unwinding}", expected="positive numbers")
     model = sampled(robot, kit, dt, reads)

@@ -28,7 +28,7 @@ from upright.control.linear_controller import LinearController
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, lqr
 from upright.control.observer import output_feedback
 from upright.errors import DesignFailed
-from upright.robots import Kit, Robot
+from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import STATE_NAMES
 
@@ -119,8 +119,8 @@ class Robust(Design):
 
 
 def robust(
-    robot: Robot,
-    kit: Kit,
+    robot: Robot | str,
+    kit: Kit | str,
     dt: float | None = None,
     *,
     robots: Sequence[Robot] | None = None,
@@ -136,6 +136,7 @@ def robust(
     `largest` accepted state (6,), largest `command` of each motor. The verdict is over as many draws again that the
     design does not know. Raises `DesignFailed` where no gain stabilises the nominal robot.
     """
+    robot, kit = find_robot(robot), find_kit(kit)
     near = draw(robot, tried, seed, uncertainty) if robots is None else list(robots)
     fresh = draw(robot, tried, seed + 1, uncertainty) if robots is None else near
     model, *others = [sampled(each, kit, dt) for each in (robot, *near)]

@@ -18,7 +18,7 @@ from upright.control.linear_controller import LinearController
 from upright.control.lqg import Lqg, regulated
 from upright.control.observer import memory, steady_state
 from upright.errors import DesignFailed, InvalidController
-from upright.robots import Kit, Robot
+from upright.robots import Kit, Robot, find_kit, find_robot
 
 Array = NDArray[np.float64]
 
@@ -100,8 +100,8 @@ class SlidingMode:
 
 
 def sliding(
-    robot: Robot,
-    kit: Kit,
+    robot: Robot | str,
+    kit: Kit | str,
     dt: float | None = None,
     Q: ArrayLike | None = None,
     R: ArrayLike | None = None,
@@ -117,6 +117,7 @@ def sliding(
     P is the regulator's cost under Q and R, as in `lqg`; s shrinks with the time constant `time` [s] and by `reach`
     each period outside of ± `layer`, both as shares of the largest usual command. Raises `DesignFailed` like `lqg`.
     """
+    robot, kit = find_robot(robot), find_kit(kit)
     if not (time > 0 and layer > 0 and reach >= 0):
         raise DesignFailed(
             f"time {time}, reach {reach}, layer {layer}", expected="positive numbers, reach zero or more"

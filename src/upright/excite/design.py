@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from os import PathLike
 
 from upright.control import Controller, find_controller
-from upright.errors import InvalidScenario
+from upright.errors import InvalidScenario, check_within
 from upright.excite.loop import ExcitedLoop
 from upright.excite.plan import ExcitationPlan, Limits
 from upright.excite.search import Progress, Search
@@ -23,6 +23,9 @@ from upright.robots.uncertainty import Family, Uncertainty, at_medians
 
 ENOUGH = 1.1
 """Width of the intervals over that of the largest allowed excitation: 1.1 takes a half to a quarter of its energy."""
+
+LONGEST = 600.0
+"""[s] of an excitation, whose search runs hundreds of robots for as long."""
 
 
 def excite(
@@ -56,6 +59,7 @@ def excite(
     nominal, unknown = at_medians(find_robot(robot), posterior)
     parts = find_kit(kit or nominal.kit)
     holding = find_controller(controller or "lqg", nominal, parts, parts.period)
+    check_within("seconds of excitation", seconds, 0, LONGEST)
     design = Search(ExcitedLoop(nominal, parts, holding, seconds, seed), limits or Limits(), tuple(known), tuple(focus))
     design.draw(Family(nominal, parts, unknown or Uncertainty.of(nominal, known)), samples)
     show(0.1)

@@ -10,7 +10,7 @@ from typing import Any
 from upright.bodies.body import REST, Body, BodySpec
 from upright.control.controller import Controller
 from upright.control.permit import Permit, permitted
-from upright.errors import InvalidScenario
+from upright.errors import InvalidScenario, check_within
 from upright.experiment.loop import Stepper
 from upright.experiment.pushes import PushProgramme, combined
 from upright.experiment.references import Reference, total
@@ -47,6 +47,7 @@ def run(
     pushes, references = _several(push, "at"), _several(reference, "at")
     _check_pushable(body.spec, pushes)
     _check_time(seconds, controller.spec.period)
+    check_within("as a seed", seed, 0, 2**64 - 1)
     permit = (
         {"certificate": permitted(controller, certificate, body.spec.robot, anyway=anyway)} if body.spec.real else {}
     )

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.errors import InvalidScenario, UnknownName
+from upright.errors import InvalidScenario, UnknownName, check_within
 from upright.fleet.ensemble import Ensemble
 from upright.signals import STATE_NAMES
 from upright.signals.signal import STATE
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+MOST_ROBOTS = 10_000_000
 _AT_ONCE = 65536  # robots in one batch, which bounds the memory
 
 
@@ -64,6 +65,7 @@ def basin(
     """
     from upright.kernel.simulate import simulate
 
+    check_within("runs in a basin", samples * across.points * up.points, 1, MOST_ROBOTS)
     if samples < 1 or across.name == up.name:
         raise InvalidScenario(f"{samples} samples over {across.name} and {up.name}", expected="one or more, two states")
     starts = _starts(ensemble, across, up)

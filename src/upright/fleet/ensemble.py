@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 
 from upright.bodies.body import REST
 from upright.control import Controller, controller_hash
-from upright.errors import InvalidScenario
+from upright.errors import InvalidScenario, check_within
 from upright.experiment.pushes import Hold, Impulse, Push, Slope
 from upright.experiment.references import Drive, Turn
+from upright.experiment.run import MAX_SECONDS
 from upright.kernel.batch import FleetBatch, FleetResult, parameters_of
 from upright.robots import PARAMETERS
 from upright.robots.uncertainty import BLOCK, Family, Uncertainty
@@ -72,6 +73,7 @@ class Ensemble:
     def __post_init__(self) -> None:
         if not 0 <= self.seed < 2**64:
             raise InvalidScenario(f"a seed of {self.seed}", expected="a whole number from 0 to 2⁶⁴ − 1")
+        check_within("seconds in a run of a fleet", self.seconds, 0, MAX_SECONDS)
         if not self.band > 0:
             raise InvalidScenario(f"a band of {self.band:g} rad", expected="more than zero")
 

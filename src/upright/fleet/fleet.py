@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.control import Controller
-from upright.errors import InvalidScenario
+from upright.errors import check_within
 from upright.fleet.ensemble import Ensemble
 from upright.fleet.results import Summary, labelled, summarise
 from upright.fleet.sweep import electronics, find_controller
@@ -21,6 +21,9 @@ from upright.tables import Shown
 
 if TYPE_CHECKING:
     from xarray import Dataset
+
+MOST_ROBOTS = 10_000_000
+"""In one fleet, whose results take a gigabyte; more go into a campaign."""
 
 CHUNK = 16384  # robots between two reports of progress; the memory of a run grows with it
 
@@ -74,8 +77,7 @@ def fleet(
     `choices` are its controller, kit, vary, posterior, pushes, references, start, seconds and seed. `progress` is
     called with the fraction done. Raises `InvalidScenario`, `InvalidController` for one that is not linear.
     """
-    if n < 1:
-        raise InvalidScenario(f"a fleet of {n} robots", expected="one robot or more")
+    check_within("robots in a fleet", n, 1, MOST_ROBOTS)
     ensemble = robot if isinstance(robot, Ensemble) else ensemble_of(robot, **choices)
     parts: list[dict[str, Any]] = []
     for first in range(0, n, CHUNK):

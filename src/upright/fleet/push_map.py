@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from upright.errors import InvalidScenario
+from upright.errors import InvalidScenario, check_within
 from upright.fleet.ensemble import Ensemble
 from upright.fleet.fleet import ensemble_of
 from upright.kernel.batch import FleetBatch
@@ -127,8 +127,7 @@ def push_map(
     The band is computed robot by robot at `nodes` (heights, durations) of the grid; between them the ratio to the
     nominal robot is interpolated, linear in both. Robot s has noise from stream s everywhere, the nominal one from 0.
     """
-    if samples < 0:
-        raise InvalidScenario(f"{samples} samples", expected="zero or more")
+    check_within("samples", samples, 0, 100_000)
     if not isinstance(robot, Ensemble):
         choices.setdefault("vary", () if choices.get("posterior") else ("spread",))
     ensemble = robot if isinstance(robot, Ensemble) else ensemble_of(robot, **choices)

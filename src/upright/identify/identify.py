@@ -11,7 +11,7 @@ import numpy as np
 
 from upright.atomic import finite
 from upright.control.delay import rolling
-from upright.errors import UprightError
+from upright.errors import UprightError, check_within
 from upright.identify.identified import Identified, assembled, interval
 from upright.identify.judge import Judge, LoopTrial, judge_of, loop_trial
 from upright.identify.methods import IDENTIFIERS, find_identifier
@@ -158,5 +158,6 @@ def study_of(
 
     `runs` is the number of repeated logs behind the intervals.
     """
+    check_within("repeated logs", runs, 0, 10_000)
     ready = samples(log, robot, kit, source=source, delay=delay, held_out=held_out)
     return Study(ready, order, runs, seed)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import json
 import math
 import unicodedata
@@ -12,7 +11,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any, NoReturn, cast
 
-from upright.errors import InvalidRobot, UnknownName
+from upright.errors import InvalidRobot, UnknownName, meant
 from upright.reading import parse_toml, read_toml
 
 Table = Mapping[str, Any]
@@ -177,10 +176,9 @@ def check_keys(table: Table, known: Iterable[str], where: str, prefix: str = "")
     keys = sorted(known)
     for key in table:
         if key not in keys:
-            close = difflib.get_close_matches(key, keys, n=1, cutoff=0.5)
-            hint = f"did you mean '{prefix}{close[0]}'?" if close else ""
+            hint = meant(key, keys, f"{prefix}{{}}")
             expected = "one of " + ", ".join(keys)
-            raise InvalidRobot(f"{where}: unknown key '{prefix}{key}'", expected=expected, hint=hint)
+            raise InvalidRobot(f"{where}: unknown key '{prefix}{key:.80}'", expected=expected, hint=hint)
 
 
 def quoted(text: str) -> str:

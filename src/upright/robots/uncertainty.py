@@ -26,7 +26,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from upright.errors import InvalidRobot, InvalidScenario, UnknownName
+from upright.errors import InvalidRobot, InvalidScenario, UnknownName, check_within
 from upright.reading import read_json, understood
 from upright.robots.kit import Kit
 from upright.robots.robot import PARAMETERS, Robot, possible
@@ -44,6 +44,9 @@ BLOCK = 4096
 """Robots whose numbers are drawn together: one counter of Philox (Salmon et al. 2011) for each block and try."""
 
 TRIES = 200
+MOST_DRAWN = 100_000
+"""Robots that are drawn as objects, each of 2 kB and designed for one by one; a fleet takes more as plain numbers."""
+
 _PURPOSE = 0x76617279  # "vary" in ASCII: a stream apart from the kernel's noise under the same seed
 _ROLL = "roll_inertia"
 _BODY = ("pitch_inertia", "yaw_inertia", _ROLL)
@@ -214,6 +217,7 @@ class Family:
 
         What no robot can be is drawn again. Raises `InvalidRobot` where nearly nothing can be.
         """
+        check_within("as a seed", seed, 0, 2**64 - 1)
         numbers = np.asarray(index, dtype=np.int64)
         if not self.names:
             return {}
@@ -226,6 +230,7 @@ class Family:
 
     def robots(self, count: int, seed: int = 0) -> list[Robot]:
         """The robots number 0 to `count` − 1; numbers of the kit are left out."""
+        check_within("robots drawn", count, 0, MOST_DRAWN)
         drawn = {name: values for name, values in self.draw(seed, range(count)).items() if name in PARAMETERS}
         if not drawn:
             return [self.robot] * count
