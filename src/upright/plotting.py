@@ -33,6 +33,7 @@ DASHES: tuple[Any, ...] = (
     "-", (0, (8, 3)), (0, (2, 2.5)), (0, (9, 3, 2, 3)), (0, (4, 3)), (0, (14, 4)), (0, (9, 3, 2, 3, 2, 3)),
 )  # fmt: skip
 MARKERS = ("x", "o", "s", "^", "D")
+SMALL = 7.5  # [pt]
 INK, AXIS, GRID, SPAN = "#5b6570", "#6b757f", "#e6e9ec", "#e69f00"
 
 STYLE: dict[str, Any] = {
@@ -85,27 +86,29 @@ def panels(
 
 
 @styled
-def line(ax: Axes, name: str, x: ArrayLike, y: ArrayLike, *, step: bool = False, style: int | None = None) -> None:
+def line(
+    ax: Axes, name: str, x: ArrayLike, y: ArrayLike, *,
+    step: bool = False, style: int | None = None, solid: bool = False,
+) -> None:  # fmt: skip
     """A line through (x, y), shape (n,), under a `name`; a gap where they are not finite.
 
     `step` holds each value up to the next, as a command is held. `style` numbers its colour and dashes; by default the
-    place of its name among the figure's names. Many samples are thinned so that the line looks the same.
+    place of its name among the figure's names. `solid` draws no dashes, where one line stands alone or leads. Many
+    samples are thinned so that the line looks the same.
     """
     across, up = (np.asarray(values, dtype=np.float64).ravel() for values in (x, y))
     if across.shape != up.shape:
         raise InvalidLog(f"line '{name}' has {across.size} x and {up.size} y", expected="as many of both")
     good = np.isfinite(across) & np.isfinite(up)
-    edges = np.flatnonzero(
-        np.diff(good, prepend=False, append=False)
-    )  # where stretches of finite values start and stop
-    runs = [decimate(across[a:b], up[a:b], COLUMNS) for a, b in edges.reshape(-1, 2)]
+    ends = np.flatnonzero(np.diff(good, prepend=False, append=False))  # of stretches of finite values
+    runs = [decimate(across[a:b], up[a:b], COLUMNS) for a, b in ends.reshape(-1, 2)]
     gap = np.array([np.nan])
     across, up = (np.concatenate([part for run in runs for part in (run[k], gap)][:-1] or [gap]) for k in (0, 1))
     names = _names(ax)
     place = style if style is not None else names.index(name) if name in names else len(names)
     ax.plot(
         across, up, label=name, drawstyle="steps-post" if step else "default", color=COLOURS[place % len(COLOURS)],
-        linestyle=DASHES[place % len(DASHES)],
+        linestyle="-" if solid else DASHES[place % len(DASHES)],
     )  # fmt: skip
 
 
@@ -250,6 +253,18 @@ def colour_map(
     if names:
         key.set_ticks([(low + high) / 2 for low, high in pairwise(borders)], labels=list(names))
     return figure
+
+
+@styled
+def empty(columns: int, height: float) -> tuple[Figure, list[Axes]]:
+    """A figure of drawings beside each other, without axes, to one scale across and up."""
+    total = height + 0.3
+    figure = _figure(WIDTH, total)
+    axes = [_axes(figure, (k / columns, 0.02, 1 / columns, height / total)) for k in range(columns)]
+    for ax in axes:
+        ax.set_aspect("equal", adjustable="box")
+        ax.set_axis_off()
+    return figure, axes
 
 
 def round_levels(low: float, high: float, count: int) -> list[float]:

@@ -21,6 +21,7 @@ from upright.cli.excite import excite
 from upright.cli.firmware import firmware
 from upright.cli.fleet import basin, fleet, push_map, sweep
 from upright.cli.fly import fly
+from upright.cli.help import Grouped, epilog
 from upright.cli.identify import identify
 from upright.cli.lab import lab
 from upright.cli.linearise import linearise
@@ -39,14 +40,17 @@ shells: 130 for Ctrl-C."""
 LASTING = ("fly", "monitor", "lab")
 """Commands that Ctrl-C ends as they usually end: they stop motors then, and write what they have."""
 
-app = typer.Typer(name="upright", rich_markup_mode=None, context_settings={"help_option_names": ["-h", "--help"]})
+app = typer.Typer(
+    name="upright", cls=Grouped, rich_markup_mode=None, context_settings={"help_option_names": ["-h", "--help"]}
+)
 COMMANDS = (
     reproduce, simulate, compare, linearise, design, certify, bench_controllers, post_mortem, doctor, calibrate, excite,
     identify, fleet, push_map, basin, sweep, firmware, parity, fly, monitor, lab,
 )  # fmt: skip
 for command in COMMANDS:
-    app.command(command.__name__.replace("_", "-"))(command)
-app.add_typer(robots, name="robots")
+    name = command.__name__.replace("_", "-")
+    app.command(name, epilog=epilog(name))(command)
+app.add_typer(robots, name="robots", epilog=epilog("robots"))
 
 
 def _print_version(asked: bool) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from upright.report import Section, Verdict
+from upright.report import Details, Figure, Section, Verdict
 from upright.report.page import Item
 from upright.signals import Log
 
@@ -48,7 +48,10 @@ class Claim:
     def section(self) -> Section:
         """The claim as a section of the page."""
         verdict = Verdict(self.verdict, _LEVEL[self.verdict])
-        return Section(f"{self.part} {self.title}", [self.summary, *self.items], verdict)
+        figure = next((item for item in self.items if isinstance(item, Figure)), None)
+        rest = [item for item in self.items if item is not figure]
+        folded = [Details("Tables, figures and derivations", rest)] if rest else []
+        return Section(f"{self.part} {self.title}", [self.summary, *([figure] if figure else []), *folded], verdict)
 
     def to_json(self) -> dict[str, Any]:
         named = {"part": self.part, "title": self.title, "verdict": self.verdict, "summary": self.summary}

@@ -23,6 +23,8 @@ from upright.signals import STATE
 
 Model = Literal["published", "complete"]
 
+INVISIBLE_TIMES = "\u2062"  # SymPy writes its entity, which only HTML knows
+
 RATES = ("wheel_rate", "pitch_rate", "yaw_rate")
 """ν = (θ̇, ψ̇, φ̇): the order of the paper's three equations, and of the rows of the mass matrix."""
 
@@ -87,6 +89,22 @@ class Derivation:
             f"[{plain(a[1, 0])}] θ̈ + [{plain(a[1, 1])}] ψ̈ = {plain(f[1])}",
             f"[{plain(a[2, 2])}] φ̈ = {plain(f[2])}",
         )
+
+    @property
+    def mathml(self) -> tuple[str, str, str]:
+        """The same three equations as MathML."""
+        import sympy as sp
+
+        a, f, (wheel, pitch, yaw) = self.mass, self.force, (sp.Symbol(name) for name in ("θ̈", "ψ̈", "φ̈"))
+        with sp.evaluate(False):
+            sides = (
+                (a[0, 0] * wheel + a[0, 1] * pitch, f[0]), (a[1, 0] * wheel + a[1, 1] * pitch, f[1]),
+                (a[2, 2] * yaw, f[2]),
+            )  # fmt: skip
+        texts = (sp.mathml(sp.Eq(left, right, evaluate=False), printer="presentation") for left, right in sides)
+        head = '<math xmlns="http://www.w3.org/1998/Math/MathML" display="block">'
+        one, two, three = (f"{head}{text.replace('&InvisibleTimes;', INVISIBLE_TIMES)}</math>" for text in texts)
+        return one, two, three
 
     def evaluator(self, namespace: str = "numpy") -> Callable[..., tuple[Any, Any, Any]]:
         """`accelerations(x, u, p, w)` compiled for "numpy", "math" or "mpmath" numbers."""

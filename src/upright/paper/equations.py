@@ -67,7 +67,7 @@ def _model() -> Claim:
     items: list[Item] = [
         "As in the paper and in its source, reference [4], the rolling constraint is put into the energies before they "
         "are differentiated. Torques in N m:",
-        *(Formula(line.replace(" = ", "\n= ")) for line in without_loads(derive("published")).equations),
+        *(Formula(text) for text in without_loads(derive("published")).mathml),
         "with α = n K_t/R_m and β = n K_t K_b/R_m + f_m.",
     ]
     verdict = REPRODUCED if max(off.values()) < ROUNDING else NOT_AS_PRINTED

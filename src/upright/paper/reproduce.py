@@ -11,20 +11,22 @@ from typing import Any
 from upright.atomic import make_folder, write_json
 from upright.control import lqr
 from upright.paper import controllers, equations, linear_model, printed, pushes, regulator, sensors, turning
-from upright.paper.claim import Claim, Progress, silent
+from upright.paper.claim import BEYOND, NOT_AS_PRINTED, REPRODUCED, Claim, Progress, silent
 from upright.paper.pushes import RegulatedRobot
-from upright.report import Page
-from upright.robots import Kit, Robot
+from upright.report import Details, Figure, Page, Section, Table
+from upright.report.page import Cell
+from upright.report.robot import filmstrip, labelled
+from upright.robots import PARAMETERS, Kit, Robot
 from upright.tables import Shown
 
+STRIP = (4.0, 8.2, 8.6, 12.0)  # [s] of the filmstrip: held, released at 8 s, swinging over, at rest
 LIGHT, HEAVY = "nxtway-gs", "herrera2015"
 
 TITLE = "The balancing robot of Herrera et al. (2015), reproduced"
 LEAD = (
     "Herrera, Chamorro, Gómez and Camacho (2015) model the LEGO NXT balancing robot twice, put robot and models under "
-    "one regulator, push them and compare the responses. This page repeats each step from the printed text and says "
-    "what is reproduced, what is not, and what goes further. The authors’ measurements are not available: a simulated "
-    "twin stands in for their robot."
+    "one regulator, push them and compare the responses. This page repeats each step from the printed text. The "
+    "authors’ measurements are not available: a simulated twin stands in for their robot."
 )
 
 
@@ -56,11 +58,35 @@ def reproduce(folder: str | Path = "herrera2015", progress: Progress = silent) -
         for name, log in claim.logs.items():
             log.save(target / "logs" / f"{name}.parquet")
     done = Reproduction(claims, target)
-    page = Page(TITLE, [f.section() for f in claims], LEAD, _versions())
-    page.write(target / "report.html")
+    _page(claims).write(target / "report.html")
     write_json(target / "results.json", done.to_json())
     progress(1.0)
     return done
+
+
+def _page(claims: Sequence[Claim]) -> Page:
+    """What holds and what does not, figure 5, then each claim with its evidence folded."""
+    counted = {verdict: sum(c.verdict == verdict for c in claims) for verdict in (REPRODUCED, NOT_AS_PRINTED, BEYOND)}
+    numbers = [(str(count), verdict) for verdict, count in counted.items()]
+    part = next(c for c in claims if c.part == "5c")
+    picture = next(item for item in part.items if isinstance(item, Figure))
+    rows = [[f"{c.part} {c.title}", c.verdict] for c in claims]
+    robots = [Robot.preset(name) for name in (LIGHT, HEAVY)]
+    parameters: list[list[Cell]] = [
+        [symbol, name.replace("_", " "), unit, *(getattr(robot, name) for robot in robots)]
+        for name, (unit, symbol) in PARAMETERS.items()
+    ]
+    run = part.logs[f"{HEAVY}-front-twin"]
+    strip = Figure("The twin of the paper's robot, held, released and at rest again", filmstrip(robots[1], run, STRIP))
+    opening = [
+        Section("The claims", [Table(["claim", "verdict"], rows)]),
+        Section("The robot", [
+            Figure("Angles and lengths of the model", labelled(robots[0])), strip,
+            Details("Parameters of both robots", [Table(["", "parameter", "unit", LIGHT, HEAVY], parameters)]),
+        ]),
+    ]  # fmt: skip
+    sections = [*opening, *(claim.section() for claim in claims)]
+    return Page(TITLE, sections, LEAD, _versions(), picture=picture, numbers=numbers)
 
 
 def chapters(progress: Progress = silent) -> list[Claim]:

@@ -9,6 +9,7 @@ from typing import Any
 
 from upright.errors import UprightError
 from upright.report.figure import Figure as Figure
+from upright.report.page import Details as Details
 from upright.report.page import Formula as Formula
 from upright.report.page import Page as Page
 from upright.report.page import Section as Section

@@ -20,7 +20,7 @@ def page_of(calibration: Calibration) -> Page:
     verdict = Verdict("passes its checks", "good") if not wrong else Verdict(f"{len(wrong)} reservations", "warn")
     others = (*calibration.delays, *calibration.electronics)
     sections = [
-        *([Section("Reservations", [f"{text[0].upper()}{text[1:]}." for text in wrong])] if wrong else []),
+        *([Section("Reservations", [_sentence(text) for text in wrong])] if wrong else []),
         Section("Estimates", [*calibration.notes, *_by_name(calibration), _estimates(calibration.parameters)]),
         Section("Prediction", [_PREDICTED, *_predicted(calibration)]),
         *([Section("Delays and motors", [_DELAYS, _estimates(others)], folded=True)] if others else []),
@@ -38,6 +38,11 @@ def page_of(calibration: Calibration) -> Page:
         f"{calibration.robot.name}, calibrated", sections, _lead(calibration), kept, False, verdict=verdict,
         picture=_measured(calibration), numbers=_numbers(calibration),
     )  # fmt: skip
+
+
+def _sentence(text: str) -> str:
+    plain = text.replace("sensor/", "").replace("_", " ")
+    return f"{plain[0].upper()}{plain[1:]}."
 
 
 def _numbers(c: Calibration) -> list[tuple[str, str]]:

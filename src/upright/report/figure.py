@@ -18,6 +18,7 @@ from typing import Any
 import matplotlib
 import numpy as np
 from matplotlib import figure as mpl
+from matplotlib.collections import LineCollection
 from matplotlib.colors import to_hex
 from matplotlib.lines import Line2D
 
@@ -139,6 +140,9 @@ def _sample(handle: Any) -> str:
         inside = f'<path d="M0 7H34"{array}/>' if handle.get_linestyle() not in ("None", "") else ""
         inside += _MARKS.get(str(handle.get_marker()), "")
         content = f'<g style="stroke: {colour}; color: {colour}">{inside}</g>'
+    elif isinstance(handle, LineCollection):
+        colour = to_hex(np.atleast_2d(handle.get_edgecolor())[0])
+        content = f'<path d="M0 7H34" style="stroke: {_VARIABLES.get(colour, colour)}; stroke-width: 3"/>'
     else:
         colour = to_hex(np.atleast_2d(handle.get_facecolor())[0])
         alpha = handle.get_alpha() or 1

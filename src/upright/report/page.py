@@ -11,7 +11,7 @@ from dataclasses import KW_ONLY, dataclass, field
 from html import escape
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 from xml.etree import ElementTree
 
 from upright.atomic import write_text
@@ -87,7 +87,24 @@ class Formula:
         return self.text.lstrip().startswith("<math")
 
 
-Item = str | Table | Formula | Figure
+@dataclass(frozen=True)
+class Details:
+    """Items behind a `heading` that is pressed to show them."""
+
+    heading: str
+    items: Sequence[Item]
+    kind: ClassVar[str] = "details"
+
+    def parts(self) -> list[tuple[str, Any]]:
+        """The items, each with the name of its template."""
+        return _parts(self.items)
+
+
+Item = str | Table | Formula | Figure | Details
+
+
+def _parts(items: Sequence[Item]) -> list[tuple[str, Item]]:
+    return [("text" if isinstance(item, str) else getattr(item, "kind", "figure"), item) for item in items]
 
 
 @dataclass(frozen=True)
@@ -104,7 +121,7 @@ class Section:
 
     def parts(self) -> list[tuple[str, Item]]:
         """The items, each with the name of its template."""
-        return [("text" if isinstance(item, str) else getattr(item, "kind", "figure"), item) for item in self.items]
+        return _parts(self.items)
 
 
 @dataclass(frozen=True)

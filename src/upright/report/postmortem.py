@@ -19,7 +19,8 @@ SHOWN = 0.02
 def page_of(result: PostMortem) -> Page:
     """The post-mortem's page, not yet written."""
     level = "good" if result.verdict == NO_FALL else "warn" if result.fell else "info"
-    sections = [Section("Cause", [*_words(result), _causes(result)] if result.causes else _words(result))]
+    evidence = [*_words(result), *([_causes(result)] if result.causes else [])]
+    sections = [Section("Cause", evidence)] if evidence else []
     drawn = len(result.series.t) > 1
     if drawn:
         sections.append(Section("Reading the figure", [_READ]))
@@ -65,12 +66,12 @@ def _figure(result: PostMortem) -> Figure:
     labels = ["pitch [rad]", "command / largest command [1]", "relative lean [1]", "NIS [1]"]
     figure, axes = panels(labels, height=1.35)
     pitch, command, reach, nis = axes
-    line(pitch, "pitch", s.t, s.pitch, style=0)
-    line(command, "command", s.t, s.command, step=True, style=1)
-    line(reach, "relative lean", s.t, s.reserve, style=2)
+    line(pitch, "pitch", s.t, s.pitch, style=0, solid=True)
+    line(command, "command", s.t, s.command, step=True, style=1, solid=True)
+    line(reach, "relative lean", s.t, s.reserve, style=2, solid=True)
     nis.set_yscale("log")
     numbered(nis)
-    line(nis, "NIS", s.t, np.maximum(s.nis, 1e-3), style=4)
+    line(nis, "NIS", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
     for name, level in {"lower edge": s.low, "upper edge": s.high}.items():
         if math.isfinite(level) and level > 0:
             line(nis, f"{name} of 95 %", s.t[[0, -1]], [level] * 2, style=3)
@@ -78,4 +79,4 @@ def _figure(result: PostMortem) -> Figure:
     reach.set_ylim(0, 1.5)
     if result.fell and math.isfinite(result.onset):
         span(axes, max(result.onset, float(s.t[0])), result.fell_at, "from onset to fall")
-    return Figure("From the onset to the fall", legend(figure))
+    return Figure("From the onset to the fall" if result.fell else "The last seconds", legend(figure))

@@ -1,0 +1,76 @@
+"""The help of `upright`: commands by what one does with them, each with two examples."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from typer.core import TyperGroup
+
+GROUPS = {
+    "Model": {
+        "simulate": ("upright simulate --push hold:0.1,until=1", "upright simulate -r ev3way -b twin -o run.parquet"),
+        "compare": ("upright compare run.csv twin.parquet", "upright compare a=run1.csv b=run2.csv --report page.html"),
+        "linearise": ("upright linearise", "upright linearise -r ev3way --period 0.01"),
+        "reproduce": ("upright reproduce", "upright reproduce -o study"),
+        "robots": ("upright robots", "upright robots show ev3way"),
+    },
+    "Learn": {
+        "excite": ("upright excite -o plan.json", "upright excite -r my-robot.toml --seconds 30 --report plan.html"),
+        "doctor": ("upright doctor run.csv", "upright doctor run.csv --robot ev3way --fix repaired.csv"),
+        "calibrate": (
+            "upright calibrate run.csv --robot ev3way",
+            "upright calibrate run1.csv run2.csv --robot my.toml -o mine.toml",
+        ),
+        "identify": (
+            "upright identify run.csv --robot ev3way",
+            "upright identify run.csv --method all --report id.html",
+        ),
+        "post-mortem": (
+            "upright post-mortem fall.csv --robot ev3way",
+            "upright post-mortem fall.csv --report why.html",
+        ),
+    },
+    "Design": {
+        "design": ("upright design lqg -o controller.json", "upright design hinf -r ev3way --report margins.html"),
+        "bench-controllers": ("upright bench-controllers", "upright bench-controllers -r ev3way --json"),
+    },
+    "Prove": {
+        "certify": ("upright certify lqg", "upright certify controller.json --log run.csv --report page.html"),
+        "fleet": (
+            "upright fleet -n 1000 --vary com_height=±10%",
+            "upright fleet -c lqg -p impulse:0.1 --report f.html",
+        ),
+        "push-map": ("upright push-map", "upright push-map -c pid --report map.html"),
+        "basin": ("upright basin", "upright basin -c lqg --report basin.html"),
+        "sweep": ("upright sweep campaign.toml -o results", "upright sweep campaign.toml -o results --workers 2"),
+    },
+    "Fly": {
+        "firmware": (
+            "upright firmware lqg --target nxc -o balance.nxc",
+            "upright firmware controller.json -t pybricks -o balance.py",
+        ),
+        "parity": ("upright parity balance.nxc controller.json", "upright parity balance.py controller.json --json"),
+        "fly": ("upright fly balance.nxc controller.json", "upright fly balance.py controller.json -o flight.parquet"),
+        "monitor": ("upright monitor", "upright monitor -o run.csv"),
+    },
+    "Teach": {"lab": ("upright lab", "upright lab --class")},
+}
+"""Heading → command → two calls that show what it is for."""
+
+EXAMPLES = {name: examples for commands in GROUPS.values() for name, examples in commands.items()}
+
+
+def epilog(name: str) -> str:
+    """What stands below the options of a command: its examples, one line each."""
+    return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in EXAMPLES[name])
+
+
+class Grouped(TyperGroup):
+    """A group whose help lists its commands under the headings of `GROUPS`, with full lines."""
+
+    def format_commands(self, ctx: Any, formatter: Any) -> None:
+        del ctx
+        for heading, names in GROUPS.items():
+            rows = [(name, self.commands[name].get_short_help_str(limit=200)) for name in names]
+            with formatter.section(heading):
+                formatter.write_dl(rows, col_max=20)

@@ -1,0 +1,102 @@
+"""Drawings of a robot to scale: its angles and lengths with their symbols, and a filmstrip of a run."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from matplotlib.patches import Arc, Circle, Polygon, Rectangle
+
+from upright.plotting import COLOURS, INK, SMALL, empty, number
+from upright.robots import Robot
+from upright.signals import Log
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+LEAN = 0.35  # [rad] in the labelled drawing: enough to see ψ
+LETTERS = 9.0  # [pt]
+FLOOR = 0.05  # [m] between the marks on the floor of a filmstrip
+BODY, WHEEL = COLOURS[0], COLOURS[4]
+
+
+def labelled(robot: Robot) -> Figure:
+    """The robot from its side, leaning, with ψ, θ, L and R, and from above, with φ and W."""
+    figure, (side, top) = empty(2, height=2.9)
+    R, L = robot.wheel_radius, robot.com_height
+    stand(side, robot, LEAN, 0.0)
+    height, centre = _height(robot), (L * math.sin(LEAN), R + L * math.cos(LEAN))
+    tip = (height * math.sin(LEAN), R + height * math.cos(LEAN))
+    side.plot([0, 0], [R, R + 1.05 * height], linestyle="--", color=INK, linewidth=0.8)
+    side.plot([0, tip[0]], [R, tip[1]], linestyle="--", color=INK, linewidth=0.8)
+    side.add_patch(Arc((0, R), 1.7 * height, 1.7 * height, theta1=90 - math.degrees(LEAN), theta2=90, color=COLOURS[1]))
+    side.text(
+        0.9 * height * math.sin(LEAN / 2), R + 0.9 * height * math.cos(LEAN / 2), "ψ", color=COLOURS[1], ha="center"
+    )
+    side.plot([centre[0]], [centre[1]], "o", markersize=5, color=COLOURS[4])
+    side.annotate(
+        "L, centre of mass", (L * math.sin(LEAN), R + L * math.cos(LEAN)), (14, -4), textcoords="offset points"
+    )
+    side.annotate("", (R * math.cos(0.9), R - R * math.sin(0.9)), (0, R), arrowprops={"arrowstyle": "->", "color": INK})
+    side.text(-1.25 * R, 0.35 * R, "R", ha="right")
+    side.add_patch(Arc((0, R), 2.6 * R, 2.6 * R, theta1=180, theta2=250, color=COLOURS[2]))
+    side.text(-1.55 * R, 1.1 * R, "θ", color=COLOURS[2], ha="right")
+    side.set_title("from the side", loc="center", fontsize=LETTERS)
+    _above(top, robot)
+    return figure
+
+
+def filmstrip(robot: Robot, log: Log, times: Sequence[float], prefix: str = "truth") -> Figure:
+    """The robot of a run at some `times` [s], each from its side, where its wheels have rolled it."""
+    figure, axes = empty(len(times), height=1.5)
+    width = 1.3 * _height(robot)
+    for ax, time in zip(axes, times, strict=True):
+        row = int(abs(log.t - time).argmin())
+        pitch, wheel = float(log[f"{prefix}/pitch"][row]), float(log[f"{prefix}/wheel"][row])
+        x = robot.wheel_radius * wheel
+        stand(ax, robot, pitch, wheel, x)
+        ax.plot([x, x], [0, 2 * robot.wheel_radius + _height(robot)], linestyle=":", linewidth=0.7, color=INK)
+        ends = (x - width / 2, x + width / 2)
+        for mark in range(math.ceil(ends[0] / FLOOR), math.floor(ends[1] / FLOOR) + 1):
+            ax.plot([mark * FLOOR] * 2, [0, -0.008 if mark else -0.03], color=INK, linewidth=0.8)
+        ax.set(xlim=ends, ylim=(-0.035, 2.1 * robot.wheel_radius + _height(robot)))
+        where = f"{number(time)} s\n{number(round(1000 * pitch))} mrad, {number(round(100 * x, 1))} cm"
+        ax.set_title(where, loc="center", fontsize=SMALL)
+    return figure
+
+
+def stand(ax: Axes, robot: Robot, pitch: float, wheel: float, x: float = 0.0) -> None:
+    """The robot from its side on the floor: body at `pitch` [rad], wheel turned to `wheel` [rad], axle at `x` [m]."""
+    R, half, height = robot.wheel_radius, robot.body_depth / 2, _height(robot)
+    across, up = (math.cos(pitch), -math.sin(pitch)), (math.sin(pitch), math.cos(pitch))
+    corners = [(a * half, b) for a, b in ((-1, 0), (1, 0), (1, height), (-1, height))]
+    outline = [(x + a * across[0] + b * up[0], R + a * across[1] + b * up[1]) for a, b in corners]
+    ax.add_patch(Polygon(outline, facecolor=BODY, alpha=0.25, edgecolor=BODY, linewidth=1.2))
+    ax.add_patch(Circle((x, R), R, fill=False, edgecolor=WHEEL, linewidth=1.8))
+    ax.plot([x, x + R * math.sin(wheel)], [R, R + R * math.cos(wheel)], color=WHEEL, linewidth=1.2)
+    ax.axhline(0, color=INK, linewidth=0.8)
+
+
+def _above(ax: Axes, robot: Robot) -> None:
+    half, R, thick = robot.track / 2, robot.wheel_radius, 0.25 * robot.wheel_radius
+    depth = robot.body_depth
+    ax.add_patch(Rectangle((-depth / 2, -0.7 * half), depth, 1.4 * half, facecolor=BODY, alpha=0.25, edgecolor=BODY))
+    for side in (-1, 1):
+        ax.add_patch(Rectangle((-R, side * half - thick), 2 * R, 2 * thick, fill=False, edgecolor=WHEEL, linewidth=1.8))
+    out = 1.2 * max(R, depth / 2)
+    ax.annotate("", (-out, half), (-out, -half), arrowprops={"arrowstyle": "<->", "color": INK})
+    ax.text(-1.1 * out, 0, "W", ha="right", va="center")
+    ax.annotate("", (1.4 * out, 0), (0, 0), arrowprops={"arrowstyle": "->", "color": INK})
+    ax.text(1.5 * out, 0, "ahead", va="center")
+    ax.add_patch(Arc((0, 0), 1.6 * out, 1.6 * out, theta1=0, theta2=50, color=COLOURS[3]))
+    ax.text(0.9 * out * math.cos(0.5), 0.9 * out * math.sin(0.5), " φ", color=COLOURS[3])
+    reach = 1.35 * max(half, 1.6 * R)
+    ax.set(xlim=(-1.2 * reach, 1.5 * reach), ylim=(-reach, reach))
+    ax.set_title("from above", loc="center", fontsize=LETTERS)
+
+
+def _height(robot: Robot) -> float:
+    """From the axle to the top of the body [m]."""
+    return robot.com_height + robot.body_height / 2
