@@ -8,6 +8,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
@@ -71,8 +72,10 @@ def worker_processes() -> list[int]:
     return found
 
 
-def test_two_workers_write_the_bytes_of_one_process_though_one_is_killed(spec, alone, tmp_path):
+def test_two_workers_write_the_bytes_of_one_process_though_one_is_killed(spec, alone, tmp_path, monkeypatch):
     killed = []
+    (tmp_path / "temporary").mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "temporary"))
 
     def kill_one(done, total, left):
         if done == 3 and not killed:
@@ -83,6 +86,7 @@ def test_two_workers_write_the_bytes_of_one_process_though_one_is_killed(spec, a
     assert len(killed) == 1
     assert files(tmp_path / "c") == files(alone)
     assert len(files(alone)) == CHUNKS
+    assert list((tmp_path / "temporary").iterdir()) == []
 
 
 def test_a_cluster_elsewhere_is_used_by_its_address(spec, alone, tmp_path):
