@@ -8,6 +8,7 @@ from collections.abc import Callable, Generator, Iterable
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
+from upright.atomic import TemporaryFolder
 from upright.errors import MissingTool, UprightError
 
 T = TypeVar("T")
@@ -67,6 +68,8 @@ def connected(workers: int | None = None, cluster: str | None = None) -> Generat
         count = workers or os.cpu_count() or 1
         quiet: dict[str, Any] = {"dashboard_address": None, "silence_logs": logging.CRITICAL}
         with (
+            TemporaryFolder() as folder,
+            dask.config.set({"temporary-directory": folder}),
             distributed.LocalCluster(n_workers=count, threads_per_worker=1, processes=True, **quiet) as local,
             distributed.Client(local) as client,
         ):
