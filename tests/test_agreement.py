@@ -225,7 +225,7 @@ def test_a_program_for_a_brick_asks_the_same_question(tmp_path: Path) -> None:
     with pytest.raises(NotPermitted, match="another"):
         permitted(designed("lqg"), read_certificate(path), ROBOT, KIT)
     path.write_text("{")
-    with pytest.raises(InvalidController, match="broken"):
+    with pytest.raises(InvalidController, match="no JSON"):
         read_certificate(path)
     with pytest.raises(InvalidController, match="cannot read"):
         read_certificate(tmp_path / "none.json")

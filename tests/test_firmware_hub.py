@@ -443,3 +443,30 @@ def test_following_a_hub_out_of_reach_ends_in_one_line(made: tuple[Path, Program
 def test_monitor_wants_to_know_what_a_virtual_hub_runs(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["monitor", "virtual"]) != 0
     assert "--program FILE" in capsys.readouterr().err
+
+
+def test_a_virtual_flight_of_one_second_ends(designed: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Its still start takes all of it: there is no log, and the reason is said."""
+    assert main(shlex.split("fly balance.py controller.json --yes --seconds 1 -o short.csv")) in (0, 2)
+    assert main(shlex.split("fly balance.py controller.json --yes --seconds 0.5")) == 2
+    assert "before it balanced" in capsys.readouterr().err
+
+
+def test_a_device_that_vanishes_is_one_line(tmp_path: Path) -> None:
+    """A serial device is a pseudo terminal here; its other end closes, as a cable that is pulled out."""
+    import os
+    import pty
+
+    ours, theirs = pty.openpty()
+    command = [sys.executable, "-m", "upright.cli.main", "monitor", os.ttyname(theirs)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        os.write(ours, b"hello\n")
+        assert process.stdout
+        assert process.stdout.readline() == "hello\n"
+        os.close(theirs)
+        os.close(ours)
+        _, said = process.communicate(timeout=60)
+    assert process.returncode == 2
+    assert len(said.strip().splitlines()) == 1
+    assert "is gone" in said
+    assert "unexpected" not in said

@@ -162,3 +162,48 @@ def test_what_cannot_be_flown_is_one_line(
     assert fly(designed, "--yes", *options) != 0
     assert len(capsys.readouterr().err.strip().splitlines()) == 1
     assert not flown
+
+
+@pytest.mark.parametrize("name", ["run.xyz", "folder.csv", "nowhere/run.csv"])
+def test_a_log_that_could_not_be_written_is_refused_before_the_robot_moves(
+    designed: tuple[str, Path, Path, str],
+    flown: list[str],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    name: str,
+) -> None:
+    (tmp_path / "folder.csv").mkdir()
+    assert fly(designed, "--yes", "-o", str(tmp_path / name)) == 2
+    assert len(capsys.readouterr().err.strip().splitlines()) == 1
+    assert not flown
+
+
+@pytest.mark.parametrize("what", ["the folder is gone", "a folder has its name"])
+def test_the_log_of_a_flight_survives_a_target_that_vanishes(
+    designed: tuple[str, Path, Path, str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    what: str,
+) -> None:
+    from upright.flight.program_logs import ProgramLog
+    from upright.signals import Log
+
+    target, here = tmp_path / "logs" / "run.csv", tmp_path / "here"
+    target.parent.mkdir()
+    here.mkdir()
+    monkeypatch.chdir(here)
+    flown = Log([0.0, 0.1], {"estimate/pitch": [0.0, 0.02]})
+
+    def pretend(*_: object, **__: object) -> Flight:
+        target.parent.rmdir() if what == "the folder is gone" else target.mkdir()
+        return Flight(log=ProgramLog(flown, {}, ""))
+
+    for name in ("fly_nxt", "fly_hub"):
+        monkeypatch.setattr(import_module("upright.flight.fly"), name, pretend)
+    assert fly(designed, "--yes", "-o", str(target)) == 2
+    said = capsys.readouterr().err
+    assert len(said.strip().splitlines()) == 1
+    place = Path(said.rpartition("the log is in ")[2].strip())
+    assert place.parent == (here if what == "the folder is gone" else target.parent)
+    assert Log.load(place) == flown
