@@ -57,10 +57,14 @@ class Designed(Shown):
 
     def __str__(self) -> str:
         record = design_of(self.controller)
-        facts = {name: ", ".join(v) if isinstance(v, list) else v for name, v in self.facts().items() if v is not None}
-        lines = [*(f"{name:<10}{value}" for name, value in facts.items()), ""]
-        words = record.words() if record else []
+        lines = [f"{name:<10}{_shown(value)}" for name, value in self.facts().items() if value is not None]
+        words = ["", *record.words()] if record and record.words() else []
         return "\n".join([*lines, *words, "", str(self.analysis or self.remark)])
+
+
+def _shown(value: Any) -> str:
+    """A fact as text: numbers to three digits, as far as they mean something."""
+    return ", ".join(value) if isinstance(value, list) else f"{value:.3g}" if isinstance(value, float) else str(value)
 
 
 def design(

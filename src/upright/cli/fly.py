@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from upright.cli import options
-from upright.cli.output import check_folder, finish, progress
+from upright.cli.keep import check_log_target, save_log
+from upright.cli.output import finish, progress
 from upright.errors import UprightError
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ def fly(
     from upright.flight import fly as run_flight
 
     if output:
-        check_folder(output)
+        check_log_target(output)
     if fetch:
         flight = fetch_log(program, controller, robot=robot, kit=kit, port=port)
     else:
@@ -80,10 +81,12 @@ def fly(
                 program, controller, robot=robot, kit=kit, port=port, certificate=certificate, anyway=anyway,
                 seconds=seconds, pushes=pushes, seed=seed, confirm=None if yes or as_json else _ask, progress=show,
             )  # fmt: skip
-    path = flight.log.log.save(output) if flight.log and output else None
+    path, wrong = save_log(flight.log.log, output) if flight.log and output else (None, "")
     finish(flight, as_json, written=[path], log=str(path) if path else None)
     if flight.lost:
         raise typer.Exit(LOST)
+    if wrong:
+        raise UprightError(f"cannot write {output} ({wrong}); the log is in {path}")
 
 
 def _ask(plan: FlightPlan) -> None:

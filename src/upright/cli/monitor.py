@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.output import check_folder
+from upright.cli.keep import check_log_target, save_log
 from upright.errors import InvalidLog
 
 FASTEST = 20.0  # [Hz] of telemetry on the screen: faster is not readable
@@ -37,7 +37,7 @@ def monitor(
     from upright.flight.program_logs import read_lines
 
     if output:
-        check_folder(output)
+        check_log_target(output)
     shown = Screen(FASTEST if is_live(source) else float("inf"))
     try:
         follow(source, shown.receive, program=program, seconds=seconds)
@@ -46,7 +46,8 @@ def monitor(
             typer.secho(f"{shown.damaged} damaged lines were left out", err=True)
         if output and shown.kept:
             result = read_lines(shown.kept)
-            typer.echo("\n".join([*result.flaws, f"wrote {result.log.save(output)}: {len(result.log)} rows"]))
+            path, wrong = save_log(result.log, output)
+            typer.echo("\n".join([*result.flaws, wrong, f"wrote {path}: {len(result.log)} rows"]).replace("\n\n", "\n"))
     if output and not shown.kept:
         raise InvalidLog(f"{source} held no log", expected="the program's lines from H to E", likely="it still runs")
 

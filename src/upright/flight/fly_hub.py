@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import signal
+import threading
 import time
 from collections.abc import Coroutine
 from contextlib import suppress
@@ -14,6 +15,7 @@ from upright.compiled.program import Program
 from upright.errors import InvalidLog
 from upright.flight.flight import INTERRUPTED, STOPS, Clock, Flight, FlightRefused, MotorsMayRun, Progress, may_run
 from upright.flight.program_logs import HUB, is_signed, read_lines, read_telemetry
+from upright.interrupts import SIGNALS
 from upright.links.hub import PATIENCE, HubLink, HubLost, HubRefused, Peripheral, linked
 
 POLL = 0.05  # [s] between two looks at the hub
@@ -66,19 +68,28 @@ def fetch_hub(program: Program, port: str | Peripheral, *, where: str = HUB, pat
 
 
 def _run(flight: Coroutine[Any, Any, Flight]) -> Flight:
-    """The result of a flight, in which each Ctrl-C cancels one wait and nothing else."""
+    """The result of a flight, in which each Ctrl-C, or other signal to end, cancels one wait and nothing else."""
 
     async def interruptible() -> Flight:
         loop, task = asyncio.get_running_loop(), asyncio.current_task()
         assert task
-        with suppress(NotImplementedError, RuntimeError):  # Windows, or another thread than the main one
-            loop.add_signal_handler(signal.SIGINT, task.cancel)
+        with suppress(NotImplementedError):  # Windows has none
+            for number in before:
+                loop.add_signal_handler(number, task.cancel)
         return await flight
 
+    main = threading.current_thread() is threading.main_thread()
+    before = {number: signal.getsignal(number) for number in SIGNALS} if main else {}
+    awake = signal.set_wakeup_fd(-1) if main else -1
     try:
         return asyncio.run(interruptible())
     except asyncio.CancelledError:
         raise KeyboardInterrupt from None
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+        if main:
+            signal.set_wakeup_fd(awake)
 
 
 def check_ready(hub: HubLink) -> None:
@@ -213,4 +224,5 @@ def _refusal(hub: HubLink) -> FlightRefused:
             hint="the first lines of the program (LEFT, RIGHT, GYRO) name the ports",
         )
     last = words[-1] if words else "without output"
-    return FlightRefused(f"the program ended before it balanced: {last}", expected="a log")
+    likely = "" if words else "the flight was over within the still start of a second"
+    return FlightRefused(f"the program ended before it balanced: {last}", expected="a log", likely=likely)

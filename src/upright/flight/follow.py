@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable
 from math import inf
 from pathlib import Path
+from typing import TextIO
 
 from upright.errors import UprightError
 from upright.firmware.generate import head
@@ -19,6 +20,8 @@ from upright.robots import find_kit, find_robot
 VIRTUAL = "virtual"
 """The port of a brick or hub that is simulated."""
 POLL = 0.1  # [s] between two looks at the hub
+
+LONGEST = 10_000  # characters of a line: a program sends some hundreds
 
 OnLine = Callable[[str], None]
 
@@ -44,12 +47,25 @@ def follow(source: str, on_line: OnLine, *, program: str | Path | None = None, s
     elif is_live(source):
         follow_hub(source, on_line, seconds=seconds)
     elif source == "-":
-        for line in sys.stdin:
-            on_line(line)
+        _read(sys.stdin, source, on_line)
     else:
         with Path(source).open(encoding="utf-8", errors="replace") as stream:
-            for line in stream:
-                on_line(line)
+            _read(stream, source, on_line)
+
+
+def _read(stream: TextIO, source: str, on_line: OnLine) -> None:
+    """Every line to the end; `UprightError` where a device is pulled out before."""
+    device = source != "-" and Path(source).is_char_device()
+    while True:
+        try:
+            line = stream.readline(LONGEST)
+        except OSError:  # the system's answer for a device that was pulled out; another is the end of its lines
+            line, device = "", True
+        if not line and device:
+            raise UprightError(f"{source} is gone", likely="the cable came out", hint="plug it in and follow it again")
+        if not line:
+            return
+        on_line(line)
 
 
 def follow_hub(
