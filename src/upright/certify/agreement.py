@@ -1,9 +1,9 @@
-"""Whether a log agrees with what a certificate assumes: its innovations against those of the robots that were drawn.
+"""Whether a log agrees with the assumptions of a certificate: its innovations against those of the drawn robots.
 
-The steady Kalman filter of the nominal robot, with the noise of its kit, predicts each reading of the log from the
-commands that were applied. The same filter predicts drawn robots in the nonlinear model with the kit's faults, under
-the controller and the standard pushes. The log agrees where its innovations are not larger than theirs. Sizes are
-medians, so that a push or a lost sample here and there, which the log may have and the model not, has no effect.
+The steady Kalman filter of the nominal robot predicts each reading of the log from the applied commands. Its noise is
+that of the kit. The same filter predicts drawn robots in the nonlinear model with the kit's faults, under the
+controller and the standard pushes. The log agrees where its innovations are not larger than theirs. Sizes are medians,
+so a single push or lost sample, which the model does not have, has no effect.
 """
 
 from __future__ import annotations
@@ -41,8 +41,10 @@ APPLIED = ("applied/left", "applied/right")
 
 @dataclass(frozen=True)
 class Agreement:
-    """One sensor: the size of the log's innovations, `measured`, and the largest of the drawn robots, `expected`, both
-    as multiples of the standard deviation that the filter predicts."""
+    """One sensor: `measured`, the size of the log's innovations, and `expected`, the largest of the drawn robots.
+
+    Both are multiples of the standard deviation that the filter predicts [1].
+    """
 
     sensor: str
     measured: float
@@ -100,8 +102,10 @@ def agreement(log: Log, course: Course) -> tuple[Agreement, ...]:
 
 
 def recorded(log: Log, delay: int) -> tuple[Array, Array]:
-    """Readings (n, 3) of both encoders and the gyro, and applied commands (n, 2), delayed by `delay` periods where
-    the log has only commands as sent."""
+    """Readings (n, 3) of both encoders and the gyro, and applied commands (n, 2).
+
+    Where the log has only commands as sent, they are delayed by `delay` periods.
+    """
     steps = np.diff(log.t)
     if np.mean(np.abs(steps - log.period) > log.period / 2) > UNEVEN:
         raise InvalidLog("the log is uneven", expected=f"steps near {log.period:g} s", likely="dropped samples",
@@ -124,9 +128,11 @@ def _reading(log: Log, name: str) -> Array:
 
 
 def innovation_size(estimator: Filter, readings: Array, applied: Array) -> Array:
-    """Size of the innovations (robots, 3) over the standard deviation that the filter predicts: 1.48 times the median
-    of |e|, for readings (robots, n, 3) and commands (robots, n, 2). Missing readings (NaN) and the first `SETTLED`
-    seconds are left out."""
+    """Size of the innovations (robots, 3), over the standard deviation that the filter predicts [1].
+
+    The size is 1.48 times the median of |e|, for readings (robots, n, 3) and commands (robots, n, 2). Missing readings
+    (NaN) and the first `SETTLED` seconds are left out.
+    """
     model, linear = estimator.sampled, estimator.sampled.linear
     first = np.nan_to_num(readings[:, 0]).T
     start = np.zeros((len(linear.A), len(readings)))

@@ -42,12 +42,12 @@ _ANGLE = 1.0  # [rad] of an encoder
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Analysis(Shown):
-    """A controller on a robot: closed-loop `poles`, `inputs` and `outputs` margins, one `disk` α for both motors at
+    """A controller on a robot: closed-loop `poles`, margins at `inputs` and `outputs`, `disk` α for both motors at
     once.
 
-    `delay` [s] is how much more dead time the loop survives, found by moving the dead time of the sampled robot itself;
-    `coprime` is b(P, C) and `gap` the largest ν-gap of the drawn robots, with inputs and outputs in comparable units;
-    `radii` (n,) are the largest |pole| of each drawn robot; `drawn` their poles in one row each.
+    `delay` [s] is the delay margin, found by increasing the dead time of the sampled robot itself. `coprime` is b(P,
+    C), and `gap` the largest ν-gap of the drawn robots, both with inputs and outputs in comparable units. `radii` (n,)
+    are the largest |pole| of each drawn robot, and `drawn` (n, states) their poles.
     """
 
     robot: str
@@ -107,8 +107,10 @@ class Analysis(Shown):
         return figure
 
     def plot_nyquist(self) -> Figure:
-        """Nyquist diagram of the loop broken at both motors, with an arrow towards rising frequency, the point −1, and
-        the circle round it that the loop does not enter (Ms)."""
+        """Nyquist diagram of the loop broken at both motors, with an arrow towards rising frequency.
+
+        It shows the point −1, and round it the circle of radius 1 / Ms that the loop does not enter.
+        """
         from upright.plotting import nyquist
 
         _, response = broken(self.loop, INPUTS["both motors"])

@@ -1,8 +1,8 @@
-"""Whether a controller may drive a robot: a light, the reasons in words and numbers, and what was measured for it.
+"""Whether a controller may drive a robot: a light, its reasons in words and numbers, and the measurements behind it.
 
-Robots are drawn from what is not known of the robot; each meets every standard push at every battery, in the nonlinear
-model with the kit's faults. A robot that falls in any of these trials counts as fallen, and the chance of that is
-bounded from above by Clopper and Pearson (1934).
+Robots are drawn from the uncertainty of the robot. Each is tried with every standard push at every battery voltage, in
+the nonlinear model with the kit's faults. A robot that falls in any of these trials counts as fallen. The probability
+of a fall is bounded from above by Clopper and Pearson (1934).
 """
 
 from __future__ import annotations
@@ -56,8 +56,10 @@ VERSION = 2
 
 @dataclass(frozen=True)
 class LinearMargins:
-    """Of the nominal loop broken at both motors: its largest |pole| `radius`, the factors of gain between which it
-    stays stable, and `delay` [s], the further dead time that it survives."""
+    """The nominal loop broken at both motors: its largest |pole| `radius`, and its margins.
+
+    It stays stable for gain factors from `gain_low` to `gain_high` [1], and for up to `delay` [s] of further dead time.
+    """
 
     radius: float
     gain_low: float
@@ -72,14 +74,14 @@ class LinearMargins:
 
 @dataclass(frozen=True, repr=False, kw_only=True)
 class Certificate(Shown):
-    """What was measured of the controller with this `hash`, every `period` [s], and the `light` that follows from it.
+    """The measurements of the controller with this `hash`, every `period` [s], and the `light` that follows from them.
 
-    It is of that controller (by its `hash`, or by what was `asked` of its design and its `response`: see
-    `control.identity`) on the `subject`: every number of robot and kit, by name. `robot` and `kit` are their names.
-    Of `samples` robots `fell` fell in at least one of the `trials`; `bound` is what the chance of that stays below,
-    with a confidence of 95 %. `linear` is None for a controller that no matrices describe, not even near rest.
-    `delayed` and `slower` count falls with additional dead time and with other periods; `agreement` compares the log
-    from which the robot was learnt with these assumptions.
+    It belongs to that controller, by its `hash`, or by the request of its design, `asked`, and its `response` (see
+    `control.identity`). Its `subject` is every number of robot and kit, by name; `robot` and `kit` are their names.
+    Of `samples` robots `fell` fell in at least one of the `trials`. `bound` is the upper bound of that probability,
+    with 95 % confidence. `linear` is None for a controller that is not linear, even near rest. `delayed` and `slower`
+    count falls with additional dead time and with other periods. `agreement` compares the log of the calibration with
+    these assumptions.
     """
 
     light: str
@@ -179,10 +181,10 @@ def certify(
 ) -> Certificate:
     """The certificate of `controller` for `robot` with `kit`, over `robots` or `samples` draws.
 
-    `posterior` (an `Uncertainty`, or a file by `upright calibrate --save`) is what is known of the robot, whose medians
-    are then the robot; by default robots are drawn from what its sources leave open. `log` is a recording of this
-    robot, read through `mapping`: the robot is calibrated from it first where there is no `posterior`, and it is
-    compared with what is assumed. `sweeps` adds further dead times and other periods, on which the light does not
+    `posterior` is an `Uncertainty`, or a file by `upright calibrate --save`; its medians are then the nominal robot. By
+    default robots are drawn from the spreads in the robot's file. `log` is a recording of this robot, read through
+    `mapping`. Without a `posterior` the robot is first calibrated from it. The log is also compared with the
+    assumptions. `sweeps` adds further dead times and other periods, on which the light does not
     depend. Controller, robot and kit may be names or files.
 
     A controller that is not linear is called for each robot, so that 1000 samples take minutes; `progress` receives the

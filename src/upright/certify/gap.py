@@ -1,9 +1,9 @@
-"""How far apart two robots are for feedback: Vinnicombe's ν-gap, and how large a gap a loop survives.
+"""The distance of two robots for feedback, Vinnicombe's ν-gap, and the gap that a loop tolerates, b(P, C).
 
-δ_ν(P₁, P₂) < b(P₁, C) says that C, which stabilises P₁, stabilises P₂ too (Vinnicombe 1993, "Frequency domain
-uncertainty and the graph topology"; Zhou and Doyle 1998, chapter 17). Everything is computed in continuous time; a
-discrete system is brought there by z = (1 + s)/(1 − s), which maps the unit circle onto the imaginary axis and keeps
-both numbers. Inputs and outputs should be scaled to comparable size first, since both numbers depend on their units.
+If C stabilises P₁ and δ_ν(P₁, P₂) < b(P₁, C), then C stabilises P₂ too (Vinnicombe 1993, "Frequency domain uncertainty
+and the graph topology"; Zhou and Doyle 1998, chapter 17). Everything is computed in continuous time. A discrete system
+is mapped by z = (1 + s)/(1 − s): the unit circle becomes the imaginary axis, and both numbers stay the same. Scale
+inputs and outputs to comparable size first, since both numbers depend on their units.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ def graph(system: LinearModel) -> Graph:
 
 
 def nu_gap(first: LinearModel, second: LinearModel) -> float:
-    """δ_ν between two systems with the same inputs and outputs and the same period: 0 alike, 1 as far as can be.
+    """δ_ν between two systems with the same inputs and outputs and the same period: 0 for equal ones, 1 at most.
 
     Raises `InvalidModel` for systems that cannot be compared.
     """

@@ -20,10 +20,10 @@ class Learnt:
 
 
 def learnt(calibration: Calibration, kit: Kit) -> Learnt:
-    """The calibrated robot, with the posterior of its parameters, on `kit` with the sensors as late as the log says.
+    """The calibrated robot with the posterior of its parameters, on `kit` with the sensor delays of the log.
 
-    Dead times that the log has shorter stay as in the kit: where a log holds what was applied, not what was commanded,
-    it does not show all of them.
+    Where the log's dead times are shorter, those of the kit stay. A log of applied commands does not show all dead
+    time.
     """
     rows = [i for i, name in enumerate(calibration.names) if name in PARAMETERS]
     names = [calibration.names[i] for i in rows]

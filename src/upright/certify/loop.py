@@ -59,11 +59,11 @@ class Loop:
 
 
 def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> Loop:
-    """The loop of `controller` on `robot` under the dead time and the late sensors of `kit`.
+    """The loop of `controller` on `robot` with the dead time and the sensor delays of `kit`.
 
-    The controller's knowledge of the command that was applied is part of the controller, so that what is broken is the
-    motors' effect on the robot. A controller that is linear only near rest is taken as it
-    is there. Raises `InvalidController` where nothing linear is known of it.
+    The controller's feedback of the applied command is part of the controller. So a broken loop is broken at the
+    motors' effect on the robot. A controller that is linear only near rest is analysed there. Raises
+    `InvalidController` for one without a linear form.
     """
     linear = near_rest(controller)
     if linear.command_unit != robot.command_unit:

@@ -33,11 +33,12 @@ SLOWEST = 1e-3  # [rad/s] two hours: nothing of a robot's loop is slower
 
 @dataclass(frozen=True)
 class Margins:
-    """Of one broken loop: it stays stable while its gain is multiplied by any factor in (`gain_low`, `gain_high`), or
-    its phase moved by less than `phase` [rad], or delayed by less than `delay` [s]; and by all of that at once inside
-    the balanced disk of size `disk` α: gains in ((2 − α)/(2 + α), (2 + α)/(2 − α)), phases below 2 atan(α/2).
+    """The margins of one loop, broken at `channel`.
 
-    `Ms` and `Mt` are the peaks of |1/(1 + l)| and |l/(1 + l)|; `crossover` [rad/s] is the highest with |l| = 1.
+    The loop stays stable for one of these changes: a gain factor in (`gain_low`, `gain_high`) [1], a phase change below
+    `phase` [rad], a delay below `delay` [s]. `disk` α is the balanced disk margin, for gain and phase changed together:
+    gains in ((2 − α)/(2 + α), (2 + α)/(2 − α)), phases below 2 atan(α/2). `Ms` and `Mt` are the peaks of |1/(1 + l)|
+    and |l/(1 + l)|. `crossover` [rad/s] is the highest frequency with |l| = 1.
     """
 
     channel: str
@@ -166,8 +167,8 @@ def _gain_interval(system: LinearModel, scalar: ScalarLoop, grid: Array) -> tupl
 def real_frequencies(system: LinearModel) -> Array:
     """Frequencies [rad/s] above zero at which the response of a (1, 1) system is real, to rounding.
 
-    In continuous time l(s) − l(−s) = 2 s c (s² − A²)⁻¹ b, so that s² = −ω² is a zero of (A², b, c, 0); a discrete
-    system is mapped first.
+    In continuous time l(s) − l(−s) = 2 s c (s² − A²)⁻¹ b. So s² = −ω² is a zero of (A², b, c, 0). A discrete system is
+    mapped first.
     """
     from scipy.linalg import eigvals
 

@@ -1,10 +1,10 @@
 """Bounds on the structured singular value over a robot's parameter intervals.
 
-The robot every period is taken as affine in its parameters, M(δ) = M₀ + Σ δᵢ Mᵢ with M = [A B; C D] and |δᵢ| ≤ 1 at the
-ends of each interval (central differences; what that leaves out is measured). With Mᵢ = Lᵢ Rᵢ of its rank, the loop
-holds for every δ in the box if μ of the transfer from w = δ z to z stays below one on the unit circle (Packard and
-Doyle 1993). Upper bound: `scaling`, where each parameter is a repeated real number. Lower bound: the smallest box whose
-corner is unstable, among random corners and those that the slope of the largest pole leads to.
+The sampled robot is approximated as affine in its parameters: M(δ) = M₀ + Σ δᵢ Mᵢ with M = [A B; C D]. At the ends of
+each interval |δᵢ| = 1. The Mᵢ are central differences, and the error of the approximation is measured. Let Mᵢ = Lᵢ Rᵢ,
+of the rank of Mᵢ. The loop is stable for every δ in the box if μ of the transfer from w = δ z to z stays below one on
+the unit circle (Packard and Doyle 1993). Upper bound: `scaling`, where each parameter is a repeated real number. Lower
+bound: the smallest box with an unstable corner, among random corners and those along the slope of the largest pole.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ POINTS = 100
 REACH = 2.0
 """Standard deviations from the middle of an interval to its ends: 95 % of a normal distribution."""
 
-_SMALL = 1e-6  # a parameter that moves no entry of M by more than this share of the largest move does not count
-_RANK = 1e-3  # singular values below this share of a parameter's largest are left out
+_SMALL = 1e-6  # a parameter that moves no entry of M by more than this fraction of the largest move does not count
+_RANK = 1e-3  # singular values below this fraction of a parameter's largest are left out
 _REFINED = 30  # frequencies at which the quick bound is replaced by the best, at most
 _CORNERS = 200
 _CLIMBS = 8  # times that the corner is corrected by the slope at its own edge of stability, at most
@@ -45,11 +45,11 @@ _FAR = 64.0  # the largest multiple of the box that is looked into
 
 @dataclass(frozen=True)
 class Mu:
-    """`lower` ≤ μ ≤ `upper` over all frequencies, in units of the given intervals: the loop holds for every robot
-    within 1/upper of them, and fails for one at 1/lower of them, which is `worst` (parameter → value).
+    """`lower` ≤ μ ≤ `upper` over all frequencies, in units of the given intervals [1].
 
-    `ranks` says how often each parameter enters, `curvature` how far the robots at the ends of single intervals are
-    from the affine model, as a share of their distance from the nominal one.
+    The loop is stable for every robot within 1/upper of the intervals. It is unstable for the robot `worst` (parameter
+    → value) at 1/lower of them. `ranks` is the rank of each parameter's Mᵢ. `curvature` [1] is the distance of the
+    robots at the ends of single intervals from the affine model, over their distance from the nominal robot.
     """
 
     lower: float

@@ -4,9 +4,9 @@ For Δ of blocks δᵢ I with real δᵢ, and of full complex blocks, μ(M)² is
 
     H = N*N + j (G N − N* G),    N = T M T⁻¹,
 
-for any T that commutes with Δ (any invertible block where Δ has δᵢ I, a number where it is full) and any Hermitian G of
-the same blocks that is zero where Δ is complex. So every T and G gives a bound, whether it is the best or not; the best
-is looked for by quasi-Newton steps on a smooth maximum of the eigenvalues.
+for any T that commutes with Δ, and any Hermitian G of the same blocks that is zero where Δ is complex. T has any
+invertible block where Δ has δᵢ I, and a number where Δ is full. So every T and G gives a bound, the best or not. The
+best is searched by quasi-Newton steps on a smooth maximum of the eigenvalues.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Models of one step from rebuilt states: the paper's least squares, and total least squares.
 
 States are rebuilt as Herrera et al. (2015) have them: pitch is the integrated gyro less its mean, the wheel is the
-encoder plus pitch, rates are differences. Their errors sit in the regressors, and feedback makes commands of them, so
-that both methods are biased on real sensors; `bootstrap` says by how much.
+encoder plus pitch, rates are differences. Their errors are in the regressors, and through feedback in the
+commands. So both methods are biased on real sensors; `study.Study` estimates the bias from repeated logs.
 """
 
 from __future__ import annotations
@@ -51,8 +51,9 @@ def least_squares_part(part: Part) -> LinearModel:
 
 
 def total_least_squares(part: Part) -> LinearModel:
-    """The same model with errors in all states, of the covariance that the kit's sensors give them (Van Huffel and
-    Vandewalle 1991, chapter 10); command and constant are exact.
+    """The same model by total least squares (Van Huffel and Vandewalle 1991, chapter 10).
+
+    All states have errors, with the covariance of the kit's sensors; command and constant are exact.
 
     Rates follow by the regression; angles follow from rates, as the states were rebuilt.
     """

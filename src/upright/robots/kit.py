@@ -82,10 +82,9 @@ class Battery:
 class Kit:
     """Sensors by channel, motors, battery, and the timing of the control loop.
 
-    `period` [s] is the loop period the kit is meant for; `delay` [s] the dead time from a command to
-    the motor; `jitter` [s] how much later than that a command may come, uniformly.
-    A channel that is not in `sensors` does not exist on this kit. `drive` is "voltage" or "torque" where the motor's
-    numbers are meant for one of them, "" where the kit serves both.
+    `period` [s] is the loop period that the kit is meant for. `delay` [s] is the dead time from a command to the motor,
+    and `jitter` [s] the width of its uniform random addition. A channel that is not in `sensors` does not exist on this
+    kit. `drive` is "voltage" or "torque" where the motor's numbers are for one of them, "" where the kit suits both.
     """
 
     name: str

@@ -29,11 +29,11 @@ def _number(unit: str, symbol: str, default: float | None = None) -> Any:
 class Robot:
     """Parameters of one robot, in SI units. Symbols are those of Herrera et al. (2015) and Yamamoto (2008).
 
-    `pitch_inertia`, `yaw_inertia` and `roll_inertia` are the body's about its centre of mass; the yaw and
+    `pitch_inertia`, `yaw_inertia` and `roll_inertia` are those of the body about its centre of mass. The yaw and
     roll inertias include the two wheels' small inertias about their own diameters. With `drive="torque"`
-    the command is each motor's torque [N m] on its wheel and the electrical numbers are not used.
-    `coulomb_friction` acts between body and wheel, smoothed over `stiction_rate`. `correlation` says of pairs of
-    parameters how their errors go together, as a calibration finds them (1: one is as much too large as the other).
+    the command is each motor's torque [N m] on its wheel, and the electrical parameters are not used.
+    `coulomb_friction` acts between body and wheel, smoothed over `stiction_rate`. `correlation` holds the correlation
+    of the errors of pairs of parameters [−1 to 1], as a calibration estimates them.
 
     Raises `InvalidRobot` for a robot that cannot exist or that has nothing to balance.
     """
@@ -161,8 +161,10 @@ def find_robot(robot: Robot | str | Path) -> Robot:
 
 
 def possible(p: Any) -> Any:
-    """Whether the numbers of `p`, with the fields of `Robot`, are those of a robot that `Robot` accepts: a bool, or an
-    array (n,) where they are arrays over n robots. They are finite."""
+    """Whether `Robot` accepts the numbers of `p`, which has the fields of `Robot`, all finite.
+
+    A bool, or an array (n,) where the fields are arrays over n robots.
+    """
     return functools.reduce(operator.and_, (rule.holds(p) for rule in _RULES))
 
 

@@ -105,8 +105,10 @@ def word(table: Table, key: str, where: str) -> str:
 
 
 def checked_name(name: Any, kind: str) -> str:
-    """The `name` of a robot or a kit, in NFC; raises `InvalidRobot` for one that could not stand in any program, file
-    name or page as it is: letters and digits of any script, blanks and `-_.`, 1 to `LONGEST_NAME` of them."""
+    """The `name` of a robot or a kit, in NFC: 1 to `LONGEST_NAME` letters and digits of any script, blanks and `-_.`.
+
+    Raises `InvalidRobot` for others, which could not be used unchanged in programs, file names and pages.
+    """
     text = unicodedata.normalize("NFC", name) if isinstance(name, str) else ""
     plain = all(c in "-_. " or unicodedata.category(c)[0] in "LMN" for c in text)
     if not (plain and 0 < len(text) <= LONGEST_NAME and text == text.strip()):

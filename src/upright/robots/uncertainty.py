@@ -1,16 +1,16 @@
-"""What is not known of a robot, and the robots that it may be: one meaning, one draw, one reader of posteriors.
+"""The uncertainty of a robot's parameters: one meaning of spread and guess, one draw, one reader of posteriors.
 
 - A *spread* is one standard deviation of a normal distribution, in the number's own unit.
 - A *guess* is a number that nobody measured. It is right within a factor of two: log-normal about the value, with ln 2
-  as standard deviation of the logarithm. A narrower meaning would be wrong: of the NXT's motor, the guessed rotor
-  inertia was out by two orders of magnitude, box formulas for a body's inertia by a half.
-- A friction or an inertia that is zero by a guess stays zero. Friction that no source names makes a robot easier to
+  as standard deviation of the logarithm. A narrower meaning would be wrong. The guessed rotor inertia of the NXT's
+  motor was wrong by two orders of magnitude, box formulas for a body's inertia by a half.
+- A friction or an inertia with a guess of zero stays zero. Friction that no source names makes a robot easier to
   balance, and a certificate must not count on it. A calibration does leave room for it (`calibrate.parameters`).
 - A gear ratio that is a guess stays, since teeth can be counted. Numbers for drawing and smoothing stay too.
 
-Distributions are not cut. Where the numbers make no robot (`robot.possible`), all of them are drawn again. But for the
-roll inertia: it is moved to the nearest that a rigid body with the other two has, since it matters least, and drawing
-again would narrow all three.
+Distributions are not cut. Where the numbers make no robot (`robot.possible`), all of them are drawn again. The roll
+inertia is an exception: it is moved to the nearest value of a rigid body with the other two inertias. It matters least,
+and drawing again would narrow all three.
 """
 
 from __future__ import annotations
@@ -54,8 +54,11 @@ _BODY = ("pitch_inertia", "yaw_inertia", _ROLL)
 
 @dataclass(frozen=True)
 class Spread:
-    """The distribution of one number: `uniform` from `low` to `high`; `normal` of mean `low` and standard deviation
-    `high`; `lognormal` of median `low`, where `high` is the standard deviation of the logarithm."""
+    """The distribution of one number.
+
+    `uniform` from `low` to `high`; `normal` with mean `low` and standard deviation `high`; `lognormal` with median
+    `low` and `high` as the standard deviation of the logarithm.
+    """
 
     name: str
     kind: Literal["uniform", "normal", "lognormal"]
@@ -112,8 +115,10 @@ class Uncertainty:
 
     @classmethod
     def of(cls, robot: Robot, known: Sequence[str] = ()) -> Uncertainty:
-        """What the sources of `robot` leave open, but for the numbers that are `known`: each with its spread or as a
-        guess, correlated as the robot's file says."""
+        """The uncertainty in the robot's file: each parameter with its spread or as a guess, correlated as in the file.
+
+        Parameters that are `known` are left out.
+        """
         kept = {name: size for name, size in deviations(robot).items() if name not in known}
         spreads = tuple(_spread(robot, name, size) for name, size in kept.items())
         place = {name: i for i, name in enumerate(kept)}
@@ -199,8 +204,8 @@ class Uncertainty:
 class Family:
     """Robots round `robot` under `kit` (None: the bare body), as far as the `uncertainty` goes.
 
-    What robot number 17 is follows from the seed and the number 17 alone, so that any part of a family can be drawn by
-    itself: on another worker, in another order, or again after a crash.
+    Robot number 17 follows from the seed and the number 17 alone. So any part of a family can be drawn by itself: on
+    another worker, in another order, or again after a crash.
     """
 
     robot: Robot
@@ -209,7 +214,7 @@ class Family:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What differs from robot to robot: the uncertain numbers, and the roll inertia where another one differs."""
+        """The parameters that differ between robots: the uncertain ones, perhaps with the roll inertia."""
         return tuple(_rigid(self.robot, dict.fromkeys(self.uncertainty.names, 1.0)))
 
     def draw(self, seed: int, index: ArrayLike) -> dict[str, Array]:
@@ -272,10 +277,10 @@ class Family:
 
 
 def draw(robot: Robot, count: int, seed: int = 0, uncertainty: Uncertainty | None = None) -> list[Robot]:
-    """`count` robots drawn from the `uncertainty` (None: what the sources of `robot` leave open).
+    """`count` robots drawn from the `uncertainty` (None: that of the robot's file).
 
-    They are the robots number 0 to `count` − 1 of a fleet of the same seed. Raises `InvalidRobot` where nearly nothing
-    that is drawn can be a robot.
+    They are the robots number 0 to `count` − 1 of a fleet with the same seed. Raises `InvalidRobot` where nearly no
+    draw is a possible robot.
     """
     return Family(robot, None, Uncertainty.of(robot) if uncertainty is None else uncertainty).robots(count, seed)
 

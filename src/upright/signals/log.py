@@ -33,9 +33,8 @@ PLOTTED = r"^(truth|estimate)/(pitch|wheel)$|^applied/"
 class Log:
     """Time `t` [s], shape (n,), and `channels`: name → values, shape (n,).
 
-    Arrays are copied and read-only. `units` names the unit of channels that are not in the catalogue
-    (or differ from it); `origin` holds what can be said as JSON about where the log came from:
-    robot, body, controller, scenario, seed, versions, hash of the controller.
+    Arrays are copied and read-only. `units` gives the unit of channels that are not in the catalogue, or differ from
+    it. `origin` is the provenance of the log, as JSON: robot, body, controller with its hash, scenario, seed, versions.
 
     Raises `InvalidLog` for no samples, unequal lengths, NaN in time, or time that does not increase.
 

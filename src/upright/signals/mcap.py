@@ -1,14 +1,14 @@
 """Logs as MCAP, to be opened in Foxglove and PlotJuggler.
 
-The messages are JSON with a JSON Schema, because that is what both programs plot without a plug-in or a compiled
-message definition: Foxglove asks for message encoding `json`, schema encoding `jsonschema` and a schema of
-`"type": "object"` (docs.foxglove.dev, "Custom schema encodings"); PlotJuggler picks its parser by the message
-encoding, and needs some schema to be there.
+The messages are JSON with a JSON Schema. Both programs plot these without a plug-in or a compiled message definition.
+Foxglove needs message encoding `json`, schema encoding `jsonschema` and a schema of `"type": "object"`
+(docs.foxglove.dev, "Custom schema encodings"). PlotJuggler picks its parser by the message encoding, and needs any
+schema.
 
 - A topic for each path of channels: `truth/pitch` is the field `pitch` of `/truth`. A name without a path is a topic
-  of its own name with the field `value`; so is the time, `t`, whose exact seconds the log time cannot hold.
-- The log time is t in nanoseconds, rounded; in a log that starts before zero, nanoseconds since its start, as MCAP
-  has no negative time.
+  of its own name with the field `value`. So is the time `t`, whose exact seconds the log time cannot hold.
+- The log time is t in nanoseconds, rounded. MCAP has no negative time: a log that starts before zero has nanoseconds
+  since its start.
 - JSON has no NaN: it is `null`, a gap in the curve. It has no infinity either: that is the text "Infinity" or
   "-Infinity". The schema says `number` all the same, because Foxglove's reader of schemas refuses a list of types.
 - Units and origin are in the metadata record `upright`.
