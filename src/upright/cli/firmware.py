@@ -8,6 +8,8 @@ from typing import Annotated
 import typer
 
 from upright.cli.options import (
+    AnywayOption,
+    CertificateOption,
     ControllerArgument,
     JsonOption,
     KitOption,
@@ -23,9 +25,7 @@ def firmware(
     *,
     target: Annotated[
         str,
-        typer.Option(
-            "--target", "-t", help="Language: pybricks, nxc, c, arduino or ev3dev.", autocompletion=complete_target
-        ),
+        typer.Option("--target", "-t", help="pybricks, nxc, c, arduino or ev3dev.", autocompletion=complete_target),
     ],
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the program (.py, .nxc, .c with its .h, .ino).")
@@ -38,24 +38,14 @@ def firmware(
     hub: Annotated[
         str, typer.Option(help="Hub of pybricks: prime, technic, ev3 or nxt.", autocompletion=complete_hub)
     ] = "prime",
-    reference: Annotated[
-        bool, typer.Option("--reference", help="For c: further inputs for the reference state.")
-    ] = False,
+    reference: Annotated[bool, typer.Option("--reference", help="For c: the reference state as inputs.")] = False,
     seconds: Annotated[
         int | None,
-        typer.Option(
-            "--seconds", "-s", help="Longest run, after which the program stops [s]; 0: no limit (default: 60)."
-        ),
+        typer.Option("--seconds", "-s", help="Time after which the program stops [s]; 0: no limit (default: 60)."),
     ] = None,
-    certificate: Annotated[
-        Path | None, typer.Option(help="Certificate by `upright certify`; refused if red or of another controller.")
-    ] = None,
-    anyway: Annotated[
-        bool, typer.Option("--anyway", help="Write the program although the certificate refuses it.")
-    ] = False,
-    listing: Annotated[
-        bool, typer.Option("--listing", help="Print the statements of the program, in no language.")
-    ] = False,
+    certificate: CertificateOption = None,
+    anyway: AnywayOption = False,
+    listing: Annotated[bool, typer.Option("--listing", help="Print the statements, in no language.")] = False,
     as_json: JsonOption = False,
 ) -> None:
     """Turn a controller into a program for a brick.

@@ -25,27 +25,19 @@ def fly(
     *,
     robot: Annotated[
         str | None,
-        typer.Option(
-            "--robot",
-            "-r",
-            help="Refuse a program for another robot (name or TOML file) or brick (nxt, spike, technic, ev3).",
-        ),
+        typer.Option("--robot", "-r", help="Robot (name, TOML file) or brick (nxt, spike, ev3) it must be made for."),
     ] = None,
     kit: Annotated[
-        str | None, typer.Option(help="Kit it must be made for: a name or a TOML file (default: its own, by name).")
+        str | None, typer.Option(help="Kit it must be made for: a name or a TOML file (default: the program's).")
     ] = None,
     port: Annotated[
         str,
         typer.Option(help="NXT: usb or a device such as /dev/rfcomm0. Hub: ble or ble:NAME. virtual: a simulated one."),
     ] = "virtual",
-    certificate: Annotated[
-        Path | None, typer.Option(help="Certificate by `upright certify`; refused if red or of another controller.")
-    ] = None,
-    anyway: Annotated[bool, typer.Option("--anyway", help="Fly although the certificate refuses it.")] = False,
+    certificate: options.CertificateOption = None,
+    anyway: options.AnywayOption = False,
     yes: Annotated[bool, typer.Option("--yes", "-y", help="Start without asking.")] = False,
-    seconds: Annotated[
-        float, typer.Option("--seconds", "-s", help="Duration [s], with the calibration at the start.")
-    ] = 20.0,
+    seconds: Annotated[float, typer.Option("--seconds", "-s", help="Duration with the calibration [s].")] = 20.0,
     push: Annotated[
         list[str] | None,
         typer.Option("--push", "-p", metavar="KIND:NUMBER,...", help="Only with --port virtual. " + options.PUSH_HELP),

@@ -108,6 +108,10 @@ PosteriorOption = Annotated[
     Path | None,
     typer.Option("--posterior", help="Posterior by `upright calibrate --save` (default: the robot's spreads)."),
 ]
+CertificateOption = Annotated[
+    Path | None, typer.Option(help="Certificate by `upright certify`; refused if red or of another controller.")
+]
+AnywayOption = Annotated[bool, typer.Option("--anyway", help="Go on although the certificate refuses it.")]
 PeriodOption = Annotated[float | None, typer.Option(help="Period of the controller [s] (default: the kit's).")]
 AfterOption = Annotated[float | None, typer.Option("--start", help="Ignore the log before this time [s].")]
 BeforeOption = Annotated[float | None, typer.Option("--until", help="Ignore the log from this time on [s].")]
