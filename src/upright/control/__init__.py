@@ -1,7 +1,7 @@
-"""What commands: the contract, estimators, and one file for each method.
+"""Controllers: the contract, estimators, and one file for each method of design.
 
-`CONTROLLERS` names every method of design: a new one is one file and one line in `methods`, `my.py:Rod`, or an entry
-point of the group `upright.controllers` in another package.
+`CONTROLLERS` names every method. A new one is one file and one line in `methods`, or `my.py:Rod`, or an entry point of
+the group `upright.controllers` in another package.
 """
 
 from upright.control.controller import Controller as Controller

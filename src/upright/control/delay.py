@@ -1,7 +1,7 @@
-"""The robot as its controller meets it, once a period: dead time and late sensors become states.
+"""The robot sampled once a period, as the controller has it: dead time and sensor delays become states.
 
-Between two samples the motors see the command of before and, after the fraction of a period that is left of the dead
-time, a newer one (Åström and Wittenmark 1997, section 2.3). A late sensor reads an earlier state, between samples too.
+Between two samples the motors get the older command and, after the fraction of a period in the dead time, a newer one
+(Åström and Wittenmark 1997, section 2.3). A delayed sensor reads an earlier state, between samples too.
 """
 
 from __future__ import annotations
@@ -37,15 +37,15 @@ LONGEST = 50  # periods of delay: beyond, the states of a filter would be many a
 class SampledRobot:
     """`robot` once a period, between `delay` whole periods (and a fraction) of dead time and delayed sensors.
 
-    What an estimator follows is `linear`: p⁺ = A p + B [a, a⁻] + E F, y = C p, where a is the command that was really
-    applied at the end of the period and a⁻ the one of the period before. p holds the robot's six states, a gyro's bias
-    [rad/s] where one is read, a push at the centre of mass [N], and the readings still on their way; F [N] is a push of
-    one period. `noise` (p, p) is the covariance of the readings.
+    `linear` is the model of the estimator: p⁺ = A p + B [a, a⁻] + E F, y = C p. Here a is the command that was really
+    applied at the end of the period, a⁻ that of the period before, and F [N] a push of one period. The states p are the
+    robot's six, a gyro's bias [rad/s] where one is read, a push at the centre of mass [N], and readings still on their
+    way. `noise` (p, p) is the covariance of the readings.
 
-    What a regulator controls is `plant`: x⁺ = A x + B u of the six states and the commands sent before, newest first.
+    `plant` is the model of the regulator: x⁺ = A x + B u, of the six states and the commands sent before, newest first.
     `ahead` (6, n) gives from these the six states at the moment when a command sent now reaches the motors.
 
-    It is no linear model itself: it pairs both with the robot, the kit and the delay that neither can state.
+    It is not a linear model itself: it pairs both with the robot, the kit and the delay.
     """
 
     robot: Robot
@@ -85,10 +85,10 @@ class SampledRobot:
 def sampled(
     robot: Robot, kit: Kit, dt: float | None = None, reads: Sequence[str] = RAW, *, longest: int = LONGEST
 ) -> SampledRobot:
-    """`robot` under `kit` every `dt` [s] (None: the kit's period), seen through the channels `reads`.
+    """`robot` under `kit` every `dt` [s] (None: the kit's period), measured by the channels `reads`.
 
-    Raises `SpecMismatch` for a channel the kit does not have, `DesignFailed` for a period out of reason or a delay
-    of more than `longest` periods.
+    Raises `SpecMismatch` for a channel that the kit does not have. Raises `DesignFailed` for a period outside (0, 1] s
+    or a delay of more than `longest` periods.
     """
     period = kit.period if dt is None else dt
     if not (math.isfinite(period) and 0 < period <= 1):

@@ -73,8 +73,8 @@ class Estimated:
 class Kalman:
     """The steady-state filter x̂ = x̂⁻ + L (y − C x̂⁻), x̂⁻ = A x̂ + B u (Anderson and Moore 1979, ch. 4).
 
-    The state is the robot's six, the gyro's bias [rad/s] and a push at the centre of mass [N], both slowly wandering:
-    without the push as a state a steady force would pass for a lean. y holds both encoders and the gyro.
+    The states are the robot's six, the gyro's bias [rad/s] and a push at the centre of mass [N], both random walks.
+    Without the push as a state, a steady force would look like a lean. y holds both encoders and the gyro.
     Build it with `kalman`.
     """
 

@@ -1,7 +1,8 @@
 """Many robots under one output feedback: the linear loops' costs, all at once.
 
-Only the pitch plane, both motors alike: every robot turns stably, so that nothing there is to be made robust. In it the
-observer of the nominal robot is z⁺ = A z + B y + b_u u + b_a a, and u = −k (X z + X_y y), so that for each robot
+Only the pitch plane is used, with equal commands to both motors. Yaw is stable for every robot and needs no robust
+design. The observer of the nominal robot is z⁺ = A z + B y + b_u u + b_a a, and u = −k (X z + X_y y). So the loop of
+each robot,
 
     χ⁺ = (M − b k F) χ + G w        χ = [the robot, commands on their way, z],    F = [X_y C, X]
 
@@ -53,8 +54,10 @@ def halves(names: Sequence[str], sign: float = 1.0) -> tuple[Array, Array]:
 
 @dataclass(frozen=True, eq=False)
 class Plane:
-    """One robot's pitch plane: A (n, n), b (n,), C (2, n) to the encoders' mean and the gyro, G (n, 2) of push and
-    motor noise; its first four states are pitch, pitch rate, wheel and wheel rate."""
+    """One robot's pitch plane: A (n, n), b (n,), C (2, n) to the encoders' mean and the gyro, G (n, 2).
+
+    G is for push and motor noise. The first four states are pitch, pitch rate, wheel and wheel rate.
+    """
 
     A: Array
     b: Array

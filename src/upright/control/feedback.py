@@ -64,7 +64,7 @@ class StateFeedback:
         return left, right
 
     def estimate(self) -> Sequence[float]:
-        """It has no opinion of its own."""
+        """Empty: it estimates no state."""
         return ()
 
     def applied(self, command: Sequence[float]) -> None:

@@ -1,15 +1,15 @@
 """One state feedback for a whole family of sampled systems, by linear matrix inequalities.
 
-For (Aᵢ, bᵢ) of the family, find Q ≻ 0 and Y so that k = −Y Q⁻¹ guarantees the cost of one Lyapunov function P = Q⁻¹ for
-all of them (Kothare, Balakrishnan and Morari 1996; Boyd et al. 1994, chapter 7):
+For (Aᵢ, bᵢ) of the family, find Q ≻ 0 and Y. The gain k = −Y Q⁻¹ then guarantees the cost of one Lyapunov function
+P = Q⁻¹ for all systems (Kothare, Balakrishnan and Morari 1996; Boyd et al. 1994, chapter 7):
 
     ⎡ Q   (Aᵢ Q + bᵢ Y)ᵀ   Q W½   Yᵀ r½ ⎤
     ⎢ ·         Q            0       0   ⎥ ⪰ 0   for every i,        J = Σ xᵀWx + r u² ≤ x₀ᵀ P x₀
     ⎢ ·         ·            I       0   ⎥
     ⎣ ·         ·            ·       1   ⎦
 
-and minimise tr(P X₀). The systems are found by scenarios (Calafiore and Campi 2006): the nominal one and a few draws at
-first, then the worst of many draws under the gain found, until the worst is in the list.
+and minimise tr(P X₀). The systems are chosen by scenarios (Calafiore and Campi 2006). The list starts with the nominal
+system and a few draws. Then the worst of many draws under the present gain is added, until the worst is in the list.
 """
 
 from __future__ import annotations
@@ -44,8 +44,10 @@ class Guaranteed:
     models: tuple[Model, ...]
 
     def check(self) -> float:
-        """By how much the largest eigenvalue of (A − bk)ᵀP(A − bk) − P + W + kᵀrk exceeds zero, relative to P's
-        largest: zero or less proves stability and cost of every system under one Lyapunov function."""
+        """The largest eigenvalue of (A − bk)ᵀP(A − bk) − P + W + kᵀrk above zero, over P's largest [1].
+
+        Zero proves stability and cost of every system under one Lyapunov function.
+        """
         return max(0.0, *(excess(model, self.k, self.P, self.W, self.price) for model in self.models))
 
 

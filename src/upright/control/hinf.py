@@ -3,12 +3,13 @@
 Both motors alike and both motors opposed are two separate plants, by the robot's symmetry. In each, K minimises the
 largest gain ‖z ← w‖∞ with
 
-    w = [disturbance at the command, error of each reading]        each in units of what is to be expected of it
-    z = [what is to stay small, the command, the command with its disturbance]   each in units of what is accepted
+    w = [disturbance at the command, error of each reading]        each in units of its expected size
+    z = [weighted states, the command, the command with its disturbance]   each in units of its accepted size
 
-so that the poles on the unit circle are moved by feedback, never cancelled: S, KS, GS and T are all among the blocks
-(Zhou and Doyle 1998, chapter 14). z = (1 + s)/(1 − s) brings the problem to SLICOT's SB10AD and the controller back;
-both norms are the same (Doyle, Glover, Khargonekar and Francis 1989). The achieved γ is measured on the discrete loop.
+S, KS, GS and T are all among the blocks, so that poles on the unit circle are moved by feedback, never cancelled (Zhou
+and Doyle 1998, chapter 14). z = (1 + s)/(1 − s) maps the problem to continuous time for SLICOT's SB10AD, and the
+controller back. Both norms are the same (Doyle, Glover, Khargonekar and Francis 1989). The achieved γ is that of the
+discrete loop.
 """
 
 from __future__ import annotations
@@ -49,12 +50,12 @@ UNAPPLIED = 1.0  # standard deviation of what motors do not apply, as a fraction
 
 @dataclass(frozen=True, kw_only=True)
 class Expected:
-    """What is accepted and what is to be expected, in physical units: the weights of the design.
+    """Accepted and expected sizes, in physical units: the weights of the design.
 
     `state` are the largest accepted deviations [rad, rad/s, …], `command` that of each motor in its own unit (None:
-    that of `COMMAND`). To be expected are a disturbance at the command of `disturbance` times as much, and `errors`
-    of the encoders [rad] and of the gyro [rad/s]. Errors far above those of the sensors keep the loop slow enough for
-    what no model knows; a gyro's bias b then moves the wheels by at most γ·state[2]·b/errors[1] [rad].
+    that of `COMMAND`). The expected disturbance at the command is `disturbance` times as large. `errors` are the
+    expected errors of the encoders [rad] and of the gyro [rad/s]. Errors far above those of the sensors keep the loop
+    slow enough for unmodelled dynamics. A gyro's bias b then moves the wheels by at most γ·state[2]·b/errors[1] [rad].
     """
 
     state: tuple[float, ...] = LARGEST_STATE

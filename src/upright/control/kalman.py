@@ -26,11 +26,11 @@ NXTWAY_WEIGHT = 6.0  # [N] of the body of NXTway-GS, to which pushes are scaled
 
 @dataclass(frozen=True, kw_only=True)
 class Disturbed:
-    """What moves a robot besides its commands, each period: standard deviations.
+    """Standard deviations of the disturbances of a robot, each period.
 
-    `push` [N] on a body of 6 N; `motor` as a fraction of the largest usual command, besides the Coulomb friction,
-    which no linear filter knows the sign of; walks of the steady push by `push_walk` [N/√s] and of the gyro's bias by
-    `bias_walk` [rad/s/√s], or by the kit's own figure where it is larger.
+    `push` [N] is for a body of 6 N. `motor` is a fraction of the largest usual command [1]; Coulomb friction, whose
+    sign no linear filter knows, is added to it. The steady push is a random walk of `push_walk` [N/√s]. The gyro's bias
+    is one of `bias_walk` [rad/s/√s], or of the kit's figure where that is larger.
     """
 
     push: float = 0.05
@@ -114,15 +114,18 @@ def offset_free(model: SampledRobot) -> Disturbed:
 
 
 def process_noise(entering: Array, least: float = 1e-14) -> Array:
-    """W = G Gᵀ + `least` I (n, n): independent white disturbances enter a state by the columns of G (n, k), each times
-    its standard deviation. A little on every state keeps the Riccati equation solvable."""
+    """W = G Gᵀ + `least` I (n, n), for independent white disturbances.
+
+    They enter the states by the columns of G (n, k), each times its standard deviation. A little on every state keeps
+    the Riccati equation solvable.
+    """
     return entering @ entering.T + least * np.eye(len(entering))
 
 
 def steady_kalman(A: Array, C: Array, W: Array, V: Array, more: Sequence[float] = (0.0,)) -> tuple[Array, Array]:
-    """P (n, n) before a reading and L (n, p) of the steady filter x = z + L (y − C z), z⁺ = A x (Anderson and Moore
-    1979, chapter 4), for process noise W and readings of variance V.
+    """P (n, n) before a reading, and L (n, p), of the steady filter x = z + L (y − C z), z⁺ = A x.
 
+    W (n, n) is the covariance of the process noise, V (p, p) that of the readings (Anderson and Moore 1979, chapter 4).
     `more` are variances added to every state, tried one after the other where the Riccati equation is too badly scaled.
     Raises `DesignFailed` where none has a stabilising solution.
     """
@@ -142,13 +145,13 @@ def steady_kalman(A: Array, C: Array, W: Array, V: Array, more: Sequence[float] 
 
 
 def one_step(A: Array, C: Array, L: Array) -> tuple[Array, Array, Array]:
-    """F, G and H of the steady filter from prediction to prediction: z⁺ = F z + G y, and x = H z + L y after y."""
+    """F, G and H of the steady filter from prediction to prediction: z⁺ = F z + G y; after y, x = H z + L y."""
     after = np.eye(len(A)) - L @ C
     return A @ after, A @ L, after
 
 
 def corrected(z: Array, y: Array, C: Array, L: Array) -> Array:
-    """The state x = z + L (y − C z) after a reading; z (n,) and y (p,), or (n, k) and (p, k) for k filters at once."""
+    """The state x = z + L (y − C z) after a reading: z (n,), y (p,); for k filters at once (n, k), (p, k)."""
     return z + L @ (y - C @ z)
 
 

@@ -29,12 +29,12 @@ MATRICES = ("A", "By", "Br", "Ba", "C", "Dy", "Dr", "S", "Sy", "Bu")
 class LinearController:
     """z⁺ = A z + By y + Br r + Ba a, u = C z + Dy y + Dr r, x̂ = S z + Sy y, every `period` [s].
 
-    y are the channels `reads`, r the reference state (6,), u the command (2,) and a the one that the motors really
-    applied, so that saturation winds nothing up. x̂ (6,) is the controller's estimate of the state; S and Sy stay empty
-    where it has none.
+    y are the channels `reads`, r the reference state (6,) and u the command (2,). a is the command that was really
+    applied, so that nothing winds up in saturation. x̂ (6,) is the controller's estimate of the state; S and Sy stay
+    empty where it has none.
 
-    As the memory of a method that is not linear, it has any number of outputs C z + Dy y + Dr r, read by `outputs`. The
-    method computes u from them and passes it to `decided`; Bu u is then added to z⁺. Bu stays empty in all others.
+    For a method that is not linear it is the memory: it has any number of outputs C z + Dy y + Dr r, read by `outputs`.
+    The method computes u from them and passes it to `decided`; Bu u is then added to z⁺. Bu stays empty in all others.
 
     Raises `InvalidController` for matrices that do not fit each other or are not finite.
     """

@@ -1,4 +1,4 @@
-"""LQG: the regulator behind a Kalman filter, with the dead time and every late sensor as states."""
+"""LQG: the regulator with a Kalman filter; the dead time and every sensor delay are states."""
 
 from __future__ import annotations
 

@@ -98,8 +98,8 @@ def with_integral(plant: LinearModel) -> LinearModel:
 def nxtway_servo(robot: Robot, Q: ArrayLike, R: ArrayLike) -> tuple[Array, Array]:
     """The continuous servo gains of NXTway-GS: k (2, 4) on `SERVO` and k_i (2,) on ∫θ, for u = −k x − k_i ∫θ.
 
-    Q (5, 5) or its diagonal in that order, R (2, 2) or (2,) (Yamamoto 2008, appendix: Q = diag(1, 6e5, 1, 1, 4e2),
-    R = 1e3·I gives k = [−0.835, −34.19, −1.294, −2.814], k_i = −0.447).
+    Q is (5, 5) or its diagonal in that order, R (2, 2) or (2,). Source: Yamamoto (2008), appendix. There
+    Q = diag(1, 6e5, 1, 1, 4e2) and R = 1e3·I give k = [−0.835, −34.19, −1.294, −2.814], k_i = −0.447.
     """
     from scipy.linalg import solve_continuous_are
 

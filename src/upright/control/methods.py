@@ -35,9 +35,9 @@ Array = NDArray[np.float64]
 class Method:
     """A method of design in the registry: `make(robot, kit, dt)` gives a controller.
 
-    A `weighted` one takes `largest` too, the largest accepted deviation of each state (6,) [rad, rad/s, …], and
-    `command`, the largest usual command of a motor, both by keyword (Bryson's rule). `slow` takes more than a second to
-    design, `reads_truth` needs the true state, and `benched` says whether it belongs in a table of all controllers.
+    A `weighted` method has two more keywords (Bryson's rule): `largest`, the largest accepted deviation of each state
+    (6,) [rad, rad/s, …], and `command`, the largest usual command of a motor. A `slow` one takes more than a second to
+    design. One with `reads_truth` needs the true state. `benched` ones are in the table of all controllers.
     """
 
     make: Callable[..., Controller]

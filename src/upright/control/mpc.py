@@ -1,7 +1,7 @@
 """Model predictive control: a condensed quadratic programme for DAQP, solved each period from the last active set.
 
-With ξ the regulator's state (six states and the commands on their way), F the push the filter sees, ξ_s and u_s the
-steady motion at the reference under that push (so that no offset is left), the controller minimises
+Let ξ be the regulator's state (six states and the commands on their way) and F the push that the filter estimates. Let
+ξ_s and u_s be the steady motion at the reference under that push, so that no offset is left. The controller minimises
 
     Σ_{i<N} (ξ_i − ξ_s)ᵀQ(ξ_i − ξ_s) + (u_i − u_s)ᵀR(u_i − u_s) + (ξ_N − ξ_s)ᵀP(ξ_N − ξ_s),   ξ⁺ = A ξ + B u,
 
@@ -67,10 +67,10 @@ class QuadraticProgram:
 
 @dataclass(eq=False)
 class PredictiveController:
-    """The programme behind its filter: outputs of `memory` are [f (2N), c, u of the unlimited regulator (2)].
+    """The programme with its filter: outputs of `memory` are [f (2N), c, u of the unlimited regulator (2)].
 
-    When DAQP gives no solution (a hard limit that cannot be kept, or too many iterations), the regulator's command,
-    cut at the limit, is taken instead, and `failures` counts it.
+    DAQP may give no solution: a hard limit that cannot be kept, or too many iterations. Then the regulator's command,
+    cut at the limit, is used instead, and `failures` counts it.
     """
 
     memory: LinearController

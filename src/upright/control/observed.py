@@ -1,9 +1,8 @@
 """Any state feedback on raw sensors: the Kalman filter of the delayed robot, then the state when the command arrives.
 
-A command sent at t reaches the motors at t + τ. With x̂ from the filter and the commands that are on their way, the
-state at that moment is known, and u = u_r − K (x̂(t + τ) − x_r) has the poles of A − B K as if there were no dead time,
-besides those of the filter (Artstein 1982). Late sensors are the filter's business: their readings wait among its
-states.
+A command sent at t reaches the motors at t + τ. The state at that moment follows from x̂ of the filter and the commands
+on their way. Then u = u_r − K (x̂(t + τ) − x_r) has the poles of A − B K, as without dead time, and those of the filter
+(Artstein 1982). The filter handles sensor delays: delayed readings are among its states.
 """
 
 from __future__ import annotations

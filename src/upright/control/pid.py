@@ -1,8 +1,8 @@
 """PID: a cascade of pitch and position loops and a heading loop, tuned by margins on the reduced model.
 
-Wheel rate fed back makes good what back-EMF and friction take, c = β/α: what is left is the reduced model, a robot
-driven by torques, its pitch plane (both motors alike) apart from its heading (both opposed). On it, with the position
-loop's ψ_ref = −(p_θ (θ − θ_r) + d_θ (θ̇ − θ̇_r)), the pitch loop is
+Feedback of the wheel rate with c = β/α compensates back-EMF and friction. This leaves the reduced model: a robot driven
+by torques, whose pitch plane (equal commands) and heading (opposite commands) are separate. The position loop gives
+ψ_ref = −(p_θ (θ − θ_r) + d_θ (θ̇ − θ̇_r)). The pitch loop is
 
     u = u_r + c (θ̇ − ψ̇) + p e + i ∫e + d r_f,    e = ψ − ψ_ref,
     r_f = a w + (1 − a) ψ̇,    w⁺ = r_f,    a = T_f/(T_f + dt)

@@ -13,11 +13,11 @@ from upright.robots import Kit, Robot
 
 
 def largest_pitch(robot: Robot, kit: Kit, limit: float | None = None) -> float:
-    """The pitch [rad] at rest from which a command of ± `limit` (None: what the kit gives) can just bring it back.
+    """The largest pitch [rad] at rest from which a command of ± `limit` (None: the kit's) brings the robot back.
 
-    Along the falling mode ξ = wᵀx the linear robot obeys ξ̇ = λ ξ + wᵀB u, so that it can be brought to rest if and only
-    if |ξ| < Σ|wᵀB| limit / λ: beyond, gravity outgrows the motors for ever (Hu and Lin 2001, theorem 2.3). With dead
-    time τ, ξ grows by e^{λτ} before the first command arrives. The bound may exceed what a linear model is good for.
+    Along the falling mode ξ = wᵀx the linear robot obeys ξ̇ = λ ξ + wᵀB u. It can be brought to rest if and only if
+    |ξ| < Σ|wᵀB| limit / λ; beyond, gravity is stronger than the motors (Hu and Lin 2001, theorem 2.3). With dead time
+    τ, ξ grows by e^{λτ} before the first command arrives. The bound may lie outside the range of a linear model.
     """
     most = largest_command(robot, kit) if limit is None else limit
     if not most > 0:

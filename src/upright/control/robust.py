@@ -1,10 +1,12 @@
 """One output feedback for a whole family of robots: by scenarios, and by linear matrix inequalities beside them.
 
-Both work in the pitch plane on the state that the nominal robot's filter finds, dead time included (`family`).
-Scenarios (Calafiore and Campi 2006): four gains and the trust of the filter are moved until the cost of the worst of
-many drawn robots is least, by the simplex of Nelder and Mead (1965) from the best of several regulators. Inequalities
-(`guaranteed`): one gain and one Lyapunov function for all robots, as if their states were measured. Whichever has the
-smaller worst cost on sensors is taken; heading keeps the plain regulator's gains.
+Both work in the pitch plane on the state that the nominal robot's filter estimates, dead time included (`family`).
+
+- Scenarios (Calafiore and Campi 2006): four gains and the filter's process noise minimise the cost of the worst of many
+  drawn robots. The search is the simplex of Nelder and Mead (1965), from the best of several regulators.
+- Inequalities (`guaranteed`): one gain and one Lyapunov function for all robots, as if their states were measured.
+
+The one with the smaller worst cost on sensors is used; heading keeps the plain regulator's gains.
 """
 
 from __future__ import annotations
@@ -36,11 +38,11 @@ Array = NDArray[np.float64]
 
 DRAWN = 200
 WORTH = 0.01
-"""A worst case that is better by less than this share counts as no better."""
+"""A worst case that is better by less than this fraction counts as no better."""
 
 PRICES = (0.1, 1.0, 10.0)  # of the command, against Bryson's, of the regulators to begin from
-TRUSTS = (0.02, 0.1, 0.2)  # shares of the command that the filters to begin from take for noise
-MOST = RECOVERED.motor  # a filter that trusts its model less finds a lean too late for motors as weak as ev3way's
+TRUSTS = (0.02, 0.1, 0.2)  # fractions of the command that the initial filters take as noise
+MOST = RECOVERED.motor  # a filter that trusts its model less estimates a lean too slowly for motors as weak as ev3way's
 STARTS = 2
 STEPS = 150
 _FELL = 1e3  # what an unstable robot costs: more than any other
@@ -82,8 +84,8 @@ class Robust(Design):
     why: str = ""
 
     def check(self) -> float:
-        """The largest of the filter's Riccati residual, of the inequalities' excess, and of how far the nominal cost
-        is from that of the covariance solved directly, as a share."""
+        """The largest of three relative errors [1]: the filter's Riccati residual, the excess of the inequalities, and
+        the difference of the nominal cost from that of the covariance solved directly."""
         model = self.filter.sampled
         direct = family([plane(model)], self.filter).direct(self.k, self.W, self.price)
         return max(self.filter.check(), self.proof.check() if self.proof else 0.0, abs(self.own.nominal / direct - 1))
@@ -163,7 +165,7 @@ class _Task:
         return _Task(self.robot, self.sampled, planes, self.weight, self.size)
 
     def loops(self, trust: float) -> tuple[Filter, LoopFamily]:
-        """The filter that takes the share `trust` of the command for noise, and all loops with it."""
+        """The filter with `trust` [1] times the command as noise, and all loops with it."""
         result = kalman_filter(self.sampled, Disturbed(motor=trust))
         return result, family(self.planes, result)
 
@@ -223,7 +225,7 @@ def _descended(task: _Task, four: Array, trust: float) -> tuple[float, tuple[Arr
 
 
 def _chosen(task: _Task, result: tuple[Array, float], near: Sequence[SampledRobot]) -> LinearController:
-    """The better of both methods on robots that neither has seen."""
+    """The better of both methods, on robots that neither used."""
     estimator, loops = task.loops(result[1])
     k, method = task.ahead(result[0]), "scenarios"
     recovered, others = task.loops(RECOVERED.motor)

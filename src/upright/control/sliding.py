@@ -51,8 +51,8 @@ class Sliding(Design):
 class SlidingMode:
     """u = u_lin − reach · sat(s / layer) for each motor, from the outputs [s, u_lin] of `memory`, in command units.
 
-    u_lin = u_r r − S A ξ + keep · s, so that s⁺ = keep · s − reach · sat(s / layer) (Gao, Wang and Homaifa 1995, with a
-    boundary layer in place of the sign). Inside the layer nothing chatters while reach ≤ keep · layer.
+    With u_lin = u_r r − S A ξ + keep · s follows s⁺ = keep · s − reach · sat(s / layer). (Gao, Wang and Homaifa 1995,
+    with a boundary layer in place of the sign.) Inside the layer nothing chatters while reach ≤ keep · layer.
     """
 
     memory: LinearController

@@ -1,10 +1,10 @@
 """Standing up from lying: a planned command lifts the body, then another controller takes over.
 
-A lying robot is held by the floor until its motors act, and its state is known: at rest, at the pitch at which it lies.
-So the lift can be planned on the nonlinear model: a command of `PARTS` steps that ends upright and at rest, by least
-squares in the commands (single shooting), the shortest that the motors can give, since what the model errs grows with
-time. The wheels run away forwards under a body that leans forwards: the reaction lifts it, and stops it as they brake.
-What is left over is for the controller that takes over.
+The floor holds a lying robot until its motors act. So its state is known: at rest, at the pitch at which it lies. The
+lift is planned on the nonlinear model as a command of `PARTS` steps that ends upright and at rest, by least squares in
+the commands (single shooting). It is the shortest that the motors permit, since the model's error grows with time.
+Under a body that leans forward the wheels accelerate forward: the reaction lifts the body, and stops it as they brake.
+The controller that takes over corrects the rest.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ from upright.robots import Kit, Robot
 Array = NDArray[np.float64]
 
 PARTS = 6
-LONGEST = 0.6  # [s] a longer lift lets what the model errs grow more than e⁴-fold on any robot here
-KEPT = 0.1  # share of the largest command that the plan leaves to the kit's sag and noise
+LONGEST = 0.6  # [s] in a longer lift the model's error grows more than e⁴-fold on any robot here
+KEPT = 0.1  # fraction of the largest command that the plan leaves to the kit's sag and noise
 UPRIGHT = (
     0.02,
     0.1,
@@ -41,8 +41,10 @@ _EASE = 0.03  # weight of the commands beside the end
 
 @dataclass(frozen=True, eq=False)
 class Lift:
-    """`commands` (n,) for both motors, every `period` [s], from `pitch` [rad], and where they `end`: pitch, its rate
-    and the wheels' rate [rad, rad/s, rad/s]."""
+    """`commands` (n,) for both motors, every `period` [s], from `pitch` [rad].
+
+    `end` is the state after them: pitch, its rate and the wheels' rate [rad, rad/s, rad/s].
+    """
 
     robot: Robot
     pitch: float

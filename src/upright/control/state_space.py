@@ -44,7 +44,7 @@ def discrete(system: LinearModel, dt: float) -> LinearModel:
 def plant_of(model: SampledRobot) -> LinearModel:
     """From commands (2) and a push at the centre of mass [N] to the readings.
 
-    The states are the robot's six and the readings on their way, then the commands on theirs, newest first; gyro bias
+    The states are the robot's six and the readings on their way, then the commands on theirs, newest first. Gyro bias
     and push, which no command moves, are left out.
     """
     keep = kept(model)
