@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import binascii
 import math
+import re
 import shlex
 import shutil
 import signal
@@ -22,6 +23,7 @@ from upright.bricks.hub import COMMANDS, CommandRefused, VirtualHub
 from upright.bricks.virtual_robot import virtual_hub
 from upright.cli.fly import LOST
 from upright.cli.main import main
+from upright.compiled.interpret import Interpreter
 from upright.compiled.program import Program
 from upright.control import CONTROLLERS
 from upright.errors import UprightError
@@ -325,6 +327,57 @@ def test_hostile_commands_never_stop_the_hub(hub: VirtualHub) -> None:
             hub.write(COMMANDS, bytes(data))
         hub.run(0.01)
     assert len(hub.read("c5f50003-8280-46da-89f4-6d8051e4aeef")) == 10  # it still tells what it can
+
+
+@pytest.mark.parametrize(("pace", "tells"), [(0.01, False), (0.06, False), (0.06, True)])
+def test_telemetry_never_holds_a_balancing_robot_up(made: tuple[Path, Program], pace: float, tells: bool) -> None:
+    """A hub's output goes through a ring of 40 bytes, a note of 19 every `pace` [s], and whoever prints into a full one
+    waits: three notes a line, 180 ms of them where a line comes every 100 ms."""
+    output: list[bytes] = []
+    with virtual_hub(ROBOT, KIT, pace=pace, tells=tells) as hub:
+        hub.garbled = lambda piece: output.append(piece) or piece
+        flight = flown(made, hub, 7.0)
+        assert flight.log is not None
+        assert not hub.world.fallen
+    text = b"".join(output).decode()
+    late = re.search(r"late=(\d+)", text)
+    assert late
+    # a firmware that does not tell whether there is room is found out by one line or two that wait
+    assert int(late[1]) <= (0 if tells or pace == 0.01 else 10)
+    assert len(re.findall("^T ", text, re.MULTILINE)) >= 6 / (4 * max(0.1, 3 * pace))  # and it goes on telling
+
+
+def test_a_battery_that_is_nearly_empty_is_refused_before_the_hub_switches_off(
+    made: tuple[Path, Program], hub: VirtualHub, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Pybricks switches a hub of two lithium cells off at 6.0 V (pbio/sys/battery.c)."""
+    monkeypatch.setattr("upright.bricks.hub.LOW_BATTERY", 0)
+    hub.battery = 6300.0
+    with pytest.raises(FlightRefused, match="battery too low"):
+        flown(made, hub)
+
+
+@pytest.mark.parametrize("name", ["nxt", "spike", "ev3"])
+@pytest.mark.parametrize("target", ["pybricks", "ev3dev", "nxc", "arduino"])
+def test_every_program_refuses_a_battery_that_exists(name: str, target: str) -> None:
+    """Six volts: an empty pack of two lithium cells or six alkaline ones, from which a brick still starts."""
+    kit = Kit.preset(name)
+    text = generate(CONTROLLERS["pid"](ROBOT, kit, kit.period), ROBOT, kit, target).program
+    machine = Interpreter(text)
+    raw = dict.fromkeys(text.channels, 0.0) | {"raw_battery": 6.0 / text.scales["raw_battery"]}
+    assert machine.calibrate(raw)["start_status"] == 4
+
+
+@pytest.mark.parametrize("firmware", ["3.2.0", "3.3.0"])
+def test_a_firmware_without_what_the_program_calls_is_refused(
+    made: tuple[Path, Program], hub: VirtualHub, firmware: str
+) -> None:
+    """Axis moved in 3.3.0b4, the buttons of every hub got one name in 3.4.0b5 (changelogs of pybricks-api)."""
+    hub.firmware = firmware
+    with pytest.raises(HubRefused, match=r"too old.*expected Pybricks 3\.4 or later"):
+        flown(made, hub)
+    assert at_rest(hub)
+    assert not hub.world.released
 
 
 def test_no_bluetooth_is_one_line(made: tuple[Path, Program], monkeypatch: pytest.MonkeyPatch) -> None:
