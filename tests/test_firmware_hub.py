@@ -329,22 +329,24 @@ def test_hostile_commands_never_stop_the_hub(hub: VirtualHub) -> None:
     assert len(hub.read("c5f50003-8280-46da-89f4-6d8051e4aeef")) == 10  # it still tells what it can
 
 
-@pytest.mark.parametrize(("pace", "tells"), [(0.01, False), (0.06, False), (0.06, True)])
-def test_telemetry_never_holds_a_balancing_robot_up(made: tuple[Path, Program], pace: float, tells: bool) -> None:
+@pytest.mark.parametrize(("pace", "tells", "most"), [(0.01, False, 0), (0.15, False, 4), (0.15, True, 0)])
+def test_telemetry_never_holds_a_balancing_robot_up(
+    made: tuple[Path, Program], pace: float, tells: bool, most: int
+) -> None:
     """A hub's output goes through a ring of 40 bytes, a note of 19 every `pace` [s], and whoever prints into a full one
-    waits: three notes a line, 180 ms of them where a line comes every 100 ms."""
+    waits: 300 ms for each line where one comes every 100 ms. Without a look at the room 26 periods of 600 are late;
+    a firmware that does not tell is found out by one line or two that wait."""
     output: list[bytes] = []
     with virtual_hub(ROBOT, KIT, pace=pace, tells=tells) as hub:
-        hub.garbled = lambda piece: output.append(piece) or piece
+        hub.garbled = lambda piece: (output.append(piece), piece)[1]
         flight = flown(made, hub, 7.0)
         assert flight.log is not None
         assert not hub.world.fallen
     text = b"".join(output).decode()
     late = re.search(r"late=(\d+)", text)
     assert late
-    # a firmware that does not tell whether there is room is found out by one line or two that wait
-    assert int(late[1]) <= (0 if tells or pace == 0.01 else 10)
-    assert len(re.findall("^T ", text, re.MULTILINE)) >= 6 / (4 * max(0.1, 3 * pace))  # and it goes on telling
+    assert int(late[1]) <= most
+    assert len(re.findall("^T ", text, re.MULTILINE)) >= 10  # telemetry goes on all the same
 
 
 def test_a_battery_that_is_nearly_empty_is_refused_before_the_hub_switches_off(

@@ -30,7 +30,8 @@ LONGEST_WRITE, LONGEST_NOTE, MEMORY = 158, 100, 255 * 1024  # bytes of a command
 MPY6 = 0b110  # capabilities: programs of several files, in MicroPython's format 6 and 6.1
 BATTERY_LOW, RUNNING = 1 << 0, 1 << 6  # status flags
 STATUS, OUTPUT = 0, 1  # events
-LOW_BATTERY = 6800  # [mV] below which a Prime hub warns (guess)
+LOW_BATTERY = 6800  # [mV] below which a Prime hub warns (pbio/sys/battery.c)
+PACE = 0.005  # [s] of a note of output over the air (guess)
 NOTES_AT_ONCE = 5  # notes sent at once; while more are queued the program waits, as on a hub
 MOST_STOPS = 100  # stop requests to a program before it is killed
 SLICE = 0.005  # [s] of the hub's time between two looks at the line
@@ -53,12 +54,22 @@ class VirtualHub:
     """A hub in the simulated `world`; `absent` names empty ports. `run` advances its program, not beyond `until` [s].
 
     `speed` is its time over real time (None: as fast as possible). With `silent` it does not answer, `cut` breaks the
-    connection, `press` is its button. `garbled` changes each piece of output on the air.
+    connection, `press` is its button. `garbled` changes each piece of output on the air. A program that prints while
+    somebody listens waits for room, at a `pace` [s] for each note of `shims/pybricks.shim`; `tells` is whether the
+    firmware tells that there is room, as it does from version 4 on.
     """
 
     name = "virtual"
 
-    def __init__(self, world: World, absent: Sequence[str] = (), speed: float | None = None) -> None:
+    def __init__(
+        self,
+        world: World,
+        absent: Sequence[str] = (),
+        speed: float | None = None,
+        *,
+        pace: float = PACE,
+        tells: bool = False,
+    ) -> None:
         self.world, self.speed, self.until = world, speed, math.inf
         self.firmware, self.protocol, self.capable = FIRMWARE, PROTOCOL, MPY6
         self.silent, self.pressed, self.duties = False, False, (0.0, 0.0)
@@ -68,7 +79,7 @@ class VirtualHub:
         self._lost: Callable[[], None] | None = None
         self._notes = deque[bytes]()  # queued for the air
         self._memory, self._size, self._typed, self._stopped = bytearray(MEMORY), 0, b"", False
-        self._script, self._stops = Script("pybricks", absent), 0
+        self._script, self._stops = Script("pybricks", absent, pace, tells), 0
         self.running, self.seconds, self._clock, self._sent = False, 0.0, 0.0, 0
 
     def read(self, uuid: str) -> bytes:
@@ -147,7 +158,7 @@ class VirtualHub:
             reply, self._stops = self._script.interrupt() if self._stops < MOST_STOPS else None, self._stops + 1
         else:
             readings = [raw[channel] for channel in (*ENCODERS, GYRO, BATTERY)]
-            reply = self._script.exchange(readings, self.pressed, self._typed)
+            reply = self._script.exchange(readings, self.pressed, self._typed, self.notify is not None)
         self._typed = b""
         self._send_output()
         if reply is None:
@@ -158,7 +169,8 @@ class VirtualHub:
     def _move(self, reply: Reply) -> None:
         """Let the time of a wait pass, with the duties that were set before it."""
         self.duties = reply.duties or (0.0, 0.0)
-        for _ in range(round((reply.clock - self._clock) * 1e-3 / self.world.period)):
+        before, now = (round(clock * 1e-3 / self.world.period) for clock in (self._clock, reply.clock))
+        for _ in range(now - before):
             self.world.step(self.duties, reply.duties is not None)
         self.seconds += (reply.clock - self._clock) * 1e-3
         self._clock = reply.clock

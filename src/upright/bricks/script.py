@@ -34,14 +34,18 @@ class Reply:
 
 class Script:
     """A program in a process of its own among stand-ins for its brick's modules; `folder` is where it looks for itself,
-    as balance.py or balance.mpy. `lines` holds its output, `absent` names empty ports."""
+    as balance.py or balance.mpy. `lines` holds its output, `absent` names empty ports.
 
-    def __init__(self, target: str, absent: Sequence[str] = ()) -> None:
+    `pace` [s] is a hub's time for a note over the air (0: none), `tells` whether its firmware tells that all are out.
+    """
+
+    def __init__(self, target: str, absent: Sequence[str] = (), pace: float = 0.0, tells: bool = False) -> None:
         self._folder = TemporaryFolder()
         self.folder, self.lines = Path(self._folder.name), list[str]()
         shim = (files("upright.bricks") / "shims" / f"{target}.shim").read_text("utf-8")
         write_text(self.folder / "start.py", shim)
-        self._command = [_interpreter(target == "pybricks"), "start.py", *absent]
+        self._command = [_interpreter(target == "pybricks"), "start.py", *absent, f"pace={pace * 1e3}"]
+        self._command += ["tells"] if tells else []
         self._process: subprocess.Popen[str] | None = None
 
     def start(self) -> None:
@@ -52,9 +56,11 @@ class Script:
         )  # fmt: skip
         self.lines = []
 
-    def exchange(self, readings: Sequence[float], pressed: bool = False, typed: bytes = b"") -> Reply | None:
-        """Send it `READINGS`, its button and typed bytes; None after its end."""
-        return self._exchange(f"{struct.pack('<5d', *readings, pressed).hex()} {typed.hex()}")
+    def exchange(
+        self, readings: Sequence[float], pressed: bool = False, typed: bytes = b"", connected: bool = False
+    ) -> Reply | None:
+        """Send it `READINGS`, its button and typed bytes, and whether somebody listens; None after its end."""
+        return self._exchange(f"{struct.pack('<6d', *readings, pressed, connected).hex()} {typed.hex()}")
 
     def interrupt(self) -> Reply | None:
         """Request its stop, as the brick's system does: its next wait raises `SystemExit`."""

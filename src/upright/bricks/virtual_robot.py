@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 
 from upright.bricks.brick import WIRED, Hardware, set_readings
-from upright.bricks.hub import VirtualHub
+from upright.bricks.hub import PACE, VirtualHub
 from upright.bricks.lcp import VirtualBrick
 from upright.bricks.line import Line
 from upright.bricks.world import World
@@ -88,9 +88,11 @@ def virtual_hub(
     seed: int = 1,
     absent: Sequence[str] = (),
     speed: float | None = None,
+    pace: float = PACE,
+    tells: bool = False,
 ) -> Generator[VirtualHub]:
-    """A hub with the twin round it, for as long as the block lasts; `absent` and `speed` as `VirtualHub` has them."""
-    hub = VirtualHub(World("pybricks", robot, kit, pushes, body=body, seed=seed), absent, speed)
+    """A hub with the twin round it, for as long as the block lasts; the others as `VirtualHub` has them."""
+    hub = VirtualHub(World("pybricks", robot, kit, pushes, body=body, seed=seed), absent, speed, pace=pace, tells=tells)
     try:
         yield hub
     finally:

@@ -87,7 +87,7 @@ def calibrate(t: Tracer, setup: Setup, raw: dict[str, Form]) -> Held:
     flat: Form | float = 0.0
     if BATTERY in raw:
         volts = t.let("start_battery", first[BATTERY] * setup.raw(BATTERY).scale, "V")
-        flat = t.choose("flat", volts, setup.driver.lowest, float(FLAT_BATTERY), 0.0, "1", whole=True)
+        flat = t.choose("flat", volts, setup.driver.empty, float(FLAT_BATTERY), 0.0, "1", whole=True)
     t.let("start_status", numbers(t, "first_fit", list(first.values()), flat), "1", output=True)
     return Held(offset, _heading_at_start(t, first))
 

@@ -85,7 +85,7 @@ class Driver:
     """How a command becomes what the motors get, in the command's unit.
 
     Commands up to `dead_zone` do nothing and none exceeds `limit`; `full` is the largest duty, 0 for none, and the
-    battery [V] stands between `lowest` and `highest`.
+    battery [V] stands between `lowest` and `highest`; nothing starts below `empty`.
     """
 
     unit: str
@@ -94,11 +94,13 @@ class Driver:
     limit: float
     lowest: float
     highest: float
+    empty: float
 
 
 FINE = 1000  # steps of duty where the kit states none
-FLAT, FRESH = 0.6, 1.5
-"""Lowest and highest battery voltage over the kit's: of empty and of freshly charged cells."""
+FLAT, EMPTY, FRESH = 0.6, 0.85, 1.5
+"""Battery voltage over the kit's: the lowest under load, the lowest to start with (bricks switch themselves off at 0.8
+of a pack of lithium cells), the highest of freshly charged cells."""
 
 
 def driver(robot: Robot, kit: Kit, target: Target) -> Driver:
@@ -109,8 +111,8 @@ def driver(robot: Robot, kit: Kit, target: Target) -> Driver:
         why = f"'{robot.name}' is commanded in N m" if unit != "V" else f"kit '{kit.name}' has no battery"
         raise SpecMismatch(f"{target.name}: {why}", expected="a battery and motors driven by its voltage", hint="use c")
     steps = target.full or (round(volts / motor.quantum) if motor.quantum else FINE)
-    lowest, highest = (FLAT * volts, FRESH * volts) if powered else (1.0, 1.0)
-    return Driver(unit, steps if powered else 0, motor.dead_zone, motor.limit, lowest, highest)
+    lowest, highest, empty = (FLAT * volts, FRESH * volts, EMPTY * volts) if powered else (1.0, 1.0, 1.0)
+    return Driver(unit, steps if powered else 0, motor.dead_zone, motor.limit, lowest, highest, empty)
 
 
 def largest(kit: Kit, channel: str, travel: float) -> float:

@@ -15,6 +15,7 @@ from typing import Any, Protocol, TypeVar
 
 from upright.errors import MissingTool, UprightError
 
+OLDEST = (3, 4)  # Pybricks whose names programs use: Axis among the parameters (3.3), buttons on every hub (3.4)
 PATIENCE = 5.0  # [s] to wait for an answer; a hub answers in 0.1 s
 SEARCH = 10.0  # [s] to wait for a hub that advertises
 UPLOAD = 60.0  # [s] for a program: 20 kB in pieces of 150 bytes, each acknowledged, take 15 s
@@ -72,9 +73,10 @@ class HubLink:
 
     async def upload(self, source: Path) -> None:
         """Compile a program and put it into the hub's memory."""
-        if not self._hub._max_user_program_size:  # nothing public tells it
+        size, version = self._hub._max_user_program_size, self._hub.fw_version  # nothing public tells the size
+        if not size or (version and version.release < OLDEST):
             raise HubRefused(
-                f"the firmware {self._hub.fw_version} of {self.name} is too old", expected="Pybricks 3.2 or later",
+                f"the firmware {version} of {self.name} is too old", expected="Pybricks 3.4 or later",
                 hint="install it at code.pybricks.com",
             )  # fmt: skip
         try:

@@ -43,14 +43,18 @@ row = []  # what the last period came to: pitch, command_left, command_right, du
 CRC = [0, 4129, 8258, 12387, 16516, 20645, 24774, 28903, 33032, 37161, 41290, 45419, 49548, 53677, 57806, 61935]
 
 
-def send(kind, text):
+def sealed(kind, text):
     # One line that its reader can check: CRC-16/CCITT (polynomial 1021, start FFFF), four bits at a time.
     line = kind + " " + text
     crc = 0xFFFF
     for byte in line.encode():
         crc = (crc << 4 & 0xFFFF) ^ CRC[crc >> 12 ^ byte >> 4]
         crc = (crc << 4 & 0xFFFF) ^ CRC[crc >> 12 ^ byte & 15]
-    print("%s*%04X" % (line, crc))
+    return "%s*%04X" % (line, crc)
+
+
+def send(kind, text):
+    print(sealed(kind, text))
 
 
 def dump(log, count, late, status, offset):
@@ -136,7 +140,7 @@ def main():
         gyro_mean = min(max(0.01 * gyro_sum, -541.0), 541.0)
         ready = 0.0 if more < 99.5 else 1.0
         start_battery = 0.001 * first_battery
-        flat = 4.0 if start_battery < 4.8 else 0.0
+        flat = 4.0 if start_battery < 6.8 else 0.0
         first_fit_sum = first_gyro + first_battery
         first_fit = flat if first_fit_sum < 36812.5 else 6.0
         start_status = first_fit

@@ -76,7 +76,7 @@ void upright_calibrate(upright_state *s, const upright_input *in, upright_output
     const int32_t gyro_mean = settled((int64_t)1374389535 * gyro_sum, 31, -632486615, 632486615);
     out->ready = more < 100 ? 0 : 1;
     const int32_t start_battery = (int32_t)((int64_t)512 * first_battery);
-    const int32_t flat = start_battery < 161061274 ? 4 : 0;
+    const int32_t flat = start_battery < 228170138 ? 4 : 0;
     const int32_t first_fit_sum = (int32_t)((int64_t)256 * first_gyro + (int64_t)256 * first_battery);
     const int32_t first_fit = first_fit_sum < 857939473 ? flat : 6;
     out->start_status = first_fit;

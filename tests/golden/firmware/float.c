@@ -59,7 +59,7 @@ void upright_calibrate(upright_state *s, const upright_input *in, upright_output
     const float gyro_mean = limit(0x1.47ae14p-7f * gyro_sum, -0x1.2d97d6p+3f, 0x1.2d97d6p+3f);
     out->ready = more < 0x1.8ep+6f ? 0.0f : 1.0f;
     const float start_battery = first_battery;
-    const float flat = start_battery < 0x1.333334p+2f ? 4.0f : 0.0f;
+    const float flat = start_battery < 0x1.b33334p+2f ? 4.0f : 0.0f;
     const float first_fit_sum = first_gyro + first_battery;
     const float first_fit = first_fit_sum < 0x1.9918fp+5f ? flat : 6.0f;
     out->start_status = first_fit;

@@ -18,7 +18,9 @@ from pybricks.hubs import PrimeHub as Hub
 from pybricks.parameters import Axis, Color, Direction, Port
 from pybricks.pupdevices import Motor
 from pybricks.tools import StopWatch, wait
+from uselect import poll
 from ustruct import pack_into
+from usys import stdout
 
 # How this robot is built: change these where yours differs.
 LEFT = (Port.A, Direction.COUNTERCLOCKWISE)
@@ -30,7 +32,8 @@ SECONDS = 60  # [s] the longest run, whatever becomes of the computer; 0 for no 
 
 PERIOD = 10  # [ms]
 ROWS = 1000  # periods that the log keeps
-TELEMETRY = 10  # periods from one line to the next, 0 for none
+TELEMETRY = 10  # periods from one line to the next at least, 0 for none
+WAITED = 3  # [ms] a line that took longer to print waited for room: the next ones come half as often
 SIZE = 13  # bytes of a row: encoders [deg], gyro [mrad/s], pitch [0.1 mrad], battery [mV], duties, status
 CHUNK = 2  # rows in a line
 
@@ -40,14 +43,18 @@ row = []  # what the last period came to: pitch, command_left, command_right, du
 CRC = [0, 4129, 8258, 12387, 16516, 20645, 24774, 28903, 33032, 37161, 41290, 45419, 49548, 53677, 57806, 61935]
 
 
-def send(kind, text):
+def sealed(kind, text):
     # One line that its reader can check: CRC-16/CCITT (polynomial 1021, start FFFF), four bits at a time.
     line = kind + " " + text
     crc = 0xFFFF
     for byte in line.encode():
         crc = (crc << 4 & 0xFFFF) ^ CRC[crc >> 12 ^ byte >> 4]
         crc = (crc << 4 & 0xFFFF) ^ CRC[crc >> 12 ^ byte & 15]
-    print("%s*%04X" % (line, crc))
+    return "%s*%04X" % (line, crc)
+
+
+def send(kind, text):
+    print(sealed(kind, text))
 
 
 def dump(log, count, late, status, offset):
@@ -93,6 +100,10 @@ def main():
     watch = StopWatch()
     log = bytearray(ROWS * SIZE)
     due = count = late = status = 0
+    pace = line_due = TELEMETRY
+    room = poll()
+    room.register(stdout, 2)  # POLLOUT: all output is out
+    tells = room.poll(0)  # firmware 4 tells; an older one never does
     gyro_offset = 0.0
     still = 0.0
     gyro_total = 0.0
@@ -132,7 +143,7 @@ def main():
         gyro_mean = min(max(0.01 * gyro_sum, -3000.001285727039), 3000.001285727039)
         ready = 0.0 if more < 99.5 else 1.0
         start_battery = 0.001 * first_battery
-        flat = 4.0 if start_battery < 4.56 else 0.0
+        flat = 4.0 if start_battery < 6.46 else 0.0
         first_fit_sum = first_gyro + first_battery
         first_fit = flat if first_fit_sum < 38701.00192859056 else 6.0
         start_status = first_fit
@@ -238,11 +249,16 @@ def main():
                 clip(gyro * 1000, 32767), clip(pitch * 10000, 32767), raw_battery & 65535, duty_left, duty_right, status,
             )
             count += 1
-            if TELEMETRY and count % TELEMETRY == 0:
-                send("T", "%d %d %d %d %d %d %d" % (
+            if TELEMETRY and count >= line_due and (not tells or room.poll(0)):
+                line = sealed("T", "%d %d %d %d %d %d %d" % (
                     count, raw_encoder_left, raw_encoder_right, clip(pitch * 10000, 32767), duty_left, duty_right,
                     raw_battery,
                 ))
+                began = watch.time()
+                print(line)
+                if watch.time() - began > WAITED:
+                    pace *= 2
+                line_due = count + pace
             if hub.buttons.pressed():
                 break
             now = pause(watch, due + PERIOD)
