@@ -20,6 +20,7 @@ import psutil
 
 MOMENTS = 5
 BAR = 1.0  # [s]
+FIRST = 0.5  # [s] before it, Python's own start answers a signal
 
 CAMPAIGN = """
 n = 200000
@@ -76,7 +77,7 @@ def measure(seed: int, minutes: float | None) -> Iterator[tuple[str, str, str, b
             for number in (signal.SIGINT, signal.SIGTERM):
                 ends: list[End] = []
                 while len(ends) < MOMENTS and time.monotonic() < until:
-                    moment = draw.uniform(0.1, LENGTH.get(name, LONGEST))
+                    moment = draw.uniform(FIRST, LENGTH.get(name, LONGEST))
                     ends.append(interrupted(call.format(**given).split(), number, moment))
                 yield from _rows(name, number, [end for end in ends if not end.early])
 
@@ -143,7 +144,8 @@ def interrupted(call: list[str], number: int, moment: float) -> End:
             left += [str(p.relative_to(folder)) for p in Path(folder).rglob("*") if not _campaigns(p)]
         for p in alive:
             p.kill()
-        return End(process.returncode, seconds, left, False, error)
+        code = process.returncode if process.returncode >= 0 else 128 - process.returncode  # as a shell says it
+        return End(code, seconds, left, False, error)
 
 
 def _campaigns(path: Path) -> bool:

@@ -201,3 +201,21 @@ def test_only_one_module_opens_files_for_writing() -> None:
         if file != "atomic.py" and isinstance(node, ast.Call) and writes(node)
     }  # fmt: skip
     assert not bare, "through upright.atomic, so that a file is written whole: " + ", ".join(sorted(bare))
+
+
+def test_a_folder_of_results_replaces_its_like_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    command = ["fleet", "-n", "4", "-s", "0.1", "-o"]
+    result, mine, file, link = (tmp_path / f"{name}.zarr" for name in ("result", "mine", "file", "link"))
+    for _ in range(2):
+        assert main([*command, str(result)]) == 0
+    link.symlink_to(result)
+    assert main([*command, str(link)]) == 0
+    assert link.is_symlink()
+    mine.mkdir()
+    (mine / "thesis.txt").write_bytes(OLD)
+    file.write_bytes(OLD)
+    for place in (mine, file, tmp_path / "none" / "result.zarr"):
+        assert main([*command, str(place)]) == USER_ERROR
+    assert (mine / "thesis.txt").read_bytes() == OLD
+    assert file.read_bytes() == OLD
+    assert {p.name for p in tmp_path.iterdir()} == {"result.zarr", "mine.zarr", "file.zarr", "link.zarr"}
