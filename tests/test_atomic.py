@@ -203,6 +203,7 @@ def test_only_one_module_opens_files_for_writing() -> None:
     assert not bare, "through upright.atomic, so that a file is written whole: " + ", ".join(sorted(bare))
 
 
+@pytest.mark.needs("module:zarr")
 def test_a_folder_of_results_replaces_its_like_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     command = ["fleet", "-n", "4", "-s", "0.1", "-o"]
     result, mine, file, link = (tmp_path / f"{name}.zarr" for name in ("result", "mine", "file", "link"))

@@ -68,8 +68,8 @@ class _Pending:
     temporary: set[Path] = set()  # noqa: RUF012
 
 
-def place_of(name: str | Path) -> Place:
-    """Where `name` leads; raises `UprightError` where nothing can be written."""
+def place_of(name: str | Path, *, folder: bool = False) -> Place:
+    """Where `name` leads; raises `UprightError` where no file, or no `folder`, can be written."""
     path = Path(os.path.expanduser(name))
     place = path
     for _ in range(MOST_LINKS):
@@ -85,7 +85,9 @@ def place_of(name: str | Path) -> Place:
         raise UprightError(f"there is no folder {path.parent} for {path.name}", hint=f"mkdir -p {path.parent}")
     with _reported(path):
         mode = place.stat().st_mode if os.path.lexists(place) else 0
-    if why := _KINDS.get(stat.S_IFMT(mode)):
+    if folder and mode and not stat.S_ISDIR(mode):
+        raise UprightError(f"{path} is no folder", expected="a folder, or nothing there yet")
+    if not folder and (why := _KINDS.get(stat.S_IFMT(mode))):
         raise UprightError(f"{path} {why[0]}", expected=why[1])
     result = Place(place, mode)
     needed = ([place] if mode else []) + ([place.parent] if result.keeps else [])
@@ -124,7 +126,7 @@ def writing(target: str | Path, *, at_once: bool = False) -> Generator[BinaryIO]
 def write_folder(target: str | Path, fill: Callable[[Path], object]) -> Path:
     """Let `fill` make a folder, which then is at `target`, in place of an older one; as `writing`."""
     path = Path(os.path.expanduser(target))
-    place = Path(os.path.realpath(path))
+    place = place_of(path, folder=True).path
     interrupts.check()
     with _reported(path):
         unfinished = _beside(place)

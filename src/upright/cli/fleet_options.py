@@ -58,10 +58,10 @@ class Asked:
     def check(self) -> None:
         """Refuse, before the work, what could not be written after it."""
         if self.output:
-            from upright.fleet.results import check_suffix
+            from upright.fleet.results import check_target
 
-            check_suffix(self.output)
-        check_targets(self.output, self.report)
+            check_target(self.output)
+        check_targets(self.report)
 
     def ensemble(self, vary: Sequence[str] = (), **scenario: Any) -> Ensemble:
         """The fleet; without --vary, `vary` differs."""

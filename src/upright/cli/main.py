@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
+from importlib import import_module
 from typing import Annotated
 
 import typer
@@ -125,5 +126,5 @@ def _debugging(arguments: Sequence[str]) -> bool:
     return "--debug" in arguments or os.environ.get("UPRIGHT_DEBUG", "") not in ("", "0")
 
 
-if __name__ == "__main__":
-    sys.exit(main())
+if __name__ == "__main__":  # as `python -m upright`, whose process loads this file late
+    import_module("upright.cli.start").run()

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.atomic import write_folder, writing
+from upright.atomic import place_of, write_folder, writing
 from upright.errors import InvalidLog, MissingTool, UprightError
 from upright.fleet.binomial import Interval, clopper_pearson
 from upright.fleet.ensemble import OUTCOMES, Ensemble, Index
@@ -127,6 +127,14 @@ def load(path: str | Path) -> Dataset:
     return _load_zarr(source) if source.suffix == ".zarr" else _load_parquet(source)
 
 
+def check_target(path: Path) -> None:
+    """Raise `UprightError` where no result can be saved: a folder that is no result is never replaced."""
+    check_suffix(path)
+    place = place_of(path, folder=path.suffix == ".zarr")
+    if path.suffix == ".zarr" and place.mode and not (place.path / ".zgroup").exists():
+        raise UprightError(f"{path} is something else", expected="nothing there, or a result in Zarr")
+
+
 def check_suffix(path: Path) -> None:
     """Raise `UprightError` for a name that ends neither in .parquet nor in .zarr."""
     if path.suffix not in (".parquet", ".zarr"):
@@ -195,8 +203,7 @@ def _zarr() -> Any:
 
 def _save_zarr(data: Dataset, target: Path) -> Path:
     """Format 2, since 3 has no settled form of texts."""
-    if target.exists() and not (target / ".zgroup").exists():
-        raise UprightError(f"{target} is something else", expected="nothing there, or a result in Zarr")
+    check_target(target)
     return write_folder(target, lambda folder: data.to_zarr(folder, mode="w", consolidated=False, zarr_format=2))
 
 
