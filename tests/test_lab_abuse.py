@@ -123,7 +123,7 @@ def test_everybody_hears_of_a_stage_that_died_and_who_ended_it_gets_the_usual_ro
     for _ in range(3):
         classroom.stage.pump(0.04)
     heard(ana), heard(ben)
-    classroom.stage.stage = Stage(Options(rate=30.0, certified=False), lambda: classroom.stage.now)
+    classroom.stage.stage = Stage(Options(rate=30.0, certified=False))
     classroom.hub.on_lost(0, ana.session)
     classroom.stage.pump(0.04)
     for client, key, payload in ((ana, "ended", 0.0), (ben, "restarted", 0.5)):
@@ -244,7 +244,7 @@ def test_a_robot_that_is_too_heavy_runs_slower_and_alone(classroom, monkeypatch)
     before = seats[honest.session].session.t, seats[heavy[0].session].session.t
     work.second([honest])
     assert seats[honest.session].session.t - before[0] == pytest.approx(1.0, abs=0.15)
-    assert 0 < seats[heavy[0].session].session.t - before[1] < 2.0
+    assert 0 < seats[heavy[0].session].session.t - before[1] < 3.0
 
 
 def test_what_waits_for_a_session_is_bounded_and_said(classroom):

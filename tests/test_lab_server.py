@@ -38,7 +38,7 @@ class HereStage:
 
     def __init__(self) -> None:
         self.now, self.heard = 100.0, lambda words: None
-        self.stage = Stage(Options(rate=30.0, certified=False, longest=0.5), lambda: self.now)
+        self.stage = Stage(Options(rate=30.0, certified=False, longest=0.5), lambda: self.now, lambda: self.now)
 
     def listen(self, loop: Any, heard: Callable[[Any], None], lost: Callable[[str], None]) -> None:
         self.heard = heard

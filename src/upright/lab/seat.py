@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from upright.lab.session import Session
 
 MOST_WAITING = 32  # words; a page that is served at all never has so many
-LARGEST_CREDIT = 0.3  # [s] of computing that a quiet session saves up, so that a change of its robot is made at once
+LARGEST_CREDIT = 0.2  # [s] of computing that a session saves up, so that a change of its robot is made at once
+QUIET = 0.15  # [s] of credit that say that a session has used little of late
 LONGEST_STEP = 1000  # periods that wait at most
 LATEST = (Broadcast, Change, Drag, Play, Scrub, StandUp, Steer)
 """Of two such messages in a row, the first need not be done."""

@@ -22,7 +22,7 @@ from upright.lab.classroom import CLASS_SETUP
 from upright.lab.codec import encode
 from upright.lab.desk import ProcessDesk
 from upright.lab.messages import Notice, Setup, Step
-from upright.lab.seat import Seat, paid, within
+from upright.lab.seat import QUIET, Seat, paid, within
 
 if TYPE_CHECKING:
     from upright.lab.session import Session
@@ -34,6 +34,7 @@ FORGIVEN = 5.0  # [s] beyond which a session makes nothing good: the machine has
 REMEMBERED = 6000  # ticks whose lateness is kept, to be asked for
 SCORED = 0.25  # [s] between two boards
 SPENT = 0.8  # part of the wall time that all sessions may compute; the rest is for words and the desk
+SCANT = 0.15  # of it that one session may have in a tick whose time has run out
 AT_ONCE, PIECE = 5, 0.02  # periods of a `Step`, and [s] of simulated time, between two looks at the clock
 
 
@@ -51,16 +52,19 @@ class Options:
 class Stage:
     """Sessions by name. `take` handles a word of the server, `tick` runs everything up to the wall time `now` [s].
 
-    `clock` [s] is what computing time is measured by; `at_work` is told which session is being computed.
+    `used` [s] is the processor's clock, by which sessions pay, and `wall` [s] the one on the wall; `at_work` is told
+    which session is being computed.
     """
 
     def __init__(
         self,
         options: Options,
-        clock: Callable[[], float] = time.monotonic,
+        used: Callable[[], float] = time.thread_time,
+        wall: Callable[[], float] = time.monotonic,
         at_work: Callable[[str], None] = lambda name: None,  # noqa: ARG005
     ) -> None:
-        self._options, self._clock, self._at_work, self._desk = options, clock, at_work, ProcessDesk()
+        self._options, self._at_work, self._desk = options, at_work, ProcessDesk()
+        self._used, self._wall = used, wall
         self._seats: dict[str, Seat] = {}
         self._door = Seat(Path(), CLASS_SETUP)  # who comes in pays from here: new sessions cannot be had for nothing
         self._out: list[tuple[str, str, Any]] = []
@@ -89,9 +93,12 @@ class Stage:
                 self._seats[name].put("report", (job, status, result))
         span = SPENT / self._options.rate
         paid([self._door, *self._seats.values()], span)
-        end = self._clock() + span
+        spare = True
         for name, seat in sorted(self._seats.items(), key=lambda item: -item[1].credit):  # who used least comes first
-            self._turn(name, seat, now, end)
+            payer = seat if seat.session else self._door
+            if payer.credit > 0 and (spare or payer.credit > QUIET):  # who used little has its turn in every tick
+                self._turn(name, seat, payer, now, min(payer.credit, span if spare else SCANT * span))
+                spare = self._wall() < due + span
         self._at_work("")
         if now - self._scored >= SCORED:
             self._scored = now
@@ -118,22 +125,20 @@ class Stage:
         elif not seat.put(kind, rest[0]):
             self._say(name, Notice("error", "too much at once: some of it was left out; try: wait a moment", "tooMany"))
 
-    def _turn(self, name: str, seat: Seat, now: float, end: float) -> None:
-        """A session's turn, as long as its part of the time lasts and the tick does."""
-        payer, began = seat if seat.session else self._door, self._clock()
-        if payer.credit <= 0 or began >= end:
-            return
+    def _turn(self, name: str, seat: Seat, payer: Seat, now: float, most: float) -> None:
+        """A session's turn, of at most so much computing time [s] but for the last thing that it does."""
+        began = self._used()
         self._at_work(name)
         try:
             with within(self._options.longest):
-                self._served(name, seat, now, min(end, began + payer.credit))
+                self._served(name, seat, now, began + most)
         except Exception as error:  # whatever it was, the others go on
             self._set_back(name, seat, error)
-        payer.credit -= self._clock() - began
+        payer.credit -= self._used() - began
 
     def _served(self, name: str, seat: Seat, now: float, end: float) -> None:
         standing = seat.session.setup if seat.session else None
-        while seat.words and self._clock() < end:
+        while seat.words and self._used() < end:
             self._word(name, seat, *seat.words.popleft())
         if seat.session is None:
             return
@@ -166,7 +171,7 @@ class Stage:
         since, seat.last = now - seat.last, now
         seat.at = max(seat.at, now - FORGIVEN) if seat.watched else now
         span = min(now - seat.at, HASTE * since, HURRIED)
-        while span > 1e-9 and self._clock() < end:
+        while span > 1e-9 and self._used() < end:
             piece = min(span, PIECE)
             session.advance(piece * session.speed)
             seat.at, span = seat.at + piece, span - piece
