@@ -9,6 +9,7 @@ import signal
 import time
 from collections.abc import Iterator
 from dataclasses import replace
+from pathlib import Path
 from typing import Any, ClassVar
 
 import pytest
@@ -345,3 +346,18 @@ def test_at_the_desk_each_session_has_its_turn(monkeypatch, alone):
         desk.poll()
     assert ("honest", "mine") in FakeClerk.done[:3]
     assert len(FakeClerk.done) >= 3
+
+
+@pytest.mark.slow
+def test_a_class_with_hostile_students_in_it_goes_on(monkeypatch):
+    """A short `benchmarks/abuse.py lab`, whose rates are for a quiet machine and are not tested: one of each kind of
+    hostile student, whom no stage dies of and the teacher reads nothing of, while the others get pictures."""
+    monkeypatch.syspath_prepend(str(Path(__file__).resolve().parents[1] / "benchmarks"))
+    import abuse_lab
+
+    monkeypatch.setattr(abuse_lab, "SETTLED", 4.0)
+    rows = {row[0]: row for row in abuse_lab.measure(3, minutes=0.07, watchers=2, hostile=len(abuse_lab.WAYS))}
+    assert int(rows["messages and connections of the hostile"][1]) > 0
+    assert float(rows["pictures a second of the others, median"][1]) > 0
+    assert rows["stages alive"][3]
+    assert rows["lines on the teacher's terminal"][1] == "0"

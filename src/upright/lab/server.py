@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import ipaddress
+import logging
 import socket
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -109,6 +110,7 @@ def server_of(lab: Lab, hub: Hub) -> Any:
 
     from upright.lab.app import application
 
+    logging.getLogger("asyncio").setLevel(logging.CRITICAL)  # it warns of every client that went
     book = Book(files())
     requests, sockets = protocols(book)
     config = uvicorn.Config(
