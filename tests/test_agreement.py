@@ -269,10 +269,10 @@ def test_command_calibrates_the_log_first(tmp_path: Path, capsys: pytest.Capture
 def test_the_table_of_controllers_counts_drawn_robots_that_fall() -> None:
     # of a robot about which nothing is unknown every draw is the robot itself, and falls or holds as it does
     known = ROBOT.replace(provenance={})
-    row = bench_one("pid", "front", known, KIT, body="nonlinear", seed=1, drawn=draw(known, 20))
+    row, _ = bench_one("pid", "front", known, KIT, body="nonlinear", seed=1, drawn=draw(known, 20))
     assert row.holds
     assert row.spread == 0.0
     assert row.impulse
     assert row.impulse > KNOCK * ROBOT.body_mass  # it stood through the certificate's knock, which is meant to be mild
-    slow = bench_one("sliding", "front", known, KIT, body="nonlinear", seed=1, drawn=[known], knocks=False)
+    slow, _ = bench_one("sliding", "front", known, KIT, body="nonlinear", seed=1, drawn=[known], knocks=False)
     assert slow.spread is None  # too slow for a table

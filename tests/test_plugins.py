@@ -109,7 +109,7 @@ def test_the_bench_takes_what_is_registered(monkeypatch):
     registry.register("mine", lambda robot, kit, dt: make_controller("lqg", robot, kit, dt))
     monkeypatch.setattr("upright.comparison.bench.CONTROLLERS", registry)
     benched = []
-    monkeypatch.setattr("upright.comparison.bench.bench_one", lambda method, *_, **__: benched.append(method))
+    monkeypatch.setattr("upright.comparison.bench.bench_one", lambda method, *_, **__: (benched.append(method), None))
     bench_controllers(NXT, KIT, "nonlinear", knocks=False)
     assert benched == ["lqg", "lqg", "mine", "mine"]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
@@ -19,7 +19,7 @@ from upright.cli.options import (
     SeedOption,
     complete_method,
 )
-from upright.cli.output import check_targets, finish, print_json, print_table, progress
+from upright.cli.output import check_targets, finish, progress
 
 
 def design(
@@ -55,14 +55,6 @@ def design(
     finish(result, as_json, written=(written, report), file=str(written) if written else None)
 
 
-BENCH = {
-    "controller": "controller", "push": "push", "peak pitch [rad]": "peak", "settling 5 % [s]": "settling",
-    "travel [rad]": "travel", "effort": "effort", "saturated": "saturated", "largest impulse [N s]": "impulse",
-    "falls of 200 robots": "spread", "outcome": "outcome",
-}  # fmt: skip
-"""Column of the table → field of a row."""
-
-
 def bench_controllers(
     *,
     robot: RobotOption = "nxtway-gs",
@@ -70,6 +62,7 @@ def bench_controllers(
     body: BodyOption = "twin",
     seed: SeedOption = 1,
     output: OutputOption = None,
+    report: ReportOption = None,
     as_json: JsonOption = False,
 ) -> None:
     """Compare all controllers under the same pushes.
@@ -77,27 +70,13 @@ def bench_controllers(
     Tests: both pushes of Herrera et al. (2015), and the largest impulse that the robot recovers from. Linear
     controllers are also tested on 200 robots drawn from the spreads. Takes a minute.
     """
-    from upright.atomic import write_json
     from upright.comparison.bench import bench_controllers as bench
-    from upright.comparison.bench import bench_json
-    from upright.robots import find_kit, find_robot
 
-    check_targets(output)
-    nominal = find_robot(robot)
-    parts = find_kit(kit or nominal.kit)
+    check_targets(output, report)
     with progress("simulating") as show:
-        rows = bench(nominal, parts, body, seed, progress=show)
-    data = {"robot": nominal.name, "kit": parts.name, "body": body, "seed": seed, "rows": bench_json(rows)}
-    if output:
-        write_json(output, data)
-    if as_json:
-        print_json(data)
-        return
-    header = list(BENCH)
-    print_table(header, [[_cell(name, getattr(row, name)) for name in BENCH.values()] for row in rows], header[2:9])
+        result = bench(robot, kit, body, seed=seed, progress=show)
+    if report:
+        from upright.report import report as write_report
 
-
-def _cell(name: str, value: Any) -> str:
-    if isinstance(value, float):
-        return f"{value:.1%}" if name == "spread" else f"{value:.3g}"
-    return "–" if value is None else str(value)
+        write_report(result, report)
+    finish(result, as_json, output=output, written=(report,))

@@ -11,11 +11,11 @@ from upright.cli.options import (
     AnywayOption,
     CertificateOption,
     ControllerArgument,
+    HubOption,
     JsonOption,
     KitOption,
     RobotOption,
-    complete_hub,
-    complete_target,
+    TargetOption,
 )
 from upright.cli.output import check_folder, print_json
 
@@ -23,10 +23,7 @@ from upright.cli.output import check_folder, print_json
 def firmware(
     controller: ControllerArgument,
     *,
-    target: Annotated[
-        str,
-        typer.Option("--target", "-t", help="pybricks, nxc, c, arduino or ev3dev.", autocompletion=complete_target),
-    ],
+    target: TargetOption,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the program (.py, .nxc, .c with its .h, .ino).")
     ] = None,
@@ -35,9 +32,7 @@ def firmware(
     number: Annotated[
         str, typer.Option("--number", help="Arithmetic of c (float, double, fixed) and arduino (float, fixed).")
     ] = "",
-    hub: Annotated[
-        str, typer.Option(help="Hub of pybricks: prime, technic, ev3 or nxt.", autocompletion=complete_hub)
-    ] = "prime",
+    hub: HubOption = "prime",
     reference: Annotated[bool, typer.Option("--reference", help="For c: the reference state as inputs.")] = False,
     seconds: Annotated[
         int | None,

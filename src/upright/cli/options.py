@@ -78,8 +78,6 @@ complete_mapping = completed(_mappings, ".toml")
 complete_controller = completed(controllers, ".json")
 complete_body = completed(_bodies)
 complete_method = completed(controllers)
-complete_target = completed(_targets)
-complete_hub = completed(_hubs)
 
 ROBOT_HELP = "Robot by name (see `upright robots`) or TOML file"
 KIT_HELP = "Electronics by name or TOML file"
@@ -134,6 +132,15 @@ TurnOption = Annotated[
 StartOption = Annotated[str, typer.Option("--start", help="Initial state, such as pitch=0.05; the others are zero.")]
 OutputOption = Annotated[Path | None, typer.Option("--output", "-o", help="Write the result as JSON.")]
 ReportOption = Annotated[Path | None, typer.Option("--report", help="Write a page with figures: .html.")]
+TargetOption = Annotated[
+    str,
+    typer.Option(
+        "--target", "-t", help="Language: pybricks, nxc, c, arduino or ev3dev.", autocompletion=completed(_targets)
+    ),
+]
+HubOption = Annotated[
+    str, typer.Option(help="Hub of pybricks: prime, technic, ev3 or nxt.", autocompletion=completed(_hubs))
+]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
 PUSH_HELP = (

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,8 +17,13 @@ from upright.control import CONTROLLERS, Controller, make_controller
 from upright.errors import UprightError
 from upright.experiment import Hold, Impulse, outcome_of, run
 from upright.fleet.push_map import CEILING, FLOOR, largest
-from upright.robots import Kit, Robot
+from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import draw
+from upright.signals import Log
+from upright.tables import Listing, Shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 
@@ -29,6 +34,7 @@ STRUCK, KNOCK, WATCHED = 1.0, 0.02, 3.0  # [s] when a knock comes, how long it i
 GUESS = 0.3  # [m/s] of the whole robot: what most controllers survive about
 TOLERANCE = 0.03
 """Relative: readings of a degree make the last few per cent a matter of chance."""
+RANGE = 0.3  # [rad] of the responses that are drawn: a fall leaves them
 DRAWN = 200
 """Robots over the spreads: a fraction of one in a hundred shows."""
 
@@ -60,40 +66,106 @@ class BenchRow:
         return self.outcome == "yes"
 
 
+COLUMNS = {
+    "controller": "controller", "push": "push", "peak [rad]": "peak", "settles [s]": "settling",
+    "travel [rad]": "travel", "effort": "effort", "saturated": "saturated", "impulse [N s]": "impulse",
+    "falls of 200": "spread", "outcome": "outcome",
+}  # fmt: skip
+"""Column of the table → field of a row."""
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Bench(Shown):
+    """All controllers of one robot under the same pushes; `logs` are the runs by controller and push."""
+
+    robot: str
+    kit: str
+    body: str
+    seed: int
+    rows: tuple[BenchRow, ...]
+    logs: Mapping[tuple[str, str], Log]
+
+    def listing(self) -> Listing:
+        """One row for each controller and push."""
+        rows = [[_cell(name, getattr(row, name)) for name in COLUMNS.values()] for row in self.rows]
+        return Listing(list(COLUMNS), rows, list(COLUMNS)[2:9])
+
+    def __str__(self) -> str:
+        return str(self.listing())
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers, without the logs."""
+        where = {"robot": self.robot, "kit": self.kit, "body": self.body, "seed": self.seed}
+        return where | {"rows": [asdict(row) for row in self.rows]}
+
+    def ranked(self) -> dict[str, float]:
+        """Controllers by the largest impulse [N s] that they survive from the worse side; NaN where there is none."""
+        rows: dict[str, list[float]] = {}
+        for row in self.rows:
+            rows.setdefault(row.controller, []).append(math.nan if row.impulse is None else row.impulse)
+        worst = {name: min(values) for name, values in rows.items()}
+        return dict(sorted(worst.items(), key=lambda item: -np.nan_to_num(item[1], nan=-1.0)))
+
+    def plot(self) -> Figure:
+        """The largest impulse that each controller survives, the best first."""
+        from upright.plotting import bars
+
+        ranked = self.ranked()
+        return bars(list(ranked), list(ranked.values()), "largest impulse survived [N s]", "controller")
+
+    def plot_responses(self) -> Figure:
+        """Pitch under every controller, one panel for each push; a fall ends its line."""
+        from upright.plotting import legend, line, panels
+
+        pushes = list(dict.fromkeys(push for _, push in self.logs))
+        figure, axes = panels([f"pitch, {push} [rad]" for push in pushes])
+        for (controller, push), log in self.logs.items():
+            line(axes[pushes.index(push)], controller, log.t, log["truth/pitch"])
+        for ax in axes:
+            ax.set_ylim(-RANGE, RANGE)
+        return legend(figure)
+
+
 def bench_controllers(
-    robot: Robot,
-    kit: Kit,
+    robot: Robot | str,
+    kit: Kit | str | None = None,
     body: str = "twin",
+    *,
     seed: int = 1,
     methods: Sequence[str] = (),
     progress: Callable[[float], None] = lambda _fraction: None,
     knocks: bool = True,
-) -> tuple[BenchRow, ...]:
+) -> Bench:
     """Each of `methods` (none: all registered ones that are `benched`) on the sensors of `kit` through both pushes of
     the paper, held until 3 s and released; with `knocks` also the largest impulse that each recovers from, which takes
     ten runs a row.
 
     A method that has no design for this robot gets a row that says why.
     """
+    nominal = find_robot(robot)
+    parts = find_kit(kit or nominal.kit)
     methods = methods or [name for name, method in CONTROLLERS.items() if method.benched]
-    rows, drawn = list[BenchRow](), draw(robot, DRAWN, seed)
+    rows, logs, drawn = list[BenchRow](), dict[tuple[str, str], Log](), draw(nominal, DRAWN, seed)
     for method in methods:
         for side in PUSHES:
-            rows.append(bench_one(method, side, robot, kit, body=body, seed=seed, drawn=drawn, knocks=knocks))
+            row, log = bench_one(method, side, nominal, parts, body=body, seed=seed, drawn=drawn, knocks=knocks)
+            rows.append(row)
+            if log:
+                logs[row.controller, row.push] = log
             progress(len(rows) / (len(methods) * len(PUSHES)))
-    return tuple(rows)
+    return Bench(robot=nominal.name, kit=parts.name, body=body, seed=seed, rows=tuple(rows), logs=logs)
 
 
 def bench_one(
     method: str, side: str, robot: Robot, kit: Kit, *, body: str, seed: int, drawn: Sequence[Robot],
     knocks: bool = True,
-) -> BenchRow:  # fmt: skip
-    """One controller under one push, of `robot` and of the `drawn` ones."""
+) -> tuple[BenchRow, Log | None]:  # fmt: skip
+    """One controller under one push, of `robot` and of the `drawn` ones, and the run; None where there is no design."""
     push = f"{side}, {PUSHES[side]:+.2f} rad".replace("-", "−")
     try:
         controller = make_controller(method, robot, kit, kit.period)
     except UprightError as error:
-        return BenchRow(controller=method, push=push, outcome=f"no design: {str(error).split(';')[0]}")
+        return BenchRow(controller=method, push=push, outcome=f"no design: {str(error).split(';')[0]}"), None
     plant = Electronics(make_body(body, robot), kit)
     log = run(plant, controller, Hold(pitch=PUSHES[side], until=UNTIL), seconds=SECONDS, seed=seed)
     impulse = largest_knock(plant, controller, math.copysign(1.0, PUSHES[side]), seed) if knocks else None
@@ -105,7 +177,7 @@ def bench_one(
     spread = _spread(Course(kernel_controller(controller, robot, kit), robot, drawn, kit, seed), side)
     names = {"peak": "pitch_peak", "settling": "settling_5", "travel": "wheel_travel"}
     numbers = {n: measured[names.get(n, n)] for n in ("peak", "settling", "travel", "effort", "saturated")}
-    return BenchRow(controller=method, push=push, outcome=outcome, **numbers, impulse=impulse, spread=spread)
+    return BenchRow(controller=method, push=push, outcome=outcome, **numbers, impulse=impulse, spread=spread), log
 
 
 def largest_knock(plant: Body, controller: Controller, way: float, seed: int) -> float:
@@ -130,6 +202,7 @@ def _spread(course: Course, side: str) -> float | None:
     return float(np.concatenate([result.fell for result in runs]).mean())
 
 
-def bench_json(rows: Sequence[BenchRow]) -> list[dict[str, Any]]:
-    """The rows as plain values."""
-    return [asdict(row) for row in rows]
+def _cell(name: str, value: Any) -> str:
+    if isinstance(value, float):
+        return f"{value:.1%}" if name == "spread" else f"{value:.3g}"
+    return "–" if value is None else str(value)

@@ -19,7 +19,7 @@ from upright.report.page import Verdict as Verdict
 PAGES = {
     "Comparison": "comparing", "Calibration": "calibration", "MethodComparison": "identification",
     "ExcitationPlan": "excitation", "Analysis": "analysis", "Designed": "analysis", "Certificate": "certificate",
-    "PostMortem": "postmortem", "Fleet": "fleet", "Dataset": "fleet",
+    "PostMortem": "postmortem", "Fleet": "fleet", "Dataset": "fleet", "Bench": "bench",
 }  # fmt: skip
 """Class of a result → the file of this room that has its page."""
 

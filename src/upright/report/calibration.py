@@ -108,11 +108,15 @@ def _lead(c: Calibration) -> str:
 
 def _estimates(estimates: Sequence[Estimate]) -> Table:
     rows: list[list[Cell]] = [
-        [e.name.replace("_", " "), e.unit, e.value, f"{cell_text(e.low, 3)} … {cell_text(e.high, 3)}", e.prior,
+        [e.name.replace("_", " "), e.unit, e.value, _interval(e), e.prior,
          e.prior_spread, e.verdict]
         for e in estimates
     ]  # fmt: skip
     return Table(["", "unit", "value", "95 % interval", "prior", "±", "verdict"], rows, digits=3)
+
+
+def _interval(e: Estimate) -> str:
+    return f"{cell_text(e.low, 3)} … {cell_text(e.high, 3)}".replace(" ", "\u00a0")
 
 
 def _meanings() -> Table:
@@ -148,5 +152,5 @@ def _whiteness(c: Calibration) -> Table:
         [w.sensor.removeprefix("sensor/"), w.rms, w.worst, w.ljung_box, w.input_test, w.threshold, w.white]
         for w in c.whiteness
     ]
-    header = ["sensor", "rms over expected", "largest correlation", "Ljung–Box", "commands", "threshold", "white"]
+    header = ["sensor", "rms / expected", "correlation", "Ljung–Box", "commands", "threshold", "white"]
     return Table(header, rows)

@@ -124,17 +124,22 @@ def _eigenvalues(compared: MethodComparison) -> Figure:
 def _predictions(compared: MethodComparison) -> list[Item]:
     horizons = list(next(iter(compared.models.values())).fits) if compared.models else []
     outputs = compared.samples.parts[0].outputs
-    header = ["method", *(f"{output}, {h} ahead" for output in outputs for h in horizons)]
-    rows: list[list[Cell]] = [
-        [name, *(m.fits[h].get(output) for output in outputs for h in horizons)] for name, m in compared.models.items()
-    ]
     figure, axes = panels([f"fit of {output} [%]" for output in outputs], "samples ahead", "log")
     for ax, output in zip(axes, outputs, strict=True):
         for name, m in compared.models.items():
             line(ax, name, [float(h) for h in m.fits], [fit.get(output, math.nan) for fit in m.fits.values()])
         ax.set_ylim(0, 100)
     drawing = Figure("Predictions of the held-out part", legend(figure))
-    return [Table(header, rows, "Fit [%]; – where the prediction diverges", digits=3), drawing]
+    tables = [
+        Table(
+            ["samples ahead", *horizons],
+            [[name, *(m.fits[h].get(output) for h in horizons)] for name, m in compared.models.items()],
+            f"Fit of {output} [%]; – where the prediction diverges",
+            digits=3,
+        )
+        for output in outputs
+    ]
+    return [drawing, *tables]
 
 
 def _orders(compared: MethodComparison) -> list[Item]:

@@ -1,0 +1,61 @@
+"""The page of a `Bench`: controllers ranked by the knock they survive, their responses, and a table for each push."""
+
+from __future__ import annotations
+
+import math
+
+from upright.comparison.bench import DRAWN, Bench
+from upright.report.figure import Figure
+from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
+
+
+def page_of(bench: Bench) -> Page:
+    """The bench's page, not yet written."""
+    ranked = bench.ranked()
+    held = [name for name in ranked if all(row.holds for row in bench.rows if row.controller == name)]
+    best, largest = next(iter(ranked.items()), ("", math.nan))
+    verdict = Verdict(f"{len(held)} of {len(ranked)} hold it", "good" if held else "warn")
+    knocked = not math.isnan(largest)
+    title = f"{best} survives the largest knock, {cell_text(largest, 3)} N s"
+    numbers = [(f"{cell_text(size, 3)} N s", f"largest knock survived by {name}") for name, size in ranked.items()]
+    facts = {"robot": bench.robot, "kit": bench.kit, "body": bench.body, "seed": str(bench.seed)}
+    sections = [Section("Tables", tables(bench))]
+    if knocked:
+        sections = [Section("Responses", [responses(bench)]), *sections]
+    return Page(
+        f"Controllers of {bench.robot}", sections, "All controllers under the same pushes.", facts,
+        bench.body == "twin", verdict=verdict, picture=Figure(title, bench.plot()) if knocked else responses(bench),
+        numbers=numbers[:3] if knocked else (),
+    )  # fmt: skip
+
+
+def responses(bench: Bench) -> Figure:
+    """Pitch under every controller and push."""
+    fell = [row.controller for row in bench.rows if row.outcome.startswith("fell")]
+    title = f"Pitch under each push; these fall: {', '.join(dict.fromkeys(fell))}" if fell else "Pitch under each push"
+    return Figure(title, bench.plot_responses())
+
+
+def tables(bench: Bench) -> list[Table]:
+    """What each controller does under each push."""
+    header = [
+        "controller",
+        "",
+        "peak [rad]",
+        "settles [s]",
+        "travel [rad]",
+        "effort",
+        "saturated",
+        "knock [N s]",
+        "falls",
+    ]
+    made: list[Table] = []
+    for push in dict.fromkeys(row.push for row in bench.rows):
+        cells: list[list[Cell]] = [
+            [r.controller, r.outcome, r.peak, r.settling, r.travel, r.effort, r.saturated, r.impulse, r.spread]
+            for r in bench.rows
+            if r.push == push
+        ]
+        caption = f"{push}: held until 3 s. Knock: the largest survived [N s]; falls: fraction of {DRAWN} drawn robots"
+        made.append(Table(header, cells, caption, digits=3))
+    return made

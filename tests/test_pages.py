@@ -1,0 +1,108 @@
+"""Pages as a browser shows them: nothing wider than the screen, figures that say numbers, few printed pages."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from upright.certify.design import design
+from upright.comparison import compare
+from upright.comparison.bench import Bench, BenchRow
+from upright.experiment import Impulse
+from upright.fleet.basin import Axis, basin
+from upright.fleet.fleet import ensemble_of, fleet
+from upright.report import report
+from upright.signals import STATE_NAMES, Log
+
+pytestmark = [pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow]
+
+WIDTHS = (1280, 390)  # [px] a laptop's window, a phone
+
+
+def run(decay: float) -> Log:
+    t = np.arange(0, 6, 0.01)
+    pitch = 0.1 * np.exp(-np.maximum(t - 1, 0) / decay)
+    columns = {f"truth/{name}": pitch for name in STATE_NAMES} | {"push/force": np.where(t < 1, 1.0, 0.0)}
+    columns |= {f"{p}/{s}": 10 * pitch for p in ("command", "applied") for s in ("left", "right")}
+    return Log(t, columns)
+
+
+def bench() -> Bench:
+    rows = tuple(
+        BenchRow(controller=name, push=push, outcome="yes", peak=0.12345, settling=1.234, travel=12.345, effort=123.4,
+                 saturated=0.0, impulse=size, spread=0.01)
+        for name, size in (("lqr-complementary", 0.2), ("lqg", 0.3)) for push in ("front, +0.10 rad", "back, −0.12 rad")
+    )  # fmt: skip
+    logs = {(row.controller, row.push): run(0.5) for row in rows}
+    return Bench(robot="nxtway-gs", kit="nxt", body="twin", seed=1, rows=rows, logs=logs)
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """One page of each kind whose result takes no more than seconds."""
+    folder = tmp_path_factory.mktemp("pages")
+    results = {
+        "comparison": compare({"twin": run(0.5), "nonlinear model": run(0.4), "linear": run(0.3)}),
+        "design": design("lqg", "nxtway-gs"),
+        "fleet": fleet("nxtway-gs", 20, vary={"com_height": "±10%"}, pushes=(Impulse(impulse=0.1),), seconds=2.0),
+        "basin": basin(ensemble_of("nxtway-gs", seconds=1.0), Axis("pitch", -1.0, 1.0, 5), Axis("wheel", -1, 1, 3)),
+        "bench": bench(),
+    }
+    return {name: report(result, folder / f"{name}.html") for name, result in results.items()}
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox"])
+        yield browser
+        browser.close()
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+@pytest.mark.parametrize("name", ["comparison", "design", "fleet", "basin", "bench"])
+def test_nothing_is_wider_than_the_screen(pages: dict[str, Path], browser: Any, name: str, width: int) -> None:
+    page = browser.new_page(viewport={"width": width, "height": 900})
+    page.goto(pages[name].as_uri())
+    page.evaluate("document.querySelectorAll('details').forEach((item) => { item.open = true })")
+    assert page.evaluate("document.documentElement.scrollWidth") == width
+    wide = "[...document.querySelectorAll('.table')].filter((t) => t.scrollWidth > t.clientWidth + 1).length"
+    assert width < 1280 or page.evaluate(wide) == 0  # a phone scrolls a table by itself
+    page.close()
+
+
+@pytest.mark.parametrize("name", ["comparison", "design", "fleet", "basin", "bench"])
+def test_the_first_screen_has_the_picture_and_no_axis_is_a_logarithm(
+    pages: dict[str, Path], browser: Any, name: str
+) -> None:
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    page.goto(pages[name].as_uri())
+    top = page.evaluate("document.querySelector('header figure svg').getBoundingClientRect().top")
+    assert top < 450  # half a laptop's screen
+    letters = page.evaluate("[...document.querySelectorAll('figure svg text')].map((t) => t.textContent)")
+    assert not [text for text in letters if re.search(r"log|power of ten", text)]
+    page.close()
+
+
+def test_a_pointer_over_a_figure_reads_its_lines(pages: dict[str, Path], browser: Any) -> None:
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    page.goto(pages["comparison"].as_uri())
+    box = page.evaluate("(({x, y, width, height}) => [x, y, width, height])"
+                        "(document.querySelector('svg.lines').getBoundingClientRect())")  # fmt: skip
+    data = page.evaluate("JSON.parse(document.querySelector('svg.lines').dataset.curves)[0]")
+    wide = page.evaluate("document.querySelector('svg.lines').viewBox.baseVal.width")
+    (low, high), left, right = data["x"], data["left"], data["right"]
+    at = left + (0.5 - low) / (high - low) * (right - left)  # half a second, while pitch is held at 0.1
+    page.mouse.move(box[0] + at / wide * box[2], box[1] + box[3] / 2)
+    text = page.evaluate("document.querySelector('output').textContent")
+    time, *values = re.findall(r"-?\d+\.?\d*", text)
+    assert float(time) == pytest.approx(0.5, abs=0.02)
+    assert [float(value) for value in values] == pytest.approx([0.1] * 3, abs=0.002)
+    page.close()
