@@ -98,3 +98,19 @@ def test_sizes_are_refused_before_the_work(arguments: str, capsys, tmp_path: Pat
     (tmp_path / "x.toml").write_text("n = 1\n")
     assert main(arguments.split()) == USER_ERROR
     assert len(capsys.readouterr().err.splitlines()) == 1
+
+
+def test_numbers_beyond_every_robot_are_one_line(tmp_path: Path) -> None:
+    huge = up.Log(TINY.t, {"sensor/gyro": np.full(20, 1e308), "sensor/encoder_left": np.linspace(0, 1, 20)})
+    push = up.Push(force=1e308, start=0.0, duration=1.0)
+    body, gain = up.NonlinearBody(ROBOT), up.lqr(ROBOT, 0.01)
+    (tmp_path / "exits.py").write_text("raise SystemExit(7)\n")
+    for call in (
+        lambda: up.doctor(huge),
+        lambda: up.run(body, gain, push, seconds=0.1),
+        lambda: up.run(body, gain, start=(1e308, 0, 0, 0, 0, 0), seconds=0.1),
+        lambda: up.push_map(ROBOT, watch=1e308),
+        lambda: up.design(f"{tmp_path / 'exits.py'}:X", ROBOT),
+    ):
+        with pytest.raises(UprightError):
+            call()

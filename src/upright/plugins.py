@@ -87,7 +87,7 @@ def _loaded(what: str, load: Callable[[], Any]) -> Any:
         return load()
     except UprightError:
         raise
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         trace = error.__traceback__
         while trace and trace.tb_next:
             trace = trace.tb_next

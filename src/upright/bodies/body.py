@@ -79,12 +79,18 @@ def sample(t: float, values: Sequence[float], applied: Sequence[float], fallen: 
     return Sample(t, array, (float(applied[0]), float(applied[1])), bool(fallen))
 
 
+MOST = 1e12
+"""Of a command and of a state that a run begins with: far beyond any robot, and far from overflow."""
+
+
 def checked(values: Sequence[float], size: int, name: str) -> tuple[float, ...]:
     """`values` as floats, refused with `SpecMismatch` unless there are `size` of them and all are finite."""
     numbers = tuple(float(v) for v in values)
-    if len(numbers) != size or not all(map(math.isfinite, numbers)):
+    if len(numbers) != size or not all(abs(number) <= MOST for number in numbers):
         likely = "a controller that diverged" if name == "command" else ""
-        raise SpecMismatch(f"{name} is {list(numbers)}", expected=f"{size} finite numbers", likely=likely)
+        raise SpecMismatch(
+            f"{name} is {list(numbers)}", expected=f"{size} finite numbers up to {MOST:g}", likely=likely
+        )
     return numbers
 
 

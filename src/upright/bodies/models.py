@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, checked_period, sample
-from upright.errors import InvalidModel
+from upright.errors import InvalidModel, InvalidScenario
 from upright.physics.dynamics import CALM, MODELS, Disturbance, accelerations, derivative
 from upright.physics.integrate import rk4_step, substeps
 from upright.physics.linear import DISTURBANCES, LinearModel, linearise
@@ -46,8 +46,14 @@ class NonlinearBody:
         def f(x: Sequence[float]) -> tuple[float, ...]:
             return derivative(x, u, robot, disturbance, math, model)
 
-        for _ in range(self.substeps):
-            self._x = rk4_step(f, self._x, h)
+        try:
+            for _ in range(self.substeps):
+                self._x = rk4_step(f, self._x, h)
+        except (ArithmeticError, ValueError):  # the sine of infinity is a ValueError
+            raise InvalidScenario(
+                f"the motion is beyond every number after {self._steps * self.spec.period:g} s",
+                expected="pushes and commands that a robot can meet",
+            ) from None
         self._steps += 1
         return self._sample(u, disturbance)
 

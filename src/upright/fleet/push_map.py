@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from upright.errors import InvalidScenario, check_within
+from upright.experiment.run import MAX_SECONDS
 from upright.fleet.ensemble import Ensemble
 from upright.fleet.fleet import ensemble_of
 from upright.kernel.batch import FleetBatch
@@ -128,6 +129,7 @@ def push_map(
     nominal robot is interpolated, linear in both. Robot s has noise from stream s everywhere, the nominal one from 0.
     """
     check_within("samples", samples, 0, 100_000)
+    check_within("seconds to stand after a push", watch, 1e-3, MAX_SECONDS)
     if not isinstance(robot, Ensemble):
         choices.setdefault("vary", () if choices.get("posterior") else ("spread",))
     ensemble = robot if isinstance(robot, Ensemble) else ensemble_of(robot, **choices)

@@ -201,8 +201,16 @@ def undelayed(log: Log, delays: Mapped[str, float]) -> Log:
     return Log(log.t[keep], {name: values[keep] for name, values in channels.items()}, log.units, log.origin)
 
 
+MOST = 1e30
+"""Of a number in a log of any unit, times in nanoseconds included: squares and cubes of it do not overflow."""
+
+
 def _values(source: Source, table: RawTable) -> Array:
-    return table.column(source.column) * (source.sign * source.scale * UNITS[source.unit][0])
+    column = table.column(source.column)
+    if len(beyond := np.flatnonzero(np.isfinite(column) & (np.abs(column) > MOST))):
+        row = int(beyond[0])
+        raise InvalidLog(f"column '{source.column}' holds {column[row]:g} at row {row}", expected=f"up to ±{MOST:g}")
+    return column * (source.sign * source.scale * UNITS[source.unit][0])
 
 
 def _summed(rates: Array, t: Array) -> Array:
