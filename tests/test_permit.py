@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -14,6 +15,8 @@ import pytest
 from firmware_cases import NXT, ROBOT, frozen
 from upright.atomic import write_json
 from upright.certify.certificate import Certificate, certify
+from upright.certify.checks import PushTrial
+from upright.certify.design import design
 from upright.cli.main import USER_ERROR, main
 from upright.control import (
     CONTROLLERS,
@@ -25,6 +28,7 @@ from upright.control import (
 )
 from upright.control.identity import identity
 from upright.firmware.program_file import read_program
+from upright.report.certificate import page_of
 from upright.robots import Kit
 
 
@@ -151,3 +155,24 @@ def test_what_was_asked_for_is_forgotten_by_a_change() -> None:
     here = CONTROLLERS["lqg"](ROBOT, NXT, NXT.period)
     changed = replace(here, C=1.0000001 * here.C)  # type: ignore[type-var, attr-defined]
     assert identity(changed).differs(identity(here)) != ""
+
+
+def test_what_nobody_survived_has_a_dash_and_no_number() -> None:
+    """Quantiles of the robots that stand, of which there are none."""
+    trial = PushTrial("hold", "low", 100, 100, saturated=0.0, travel=0.0, peak=0.0, cycle=0.0)
+    shown = str(replace(certificate(), trials=(trial,))).splitlines()[-1]
+    assert shown.split() == ["hold", "low", "100/100", "–", "–", "–", "–"]
+    page = page_of(replace(certificate(), trials=(trial,))).html()
+    assert "0.000" not in page.partition("Every standard push")[2].partition("</table>")[0]
+
+
+def test_a_certificate_has_a_figure() -> None:
+    """A bar for every push at every battery."""
+    figure = certificate().plot()
+    assert [len(ax.patches) for ax in figure.axes] == [len(certificate().trials)]
+
+
+def test_a_design_prints_numbers_as_far_as_they_mean_something() -> None:
+    text = str(design("lqg", ROBOT, NXT))
+    assert max(len(word) for word in re.findall(r"[0-9.e+-]+", text) if "." in word) <= 9
+    assert "\n\n\n" not in text
