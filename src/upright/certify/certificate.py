@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -35,6 +35,9 @@ from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.facts import Facts, differences, kit_facts, robot_facts
 from upright.robots.uncertainty import Uncertainty, at_medians, draw
 from upright.tables import Shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 GREEN = "green"
 
@@ -140,6 +143,13 @@ class Certificate(Shown):
         if not (others := differences(facts, self.subject[what])):
             return ""
         return f"another {what}: {f'{what} {name} instead of {certified}, ' if name != certified else ''}{others}"
+
+    def plot(self) -> Figure:
+        """How many robots fell [%], a bar for every push at every battery."""
+        from upright.plotting import bars
+
+        names = [f"{t.push}, {t.battery} battery" for t in self.trials]
+        return bars(names, [100 * t.fell / t.runs for t in self.trials], "robots that fell [%]", "push")
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is unlimited."""
@@ -349,6 +359,7 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
 
 def _row(t: PushTrial) -> str:
     numbers = f"{t.saturated:>11.0%}{t.travel:>8.2f} m{t.peak:>7.3f} rad{t.cycle:>7.3f} rad"
+    numbers = numbers if t.fell < t.runs else f"{'–':>11}{'–':>10}{'–':>11}{'–':>11}"
     return f"{t.push:<20}{t.battery:>8}{f'{t.fell}/{t.runs}':>12}{numbers}"
 
 

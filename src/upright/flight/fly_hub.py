@@ -124,7 +124,7 @@ async def _flown(
         if not await _stop(hub):
             raise MotorsMayRun(f"{may_run(hub.name, text)} ({error})") from error
         raise
-    stopped = await _stop(hub, bool(trouble))
+    stopped = await _stop(hub, doubtful=not hub.begun)
     if trouble and stopped and not hub.begun:
         raise trouble
     flight.notes += [str(trouble)] if trouble else []

@@ -142,7 +142,10 @@ def fetch_log(brick: Connection, text: str, program: Program, flight: Flight, wh
     opened = OPENED.search(text)
     name = opened[1] if opened else NXT_LOG
     if name not in [stored for stored, _ in brick.ask("files")]:
-        flight.notes.append("the brick has no log: the program did not come to balance, or the flash was full")
+        flight.notes.append(
+            "the brick has no log: the program did not come to balance, or the flash was full; "
+            "upright fly --fetch asks again"
+        )
         return
     flight.keep(read_brick_log(brick.fetch(name), where), program)
 

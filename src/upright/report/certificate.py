@@ -64,7 +64,14 @@ def _intro(c: Certificate) -> str:
 
 def _trials(c: Certificate) -> Table:
     rows: list[list[Cell]] = [
-        [t.push, t.battery, t.runs, t.fell, 100 * t.saturated, t.travel, t.peak, t.cycle] for t in c.trials
+        [
+            t.push,
+            t.battery,
+            t.runs,
+            t.fell,
+            *([100 * t.saturated, t.travel, t.peak, t.cycle] if t.fell < t.runs else [None] * 4),
+        ]
+        for t in c.trials
     ]
     header = ["push", "battery", "robots", "fell", "saturated [%]", "travel [m]", "peak pitch [rad]", "sway [rad]"]
     return Table(header, rows, "Standard pushes with full and low battery", 3)
