@@ -32,7 +32,7 @@ def chain(node: ast.expr) -> list[str]:
 def test_every_call_of_a_program_is_one_of_the_official_api(name: str) -> None:
     tree = ast.parse(generate(frozen(), ROBOT, HUBS[name], "pybricks", hub=name).text)
     api: dict[str, Any] = {}
-    imports = [node for node in tree.body if isinstance(node, ast.Import | ast.ImportFrom)]
+    imports: list[ast.stmt] = [node for node in tree.body if isinstance(node, ast.Import | ast.ImportFrom)]
     exec(compile(ast.Module(imports, []), name, "exec"), api)  # every name that it imports exists
     sensor = "GyroSensor" if "GyroSensor" in api else "Hub"
     known = {variable: api[kind] for variable, kind in (MADE | {"gyro_sensor": sensor}).items()}
