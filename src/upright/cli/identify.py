@@ -31,16 +31,14 @@ def _methods() -> list[str]:
     return [*IDENTIFIERS, "all"]
 
 
+METHOD_HELP = "least-squares, total-least-squares, instrumental, subspace, calibrate, or all."
+MethodOption = Annotated[str, typer.Option(help=METHOD_HELP, autocompletion=completed(_methods))]
+
+
 def identify(
     log: LogArgument,
     *,
-    method: Annotated[
-        str,
-        typer.Option(
-            help="least-squares, total-least-squares, instrumental, subspace, calibrate, or all.",
-            autocompletion=completed(_methods),
-        ),
-    ] = "subspace",
+    method: MethodOption = "subspace",
     robot: RobotOption = "nxtway-gs",
     kit: KitOption = None,
     mapping: MappingOption = None,
