@@ -109,7 +109,7 @@ def test_where_nothing_linear_is_known_it_says_so() -> None:
     assert Certificate.from_json(json.loads(json.dumps(found.to_json()))) == found
     light, reasons = judge(1000, 0, None, [TRIAL], 0.01)
     assert light == GREEN
-    assert "not known" in reasons[1]
+    assert "no linear margins" in reasons[1]
 
 
 class Broken:

@@ -19,7 +19,7 @@ from upright.bodies.twin import Twin
 from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import HELD, VISIBLE, Calibration
 from upright.calibrate.fitting import DRIVEN, LEVEL, events_of, normal_equations, objective
-from upright.calibrate.parameters import ROLL_FRACTION, parameters_of, with_values
+from upright.calibrate.parameters import ROLL_FRACTION, Parameter, parameters_of, with_values
 from upright.calibrate.threads import in_threads
 from upright.control import Estimated, kalman, lqr, make_controller
 from upright.control.controller import TRUE_STATE, ControllerSpec
@@ -492,3 +492,10 @@ def test_a_forked_process_has_threads_of_its_own() -> None:
     assert _doubled() == [0, 2, 4, 6]
     with multiprocessing.get_context("fork").Pool(1) as pool:
         assert pool.apply_async(_doubled).get(timeout=60) == [0, 2, 4, 6]
+
+
+def test_a_parameter_at_its_bound_is_the_bound() -> None:
+    # 1e-5 − 1e-5 in steps of the spread leaves 1.7e-21, which no robot's inertia is
+    rotor = Parameter("rotor_inertia", "kg m²", 1e-5, 3e-6, "linear", lower=0.0)
+    assert rotor.value(rotor.least) == 0.0
+    assert rotor.value(np.array([rotor.least, 0.0])).tolist() == [0.0, 1e-5]

@@ -354,5 +354,5 @@ def test_the_commands_write_what_they_say(tmp_path, capsys):
     assert "recovers from" in capsys.readouterr().out
     with pytest.raises(UprightError, match="mkdir"):
         fleet_command(kit="ideal", samples=1, output=tmp_path / "none" / "f.parquet")
-    with pytest.raises(InvalidScenario, match="a fleet of 0 robots"):
+    with pytest.raises(InvalidScenario, match="0 robots in a fleet"):
         fleet_command(kit="ideal", samples=0)

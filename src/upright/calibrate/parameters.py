@@ -34,6 +34,7 @@ ROLL_FRACTION = "roll_fraction"
 ANYWHERE = 1 / math.sqrt(12)
 """Deviation of a share that may be anything from 0 to 1."""
 
+ROUNDING = 1e-12  # of a spread: a parameter that close to its bound is at it, as zero is zero and not 1.7e-21
 DELAY_SPREAD = 0.02  # [s] one standard deviation of a dead time, about two periods: kits say little of theirs
 SENSORS = ("encoder", "gyro", "compass")
 
@@ -55,7 +56,8 @@ class Parameter:
         """The parameter at the coordinate z."""
         if self.scale == "logarithm":
             return self.prior * np.exp(np.asarray(z) * (self.spread / self.prior))
-        return self.prior + np.asarray(z) * self.spread
+        value = self.prior + np.asarray(z) * self.spread
+        return np.where(np.abs(value - self.lower) < ROUNDING * self.spread, self.lower, value)[()]
 
     def coordinate(self, value: float) -> float:
         """The inverse of `value`."""
