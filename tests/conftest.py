@@ -7,6 +7,8 @@ import os
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the tests themselves run side by side; set before numpy loads
 
 import shutil
+import signal
+import threading
 from collections.abc import Generator
 from importlib.util import find_spec
 from pathlib import Path
@@ -30,6 +32,8 @@ def missing(need: str) -> bool:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    if signal.getsignal(signal.SIGINT) == signal.SIG_IGN and threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # a run in the background: what it starts hears Ctrl-C
     config.addinivalue_line(
         "markers",
         "needs(*what): skip where 'shared/…', 'module:…' or a program is not there; fail if UPRIGHT_REQUIRE_ALL=1",
