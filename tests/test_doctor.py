@@ -119,7 +119,7 @@ def test_a_pause_is_a_gap_and_dropped_rows_are_not(periods: int) -> None:
     assert np.diff(repaired.t).max() == pytest.approx(step if periods > 5 else log.period, rel=1e-6)
 
 
-@pytest.mark.parametrize("by", [20.0, 1e9, 1e300])
+@pytest.mark.parametrize("by", [20.0, 1e9, 1e29])
 def test_a_clock_that_jumps_leaves_its_longest_part(by: float) -> None:
     log = made("nxt")
     t = log.t.copy()
