@@ -53,7 +53,8 @@ def run_nxc(text: str, folder: Path, hardware: Hardware | None = None) -> Hardwa
 
 def saved(folder: Path, declarations: str, body: str, value: str, hardware: Hardware | None = None) -> bytes:
     """The bytes of `value` as a program writes them into a file."""
-    text = f'{declarations} byte handle; task main() {{ CreateFile("x.dat", 100, handle); {body} Write(handle, {value}); }}'
+    task = f'CreateFile("x.dat", 100, handle); {body} Write(handle, {value});'
+    text = f"{declarations} byte handle; task main() {{ {task} }}"
     return bytes(run_nxc(text, folder, hardware).flash.files["x.dat"])
 
 

@@ -113,7 +113,15 @@ _PLAIN: dict[str, Any] = {"str": str, "float": (int, float), "int": int, "bool":
 
 
 def check_types(thing: Any) -> None:
-    """Raise `TypeError` for a field of a dataclass, or of one inside it, that is not its text or number."""
+    """Raise `TypeError` for a field of a dataclass, or of one inside it, that is not its text or number.
+
+    What is no dataclass, such as a controller that keeps plain attributes, is checked in its attributes.
+    """
+    if not dataclasses.is_dataclass(thing):
+        for inner in vars(thing).values() if hasattr(thing, "__dict__") else ():
+            if dataclasses.is_dataclass(inner):
+                check_types(inner)
+        return
     for field in dataclasses.fields(thing):
         value = getattr(thing, field.name)
         kind = _PLAIN.get(str(field.type))
