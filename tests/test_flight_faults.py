@@ -47,7 +47,7 @@ def test_who_could_not_stop_a_brick_says_so(fault: str) -> None:
 def test_a_brick_that_never_began_is_no_flight() -> None:
     outcome = abuse_flights.on_brick("wrong file", "start")
     assert (outcome.drove, outcome.off, outcome.flight) == (False, True, None)
-    assert "will not start" in str(outcome.error)
+    assert "refused 'start'" in str(outcome.error)
 
 
 @pytest.mark.parametrize(

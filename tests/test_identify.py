@@ -414,7 +414,7 @@ def test_the_command_compares_all_methods(tmp_path: Path, capsys: pytest.Capture
         (["--robot", "twipr"], "N m"),
         (["--until", "1"], "samples"),
         (["-o", "nowhere/m.json"], "no folder"),
-        (["--order", "99", "-o", "m.json"], "order 99"),
+        (["--order", "99", "-o", "m.json"], "'--order'"),
     ],
 )
 def test_a_wrong_command_is_one_line_and_leaves_no_file(

@@ -17,8 +17,8 @@ from upright.errors import UprightError
 LARGEST = 64 << 20
 """[bytes] of a file that is read as one text."""
 
-LONGEST_NUMBER = 19
-"""Digits of a whole number: 64 bits."""
+LONGEST_NUMBER = 300
+"""Digits of a whole number: a float holds one of 308."""
 
 _DEEP_KEY = re.compile(r"""(?:[\w"'-]{1,80}\s*\.\s*){50}""")
 _SURROGATE = re.compile(r"\\u[dD][89a-fA-F]")
