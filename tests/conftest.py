@@ -8,7 +8,6 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the tests themselves run s
 
 import shutil
 import signal
-import threading
 from collections.abc import Generator
 from importlib.util import find_spec
 from pathlib import Path
@@ -32,8 +31,9 @@ def missing(need: str) -> bool:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    if signal.getsignal(signal.SIGINT) == signal.SIG_IGN and threading.current_thread() is threading.main_thread():
-        signal.signal(signal.SIGINT, signal.default_int_handler)  # a run in the background: what it starts hears Ctrl-C
+    for name in ("SIGINT", "SIGHUP"):  # a run in the background ignores them: what it starts must not
+        if signal.getsignal(getattr(signal, name, signal.SIGINT)) == signal.SIG_IGN:
+            signal.signal(getattr(signal, name), signal.default_int_handler)
     config.addinivalue_line(
         "markers",
         "needs(*what): skip where 'shared/…', 'module:…' or a program is not there; fail if UPRIGHT_REQUIRE_ALL=1",
