@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from upright.control.controller import Controller, ControllerSpec
 from upright.control.delay import RAW, sampled
 from upright.control.kalman import DISTURBED, Disturbed, corrected, kalman_filter
-from upright.errors import SpecMismatch
+from upright.errors import InvalidController, SpecMismatch
 from upright.physics.dynamics import turn_ratio
 from upright.robots import Kit, Robot, Sensor, find_kit, find_robot
 
@@ -133,6 +133,8 @@ class Complementary:
     _state: Array = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
+        if not (self.turn > 0 and self.dt > 0 and self.time >= 0 and self.rate_time >= 0):
+            raise InvalidController("a complementary filter has times and W/(2R) that are positive")
         self.reset()
 
     @property
