@@ -59,7 +59,7 @@ def read_text(path: str | Path, refused: Refused, expected: str) -> str:
 
 
 def parse_json(text: str, where: str, refused: Refused, expected: str) -> Any:
-    """The values of JSON; raises `refused` for what is none, nests too deeply, or has numbers beyond 64 bits."""
+    """The values of JSON; raises `refused` for what is none, nests too deeply, or has longer numbers than may be."""
     try:
         data = json.loads(text, parse_int=_whole, parse_float=_finite)
         if _SURROGATE.search(text):
@@ -75,7 +75,7 @@ def parse_json(text: str, where: str, refused: Refused, expected: str) -> Any:
 
 
 def parse_toml(text: str, where: str, refused: Refused, expected: str) -> dict[str, Any]:
-    """The table of TOML; raises `refused` as `parse_json` does."""
+    """The table of TOML; raises `refused` as `parse_json` does, and for a whole number beyond 64 bits."""
     try:
         if _DEEP_KEY.search(text):  # before tomllib, whose memory grows with the square of a key's parts
             raise RecursionError
@@ -113,20 +113,15 @@ _PLAIN: dict[str, Any] = {"str": str, "float": (int, float), "int": int, "bool":
 
 
 def check_types(thing: Any) -> None:
-    """Raise `TypeError` for a field of a dataclass, or of one inside it, that is not its text or number.
-
-    What is no dataclass, such as a controller that keeps plain attributes, is checked in its attributes.
-    """
-    if not dataclasses.is_dataclass(thing):
-        for inner in vars(thing).values() if hasattr(thing, "__dict__") else ():
-            if dataclasses.is_dataclass(inner):
-                check_types(inner)
-        return
-    for field in dataclasses.fields(thing):
-        value = getattr(thing, field.name)
-        kind = _PLAIN.get(str(field.type))
+    """Raise `TypeError` for a field of a dataclass, or of one inside what `thing` keeps, that is not its text or
+    number."""
+    kinds = (
+        {field.name: str(field.type) for field in dataclasses.fields(thing)} if dataclasses.is_dataclass(thing) else {}
+    )
+    for name, value in vars(thing).items() if hasattr(thing, "__dict__") else ():
+        kind = _PLAIN.get(kinds.get(name, ""))
         if kind and not (isinstance(value, kind) and (kind is bool) == isinstance(value, bool)):
-            raise TypeError(f"{field.name} is {str(value)[:60]!r}, not {field.type}")
+            raise TypeError(f"{name} is {str(value)[:60]!r}, not {kinds[name]}")
         for inner in cast("tuple[Any, ...]", value if isinstance(value, tuple) else (value,)):
             if dataclasses.is_dataclass(inner):
                 check_types(inner)

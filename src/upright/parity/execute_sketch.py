@@ -12,6 +12,7 @@ from upright.atomic import TemporaryFolder, write_text
 from upright.compiled.program import Program
 from upright.errors import InvalidController, MissingTool
 from upright.firmware.tools import run_tool, tool
+from upright.firmware.wiring import defined
 from upright.parity.execute_avr import CHIP, Chip, spent
 from upright.parity.executor import Values
 
@@ -136,11 +137,8 @@ def constants(text: str) -> Mapping[str, int]:
     """The pins and the gyro's sign of a sketch; `InvalidController` for what is not a number of an Uno's pin."""
     numbers: dict[str, int] = {}
     for name in (*PIN_NAMES, "GYRO_SIGN"):
-        constant = re.search(rf"^#define {name}\s+(\S+)", text, re.MULTILINE)
-        known = constant and re.fullmatch(r"-1|\d|1[0-9]", constant[1])
-        if not constant or not known:
-            raise InvalidController(
-                f"{name} is {constant[1] if constant else 'missing'}", expected="the number of an Uno's pin, or a sign"
-            )
-        numbers[name] = int(constant[1])
+        word = defined(text, name)
+        if not re.fullmatch(r"-1|\d|1[0-9]", word):
+            raise InvalidController(f"{name} is {word or 'missing'}", expected="the number of an Uno's pin, or a sign")
+        numbers[name] = int(word)
     return numbers
