@@ -16,6 +16,7 @@ from upright.calibrate.calibrate import calibrate
 from upright.cli.main import main
 from upright.control import Estimated, StateFeedback, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary
+from upright.control.identity import asked_of, designed_from
 from upright.errors import DesignFailed, InvalidScenario, SpecMismatch, UnknownName
 from upright.excite import excite
 from upright.excite.information import HELD_OUT, best_division, fisher, problem_of, shrunk
@@ -209,6 +210,14 @@ def test_a_plan_fits_its_controller_only() -> None:
     assert isinstance(plan().excited(LQG), Excited)
     with pytest.raises(SpecMismatch, match=r"every 0\.02 s"):
         plan().excited(lqr(NXT, 0.02))
+
+
+def test_another_processor_s_rounding_is_the_same_controller() -> None:
+    """The same design with numbers that differ in the twelfth digit, as matrix routines of two processors make them."""
+    rounded = dataclasses.replace(LQG, C=LQG.C * (1 + 1e-12))
+    assert plan().differs(designed_from(rounded, asked_of(LQG))) == ""
+    assert "another controller" in plan().differs(rounded)  # nobody knows what it was designed from
+    assert "another controller" in plan().differs(make_controller("lqi", NXT, KIT, LQG.spec.period))
 
 
 def test_what_cannot_be_designed_gets_one_line() -> None:

@@ -119,12 +119,11 @@ def _fitted(
 
 def _excited(controller: Controller, path: Path) -> tuple[Controller, float]:
     """The controller with a plan's excitation, and the plan's length [s]; warns of a plan for another controller."""
-    from upright.control import controller_hash
     from upright.excite.plan import read_plan
 
     plan = read_plan(path)
-    if controller_hash(controller) != plan.hash:
-        typer.echo(f"{path} was checked with another {plan.controller}: its limits do not hold for this run", err=True)
+    if why := plan.differs(controller):
+        typer.echo(f"{path} was checked with {why}; its limits do not hold for this run", err=True)
     return plan.excited(controller), plan.seconds
 
 

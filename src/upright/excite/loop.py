@@ -14,7 +14,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.control import Controller, as_linear, controller_hash
+from upright.control import Controller, as_linear
+from upright.control.identity import Identity, identity
 from upright.control.linear_controller import LinearController
 from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.kernel.batch import NAMES, FleetBatch, FleetResult, parameters_of
@@ -71,8 +72,8 @@ class ExcitedLoop:
         return parameters_of(self.robot)
 
     @property
-    def hash(self) -> str:
-        return controller_hash(self.controller)
+    def identity(self) -> Identity:
+        return identity(self.controller)
 
     def run(
         self, excitations: Array, parameters: Array | None = None, *, kit: Kit | None = None, record: bool = False,

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from upright.control import Controller
 from upright.control.excited import Excited
+from upright.control.identity import Identity, identity
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.fleet.binomial import upper_bound
 from upright.reading import check_types, read_json, understood
@@ -101,8 +102,8 @@ class Tried:
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class ExcitationPlan(Shown):
-    """`excitation` (rows, 2), to be added to the commands [unit] of the controller with that `hash`, each row for
-    `hold` periods of `period` [s]; read-only.
+    """`excitation` (rows, 2), to be added to the commands [unit] of one controller (by `hash`, or `asked` and
+    `response`: see `control/identity.py`), each row for `hold` periods of `period` [s]; read-only.
 
     `division` gives the fraction of its energy by part. `energy` is ∫ u_l² + u_r² dt at the nominal robot's motors,
     the loop's response included; `added` that of the excitation alone. `checked` was measured with the
@@ -129,6 +130,8 @@ class ExcitationPlan(Shown):
     tried: tuple[Tried, ...]
     seed: int
     notes: tuple[str, ...] = ()
+    asked: str = ""
+    response: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
         rows = np.array(self.excitation, dtype=np.float64)
@@ -160,6 +163,10 @@ class ExcitationPlan(Shown):
             )  # fmt: skip
         return Excited(controller, self.sequence)
 
+    def differs(self, controller: Controller) -> str:
+        """Why this plan was checked with another controller, as part of a sentence; empty where it was not."""
+        return identity(controller).differs(Identity(self.hash, self.asked, self.response))
+
     def check(self) -> tuple[str, ...]:
         """What of this plan does not follow from its own numbers, or breaks its limits; nothing where it may be run."""
         added = float((self.excitation**2).sum() * self.hold * self.period)
@@ -180,7 +187,7 @@ class ExcitationPlan(Shown):
         parts = {f.name: getattr(self, f.name) for f in fields(self) if f.name != "division"}
         parts |= {name: asdict(parts[name]) for name in ("limits", "checked")}
         parts |= {name: [asdict(p) for p in parts[name]] for name in ("predicted", "tried")}
-        parts |= {name: list(parts[name]) for name in ("focus", "notes")}
+        parts |= {name: list(parts[name]) for name in ("focus", "notes", "response")}
         parts["excitation"] = self.excitation.tolist()
         return {"file": KIND, "version": VERSION} | parts | {"shares": dict(self.division), "bound": self.checked.bound}
 
@@ -234,6 +241,7 @@ def _read(cls: type[ExcitationPlan], data: Mapping[str, Any]) -> ExcitationPlan:
         "tried": tuple(Tried(**row) for row in given["tried"]),
         "focus": tuple(given["focus"]),
         "notes": tuple(given["notes"]),
+        "response": tuple(map(float, given.get("response", ()))),
         "excitation": np.array(given["excitation"], dtype=np.float64),
     }
     return cls(**{**given, **parts})

@@ -160,7 +160,7 @@ class Search:
 
     def plan(self, way: Way, tried: Sequence[Way], excitation: Array, checked: Checked) -> ExcitationPlan:
         """The way as a plan, with the predicted intervals of it and of dithers of its energy."""
-        loop = self.loop
+        loop, who = self.loop, self.loop.identity
         energy = float(loop.energies(excitation[None])[0])
         (log,) = self._logs(excitation[None])
         gained = self.information(log)
@@ -168,7 +168,8 @@ class Search:
         dither, held = (shrunk(self._dither(energy, hold)) for hold in (1, HELD))
         division = {name: part / sum(way.division.values()) for name, part in way.division.items()}
         return ExcitationPlan(
-            robot=loop.robot.name, kit=loop.kit.name, controller=loop.controller.spec.kind, hash=loop.hash,
+            robot=loop.robot.name, kit=loop.kit.name, controller=loop.controller.spec.kind, hash=who.hash,
+            asked=who.asked, response=who.response,
             period=loop.gains.period, unit=loop.gains.command_unit, hold=loop.hold, way=way.name, division=division,
             excitation=excitation, energy=energy, focus=self.focus, limits=self.limits, margin=MARGIN, checked=checked,
             added=float((excitation**2).sum() * loop.hold * loop.gains.period),
