@@ -406,6 +406,13 @@ def test_a_changed_byte_in_the_data_of_an_mcap_is_noticed(tmp_path: Path) -> Non
     assert "CRC" in complaint(lambda: Log.load(path)).upper()
 
 
+def test_an_mcap_larger_than_any_log_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its chunks are compressed: a small file may hold more than fits."""
+    path = Log(np.arange(1000.0), {"a": np.zeros(1000)}).save(tmp_path / "run.mcap")
+    monkeypatch.setattr("upright.signals.mcap.LARGEST", 1 << 14)  # its thousand messages have 16 bytes and more each
+    assert "more than 0 MB" in complaint(lambda: Log.load(path))
+
+
 def mcap_of(path: Path, note: str | None, messages: dict[str, list[object]]) -> Path:
     """An MCAP with JSON messages of our choice, written with nothing of ours."""
     with path.open("wb") as stream:

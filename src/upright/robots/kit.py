@@ -16,9 +16,24 @@ _KEYS = ("name", "title", "period", "delay", "jitter", "drive", "battery", "moto
 _SENSOR_UNITS = {signal.name.removeprefix("sensor/"): signal.unit for signal in SENSORS}
 
 
-def _check_not_negative(name: str, value: float) -> None:
+LONGEST_DELAY = 1.0
+"""[s] of a dead time, a jitter or a sensor's period: what comes a second late balances nothing."""
+
+SMALLEST_QUANTUM = 1e-9
+"""Step of a reading or a command, where there is one: a smaller one is below the rounding of what is computed."""
+
+
+def _check_size(name: str, value: float) -> None:
+    """Raise `InvalidRobot` for a size that no part has, by the last word of its `name`."""
+    last = name.rpartition(" ")[2]
     if not value >= 0:
         raise InvalidRobot(f"{name} is {value:g}", expected="zero or more")
+    if last in ("delay", "jitter", "period") and value > LONGEST_DELAY:
+        raise InvalidRobot(f"{name} is {value:g} s", expected="at most 1 s", likely="milliseconds")
+    if last == "quantum" and 0 < value < SMALLEST_QUANTUM:
+        raise InvalidRobot(f"{name} is {value:g}", expected=f"zero for none, or at least {SMALLEST_QUANTUM:g}")
+    if value == math.inf and last not in ("limit", "range"):
+        raise InvalidRobot(f"{name} is infinite", expected="a number")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,7 +53,7 @@ class Sensor:
 
     def __post_init__(self) -> None:
         for f in fields(self):
-            _check_not_negative(f"sensor {f.name}", getattr(self, f.name))
+            _check_size(f"sensor {f.name}", getattr(self, f.name))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -52,7 +67,7 @@ class Motor:
 
     def __post_init__(self) -> None:
         for f in fields(self):
-            _check_not_negative(f"motor {f.name}", getattr(self, f.name))
+            _check_size(f"motor {f.name}", getattr(self, f.name))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -63,7 +78,7 @@ class Battery:
     sag: float = 0.0
 
     def __post_init__(self) -> None:
-        _check_not_negative("battery sag", self.sag)
+        _check_size("battery sag", self.sag)
         if not self.voltage > 0:
             raise InvalidRobot(f"battery voltage is {self.voltage:g} V", expected="more than zero")
 
@@ -100,8 +115,8 @@ class Kit:
         object.__setattr__(self, "name", toml.checked_name(self.name, "kit"))
         if self.drive not in ("", "voltage", "torque"):
             raise InvalidRobot(f"kit '{self.name}': drive is '{self.drive}'", expected="'voltage', 'torque' or nothing")
-        _check_not_negative("kit delay", self.delay)
-        _check_not_negative("kit jitter", self.jitter)
+        _check_size("kit delay", self.delay)
+        _check_size("kit jitter", self.jitter)
         if not 0 < self.period < 1:
             raise InvalidRobot(f"kit period is {self.period:g} s", expected="between 0 and 1 s", likely="milliseconds")
 

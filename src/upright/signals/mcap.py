@@ -32,6 +32,9 @@ Array = NDArray[np.float64]
 _NOTE = "upright"
 _VALUE = "value"
 _SPECIAL = {"nan": "null", "inf": '"Infinity"', "-inf": '"-Infinity"'}
+LARGEST = 512 << 20
+"""[bytes] of messages in a file: some hours at a kilohertz."""
+
 _LONGEST = 2**63  # [ns]: some readers keep the 64 bits of the log time with a sign
 
 
@@ -133,8 +136,12 @@ def _records(stream: BinaryIO) -> tuple[str | None, dict[str, list[bytes]]]:
     note: str | None = None
     topics: dict[int, str] = {}
     messages: dict[str, list[bytes]] = {}
-    for record in StreamReader(stream, validate_crcs=True).records:
+    left = LARGEST
+    for record in StreamReader(stream, validate_crcs=True, record_size_limit=LARGEST).records:
         if isinstance(record, Message) and record.channel_id in topics:
+            left -= len(record.data)
+            if left < 0:
+                raise ValueError(f"more than {LARGEST >> 20} MB of messages")
             messages[topics[record.channel_id]].append(record.data)
         elif isinstance(record, Channel) and record.message_encoding == "json":
             topics[record.id] = record.topic
