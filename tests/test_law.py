@@ -1,0 +1,176 @@
+"""What the kernel runs of a controller is what the printed C computes, and what `run` does with the controller."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from firmware_cases import designed
+from upright.bodies import Electronics, NonlinearBody
+from upright.compiled.generated import LANES, LEFT, RIGHT, ROW
+from upright.compiled.print_c import CPrinter
+from upright.compiled.program import Kind, Program
+from upright.control import lqr
+from upright.control.law import as_law, program
+from upright.control.linear_controller import LinearController
+from upright.experiment import Drive, Push, run
+from upright.kernel import law as kernel_law
+from upright.kernel import store
+from upright.kernel.batch import FleetBatch, parameters_of
+from upright.kernel.rows import COMMAND, FIXED, REFERENCE
+from upright.kernel.simulate import simulate
+from upright.robots import Kit, Motor, Robot
+from upright.signals import STATE_NAMES
+
+ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+START = (0.05, 0.0, 0.1, 0.0, 0.2, 0.0)
+NAMES = ("lqr", "lqi", "lqg", "pid", "hinf", "sliding")
+EQUAL = 1e-9  # as in test_fleet_kernel
+
+PERIODS = 40
+
+
+def quiet(quantised: bool) -> Kit:
+    """The kit without what is random, and unless `quantised` without steps of a quantum."""
+    still = {n: replace(s, noise=0.0, bias=0.0, bias_walk=0.0) for n, s in KIT.sensors.items()}
+    smooth = {n: replace(s, quantum=0.0) for n, s in still.items()}
+    return replace(KIT, sensors=still if quantised else smooth, jitter=0.0, motor=KIT.motor if quantised else Motor())
+
+
+def c_of(number: int, text: Program) -> str:
+    """A function in C: states and inputs in, outputs out, the printed statements between."""
+    c = CPrinter(text, "double")
+    held = {"in": Kind.INPUT, "s": Kind.STATE, "out": Kind.OUTPUT}
+    lines = [f"struct {n}{number} {{ {' '.join(c.fields(kind))} char none; }};" for n, kind in held.items()]
+    for block in (text.command, text.update):
+        given = f"struct s{number} *s, const struct in{number} *in, struct out{number} *out"
+        lines += [f"void {block.name}{number}({given})", "{", *c.lines(block), "}"]
+    return "\n".join(lines)
+
+
+@pytest.mark.needs("gcc")
+def test_every_law_in_the_kernel_is_the_printed_c_to_the_bit(tmp_path: Path) -> None:
+    texts = [program(as_law(designed(name))) for name in NAMES]
+    parts = [c_of(i, text) for i, text in enumerate(texts)]
+    source = tmp_path / "laws.c"
+    source.write_text("\n".join([CPrinter(texts[0], "double").helpers(), *parts]), "utf-8")
+    # a product and a sum contracted into one would be rounded once
+    command = ["gcc", "-O1", "-ffp-contract=off", "-shared", "-fPIC", str(source), "-o", str(tmp_path / "laws.so")]
+    subprocess.run(command, check=True)
+    library = ctypes.CDLL(str(tmp_path / "laws.so"))
+    for i, (name, text) in enumerate(zip(NAMES, texts, strict=True)):
+        assert np.array_equal(by_c(library, i, text), by_kernel(name)), name
+
+
+def readings(k: int, size: int) -> np.ndarray:
+    return np.random.default_rng(k).normal(0, 0.3, size)
+
+
+def by_c(library: Any, number: int, text: Program) -> np.ndarray:
+    """The commands (PERIODS, 2) to random inputs."""
+    inputs, out = text.of(Kind.INPUT), (ctypes.c_double * 2)()
+    state = (ctypes.c_double * (len(text.of(Kind.STATE)) + len(text.carried()) + 1))()
+    commands = []
+    for k in range(PERIODS):
+        given = (ctypes.c_double * len(inputs))(*readings(k, len(inputs)))
+        for function in (library[f"command{number}"], library[f"update{number}"]):
+            function(state, given, out)
+        commands.append(list(out))
+    return np.array(commands)
+
+
+def by_kernel(name: str) -> np.ndarray:
+    law = as_law(designed(name))
+    compiled, m = kernel_law.compiled((law,), 6, "float64"), len(law.linear.reads)
+    raw = np.zeros((FIXED + compiled.rows) * ROW + 8)
+    w = raw[(-raw.ctypes.data % 64) // 8 :][: (FIXED + compiled.rows) * ROW].reshape(-1, ROW)
+    places = [*range(FIXED, FIXED + m), *range(REFERENCE, REFERENCE + 6), LEFT, RIGHT]
+    table, commands = np.array(compiled.constants[0]), []
+    for k in range(PERIODS):
+        w[places, :LANES] = readings(k, len(places))[:, None]
+        arguments = [w.ctypes.data, LANES, FIXED, table.ctypes.data]
+        store.call(compiled.command, arguments)
+        if compiled.update:
+            store.call(compiled.update, arguments)
+        assert (w[COMMAND : COMMAND + 2, :LANES] == w[COMMAND : COMMAND + 2, :1]).all()
+        commands.append(w[COMMAND : COMMAND + 2, 5].tolist())
+    return np.array(commands)
+
+
+@pytest.mark.parametrize("name", ["lqg", "sliding"])
+@pytest.mark.parametrize(("quantised", "seconds"), [(False, 10.0), (True, 2.0)])
+def test_the_kernel_does_what_run_does(name: str, quantised: bool, seconds: float) -> None:
+    controller, kit = designed(name), quiet(quantised)
+    push, arc = Push(force=1.5, start=0.5), Drive(speed=0.1, start=1.0)
+    log = run(Electronics(NonlinearBody(ROBOT), kit), controller, push, reference=arc, start=START, seconds=seconds)
+    names = ("truth/pitch", "truth/wheel", "command/left", "applied/right")
+    batch = FleetBatch(
+        parameters=parameters_of(ROBOT), controller=controller, start=START, kit=kit,
+        pushes=[[1.5, math.nan, 0.5, 0.1]], reference=[[0.1, 0.0, 1.0, math.inf]],
+    )  # fmt: skip
+    result = simulate(batch, seconds, record=1, channels=names)
+    assert not result.fell[0]
+    for k, channel in enumerate(result.channels):
+        assert np.abs(log[channel] - result.trace[0, : len(log), k]).max() < EQUAL, channel
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+def test_a_sliding_mode_is_the_same_bits_in_any_company(dtype: Any) -> None:
+    parameters = parameters_of(ROBOT, {"com_height": np.linspace(0.06, 0.08, 150)})
+    batch = FleetBatch(parameters=parameters, controller=designed("sliding"), start=START, kit=KIT, substeps=1, seed=3)
+    whole = simulate(batch, 0.5, dtype=dtype, threads=2)
+    some = simulate(batch.part(np.array([140, 7, 99])), 0.5, dtype=dtype, threads=1)
+    assert np.array_equal(whole.final[[140, 7, 99]], some.final)
+
+
+def test_controllers_with_other_zeros_keep_their_bits_in_one_batch() -> None:
+    full = lqr(ROBOT, 0.01)
+    sparse = replace(full, gain=full.gain * [1, 1, 0, 1, 0, 1])
+    robots = parameters_of([ROBOT, ROBOT])
+    batch = FleetBatch(parameters=robots, controller=[full, sparse], start=START, substeps=1)
+    together = simulate(batch, 1.0)
+    for i, controller in enumerate((full, sparse)):
+        alone = simulate(FleetBatch(parameters=robots[:1], controller=controller, start=START, substeps=1), 1.0)
+        # alone one robot's equations are a text of their own, whose last bits differ
+        assert np.abs(alone.final[0] - together.final[i]).max() < 1e-12
+
+
+def test_alike_laws_have_one_text_on_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("UPRIGHT_CACHE", str(tmp_path))
+    store._functions_of.cache_clear()
+    kernel_law.compiled.cache_clear()
+    one, two = (as_law(lqr(ROBOT, 0.01, R=[r, r])) for r in (1.0, 2.0))
+    first = kernel_law.compiled((one,), 0, "float64")
+    (path,) = tmp_path.iterdir()
+    whole = path.read_bytes()
+    second = kernel_law.compiled((two,), 0, "float64")
+    assert (first.command, first.update) == (second.command, second.update)
+    assert not np.array_equal(first.constants, second.constants)
+    damaged = bytearray(whole)
+    damaged[len(whole) // 2] ^= 1
+    path.write_bytes(damaged)
+    store._functions_of.cache_clear()
+    kernel_law.compiled.cache_clear()
+    kernel_law.compiled((one,), 0, "float64")
+    assert path.read_bytes() == whole  # made anew
+
+
+def test_a_static_law_remembers_nothing() -> None:
+    assert kernel_law.compiled((as_law(lqr(ROBOT, 0.01)),), 0, "float64").update == 0
+
+
+def test_a_law_that_grows_without_its_robot_is_run() -> None:
+    n = len(STATE_NAMES)
+    runaway = LinearController(
+        np.array([[2.0]]), np.ones((1, n)), np.zeros((1, 6)), np.zeros((1, 2)), np.zeros((2, 1)),
+        -lqr(ROBOT, 0.01).gain, np.zeros((2, 6)), reads=tuple(f"truth/{s}" for s in STATE_NAMES), period=0.01,
+    )  # fmt: skip
+    result = simulate(FleetBatch(parameters=parameters_of(ROBOT), controller=runaway, start=START), 2.0)
+    assert not result.fell[0]
