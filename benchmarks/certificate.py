@@ -139,7 +139,7 @@ def falls(controller: LinearController, robot: Robot, truth: Robot, kit: Kit, rn
     fell = False
     for push in standard_pushes(robot).values():
         batch = FleetBatch(
-            parameters=parameters, controller=kernel_controller(controller, robot, kit).gains, kit=kit,
+            parameters=parameters, controller=kernel_controller(controller, robot, kit).law, kit=kit,
             seed=int(rng.integers(2**31)), kit_changes={"battery.voltage": voltages},
             pushes=tables([push], (), parameters).pushes,
         )  # fmt: skip

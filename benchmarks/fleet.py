@@ -29,17 +29,21 @@ from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 
 from upright.bodies import NonlinearBody
 from upright.compiled.generated import Constants
-from upright.control import Estimated, kalman, lqr
+from upright.control import Estimated, kalman, lqr, make_controller
+from upright.control.law import as_law, program
 from upright.experiment import Push, run
 from upright.fleet.ensemble import Ensemble
 from upright.fleet.push_map import PushGrid, push_map
 from upright.fleet.sweep import find_controller
-from upright.kernel.batch import FleetBatch, parameters_of
+from upright.kernel import store
+from upright.kernel.batch import FleetBatch, parameters_of, silent
+from upright.kernel.law import compiled
 from upright.kernel.pack import constants
 from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
@@ -194,6 +198,36 @@ def against_c(folder: Path, repeats: int) -> None:
     print(f"\n  of which a call costs {1e3 * t['kernel']:.2f} ms however short")
 
 
+def laws(repeats: int) -> None:
+    """What a controller adds to a run in which the same sensors are read and nothing is commanded."""
+    kit, n, periods = Kit.preset("nxt"), 2048, 100
+    designs = {name: make_controller(name, ROBOT, kit, PERIOD) for name in ("lqg", "lqi", "pid", "hinf", "sliding")}
+    every = {**designs, "nothing": silent(designs["lqg"])}
+    print(
+        "\ncontrollers in the kernel: products of a period, ns a robot and period, first use without and with the disk"
+    )
+    jobs: dict[str, Callable[[], None]] = {}
+    with tempfile.TemporaryDirectory() as cache, patch.dict(os.environ, UPRIGHT_CACHE=cache):
+        first: dict[str, list[float]] = {name: [] for name in designs}
+        for _ in range(2):
+            compiled.cache_clear()
+            store._functions_of.cache_clear()
+            for name, controller in designs.items():
+                began = time.thread_time()
+                compiled((as_law(controller),), 0, "float64")
+                first[name].append(time.thread_time() - began)
+    for name, controller in every.items():
+        batch = FleetBatch(parameters=spread_fleet(n), controller=controller, kit=kit, substeps=1)
+        jobs[name] = kernel(batch, periods)
+    t = best(jobs, repeats, time.thread_time)
+    for name, controller in designs.items():
+        products, added = program(as_law(controller), 0).operations(), (t[name] - t["nothing"]) / (n * periods)
+        cold, warm = first[name]
+        print(
+            f"  {name:8s} {products:5d}  {1e9 * added:6.1f} of {1e9 * t[name] / (n * periods):.0f}  {cold:.3f} s  {warm:.3f} s"
+        )
+
+
 def scaling(folder: Path | None, repeats: int) -> None:
     print("\ntwo threads against one (bar 1.85), n = 100 000")
     n, periods = 100_000, 60
@@ -325,6 +359,7 @@ def main() -> None:
             against_c(folder, repeats)
         else:
             print("no gcc here, so no roofline")
+        laws(repeats)
         scaling(folder, repeats)
     flatness(repeats)
     memory()

@@ -32,6 +32,7 @@ from upright.certify.learnt import learnt
 from upright.cli.main import main
 from upright.comparison.bench import bench_one
 from upright.control import LinearController, as_linear, make_controller
+from upright.control.law import as_law
 from upright.control.permit import permitted
 from upright.errors import InvalidController, InvalidLog, NotPermitted, SpecMismatch
 from upright.experiment import Hold, run
@@ -72,7 +73,7 @@ def test_a_controller_that_is_called_falls_where_its_matrices_fall() -> None:
     # the same lqg once as gains in compiled code and once called for each of 70 robots, more than one block of them
     family = draw(ROBOT, 70, 3)
     course = Course(kernel_controller(designed("lqg"), ROBOT, KIT), ROBOT, family, KIT)
-    called = dataclasses.replace(course, controller=KernelController(silent(designed("lqg")), designed("lqg")))
+    called = dataclasses.replace(course, controller=KernelController(as_law(silent(designed("lqg"))), designed("lqg")))
     (first, fell), (second, dropped) = trials(course), trials(called)
     assert np.array_equal(fell, dropped)
     # products are summed in another order: rounding, which quantised sensors now and then make a step of

@@ -7,14 +7,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import KW_ONLY, dataclass, replace
+from dataclasses import KW_ONLY, dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.control.controller import Controller
-from upright.control.linear_controller import LinearController, as_linear
+from upright.control.law import Law, as_law
 from upright.errors import InvalidController, SpecMismatch
 from upright.experiment.pushes import Hold, Impulse
 from upright.fleet.ensemble import tables
@@ -77,10 +77,10 @@ class Swept:
 
 
 class KernelController(NamedTuple):
-    """A controller as the kernel runs it: as `gains`, or `called` for each robot where no matrices describe it, which
-    takes a hundred times as long."""
+    """A controller as the kernel runs it: as its compiled `law`, or `called` for each robot where no law describes it,
+    which takes a hundred times as long."""
 
-    gains: LinearController
+    law: Law
     called: Controller | None = None
 
 
@@ -96,9 +96,9 @@ def kernel_controller(controller: Controller, robot: Robot, kit: Kit) -> KernelC
             expected="a controller that reads its sensors", hint="put a filter in front of it, or take the kit 'ideal'",
         )  # fmt: skip
     try:
-        return KernelController(as_linear(controller))
+        return KernelController(as_law(controller))
     except InvalidController:
-        return KernelController(silent(controller), controller)
+        return KernelController(as_law(silent(controller)), controller)
 
 
 def standard_pushes(robot: Robot) -> dict[str, Any]:
@@ -150,7 +150,7 @@ def trials(course: Course) -> tuple[tuple[PushTrial, ...], NDArray[np.bool_]]:
         for battery, fraction in BATTERIES.items():
             changes = _battery(course.kit, course.robot, fraction)
             rows = list(_runs(course, course.robots, push, len(results), changes, course.controller, PITCH))
-            results.append(_trial(name, battery, rows, parameters_of(course.robots), course.controller.gains.period))
+            results.append(_trial(name, battery, rows, parameters_of(course.robots), course.controller.law.period))
             fell |= np.concatenate([row.fell for row in rows])
     return tuple(results), fell
 
@@ -163,8 +163,8 @@ def delayed(course: Course) -> tuple[Swept, ...]:
 
 def slower(course: Course) -> tuple[Swept, ...]:
     """Falls under every standard push with the same gains at `SLOWER` times the period."""
-    gains, called = course.controller
-    tried = [(period, KernelController(replace(gains, period=period), called)) for period in _periods(course)]
+    law, called = course.controller
+    tried = [(period, KernelController(law.with_period(period), called)) for period in _periods(course)]
     return tuple(_swept(course, period, {}, controller) for period, controller in tried)
 
 
@@ -174,12 +174,12 @@ def watched(course: Course, push: Any, row: int, channels: Sequence[str]) -> Ite
 
 
 def _extra(course: Course) -> list[float]:
-    return sorted({round(fraction * course.controller.gains.period / _STEP) * _STEP for fraction in DELAYS} - {0.0})
+    return sorted({round(fraction * course.controller.law.period / _STEP) * _STEP for fraction in DELAYS} - {0.0})
 
 
 def _periods(course: Course) -> list[float]:
     """In the kernel no command may be delayed beyond the next one, so that jitter limits the period from below."""
-    tried = sorted({max(1, round(fraction * course.controller.gains.period / _STEP)) * _STEP for fraction in SLOWER})
+    tried = sorted({max(1, round(fraction * course.controller.law.period / _STEP)) * _STEP for fraction in SLOWER})
     return [period for period in tried if period >= course.kit.jitter]
 
 
@@ -202,7 +202,7 @@ def _runs(
         some = parameters_of(robots[first : first + part])
         index = np.arange(row * n + first, row * n + first + len(some), dtype=np.uint64)
         batch = FleetBatch(
-            parameters=some, controller=controller.gains, kit=course.kit, kit_changes=changes, seed=course.seed,
+            parameters=some, controller=controller.law, kit=course.kit, kit_changes=changes, seed=course.seed,
             pushes=tables([push], (), some).pushes, index=index, period=_STEP,
         )  # fmt: skip
         called, record = controller.called, int(bool(channels))

@@ -41,7 +41,7 @@ class Asked:
     controller: Annotated[
         str,
         typer.Option(
-            "--controller", "-c", help=f"{CONTROLLER_HELP}; must be linear.", autocompletion=complete_controller
+            "--controller", "-c", help=f"{CONTROLLER_HELP}; linear or sliding.", autocompletion=complete_controller
         ),
     ] = "lqr"
     kit: IdealKitOption = None

@@ -234,3 +234,19 @@ def call_to_move(typingctx: Any, address: Any, w: Any, count: Any, fallen: Any, 
 def call_on_block(typingctx: Any, address: Any, w: Any, count: Any, out: Any) -> Any:
     """Calls the compiled `specific_force_…` at `address`."""
     return types.void(types.int64, w, types.int64, types.int64), _far_call(w)
+
+
+@intrinsic
+def call_program(typingctx: Any, address: Any, w: Any, count: Any, first: Any, constants: Any) -> Any:
+    """Calls a controller's compiled block, whose own rows begin at `first`."""
+    return types.void(types.int64, w, types.int64, types.int64, constants), _far_call(w)
+
+
+@intrinsic
+def row_of(typingctx: Any, block: Any, row: Any) -> Any:
+    """The address of a row of a block."""
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        return _lane(builder, args[0], args[1], ir.Constant(args[1].type, 0))
+
+    return block(block, types.int64), codegen

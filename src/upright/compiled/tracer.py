@@ -161,7 +161,7 @@ class Tracer:
     def _kept(self, form: Form) -> tuple[tuple[float, str], ...]:
         reach = {n: abs(c) * self.variables[n].most for n, c in form.terms.items()}
         least = NEGLIGIBLE * (sum(reach.values()) + abs(form.constant))
-        return tuple((float(c), n) for n, c in form.terms.items() if reach[n] > least)
+        return tuple((float(c), n) for n, c in form.terms.items() if c and not reach[n] <= least < INFINITY)
 
     def _range(self, name: str, coefficient: float) -> Interval:
         variable = self.variables[name]

@@ -20,8 +20,9 @@ from numpy.typing import NDArray
 from upright.compiled.program import Program
 from upright.compiled.tracer import Form, Tracer
 from upright.control.controller import Controller, controller_hash
+from upright.control.law import SIDES, commanded, dot, remembered
 from upright.errors import SpecMismatch
-from upright.firmware.incremental import Incremental, incremental
+from upright.firmware.incremental import incremental
 from upright.firmware.readings import calibrate, inputs, kept, moved, numbers, reading
 from upright.firmware.setup import (
     BALANCING,
@@ -31,7 +32,6 @@ from upright.firmware.setup import (
     HEADING,
     POSITIONS,
     REFERENCE_RANGE,
-    SIDES,
     STATE_UNITS,
     STUCK,
     STUCK_TIME,
@@ -79,11 +79,11 @@ def trace(
     z = [_counted(t, state, i, inner.X[i], steps) for i, state in enumerate(w)]
     r = _reference(t, setup)
     pitch = _pitch(t, setup, z, y)
-    u = _command(t, setup, z, y, r)
-    fit = _fit(t, setup, read, [*read.values(), *(f for f in r if isinstance(f, Form)), *u])
+    u = commanded(t, inner.law, z, y, r, unit=setup.driver.unit, most=setup.typed)
+    fit = _fit(t, setup, read, [*read.values(), *r, *u])
     a = _applied(t, setup, u, read, fit)
     command = t.block("command")
-    rows = _memory(inner, z=z, y=y, r=r, u=u, arrived=_arrived(t, setup, a))
+    rows = remembered(inner.law, z=z, y=y, r=r, u=u, a=_arrived(t, setup, a))
     _remember(t, w, rows, bounds is not None)
     _stop(t, setup, pitch, fit)
     update = t.block("update")
@@ -124,25 +124,25 @@ def _setup(controller: Controller, robot: Robot, kit: Kit, *, target: str, refer
     return setup
 
 
-def _counted(t: Tracer, state: Form, index: int, row: Array, steps: list[Form | float]) -> Form:
+def _counted(t: Tracer, state: Form, index: int, row: Array, steps: list[Form]) -> Form:
     """The memory counted from where the positions are now."""
-    return t.let(f"z{index}", state - _dot(row, steps), "1") if row.any() else state
+    return t.let(f"z{index}", state - dot(row, steps), "1") if row.any() else state
 
 
 def _bounds(setup: Setup) -> Array | None:
     linear = setup.linear
     y = np.array([HEADING if c == COMPASS else largest(setup.kit, c, setup.travel) for c in linear.reads])
     r = np.array(REFERENCE_RANGE) if setup.reference else np.zeros(6)
-    u, a = np.full(2, setup.typed if setup.incremental.switching else 0.0), np.full(2, setup.strongest)
+    u, a = np.full(2, setup.typed if setup.incremental.law.switching else 0.0), np.full(2, setup.strongest)
     return setup.incremental.bounds(change=np.full(len(y), FASTEST * linear.period), y=y, r=r, u=u, a=a)
 
 
-def _reference(t: Tracer, setup: Setup) -> list[Form | float]:
-    """The reference state as inputs; a constant zero for states that the controller does not compare."""
-    linear, switching = setup.linear, setup.incremental.switching
+def _reference(t: Tracer, setup: Setup) -> list[Form]:
+    """The reference state as inputs; zero for states that the controller does not compare."""
+    linear, switching = setup.linear, setup.incremental.law.switching
     rows = np.vstack([linear.Br, linear.Dr, *([switching.Dr] if switching else [])])
     return [
-        _bounded_input(t, f"reference_{name}", unit, most) if setup.reference and rows[:, i].any() else 0.0
+        _bounded_input(t, f"reference_{name}", unit, most) if setup.reference and rows[:, i].any() else Form()
         for i, (name, unit, most) in enumerate(zip(STATE_NAMES, STATE_UNITS, REFERENCE_RANGE, strict=True))
     ]
 
@@ -155,24 +155,12 @@ def _pitch(t: Tracer, setup: Setup, z: list[Form], y: list[Form]) -> Form:
     """The controller's estimate of the pitch, or without one the gyro's integral, which decays over `TILT_TIME`."""
     linear = setup.linear
     if len(linear.S):
-        return t.let("pitch", _dot(linear.S[0], z) + _dot(linear.Sy[0], y), "rad", UPSIDE_DOWN, output=True)
+        return t.let("pitch", dot(linear.S[0], z) + dot(linear.Sy[0], y), "rad", UPSIDE_DOWN, output=True)
     rate, dt = y[linear.reads.index(GYRO)], linear.period
     tilt = t.state("tilt", "rad", UPSIDE_DOWN)
     pitch = t.let("pitch", (tilt + rate * dt) * (1 - dt / TILT_TIME), "rad", UPSIDE_DOWN, output=True)
     t.commit(tilt, pitch)
     return pitch
-
-
-def _command(t: Tracer, setup: Setup, z: list[Form], y: list[Form], r: list[Form | float]) -> list[Form]:
-    """The controller's command to each motor."""
-    linear, switching, u = setup.linear, setup.incremental.switching, list[Form]()
-    for i, side in enumerate(SIDES):
-        row = _dot(linear.C[i], z) + _dot(linear.Dy[i], y) + _dot(linear.Dr[i], r)
-        if switching:
-            surface = _dot(switching.C[i], z) + _dot(switching.Dy[i], y) + _dot(switching.Dr[i], r)
-            row -= t.let(f"surface_{side}", surface * (1 / switching.layer), "1", 1.0) * switching.reach
-        u.append(t.let(f"command_{side}", row, setup.driver.unit, setup.typed, output=True))
-    return u
 
 
 def _fit(t: Tracer, setup: Setup, read: dict[str, Form], values: list[Form]) -> Form:
@@ -239,17 +227,6 @@ def _awake(t: Tracer, d: Driver, command: Form, side: str) -> Form:
     return value
 
 
-def _memory(
-    inner: Incremental, *, z: list[Form], y: list[Form], r: list[Form | float], u: list[Form], arrived: list[Form]
-) -> list[Form]:
-    """The rows of the memory's update: A z + By y + Br r + Bu u + Ba a."""
-    linear, switching = inner.linear, inner.switching
-    pairs: list[tuple[Array, Sequence[Form | float]]] = [(linear.A, z), (linear.By, y), (linear.Br, r)]
-    pairs += [(switching.Bu, u)] if switching else []
-    pairs.append((linear.Ba, arrived))
-    return [sum((_dot(M[i], v) for M, v in pairs), Form()) for i in range(len(z))]
-
-
 def _remember(t: Tracer, w: list[Form], rows: Sequence[Form], proven: bool) -> None:
     """The memory `w` of the next period from its `rows`, limited to its range where that is not proven."""
     keep = t.claim if proven else t.let
@@ -278,9 +255,3 @@ def _stuck(t: Tracer, setup: Setup, status: Form) -> Form:
     held = t.choose("stuck_now", both, 2 * full - 0.5, 0.0, more, "1", whole=True)
     t.commit(count, t.limit("stuck_kept", held, 0.0, float(longest), "1"))
     return t.choose("stuck_status", held, longest - 0.5, status, float(STUCK), "1", whole=True)
-
-
-def _dot(row: Array, values: Sequence[Form | float]) -> Form:
-    """Σ row_i values_i as one form."""
-    return sum((value * k if isinstance(value, Form) else Form({}, value * k)
-                for k, value in zip(row.tolist(), values, strict=True)), Form())  # fmt: skip

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.control.controller import Controller
-from upright.control.linear_controller import LinearController, as_linear
-from upright.control.sliding import SlidingMode
+from upright.control.law import Law, as_law
+from upright.control.linear_controller import LinearController
 from upright.errors import InvalidController
 from upright.physics.linear import FADING, impulse_norm
 
@@ -23,32 +23,21 @@ SPARE = 1.01  # margin for the truncated tail of a response and for rounding
 
 
 @dataclass(frozen=True, eq=False)
-class Switching:
-    """The part of a sliding mode that is not linear: u loses `reach` · sat(s / `layer`), s = C z + Dy y + Dr r (2,).
-
-    The memory is driven by Bu u as well, u being the command before the motors' limits.
-    """
-
-    C: Array
-    Dy: Array
-    Dr: Array
-    Bu: Array
-    reach: float
-    layer: float
-
-
-@dataclass(frozen=True, eq=False)
 class Incremental:
-    """`linear` with its memory z = w − X Δ: w⁺ = A z + By y + Br r + Ba a, u = C z + Dy y + Dr r, x̂ = S z + Sy y.
+    """A `law` with its memory z = w − X Δ; its estimate is x̂ = S z + Sy y.
 
     Δ (m,) is the change of each reading since the period before. X (n, m) = (I − A)⁻¹ By takes positions out of the
     memory: they grow without end, and in single precision a memory of them would hold the difference of two large
-    numbers. `switching` is None for a linear controller.
+    numbers.
     """
 
-    linear: LinearController
+    law: Law
     X: Array
-    switching: Switching | None = None
+
+    @property
+    def linear(self) -> LinearController:
+        """The law's matrices."""
+        return self.law.linear
 
     def bounds(self, *, change: Array, y: Array, r: Array, u: Array, a: Array) -> Array | None:
         """Bound of each |w| while Δ, y, r, u and a stay within the sizes given, from w = 0.
@@ -56,7 +45,8 @@ class Incremental:
         The exact bound, Σ_k |A^k B| s for inputs of size s (the l1 norm of the impulse response); None for a memory
         that grows by itself, as that of a controller may that is unstable without its robot.
         """
-        linear, Bu = self.linear, np.zeros((len(self.linear.A), 2)) if self.switching is None else self.switching.Bu
+        linear, switching = self.linear, self.law.switching
+        Bu = np.zeros((len(linear.A), 2)) if switching is None else switching.Bu
         if np.abs(np.linalg.eigvals(linear.A)).max(initial=0.0) > FADING:
             return None
         entering = np.hstack([linear.A @ self.X, linear.By, linear.Br, Bu, linear.Ba])
@@ -68,7 +58,8 @@ def incremental(controller: Controller, channels: Sequence[str]) -> Incremental:
 
     Raises `InvalidController` for any other, with the reason.
     """
-    linear, switching = _parts(controller)
+    law = _law(controller)
+    linear, switching = law.linear, law.switching
     positions = np.array([name in channels for name in linear.reads])
     steady = _solved(linear.A, linear.By * positions)
     X = _clean(_floats(steady), np.ones(linear.By.shape))
@@ -78,21 +69,17 @@ def incremental(controller: Controller, channels: Sequence[str]) -> Incremental:
 
     Sy = direct(linear.S, linear.Sy) if len(linear.S) else linear.Sy
     changed = replace(linear, By=linear.By * ~positions, Dy=direct(linear.C, linear.Dy), Sy=Sy)
-    return Incremental(changed, X, switching and replace(switching, Dy=direct(switching.C, switching.Dy)))
+    return Incremental(Law(changed, switching and replace(switching, Dy=direct(switching.C, switching.Dy))), X)
 
 
-def _parts(controller: Controller) -> tuple[LinearController, Switching | None]:
+def _law(controller: Controller) -> Law:
     spec = controller.spec
     if spec.reads_truth:
         raise InvalidController(
             f"a {spec.kind} reads the true state, which no robot measures", hint="put an estimator in front of it"
         )
-    if isinstance(controller, SlidingMode):
-        m = controller.memory
-        linear = replace(m, C=m.C[2:], Dy=m.Dy[2:], Dr=m.Dr[2:], Bu=np.zeros((0, 0)))
-        return linear, Switching(m.C[:2], m.Dy[:2], m.Dr[:2], m.Bu, controller.reach, controller.layer)
     try:
-        return as_linear(controller), None
+        return as_law(controller)
     except InvalidController:
         raise InvalidController(
             f"a {spec.kind} cannot become a program: its step is not a fixed sum of products",

@@ -132,7 +132,7 @@ def _heading(t: Tracer, raw: Form, held: Held, scale: float) -> Form:
     return t.let("compass", now * scale, "rad")
 
 
-def moved(t: Tracer, setup: Setup, read: dict[str, Form], channel: str) -> Form | float:
+def moved(t: Tracer, setup: Setup, read: dict[str, Form], channel: str) -> Form:
     """How far a position has moved since the period before [SI], within what a wheel can do; 0 for a rate."""
     name, scale, most = channel.removeprefix("sensor/"), setup.raw(channel).scale, FASTEST * setup.linear.period
     if channel in ENCODERS:
@@ -143,5 +143,5 @@ def moved(t: Tracer, setup: Setup, read: dict[str, Form], channel: str) -> Form 
     elif channel == COMPASS:
         step = Form({"compass_way": 1.0})
     else:
-        return 0.0
+        return Form()
     return t.let(f"moved_{name}", step * scale, "rad", most)

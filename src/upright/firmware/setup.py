@@ -31,7 +31,6 @@ HEADING = 1000.0  # [rad] of turning that a compass is followed for
 UPSIDE_DOWN = 3.2  # [rad] limit of an estimated pitch
 
 POSITIONS = (*ENCODERS, COMPASS)
-SIDES = ("left", "right")
 STATE_UNITS = ("rad", "rad/s", "rad", "rad/s", "rad", "rad/s")
 REFERENCE_RANGE = (0.5, 5.0, 1000.0, 40.0, 1000.0, 20.0)  # in those units
 

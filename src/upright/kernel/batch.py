@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from upright.control import Controller
-from upright.control.linear_controller import LinearController, as_linear
+from upright.control.law import Law, as_law
+from upright.control.linear_controller import LinearController
 from upright.errors import InvalidModel, InvalidRobot, InvalidScenario, SpecMismatch
 from upright.physics.dynamics import MODELS
 from upright.robots import Kit, Robot
@@ -29,10 +30,10 @@ _TAILS = {"parameters": (len(NAMES),), "start": (6,), "pushes": (-1, 4), "slope"
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class FleetBatch:
-    """n robots under linear control. Every array has n rows, or one row that all robots share.
+    """n robots under a linear or a sliding controller. Every array has n rows, or one row that all robots share.
 
     `parameters` (·, 21) in the order and units of `robots.robot.PARAMETERS` (see `parameters_of`); `controller` is
-    one for all or a sequence of n, and `linear` the same as state-space systems; `start` (·, 6) the state at t = 0;
+    one for all or a sequence of n, and `laws` what they compute; `start` (·, 6) the state at t = 0;
     `pushes` (·, p, 4) force [N], height above the axle [m] (NaN: at the centre of mass), start [s], duration [s];
     `slope` (·, 2) angle [rad] and start [s];
     `reference` (·, q, 4) speed [m/s], turn [rad/s], start and end [s], which add up. `kit` is the electronics,
@@ -42,12 +43,12 @@ class FleetBatch:
     `period` [s] is the body's step, cut into `substeps` (None: as many as the fastest robot here needs; give it where a
     result must not depend on the other robots of the batch).
 
-    Raises `InvalidController` for a controller that is not linear, `SpecMismatch` for controllers of different forms,
-    `InvalidModel` or `InvalidScenario` for the rest.
+    Raises `InvalidController` for a controller that no law describes, `SpecMismatch` for controllers of different
+    forms, `InvalidModel` or `InvalidScenario` for the rest.
     """
 
     parameters: Array
-    controller: Controller | Sequence[Controller]
+    controller: Controller | Law | Sequence[Controller | Law]
     start: Array = field(default_factory=lambda: np.zeros((1, 6)))
     pushes: Array = field(default_factory=lambda: np.zeros((1, 0, 4)))
     slope: Array = field(default_factory=lambda: np.zeros((1, 2)))
@@ -59,13 +60,13 @@ class FleetBatch:
     index: NDArray[np.uint64] | None = None
     period: float = 0.001
     substeps: int | None = None
-    linear: tuple[LinearController, ...] = field(init=False)
+    laws: tuple[Law, ...] = field(init=False)
     n: int = field(init=False)
 
     def __post_init__(self) -> None:
         for name, tail in _TAILS.items():
             object.__setattr__(self, name, _table(name, getattr(self, name), tail))
-        object.__setattr__(self, "linear", _linear(self.controller))
+        object.__setattr__(self, "laws", _laws(self.controller))
         changes = {name: _table(name, np.reshape(values, (-1,)), ()) for name, values in self.kit_changes.items()}
         object.__setattr__(self, "kit_changes", changes)
         models = (self.model,) if isinstance(self.model, str) else tuple(self.model)
@@ -73,14 +74,14 @@ class FleetBatch:
             raise InvalidModel(f"no model is called '{unknown.pop()}'", expected=" or ".join(MODELS))
         sizes = {name: len(getattr(self, name)) for name in _TAILS}
         sizes |= {name: len(values) for name, values in changes.items()}
-        sizes |= {"model": len(models), "controller": len(self.linear)}
+        sizes |= {"model": len(models), "controller": len(self.laws)}
         sizes |= {} if self.index is None else {"index": len(self.index)}
         object.__setattr__(self, "n", _common(sizes))
 
     @property
     def form(self) -> LinearController:
         """The controller of robot 0, whose size, channels, period and unit are those of all."""
-        return self.linear[0]
+        return self.laws[0].linear
 
     def part(self, rows: Selection, **changes: Array) -> FleetBatch:
         """The robots number `rows` (n,) under the numbers they have in the whole, with whole arrays (`start`, `pushes`)
@@ -93,9 +94,9 @@ class FleetBatch:
         kit_changes = {name: some(np.asarray(values)) for name, values in self.kit_changes.items()}
         models = self.model if isinstance(self.model, str) else tuple(np.asarray(self.model)[rows].tolist())
         index = np.arange(self.n, dtype=np.uint64) if self.index is None else self.index
-        linear = np.array(self.linear, dtype=object)
+        laws = np.array(self.laws, dtype=object)
         return replace(
-            self, **arrays, controller=some(linear).tolist(), kit_changes=kit_changes, model=models, index=index[rows]
+            self, **arrays, controller=some(laws).tolist(), kit_changes=kit_changes, model=models, index=index[rows]
         )
 
 
@@ -124,16 +125,18 @@ def parameters_of(robots: Robot | Iterable[Robot], changes: Mapping[str, ArrayLi
     return table
 
 
-def _linear(controller: Controller | Sequence[Controller]) -> tuple[LinearController, ...]:
+def _laws(controller: Controller | Law | Sequence[Controller | Law]) -> tuple[Law, ...]:
     """One controller, or one for each robot, which read the same channels at the same rate."""
-    several = [controller] if isinstance(controller, Controller) else controller
-    linear = tuple(as_linear(one) for one in several)
-    forms = {(one.reads, one.period, one.command_unit, len(one.A)) for one in linear}
+    several = [controller] if isinstance(controller, Controller | Law) else controller
+    laws = tuple(as_law(one) for one in several)
+    forms = {(one.reads, one.period, one.command_unit, len(one.A)) for one in (law.linear for law in laws)}
+    if len(laws) > 1 and any(law.switching for law in laws):
+        raise SpecMismatch("several sliding modes in a batch", expected="one, or linear controllers for each robot")
     if len(forms) != 1:
         raise SpecMismatch(
             f"{len(forms)} forms of controllers", expected="one period, size and set of channels for all"
         )
-    return linear
+    return laws
 
 
 def _table(name: str, given: ArrayLike, tail: tuple[int, ...]) -> Array:

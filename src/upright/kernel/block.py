@@ -50,10 +50,6 @@ from upright.kernel.rows import (
     ENCODER_LEFT,
     ENCODER_RIGHT,
     FLOOR,
-    G_FIRST,
-    G_FRESH,
-    G_TO,
-    GROUP_COLUMNS,
     GYRO,
     HOLD,
     JITTER,
@@ -61,7 +57,6 @@ from upright.kernel.rows import (
     NEVER,
     NOISE,
     OUTSIDE,
-    OWN,
     PEAK_PITCH,
     PEAK_WHEEL,
     PEAK_YAW,
@@ -81,6 +76,7 @@ from upright.kernel.rows import (
     SATURATED,
     SPECIFIC_FORCE,
     SQUARE,
+    VARIED,
     VOLTAGE,
     WALK,
 )
@@ -94,7 +90,7 @@ def fill(w: Any, count: int, plan: Any, common: Any, rows: Any, table: Any, firs
         value = item(common, r)
         for i in range(count):
             put(w, r, i, value)
-    for v in range(item(plan, OWN)):
+    for v in range(item(plan, VARIED)):
         row = item(rows, v)
         for i in range(count):
             put(w, row, i, item(table, v * robots + first + i))
@@ -105,31 +101,6 @@ def copy(w: Any, out: int, source: int, count: int) -> None:
     """Row `source` into row `out`."""
     for i in range(count):
         put(w, out, i, get(w, source, i))
-
-
-@njit
-def apply_gains(w: Any, count: int, out: int, table: Any, groups: int, own: int) -> None:
-    """Rows from `out` on: each is the sum of gain times row over its groups in `table` (groups, GROUP_COLUMNS).
-
-    A gain is the first number of its row for all robots, or each one's own.
-    """
-    for g in range(groups):
-        t = g * GROUP_COLUMNS
-        a, fresh, p = out + item(table, t + G_TO), item(table, t + G_FRESH) > 0, t + G_FIRST
-        b0, b1, b2, b3 = item(table, p), item(table, p + 2), item(table, p + 4), item(table, p + 6)
-        c0, c1, c2, c3 = item(table, p + 1), item(table, p + 3), item(table, p + 5), item(table, p + 7)
-        if own:
-            for i in range(count):
-                sum_ = like(w, 0.0) if fresh else get(w, a, i)
-                sum_ = fma(get(w, c1, i), get(w, b1, i), fma(get(w, c0, i), get(w, b0, i), sum_))
-                sum_ = fma(get(w, c3, i), get(w, b3, i), fma(get(w, c2, i), get(w, b2, i), sum_))
-                put(w, a, i, sum_)
-        else:
-            k0, k1, k2, k3 = get(w, c0, 0), get(w, c1, 0), get(w, c2, 0), get(w, c3, 0)
-            for i in range(count):
-                sum_ = like(w, 0.0) if fresh else get(w, a, i)
-                sum_ = fma(k1, get(w, b1, i), fma(k0, get(w, b0, i), sum_))
-                put(w, a, i, fma(k3, get(w, b3, i), fma(k2, get(w, b2, i), sum_)))
 
 
 @inlined

@@ -15,6 +15,7 @@ from upright.errors import SpecMismatch
 from upright.kernel import rows as b
 from upright.kernel.batch import NAMES, FleetBatch
 from upright.kernel.kit import KitTables
+from upright.kernel.law import CompiledLaw, compiled
 from upright.kernel.rows import Rows
 from upright.signals import STATE_NAMES
 
@@ -27,7 +28,7 @@ _SAME_TIME = 1e-9  # [s] as in `experiment.pushes`
 @dataclass(eq=False, kw_only=True)
 class Packed:
     """`common` (r,) holds each row of a block as all robots have it; `rows` (v,) are overwritten by the rows of
-    `table` (v, n). `truth`, `sensors`, `command` and `memory` are those of `run.entry`."""
+    `table` (v, n). `truth` and `sensors` are those of `run.entry`."""
 
     at: Rows
     common: NDArray[Any]
@@ -35,8 +36,7 @@ class Packed:
     table: NDArray[Any]
     truth: Whole
     sensors: Whole
-    command: Whole
-    memory: Whole
+    program: CompiledLaw
 
 
 class _Block:
@@ -82,21 +82,24 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
     block.take(b.FLOOR - b.NOISE)
     block.take(3, _floor(batch))
     assert block.end == b.FIXED, f"{block.end} rows are packed where the layout of `rows` has {b.FIXED}"
-    pushes, ramps, memories = pushes_of(batch), _ramps(batch), len(controller.A)
+    pushes, ramps = pushes_of(batch), _ramps(batch)
+    # a reference that is zero all the time takes no products
+    program = compiled(batch.laws, len(STATE_NAMES) if ramps.shape[1] else 0, np.dtype(dtype).name)
+    own = len(batch.laws) > 1
     slots = int(kit.dead_time[:, 0].max()) + 4 if kit.dead_time.any() else 0
     at = Rows(
         pushes=block.take(pushes.shape[1], pushes), push_count=pushes.shape[1] // 4,
         ramps=block.take(ramps.shape[1], ramps), ramp_count=ramps.shape[1] // 4,
-        reading=block.take(len(controller.reads)), memory=block.take(2 * memories), memory_count=memories,
+        reading=block.take(program.rows),
+        constants=block.take(program.constants.shape[1], program.constants) if own else 0,
         ring=block.take(2 * slots), slots=slots,
     )  # fmt: skip
     sensors = _sensors(controller, kit, at, block)
-    command, memory = _gains(batch.linear, at, block)
     common, rows, table = block.pack(dtype)
     truth = [(g.PITCH + _state(name), at.reading + i) for i, name in enumerate(controller.reads) if "truth/" in name]
     return Packed(
         at=at, common=common, rows=rows, table=table, truth=np.array(truth, dtype=np.int64).reshape(-1, 2),
-        sensors=sensors, command=command, memory=memory,
+        sensors=sensors, program=program,
     )  # fmt: skip
 
 
@@ -159,35 +162,6 @@ def _sensors(controller: LinearController, kit: KitTables, at: Rows, block: _Blo
         loud = sum(sign for column, sign in random if kit.sensor[:, s, column].any())
         table.append((kind, delay, every, row, places, reading, play, loud))
     return np.array(table, dtype=np.int64).reshape(-1, b.SENSOR_COLUMNS)
-
-
-def _gains(linear: Sequence[LinearController], at: Rows, block: _Block) -> tuple[Whole, Whole]:
-    """Groups of what is not zero in [z, y, r] → u and [z, y, r, a] → z⁺, as `block.apply_gains` takes them."""
-    referred = 6 if at.ramp_count else 0  # a reference that is zero all the time takes no products
-    rows = [at.memory + i for i in range(at.memory_count)] + [at.reading + i for i in range(len(linear[0].reads))]
-    rows += [b.REFERENCE + i for i in range(referred)]
-    command = np.stack([np.hstack([c.C, c.Dy, c.Dr[:, :referred]]) for c in linear])
-    nothing = block.take(1)
-    commands = _groups(command, rows, nothing, block)
-    if at.memory_count == 0:
-        return commands, commands[:0]
-    memory = np.stack([np.hstack([c.A, c.By, c.Br[:, :referred], c.Ba]) for c in linear])
-    return commands, _groups(memory, [*rows, g.LEFT, g.RIGHT], nothing, block)
-
-
-def _groups(matrix: Array, rows: Sequence[int], nothing: int, block: _Block) -> Whole:
-    """(groups, GROUP_COLUMNS); the gain of an unused place of a group is row `nothing` of the block, which is zero."""
-    to, sources = np.nonzero(matrix.any(axis=0) if len(matrix) > 1 else matrix[0])
-    first = block.take(len(to), matrix[:, to, sources]) if len(to) else nothing
-    pairs: list[list[tuple[int, int]]] = [[] for _ in range(matrix.shape[1])]
-    for k, (row, source) in enumerate(zip(to.tolist(), sources.tolist(), strict=True)):
-        pairs[row].append((rows[source], first + k))
-    table = list[list[int]]()
-    for row, own in enumerate(pairs):
-        own.extend([(own[-1][0] if own else g.H, nothing)] * (-len(own) % b.AT_ONCE if own else b.AT_ONCE))
-        for k in range(0, len(own), b.AT_ONCE):
-            table.append([row, int(k == 0), *(place for pair in own[k : k + b.AT_ONCE] for place in pair)])
-    return np.array(table, dtype=np.int64).reshape(-1, b.GROUP_COLUMNS)
 
 
 def _state(name: str) -> int:

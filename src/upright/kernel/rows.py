@@ -21,11 +21,6 @@ S_KIND, S_DELAY, S_EVERY, S_ROW, S_PLACES, S_READING, S_SLACK, S_LOUD, SENSOR_CO
 """Columns of the table of sensors: kind, delay and period [steps], first row, places in the delay line, row of the
 reading, 1 for backlash, and the sum of its random parts:"""
 LOUD_NOISE, LOUD_WALK, LOUD_BIAS = 1, 2, 4
-G_TO, G_FRESH, G_FIRST, AT_ONCE = 0, 1, 2, 4
-GROUP_COLUMNS = G_FIRST + 2 * AT_ONCE
-"""Columns of a table of gains: the row of the sum, 1 where the sum begins, then `AT_ONCE` pairs of a row and the row of
-its gain. A sum grows by four products at a time, since storing it takes longer than the products."""
-
 
 KIT = WORK + WORK_ROWS  # rows that every block has, after those of the motion
 LIMIT, DEAD_ZONE, QUANTUM, VOLTAGE, SAG, COUNTS = range(KIT, KIT + 6)  # numbers of a kit; then what is counted:
@@ -49,9 +44,8 @@ class Rows(NamedTuple):
     push_count: int
     ramps: int  # 4 each
     ramp_count: int
-    reading: int  # one for each channel that the controller reads
-    memory: int  # the controller's state, and as many rows for the next one
-    memory_count: int
+    reading: int  # one for each channel that the controller reads, then its states and what it carries over
+    constants: int  # of each robot's own controller
     ring: int  # 2 for each command on its way
     slots: int
 
@@ -63,12 +57,14 @@ class Plan(NamedTuple):
     stride: int  # steps of a body in a period
     substeps: int  # Runge-Kutta steps in one of those
     every: int  # periods from one recorded row to the next, 0: none
-    own_gains: int  # 1: each robot has its own controller
+    decide: int  # address of the controller's `command`
+    update: int  # and of its `update`, 0 where it remembers nothing
+    own: int  # 1: each robot has its own controller
     slope: int  # 1: some floor slopes
     alike: int  # 1: all robots have the same dead time, without jitter
     advance: int  # address of `advance_…`
     accelerometer: int  # address of `specific_force_…`, 0 where no accelerometer is read
-    called: int  # address of the controller that is called instead of gains (see `lanes`), 0: none
+    called: int  # address of the controller that is called instead (see `lanes`), 0: none
     seed: int  # its 64 bits as a signed number
 
 
@@ -77,12 +73,10 @@ class Sizes(NamedTuple):
 
     robots: int
     all_rows: int  # of a block
-    own: int  # rows that differ from robot to robot
+    varied: int  # rows that differ from robot to robot
     held: int  # recorded rows of a robot
     truths: int
     sensors: int
-    commands: int
-    memories: int
     before: int  # channels recorded at the start of a period
     after: int  # and at its end
 
@@ -95,9 +89,9 @@ class Times(NamedTuple):
     fallen_at: float  # [rad]
 
 
-PUSHES, PUSH_COUNT, RAMPS, RAMP_COUNT, READING, MEMORY, MEMORY_COUNT, RING, SLOTS = range(9)
-PERIODS, STRIDE, SUBSTEPS, EVERY, OWN_GAINS, SLOPE, ALIKE, ADVANCE, ACCELEROMETER, CALLED, SEED = range(9, 20)
-ROBOTS, ALL_ROWS, OWN, HELD, TRUTHS, SENSORS, COMMANDS, MEMORIES, BEFORE, AFTER = range(20, 30)
+PUSHES, PUSH_COUNT, RAMPS, RAMP_COUNT, READING, CONSTANTS, RING, SLOTS = range(8)
+PERIODS, STRIDE, SUBSTEPS, EVERY, DECIDE, UPDATE, OWN, SLOPE, ALIKE, ADVANCE, ACCELEROMETER, CALLED, SEED = range(8, 21)
+ROBOTS, ALL_ROWS, VARIED, HELD, TRUTHS, SENSORS, BEFORE, AFTER = range(21, 29)
 """Places of the fields of `Rows`, `Plan` and `Sizes` in the one array that compiled functions get."""
 STEP, H_STEP, FALLEN_AT = range(3)
 """Places of the fields of `Times`."""

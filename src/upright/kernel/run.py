@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from upright.compiled.generated import LANES, LEFT, LIVED, PITCH
-from upright.compiled.jit import call_on_block, call_to_move, get, item, njit, put, store
+from upright.compiled.jit import call_on_block, call_program, call_to_move, get, item, njit, put, row_of, store
 from upright.compiled.random import fill_normals
 from upright.kernel import block as b
 from upright.kernel.rows import (
@@ -19,10 +19,10 @@ from upright.kernel.rows import (
     ALIKE,
     BEFORE,
     CALLED,
-    COMMAND,
-    COMMANDS,
+    CONSTANTS,
     COUNTED,
     COUNTS,
+    DECIDE,
     DRIVEN,
     EVERY,
     FALLEN_AT,
@@ -34,17 +34,15 @@ from upright.kernel.rows import (
     LOUD_BIAS,
     LOUD_NOISE,
     LOUD_WALK,
-    MEMORIES,
-    MEMORY,
-    MEMORY_COUNT,
     NEVER,
     NOISE,
-    OWN_GAINS,
+    OWN,
     PERIODS,
     PUSH_COUNT,
     PUSHES,
     RAMP_COUNT,
     RAMPS,
+    READING,
     RING,
     S_BIAS,
     S_DELAY,
@@ -70,6 +68,7 @@ from upright.kernel.rows import (
     STRIDE,
     SUBSTEPS,
     TRUTHS,
+    UPDATE,
     WALK,
 )
 
@@ -149,12 +148,19 @@ def read(w: Any, count: int, plan: Any, times: Any, sensors: Any, index: Any, fi
 
 
 @njit
-def decide(w: Any, count: int, plan: Any, times: Any, gains: Any, index: Any, first: int, k: int) -> int:
+def control(address: int, w: Any, count: int, plan: Any, constants: Any) -> None:
+    """One of the controller's two functions, with the constants of all robots or of each."""
+    table = row_of(w, item(plan, CONSTANTS)) if item(plan, OWN) else constants
+    call_program(address, w, count, item(plan, READING), table)
+
+
+@njit
+def decide(w: Any, count: int, plan: Any, times: Any, constants: Any, index: Any, first: int, k: int) -> int:
     """The command of period `k`, into the delay line; returns the last of its steps at which a command arrives."""
     if item(plan, RAMP_COUNT) > 0:
         t = k * item(plan, STRIDE) * item(times, STEP)
         b.refer(w, count, item(plan, RAMPS), item(plan, RAMP_COUNT), t)
-    b.apply_gains(w, count, COMMAND + 0 * k, gains, item(plan, COMMANDS), item(plan, OWN_GAINS))
+    control(item(plan, DECIDE), w, count, plan, constants)
     if item(plan, CALLED) != 0:
         call_on_block(item(plan, CALLED), w, count, k)
     b.drive(w, count)
@@ -167,15 +173,6 @@ def decide(w: Any, count: int, plan: Any, times: Any, gains: Any, index: Any, fi
     if item(plan, ALIKE):
         return b.arrive_alike(w, count, item(plan, RING), slots, k, item(plan, STRIDE))
     return b.arrive(w, count, item(plan, RING), slots, k, item(plan, STRIDE), index, first, item(plan, SEED))
-
-
-@njit
-def remember(w: Any, count: int, plan: Any, gains: Any) -> None:
-    """The controller's state at the start of the next period."""
-    many, row = item(plan, MEMORY_COUNT), item(plan, MEMORY)
-    b.apply_gains(w, count, row + many, gains, item(plan, MEMORIES), item(plan, OWN_GAINS))
-    for j in range(many):
-        b.copy(w, row + j, row + many + j, count)
 
 
 @njit
@@ -216,13 +213,13 @@ def move(
 
 def entry(
     w: Any, start: int, stop: int, plan: Any, times: Any, common: Any, rows: Any, table: Any, index: Any,
-    truth: Any, sensors: Any, command: Any, memory: Any, bands: Any, before: Any, after: Any,
+    truth: Any, sensors: Any, constants: Any, bands: Any, before: Any, after: Any,
     final: Any, lived: Any, counted: Any, trace: Any,
 ) -> None:  # fmt: skip
     """Robots from `start` to `stop` − 1, `LANES` at a time, in the working memory `w`; the last four are results.
 
     `plan` holds the fields of `Rows`, `Plan` and `Sizes`, `times` those of `Times`. `truth` (·, 2): row of a state and
-    of its reading; `sensors` (·, SENSOR_COLUMNS); `command` and `memory`: see `b.apply_gains`.
+    of its reading; `sensors` (·, SENSOR_COLUMNS); `constants` those of the controller's text.
     """
     stride, every = item(plan, STRIDE), item(plan, EVERY)
     step, h = item(times, STEP), item(times, H_STEP)
@@ -243,7 +240,7 @@ def entry(
             if begin >= sensed:
                 sensed = sense_all(w, count, plan, sensors, begin)
             read(w, count, plan, times, sensors, index, first, k)
-            last = decide(w, count, plan, times, command, index, first, k)
+            last = decide(w, count, plan, times, constants, index, first, k)
             b.count_period(w, count, bands, begin * step)
             kept = every > 0 and k % every == 0
             place = (first * item(plan, HELD) + k // every) * channels if kept else 0
@@ -255,6 +252,6 @@ def entry(
                 place += item(plan, BEFORE)
                 since = begin * step + h / 2
                 b.record(w, count, after, item(plan, AFTER), trace, place, item(plan, HELD) * channels, since)
-            if item(plan, MEMORY_COUNT) > 0:
-                remember(w, count, plan, memory)
+            if item(plan, UPDATE) != 0:
+                control(item(plan, UPDATE), w, count, plan, constants)
         write(w, count, final, lived, counted, first)

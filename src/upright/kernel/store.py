@@ -46,6 +46,23 @@ def address_of(module: str, function: str, arguments: tuple[str, ...]) -> int:
         return _address_of(module, function, arguments)
 
 
+def functions_of(text: str, *names: str) -> tuple[int, ...]:
+    """Addresses of the functions `names` of a module in LLVM's own language."""
+    with _lock:
+        return _functions_of(text, names)
+
+
+@cache
+def _functions_of(text: str, names: tuple[str, ...]) -> tuple[int, ...]:
+    path = path_of(names[0], text)
+    code = kept(path)
+    if code is None:
+        code = _machine().emit_object(llvm.parse_assembly(text))
+        keep(path, code)
+    engine = _engine(code)
+    return tuple(engine.get_function_address(name) for name in names)
+
+
 def call(address: int, arguments: list[Any]) -> None:
     """Calls it with addresses and whole numbers, other threads running on."""
     _prototype(len(arguments))(address)(*arguments)
@@ -178,12 +195,21 @@ def _entrance(name: str, inner: str, kinds: list[str]) -> str:
 
 
 def _load(code: bytes, name: str) -> int:
-    if not _engines:
-        llvm.initialize_native_target()
-        llvm.initialize_native_asmprinter()
-    machine = llvm.Target.from_default_triple().create_target_machine(jit=True)
-    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
+    return _engine(code).get_function_address(name)
+
+
+def _engine(code: bytes) -> Any:
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine())
     engine.add_object_file(llvm.ObjectFileRef.from_data(code))
     engine.finalize_object()
     _engines.append(engine)
-    return engine.get_function_address(name)
+    return engine
+
+
+def _machine() -> Any:
+    """A target machine of our own: Numba keeps for good the level of optimisation at which it first makes its own."""
+    if not _engines:
+        llvm.initialize_native_target()
+        llvm.initialize_native_asmprinter()
+    host = {"cpu": llvm.get_host_cpu_name(), "features": llvm.get_host_cpu_features().flatten()}
+    return llvm.Target.from_default_triple().create_target_machine(opt=3, jit=True, **host)

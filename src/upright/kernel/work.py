@@ -105,7 +105,8 @@ def run_piece(batch: FleetBatch, rows: Selection, variant: str, order: Order, ou
     before, after = recorded(order.channels, packed.at, piece.form)
     lanes = Lanes(order.called, packed.at) if order.called else None
     plan = Plan(
-        order.periods, order.stride, order.substeps, order.record, int(len(piece.linear) > 1), int("slope" in variant),
+        order.periods, order.stride, order.substeps, order.record, packed.program.command, packed.program.update,
+        int(len(piece.laws) > 1), int("slope" in variant),
         int(len(kit.dead_time) == 1 and not kit.dead_time[0, 2]), *_motion(piece, variant, order.dtype),
         lanes.address if lanes else 0, int(np.uint64(batch.seed).astype(np.int64)),
     )  # fmt: skip
@@ -135,12 +136,13 @@ def _run(
     size = len(packed.common)
     entry = _entry(_name(packed.common.dtype))
     index = np.arange(batch.n, dtype=np.uint64) if batch.index is None else np.array(batch.index, dtype=np.uint64)
-    held = (packed.truth, packed.sensors, packed.command, packed.memory, rows[1], rows[2])
+    held = (packed.truth, packed.sensors, rows[1], rows[2])
+    constants = packed.program.constants[0].astype(packed.common.dtype)
     sizes = Sizes(batch.n, size, len(packed.rows), out.trace.shape[1], *map(len, held))
     numbers = np.array([*packed.at, *plan, *sizes], dtype=np.int64)
     arrays = (
         numbers, np.array(times), packed.common, packed.rows, packed.table, index, packed.truth, packed.sensors,
-        packed.command, packed.memory, *rows, *out,
+        constants, *rows, *out,
     )  # fmt: skip
     blocks = -(-batch.n // LANES)
     size_of_part = LANES * (blocks if threads == 1 else max(1, -(-blocks // (threads * _PARTS))))
@@ -161,7 +163,7 @@ def _run(
 @cache
 def _entry(number: str) -> int:
     p, w = "*int64", f"*{number}"
-    kinds = (w, "int64", "int64", p, "*float64", w, p, w, "*uint64", p, p, p, p, w, p, p, w, w, w, w)
+    kinds = (w, "int64", "int64", p, "*float64", w, p, w, "*uint64", p, p, w, w, p, p, w, w, w, w)
     return address_of("kernel.run", "entry", kinds)
 
 
@@ -171,6 +173,6 @@ def _name(dtype: Any) -> str:
 
 
 def _aligned(size: int, dtype: Any) -> NDArray[Any]:
-    raw = np.empty(size * dtype.itemsize + 64, np.uint8)
+    raw = np.zeros(size * dtype.itemsize + 64, np.uint8)
     skip = -raw.ctypes.data % 64
     return raw[skip : skip + size * dtype.itemsize].view(dtype)

@@ -15,7 +15,8 @@ from upright.bodies.electronics import drive
 from upright.compiled.fixed import fractions, memory
 from upright.compiled.program import Kind, Program
 from upright.control.controller import Controller, ControllerSpec
-from upright.firmware.setup import CALIBRATION_TIME, SIDES
+from upright.control.law import SIDES
+from upright.firmware.setup import CALIBRATION_TIME
 from upright.firmware.targets import BATTERY, COMPASS, GYRO, OFFSET
 from upright.firmware.tools import ExecutionFailed
 from upright.parity.executor import Executor, Values
