@@ -40,6 +40,14 @@ def pytest_configure(config: pytest.Config) -> None:
     )
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Tests of one robust design run in one process, which designs it once: that takes up to fifteen seconds."""
+    for item in items:
+        given = item.callspec.params if isinstance(item, pytest.Function) and hasattr(item, "callspec") else {}
+        if "robust" in given.values() and "preset" in given:
+            item.add_marker(pytest.mark.xdist_group(f"robust {given['preset']}"))
+
+
 def pytest_runtest_setup(item: pytest.Item) -> None:
     for mark in item.iter_markers("needs"):
         absent = [need for need in mark.args if missing(need)]
