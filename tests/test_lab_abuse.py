@@ -348,6 +348,23 @@ def test_at_the_desk_each_session_has_its_turn(monkeypatch, alone):
     assert len(FakeClerk.done) >= 3
 
 
+def test_a_job_has_its_seconds_of_computing_on_a_busy_machine_too(monkeypatch):
+    """What another program takes of the machine is not the job's: by the clock it may last five times as long."""
+    clerk = desk_module._Clerk()
+    try:
+        clerk._key, clerk.idle, clerk._before = ("ana", "design"), False, 0.0
+        monkeypatch.setattr(clerk, "_computed", lambda: 10.0)
+        for elapsed, ended in ((29.0, False), (140.0, False), (151.0, True)):
+            clerk._since = time.monotonic() - elapsed
+            assert clerk._overdue(30.0) is ended
+        monkeypatch.setattr(clerk, "_computed", lambda: 31.0)
+        clerk._since = time.monotonic() - 32.0
+        ((_, status, why),) = clerk.poll(30.0)
+        assert (status, why) == ("failed", "design: it took longer than 30 s and was stopped")
+    finally:
+        clerk.kill()
+
+
 @pytest.mark.slow
 def test_a_class_with_hostile_students_in_it_goes_on(monkeypatch):
     """A short `benchmarks/abuse.py lab`, whose rates are for a quiet machine and are not tested: one of each kind of

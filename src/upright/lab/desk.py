@@ -12,6 +12,7 @@ import os
 import time
 from collections.abc import Callable
 from multiprocessing.connection import Connection
+from pathlib import Path
 from typing import Any, Protocol
 
 from upright.errors import UprightError
@@ -19,9 +20,10 @@ from upright.errors import UprightError
 Key = tuple[str, str]
 Word = tuple[Key, str, Any]
 
-PATIENCE = 600.0  # [s] after which a job is killed
+PATIENCE = 600.0  # [s] of computing after which a job is killed
 CROWDED = 120.0  # [s] the same while another session's job waits for its place
 BRIEF = 30.0  # [s] the same for what the one clerk does
+BUSY = 5.0  # times as long a job may last by the clock, on a machine where others compute too
 MOST_ALONE = 2  # jobs at a time, since the loop has the first claim on the machine
 MODEST = 5  # of nice: behind the loop, without starving on a machine where others work
 MEMORY = 4 << 30  # [bytes] of addresses for one job: a hostile file must not take the machine
@@ -132,10 +134,10 @@ class _Clerk:
         self._process = context.Process(target=_work, args=(theirs,), daemon=True)
         self._process.start()
         theirs.close()
-        self.idle, self.dead, self._key, self._since = True, False, ("", ""), 0.0
+        self.idle, self.dead, self._key, self._since, self._before = True, False, ("", ""), 0.0, 0.0
 
     def give(self, key: Key, task: str, args: tuple[Any, ...]) -> None:
-        self.idle, self._key, self._since = False, key, time.monotonic()
+        self.idle, self._key, self._since, self._before = False, key, time.monotonic(), self._computed()
         self._pipe.send((task, args))
 
     def poll(self, patience: float) -> list[Word]:
@@ -147,9 +149,21 @@ class _Clerk:
                 self.idle = status != "progress"
         except (EOFError, OSError):
             return [*words, self._gone("the process that computed it died, perhaps of too large a file")]
-        if not self.idle and time.monotonic() - self._since > patience:
+        if not self.idle and self._overdue(patience):
             return [*words, self._gone(f"it took longer than {patience:g} s and was stopped")]
         return words
+
+    def _overdue(self, patience: float) -> bool:
+        elapsed = time.monotonic() - self._since
+        return elapsed > BUSY * patience or (elapsed > patience and self._computed() - self._before > patience)
+
+    def _computed(self) -> float:
+        """Seconds that the process has computed, or of the clock where the system does not say."""
+        try:
+            fields = Path(f"/proc/{self._process.pid}/stat").read_text("utf-8").rpartition(")")[2].split()
+        except OSError:
+            return time.monotonic()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")  # its own time, and the kernel's for it
 
     def _gone(self, why: str) -> Word:
         self.kill()
