@@ -10,7 +10,9 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import json
+import os
 import random
+import signal
 import subprocess
 import sys
 import time
@@ -49,6 +51,7 @@ def measure(
         sent = json.loads(hostility.communicate(timeout=seconds + 120)[0])
         pictures = np.array(json.loads(watching.communicate(timeout=60)[0]))
         alive, after = set(stages) <= set(_stages(server.pid)), _memory(server.pid)
+        replaced = _replaced(server.pid)
     finally:
         server.terminate()
         errors = server.communicate(timeout=30)[1]
@@ -61,8 +64,18 @@ def measure(
     below = f"{(slowest < 25).sum()} of {len(slowest)}"
     yield "seconds in which any client got fewer than 25", below, "0", bool((slowest >= 25).all())
     yield "memory before and after", f"{before:.0f}, {after:.0f} MB", "+20 %", after < 1.2 * before
+    yield "a killed stage is replaced after", f"{replaced:.2f} s", "1 s", replaced <= 1
     yield "stages alive", "yes" if alive else "no", "yes", alive
-    yield "lines on the teacher's terminal", str(len(errors.splitlines())), "0", not errors
+    yield "lines on the teacher's terminal", errors.strip()[:1000] or "0", "0", not errors
+
+
+def _replaced(server: int) -> float:
+    """Seconds until another process stands in the place of a stage that is killed, as for want of memory."""
+    before, begun = _stages(server), time.monotonic()
+    os.kill(before[0], signal.SIGKILL)
+    while set(_stages(server)) <= set(before) and time.monotonic() - begun < 60:
+        time.sleep(0.01)
+    return time.monotonic() - begun
 
 
 def _process(role: str, *args: Any) -> subprocess.Popen[str]:
@@ -76,7 +89,11 @@ def _line(process: subprocess.Popen[str]) -> str:
 
 
 def _stages(pid: int) -> list[int]:
-    return [p.pid for p in psutil.Process(pid).children() if "spawn_main" in " ".join(p.cmdline())]
+    found: list[int] = []
+    for child in psutil.Process(pid).children():
+        with contextlib.suppress(psutil.NoSuchProcess):  # it ended meanwhile
+            found += [child.pid] if "spawn_main" in " ".join(child.cmdline()) else []
+    return found
 
 
 def _memory(pid: int) -> float:

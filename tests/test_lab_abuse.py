@@ -7,7 +7,7 @@ import json
 import os
 import signal
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, ClassVar
@@ -137,15 +137,16 @@ def test_everybody_hears_of_a_stage_that_died_and_who_ended_it_gets_the_usual_ro
 
 
 @pytest.mark.slow
-def test_a_stage_that_is_killed_or_hangs_is_replaced_within_a_second(monkeypatch):
-    """Killed by the system, as for want of memory; then stopped, as by an endless computation outside Python."""
+def test_a_stage_that_is_killed_or_hangs_is_replaced(monkeypatch):
+    """Killed by the system, as for want of memory; then stopped, as by an endless computation outside Python. How
+    soon, within a second on a quiet machine, is measured by `benchmarks/abuse.py lab`."""
     monkeypatch.setattr(stage_process, "SILENT", 1)
     link = stage_process.StageProcess(Options(rate=30.0, coarse=True, certified=False))
     hub = Hub(Door("students", "teacher"), [link])
     client = Client("a", Mailbox())
 
-    async def until(kind: str, seconds: float) -> None:
-        end, found = time.monotonic() + seconds, list[str]()
+    async def until(kind: str, meanwhile: Callable[[], None] = lambda: None) -> None:
+        end, found = time.monotonic() + 60, list[str]()
 
         async def send(text: str) -> None:
             found.append(json.loads(text)["kind"])
@@ -154,21 +155,20 @@ def test_a_stage_that_is_killed_or_hangs_is_replaced_within_a_second(monkeypatch
         sending = asyncio.create_task(client.box.deliver(send))
         while kind not in found:
             assert time.monotonic() < end, f"no {kind}"
-            await asyncio.sleep(0.05)
+            meanwhile()
+            await asyncio.sleep(0.3)
         sending.cancel()
 
     async def story() -> None:
         hub.begin()
         hub.receive(client, encode(Hello(VERSION, token="students", name="Ana", setup=MODEL)))
-        await until("Snapshot", 60)
+        await until("Snapshot")
         os.kill(link._process.pid or 0, signal.SIGKILL)
-        await until("Notice", 1.0 + 4.0)  # within a second where nothing else runs
-        await until("Snapshot", 60)
+        await until("Notice")
+        await until("Snapshot")
         os.kill(link._process.pid or 0, signal.SIGSTOP)
-        for _ in range(3):
-            hub.check()
-        await until("Notice", 1.0 + 4.0)
-        await until("Snapshot", 60)
+        await until("Notice", hub.check)
+        await until("Snapshot")
 
     try:
         asyncio.run(story())
