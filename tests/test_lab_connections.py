@@ -13,6 +13,7 @@ import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -146,16 +147,19 @@ def test_three_hundred_idle_connections_leave_room_for_a_newcomer():
 
     pipes: Any = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, "preexec_fn": few_files}
     process = subprocess.Popen(command, **pipes)
-    assert process.stdout
-    port = int(process.stdout.readline().split()[-1].rstrip("/").rpartition(":")[2])
-    idle = [socket.create_connection(("127.0.0.1", port)) for _ in range(300)]
-    with socket.create_connection(("127.0.0.1", port), timeout=20) as made:
-        made.sendall(f"GET / HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n\r\n".encode())
-        assert b"200 OK" in made.recv(100)
-    for sock in idle:
-        sock.close()
-    process.send_signal(signal.SIGINT)
-    assert process.communicate(timeout=30)[1] == ""
+    try:
+        assert process.stdout
+        port = int(process.stdout.readline().split()[-1].rstrip("/").rpartition(":")[2])
+        idle = [socket.create_connection(("127.0.0.1", port)) for _ in range(300)]
+        with socket.create_connection(("127.0.0.1", port), timeout=20) as made:
+            made.sendall(f"GET / HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n\r\n".encode())
+            assert b"200 OK" in made.recv(100)
+        for sock in idle:
+            sock.close()
+    finally:
+        process.send_signal(signal.SIGINT)
+        complaints = process.communicate(timeout=30)[1]
+    assert complaints == ""
 
 
 def test_a_client_that_never_reads_is_let_go(served):
@@ -212,6 +216,13 @@ def test_files_that_arrive_together_are_no_more_than_there_may_be(tmp_path):
     results = asyncio.run(together())
     assert sum(isinstance(r, UploadRefused) for r in results) == 10
     assert len(list(tmp_path.iterdir())) == MOST_FILES
+
+
+def test_files_of_pages_leave_room_on_the_disk(tmp_path, monkeypatch):
+    monkeypatch.setattr("shutil.disk_usage", lambda _: SimpleNamespace(free=1 << 30))
+    with pytest.raises(UploadRefused, match="nearly full"):
+        asyncio.run(receive(chunks(3), tmp_path, "run.csv", "log"))
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_file_whose_sender_stops_is_given_up(tmp_path, monkeypatch):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import re
+import shutil
 from collections.abc import AsyncIterator
 from pathlib import Path
 
@@ -14,6 +15,9 @@ LARGEST = 32 * 1024 * 1024
 """Bytes of a file: an hour of raw sensors at 100 Hz is a third of it."""
 
 MOST_FILES = 20
+
+SPARED = 1 << 30
+"""[bytes] of the disk that files from pages leave free."""
 
 PATIENCE = 120.0
 """[s] in which a file must have arrived."""
@@ -46,6 +50,8 @@ async def receive(chunks: AsyncIterator[bytes], folder: Path, name: str, what: s
     try:
         if len(list(folder.iterdir())) - target.exists() >= MOST_FILES:
             raise UploadRefused(f"{MOST_FILES} files lie here already", hint="reload the page without its session")
+        if shutil.disk_usage(folder).free < SPARED + LARGEST:
+            raise UploadRefused("the disk of this lab is nearly full", hint="tell whoever started it")
         async with asyncio.timeout(PATIENCE):
             with writing(target) as stream:
                 async for chunk in chunks:
