@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from upright.calibrate.calibration import Segments, Whiteness
 from upright.calibrate.fitting import Normal, Path, Problem, fitted_readings
+from upright.calibrate.stretch import Stretch, free
 from upright.logs.recording import Recording
 
 Array = NDArray[np.float64]
@@ -16,9 +17,6 @@ Whole = NDArray[np.int64]
 
 HORIZONS = (1, 10, 50)
 LAGS = 20
-
-_NUDGES = np.array([1e-5, 1e-4, 1e-4, 1e-3, 1e-4, 1e-3])  # steps in the first state, of its own size
-_SPANS = np.array([0.05, 0.5, 0.5, 5.0, 0.5, 2.0])  # [rad, rad/s] a weak hold, so that a still wheel is no singularity
 
 
 def segments(
@@ -36,10 +34,9 @@ def segments(
     for number, start in enumerate(edges):
         inside = np.flatnonzero((moment >= start) & (moment < start + seconds))
         if len(inside) and (recording.kind[order[inside]] >= 0).sum() >= 12:
-            begin = states[order[inside[0]]]
-            before = _before(recording, order, inside[0])
-            events, predicted = _fitted(problem, recording, z, order[inside], before, begin, scale)
-            parts.append(np.array([events, predicted, np.full(len(events), number)]))
+            stretch = Stretch(problem, recording, z, order[inside], _before(recording, order, inside[0]), scale)
+            predicted = stretch.predicted(states[order[inside[0]]])
+            parts.append(np.array([stretch.events, predicted, np.full(len(predicted), number)]))
     events, predicted, number = np.concatenate(parts, axis=1)
     at = events.astype(np.int64)
     return Segments(
@@ -64,11 +61,12 @@ def steps_ahead(problem: Problem, recording: Recording, z: Array, every: int = 5
         ahead = order[first + 1 :]
         ahead = ahead[: np.searchsorted(moment[ahead], now + (HORIZONS[-1] + 0.5) * recording.period)]
         begin = states[order[first]][:, None]
-        e = _free(problem, recording, z, order[first : first + 1 + len(ahead)], _before(recording, order, first), begin)
+        part = order[first : first + 1 + len(ahead)]
+        e = free(problem, recording, z, part, _before(recording, order, first), begin)[1:]
         steps = np.round((moment[ahead] - now) / recording.period)
         for horizon in HORIZONS:
-            for event in ahead[(steps == horizon) & (recording.kind[ahead] >= 0)]:
-                errors.setdefault((horizon, int(recording.kind[event])), []).append(float(e[event, 0]))
+            for i in np.flatnonzero((steps == horizon) & (recording.kind[ahead] >= 0)):
+                errors.setdefault((horizon, int(recording.kind[ahead[i]])), []).append(float(e[i, 0]))
     return {
         str(h): {row: _percent(recording, i, errors.get((h, i), [])) for i, row in enumerate(recording.rows)}
         for h in HORIZONS
@@ -135,41 +133,6 @@ def _before(recording: Recording, order: Whole, first: int) -> Whole:
     return earlier[recording.kind[earlier] < 0][-1:]
 
 
-def _fitted(
-    problem: Problem, recording: Recording, z: Array, order: Whole, before: Whole, begin: Array, scale: Array
-) -> tuple[Array, Array]:
-    """The readings among `order`, and their prediction from the best first state near `begin`: the one whose errors,
-    over the `scale` of each row, are least."""
-    events = order[recording.kind[order] >= 0]
-    deviation = scale[recording.kind[events]]
-    start = begin.copy()
-
-    def errors(firsts: Array) -> Array:
-        return _free(problem, recording, z, order, before, firsts)[events]
-
-    for _ in range(8):  # a start that topples on its way is pulled back
-        if np.isfinite(errors(start[:, None])).all():
-            break
-        start[:2] *= 0.97
-    step, best, least = np.zeros(6), start, np.inf
-    for _ in range(8):
-        firsts = np.repeat(start[:, None], 7, axis=1)
-        firsts[np.arange(6), 1 + np.arange(6)] += _NUDGES
-        e = errors(firsts)
-        cost = float(((e[:, 0] / deviation) ** 2).sum())
-        if np.isfinite(e).all() and cost < least:
-            J = (e[:, 1:] - e[:, :1]) / _NUDGES / deviation[:, None]
-            step = -np.linalg.solve(J.T @ J + np.diag(1 / _SPANS**2), J.T @ (e[:, 0] / deviation))
-            done, best, least = cost > 0.9999 * least, start, cost
-            if done:
-                break
-        else:
-            step = step / 4
-        start = best.copy()
-        start[:6] += step
-    return events.astype(np.float64), recording.value[events] - errors(best[:, None])[:, 0]
-
-
 def _variation(recording: Recording, order: Whole, moment: Array, edges: Array) -> Array:
     """A hundredth of how much each row varies within a segment (rows,)."""
     segment = np.searchsorted(edges, moment, side="right")
@@ -180,15 +143,3 @@ def _variation(recording: Recording, order: Whole, moment: Array, edges: Array) 
         mean = np.bincount(number, y) / np.maximum(np.bincount(number), 1)
         variation[row] = max(0.01 * float(np.sqrt(np.mean((y - mean[number]) ** 2))), 1e-9)
     return variation
-
-
-def _free(problem: Problem, recording: Recording, z: Array, order: Whole, before: Whole, firsts: Array) -> Array:
-    """Errors (events, lanes) of a free simulation over the events of `order` from the first states (states, lanes)."""
-    from upright.calibrate.predictor import Events, innovations
-
-    lanes = problem.lanes(recording, np.repeat(z[:, None], firsts.shape[1], axis=1))
-    skipped = int(recording.value[before[0]]) if len(before) else 0
-    value = np.where(recording.kind < 0, recording.value - skipped, recording.value)
-    commands = np.ascontiguousarray(recording.commands[skipped:])
-    events = Events(order, recording.kind, recording.when, value, commands)
-    return innovations(events, lanes, firsts, np.zeros((len(recording.kind), len(firsts))), problem.longest)

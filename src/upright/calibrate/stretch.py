@@ -1,0 +1,140 @@
+"""A stretch of a log simulated freely, from the first state that its readings show.
+
+A log begins anywhere: tilted, rolling, or falling. No reading is the pitch, and a filter that has just started does not
+know it either; so first states of several pitches are tried, and the best of them are fitted.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.calibrate.fitting import Problem
+from upright.logs.recording import Recording
+from upright.physics.dynamics import turn_ratio
+
+Array = NDArray[np.float64]
+Whole = NDArray[np.int64]
+
+FAN = np.array([-0.6, -0.3, -0.15, -0.07, -0.03, 0.0, 0.03, 0.07, 0.15, 0.3, 0.6])
+"""[rad] first pitches to try, closer where a balancing robot is."""
+TRIED = 2  # of the first states are fitted: those that follow the readings best as they are
+FIRST_READINGS = 7  # of a sensor, through which a line gives its first value and slope
+MISSED = 1e4  # squared error, over its scale, of a reading beyond a fall: as far off as what varies a hundredfold
+
+_NUDGES = np.array([1e-5, 1e-4, 1e-4, 1e-3, 1e-4, 1e-3])  # steps in the first state, of its own size
+_SPANS = np.array([0.05, 0.5, 0.5, 5.0, 0.5, 2.0])  # [rad, rad/s] a weak hold, so that a still wheel is no singularity
+_ITERATIONS = 12  # of Gauss–Newton, at most
+_FIRST_DAMPING, _MOST_DAMPING = 1e-4, 1e4  # of Levenberg and Marquardt, of the normal equations' diagonal
+
+
+@dataclass(frozen=True, eq=False)
+class Stretch:
+    """The events of a recording in `order`, with the command `before` them, under the robot at `z`; errors are counted
+    over the `scale` of each row (rows,)."""
+
+    problem: Problem
+    recording: Recording
+    z: Array
+    order: Whole
+    before: Whole
+    scale: Array
+    events: Whole = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "events", self.order[self.recording.kind[self.order] >= 0])
+
+    def predicted(self, filtered: Array) -> Array:
+        """The readings (events,) as simulated from the best first state, near the one of the filter (states,) or any
+        other that fits the first readings; NaN beyond a fall."""
+        fitted = [self._descended(first) for first in self._likeliest(self._starts(filtered))]
+        best = min(fitted, key=lambda found: found[1])[0]
+        e = self._errors(best[:, None])[:, 0] * self.scale[self.recording.kind[self.events]]
+        return self.recording.value[self.events] - e
+
+    def _errors(self, firsts: Array) -> Array:
+        """Errors (events, lanes) over their scale, from the first states (states, lanes)."""
+        e = free(self.problem, self.recording, self.z, self.order, self.before, firsts)
+        return e[self.recording.kind[self.order] >= 0] / self.scale[self.recording.kind[self.events], None]
+
+    def _starts(self, filtered: Array) -> Array:
+        """First states (states, lanes) to try: the filter's, and those of several pitches with the rates that the first
+        readings show."""
+        fan = np.repeat(filtered[:, None], 1 + len(FAN), axis=1)
+        shown = self._line("sensor/gyro")
+        rate = filtered[1] if shown is None else shown[0] - filtered[6]
+        fan[0, 1:], fan[1, 1:] = FAN, rate
+        fan[2, 1:] += FAN - filtered[0]
+        left, right = (self._wheel_rate(side) for side in ("left", "right"))
+        if left is not None:
+            right = left if right is None else right
+            fan[3, 1:] = rate + (left + right) / 2
+            fan[5, 1:] = (right - left) / (2 * turn_ratio(self.problem.robot))
+        return fan
+
+    def _wheel_rate(self, side: str) -> float | None:
+        """First rate of a wheel relative to the body [rad/s]."""
+        angle, rate = self._line(f"sensor/encoder_{side}"), self._line(f"sensor/encoder_rate_{side}")
+        return rate[0] if rate else angle[1] if angle else None
+
+    def _line(self, name: str) -> tuple[float, float] | None:
+        """First value and slope of a reading, by a line through the first of them."""
+        if name not in self.recording.rows:
+            return None
+        at = self.events[self.recording.kind[self.events] == self.recording.rows.index(name)][:FIRST_READINGS]
+        if len(at) < 3:
+            return None
+        t, y = self.recording.when[at] - self.recording.when[at[0]], self.recording.value[at]
+        slope = float(((t - t.mean()) * (y - y.mean())).sum() / max(float(((t - t.mean()) ** 2).sum()), 1e-12))
+        return float(y.mean()) - slope * float(t.mean()), slope
+
+    def _likeliest(self, firsts: Array) -> list[Array]:
+        """The best of the first states (states, lanes)."""
+        return [firsts[:, lane] for lane in np.argsort(_cost(self._errors(firsts)), kind="stable")[:TRIED]]
+
+    def _descended(self, first: Array) -> tuple[Array, float]:
+        """The first state of least error near `first`, and its cost, by damped Gauss–Newton."""
+        best, least, damping = first, np.inf, _FIRST_DAMPING
+        H, g = np.eye(6), np.zeros(6)
+        candidate = first
+        for _ in range(_ITERATIONS):
+            lanes = np.repeat(candidate[:, None], 7, axis=1)
+            lanes[np.arange(6), 1 + np.arange(6)] += _NUDGES
+            e = self._errors(lanes)
+            cost = float(_cost(e[:, :1])[0])
+            if cost < least:
+                done, best, least, damping = cost > 0.9999 * least, candidate, cost, damping / 10
+                J = (e[:, 1:] - e[:, :1]) / _NUDGES
+                there = np.isfinite(J).all(axis=1) & (np.abs(e[:, 0]) < np.sqrt(MISSED))
+                H, g = J[there].T @ J[there] + np.diag(1 / _SPANS**2), J[there].T @ e[there, 0]
+                if done:
+                    break
+            else:
+                damping = max(30 * damping, 1e-3)
+                if damping > _MOST_DAMPING:
+                    break
+            candidate = best.copy()
+            candidate[:6] -= np.linalg.solve(H + damping * np.diag(np.diag(H)), g)
+        return best, least
+
+
+def _cost(errors: Array) -> Array:
+    """Sum of squares (lanes,) of errors (events, lanes); what is beyond a fall counts as `MISSED`."""
+    with np.errstate(invalid="ignore", over="ignore"):
+        return np.where(np.isfinite(errors), np.minimum(errors**2, MISSED), MISSED).sum(axis=0)
+
+
+def free(problem: Problem, recording: Recording, z: Array, order: Whole, before: Whole, firsts: Array) -> Array:
+    """Errors (events of `order`, lanes) of a free simulation over these events from the first states (states, lanes),
+    after the command `before` them; NaN for commands and beyond a fall."""
+    from upright.calibrate.predictor import Events, innovations
+
+    lanes = problem.lanes(recording, np.repeat(z[:, None], firsts.shape[1], axis=1))
+    kind, value = recording.kind[order], recording.value[order].copy()
+    skipped = int(recording.value[before[0]]) if len(before) else 0
+    value[kind < 0] -= skipped
+    commands = np.ascontiguousarray(recording.commands[skipped:])
+    events = Events(np.arange(len(order)), kind, recording.when[order], value, commands)
+    return innovations(events, lanes, firsts, np.zeros((len(order), len(firsts))), problem.longest)
