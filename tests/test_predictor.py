@@ -44,7 +44,7 @@ def filtered(events: Events, delays: np.ndarray) -> tuple[np.ndarray, ...]:
     """Innovations, variances, gains and states of the predictor."""
     robot = np.array([*constants(list(ROBOT.numbers().values()), 1.0), 1.0, 1.0, 0.0])
     lanes = RobotLanes(*(np.repeat(a[..., None], WIDE, axis=-1) for a in (C, delays, robot)))
-    noise = Noise(START, np.array([process()] * 2), 0.0, R)
+    noise = Noise(START, np.array([process()] * 2), 0.0, R, np.inf)
     return kalman_path(events, lanes, np.zeros(SIZE), noise, LONGEST, True)
 
 

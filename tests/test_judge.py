@@ -1,0 +1,120 @@
+"""No fit without a judge: what half seconds of free simulation miss is named, and such a fit is refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from upright.bodies import NonlinearBody
+from upright.calibrate.calibrate import prepared
+from upright.calibrate.calibration import FOREIGN, REFUSED, VISIBLE, Calibration, Estimate, Segments
+from upright.calibrate.fitting import normal_equations, objective
+from upright.calibrate.judge import reasons, unpredicted
+from upright.control import lqr
+from upright.experiment import run
+from upright.robots import Kit, Robot
+from upright.signals import Log
+
+ROBOT = Robot.preset("nxtway-gs").replace(coulomb_friction=0.0)
+
+
+def half_seconds(measured: np.ndarray, predicted: np.ndarray) -> Segments:
+    n = len(measured)
+    t = 0.01 * np.arange(n)
+    return Segments(("sensor/gyro",), np.zeros(n, dtype=int), t, measured, predicted, (t // 0.5).astype(int))
+
+
+RNG = np.random.default_rng(0)
+GYRO = np.convolve(RNG.standard_normal(430), np.ones(30) / 30, "valid")
+
+
+@pytest.mark.parametrize(
+    ("predicted", "says"),
+    [
+        (-GYRO, "flipped sign"),
+        (10 * GYRO, r"unit: the readings are 0.1"),
+        (np.roll(2 * np.sign(GYRO) * GYRO**2 / 0.1, 60), "slip"),
+        (np.full(401, np.nan), "falls"),
+    ],
+)
+def test_what_is_predicted_worse_than_its_mean_is_named_with_a_reason(predicted: np.ndarray, says: str) -> None:
+    (sentence,) = unpredicted(half_seconds(GYRO, predicted))
+    assert sentence.startswith("gyro: half a second")
+    assert "worst at t = " in sentence
+    assert says in sentence.replace("times the prediction", "")
+
+
+def test_a_late_reading_is_a_delay() -> None:
+    late = RNG.standard_normal(401)
+    (sentence,) = unpredicted(half_seconds(np.roll(late, 3), late))
+    assert "a delay: 3 readings later" in sentence
+
+
+def test_what_is_predicted_is_no_reason() -> None:
+    assert not unpredicted(half_seconds(GYRO, 0.9 * GYRO))
+
+
+@pytest.fixture(scope="module")
+def model_log() -> Log:
+    log = run(NonlinearBody(ROBOT), lqr(ROBOT, 0.01), seconds=2.0, start=(0.15, 0.0, 0.0, 0.0, 0.0, 0.3))
+    return Log(log.t, {n: v for n, v in log.channels.items() if not n.startswith("truth/")}, log.units, log.origin)
+
+
+def test_a_number_many_deviations_from_its_source_is_of_another_robot(model_log: Log) -> None:
+    problem, _ = prepared([model_log], ROBOT, Kit.preset("ideal"), (), 0.25)
+    z = np.zeros(len(problem.parameters))
+    far = Estimate(
+        name="wheel_radius", unit="m", value=0.05, low=0.04, high=0.06, prior=0.04, prior_spread=0.001,
+        verdict=VISIBLE, shift=FOREIGN + 1, shrink=0.4,
+    )  # fmt: skip
+    (sentence,) = reasons(problem, z, (), [far])
+    assert "wheel_radius 0.04 ± 0.001 m, the log 0.05" in sentence
+    assert not reasons(problem, z, (), [replace(far, guess=True), replace(far, shift=3.5)])
+
+
+def test_numbers_that_predict_worse_than_the_file_are_refused(model_log: Log) -> None:
+    """The model's own log: its own numbers predict it, and a centre of mass at half the height does not."""
+    problem, _ = prepared([model_log], ROBOT, Kit.preset("ideal"), (), 0.25)
+    z = np.zeros(len(problem.parameters))
+    z[[p.name for p in problem.parameters].index("pitch_inertia")] = 4.0
+    assert any("robot's file predict half seconds" in reason for reason in reasons(problem, z, (), ()))
+
+
+def test_a_log_that_is_lost_leaves_the_equations_of_the_others_whole(model_log: Log) -> None:
+    """Gyro of a robot that turns over: its filter ends early, and both paths are there."""
+    wild = Log(model_log.t, {**model_log.channels, "sensor/gyro": model_log["sensor/gyro"] + 40.0}, model_log.units,
+               model_log.origin)  # fmt: skip
+    problem, _ = prepared([wild, model_log], ROBOT, Kit.preset("ideal"), (), 0.25)
+    problem = replace(problem, noise={**problem.noise, "gyro": np.log(1e-8)})
+    z = np.zeros(len(problem.parameters))
+    value, paths = objective(problem, z)
+    assert not np.isfinite(value)
+    assert len(paths) == 2
+    assert normal_equations(problem, z, paths, value).hessian.shape == (len(z),) * 2
+
+
+def test_a_refused_fit_writes_no_robot_unless_asked(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from upright.cli.main import app
+
+    result = SimpleNamespace(
+        refused=("another robot",), known_robot=lambda: ROBOT, to_json=dict, __str__=lambda _: "refused"
+    )
+    monkeypatch.setattr("upright.calibrate.calibrate.calibrate", lambda *_, **__: result)
+    (tmp_path / "log.csv").write_text("t,applied/left\n0,0\n0.01,1\n0.02,0\n")
+    robot = tmp_path / "robot.toml"
+    for extra, code in (([], 2), (["--force"], 0)):
+        done = CliRunner().invoke(app, ["calibrate", str(tmp_path / "log.csv"), "-o", str(robot), *extra])
+        assert done.exit_code == code, done.output
+        assert robot.exists() == bool(extra)
+
+
+def test_refused_is_a_verdict_with_a_meaning() -> None:
+    from upright.calibrate.calibration import VERDICTS
+
+    assert REFUSED in VERDICTS
+    assert "refused" in {f for f in Calibration.__dataclass_fields__}
