@@ -15,7 +15,6 @@ from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from functools import partial
-from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -56,12 +55,16 @@ and follows any robot, so that a poor start converges; less noise then makes it 
 FREEDOM = 0.015
 """[1] Most process noise that is learnt, as a fraction of the commands and of the robot's weight."""
 
-NOISE_TRIALS = ((0.003, 1.0), (0.03, 16.0), (0.03, 1e6), (0.1, 256.0), (0.3, 1e6))
-"""(most process noise as a fraction of the commands, most sensor variance over the kit's) tried where innovations are
-not white: the trial with the best free simulation of the fitted parts wins."""
+SEGMENT = 0.5
+"""[s] Where innovations are not white, the filter forgets the state after each such time, and the fit is of what free
+simulations over it leave: a model that leaves something out then still is the one that predicts best."""
+SEGMENT_NOISE = 0.003  # [1] process noise within a segment, as a fraction of the commands: nearly none
+MISSING = 0.3  # [1] of a reading's change over a segment: its first deviation there
+LEVEL_SCORE = 0.01  # [1] R² within which fits predict equally well, so that the likeliest by its prior is taken
+SETTLED = 0.05  # [1] deviations of the prior by which no parameter moves any more
 
 GYRO_DELAY_TRIALS = (-0.5, 0.5, 1.0)
-"""[periods] added to the gyro's delay where the best trial is fitted again: delays have optima a period apart."""
+"""[periods] added to the gyro's delay where the best fit is fitted again: delays have optima a period apart."""
 
 LEAST_WEIGHT = 0.1  # [1] weight of the readings below which the prior may outweigh them
 WORST_LOSS = 0.02  # [1] most R² of free simulation that the prior may then cost
@@ -79,6 +82,7 @@ PLAUSIBLE_NOISE = 9.0
 NOISE_TIME = 0.01  # [s] period for which fractions of the commands are meant
 FRICTION_NOISE = 0.01  # [1] first noise of sticking wheels, as a fraction of the largest friction, where none is known
 BIAS_WALK = 1e-7  # [(rad/s)²/s] random walk of the gyro's bias: a few hundredths of a degree a second each second
+MOST_SENSOR = 1e6  # [1] most variance that is learnt of a sensor, over the one its kit has
 NOISE_RANGE = 1e-6  # [1] least process noise that is learnt, over the most
 START_SECONDS = 6.0  # [s] of each log that decide between starts
 
@@ -181,9 +185,9 @@ def _with_process(problem: Problem, fraction: float) -> Problem:
     return replace(problem, noise={**problem.noise, **process(problem.recordings, problem.robot, fraction)})
 
 
-def _sensor_bounds(limits: Mapping[str, float], most: float = 1e6) -> dict[str, tuple[float, float]]:
+def _sensor_bounds(limits: Mapping[str, float]) -> dict[str, tuple[float, float]]:
     """Between which variances a sensor's noise is learnt, of those that its kit has."""
-    return {name: (variance / 4, variance * most) for name, variance in limits.items()}
+    return {name: (variance / 4, variance * MOST_SENSOR) for name, variance in limits.items()}
 
 
 def annealed(problem: Problem, limits: Mapping[str, float]) -> tuple[Problem, Array]:
@@ -244,8 +248,8 @@ def _lost() -> DesignFailed:
 
 
 def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
-    """Parameters and noise of greatest likelihood; where the innovations show that the model is not right, the noise
-    with the best free simulation, and readings weighted by their effective sample size."""
+    """Parameters and noise of greatest likelihood; where the innovations show that the model is not right, those whose
+    free simulation follows the log best, and readings weighted by their effective sample size."""
     from upright.calibrate.validate import worst_correlation
 
     calm = _with_process(problem, FREEDOM / 10)
@@ -254,15 +258,38 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
     best = _polished(rough, _bounds(problem, limits, FREEDOM))
     if worst_correlation(*best) < WHITE:
         return _tempered(*best)
-
-    def tried(trial: tuple[float, float]) -> Fitted:
-        return _settled(rough.problem, rough.z, _bounds(problem, limits, *trial))
-
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        best = _best_simulated([rough, *pool.map(tried, NOISE_TRIALS)])
-        starts = zip(*product((best.z, z), GYRO_DELAY_TRIALS), strict=True)
-        best = _best_simulated([best, *pool.map(partial(_with_gyro_delay, best.problem), *starts)])
+        fits = [rough, *pool.map(partial(_segmented, problem, limits), (np.zeros_like(z), z, rough.z))]
+        best = _best_simulated(fits)
+        best = _best_simulated([best, *pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)])
     return _tempered(*best)
+
+
+def _segmented(problem: Problem, limits: Mapping[str, float], z: Array) -> Fitted:
+    """From z, the fit of what free simulations of half a second leave."""
+    problem = _with_process(replace(problem, restart=SEGMENT), SEGMENT_NOISE)
+    bounds = _sensor_bounds(limits)
+    first = {name: math.log(min(max(_changes(problem, name), low), high)) for name, (low, high) in bounds.items()}
+    problem = replace(problem, noise={**problem.noise, **first})
+    for _ in range(6):
+        problem = learn_noise(problem, z, bounds, iterations=5)
+        fit, before = _fitted(problem, z, iterations=5), z
+        z = fit.z
+        if np.abs(z - before).max() < SETTLED:
+            return fit
+    return _fitted(problem, z, iterations=10)
+
+
+def _changes(problem: Problem, sensor: str) -> float:
+    """Variance of a sensor's readings that a model which follows them roughly leaves over a segment."""
+    changes: list[float] = []
+    for r in problem.recordings:
+        lag = max(1, round(SEGMENT / r.period))
+        for row, name in enumerate(r.rows):
+            y = r.value[r.kind == row]
+            if SENSOR[name] == sensor and len(y) > lag:
+                changes.append(float(np.mean((y[lag:] - y[:-lag]) ** 2)) / 2)
+    return MISSING**2 * max(changes, default=0.0)
 
 
 def _fitted(problem: Problem, z: Array, *, iterations: int) -> Fitted:
@@ -272,10 +299,13 @@ def _fitted(problem: Problem, z: Array, *, iterations: int) -> Fitted:
 
 
 def _best_simulated(fits: Sequence[Fitted]) -> Fitted:
-    """The fit whose robot follows the log best when it is simulated freely."""
+    """The fit whose robot follows the log best when it is simulated freely; of fits that follow it equally well, the
+    one whose numbers the prior takes for likeliest."""
     from upright.calibrate.validate import score
 
-    return max(fits, key=lambda fit: score(fit.problem, fit.z) if np.isfinite(fit.normal.objective) else -np.inf)
+    scores = [score(fit.problem, fit.z) if np.isfinite(fit.normal.objective) else -np.inf for fit in fits]
+    level = [fit for fit, value in zip(fits, scores, strict=True) if value >= max(scores) - LEVEL_SCORE]
+    return min(level, key=lambda fit: float(fit.z @ fit.z))
 
 
 def _with_gyro_delay(problem: Problem, z: Array, periods: float) -> Fitted:
@@ -287,13 +317,13 @@ def _with_gyro_delay(problem: Problem, z: Array, periods: float) -> Fitted:
     return _fitted(problem, z, iterations=10)
 
 
-def _bounds(problem: Problem, limits: Mapping[str, float], fraction: float, most: float = 1e6) -> Bounds:
+def _bounds(problem: Problem, limits: Mapping[str, float], fraction: float) -> Bounds:
     top, dry = process(problem.recordings, problem.robot, fraction), most_friction(problem.robot)
     top[STICKING] = max(top[STICKING], math.log((dry / motor_gain(problem.robot)) ** 2 * NOISE_TIME + 1e-30))
     free = {
         name: (math.exp(value) * NOISE_RANGE, math.exp(value)) for name, value in top.items() if name != "gyro_bias"
     }
-    return {**_sensor_bounds(limits, most), **free}
+    return {**_sensor_bounds(limits), **free}
 
 
 def _settled(problem: Problem, z: Array, bounds: Bounds) -> Fitted:

@@ -22,12 +22,13 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 
-VISIBLE, PRIOR, BOUND, HELD = "visible", "prior dominates", "at its bound", "not fitted"
+VISIBLE, PRIOR, BOUND, HELD, REFUSED = "visible", "prior dominates", "at its bound", "not fitted", "refused"
 VERDICTS = {
     VISIBLE: "the log halves the prior's uncertainty, or better",
     PRIOR: "the log adds little to the prior; the value is meaningful only together with the others",
     BOUND: "the estimate is at its bound of zero; the interval is one-sided",
     HELD: "the log holds too little information: the value is the prior's",
+    REFUSED: "the fit does not describe the robot, so that no number of it is determined",
 }
 PREDICTED = {
     "sensor/gyro": "rad/s", "sensor/encoder_left": "rad", "sensor/encoder_right": "rad",
@@ -39,6 +40,8 @@ FAR = 4.0  # a reading missed by more than twice its deviation counts as missed 
 NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution
 SURPRISE = 3.0
 """Prior deviations beyond which the log contradicts a stated value."""
+FOREIGN = 6.0
+"""Prior deviations of a stated value beyond which the log is of another robot."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -151,7 +154,8 @@ class Calibration(Shown):
     """A robot learnt from logs. `parameters` are what was fitted, `combinations` what the log really sees (ratios of
     them, and the unstable pole), `delays` the dead times, `electronics` what commands go through; `covariance` (n, n)
     is that of the parameters' names in `names`, in SI units. `fits` holds [%] h-step fits by horizon and sensor on the
-    part kept back, `segments` R² of free simulation. `notes` are sentences for the reader."""
+    part kept back, `segments` R² of free simulation. `notes` are sentences for the reader. `refused` says why the fit
+    is no description of this robot: then no number is called visible."""
 
     robot: Robot
     prior: Robot
@@ -172,6 +176,7 @@ class Calibration(Shown):
     unseen: tuple[str, ...] = ()
     electronics: tuple[Estimate, ...] = ()
     free: tuple[Segments, ...] = ()
+    refused: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         covariance = np.array(self.covariance, dtype=np.float64)
@@ -185,7 +190,8 @@ class Calibration(Shown):
 
     def check(self) -> tuple[str, ...]:
         """What is wrong with this calibration, from its own numbers; nothing where it may be trusted."""
-        wrong = [
+        wrong = list(self.refused)
+        wrong += [
             f"{e.name}: {e.low:g} ≤ {e.value:g} ≤ {e.high:g} does not hold"
             for e in self.parameters
             if not e.low <= e.value <= e.high
@@ -232,7 +238,8 @@ class Calibration(Shown):
             "fits": {k: {n: finite(v) for n, v in row.items()} for k, row in self.fits.items()},
             "segments": {k: finite(v) for k, v in self.segments.items()},
             "temper": self.temper, "samples": self.samples, "seconds": self.seconds, "sources": list(self.sources),
-            "notes": list(self.notes), "unseen": list(self.unseen), "wrong": list(self.check()),
+            "notes": list(self.notes), "unseen": list(self.unseen), "refused": list(self.refused),
+            "wrong": list(self.check()),
         }  # fmt: skip
 
     def plot(self) -> Figure:
@@ -279,7 +286,8 @@ class Calibration(Shown):
             "Coefficients of the motion:",
         ]
         lines += [_line(e) for e in self.combinations]
-        return "\n".join([*lines, *self.unseen, *self.notes])
+        refused = [f"Refused as a description of this robot: {reason}" for reason in self.refused]
+        return "\n".join([*lines, *self.unseen, *self.notes, *refused])
 
 
 def _line(e: Estimate) -> str:

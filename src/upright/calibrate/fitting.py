@@ -6,6 +6,7 @@ uncorrelated with their own derivative at fixed gains, and the estimate stays co
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -86,7 +87,7 @@ class Problem:
 
     `asked` are the parameters without `EQUATIONS`, which come last. `held` names some that stay at their prior.
     `temper` weighs the readings against the prior: below one where innovations are not white, so that they hold less
-    information than their number says (Lyddon et al. 2019).
+    information than their number says (Lyddon et al. 2019). After every `restart` [s] the filter forgets the state.
     """
 
     recordings: tuple[Recording, ...]
@@ -97,6 +98,7 @@ class Problem:
     held: frozenset[str] = frozenset()
     temper: float = 1.0
     fine: bool = False
+    restart: float = math.inf
     longest: float = field(init=False)
     asked: tuple[Parameter, ...] = field(init=False)
     _shapes: tuple[Array, Array] = field(init=False, repr=False)
@@ -169,7 +171,7 @@ class Problem:
 
         size, order = len(recording.first), self.order(recording, z)
         readings = np.exp([self.noise[SENSOR[row]] for row in recording.rows])
-        noise = Noise(recording.P0, self.process(size), np.exp(self.noise.get(JITTER, -np.inf)), readings)
+        noise = Noise(recording.P0, self.process(size), np.exp(self.noise.get(JITTER, -np.inf)), readings, self.restart)
         events = events_of(recording, order[recording.when[order] <= until])
         lanes = self.lanes(recording, np.repeat(z[:, None], WIDE, axis=1))
         return Path(*kalman_path(events, lanes, recording.first, noise, self.longest, keep))
@@ -278,11 +280,10 @@ def fitted_readings(recording: Recording, path: Path) -> NDArray[np.bool_]:
 
 
 def objective(problem: Problem, z: Array) -> tuple[float, list[Path]]:
-    """−log posterior of z (innovations beyond `OUTLIER` count linearly); inf where the filter lost the robot."""
-    total, paths = 0.5 * float(z @ z), []
-    for recording in problem.recordings:
-        path = problem.filtered(recording, z)
-        paths.append(path)
+    """−log posterior of z (innovations beyond `OUTLIER` count linearly); inf where the filter lost the robot in one of
+    the recordings, and the path of each."""
+    total, paths = 0.5 * float(z @ z), [problem.filtered(recording, z) for recording in problem.recordings]
+    for recording, path in zip(problem.recordings, paths, strict=True):
         use = recording.fitted & (recording.kind >= 0)
         r2 = path.e[use] ** 2 / path.s[use]
         if not (np.isfinite(r2).all() and (path.s[use] > 0).all()):

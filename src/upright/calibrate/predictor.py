@@ -53,12 +53,13 @@ class RobotLanes(NamedTuple):
 class Noise(NamedTuple):
     """Covariance of the first state `start` (s, s); of the process noise a second, `process` (2, s, s): while both
     wheels move, and while one sticks or turns back; variance of the moments at which commands arrive, `jitter` [s²];
-    variance of each sensor row, `readings` (rows,)."""
+    variance of each sensor row, `readings` (rows,); after how many seconds `start` is added again, `restart`."""
 
     start: Any
     process: Any
     jitter: Any
     readings: Any
+    restart: Any
 
 
 class _Flow(NamedTuple):
@@ -210,11 +211,15 @@ def kalman_path(events: Events, lanes: RobotLanes, first: Any, noise: Noise, lon
     room = _Flow(w, np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((STATES, size)))
     e, s, gains = np.full(many, np.nan), np.full(many, np.nan), np.zeros((many, size))
     states = np.zeros((many if keep else 0, size))
-    now = -np.inf
+    now, forget = -np.inf, np.inf
     for event in events.order:
         row = events.kind[event]
         then = events.when[event] - (lanes.delays[row, 0] if row >= 0 else 0.0)
-        now = max(now, then) if now == -np.inf else now
+        if now == -np.inf:
+            now, forget = then, then + noise.restart
+        if then >= forget:
+            P[:STATES, :STATES] += noise.start[:STATES, :STATES]
+            forget += noise.restart
         if then - now > INSTANT:
             _flow(room, x, u, now, then, longest)
             _predict(P, room.phi, noise.process[int(get(w, STUCK, 0))], then - now, room.product)

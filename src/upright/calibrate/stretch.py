@@ -97,7 +97,7 @@ class Stretch:
     def _descended(self, first: Array) -> tuple[Array, float]:
         """The first state of least error near `first`, and its cost, by damped Gauss–Newton."""
         best, least, damping = first, np.inf, _FIRST_DAMPING
-        H, g = np.eye(6), np.zeros(6)
+        hessian, slope = np.eye(6), np.zeros(6)
         candidate = first
         for _ in range(_ITERATIONS):
             lanes = np.repeat(candidate[:, None], 7, axis=1)
@@ -108,7 +108,7 @@ class Stretch:
                 done, best, least, damping = cost > 0.9999 * least, candidate, cost, damping / 10
                 J = (e[:, 1:] - e[:, :1]) / _NUDGES
                 there = np.isfinite(J).all(axis=1) & (np.abs(e[:, 0]) < np.sqrt(MISSED))
-                H, g = J[there].T @ J[there] + np.diag(1 / _SPANS**2), J[there].T @ e[there, 0]
+                hessian, slope = J[there].T @ J[there] + np.diag(1 / _SPANS**2), J[there].T @ e[there, 0]
                 if done:
                     break
             else:
@@ -116,7 +116,7 @@ class Stretch:
                 if damping > _MOST_DAMPING:
                     break
             candidate = best.copy()
-            candidate[:6] -= np.linalg.solve(H + damping * np.diag(np.diag(H)), g)
+            candidate[:6] -= np.linalg.solve(hessian + damping * np.diag(np.diag(hessian)), slope)
         return best, least
 
 

@@ -11,10 +11,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.calibration import BOUND, HELD, NORMAL, PRIOR, SURPRISE, VISIBLE, Calibration, Estimate, Segments
+from upright.calibrate.calibration import (
+    BOUND,
+    HELD,
+    NORMAL,
+    PRIOR,
+    REFUSED,
+    SURPRISE,
+    VISIBLE,
+    Calibration,
+    Estimate,
+    Segments,
+)
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.fitting import Normal, Path, Problem, around, slopes_of
 from upright.calibrate.informativity import posterior, unseen_directions
+from upright.calibrate.judge import reasons
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, columns, with_values
 from upright.calibrate.validate import segments, steps_ahead, whiteness
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
@@ -49,19 +61,23 @@ def summarised(
     spread = np.sqrt(np.diag(C))
     every = [_estimate(p, float(z[i]), float(spread[i]), p.name in problem.held) for i, p in enumerate(problem.asked)]
     combined = _combined(problem, z, C)
+    free = tuple(segments(problem, recording, z) for recording in problem.recordings)
+    refused = () if reason else reasons(problem, z, free, every)
+    if refused:
+        every = [_withdrawn(e) for e in every]
+        combined = tuple(_withdrawn(e) for e in combined)
     names, covariance = _in_units(problem, z, C)
     by_name = {e.name: e for e in every} | ({"roll_inertia": _roll_inertia(problem, combined[0])})
     parameters = tuple(by_name[name] for name in names if name in PARAMETERS)
     sources = tuple(str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log"))) for log in logs)
     robot = _calibrated(problem, z, parameters, sources)
-    free = tuple(segments(problem, recording, z) for recording in problem.recordings)
     fits, scores = _checks(problem, z, free)
     return Calibration(
         robot=robot,
         prior=problem.robot,
         parameters=parameters,
         combinations=combined[1:],
-        delays=_delays(problem, z, C, every),
+        delays=tuple(_withdrawn(e) if refused else e for e in _delays(problem, z, C, every)),
         electronics=tuple(e for e in every if e.name in MEANING),
         names=names,
         covariance=covariance,
@@ -76,7 +92,13 @@ def summarised(
         sources=sources,
         notes=tuple(_notes(problem, every, scores, reason)),
         unseen=tuple(unseen_directions(problem, normal)),
+        refused=refused,
     )
+
+
+def _withdrawn(e: Estimate) -> Estimate:
+    """The estimate of a fit that is refused."""
+    return replace(e, verdict=REFUSED) if e.verdict != HELD else e
 
 
 def _floor(problem: Problem) -> Array:

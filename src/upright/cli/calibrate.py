@@ -37,11 +37,15 @@ def calibrate(
     save: Annotated[
         Path | None, typer.Option(help="Write all estimates with their covariance as JSON (a posterior).")
     ] = None,
+    force: Annotated[
+        bool, typer.Option("--force", help="Write the robot also where the fit is refused as its description.")
+    ] = False,
     as_json: JsonOption = False,
 ) -> None:
     """Estimate a robot's parameters from its raw logs.
 
-    Prints each estimate with its 95 % interval, and whether the logs determine it.
+    Prints each estimate with its 95 % interval, and whether the logs determine it. A fit that does not describe the
+    robot is refused: it writes no robot, and ends with exit code 2.
     """
     from upright.atomic import write_json
     from upright.calibrate.calibrate import calibrate as estimate
@@ -54,7 +58,8 @@ def calibrate(
             [raw_log(path, mapping).between(*ends) for path in logs], robot, kit,
             known=known or (), held_out=held_out, progress=show,
         )  # fmt: skip
-    if output:
+    withheld = bool(output and result.refused and not force)
+    if output and not withheld:
         result.known_robot().save(output)
     if save:
         write_json(save, result.to_json())
@@ -62,4 +67,7 @@ def calibrate(
         from upright.report import report as write_report
 
         write_report(result, report)
-    finish(result, as_json, written=(output, report, save))
+    finish(result, as_json, written=(None if withheld else output, report, save))
+    if withheld:
+        typer.echo(f"{output} is not written: the fit does not describe this robot; try: --force", err=True)
+        raise typer.Exit(2)

@@ -1,0 +1,99 @@
+"""No fit without a judge: whether a fit describes the robot of its log, and what is likely wrong where it does not.
+
+A filter follows nearly any robot one sample ahead. What is judged are half seconds of free simulation, each from its
+first state: a fit that predicts worse there than the mean of the readings, or than the numbers it began with, is none,
+and one that bends numbers which somebody measured is a fit of another robot.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.calibrate.calibration import FOREIGN, Estimate, Segments
+from upright.calibrate.fitting import Problem
+from upright.calibrate.validate import score
+
+Array = NDArray[np.float64]
+
+WORSE = 0.02  # [1] R² of half seconds by which the prior's own numbers may predict better
+MOST_LAGS = 8  # readings by which a prediction is shifted to see whether it is a delay
+HALF = 0.5  # [1] of the readings' deviation: what a sign, a unit or a delay must explain of them to be named
+TURNED = 1.5  # a factor between prediction and reading that no tolerance of a motor makes
+
+
+def reasons(problem: Problem, z: Array, free: Sequence[Segments], estimates: Sequence[Estimate]) -> tuple[str, ...]:
+    """Why the fit at z (parameters,) is refused as a description of the robot, in words; nothing where it stands.
+
+    `free` are the half seconds of each recording, simulated freely.
+    """
+    found = [reason for parts in free for reason in unpredicted(parts)]
+    own = score(problem, np.zeros_like(z))
+    if own > score(problem, z) + WORSE:
+        found.append(
+            "the numbers of the robot's file predict half seconds of this log better than the fitted ones do: "
+            "the log has too little in it, or something that no robot of this kind does"
+        )
+    foreign = sorted((e for e in estimates if not e.guess and abs(e.shift) > FOREIGN), key=lambda e: -abs(e.shift))
+    if foreign:
+        said = "; ".join(
+            f"{e.name} {e.prior:.3g} ± {e.prior_spread:.2g} {e.unit}, the log {e.value:.3g}" for e in foreign
+        )
+        found.append(
+            f"the log is of another robot than the file, which says {said}: measure these, or choose another robot"
+        )
+    return tuple(found)
+
+
+def unpredicted(parts: Segments) -> list[str]:
+    """Readings that half a second of free simulation predicts worse than their mean does: how badly, where, and why."""
+    return [
+        f"{name.removeprefix('sensor/').replace('_', ' ')}: half a second of free simulation predicts worse than the "
+        f"mean does (R² {parts.r_squared(name):.2g}), worst at t = {worst(parts, name):.3g} s; "
+        f"likely {_likely(parts, name)}"
+        for name in parts.rows
+        if parts.r_squared(name) < 0
+    ]
+
+
+def worst(parts: Segments, name: str) -> float:
+    """When [s] the half second begins that is predicted worst."""
+    at = parts.row == parts.rows.index(name)
+    missed = np.abs(parts.measured - parts.predicted)[at]
+    missed = np.where(np.isfinite(missed), missed, np.inf)
+    return float(parts.when[at][parts.segment[at] == parts.segment[at][np.argmax(missed)]].min())
+
+
+def _likely(parts: Segments, name: str) -> str:
+    """What explains most of the misses: a sign, a unit, a delay, or none of these."""
+    at = parts.row == parts.rows.index(name)
+    y, predicted = _about_means(parts.measured[at], parts.predicted[at], parts.segment[at])
+    if len(y) < 3 * MOST_LAGS or not predicted.any():
+        return "a robot that falls where this one did not: another robot, a flipped sign or a wrong unit"
+    slope = float(y @ predicted) / float(predicted @ predicted)
+    lags = [_left(y[lag:], predicted[: len(y) - lag]) for lag in range(MOST_LAGS)]
+    lags += [_left(y[: len(y) - lag], predicted[lag:]) for lag in range(1, MOST_LAGS)]
+    best = int(np.argmin(lags))
+    if best and lags[best] < HALF:
+        late = best < MOST_LAGS
+        return f"a delay: {best if late else best - MOST_LAGS + 1} readings {'later' if late else 'earlier'}"
+    if _left(y, slope * predicted) < HALF and slope < 0:
+        return "a flipped sign"
+    if _left(y, slope * predicted) < HALF and not 1 / TURNED < slope < TURNED:
+        return f"a wrong unit: the readings are {slope:.3g} times the prediction"
+    return "wheels that slip, another controller period, or a robot unlike the file"
+
+
+def _about_means(y: Array, predicted: Array, segment: NDArray[np.int64]) -> tuple[Array, Array]:
+    """Both without the mean of each half second, where the prediction is finite."""
+    there = np.isfinite(predicted)
+    y, predicted, segment = y[there], predicted[there], segment[there]
+    count = np.maximum(np.bincount(segment), 1)
+    return tuple(v - (np.bincount(segment, v) / count)[segment] for v in (y, predicted))  # type: ignore[return-value]
+
+
+def _left(y: Array, predicted: Array) -> float:
+    """What of the readings' deviation a prediction leaves [1]."""
+    return float(np.sqrt(np.mean((y - predicted) ** 2))) / max(float(np.std(y)), 1e-300)
