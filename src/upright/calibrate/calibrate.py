@@ -60,7 +60,7 @@ SEGMENT = 0.5
 simulations over it leave: a model that leaves something out then still is the one that predicts best."""
 SEGMENT_NOISE = 0.003  # [1] process noise within a segment, as a fraction of the commands: nearly none
 MISSING = 0.3  # [1] of a reading's change over a segment: its first deviation there
-LEVEL_SCORE = 0.01  # [1] R² within which fits predict equally well, so that the likeliest by its prior is taken
+LEVEL = 0.1  # [1] of what the best fit leaves: fits that leave so little more predict equally well
 SETTLED = 0.05  # [1] deviations of the prior by which no parameter moves any more
 
 GYRO_DELAY_TRIALS = (-0.5, 0.5, 1.0)
@@ -260,7 +260,7 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
         return _tempered(*best)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         fits = [rough, *pool.map(partial(_segmented, problem, limits), (np.zeros_like(z), z, rough.z))]
-        best = _best_simulated(fits)
+        best = _best_simulated(fits, LEVEL)
         best = _best_simulated([best, *pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)])
     return _tempered(*best)
 
@@ -298,14 +298,16 @@ def _fitted(problem: Problem, z: Array, *, iterations: int) -> Fitted:
     return Fitted(problem, result.z, result.normal, result.paths)
 
 
-def _best_simulated(fits: Sequence[Fitted]) -> Fitted:
-    """The fit whose robot follows the log best when it is simulated freely; of fits that follow it equally well, the
-    one whose numbers the prior takes for likeliest."""
+def _best_simulated(fits: Sequence[Fitted], level: float = 0.0) -> Fitted:
+    """The fit whose robot follows the log best when it is simulated freely; of fits that leave more than it by a
+    fraction of at most `level`, the one whose numbers the prior takes for likeliest."""
     from upright.calibrate.validate import score
 
     scores = [score(fit.problem, fit.z) if np.isfinite(fit.normal.objective) else -np.inf for fit in fits]
-    level = [fit for fit, value in zip(fits, scores, strict=True) if value >= max(scores) - LEVEL_SCORE]
-    return min(level, key=lambda fit: float(fit.z @ fit.z))
+    least = max(scores) - level * (1 - max(scores)) if np.isfinite(max(scores)) else -np.inf
+    return min(
+        (fit for fit, value in zip(fits, scores, strict=True) if value >= least), key=lambda fit: float(fit.z @ fit.z)
+    )
 
 
 def _with_gyro_delay(problem: Problem, z: Array, periods: float) -> Fitted:

@@ -25,9 +25,7 @@ MEANING = {
 }
 
 UNEQUAL = 0.05  # [1] spread of the difference of two motors of one make
-UNMEASURED = 0.1
-"""[1] Spread of what was not logged: a full and an empty battery differ by a quarter, and a motor driver's torque is
-right to a tenth."""
+UNMEASURED = 0.1  # [1] spread of a supply that was not logged: a full and an empty battery differ by a quarter
 MEASURED = 0.02  # [1] spread where it was: drop in driver and wires
 
 
@@ -36,8 +34,9 @@ def electronics_of(robot: Robot, kit: Kit, logs: Sequence[Log]) -> tuple[Paramet
     parameters = [Parameter(ASYMMETRY, "1", 0.0, UNEQUAL, "linear")]
     if all("body" in log.origin for log in logs):
         return tuple(parameters)
-    measured = robot.drive == "voltage" and all("sensor/battery" in log for log in logs)
-    parameters.append(Parameter(BATTERY, "1", 1.0, MEASURED if measured else UNMEASURED, "logarithm"))
+    if robot.drive == "voltage":
+        measured = all("sensor/battery" in log for log in logs)
+        parameters.append(Parameter(BATTERY, "1", 1.0, MEASURED if measured else UNMEASURED, "logarithm"))
     zone = kit.motor.dead_zone
     if zone:
         parameters.append(Parameter(DEAD_ZONE, robot.command_unit, zone, zone / 2, "linear", 0.0, True))
