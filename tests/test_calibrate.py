@@ -30,7 +30,7 @@ from upright.logs.recording import record
 from upright.physics.dynamics import derivative
 from upright.physics.integrate import rk4_step
 from upright.physics.linear import unstable_pole
-from upright.robots import Kit, Robot
+from upright.robots import Kit, Provenance, Robot
 from upright.signals import Log
 
 PRIOR = Robot.preset("nxtway-gs")
@@ -391,13 +391,18 @@ def test_balanc3r_is_too_quiet_for_an_inertia(shared: Path) -> None:
 @pytest.mark.needs("shared/data/ev3way")
 def test_ev3way_has_a_late_gyro(shared: Path) -> None:
     """22 ms by its README; 20 ms after the encoders, where the doctor's pendulum law fits best, a route of its own;
-    back-EMF between 0.44 and 0.52 V s/rad."""
+    back-EMF between 0.44 and 0.52 V s/rad. The robot of this log has larger wheels than the preset. Half seconds of
+    free simulation reach R² 0.7 of the gyro, so that a delay is known to 2 ms (one deviation), not less."""
     from upright.logs.raw import raw_log
 
     log = raw_log(shared / "data/ev3way/tilt_000.csv").between(0.0, 7.4)
-    found = calibrate(log, Robot.preset("ev3way"))
-    assert found["delay/gyro"].value == pytest.approx(0.022, abs=0.004)
-    assert found["delay/gyro−encoder"].value == pytest.approx(0.022, abs=0.004)
+    preset = Robot.preset("ev3way")
+    wheels = {"wheel_radius": Provenance("fits of several runs", 0.005), "body_mass": Provenance("weighed", 0.02)}
+    robot = replace(preset, wheel_radius=0.045, body_mass=0.72, provenance={**preset.provenance, **wheels})
+    found = calibrate(log, robot)
+    assert not found.refused
+    assert found.segments["sensor/gyro"] > 0.7
+    assert found["delay/gyro"].value == pytest.approx(0.022, abs=0.005)
     assert found["delay/gyro−encoder"].low < 0.020 < found["delay/gyro−encoder"].high
     assert 0.44 < found["back_emf"].value < 0.52
 
