@@ -1,0 +1,185 @@
+"""Logs as firmware, notebooks and spreadsheets print them: one motion in many forms gives the same channels."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from upright.cli.main import main
+from upright.errors import InvalidLog
+from upright.logs.draft import behaviour, draft
+from upright.logs.mapping import Mapping, Source, apply, propose
+from upright.logs.raw import raw_log
+from upright.logs.readers import RawTable, read_table
+from upright.signals import Log
+
+N = 120
+T = 0.01 * np.arange(N)
+LEAN = 0.05 * np.sin(5 * T)  # [rad]
+GYRO = 0.25 * np.cos(5 * T)  # [rad/s] its rate
+WHEEL = np.sin(4 * T)  # [rad]
+VOLTS = 2 * np.cos(4 * T)
+DEGREE = np.pi / 180
+
+SENSORS = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro")
+
+
+def lines(*columns: np.ndarray, mark: str = ",", digits: int = 9, comma: bool = False) -> list[str]:
+    """Rows of a table."""
+    rows = [mark.join(f"{value:.{digits}f}" for value in row) for row in zip(*columns, strict=True)]
+    return [row.replace(".", ",") for row in rows] if comma else rows
+
+
+def arduino() -> str:
+    """Serial CSV: a greeting, names, a row of units, a separator at the end of each row."""
+    rows = lines(T * 1000, GYRO / DEGREE, WHEEL / DEGREE, WHEEL / DEGREE, VOLTS, VOLTS)
+    head = ["Gyro calibrated, offset 12", "time,gyro_y,enc_left,enc_right,left_pwm,right_pwm,", "ms,deg/s,deg,deg,V,V,"]
+    return "\n".join(head + [f"{row}," for row in rows]) + "\n"
+
+
+def tagged() -> str:
+    """Lines of a logger: other tags between the numbers."""
+    rows = lines(T, GYRO, WHEEL, WHEEL, VOLTS, VOLTS)
+    body = [f"[INF] MODEL: {row}" for row in rows]
+    body.insert(50, "[WRN] RADIO: weak signal, 3 packets lost")
+    return "\n".join(["[INF] BOOT: v1.2", "[INF] MODEL: time_s,gyro,enc_l,enc_r,u_l,u_r", *body]) + "\n"
+
+
+def pairs() -> str:
+    """The form of a serial plotter."""
+    values = zip(T, GYRO, WHEEL, WHEEL, VOLTS, VOLTS, strict=True)
+    names = ("time_s", "gyro", "enc_l", "enc_r", "u_l", "u_r")
+    return "\n".join("  ".join(f"{n}: {v:.9f}" for n, v in zip(names, row, strict=True)) for row in values) + "\n"
+
+
+def json_lines() -> str:
+    """ev3dev in Python: an object a line, one motor angle for both wheels."""
+    rows = zip(T, GYRO / DEGREE, WHEEL / DEGREE, VOLTS, strict=True)
+    return "\n".join(json.dumps({"time": t, "gyro_dps": g, "motor_deg": w, "voltage": u}) for t, g, w, u in rows) + "\n"
+
+
+def ros() -> str:
+    """Messages with nested parts and a stamp of whole seconds and nanoseconds."""
+    rows = [
+        {"header": {"seq": i, "stamp": {"secs": 1_700_000_000 + int(t), "nsecs": round(1e9 * (t - int(t)))}},
+         "imu": {"angular_velocity": {"x": 0.0, "y": g}},
+         "wheel": {"left": w, "right": w}, "cmd": {"left": u, "right": u}}
+        for i, (t, g, w, u) in enumerate(zip(T, GYRO, WHEEL, VOLTS, strict=True))
+    ]  # fmt: skip
+    return json.dumps({"topic": "/robot", "messages": rows})
+
+
+def matlab() -> str:
+    """Names in a comment with per cent, spaces between the numbers."""
+    rows = lines(T, GYRO, WHEEL, WHEEL, VOLTS, VOLTS, mark="   ")
+    return "\n".join(["% written by writematrix", "% time_s gyro enc_l enc_r u_l u_r", *rows]) + "\n"
+
+
+def german() -> str:
+    """A spreadsheet with semicolons, decimal commas, and units in brackets in their own row."""
+    rows = lines(T, GYRO / DEGREE, WHEEL, WHEEL, VOLTS, VOLTS, mark=";", comma=True)
+    names = "time;gyro;wheel_left;wheel_right;voltage_left;voltage_right"
+    return "\n".join([names, "[s];[°/s];[rad];[rad];[V];[V]", *rows]) + "\n"
+
+
+def tilt_alone() -> str:
+    """No gyro, but a tilt in degrees; names in camel case."""
+    rows = lines(T, LEAN / DEGREE, WHEEL, WHEEL, VOLTS, VOLTS, mark="\t")
+    return "\n".join(["time_s\ttilt_deg\tmotorLeft\tmotorRight\tleftPwm\trightPwm", *rows]) + "\n"
+
+
+FORMS = {
+    "arduino.csv": arduino, "tagged.txt": tagged, "pairs.log": pairs, "rows.jsonl": json_lines, "ros.json": ros,
+    "matlab.txt": matlab, "german.csv": german, "tilt.tsv": tilt_alone,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FORMS)
+def test_one_motion_in_the_forms_of_others(tmp_path: Path, name: str) -> None:
+    path = tmp_path / name
+    path.write_text(FORMS[name](), "utf-8")
+    log = raw_log(path)
+    assert log.t - log.t[0] == pytest.approx(T, abs=1e-6)
+    inside = slice(2, -2)  # a difference quotient is coarser at its ends
+    near = 1e-3 if name == "tilt.tsv" else 1e-6
+    assert log["sensor/gyro"][inside] == pytest.approx(GYRO[inside], abs=near)
+    for side in ("left", "right"):
+        assert log[f"sensor/encoder_{side}"] == pytest.approx(WHEEL, abs=1e-6)
+        assert log[f"command/{side}"] == pytest.approx(VOLTS, abs=1e-6)
+
+
+def ours(folder: Path) -> Path:
+    channels = {"sensor/gyro": GYRO, "sensor/encoder_left": WHEEL, "sensor/encoder_right": WHEEL}
+    channels |= {f"applied/{side}": VOLTS for side in ("left", "right")}
+    return Log(T, channels, {"applied/left": "V"}, {"robot": {"name": "nxtway-gs"}}).save(folder / "run.csv")
+
+
+def test_our_own_log_comes_back_from_a_spreadsheet(tmp_path: Path) -> None:
+    """The comment split at its commas into cells and padded, each with a quote in it quoted again; numbers with commas
+    and semicolons between them."""
+    note, *table = ours(tmp_path).read_text("utf-8").splitlines()
+    cells = ['"' + cell.replace('"', '""') + '"' if '"' in cell else cell for cell in note.split(",")]
+    for mark in (",", ";"):
+        body = table if mark == "," else [row.replace(",", ";").replace(".", ",") for row in table]
+        path = tmp_path / f"saved{ord(mark)}.csv"
+        path.write_text("\n".join([mark.join([*cells, "", ""]), *body]) + "\n", "utf-8-sig")
+        log = raw_log(path)
+        assert log["sensor/gyro"] == pytest.approx(GYRO)
+        assert log.origin["robot"] == {"name": "nxtway-gs"}
+        assert log.units["applied/left"] == "V"
+
+
+def test_another_encoding_is_read(tmp_path: Path) -> None:
+    for encoding in ("cp1252", "utf-16"):
+        (tmp_path / "x.csv").write_bytes(german().encode(encoding))
+        assert raw_log(tmp_path / "x.csv")["sensor/gyro"] == pytest.approx(GYRO, abs=1e-6)
+
+
+def test_an_angle_is_differentiated_and_a_log_without_time_has_a_period(tmp_path: Path) -> None:
+    text = '[time]\nperiod = 0.01\n[channels."sensor/gyro"]\ncolumn = "a"\nunit = "deg"\ndifferentiate = true\n'
+    (tmp_path / "m.toml").write_text(text)
+    mapping = Mapping.load(tmp_path / "m.toml")
+    log = apply(mapping, RawTable({"a": LEAN / DEGREE}))
+    assert log.t == pytest.approx(T)
+    assert log["sensor/gyro"][2:-2] == pytest.approx(GYRO[2:-2], abs=1e-3)
+    assert Mapping.load(_written(tmp_path / "again.toml", mapping.to_toml())) == mapping
+    with pytest.raises(InvalidLog, match="integrated and differentiated"):
+        Source(column="a", integrate=True, differentiate=True)
+
+
+def _written(path: Path, text: str) -> Path:
+    path.write_text(text, "utf-8")
+    return path
+
+
+def test_columns_without_names_are_drafted_by_how_they_behave(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = _written(tmp_path / "x.txt", "\n".join(lines(LEAN, GYRO, WHEEL, VOLTS, mark=" ")) + "\n")
+    words = behaviour(read_table(path))
+    assert "the rate of c1" in words["c2"]
+    assert "the rate of c3" in words["c4"]
+    assert main(["doctor", str(path), "--write-mapping", str(tmp_path / "m.toml")]) == 0
+    assert "a draft is in" in capsys.readouterr().out
+    assert "the rate of c1" in (tmp_path / "m.toml").read_text("utf-8")
+    assert Mapping.load(tmp_path / "m.toml").time.period == 0.01
+    clocked = draft(RawTable({"a": 1000 * T, "b": GYRO}))
+    assert 'column = "a"' in clocked
+
+
+def test_the_doctor_prints_its_columns(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = _written(tmp_path / "x.csv", arduino().replace("enc_right", "temperature"))
+    assert main(["doctor", str(path)]) == 0
+    shown = " ".join(capsys.readouterr().out.split())
+    assert "sensor/gyro = gyro_y (deg/s)" in shown
+    assert "ignored: temperature" in shown
+
+
+def test_one_encoder_stands_for_both_wheels_only_where_no_side_is_named() -> None:
+    zeros = np.zeros(3)
+    assert propose(RawTable({"t": zeros, "enc": zeros})).channels.keys() == {*SENSORS[:2]}
+    named = propose(RawTable({"t": zeros, "enc": zeros, "enc_l": zeros, "enc_r": zeros}))
+    assert {s.column for s in named.channels.values()} == {"enc_l", "enc_r"}
