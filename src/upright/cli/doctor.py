@@ -22,7 +22,9 @@ def doctor(
         ),
     ] = None,
     fix: Annotated[Path | None, typer.Option(help="Write the repaired log: .parquet, .csv or .mcap.")] = None,
-    write_mapping: Annotated[Path | None, typer.Option(help="Write the mapping as TOML, for editing.")] = None,
+    write_mapping: Annotated[
+        Path | None, typer.Option(help="Write the mapping as TOML, or a draft of one, for editing.")
+    ] = None,
     output: OutputOption = None,
     as_json: JsonOption = False,
 ) -> None:
@@ -30,10 +32,26 @@ def doctor(
 
     Prints each finding with its evidence and repair. Exit code 0, whatever the findings.
     """
+    import json
+
+    from typer import echo
+
     from upright.atomic import write_text
     from upright.doctor.doctor import doctor as examine
+    from upright.errors import InvalidLog
+    from upright.logs.draft import draft
+    from upright.logs.mapping import propose
+    from upright.logs.readers import read_table
 
     check_targets(fix, write_mapping, output, logs=[log])
+    if write_mapping and not mapping:
+        table = read_table(log)
+        try:
+            propose(table)
+        except InvalidLog as error:
+            write_text(write_mapping, draft(table))
+            echo(json.dumps({"draft": str(write_mapping)}) if as_json else f"{error}\na draft is in {write_mapping}")
+            return
     with progress("examining") as show:
         diagnosis = examine(log, robot, mapping=mapping, progress=show)
     repaired = diagnosis.repaired().save(fix) if fix else None

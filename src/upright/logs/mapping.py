@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from upright.errors import InvalidLog, UnknownName
 from upright.logs.readers import RawTable
+from upright.logs.units import UNITS
 from upright.reading import check_types, parse_toml, read_text, understood
 from upright.signals import Log
 from upright.signals.header import TIME
@@ -24,24 +25,14 @@ from upright.signals.signal import KNOWN
 
 Array = NDArray[np.float64]
 
-UNITS: dict[str, tuple[float, str]] = {
-    "": (1.0, ""), "1": (1.0, "1"), "%": (0.01, "1"), "s": (1.0, "s"), "ms": (1e-3, "s"), "us": (1e-6, "s"),
-    "µs": (1e-6, "s"), "ns": (1e-9, "s"), "rad": (1.0, "rad"), "deg": (math.pi / 180, "rad"),
-    "mdeg": (math.pi / 180e3, "rad"), "turn": (math.tau, "rad"), "mrad": (1e-3, "rad"), "rad/s": (1.0, "rad/s"),
-    "deg/s": (math.pi / 180, "rad/s"), "mdeg/s": (math.pi / 180e3, "rad/s"), "mrad/s": (1e-3, "rad/s"),
-    "rpm": (math.tau / 60, "rad/s"), "V": (1.0, "V"), "mV": (1e-3, "V"), "N m": (1.0, "N m"), "mN m": (1e-3, "N m"),
-    "m/s²": (1.0, "m/s²"), "g": (9.80665, "m/s²"), "m": (1.0, "m"), "mm": (1e-3, "m"), "m/s": (1.0, "m/s"),
-}  # fmt: skip
-"""Unit of a column → (factor, SI unit)."""
-
 
 @dataclass(frozen=True, kw_only=True)
 class Source:
     """Where one channel comes from: sign · scale · factor of `unit` · column (· channel `times`) + offset.
 
     `times` names another mapped channel that multiplies this one: per cent of a battery becomes volts. `integrate` sums
-    a rate over the time steps, which inverts the difference quotient exactly; `delay` [s] is the delay of the reading,
-    which is removed.
+    a rate over the time steps, which inverts the difference quotient exactly; `differentiate` makes a rate of an angle.
+    `delay` [s] is the delay of the reading, which is removed. A time without a column has a `period` [s].
     """
 
     column: str
@@ -52,6 +43,8 @@ class Source:
     delay: float = 0.0
     times: str = ""
     integrate: bool = False
+    differentiate: bool = False
+    period: float = 0.0
 
     def __post_init__(self) -> None:
         check_types(self)
@@ -59,7 +52,9 @@ class Source:
             raise UnknownName("unit", self.unit, [unit for unit in UNITS if unit])
         if self.sign not in (1, -1):
             raise InvalidLog(f"column '{self.column}': sign is {self.sign}", expected="1 or -1")
-        for name in ("scale", "offset", "delay"):
+        if self.integrate and self.differentiate:
+            raise InvalidLog(f"column '{self.column}' is to be integrated and differentiated", expected="one of them")
+        for name in ("scale", "offset", "delay", "period"):
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
                 raise InvalidLog(f"column '{self.column}': {name} is {value!r}", expected="a finite number")
@@ -100,6 +95,11 @@ class Mapping:
         """Whether the table has every column this mapping reads."""
         return all(source.column in table.columns for source in (self.time, *self.channels.values()))
 
+    def ignored(self, table: RawTable) -> list[str]:
+        """The columns that this mapping does not read."""
+        read = {self.time.column, *(source.column for source in self.channels.values())}
+        return [name for name in (*table.columns, *table.text) if name not in read]
+
 
 def mappings() -> list[str]:
     """Names of the mappings that are shipped."""
@@ -138,6 +138,8 @@ def _read(text: str, where: str) -> Mapping:
 
 def _source(entry: Any, where: str) -> Source:
     known = {f.name for f in fields(Source)}
+    if isinstance(entry, dict) and where.endswith(", time") and "period" in entry:
+        entry = {"column": "", **cast("dict[str, Any]", entry)}
     if not isinstance(entry, dict) or not isinstance(cast("dict[str, Any]", entry).get("column"), str):
         raise InvalidLog(f"mapping {where}: no column", expected='column = "name in the file"')
     for key in cast("dict[str, Any]", entry):
@@ -165,7 +167,7 @@ def _quoted(text: str) -> str:
 
 def channels_of(mapping: Mapping, table: RawTable) -> tuple[Array, dict[str, Array], dict[str, str]]:
     """Time [s] as in the file, the mapped channels and their units; rows and delays are unchanged."""
-    t = _values(mapping.time, table)
+    t = _values(mapping.time, table) if mapping.time.column else np.arange(len(table)) * mapping.time.period
     channels = {name: np.full(len(t), value) for name, value in mapping.constants.items()}
     units = {name: KNOWN[name].unit if name in KNOWN else "" for name in channels}
     for name in sorted(mapping.channels, key=lambda name: bool(mapping.channels[name].times)):
@@ -173,7 +175,11 @@ def channels_of(mapping: Mapping, table: RawTable) -> tuple[Array, dict[str, Arr
         values = _values(source, table)
         if source.times:
             values = values * channels[source.times]
-        channels[name] = _summed(values, t) + source.offset if source.integrate else values + source.offset
+        if source.integrate:
+            values = _summed(values, t)
+        elif source.differentiate:
+            values = np.gradient(values, t)
+        channels[name] = values + source.offset
         units[name] = _unit(name, source, units)
     return t, {name: channels[name] for name in (*mapping.channels, *mapping.constants)}, units
 
@@ -223,6 +229,8 @@ def _unit(name: str, source: Source, units: Mapped[str, str]) -> str:
     si = UNITS[source.unit][1]
     if source.integrate:
         si = si.removesuffix("/s")
+    elif source.differentiate:
+        si = f"{si}/s"
     if name in KNOWN and si not in ("V", "N m"):
         return KNOWN[name].unit  # the scale converts it: metres per second over the radius are radians per second
     return si
@@ -237,23 +245,27 @@ def identity(table: RawTable) -> Mapping:
 
 _ENCODER = r"(?:enc\w*|cnt|count\w*|tacho\w*|pos\w*|angle|wheel|motor\w*)"
 _RATE = r"(?:speed|vel\w*|omega|w)"
-_COMMAND = r"\b(?:pwm|duty|volt\w*|u|cmd|command|torque|power)"
-_BODY_RATE = r"(?:pitch|tilt|theta|psi|body)[ _]?(?:rate|dot|vel|speed)|gyro(?: (?:y|raw|rate|spd|speed))?\b"
+_COMMAND = r"\b(?:pwm|duty(?: cycle)?|volt\w*|u|cmd|command|torque|power)"
+_BODY_RATE = (
+    r"(?:pitch|tilt|theta|psi|body)[ _]?(?:rate|dot|vel|speed)|gyro(?: (?:y|raw|rate|spd|speed))?\b"
+    r"|\bgyr y\b|angular (?:velocity|rate) y\b"
+)
+_SIDE = {"left": r"(?:l|left)", "right": r"(?:r|right)"}
 
 _WORDS: Sequence[tuple[str, str]] = (
     (rf"{_ENCODER} ?(?:l|left)\b|\b(?:l|left) ?{_ENCODER}", "sensor/encoder_left"),
     (rf"{_ENCODER} ?(?:r|right)\b|\b(?:r|right) ?{_ENCODER}", "sensor/encoder_right"),
-    (rf"\b{_RATE} (?:l|left)\b", "rate of sensor/encoder_left"),
-    (rf"\b{_RATE} (?:r|right)\b", "rate of sensor/encoder_right"),
-    (rf"{_COMMAND} ?(?:l|left)\b", "command/left"),
-    (rf"{_COMMAND} ?(?:r|right)\b", "command/right"),
+    *((rf"\b{_RATE} {s}\b|\b{s} {_RATE}\b", f"rate of sensor/encoder_{name}") for name, s in _SIDE.items()),
+    *((rf"{_COMMAND} ?{s}\b|\b{s} {_COMMAND}\b", f"command/{name}") for name, s in _SIDE.items()),
     (r"\b(?:pitch|tilt|lean)(?: (?:rad|deg|x10|est\w*|angle))*$|gyro ?(?:ang\w*|est\w*)", "estimate/pitch"),
     (_BODY_RATE, "sensor/gyro"),
     (r"\bbat\w*|\bvbat\w*", "sensor/battery"),
     (r"\b(?:heading|compass|yaw)(?: (?:rad|deg))?$", "sensor/compass"),
-    (r"^(?:t|time\w*|ts|clock|seconds|sec)\b", TIME),
+    (r"^(?:t|time\w*|ts|clock|seconds|sec|millis|micros)\b|\b(?:time ?stamp|stamp)$", TIME),
+    (r"^(?:enc\w*|cnt|counts?|tacho\w*|wheel|motor)(?: (?:angle|pos\w*|rad|deg|mean))*$", "both of sensor/encoder_"),
+    (rf"^{_COMMAND}(?: (?:v|mv|volts?|percent|mean))*$", "both of command/"),
 )
-"""Names of our channels in other programs, the more specific first."""
+"""Names of our channels in other programs, the more specific first; one encoder or command stands for both sides."""
 
 _SUFFIXES: Sequence[tuple[str, str]] = (
     (r"\brad(?:ps| s|s)\b", "rad/s"), (r"\bdeg(?:ps| s|s)\b|\bdps\b", "deg/s"), (r"\bdeg\b", "deg"),
@@ -283,12 +295,15 @@ def _guess(table: RawTable) -> Mapping:
         name = _recognised(column)
         key = name.removeprefix("rate of ")
         if name and key not in sources:
-            sources[key] = Source(column=column, unit=_named_unit(column, table), integrate=name != key)
+            sources[key] = Source(column=column, unit=_named_unit(column, table), integrate=name.startswith("rate of"))
+    for key in [key for key in sources if key.startswith("both of ")]:
+        one, sides = sources.pop(key), [key.removeprefix("both of ") + side for side in _SIDE]
+        sources |= dict.fromkeys(sides, one) if not sources.keys() & set(sides) else {}
     time = sources.pop(TIME, None)
     if time is None or not sources:
         raise InvalidLog(
             f"no {'time' if time is None else 'channel'} is recognised among {', '.join(list(table.columns)[:12])}",
-            hint="a mapping (docs/logs.md), given with --mapping",
+            hint="upright doctor LOG --write-mapping m.toml, which drafts a mapping to be edited (docs/logs.md)",
         )
     battery = "sensor/battery" in sources
     for name, source in sources.items():

@@ -20,12 +20,15 @@ RATES = {
 }
 """Angle channel → the channel of its rate, for logs that hold the rate instead."""
 
+GYRO, PITCH = "sensor/gyro", "estimate/pitch"
+
 
 def raw_log(source: LogSource, mapping: Mapping | str | Path | None = None) -> Log:
     """The log in the file `source`, read through `mapping` (default: the one that fits its columns); a `Log` as it is.
 
     An encoder that the mapping integrates from a logged rate is returned as that rate, since the errors of a rate add
-    up in its integral. Raises `InvalidLog` for a file that cannot be read, `UnknownName` for an unknown mapping.
+    up in its integral. Without a gyro the rate of the logged pitch estimate stands for it. Raises `InvalidLog` for a
+    file that cannot be read, `UnknownName` for an unknown mapping.
     """
     if isinstance(source, Log):
         return source
@@ -37,5 +40,9 @@ def raw_log(source: LogSource, mapping: Mapping | str | Path | None = None) -> L
     for name in summed:
         rate = np.diff(log[name]) / np.diff(log.t)
         channels[RATES[name]] = np.concatenate([rate[:1], rate])
+    derived: dict[str, str] = {}
+    if GYRO not in channels and PITCH in channels and len(log) > 1:
+        channels[GYRO], derived = np.gradient(channels[PITCH], log.t), {GYRO: f"the rate of {PITCH}"}
     units = {name: unit for name, unit in log.units.items() if name in channels}
-    return Log(log.t, channels, units | {RATES[name]: "rad/s" for name in summed}, {**log.origin, "file": str(source)})
+    origin = {**log.origin, "file": str(source)} | ({"derived": derived} if derived else {})
+    return Log(log.t, channels, units | {RATES[name]: "rad/s" for name in summed}, origin)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import re
 import subprocess
@@ -17,7 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidLog
-from upright.reading import expanded, read_json
+from upright.logs.layout import Layout, bare, cells_of, is_number, layout
+from upright.reading import expanded, parse_json, read_text
 from upright.signals import Log, parquet
 from upright.signals.header import TIME, check_lines, understand
 
@@ -62,7 +62,8 @@ def read_table(path: str | PathLike[str]) -> RawTable:
     """Read a log of any program: .csv, .txt, .log, .tsv, .dat, .json, .mat, .parquet or .mcap.
 
     A text file may have comment lines with # or %, commas, semicolons, tabs or spaces between its columns, decimal
-    commas beside semicolons, and no header: columns are then called c1, c2, …. Raises `InvalidLog`.
+    commas beside semicolons, a row of units, tags or names printed before the numbers, and no header: columns are then
+    called c1, c2, …. Raises `InvalidLog`.
     """
     source = expanded(Path(path), InvalidLog)
     if not source.is_file():
@@ -85,83 +86,71 @@ def table_of(log: Log) -> RawTable:
     return RawTable({TIME: log.t, **log.channels}, {TIME: "s", **log.units}, origin=log.origin)
 
 
-@dataclass(frozen=True)
-class _Dialect:
-    """Layout of a text file: separator, column names, and the first line of numbers (from 0)."""
-
-    separator: str
-    names: Sequence[str]
-    first: int
-    comments: tuple[str, ...]
-    decimal: str
-
-
 def _text(path: Path) -> RawTable:
     check_lines(path, 1)
     raw = path.read_bytes()
-    if raw.lstrip()[:1] in (b"{", b"["):
+    if re.match(rb"\s*(?:\{|\[\s*[\[{])", raw):  # a tag as in [INF] is no JSON
         return _json(path)
-    try:
-        head = raw[: 1 << 16].decode("utf-8-sig", errors="strict" if len(raw) <= 1 << 16 else "ignore")
-    except UnicodeDecodeError:
-        head = "\0"
-    if "\0" in head:
-        raise InvalidLog("the file is not text", likely="a binary file under this name", hint="export it as CSV")
-    dialect = _dialect([line.rstrip("\r") for line in head.split("\n")])
-    note = next((line for line in dialect.comments if line.startswith(_NOTE)), "")
-    units, origin = understand(note.removeprefix(_NOTE)) if note else ({}, {})
-    check_lines(path, len(dialect.names))
-    columns, text = _parse(raw, dialect)
-    return RawTable(columns, units, text, dialect.comments, origin=origin)
+    text = _decoded(raw)
+    lines = [line.rstrip("\r") for line in text.split("\n")]
+    rows = bare(lines)
+    if rows is not None:
+        lines, text = rows, "\n".join(rows)
+    form = layout(lines[:HEAD])
+    units, origin = _noted(form)
+    check_lines(path, len(form.names))
+    columns, words = _parse(text.encode(), form)
+    return RawTable(columns, {**form.units, **units}, words, form.comments, origin=origin)
 
 
-def _dialect(lines: Sequence[str]) -> _Dialect:
-    comments, first = [], 0
-    for first, line in enumerate(lines):  # noqa: B007 (the number of the first line of the table)
-        if line.strip() and not line.lstrip().startswith(("#", "%", "//")):
-            break
-        comments += [line] if line.strip() else []
+HEAD = 5000  # lines, comments included, in which the numbers begin
+
+
+def _decoded(raw: bytes) -> str:
+    """The text in UTF-8, in UTF-16 with its mark, or else in the encoding of older spreadsheets."""
+    if raw[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        text = raw.decode("utf-16", "replace")
     else:
-        raise InvalidLog("there are no rows of numbers", likely="an empty recording")
-    head = lines[first]
-    separator = next((mark for mark in (";", "\t", ",") if mark in head), " ")
-    cells = _cells(head, separator)
-    decimal = "," if separator != "," and re.search(r"\d,\d", " ".join(lines[first + 1 : first + 3])) else "."
-    if any(_is_number(cell.replace(decimal, ".")) for cell in cells):
-        return _Dialect(separator, [f"c{i + 1}" for i in range(len(cells))], first, tuple(comments), decimal)
-    names = [cell.strip() for cell in cells]
-    twice = [name for i, name in enumerate(names) if name in names[:i]]
-    if twice:
-        raise InvalidLog(f"column '{twice[0]}' appears twice", hint="rename or drop one")
-    return _Dialect(separator, names, first + 1, tuple(comments), decimal)
+        try:
+            text = raw.decode("utf-8-sig")
+        except UnicodeDecodeError:
+            text = "\0" if re.search(rb"[\x00-\x08\x0e-\x1f]", raw[: 1 << 16]) else raw.decode("cp1252", "replace")
+    if "\0" in text:
+        raise InvalidLog("the file is not text", likely="a binary file under this name", hint="export it as CSV")
+    return text
 
 
-def _cells(line: str, separator: str) -> list[str]:
-    return line.split() if separator == " " else next(csv.reader([line], delimiter=separator))
-
-
-def _is_number(text: str) -> bool:
+def _noted(form: Layout) -> tuple[Mapping[str, str], Mapping[str, Any]]:
+    """Units and origin of one of our own logs. A spreadsheet may have split their line into quoted cells: what it
+    cannot be joined from is left out."""
+    line = next((line for line in form.comments if _NOTE.strip() in line), "")
+    if line.startswith(_NOTE):
+        try:
+            return understand(line.removeprefix(_NOTE))
+        except InvalidLog:
+            if not line.rstrip().endswith(form.separator):
+                raise
+    joined = ",".join(cells_of(line, form.separator)).rstrip(", ") if line else ""
     try:
-        float(text)
-    except ValueError:
-        return False
-    return True
+        return understand(joined.partition(_NOTE.strip())[2]) if joined else ({}, {})
+    except InvalidLog:
+        return {}, {}
 
 
-def _parse(raw: bytes, dialect: _Dialect) -> tuple[dict[str, Array], dict[str, str]]:
+def _parse(raw: bytes, form: Layout) -> tuple[dict[str, Array], dict[str, str]]:
     import pyarrow as pa
     import pyarrow.csv as pc
 
-    lines = raw.split(b"\n", dialect.first)
-    body = lines[dialect.first] if len(lines) > dialect.first else b""
-    if dialect.separator == " ":
+    lines = raw.split(b"\n", form.first)
+    body = lines[form.first] if len(lines) > form.first else b""
+    if form.separator == " ":
         body = b"\n".join(b" ".join(line.split()) for line in body.splitlines())
-    names = list(dialect.names)
+    names = list(form.names)
     if not body.strip():
         raise InvalidLog("there are no rows below the header", likely="an empty recording")
-    options = pc.ConvertOptions(decimal_point=dialect.decimal, strings_can_be_null=True)
+    options = pc.ConvertOptions(decimal_point=form.decimal, strings_can_be_null=True)
     reading = pc.ReadOptions(column_names=names)
-    parsing = pc.ParseOptions(delimiter=dialect.separator, ignore_empty_lines=True)
+    parsing = pc.ParseOptions(delimiter=form.separator, ignore_empty_lines=True)
     try:
         table = pc.read_csv(io.BytesIO(body), read_options=reading, convert_options=options, parse_options=parsing)
     except pa.ArrowInvalid as error:
@@ -193,20 +182,65 @@ def _sorted(columns: Mapping[str, Any]) -> tuple[dict[str, Array], dict[str, str
 
 def _first_text(values: Sequence[Any]) -> str:
     for row, value in enumerate(values):
-        if value is not None and not _is_number(str(value)):
+        if value is not None and not is_number(str(value)):
             return f"the text '{str(value)[:40]}' at row {row}"
     return "text"
 
 
+_JSON = '{"name": [numbers], …}, a list of such rows, or one row a line'
+
+
 def _json(path: Path) -> RawTable:
-    content = read_json(path, InvalidLog, '{"name": [numbers], …} or a list of such rows')
-    if isinstance(content, list) and content and all(isinstance(row, dict) for row in cast("list[Any]", content)):
-        rows = cast("list[dict[str, Any]]", content)
-        content = {name: [row.get(name) for row in rows] for name in rows[0]}
+    """An object of lists, a list of rows, or a row on each line; what is nested is named by `part.name`."""
+    text = read_text(path, InvalidLog, _JSON)
+    lines = [line for line in text.splitlines() if line.strip()]
+    each = len(lines) > 1 and all(line.lstrip().startswith("{") and line.rstrip().endswith("}") for line in lines[:2])
+    content: Any = [_row(line) for line in lines] if each else parse_json(text, str(path), InvalidLog, _JSON)
+    if isinstance(content, dict):
+        parts = cast("dict[str, Any]", content)
+        content = next((part for part in parts.values() if _is_rows(part)), parts)
+    if _is_rows(content):
+        rows = [_flat(row, "") for row in cast("list[dict[str, Any]]", content)]
+        names = dict.fromkeys(name for row in rows for name in row)
+        content = {name: [row.get(name) for row in rows] for name in names}
     if not isinstance(content, dict):
-        raise InvalidLog("the JSON holds no columns", expected='{"name": [numbers], …} or a list of such rows')
-    lists = {name: value for name, value in cast("dict[str, Any]", content).items() if isinstance(value, list)}
-    return _equal({name: _listed(cast("list[Any]", value)) for name, value in lists.items()})
+        raise InvalidLog("the JSON holds no columns", expected=_JSON)
+    lists = {name: value for name, value in _flat(content, "", lists=False).items() if isinstance(value, list)}
+    return _stamped(_equal({name: _listed(cast("list[Any]", value)) for name, value in lists.items()}))
+
+
+def _row(line: str) -> Any:
+    return parse_json(line, "a line of the file", InvalidLog, _JSON)
+
+
+def _is_rows(content: Any) -> bool:
+    return isinstance(content, list) and bool(content) and all(isinstance(r, dict) for r in cast("list[Any]", content))
+
+
+def _flat(row: Mapping[str, Any], before: str, *, lists: bool = True) -> dict[str, Any]:
+    """Objects within objects as `part.name`, and `lists` of numbers as `part.0`, `part.1`, …"""
+    flat: dict[str, Any] = {}
+    for name, value in row.items():
+        parts: Any = value
+        if isinstance(value, list) and lists:
+            parts = {str(i): one for i, one in enumerate(cast("list[Any]", value))}
+        if isinstance(parts, dict):
+            flat |= _flat(cast("dict[str, Any]", parts), f"{before}{name}.", lists=lists)
+        else:
+            flat[before + name] = value
+    return flat
+
+
+def _stamped(table: RawTable) -> RawTable:
+    """Seconds and nanoseconds in two columns as one column of seconds from the first on."""
+    for name in table.columns:
+        stem, _, last = name.rpartition(".")
+        twin = next((f"{stem}.{n}" for n in ("nsecs", "nsec", "nanosec") if f"{stem}.{n}" in table.columns), "")
+        if stem and last in ("secs", "sec") and twin:
+            seconds = table.columns[name] - table.columns[name][0] + 1e-9 * table.columns[twin]
+            kept = {n: x for n, x in table.columns.items() if n not in (name, twin)}
+            return RawTable({stem: seconds, **kept}, {**table.units, stem: "s"}, table.text)
+    return table
 
 
 def _listed(values: list[Any]) -> Array | str:
