@@ -1,0 +1,182 @@
+"""Poses of a log: made by hand round one run of a twin, and of measured logs whose course is known."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from upright.bodies import Electronics, NonlinearBody
+from upright.control import lqg
+from upright.diagnose import post_mortem
+from upright.doctor.doctor import Diagnosis, doctor
+from upright.experiment import Drive, Impulse, run
+from upright.robots import Kit, Robot
+from upright.signals import Log
+
+LEFT, RIGHT, GYRO, PITCH = "sensor/encoder_left", "sensor/encoder_right", "sensor/gyro", "estimate/pitch"
+T = 0.01  # [s]
+
+
+@cache
+def balanced() -> Log:
+    """Four seconds of an NXT robot that balances through two knocks and a drive, without truth and without estimate."""
+    robot, kit = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+    body = Electronics(NonlinearBody(robot), kit)
+    knocks = [Impulse(impulse=0.03, start=1.0, duration=0.02), Impulse(impulse=-0.03, start=2.5, duration=0.02)]
+    log = run(body, lqg(robot, kit, T), knocks, reference=[Drive(speed=0.1, start=0.5, until=2.0)], seconds=4.0, seed=1)
+    names = (LEFT, RIGHT, GYRO, "applied/left", "applied/right", "sensor/battery")
+    return Log(log.t, {name: log[name] for name in names}, {name: log.unit(name) for name in names})
+
+
+def turned(angle: float, seconds: float, shape: float = 1.0) -> np.ndarray:
+    """Rates [rad/s] that turn the body by `angle` within `seconds`; the larger `shape`, the more of it at the end."""
+    s = np.linspace(0, 1, round(seconds / T) + 1) ** shape
+    return np.diff(angle * s) / T
+
+
+def resting(seconds: float) -> np.ndarray:
+    """What a gyro reads of a robot at rest."""
+    return np.radians(np.random.Generator(np.random.Philox(3)).normal(0, 0.3, round(seconds / T)))
+
+
+def joined(before: list[np.ndarray], after: list[np.ndarray], *, chasing: float = 0.0) -> Log:
+    """The balanced run with gyro readings (whole degrees a second) before it, in which the wheels stand still and the
+    motors are off, and after it, in which the wheels turn at the rate `chasing` [rad/s]."""
+    log = balanced()
+    head, tail = (np.concatenate([np.zeros(0), *parts]) for parts in (before, after))
+    channels = {GYRO: np.radians(np.round(np.degrees(np.concatenate([head, log[GYRO], tail]))))}
+    for name in (LEFT, RIGHT):
+        rolled = log[name][-1] + np.radians(np.round(np.degrees(chasing * T * np.arange(1, len(tail) + 1))))
+        channels[name] = np.concatenate([np.full(len(head), log[name][0]), log[name], rolled])
+    for name in ("applied/left", "applied/right"):
+        channels[name] = np.concatenate([np.zeros(len(head)), log[name], np.full(len(tail), 6.0)])
+    n = len(channels[GYRO])
+    return Log(T * np.arange(n), channels, {"applied/left": "V", "applied/right": "V"})
+
+
+def kinds(diagnosis: Diagnosis) -> list[str]:
+    """The poses in order; standing still is a part of balancing."""
+    several = ["balancing" if s.kind == "standing still" else s.kind for s in diagnosis.segments]
+    return [kind for i, kind in enumerate(several) if i == 0 or kind != several[i - 1]]
+
+
+def wrong(diagnosis: Diagnosis) -> list[str]:
+    """Errors and warnings besides falls and the NXT gyro's own delay."""
+    ordinary = {"segment/fall", "delay/sensor", "saturation"}
+    return [f"{f.code}: {f.evidence}" for f in diagnosis.findings if f.severity != "note" and f.code not in ordinary]
+
+
+@pytest.mark.parametrize("side", [1.4, -0.9])
+def test_a_robot_that_lies_and_stands_up_is_judged_only_while_it_balances(side: float) -> None:
+    log = joined([resting(3.0), turned(-side, 0.3)], [])
+    diagnosis = doctor(log)
+    assert kinds(diagnosis) == ["lying", "standing up", "balancing"]
+    assert diagnosis.segments[0].lean == pytest.approx(side, abs=0.15)  # the balance is not upright all the time
+    assert diagnosis.segments[0].stop == pytest.approx(3.0, abs=0.15)
+    assert wrong(diagnosis) == []
+    repaired = diagnosis.repaired()
+    assert repaired.t[0] == pytest.approx(3.3, abs=0.2)
+    assert repaired["applied/left"] == pytest.approx(np.interp(repaired.t, log.t, log["applied/left"]))
+
+
+# Slow, at a steady rate, with a run after it, and as a plain topple.
+@pytest.mark.parametrize(("angle", "seconds", "shape"), [(0.9, 0.9, 1.0), (-0.85, 1.2, 1.5), (1.3, 0.5, 3.0)])
+def test_a_fall_is_one_whatever_its_shape(angle: float, seconds: float, shape: float) -> None:
+    diagnosis = doctor(joined([], [turned(angle, seconds, shape)], chasing=12.0 * np.sign(angle)))
+    (fall,) = [f for f in diagnosis.findings if f.code == "segment/fall"]
+    assert fall.span is not None
+    assert 3.2 < fall.span[0] < 4.0 + 0.5 * seconds
+    assert wrong(diagnosis) == []
+    assert diagnosis.repaired().t[-1] < 4.0 + 0.5 * seconds
+
+
+def test_a_fallen_robot_lies_also_where_its_wheels_still_turn() -> None:
+    diagnosis = doctor(joined([], [turned(1.3, 0.5, 3.0), resting(2.0)], chasing=15.0))
+    assert kinds(diagnosis) == ["balancing", "falling", "fallen"]
+    assert wrong(diagnosis) == []
+
+
+def test_a_robot_that_balances_is_in_no_other_pose() -> None:
+    assert kinds(doctor(balanced())) == ["balancing"]
+
+
+@pytest.mark.parametrize("factor", [180 / np.pi, 1.0, -1.0])
+def test_the_pose_does_not_hang_on_the_gyros_unit_or_sign(factor: float) -> None:
+    log = joined([resting(3.0), turned(-1.4, 0.3)], [turned(1.3, 0.5, 3.0)], chasing=12.0)
+    diagnosis = doctor(Log(log.t, {**log.channels, GYRO: factor * log[GYRO]}, log.units))
+    assert kinds(diagnosis) == ["lying", "standing up", "balancing", "falling"]
+
+
+def test_a_robot_on_its_back_drives_no_motor_backwards() -> None:
+    """Upside down the wheels turn the other way: driven in open loop, they roll as their commands say, reversed."""
+    t = 0.015 * np.arange(300)
+    volts = np.where(t % 2 < 1, 2.0, -2.0)
+    speed = np.zeros(len(t))
+    for k in range(1, len(t)):
+        speed[k] = speed[k - 1] + 0.1 * (-4.0 * volts[k - 1] - speed[k - 1])
+    wheel = np.cumsum(speed) * 0.015
+    rng = np.random.Generator(np.random.Philox(3))
+    pitch = 3.05 + 1e-4 * rng.normal(size=len(t))
+    log = Log(t, {LEFT: wheel, RIGHT: wheel, PITCH: pitch, "applied/left": volts, "applied/right": volts})
+    diagnosis = doctor(log)
+    assert kinds(diagnosis) == ["upside down"]
+    assert [f.code for f in diagnosis.findings if f.severity == "error"] == []
+
+
+COURSES = {
+    "ev3way/tilt_000.csv": ["balancing", "falling"],
+    "ev3way/nn_v17_005.csv": ["balancing", "falling"],
+    "ev3way/nn_v7_000.csv": ["balancing", "falling"],
+    "regbot/position_step_2m.txt": ["balancing"],
+    "regbot/wheel_speed_upside_down.txt": ["upside down"],
+    "twipr/direct_1_all.csv": ["lying", "moved", "lying", "moved", "lying"],
+    "twipr/run1.csv": ["balancing"],
+    "twipr/run2_all.csv": ["lying", "standing up", "balancing"],
+    "ev3-balanc3r/datalog.json.txt": ["balancing"],
+}
+ALLOWED = {"samples/repeated", "saturation", "delay/sensor", "delay/command", "segment/fall", "segment/none",
+           "estimate/accelerometer", "samples/controller"}  # fmt: skip
+"""Warnings that docs/logs.md justifies on these logs."""
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.needs(f"shared/data/{name}")) for name in COURSES]
+)
+def test_the_course_of_a_measured_log(shared: Path, name: str) -> None:
+    diagnosis = doctor(shared / "data" / name)
+    assert kinds(diagnosis) == COURSES[name]
+    assert [f.code for f in diagnosis.findings if f.severity == "error"] == []
+    assert {f.code for f in diagnosis.findings if f.severity == "warning"} <= ALLOWED
+
+
+@pytest.mark.needs("shared/data/ev3way/nn_v17_005.csv")
+def test_the_post_mortem_sees_a_slow_fall(shared: Path) -> None:
+    found = post_mortem(shared / "data" / "ev3way" / "nn_v17_005.csv", "ev3way")
+    assert found.fell
+    assert 6.0 < found.fell_at < 6.9
+    assert "fell at t = 6." in str(found)
+
+
+def short(*, motors: int, gyro: int, rows: int = 29) -> Log:
+    """A third of a second of a robot whose motors or gyro are reversed: it topples faster than by itself, since the
+    wheels drive away from the fall. Nothing balances, so that a rising exponential is all of the motion."""
+    t = T * np.arange(rows)
+    lean = 0.02 * np.exp(13 * t)
+    command = np.clip(40 * gyro * lean, -8, 8)
+    wheel = np.cumsum(np.cumsum(3.0 * motors * command)) * T - lean
+    names = {LEFT: wheel, RIGHT: wheel, GYRO: gyro * 13 * lean, "command/left": command, "command/right": command}
+    return Log(t, names, {"command/left": "V", "command/right": "V"})
+
+
+@pytest.mark.parametrize(("motors", "gyro", "blamed"), [(-1, 1, "wheels turn against"), (1, 1, "")])
+def test_a_log_of_29_rows_shows_its_fall(motors: int, gyro: int, blamed: str) -> None:
+    log = short(motors=motors, gyro=gyro)
+    assert "segment/fall" in doctor(log).codes()
+    found = post_mortem(log, "nxtway-gs")
+    assert found.fell
+    assert found.check() == []
+    assert any(blamed in note for note in found.notes)
+    assert ("against" in str(found)) == bool(blamed)
