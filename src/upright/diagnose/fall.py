@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from upright.control.delay import rolling
 from upright.control.mpc import largest_command
 from upright.diagnose.innovations import FilterRun
-from upright.doctor.finding import Record
-from upright.doctor.segments import fall as tipped
+from upright.doctor.finding import FALLING, Record, Segment
+from upright.doctor.poses import segments
+from upright.logs.recording import commanded
 from upright.physics.linear import linearise
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -30,12 +31,12 @@ STILL_GRAINS = 2  # encoder steps that wheels must turn before a repeated readin
 def fall_time(run: FilterRun) -> float | None:
     """When the lean passed `LEANING` for the last time [s] before the log ends or the robot lies; None without a fall.
 
-    Either the integrated gyro turns more than ever before and never back, or the filter's pitch ends beyond `FELL`.
+    Either the integrated motion falls (`doctor.poses`), whatever its shape, or the filter's pitch ends beyond `FELL`.
     """
     t, rate = run.log.t, gyro(run.log)
-    turned = tipped(_record(run.log))
-    if turned and turned[0].span:
-        start = turned[0].span[0]
+    fall = last_fall(run.log)
+    if fall is not None:
+        start = fall.start
         first = int(np.searchsorted(t, start))
         angle = np.concatenate([[0.0], np.cumsum(rate[first:-1] * np.diff(t[first:]))])
         lean = angle + _lean_at(run, start)
@@ -48,6 +49,30 @@ def fall_time(run: FilterRun) -> float | None:
         return None
     upright = np.flatnonzero(np.abs(pitch) < LEANING)
     return float(run.t[upright[-1]])
+
+
+def last_fall(log: Log) -> Segment | None:
+    """The last fall of a log by its integrated motion."""
+    falls = [segment for segment in segments(_record(log)) if segment.kind == FALLING]
+    return falls[-1] if falls else None
+
+
+def against(log: Log, fall: Segment) -> tuple[str, ...]:
+    """What worked against its purpose in a fall, in words: wheels that turn against their commands, or commands that
+    drive away from the fall."""
+    record, prefix = _record(log), commanded(log)
+    rows = (log.t >= fall.start) & (log.t < fall.stop)
+    if not prefix or rows.sum() < 3:
+        return ()
+    command = (log[f"{prefix}/left"] + log[f"{prefix}/right"])[rows] / 2
+    rate = log["sensor/gyro"][rows]
+    wheel = sum(record[f"sensor/encoder_{side}"][rows] for side in ("left", "right")) / 2 + np.cumsum(rate) * log.period
+    turned = float((command - command[0]) @ (wheel - wheel[0]))
+    caught = float(command @ np.cumsum(rate))  # driving forward catches a forward fall
+    notes = ["the wheels turn against their commands: a motor or both encoders count backwards"] if turned < 0 else []
+    if caught < 0 <= turned:
+        notes.append("the commands drive away from the fall: the gyro or the controller has the wrong sign")
+    return tuple(notes)
 
 
 def gyro(log: Log) -> Array:
@@ -64,7 +89,7 @@ def _lean_at(run: FilterRun, t: float) -> float:
 
 
 def _record(log: Log) -> Record:
-    """What the doctor's check of falls reads; wheel angles are summed where only rates were logged."""
+    """What the doctor's poses read; wheel angles are summed where only rates were logged."""
     steps = np.diff(log.t, prepend=log.t[0])
     channels = dict(log.channels)
     for side in ("left", "right"):

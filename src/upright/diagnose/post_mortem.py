@@ -21,10 +21,13 @@ from numpy.typing import NDArray
 from upright.atomic import finite
 from upright.control import Controller, controller_hash, read_controller
 from upright.diagnose.evidence import Evidence, Series, gather, series_of
+from upright.diagnose.fall import against, last_fall
 from upright.diagnose.verdict import CANNOT_TELL, NO_FALL, Cause, ranked
+from upright.doctor.finding import FEWEST as FEWEST_POSES
 from upright.errors import InvalidLog, InvalidRobot
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import RATES, LogSource, raw_log
+from upright.logs.recording import FEWEST
 from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot, kit_names, preset_names
 from upright.signals import Log
 from upright.tables import Shown
@@ -98,7 +101,7 @@ class PostMortem(Shown):
 
     def __str__(self) -> str:
         by = f" under {self.controller}" if self.controller else ""
-        when = f" at t = {self.fell_at:.2f} s" if self.fell else ""
+        when = f" fell at t = {self.fell_at:.2f} s" if self.fell else ""
         lines = [f"{self.verdict.upper()}: {self.robot} with kit {self.kit}{by}{when}"]
         for cause in (c for c in self.causes if c.likelihood >= 0.02):
             lines += ["", f"{cause.likelihood:>5.0%}  {cause.name}", f"       {cause.evidence}"]
@@ -136,6 +139,8 @@ def post_mortem(
             verdict=CANNOT_TELL, causes=(), fell_at=math.nan, onset=math.nan, missing=missing, notes=notes,
             series=Series.none(), **head,
         )  # fmt: skip
+    if len(log) < FEWEST:
+        return _short(log, head)
     run, evidence = gather(log, nominal, parts, controller, progress or (lambda _: None))
     if evidence is None:
         return PostMortem(
@@ -148,6 +153,19 @@ def post_mortem(
         verdict=verdict, causes=causes, fell_at=evidence.fell_at, onset=causes[0].onset,
         missing=_helpful(evidence) if verdict == CANNOT_TELL else (), notes=evidence.notes,
         series=series_of(run, evidence.fell_at), **head,
+    )  # fmt: skip
+
+
+def _short(log: Log, head: dict[str, Any]) -> PostMortem:
+    """What a log shows that is too short for the filter: whether it fell, and against what its motors worked."""
+    if len(log) < FEWEST_POSES:
+        raise InvalidLog(f"the log has {len(log)} samples", expected=f"at least {FEWEST_POSES} to see a fall")
+    fall = last_fall(log)
+    notes = (f"{len(log)} rows show poses only; causes need {FEWEST}",)
+    return PostMortem(
+        verdict=CANNOT_TELL if fall else NO_FALL, causes=(), fell_at=fall.stop if fall else math.nan,
+        onset=fall.start if fall else math.nan, missing=(f"{FEWEST} rows",) if fall else (),
+        notes=notes + (against(log, fall) if fall else ()), series=Series.none(), **head,
     )  # fmt: skip
 
 

@@ -8,18 +8,18 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from upright.doctor import delays, motion, rates, segments, sensors, time, units
-from upright.doctor.finding import FEWEST, SEVERITIES, Finding, Record
+from upright.doctor import delays, motion, poses, rates, segments, sensors, time, units
+from upright.doctor.finding import FEWEST, SEVERITIES, Finding, Record, Segment
 from upright.doctor.fixes import repaired
 from upright.errors import InvalidLog
-from upright.logs.mapping import Mapping, channels_of, find_mapping, propose
+from upright.logs.mapping import Mapping, Source, channels_of, find_mapping, propose
 from upright.logs.readers import RawTable, read_table, table_of
 from upright.robots import Robot, find_robot
 from upright.signals import Log
@@ -30,7 +30,8 @@ Check = Callable[[Record], list[Finding]]
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
 class Diagnosis(Shown):
-    """All findings on one log, worst first; `mapping` says which column was read as which channel.
+    """All findings on one log, worst first; `mapping` says which column was read as which channel, `ignored` names the
+    others; `segments` are the poses in the order of time.
 
     `str()` is a short table, `to_json()` plain data, `repaired()` the log with every repair applied.
     """
@@ -41,6 +42,8 @@ class Diagnosis(Shown):
     rows: int
     seconds: float
     period: float
+    segments: tuple[Segment, ...]
+    ignored: tuple[str, ...]
     _raw: Record = field(repr=False)
     _origin: dict[str, Any] = field(repr=False, default_factory=dict[str, Any])
 
@@ -69,22 +72,50 @@ class Diagnosis(Shown):
             "rows": self.rows,
             "seconds": self.seconds,
             "period": self.period,
-            "mapping": {"name": self.mapping.name, "columns": columns},
+            "mapping": {"name": self.mapping.name, "columns": columns, "ignored": list(self.ignored)},
+            "segments": [segment.to_json() for segment in self.segments],
             "findings": [finding.to_json() for finding in self.findings],
         }
 
     def __str__(self) -> str:
         head = f"{self.source or 'log'}: {self.rows} rows, {self.seconds:.4g} s, every {self.period * 1e3:.4g} ms"
         head += "" if self.mapping.name == "ours" else f", read as '{self.mapping.name}'"
+        if self.mapping.name != "ours":
+            head += "\n" + textwrap.fill(_columns(self.mapping, self.ignored), 120, subsequent_indent="       ")
+        lines = [head, *textwrap.wrap(_poses(self.segments), 120, subsequent_indent="       ")]
         if not self.findings:
-            return f"{head}\nno faults"
-        lines = [head]
+            return "\n".join([*lines, "no faults"])
         for finding in self.findings:
             text = f"{finding.evidence}" + (f" → {finding.repair}" if finding.repair else "")
             first, *rest = textwrap.wrap(text, 100)
             lines += [f"{finding.severity:8} {finding.code:22} {finding.channel:20} {first}"]
             lines += [" " * 53 + line for line in rest]
         return "\n".join(lines)
+
+
+MOST_POSES = 12  # in one line
+MOST_IGNORED = 20
+
+
+def _columns(mapping: Mapping, ignored: Sequence[str]) -> str:
+    """Which column was taken for which channel, and which for none."""
+    time = mapping.time.column or f"a row every {mapping.time.period:g} s"
+    parts = [f"t = {time}"] + [f"{name} = {_source(source)}" for name, source in mapping.channels.items()]
+    more = ", …" if len(ignored) > MOST_IGNORED else ""
+    rest = f"; ignored: {', '.join(ignored[:MOST_IGNORED])}{more}" if ignored else ""
+    return f"columns: {'; '.join(parts)}{rest}"
+
+
+def _source(source: Source) -> str:
+    done = "integrated" if source.integrate else "differentiated" if source.differentiate else ""
+    notes = ", ".join(note for note in (source.unit, done) if note)
+    return f"{'-' if source.sign < 0 else ''}{source.column}" + (f" ({notes})" if notes else "")
+
+
+def _poses(several: Sequence[Segment]) -> str:
+    """The poses in a line."""
+    more = f"; and {len(several) - MOST_POSES} more" if len(several) > MOST_POSES else ""
+    return "poses: " + "; ".join(map(str, several[:MOST_POSES])) + more if several else ""
 
 
 def _silent(fraction: float) -> None:
@@ -110,14 +141,14 @@ def doctor(
     chosen = find_mapping(mapping) if mapping else propose(table)
     known = find_robot(robot) if robot else None
     raw = _record(table, chosen)
-    findings, timed = _examine(raw, known, progress)
+    findings, last = _examine(raw, known, progress)
     order = {severity: i for i, severity in enumerate(SEVERITIES)}
     ranked = tuple(sorted(findings, key=lambda finding: order[finding.severity]))
     origin = dict(table.origin) | ({"file": table.source, "mapping": chosen.name} if table.source else {})
-    seconds = float(timed.t[-1] - timed.t[0])
+    seconds = float(last.t[-1] - last.t[0])
     return Diagnosis(
-        source=table.source, mapping=chosen, findings=ranked, rows=len(raw.t), seconds=seconds, period=timed.period,
-        _raw=raw, _origin=origin,
+        source=table.source, mapping=chosen, findings=ranked, rows=len(raw.t), seconds=seconds, period=last.period,
+        segments=last.segments, ignored=tuple(chosen.ignored(table)), _raw=raw, _origin=origin,
     )  # fmt: skip
 
 
@@ -152,7 +183,6 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [time.jump],
         [sensors.dead, sensors.repeated, time.steps],
         [units.constants],
-        [segments.fall],
         [motion.kinds],
         [motion.signs],
         [motion.sides],
@@ -160,9 +190,11 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [partial(units.commands, robot=robot)],
         [units.estimates, sensors.bias, sensors.saturation, sensors.grain, sensors.quiet],
         [delays.delays],
-        [sensors.contaminated, rates.faster_controller, segments.still, segments.slips],
+        [sensors.contaminated, rates.faster_controller, segments.still, segments.slips, segments.fall, segments.aside],
     ]
 
+
+_TIMED = 4  # the stage after which time and readings are whole, and the poses can be read
 
 _STAGE_OF = {
     "time/missing": 0, "time/backwards": 1, "time/repeated": 1, "time/unit": 2, "time/jump": 3, "time/gap": 3,
@@ -170,14 +202,17 @@ _STAGE_OF = {
     "units/scale": 10, "motion/integrated": 7, "motion/differentiated": 7, "motion/flipped": 8, "motion/swapped": 9,
     "units/command": 11, "delay/sensor": 12, "delay/command": 12, "gyro/bias": 12, "time/dropped": 20,
     "time/jitter": 20,
-    "segment/fall": 21,
+    "segment/cut": 21,
 }  # fmt: skip
 """Order of the repairs. Those that change the rows come last, so that the times in the others stay valid."""
 
 
 def _examine(raw: Record, robot: Robot | None, progress: Callable[[float], None]) -> tuple[list[Finding], Record]:
-    """All findings, and the record with its time repaired but before a fall was cut from it."""
-    record, timed, findings = raw, raw, list[Finding]()
+    """All findings, and the record with its repairs and poses, before anything is cut from it.
+
+    The poses are read again after every repair, since those before it are of a gyro that may be in another unit.
+    """
+    record, findings = raw, list[Finding]()
     stages = _stages(robot)
     done, total = 0, sum(len(stage) for stage in stages)
     for stage in stages:
@@ -186,10 +221,12 @@ def _examine(raw: Record, robot: Robot | None, progress: Callable[[float], None]
             fresh += [finding for finding in check(record) if not _known(finding, findings)]
             done += 1
             progress(done / total)
-        record = _without_empty(_repaired(record, fresh), fresh)
-        timed = timed if any(finding.code == "segment/fall" for finding in (*findings, *fresh)) else record
+        if stage is not stages[-1]:
+            record = _without_empty(_repaired(record, fresh), fresh)
+            if stage is stages[_TIMED] or (record.segments and any(finding.fixes for finding in fresh)):
+                record = replace(record, segments=poses.segments(record))
         findings += fresh
-    return findings, timed
+    return findings, record
 
 
 def _known(finding: Finding, findings: Sequence[Finding]) -> bool:
@@ -204,4 +241,4 @@ def _repaired(record: Record, findings: Sequence[Finding]) -> Record:
 
 def _without_empty(record: Record, findings: Sequence[Finding]) -> Record:
     empty = {finding.channel for finding in findings if finding.code == "channel/empty"}
-    return Record(record.t, {n: x for n, x in record.channels.items() if n not in empty}, record.units)
+    return replace(record, channels={n: x for n, x in record.channels.items() if n not in empty})

@@ -24,17 +24,43 @@ LEFT, RIGHT, GYRO = "sensor/encoder_left", "sensor/encoder_right", "sensor/gyro"
 BATTERY, COMPASS, PITCH = "sensor/battery", "sensor/compass", "estimate/pitch"
 FORWARD, UP = "sensor/accel_forward", "sensor/accel_up"
 
+BALANCING, STANDING, LYING, OVER = "balancing", "standing still", "lying", "upside down"
+RISING, FALLING, FALLEN, MOVED = "standing up", "falling", "fallen", "moved"
+ON_WHEELS = (BALANCING, STANDING)
+LEANING = (STANDING, LYING, OVER, FALLEN)
+"""Poses on the wheels, in which the equations of motion hold, and those with one lean."""
+
+
+@dataclass(frozen=True)
+class Segment:
+    """A part of a log by its pose (`kind`), from `start` to `stop` [s], and the median `lean` [rad]."""
+
+    kind: str
+    start: float
+    stop: float
+    lean: float
+
+    def __str__(self) -> str:
+        leaning = f" at {self.lean:+.2f} rad" if self.kind in LEANING else ""
+        return f"{self.start:.4g} to {self.stop:.4g} s {self.kind}{leaning}"
+
+    def to_json(self) -> dict[str, Any]:
+        """As plain data."""
+        return {"kind": self.kind, "from": self.start, "until": self.stop, "lean": self.lean}
+
 
 @dataclass(frozen=True, eq=False)
 class Record:
     """A log before validation: time [s] may repeat or run backwards, channels may hold anything.
 
-    It never contains `truth/…`: the doctor reads only what a real robot measures.
+    It never contains `truth/…`: the doctor reads only what a real robot measures. `segments` are the poses, where they
+    are known: the equations of motion hold only on the wheels.
     """
 
     t: Array
     channels: Mapping[str, Array]
     units: Mapping[str, str] = field(default_factory=dict[str, str])
+    segments: tuple[Segment, ...] = ()
 
     def __contains__(self, name: str) -> bool:
         return name in self.channels
@@ -46,6 +72,14 @@ class Record:
     def period(self) -> float:
         """Median time between rows [s]."""
         return float(np.median(np.diff(self.t)))
+
+    def on_wheels(self, t: Array) -> NDArray[np.bool_]:
+        """Which of the times `t` [s] are in a pose in which the equations of motion hold; all where none is known."""
+        if not self.segments:
+            return np.ones(len(t), dtype=bool)
+        starts = np.array([segment.start for segment in self.segments])
+        on = np.array([segment.kind in ON_WHEELS for segment in self.segments])
+        return on[np.maximum(np.searchsorted(starts, t + 1e-9, side="right") - 1, 0)]
 
     @property
     def commands(self) -> tuple[str, str] | None:

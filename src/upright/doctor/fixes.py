@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,7 +54,7 @@ def _percent(record: Record, fix: Fix) -> Record:
 
 
 def _time_scale(record: Record, fix: Fix) -> Record:
-    return Record(record.t * fix.numbers[0], record.channels, record.units)
+    return replace(record, t=record.t * fix.numbers[0])
 
 
 def _sort(record: Record, fix: Fix) -> Record:  # noqa: ARG001 (every fix has the same form)
@@ -83,7 +84,7 @@ def _cut(record: Record, fix: Fix) -> Record:
 def _even(record: Record, fix: Fix) -> Record:
     """Linear interpolation at even steps of `numbers[0]` [s]."""
     t = record.t[0] + np.arange(int((record.t[-1] - record.t[0]) / fix.numbers[0] + 1e-6) + 1) * fix.numbers[0]
-    return Record(t, {name: np.interp(t, record.t, x) for name, x in record.channels.items()}, record.units)
+    return replace(record, t=t, channels={name: np.interp(t, record.t, x) for name, x in record.channels.items()})
 
 
 def _bridge(record: Record, fix: Fix) -> Record:

@@ -245,7 +245,7 @@ def _compass(record: Record, m: Resampled, turn: Array) -> float:
         return 0.0
     heading = np.interp(m.t, record.t, np.unwrap(record[COMPASS]))
     wide = 4 * widths(m.period)[-1]
-    a, b = (smooth(x, m.period, wide, 1) for x in (heading, turn))
+    a, b = (smooth(x, m.period, wide, 1)[m.good] for x in (heading, turn))
     if a.std() < 0.05 or b.std() < 0.05:  # [rad/s] below the resolution of a compass
         return 0.0
     return float(np.corrcoef(a, b)[0, 1])

@@ -14,13 +14,13 @@ linear equations valid and attenuates quantisation.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.doctor.finding import GAP, GYRO, LEFT, PITCH, RIGHT, Array, Record
+from upright.doctor.finding import FEWEST, GAP, GYRO, LEFT, PITCH, RIGHT, Array, Record
 
 WIDTHS = (0.03, 0.06)
 """Standard deviations [s] of the kernel: band limits of 5 and 2.7 Hz, about the motion of balancing robots."""
@@ -34,7 +34,8 @@ _LEAST_ROWS = 100
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Resampled:
-    """Encoders, gyro and commands, resampled every `period` [s]; None where missing; `good` rows lie in no gap.
+    """Encoders, gyro and commands, resampled every `period` [s]; None where missing; `good` rows lie in no gap, and
+    in a pose in which the equations of motion hold.
 
     Without a gyro, `gyro` is the rate of the logged pitch estimate, and `gyro_name` is that channel.
     """
@@ -66,8 +67,18 @@ class LaggedFit:
 
 
 def motion(record: Record) -> Resampled | None:
-    """The record resampled at even times; None without encoders or with too few rows."""
-    if LEFT not in record or RIGHT not in record or len(record.t) < _LEAST_ROWS:
+    """The record resampled at even times, its `good` rows those on the wheels; None without encoders or with too few
+    such rows."""
+    m = resampled(record)
+    if m is None:
+        return None
+    good = m.good & record.on_wheels(m.t)
+    return replace(m, good=good) if good.sum() >= _LEAST_ROWS else None
+
+
+def resampled(record: Record) -> Resampled | None:
+    """The record resampled at even times, in whatever pose; None without encoders or with too few rows."""
+    if LEFT not in record or RIGHT not in record or len(record.t) < FEWEST:
         return None
     period = record.period
     rows = (record.t[-1] - record.t[0]) / period + 1

@@ -6,60 +6,98 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.doctor.delays import CLEAR
-from upright.doctor.finding import LEFT, PITCH, Array, Finding, Fix, Record, note, warning
+from upright.doctor.finding import (
+    FALLEN,
+    FALLING,
+    GYRO,
+    LEANING,
+    LEFT,
+    LYING,
+    MOVED,
+    ON_WHEELS,
+    OVER,
+    PITCH,
+    RISING,
+    Array,
+    Finding,
+    Fix,
+    Record,
+    Segment,
+    note,
+    warning,
+)
 from upright.doctor.fixes import runs
-from upright.doctor.physics import Resampled, motion, pendulum, smooth, widths
+from upright.doctor.physics import Resampled, motion, pendulum, resampled, smooth, widths
+from upright.doctor.poses import at_rest, lean_of
 
-_STILL = 0.4  # [s] shortest standstill that is reported, longer than the turning points of balancing
 _MOST = 10  # reported events of one kind
-_TIPPED = 0.5  # [rad] one-sided turn of the pitch beyond which a robot that does not return has fallen
-
-
-def lean(record: Record, m: Resampled) -> Array:
-    """Pitch [rad] from the gyro, or the logged estimate without one; valid for differences over seconds."""
-    if m.gyro is None:
-        return np.interp(m.t, record.t, record[PITCH]) if PITCH in record else np.zeros(len(m.t))
-    return np.cumsum(m.gyro - np.median(m.gyro)) * m.period
+_BEFORE = 0.1  # [s] before a fall begins, up to which the rows are used
+_LINEAR = 0.4  # [rad] lean beyond which sin ψ differs from ψ by more than slips do
+_LEAST = 20  # rows of a cut, below which a log is left whole
 
 
 def fall(record: Record) -> list[Finding]:
-    """The last tip-over: a large one-sided turn in which the log ends, or after which the robot lies."""
-    m = motion(record)
-    if m is None:
+    """Each fall: from where the body leaves its usual lean to the floor or the log's end."""
+    return [_fell(record, segment) for segment in record.segments if segment.kind == FALLING][-_MOST:]
+
+
+def _fell(record: Record, segment: Segment) -> Finding:
+    m = resampled(record)
+    assert m is not None
+    assert m.gyro is not None
+    rate = smooth(m.gyro, m.period, widths(m.period)[0])[(m.t >= segment.start) & (m.t < segment.stop)]
+    turn, fastest = abs(float(rate.sum())) * m.period, float(np.abs(rate).max())
+    how = "where the log ends" if segment is record.segments[-1] else "and then the robot lies"
+    evidence = f"from t = {segment.start:.3g} s the pitch turns by {turn:.2g} rad at up to {fastest:.2g} rad/s, {how}"
+    repair = f"use t < {segment.start - _BEFORE:.3g} s"
+    return warning("segment/fall", m.gyro_name, evidence, repair, span=(segment.start, segment.stop))
+
+
+_ASIDE = {
+    LYING: "the robot lies", FALLEN: "the robot lies after its fall", OVER: "the robot is upside down",
+    RISING: "the robot stands up", MOVED: "the robot is thrown, lifted or carried",
+}  # fmt: skip
+
+
+def aside(record: Record) -> list[Finding]:
+    """Parts in which the robot neither balances nor stands: no other check reads them."""
+    findings: list[Finding] = []
+    for segment in [segment for segment in record.segments if segment.kind in _ASIDE][:_MOST]:
+        leaning = f" at {segment.lean:+.2f} rad" if segment.kind in LEANING else ""
+        evidence = f"from {segment.start:.3g} to {segment.stop:.3g} s {_ASIDE[segment.kind]}{leaning}"
+        evidence += ": signs, units, delays and offsets are not judged there"
+        code = f"segment/{segment.kind.replace(' ', '-')}"
+        span = segment.start, segment.stop
+        findings.append(note(code, GYRO if GYRO in record else PITCH, evidence, "exclude it from a fit", span=span))
+    return findings + _kept(record)
+
+
+def _kept(record: Record) -> list[Finding]:
+    """The cut to the longest time on the wheels, where the log has anything else."""
+    if all(segment.kind in ON_WHEELS for segment in record.segments):
         return []
-    rate = smooth(_pitch_rate(record, m), m.period, widths(m.period)[0])
-    fastest, angle = float(np.abs(rate).max()), np.concatenate([[0.0], np.cumsum(rate)]) * m.period
-    turns = np.array(sorted(run for way in (1, -1) for run in runs(way * rate > 0.02 * fastest)), dtype=int)
-    if not len(turns):
+    spans = on_wheels(record)
+    if not spans:
+        evidence = "the robot balances nowhere in this log: no sign, unit, delay or offset can be judged"
+        return [warning("segment/none", "t", evidence, "log a robot that balances")]
+    start, stop = max(spans, key=lambda span: span[1] - span[0])
+    stop -= _BEFORE if any(s.kind == FALLING and s.start == stop for s in record.segments) else 0.0
+    if stop - start < _LEAST * record.period:
         return []
-    sizes = np.abs(angle[turns[:, 1]] - angle[turns[:, 0]])
-    earlier = np.maximum.accumulate(np.concatenate([[0.0], sizes[:-1]]))
-    for i in np.flatnonzero((sizes > _TIPPED) & (sizes > 1.3 * earlier)).tolist():
-        first, last = turns[i].tolist()
-        peak = float(np.abs(rate[first:last]).max())
-        ends = last >= len(rate) - round(0.1 / m.period)
-        if peak > 0.5 * fastest and (ends or _lies(rate[last:], peak, m.period)):
-            return [_fell(m, first, float(sizes[i]), peak, ends)]
-    return []
+    cut = Fix("cut", numbers=(start, stop))
+    evidence = f"the longest time on the wheels is from {start:.3g} to {stop:.3g} s"
+    return [Finding("segment/cut", "note", "t", evidence, f"use {start:.3g} ≤ t < {stop:.3g} s", (cut,))]
 
 
-def _lies(rate: Array, peak: float, period: float) -> bool:
-    """Whether the robot is at rest after the impact, compared with the fall."""
-    rest = rate[round(0.5 / period) :]
-    return len(rest) * period > 0.2 and float(np.sqrt(np.mean(rest**2))) < 0.03 * peak
-
-
-def _fell(m: Resampled, first: int, turn: float, fastest: float, ends: bool) -> Finding:
-    start = float(m.t[first])
-    how = "where the log ends" if ends else "and then the robot lies still"
-    evidence = f"from t = {start:.3g} s the pitch turns by {turn:.2g} rad at up to {fastest:.2g} rad/s, {how}"
-    cut = Fix("cut", numbers=(float(m.t[0]) - 1.0, start - 0.1))
-    span = start, float(m.t[-1])
-    return warning("segment/fall", m.gyro_name, evidence, f"use t < {start - 0.1:.3g} s", cut, span=span)
-
-
-def _pitch_rate(record: Record, m: Resampled) -> Array:
-    return m.gyro if m.gyro is not None else np.gradient(lean(record, m), m.period)
+def on_wheels(record: Record) -> list[tuple[float, float]]:
+    """The times [s] of balancing and standing, neighbours joined."""
+    spans: list[tuple[float, float]] = []
+    for segment in record.segments:
+        if segment.kind in ON_WHEELS:
+            joined = spans and spans[-1][1] == segment.start
+            start = spans.pop()[0] if joined else segment.start
+            spans.append((start, segment.stop))
+    return spans
 
 
 def still(record: Record) -> list[Finding]:
@@ -67,15 +105,10 @@ def still(record: Record) -> list[Finding]:
     m = motion(record)
     if m is None:
         return []
-    rate, count = _pitch_rate(record, m), max(3, round(0.1 / m.period))
-    left, right = (np.abs(smooth(wheel, m.period, 2 * m.period, 1)) for wheel in (m.left, m.right))
-    moved, swings = np.convolve(left + right, np.ones(count) / count, mode="same"), np.abs(smooth(rate, m.period, 0.05))
-    level = max(0.02 * float(np.percentile(left + right, 95)), 1e-6)
-    calm = (moved < level) & (swings < max(3 * _noise(rate), 0.03 * float(np.percentile(swings, 95))))
-    intervals = [(a, b) for a, b in runs(calm) if (b - a) * m.period >= _STILL]
-    if sum(b - a for a, b in intervals) > 0.98 * len(calm):
+    rate, calm = m.gyro, at_rest(m)[1] & m.good if m.gyro is not None else None
+    if rate is None or calm is None or calm.mean() > 0.98:
         return []
-    return [_standing(record, m, a, b, rate) for a, b in intervals[:_MOST]]
+    return [_standing(record, m, a, b, rate) for a, b in runs(calm)[:_MOST]]
 
 
 def _standing(record: Record, m: Resampled, a: int, b: int, rate: Array) -> Finding:
@@ -85,16 +118,9 @@ def _standing(record: Record, m: Resampled, a: int, b: int, rate: Array) -> Find
     evidence = (
         f"from {start:.3g} to {end:.3g} s (rows {a} to {b - 1}) the wheels stand still and the gyro reads noise of "
     )
-    evidence += (
-        f"{rate[a:b].std():.2g} rad/s, with a mean command of {driven:.2g} {unit}: held by hand, lying, or stuck "
-    )
-    evidence += "by friction"
+    evidence += f"{rate[a:b].std():.2g} rad/s, with a mean command of {driven:.2g} {unit}: held by hand, or stuck by "
+    evidence += "friction"
     return note("segment/still", m.gyro_name, evidence, "exclude these rows from a fit", span=(start, end))
-
-
-def _noise(rate: Array) -> float:
-    """Standard deviation of white noise, from second differences, to which motion contributes little."""
-    return float(np.median(np.abs(np.diff(rate, 2))) / 0.6745 / np.sqrt(6)) if len(rate) > 3 else 0.0
 
 
 def slips(record: Record) -> list[Finding]:
@@ -119,6 +145,8 @@ def slips(record: Record) -> list[Finding]:
     usual = float(np.sqrt(np.median(smooth(m.wheel, m.period, width, 2) ** 2))) / 0.6745
     loud = np.abs(miss) > max(8 * scatter, 3 * usual)
     loud[:edge], loud[-edge:] = False, False
+    nonlinear = ~m.good | (np.abs(lean_of(record, m).angle) > _LINEAR)
+    loud &= np.convolve(nonlinear, np.ones(2 * edge + 1), mode="same") < 0.5
     return _events(m, miss, loud, scatter)
 
 

@@ -23,6 +23,7 @@ from upright.doctor.finding import (
 )
 from upright.doctor.fixes import grain_of, runs, stale
 from upright.doctor.physics import motion, smooth, widths
+from upright.doctor.segments import on_wheels
 
 _QUIET = 0.012
 """Amplitude of the pitch [rad] below which inertias are hardly identifiable: gravity then gives less torque than
@@ -128,8 +129,13 @@ def _piled(values: Array) -> tuple[float, int]:
 
 
 def bias(record: Record) -> list[Finding]:
-    """A gyro whose mean exceeds what a net change of pitch explains."""
-    if GYRO not in record or len(record.t) < 50:
+    """A gyro whose mean over the longest time on the wheels exceeds what a net change of pitch explains."""
+    spans = on_wheels(record) if record.segments else [(-np.inf, np.inf)]
+    if GYRO not in record or not spans:
+        return []
+    start, stop = max(spans, key=lambda span: span[1] - span[0])
+    record = record.rows((record.t >= start) & (record.t < stop))
+    if len(record.t) < 50:
         return []
     gyro, span = record[GYRO], float(record.t[-1] - record.t[0])
     fine = np.isfinite(gyro)
@@ -181,7 +187,8 @@ def quiet(record: Record) -> list[Finding]:
     m = motion(record)
     if m is None or m.gyro is None:
         return []
-    swing = float(np.sqrt(2)) * _swing(record.changed({GYRO: np.interp(record.t, m.t, m.gyro)}))
+    on = record.on_wheels(record.t)
+    swing = float(np.sqrt(2)) * _swing(record.changed({GYRO: np.interp(record.t, m.t, m.gyro)}).rows(on))
     if not 0 < swing < _QUIET:
         return []
     evidence = f"the pitch amplitude is only {swing:.2g} rad: resolution and friction are as large as the dynamics"
@@ -201,6 +208,7 @@ def contaminated(record: Record) -> list[Finding]:
         return []
     even, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
     rows = np.arange(int(4 * width / m.period), len(m.t) - int(4 * width / m.period))
+    rows = rows[m.good[rows]]
     if len(rows) < 50:
         return []
     rate, slope = (smooth(m.gyro, m.period, width, order) for order in (0, 1))

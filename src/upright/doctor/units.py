@@ -104,8 +104,8 @@ def _estimated(record: Record, m: Resampled, values: tuple[float, ...]) -> dict[
     width = widths(m.period)[-1]
     swing = np.cumsum(smooth(m.gyro, m.period, width)) * m.period
     fast = swing - smooth(swing, m.period, 8 * width)
-    estimated = {"q": values[0], "p": values[1], "pitch": 2 * float(fast.std())}
-    estimated["wheel_rate"] = float(np.abs(smooth(m.wheel, m.period, width, 1)).mean()) + 1e-6
+    estimated = {"q": values[0], "p": values[1], "pitch": 2 * float(fast[m.good].std())}
+    estimated["wheel_rate"] = float(np.abs(smooth(m.wheel, m.period, width, 1)[m.good]).mean()) + 1e-6
     estimated["grain"] = min(grain_of(record[LEFT]), grain_of(record[RIGHT]))
     estimated["gyro_grain"] = grain_of(record[GYRO])
     emf = back_emf(record, m)
@@ -255,7 +255,7 @@ def _heading(record: Record, m: Resampled) -> list[Finding]:
     if COMPASS not in record or not np.isfinite(record[COMPASS]).all():
         return []
     even, width = np.interp(m.t, record.t, record[COMPASS]), 4 * widths(m.period)[-1]
-    a, b = smooth(even, m.period, width, 1), smooth(m.right - m.left, m.period, width, 1)
+    a, b = (smooth(x, m.period, width, 1)[m.good] for x in (even, m.right - m.left))
     if b.std() < 0.05 or abs(float(np.corrcoef(a, b)[0, 1])) < 0.8:
         return []
     slope = abs(float(a @ b / (b @ b)))

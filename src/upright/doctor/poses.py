@@ -1,0 +1,286 @@
+"""Poses: where a robot lies, stands up, balances, falls, or is upside down, from the integrated motion of its body.
+
+The lean is the integrated gyro. An accelerometer at rest, or a pitch estimate that follows the gyro, makes it absolute;
+without either the usual lean of the moving robot counts as upright, since nothing else balances.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.doctor.finding import (
+    BALANCING,
+    FALLEN,
+    FALLING,
+    FORWARD,
+    GYRO,
+    LYING,
+    MOVED,
+    OVER,
+    PITCH,
+    RISING,
+    STANDING,
+    UP,
+    Array,
+    Record,
+    Segment,
+)
+from upright.doctor.fixes import grain_of, runs
+from upright.doctor.physics import Resampled, resampled, smooth, widths
+
+Mask = NDArray[np.bool_]
+
+TIPPED = 0.5
+"""[rad] Lean in which nothing stays that balances, and further than which a fall has turned."""
+
+LONGEST_THROW = 2.0  # [s] a robot that leaves the floor and is back on it within this time did not balance
+_CALMED = 0.05  # [s] of smoothing, over which a resting gyro's noise becomes small
+_STILL = 0.4  # [s] shortest rest, longer than the turning points of balancing
+_REST = 0.03  # of the pitch rate that one row in five exceeds, below which the body is at rest
+_FLOOR = 1.45  # [rad] lean in which a body touches the floor, where no pose in the log shows it
+_NEAR_FLOOR = 0.93  # of the lean in which it lies, from which it touches the floor
+_OVER = 2.2  # [rad] lean beyond which a robot is upside down rather than on its side
+_SHORTEST = 0.2  # [s] a time on the wheels before a fall that is shorter is part of the fall
+_UP = 0.2  # [rad] lean in which a robot that stands up has arrived
+_FURTHER = 1.3  # times the largest earlier lean, from which one at the end of a log is a fall
+_USUAL = 5.0  # [s] to both sides, over which the median lean counts as upright
+_DRIFT = 0.03  # [rad/s] spread of a gyro's offset before anything is known
+_FOLLOWS = 0.7  # R² from which a pitch estimate follows the gyro
+_FASTEST, _WIDEST, _COARSEST = 10.0, 1.5, 0.5  # [rad/s, rad, rad/s] rms, swing and step of a gyro in degrees
+
+
+@dataclass(frozen=True, eq=False)
+class Lean:
+    """Lean `angle` [rad] of the body, whether it is `absolute`, and the rows in which the body is at rest (`quiet`) and
+    the wheels as well (`calm`)."""
+
+    angle: Array
+    absolute: bool
+    quiet: Mask
+    calm: Mask
+
+
+def segments(record: Record) -> tuple[Segment, ...]:
+    """The poses of a log in the order of time, without gaps between them; none for a log without gyro or encoders."""
+    m = resampled(record)
+    if m is None or m.gyro is None:
+        return ()
+    lean = lean_of(record, m)
+    return tuple(_segment(m, lean, kind, a, b) for kind, a, b in _merged(_labelled(m, lean), m.period))
+
+
+def _segment(m: Resampled, lean: Lean, kind: str, a: int, b: int) -> Segment:
+    stop = float(m.t[b]) if b < len(m.t) else float(m.t[-1]) + m.period
+    return Segment(kind, float(m.t[a]), stop, float(np.median(lean.angle[a:b])))
+
+
+def at_rest(m: Resampled) -> tuple[Mask, Mask]:
+    """The rows in which the body rests (the gyro reads noise), and those in which the wheels stand still as well."""
+    assert m.gyro is not None
+    count = max(3, round(0.1 / m.period))
+    left, right = (np.abs(smooth(wheel, m.period, 2 * m.period, 1)) for wheel in (m.left, m.right))
+    moved = np.convolve(left + right, np.ones(count) / count, mode="same")
+    swings = np.abs(smooth(m.gyro, m.period, _CALMED))
+    level = max(0.02 * float(np.percentile(left + right, 95)), 1e-6)
+    left_over = noise_of(m.gyro) * min(1.0, np.sqrt(m.period / (2 * np.sqrt(np.pi) * _CALMED)))
+    quiet = swings < max(4 * left_over, _REST * float(np.percentile(swings, 80)))
+    return _lasting(quiet, m.period), _lasting(quiet & (moved < level), m.period)
+
+
+def noise_of(rate: Array) -> float:
+    """Standard deviation of white noise, from second differences, to which motion contributes little."""
+    return float(np.median(np.abs(np.diff(rate, 2))) / 0.6745 / np.sqrt(6)) if len(rate) > 3 else 0.0
+
+
+def _lasting(mask: Mask, period: float) -> Mask:
+    lasting = np.zeros(len(mask), dtype=bool)
+    for a, b in runs(mask):
+        lasting[a:b] = (b - a) * period >= _STILL
+    return lasting
+
+
+def lean_of(record: Record, m: Resampled) -> Lean:
+    """The lean by the best reference that the log has."""
+    assert m.gyro is not None
+    quiet, calm = at_rest(m)
+    gyro = m.gyro / (180 / np.pi if _in_degrees(m) else 1.0)
+    swing = _summed(gyro - _offset(gyro, quiet, m.period), m.period)
+    for known in (_by_gravity(record, m, swing, calm), _by_estimate(record, m, gyro)):
+        if known is not None:
+            return Lean(known, True, quiet, calm)
+    still = np.where(quiet, 0.0, gyro - _offset(gyro, quiet, m.period))
+    swing = _summed(still, m.period)
+    return Lean(swing - _usual(swing, ~quiet, m.period), False, quiet, calm)
+
+
+def _in_degrees(m: Resampled) -> bool:
+    """Whether the gyro can only be in degrees: the poses are read before the units are known."""
+    assert m.gyro is not None
+    swing = _summed(m.gyro, m.period)
+    fast = swing - smooth(swing, m.period, 8 * widths(m.period)[-1])
+    rms = float(np.sqrt(np.mean(m.gyro**2)))
+    coarse = m.gyro_name == GYRO and grain_of(m.gyro) >= _COARSEST
+    return rms > _FASTEST or float(fast.std()) > _WIDEST or coarse
+
+
+def _summed(rate: Array, period: float) -> Array:
+    return np.concatenate([[0.0], np.cumsum((rate[1:] + rate[:-1]) / 2)]) * period
+
+
+def _offset(gyro: Array, quiet: Mask, period: float) -> float:
+    """The gyro's offset [rad/s]: its mean at rest, else the drift of its integral that the swings leave visible."""
+    if quiet.sum() * period > 2 * _STILL:
+        return float(np.median(gyro[quiet]))
+    swing, t = _summed(gyro, period), np.arange(len(gyro)) * period
+    keep = np.ones(len(t), dtype=bool)
+    slope = spread = 0.0
+    for _ in range(3):
+        x, y = t[keep] - t[keep].mean(), swing[keep] - swing[keep].mean()
+        slope = float(x @ y / max(float(x @ x), 1e-12))
+        spread = float((y - slope * x).std())
+        left = np.abs(swing - swing[keep].mean() - slope * (t - t[keep].mean()))
+        keep = left <= np.quantile(left, 0.8)
+    doubt = max(4 * spread / max(float(t[-1]), 1e-9), 1e-9)
+    return slope * _DRIFT**2 / (_DRIFT**2 + doubt**2)
+
+
+def _by_gravity(record: Record, m: Resampled, swing: Array, calm: Mask) -> Array | None:
+    """The integrated gyro, set right by the accelerometer wherever the robot rests."""
+    if FORWARD not in record or UP not in record:
+        return None
+    pulls = np.arctan2(-record[FORWARD], record[UP])
+    if not np.isfinite(pulls).all():
+        return None
+    pull = np.interp(m.t, record.t, np.unwrap(pulls))
+    anchors, offsets = list[float](), list[float]()
+    for a, b in runs(calm):
+        third = max((b - a) // 3, 1)
+        for rows in (slice(a, a + third), slice(b - third, b)):
+            anchors.append(float(np.mean(m.t[rows])))
+            angle = np.angle(np.mean(np.exp(1j * pull[rows])))
+            offsets.append(float(angle - np.median(swing[rows])))
+    if not anchors:
+        return swing + float(np.median(pull - swing))
+    angle = swing + np.interp(m.t, anchors, np.unwrap(offsets))
+    turns = np.round(angle[int(np.searchsorted(m.t, anchors[0]))] / math.tau)
+    return angle - math.tau * turns
+
+
+def _by_estimate(record: Record, m: Resampled, gyro: Array) -> Array | None:
+    """The pitch estimate, in the unit of the gyro; None where it does not follow it or counts from the start pose."""
+    if PITCH not in record or not np.isfinite(record[PITCH]).all() or record[PITCH][0] == 0:
+        return None
+    angle, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
+    a, b = smooth(angle, m.period, width, 1), smooth(gyro, m.period, width)
+    if m.gyro_name == PITCH:
+        return angle / (180 / np.pi if _in_degrees(m) else 1.0)
+    power = float(a @ a) * float(b @ b)
+    if power <= 0 or float(a @ b) ** 2 < _FOLLOWS * power:
+        return None
+    return angle * float(a @ b) / float(a @ a)
+
+
+def _usual(swing: Array, moving: Mask, period: float) -> Array:
+    """The median of the moving robot's lean about each time: upright, whatever the gyro's drift."""
+    reach, n = max(1, round(_USUAL / period)), len(swing)
+    rows = np.flatnonzero(moving)
+    if not len(rows):
+        return np.full(n, float(np.median(swing)))
+    knots = np.arange(0, n + reach // 2, max(1, reach // 2))
+    at, values = list[int](), list[float]()
+    for knot in knots.tolist():
+        near = rows[np.searchsorted(rows, knot - reach) : np.searchsorted(rows, knot + reach)]
+        if len(near) * period > min(1.0, 0.5 * n * period):
+            at.append(knot)
+            values.append(float(np.median(swing[near])))
+    return np.interp(np.arange(n), at, values) if at else np.full(n, float(np.median(swing[rows])))
+
+
+def _labelled(m: Resampled, lean: Lean) -> list[tuple[str, int, int]]:
+    """The kinds of pose, row by row, as runs."""
+    size, n = np.abs(lean.angle), len(m.t)
+    lying = lean.quiet & (size > TIPPED)
+    floor = _FLOOR
+    if lying.any():
+        floor = min(_FLOOR, _NEAR_FLOOR * float(np.median(size[lying])))
+    down = lying | (size > floor if lean.absolute or lying.any() else np.zeros(n, dtype=bool))
+    parts: list[tuple[str, int, int]] = []
+    for a, b in _stretches(down):
+        if down[a]:
+            over = lean.absolute and float(np.median(size[a:b])) > _OVER
+            parts.append((OVER if over else LYING if lying[a:b].any() else MOVED, a, b))
+        else:
+            parts += _upright(m, lean, a, b, from_floor=a > 0, to_floor=b < n)
+    return parts
+
+
+def _stretches(mask: Mask) -> Iterator[tuple[int, int]]:
+    edges = [0, *(np.flatnonzero(np.diff(mask)) + 1).tolist(), len(mask)]
+    yield from pairwise(edges)
+
+
+def _upright(
+    m: Resampled, lean: Lean, a: int, b: int, *, from_floor: bool, to_floor: bool
+) -> list[tuple[str, int, int]]:
+    """A stretch off the floor: standing up, balancing and falling, or only moved by hand or thrown."""
+    idle = m.commands is not None and not any(np.ptp(u[a:b]) > 0 for u in m.commands)
+    thrown = from_floor and (b - a) * m.period < LONGEST_THROW
+    if (from_floor and idle) or thrown:
+        return [(MOVED, a, b)]
+    up = np.flatnonzero(np.abs(lean.angle[a:b]) < _UP) if from_floor else np.zeros(1, dtype=int)
+    first = a + (int(up[0]) if len(up) else 0)
+    falls = to_floor or _ends_falling(lean.angle[first:b], m.period)
+    last = first + _fall_start(lean.angle[first:b], m.period) if falls else b
+    parts = _stretches(lean.calm[first:last]) if last > first else ()
+    standing = [(STANDING if lean.calm[first + i] else BALANCING, first + i, first + j) for i, j in parts]
+    rising = [(RISING, a, first)] if first > a else []
+    return [*rising, *standing, *([(FALLING, last, b)] if last < b else [])]
+
+
+def _fall_start(angle: Array, period: float) -> int:
+    """Where the body began to turn before it had a usual lean for the last time; 0 in a log that is little else."""
+    size = np.abs(angle)
+    usual = np.flatnonzero(size <= max(float(np.median(size)), 0.05))
+    start = int(usual[-1]) if len(usual) else 0
+    inward = np.diff(smooth(angle[: start + 1], period, 2 * period)) * np.sign(angle[-1]) <= 0 if start else np.zeros(0)
+    start = int(np.flatnonzero(inward)[-1]) + 1 if inward.any() else 0
+    return start if start * period > _SHORTEST else 0
+
+
+def _ends_falling(angle: Array, period: float) -> bool:
+    """Whether a stretch ends in a lean that it never had before, and still leans further."""
+    size = np.abs(angle)
+    end = size[-1]
+    if end < TIPPED:
+        return False
+    start = _fall_start(angle, period)
+    recent = angle[-max(2, round(0.05 / period)) :]
+    outward = float(recent[-1] - recent[0]) * np.sign(angle[-1]) > 0
+    earlier = float(size[:start].max()) if start else 0.0
+    return bool(outward and end > _FURTHER * earlier)
+
+
+def _merged(parts: list[tuple[str, int, int]], period: float) -> list[tuple[str, int, int]]:
+    """Equal neighbours as one; what lies after a fall is fallen; a bounce on the floor is no pose of its own."""
+    merged: list[tuple[str, int, int]] = []
+    for named, a, b in parts:
+        before = merged[-1][0] if merged else ""
+        kind = _after(before, named, (b - a) * period)
+        if before == kind:
+            merged[-1] = (kind, merged[-1][1], b)
+        else:
+            merged.append((kind, a, b))
+    return merged
+
+
+def _after(before: str, kind: str, seconds: float) -> str:
+    """The kind of a part, given the kind of the part before it."""
+    if before in (FALLING, FALLEN) and (kind == LYING or (kind == MOVED and seconds < 1.0)):
+        return FALLEN
+    return MOVED if before == MOVED and kind == LYING and seconds < _STILL else kind
