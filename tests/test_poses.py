@@ -180,3 +180,23 @@ def test_a_log_of_29_rows_shows_its_fall(motors: int, gyro: int, blamed: str) ->
     assert found.check() == []
     assert any(blamed in note for note in found.notes)
     assert ("against" in str(found)) == bool(blamed)
+
+
+def test_a_rounded_estimate_is_called_coarse_and_has_no_wrong_scale() -> None:
+    """Whole tenths of a radian of a robot that swings by less: regressions on it find any factor."""
+    log = balanced()
+    lean = np.cumsum(log[GYRO]) * T
+    rounded = Log(log.t, {**log.channels, PITCH: 0.1 * np.trunc(10 * (lean + 0.02))}, log.units)
+    found = {f.code: f for f in doctor(rounded).findings if f.channel == PITCH}
+    assert set(found) == {"channel/coarse"}
+    assert found["channel/coarse"].severity == "note"
+
+
+def test_rows_that_the_file_says_were_left_out_are_named(tmp_path: Path) -> None:
+    log = balanced()
+    (tmp_path / "x.csv").write_text(
+        "# wait_ms=5,decim=2\n" + log.save(tmp_path / "y.csv").read_text().split("\n", 1)[1]
+    )
+    assert "samples/controller" in doctor(tmp_path / "x.csv").codes()
+    (tmp_path / "x.csv").write_text("# decim=1\n" + (tmp_path / "y.csv").read_text().split("\n", 1)[1])
+    assert "samples/controller" not in doctor(tmp_path / "x.csv").codes()
