@@ -166,7 +166,7 @@ def test_columns_without_names_are_drafted_by_how_they_behave(
     assert "a draft is in" in capsys.readouterr().out
     assert "the rate of c1" in (tmp_path / "m.toml").read_text("utf-8")
     assert Mapping.load(tmp_path / "m.toml").time.period == 0.01
-    clocked = draft(RawTable({"a": 1000 * T, "b": GYRO}))
+    clocked = draft(RawTable({"a": np.asarray(1000 * T, dtype=np.float64), "b": GYRO}))
     assert 'column = "a"' in clocked
 
 

@@ -183,10 +183,10 @@ def test_a_log_of_29_rows_shows_its_fall(motors: int, gyro: int, blamed: str) ->
 
 
 def test_a_rounded_estimate_is_called_coarse_and_has_no_wrong_scale() -> None:
-    """Whole tenths of a radian of a robot that swings by less: regressions on it find any factor."""
+    """Steps as large as the robot's swings: regressions on them find any factor."""
     log = balanced()
     lean = np.cumsum(log[GYRO]) * T
-    rounded = Log(log.t, {**log.channels, PITCH: 0.1 * np.trunc(10 * (lean + 0.02))}, log.units)
+    rounded = Log(log.t, {**log.channels, PITCH: 0.03 * np.rint(lean / 0.03)}, log.units)
     found = {f.code: f for f in doctor(rounded).findings if f.channel == PITCH}
     assert set(found) == {"channel/coarse"}
     assert found["channel/coarse"].severity == "note"

@@ -137,6 +137,14 @@ def grain_of(x: Array) -> float:
     return float(steps[len(steps) // 1000]) if len(steps) else 0.0
 
 
+COARSE = 12  # different readings, up to which a channel is too coarse to differentiate
+
+
+def levels(x: Array) -> int:
+    """How many different readings there are."""
+    return len(np.unique(np.round(x[np.isfinite(x)], 9)))
+
+
 FIXES: dict[str, Callable[[Record, Fix], Record]] = {
     "scale": _scale, "offset": _offset, "swap": _swap, "differentiate": _differentiate, "integrate": _integrate,
     "earlier": _earlier, "percent": _percent, "time scale": _time_scale, "sort": _sort, "unique": _unique,

@@ -21,7 +21,7 @@ from upright.doctor.finding import (
     note,
     warning,
 )
-from upright.doctor.fixes import grain_of, runs, stale
+from upright.doctor.fixes import COARSE, grain_of, levels, runs, stale
 from upright.doctor.physics import motion, smooth, widths
 from upright.doctor.segments import on_wheels
 
@@ -204,7 +204,7 @@ def contaminated(record: Record) -> list[Finding]:
     m = motion(record)
     if m is None or m.gyro is None or m.gyro_name != GYRO:
         return []
-    if PITCH not in record or not np.isfinite(record[PITCH]).all():
+    if PITCH not in record or not np.isfinite(record[PITCH]).all() or levels(record[PITCH]) <= COARSE:
         return []
     even, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
     rows = np.arange(int(4 * width / m.period), len(m.t) - int(4 * width / m.period))

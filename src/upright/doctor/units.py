@@ -20,8 +20,9 @@ from upright.doctor.finding import (
     Fix,
     Record,
     error,
+    note,
 )  # fmt: skip
-from upright.doctor.fixes import grain_of
+from upright.doctor.fixes import COARSE, grain_of, levels
 from upright.doctor.motion import TRUSTED
 from upright.doctor.physics import Resampled, lagged, motion, motor, pendulum, smooth, widths
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
@@ -245,6 +246,9 @@ def _pitch(record: Record, m: Resampled) -> list[Finding]:
     """The rate of the pitch estimate relative to the gyro, which should be 1."""
     if PITCH not in record or m.gyro is None or m.gyro_name != GYRO or not np.isfinite(record[PITCH]).all():
         return []
+    if 1 < (count := levels(record[PITCH])) <= COARSE:
+        step = grain_of(record[PITCH])
+        return [note("channel/coarse", PITCH, f"it has {count} values in steps of {step:.3g}: too coarse to compare")]
     even, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
     fit = lagged(m, width, smooth(even, m.period, width, 1), [smooth(m.gyro, m.period, width)], [], reach=(-0.06, 0.06))
     return _slope(PITCH, fit.values[0] if fit.values else 0.0, fit.r2, "gyro")

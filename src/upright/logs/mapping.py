@@ -167,7 +167,10 @@ def _quoted(text: str) -> str:
 
 def channels_of(mapping: Mapping, table: RawTable) -> tuple[Array, dict[str, Array], dict[str, str]]:
     """Time [s] as in the file, the mapped channels and their units; rows and delays are unchanged."""
-    t = _values(mapping.time, table) if mapping.time.column else np.arange(len(table)) * mapping.time.period
+    rows = np.arange(len(table), dtype=np.float64)
+    t: Array = rows * mapping.time.period
+    if mapping.time.column:
+        t = _values(mapping.time, table)
     channels = {name: np.full(len(t), value) for name, value in mapping.constants.items()}
     units = {name: KNOWN[name].unit if name in KNOWN else "" for name in channels}
     for name in sorted(mapping.channels, key=lambda name: bool(mapping.channels[name].times)):
