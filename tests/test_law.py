@@ -20,6 +20,7 @@ from upright.compiled.program import Kind, Program
 from upright.control import lqr
 from upright.control.law import as_law, program
 from upright.control.linear_controller import LinearController
+from upright.errors import InvalidController
 from upright.experiment import Drive, Push, run
 from upright.kernel import law as kernel_law
 from upright.kernel import store
@@ -160,6 +161,11 @@ def test_alike_laws_have_one_text_on_disk(tmp_path: Path, monkeypatch: pytest.Mo
     kernel_law.compiled.cache_clear()
     kernel_law.compiled((one,), 0, "float64")
     assert path.read_bytes() == whole  # made anew
+
+
+def test_what_no_law_describes_is_refused_with_what_the_kernel_runs() -> None:
+    with pytest.raises(InvalidController, match="sliding"):
+        FleetBatch(parameters=parameters_of(ROBOT), controller=designed("mpc"))
 
 
 def test_a_static_law_remembers_nothing() -> None:
