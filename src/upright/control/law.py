@@ -21,6 +21,7 @@ from upright.compiled.tracer import Form, Tracer
 from upright.control.controller import Controller
 from upright.control.linear_controller import LinearController, as_linear
 from upright.control.sliding import SlidingMode
+from upright.errors import InvalidController
 from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
@@ -81,7 +82,13 @@ def as_law(controller: Controller | Law) -> Law:
         m = controller.memory
         linear = replace(m, C=m.C[2:], Dy=m.Dy[2:], Dr=m.Dr[2:], Bu=np.zeros((0, 0)))
         return Law(linear, Switching(m.C[:2], m.Dy[:2], m.Dr[:2], m.Bu, controller.reach, controller.layer))
-    return Law(as_linear(controller))
+    try:
+        return Law(as_linear(controller))
+    except InvalidController:
+        raise InvalidController(
+            f"a {controller.spec.kind} is no fixed sum of products",
+            expected="a linear controller (lqr, lqi, lqg, pid, hinf, robust) or sliding",
+        ) from None
 
 
 def program(law: Law, referred: int = 6) -> Program:
