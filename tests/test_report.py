@@ -280,6 +280,8 @@ def test_a_logarithmic_axis_names_numbers_and_no_logarithms():
     assert {"0.1", "1", "10", "100"} <= {text.get_text() for text in ax.get_xticklabels()}
     assert number(2e-7) == "2 · 10⁻⁷"
     assert number(-1e6) == "−10⁶"
+    assert [number(value) for value in (1e4, 25_000, -99_990, 1e5)] == ["10000", "25000", "−99990", "10⁵"]
+    assert number(1250, 3) == "1250"
     ax.set_yscale("log")
     numbered(ax)
     ax.set_ylim(0.5, 4)  # less than a power of ten: the ticks between are named too
