@@ -23,6 +23,7 @@ from matplotlib.ticker import Formatter, FuncFormatter, LogFormatter, MaxNLocato
 from numpy.typing import ArrayLike, NDArray
 
 from upright.errors import InvalidLog
+from upright.tables import power_of_ten
 
 Array = NDArray[np.float64]
 P = ParamSpec("P")
@@ -362,17 +363,14 @@ def _names(panel: Axes) -> list[str]:
 
 
 def number(value: float, digits: int = 4) -> str:
-    """A number as text with a true minus sign, and powers of ten beyond 10⁵ or 10⁻⁴."""
-    size = abs(value)
-    if size == 0 or 1e-4 <= size < 1e5:
-        return f"{value:.{digits}g}".replace("-", "−")
-    mantissa, _, power = f"{value:.{digits - 1}e}".partition("e")
+    """A finite number as text with a true minus sign, and powers of ten beyond 10⁵ or 10⁻⁴."""
+    rounded = float(f"{value:.{digits}g}")
+    if rounded == 0 or 1e-4 <= abs(rounded) < 1e5:
+        return np.format_float_positional(rounded + 0.0, trim="-").replace("-", "−")
+    mantissa, _, power = f"{rounded:.{digits - 1}e}".partition("e")
     mantissa = mantissa.rstrip("0").rstrip(".")
     head = {"1": "", "-1": "-"}.get(mantissa, f"{mantissa} · ")
-    return (head + "10" + str(int(power)).translate(_RAISED)).replace("-", "−")
-
-
-_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+    return f"{head}{power_of_ten(int(power))}".replace("-", "−")
 
 
 def decimate(x: Array, y: Array, columns: int) -> tuple[Array, Array]:

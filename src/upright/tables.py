@@ -1,4 +1,4 @@
-"""Tables as aligned text and as HTML, for whatever prints itself."""
+"""Tables as aligned text and as HTML, for whatever prints itself, and powers as text."""
 
 from __future__ import annotations
 
@@ -62,6 +62,16 @@ class Shown:
     def _repr_html_(self) -> str:
         table = self.listing()
         return table.html(type(self).__name__) if table else f"<pre>{escape(str(self))}</pre>"
+
+
+def superscript(number: int) -> str:
+    """A whole number as an exponent: −3 as ⁻³."""
+    return str(number).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+
+
+def power_of_ten(exponent: int) -> str:
+    """10 with its exponent raised: 10⁻³."""
+    return f"10{superscript(exponent)}"
 
 
 def _length(text: str) -> int:

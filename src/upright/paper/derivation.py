@@ -20,6 +20,7 @@ from upright.errors import UnknownName
 from upright.physics.dynamics import CALM, MODELS, Disturbance
 from upright.robots import PARAMETERS
 from upright.signals import STATE
+from upright.tables import superscript
 
 Model = Literal["published", "complete"]
 
@@ -196,7 +197,7 @@ def plain(expression: Any) -> str:
     """A SymPy expression as plain text in the paper's letters: `W²/(2 R²)`, `sin² ψ`."""
     text = re.sub(r"(sin|cos)\((\w+)\)\*\*(\d)", r"\1**\3 \2", str(expression))
     text = re.sub(r"(sin|cos)\((\w+)\)", r"\1 \2", text)
-    text = re.sub(r"\*\*(\d)", lambda power: "⁰¹²³⁴⁵⁶⁷⁸⁹"[int(power[1])], text)
+    text = re.sub(r"\*\*(\d)", lambda power: superscript(int(power[1])), text)
     return text.replace("sqrt", "√").replace("*", " ").replace("-", "−")
 
 

@@ -16,6 +16,7 @@ from upright.physics.dynamics import accelerations
 from upright.report import Formula, Table
 from upright.report.page import Cell, Item
 from upright.robots import Robot
+from upright.tables import power_of_ten
 
 Array = NDArray[np.float64]
 
@@ -127,5 +128,4 @@ def _derived(proofs: Mapping[Erratum, Proof]) -> list[str]:
 
 def _power(fraction: float) -> str:
     """The power of ten above a fraction, such as 10⁻¹³; zero as 'the last digit'."""
-    raised = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-    return "10" + str(math.ceil(math.log10(fraction))).translate(raised) if fraction else "the last digit"
+    return power_of_ten(math.ceil(math.log10(fraction))) if fraction else "the last digit"

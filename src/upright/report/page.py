@@ -17,6 +17,7 @@ from xml.etree import ElementTree
 from upright.atomic import write_text
 from upright.errors import UnknownName, UprightError
 from upright.report.figure import Figure
+from upright.tables import power_of_ten
 
 if TYPE_CHECKING:
     from jinja2 import Template
@@ -161,7 +162,8 @@ def cell_text(cell: Cell, digits: int = 4) -> str:
         return "yes" if cell else "no"
     if cell is None or math.isnan(cell):
         return "–"
-    return _POWER.sub(_power, f"{cell:.{digits}g}").replace("-", "−").replace("inf", "∞")
+    mantissa, e, power = f"{cell:.{digits}g}".partition("e")
+    return (f"{mantissa} · {power_of_ten(int(power))}" if e else mantissa).replace("-", "−").replace("inf", "∞")
 
 
 def symbols(text: str) -> str:
@@ -172,12 +174,6 @@ def symbols(text: str) -> str:
 
 _INDEX = re.compile(r"\b([A-Za-zα-ωΔ]\u0307?)_(\w)\b")
 _CODE = re.compile(r"`([^`]+)`")
-_POWER = re.compile(r"e([+-])0*(\d+)$")
-_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-
-
-def _power(match: re.Match[str]) -> str:
-    return " · 10" + (match[1].replace("+", "") + match[2]).translate(_RAISED)
 
 
 def _anchors(headings: Sequence[str]) -> list[str]:
