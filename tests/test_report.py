@@ -283,7 +283,7 @@ def test_a_logarithmic_axis_names_numbers_and_no_logarithms():
     assert [number(value) for value in (1e4, 25_000, -99_990, 1e5)] == ["10000", "25000", "−99990", "10⁵"]
     assert number(1250, 3) == "1250"
     ax.set_yscale("log")
-    numbered(ax)
+    numbered(ax.yaxis)
     ax.set_ylim(0.5, 4)  # less than a power of ten: the ticks between are named too
     assert {"1", "2"} <= {t.get_text() for t in (*ax.get_yticklabels(), *ax.get_yticklabels(minor=True))}
 

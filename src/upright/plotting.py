@@ -15,6 +15,7 @@ from typing import Any, ParamSpec, TypeVar
 import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.colors import BoundaryNorm
 from matplotlib.figure import Figure
 from matplotlib.image import NonUniformImage
@@ -79,7 +80,7 @@ def panels(
         axes.append(_axes(figure, box, sharex=axes[0] if axes else None))
         axes[-1].set(ylabel=label, xscale=x_scale)
         _label_above(axes[-1])
-        numbered(axes[-1])
+        numbered(axes[-1].xaxis, axes[-1].yaxis)
     for ax in axes[:-1]:
         ax.tick_params(labelbottom=False)
     axes[-1].set_xlabel(x_label, loc="right")
@@ -117,7 +118,7 @@ def line(
 def span(axes: Sequence[Axes], start: float, stop: float, name: str) -> None:
     """Shade [start, stop] of x in all `axes`."""
     for ax in axes:
-        ax.axvspan(start, stop, color=SPAN, alpha=0.16, linewidth=0, label=name)
+        ax.axvspan(start, stop, color=SPAN, alpha=0.16, linewidth=0, zorder=0, label=name)
 
 
 @styled
@@ -131,7 +132,7 @@ def plane(x_label: str, y_label: str, *, circle: bool = False) -> tuple[Figure, 
     ax.set_xlabel(x_label, loc="right")
     ax.set_aspect("equal", adjustable="datalim")
     _label_above(ax)
-    numbered(ax)
+    numbered(ax.xaxis, ax.yaxis)
     if circle:
         ax.add_patch(Circle((0, 0), 1, fill=False, edgecolor=AXIS, linestyle=(0, (2, 3))))
     return figure, ax
@@ -185,7 +186,7 @@ def bars(names: Sequence[str], values: ArrayLike, x_label: str, y_label: str) ->
         text = number(value, 3) if np.isfinite(value) else "–"
         ax.annotate(text, (value if np.isfinite(value) else 0.0, row), (4, 0), textcoords="offset points", va="center")
     ax.set_xlim(0, 1.12 * max(float(np.nanmax(lengths, initial=0.0)), 1e-12))
-    numbered_x(ax)
+    numbered(ax.xaxis)
     return figure
 
 
@@ -245,7 +246,7 @@ def colour_map(
     ax.set(xlim=edges(x), ylim=edges(y))
     ax.grid(visible=False)
     _label_above(ax)
-    numbered(ax)
+    numbered(ax.xaxis, ax.yaxis)
     beside = _axes(figure, ((LEFT + side + 0.2) / size[0], FOOT / size[1], 0.18 / size[0], side / size[1]))
     key = figure.colorbar(picture, cax=beside, ticks=borders)
     key.outline.set_visible(False)
@@ -294,16 +295,12 @@ def legend(figure: Figure) -> Figure:
     return figure
 
 
-def numbered_x(ax: Axes) -> None:
-    """Numbers at the ticks of x alone, where names stand at y."""
-    ax.xaxis.set_major_formatter(_Numbers())
-
-
-def numbered(ax: Axes) -> None:
+def numbered(*axes: Axis) -> None:
     """Numbers at the ticks in one style: 0.25, 1000, 2 · 10⁻⁷, and 0.1, 1, 10 on a logarithmic axis."""
-    for axis, scale in ((ax.xaxis, ax.get_xscale()), (ax.yaxis, ax.get_yscale())):
-        axis.set_major_formatter(FuncFormatter(_plain) if scale == "log" else _Numbers())
-        if scale == "log":
+    for axis in axes:
+        logarithmic = axis.get_scale() == "log"
+        axis.set_major_formatter(FuncFormatter(_plain) if logarithmic else _Numbers())
+        if logarithmic:
             axis.set_minor_formatter(_Between(labelOnlyBase=False, minor_thresholds=(1.5, 0.5)))
 
 

@@ -244,7 +244,7 @@ class Calibration(Shown):
 
     def plot(self) -> Figure:
         """Each parameter's estimate and 95 % interval against its prior, in standard deviations of the prior."""
-        from upright.plotting import SPAN, intervals, legend
+        from upright.plotting import intervals, legend, span
 
         known = [e for e in self.parameters if 0 < e.prior_spread < np.inf]
         numbers = np.array([[e.value, e.low, e.high] for e in known]).reshape(-1, 3)
@@ -252,8 +252,7 @@ class Calibration(Shown):
         shifts = (numbers - prior) / spread
         x_label = "difference from the prior [standard deviations of the prior]"
         figure = intervals([e.name for e in known], shifts[:, 0], shifts[:, 1:], x_label, "parameter")
-        ax = figure.axes[0]
-        ax.axvspan(-NORMAL, NORMAL, color=SPAN, alpha=0.16, linewidth=0, zorder=0, label="95 % of the prior")
+        span(figure.axes, -NORMAL, NORMAL, "95 % of the prior")
         return legend(figure)
 
     def plot_prediction(self) -> Figure:

@@ -100,7 +100,7 @@ class Analysis(Shown):
         omega, response = broken(self.loop, INPUTS["both motors"])
         figure, (size, phase) = panels(["magnitude [1]", "phase [°]"], "frequency [rad/s]", "log")
         size.set_yscale("log")
-        numbered(size)
+        numbered(size.yaxis)
         line(size, "loop gain", omega, np.abs(response))
         line(phase, "loop gain", omega, np.degrees(np.unwrap(np.angle(response))))
         size.axhline(1.0, linestyle="--", color="grey", linewidth=0.8)

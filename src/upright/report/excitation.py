@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.excite.plan import VISIBLE, ExcitationPlan, Predicted
-from upright.plotting import COLOURS, legend, line, number, panels, rows_of
+from upright.plotting import COLOURS, legend, line, numbered, panels, rows_of
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 
@@ -112,7 +112,7 @@ def _widths(plan: ExcitationPlan) -> Figure:
     shown = sorted((p for p in plan.predicted if p.after < DRAWN * p.before), key=lambda p: -p.after / p.before)
     figure, ax = rows_of([p.name for p in shown], "width of the 95 % interval after over before [1]", "parameter")
     ax.set_xscale("log")
-    ax.xaxis.set_major_formatter(lambda value, _: number(value))
+    numbered(ax.xaxis)
     kinds = {"plan": ("after", "o"), "dither": ("dither", "x"), "dither held 40 ms": ("held", "s")}
     for k, (name, (kind, marker)) in enumerate(kinds.items()):
         ratios = [getattr(p, kind) / p.before for p in shown]

@@ -153,7 +153,7 @@ def _orders(compared: MethodComparison) -> list[Item]:
         items.append(Table(["states", "BIC", "chosen"], rows, caption, digits=3))
         figure, (ax,) = panels(["singular value"], "number")
         ax.set_yscale("log")
-        numbered(ax)
+        numbered(ax.yaxis)
         sizes = np.maximum(order.singular, 1e-300)
         ax.plot(np.arange(1, len(sizes) + 1), sizes, "o", fillstyle="none", label="left out")
         ax.plot(np.arange(1, order.chosen + 1), sizes[: order.chosen], "o", label="kept")

@@ -70,7 +70,7 @@ def _figure(result: PostMortem) -> Figure:
     line(command, "command", s.t, s.command, step=True, style=1, solid=True)
     line(reach, "relative lean", s.t, s.reserve, style=2, solid=True)
     nis.set_yscale("log")
-    numbered(nis)
+    numbered(nis.yaxis)
     line(nis, "NIS", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
     for name, level in {"lower edge": s.low, "upper edge": s.high}.items():
         if math.isfinite(level) and level > 0:
