@@ -1,4 +1,4 @@
-"""Tables as aligned text and as HTML, for whatever prints itself, and powers as text."""
+"""Tables as aligned text and as HTML, for whatever prints itself; sentences and powers as text."""
 
 from __future__ import annotations
 
@@ -62,6 +62,11 @@ class Shown:
     def _repr_html_(self) -> str:
         table = self.listing()
         return table.html(type(self).__name__) if table else f"<pre>{escape(str(self))}</pre>"
+
+
+def sentence(text: str, end: str = ".") -> str:
+    """`text` with its first letter upper, and with an `end`."""
+    return f"{text[:1].upper()}{text[1:]}{end}"
 
 
 def superscript(number: int) -> str:

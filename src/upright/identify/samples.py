@@ -19,6 +19,7 @@ from upright.identify.arx import FirstResponse, arx, first_response
 from upright.logs.recording import check_clock, one_encoder
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log
+from upright.tables import sentence
 
 Array = NDArray[np.float64]
 
@@ -311,7 +312,7 @@ def _faster(log: Log) -> list[str]:
     from upright.doctor.rates import faster_controller
 
     findings = faster_controller(Record(log.t, _measured(log), dict(log.units)))
-    return [f"{finding.evidence[0].upper()}{finding.evidence[1:]}: {finding.repair}." for finding in findings]
+    return [sentence(f"{finding.evidence}: {finding.repair}") for finding in findings]
 
 
 def _measured(log: Log) -> dict[str, Array]:

@@ -21,6 +21,7 @@ from upright.report import Figure, Table
 from upright.report.comparing import fit_tables, metrics_table, state_figure
 from upright.report.page import Cell, cell_text
 from upright.robots import Kit, Motor, Robot
+from upright.tables import sentence
 
 RELEASE, SECONDS = 8.0, 16.0  # [s] long enough to come to rest before the release and after it
 
@@ -181,7 +182,7 @@ def _tested(measured: dict[str, Measured]) -> Claim:
     text = "; ".join(f"{claim}: {'holds' if holds else 'does not hold'}" for claim, holds in verdicts.items())
     fastest = sum(c.linear_fastest for c in every)
     summary = (
-        f"{text[0].upper()}{text[1:]}. A claim holds if it does for both robots and both pushes. The linear model "
+        f"{sentence(text)} A claim holds if it does for both robots and both pushes. The linear model "
         f"is the fastest in {fastest} of {len(every)} cases."
     )
     numbers = {"claims": verdicts, "cases": {name: vars(c) for name, c in measured.items()}}

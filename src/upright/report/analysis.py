@@ -12,6 +12,7 @@ from upright.certify.margins import Margins
 from upright.errors import InvalidController
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
+from upright.tables import sentence
 
 
 def page_of(result: Analysis | Designed) -> Page:
@@ -29,7 +30,7 @@ def page_of(result: Analysis | Designed) -> Page:
         sections += [Section("Closed-loop poles", [_poles(analysis)])]
     facts = {"controller": analysis.hash[:12], "period": f"{analysis.period * 1e3:g} ms"}
     return Page(
-        f"{analysis.controller} on {analysis.robot}", sections, f"{first[0].upper()}{first[1:]}", facts, False,
+        f"{analysis.controller} on {analysis.robot}", sections, sentence(first, ""), facts, False,
         verdict=Verdict("stable", "good") if analysis.stable else Verdict("unstable", "warn"),
         picture=_nyquist(analysis) if analysis.stable else _poles(analysis), numbers=_numbers(analysis),
     )  # fmt: skip

@@ -9,6 +9,7 @@ from upright.calibrate.calibration import VERDICTS, Calibration, Estimate
 from upright.plotting import legend, line, panels
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
+from upright.tables import sentence
 
 STRONG = 0.9
 """Correlations from this size up are listed: only the prior separates such pairs."""
@@ -41,8 +42,7 @@ def page_of(calibration: Calibration) -> Page:
 
 
 def _sentence(text: str) -> str:
-    plain = text.replace("sensor/", "").replace("_", " ")
-    return f"{plain[0].upper()}{plain[1:]}."
+    return sentence(text.replace("sensor/", "").replace("_", " "))
 
 
 def _numbers(c: Calibration) -> list[tuple[str, str]]:

@@ -9,6 +9,7 @@ from upright.certify.checks import Swept
 from upright.plotting import bars, line, panels
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
+from upright.tables import sentence
 
 LEVEL = {GREEN: "good", RED: "warn"}
 
@@ -17,7 +18,7 @@ def page_of(certificate: Certificate) -> Page:
     """The certificate's page, not yet written."""
     verdict = Verdict(certificate.light, LEVEL.get(certificate.light, "info"))
     sections = [
-        Section("Reasons", [f"{reason[0].upper()}{reason[1:]}." for reason in certificate.reasons]),
+        Section("Reasons", [sentence(reason) for reason in certificate.reasons]),
         Section("Pushes", [_intro(certificate), _trials(certificate)]),
     ]
     if certificate.linear:

@@ -13,6 +13,7 @@ from upright.fleet.results import OUTCOMES, Summary, origin_of, summarise
 from upright.plotting import bars, colour_map, legend, line, panels, round_levels
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, cell_text
+from upright.tables import sentence
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -89,7 +90,7 @@ def histogram(data: Dataset, name: str, bins: int = 60) -> Figure:
     unit, words = str(data[name].attrs["unit"]), str(data[name].attrs["long_name"])
     middle, high = np.quantile(values, (0.5, 0.95)).tolist() if len(values) else (math.nan, math.nan)
     after = "" if unit == "1" else f" {unit}"
-    title = f"{words[:1].upper()}{words[1:]}: half below {middle:.3g}{after}, 95 % below {high:.3g}{after}"
+    title = f"{sentence(words, ':')} half below {middle:.3g}{after}, 95 % below {high:.3g}{after}"
     figure, (ax,) = panels(["fraction of robots [1]"], f"{words} [{unit}]", height=1.4)
     if len(values):
         ax.hist(values, bins, weights=np.full(len(values), 1 / len(values)), histtype="stepfilled", alpha=0.8)
@@ -108,7 +109,7 @@ def influence(data: Dataset, outcome: str) -> Figure | None:
     words = str(data[outcome].attrs["long_name"])
     drawing = bars(ranked, [abs(sizes[n]) for n in ranked], "size of the rank correlation [1]", "varied number")
     sign = "grows" if sizes[ranked[0]] > 0 else "shrinks"
-    return Figure(f"{words[:1].upper()}{words[1:]} {sign} most with {ranked[0].replace('_', ' ')}", drawing)
+    return Figure(f"{sentence(words, '')} {sign} most with {ranked[0].replace('_', ' ')}", drawing)
 
 
 def _rank_correlation(x: Array, y: Array) -> float:

@@ -11,6 +11,7 @@ from upright.diagnose.verdict import NO_FALL
 from upright.plotting import legend, line, numbered, panels, span
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict
+from upright.tables import sentence
 
 SHOWN = 0.02
 """Less likely causes are only in the JSON."""
@@ -49,7 +50,7 @@ def _lead(result: PostMortem) -> str:
 
 def _words(result: PostMortem) -> list[Item]:
     missing = [f"Missing channels: {', '.join(result.missing)}."] if result.missing else []
-    return [*missing, *(f"{note[0].upper()}{note[1:]}." for note in result.notes)]
+    return [*missing, *map(sentence, result.notes)]
 
 
 def _causes(result: PostMortem) -> Table:
