@@ -163,13 +163,22 @@ def test_what_nobody_survived_has_a_dash_and_no_number() -> None:
     shown = str(replace(certificate(), trials=(trial,))).splitlines()[-1]
     assert shown.split() == ["hold", "low", "100/100", "–", "–", "–", "–"]
     page = page_of(replace(certificate(), trials=(trial,))).html()
-    assert "0.000" not in page.partition("Every standard push")[2].partition("</table>")[0]
+    *_, row = page.partition("<h2>Pushes</h2>")[2].partition("</table>")[0].split("<tr>")
+    cells = re.findall(r"<td[^>]*>([^<]*)</td>", row)
+    assert cells == ["hold", "low", "100", "100", "–", "–", "–", "–"]
 
 
 def test_a_certificate_has_a_figure() -> None:
-    """A bar for every push at every battery."""
-    figure = certificate().plot()
-    assert [len(ax.patches) for ax in figure.axes] == [len(certificate().trials)]
+    """A bar for every push at every battery, the worst on top, and the same on its page."""
+    trials = [PushTrial(f"hold {fell}", "low", 100, fell, saturated=0.0, travel=0.0, peak=0.0, cycle=0.0)
+              for fell in (1, 30, 7)]  # fmt: skip
+    result = replace(certificate(), trials=tuple(trials))
+    (ax,) = result.plot().axes
+    assert [bar.get_width() for bar in ax.patches] == [30, 7, 1]
+    names = [label.get_text() for label in ax.get_yticklabels()]
+    assert names[0] == "hold 30, low battery"
+    picture = page_of(result).html().partition("</figure>")[0]
+    assert all(name in picture for name in names)
 
 
 def test_a_design_prints_numbers_as_far_as_they_mean_something() -> None:

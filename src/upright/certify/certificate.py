@@ -145,11 +145,12 @@ class Certificate(Shown):
         return f"another {what}: {f'{what} {name} instead of {certified}, ' if name != certified else ''}{others}"
 
     def plot(self) -> Figure:
-        """How many robots fell [%], a bar for every push at every battery."""
+        """How many robots fell [%], a bar for every push at every battery, the worst first."""
         from upright.plotting import bars
 
-        names = [f"{t.push}, {t.battery} battery" for t in self.trials]
-        return bars(names, [100 * t.fell / t.runs for t in self.trials], "robots that fell [%]", "push")
+        worst = sorted(self.trials, key=lambda t: -t.fell / t.runs)
+        names = [f"{t.push}, {t.battery} battery" for t in worst]
+        return bars(names, [100 * t.fell / t.runs for t in worst], "robots that fell [%]", "push")
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is unlimited."""

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from upright.certify.certificate import GREEN, RED, Certificate, LinearMargins
 from upright.certify.checks import Swept
-from upright.plotting import bars, line, panels
+from upright.plotting import line, panels
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
@@ -46,13 +46,12 @@ def _numbers(c: Certificate) -> list[tuple[str, str]]:
 
 
 def _falls(c: Certificate) -> Figure:
-    worst = sorted(c.trials, key=lambda t: -t.fell / t.runs)
-    names = [f"{t.push}, {t.battery}" for t in worst]
-    most = worst[0]
+    most = max(c.trials, key=lambda t: t.fell / t.runs)
     title = "No robot fell in any trial"
     if most.fell:
-        title = f"Most falls: {names[0]}, {cell_text(100 * most.fell / most.runs, 3)} % of the robots"
-    return Figure(title, bars(names, [100 * t.fell / t.runs for t in worst], "robots that fell [%]", "push, battery"))
+        percent = cell_text(100 * most.fell / most.runs, 3)
+        title = f"Most falls: {most.push}, {most.battery} battery, {percent} % of the robots"
+    return Figure(title, c.plot())
 
 
 def _intro(c: Certificate) -> str:
