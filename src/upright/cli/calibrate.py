@@ -63,11 +63,7 @@ def calibrate(
         result.known_robot().save(output)
     if save:
         write_json(save, result.to_json())
-    if report:
-        from upright.report import report as write_report
-
-        write_report(result, report)
-    finish(result, as_json, written=(None if withheld else output, report, save))
+    finish(result, as_json, page=report, written=(None if withheld else output, save))
     if withheld:
         typer.echo(f"{output} is not written: the fit does not describe this robot; try: --force", err=True)
         raise typer.Exit(2)

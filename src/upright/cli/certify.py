@@ -54,10 +54,6 @@ def certify(
             controller, robot, kit, log=log, mapping=mapping, posterior=posterior, samples=samples, seed=seed,
             progress=show,
         )  # fmt: skip
-    if report:
-        from upright.report import report as write_report
-
-        write_report(certificate, report)
-    finish(certificate, as_json, output=output, written=(report,))
+    finish(certificate, as_json, output=output, page=report)
     if certificate.light == "red":
         raise typer.Exit(RED)

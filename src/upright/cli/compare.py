@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -26,15 +26,14 @@ def compare(
     Prints settling, overshoot, effort and other metrics of each log, and its fit to the reference.
     """
     from upright.comparison import compare as compare_logs
-    from upright.report import report as write_report
     from upright.signals import Log
 
     check_targets(output, report)
     comparison = compare_logs(
         {label: Log.load(path) for label, path in _labelled(logs).items()}, reference=reference, release=release
     )
-    page = write_report(comparison, report) if report else None
-    finish(comparison, as_json, output=output, written=(page,), **({"report": str(page)} if page else {}))
+    facts: dict[str, Any] = {"report": str(report)} if report else {}
+    finish(comparison, as_json, output=output, page=report, **facts)
 
 
 def _labelled(arguments: list[str]) -> dict[str, Path]:

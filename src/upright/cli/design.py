@@ -44,15 +44,11 @@ def design(
     Prints its inputs, the residual of its equations, and the margins of its loop.
     """
     from upright.certify.design import design as design_controller
-    from upright.report import page_of
 
     check_targets(output, report)
     result = design_controller(method, robot, kit, period=period, posterior=posterior)
-    page = page_of(result) if report else None  # before any file is written, so that its failure leaves none
     written = result.save(output) if output else None
-    if report and page:
-        page.write(report)
-    finish(result, as_json, written=(written, report), file=str(written) if written else None)
+    finish(result, as_json, page=report, written=(written,), file=str(written) if written else None)
 
 
 def bench_controllers(
@@ -75,8 +71,4 @@ def bench_controllers(
     check_targets(output, report)
     with progress("simulating") as show:
         result = bench(robot, kit, body, seed=seed, progress=show)
-    if report:
-        from upright.report import report as write_report
-
-        write_report(result, report)
-    finish(result, as_json, output=output, written=(report,))
+    finish(result, as_json, output=output, page=report)

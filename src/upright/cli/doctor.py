@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -57,5 +57,5 @@ def doctor(
     repaired = diagnosis.repaired().save(fix) if fix else None
     if write_mapping:
         write_text(write_mapping, diagnosis.mapping.to_toml())
-    facts = {"repaired": str(repaired)} if repaired else {}
+    facts: dict[str, Any] = {"repaired": str(repaired)} if repaired else {}
     finish(diagnosis, as_json, output=output, written=(repaired, write_mapping), **facts)

@@ -65,8 +65,4 @@ def excite(
             robot, kit, controller, seconds=seconds, focus=names, limits=Limits(falls, saturated, travel),
             enough=enough, known=known or (), posterior=posterior, samples=samples, seed=seed, progress=show,
         )  # fmt: skip
-    if report:
-        from upright.report import report as write_report
-
-        write_report(plan, report)
-    finish(plan, as_json, output=output, written=(report,))
+    finish(plan, as_json, output=output, page=report)

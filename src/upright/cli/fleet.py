@@ -13,7 +13,7 @@ import typer
 from upright.cli import options
 from upright.cli.fleet_options import Asked, asked_alike
 from upright.cli.options import DriveOption, JsonOption, PushOption, SamplesOption, StartOption, TurnOption
-from upright.cli.output import print_json, print_table, progress
+from upright.cli.output import print_json, print_table, progress, write_page
 from upright.errors import InvalidScenario
 
 if TYPE_CHECKING:
@@ -183,10 +183,7 @@ def _show(data: Dataset, text: str, numbers: Any, asked: Asked) -> None:
     from upright.fleet.results import origin_of, save
 
     output, report = asked.output, asked.report
-    if report:
-        from upright.report import report as write_report
-
-        write_report(data, report)
+    write_page(data, report)
     if output:
         save(data, output)
     if asked.as_json:

@@ -21,7 +21,7 @@ from upright.cli.options import (
     SeedOption,
     completed,
 )
-from upright.cli.output import check_targets, finish, progress
+from upright.cli.output import check_targets, finish, progress, write_page
 from upright.errors import UprightError
 
 
@@ -84,10 +84,7 @@ def identify(
         write_controller(regulator(study.samples, model.halves), controller)
     if model and output:
         model.save(output)
-    if comparison and report:
-        from upright.report import report as write_report
-
-        write_report(comparison, report)
+    write_page(comparison, report)
     if result := model or comparison:
         finish(result, as_json, written=(output, controller, report))
 

@@ -34,16 +34,27 @@ def print_json(data: Any) -> None:
 
 
 def finish(
-    result: Result, as_json: bool, *, output: Path | None = None, written: Iterable[Path | None] = (), **facts: Any
-) -> None:
-    """Write the result to `output`, print it as text or JSON with further `facts`, and name the files `written`."""
+    result: Result, as_json: bool, *,
+    output: Path | None = None, page: Path | None = None, written: Iterable[Path | None] = (), **facts: Any,
+) -> None:  # fmt: skip
+    """Write the result to `output` and its page to `page`, print it as text or JSON with further `facts`, and name
+    these files and those already `written`."""
     data = result.to_json() | facts
+    write_page(result, page)
     if output:
         write_json(output, data)
     if as_json:
         print_json(data)
         return
-    typer.echo("\n".join([str(result), *(f"wrote {path}" for path in (output, *written) if path)]))
+    typer.echo("\n".join([str(result), *(f"wrote {path}" for path in (output, *written, page) if path)]))
+
+
+def write_page(result: Any, path: Path | None, title: str = "") -> None:
+    """Write the page of a result to `path`, where one is given; `title` replaces the page's own."""
+    if path:
+        from upright.report import report
+
+        report(result, path, title=title)
 
 
 def check_folder(path: Path) -> None:

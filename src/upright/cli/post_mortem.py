@@ -46,8 +46,4 @@ def post_mortem(
     check_targets(output, report, logs=[log])
     with progress("examining the last seconds") as show:
         result = examine(log, robot, kit, controller, mapping=mapping, progress=show)
-    if report:
-        from upright.report import report as write_report
-
-        write_report(result, report)
-    finish(result, as_json, output=output, written=(report,))
+    finish(result, as_json, output=output, page=report)

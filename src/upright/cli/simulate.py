@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from upright.cli import options
-from upright.cli.output import check_targets, finish, progress
+from upright.cli.output import check_targets, finish, progress, write_page
 from upright.errors import InvalidController
 from upright.interrupts import patience
 from upright.reading import read_json, understood
@@ -87,11 +87,9 @@ def _show(log: Log, *, body: str, robot: str, written: Path | None, report: Path
     """Prints the outcome and the metrics of a run, and writes its page."""
     from upright.comparison import compare
     from upright.experiment import outcome_of
-    from upright.report import report as write_report
 
     numbers, outcome = compare({body: log}), outcome_of(log)
-    if report:
-        write_report(numbers, report, title=f"{robot}: {outcome}")
+    write_page(numbers, report, f"{robot}: {outcome}")
     if not as_json:
         typer.echo(f"{outcome}\n")
     facts: dict[str, Any] = {"outcome": outcome.to_json(), "origin": log.origin}
