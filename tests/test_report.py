@@ -231,6 +231,16 @@ def test_colours_are_the_pages_own_and_letters_stay_text():
     assert "pitch ψ [rad]" in [text.text for text in ElementTree.fromstring(svg).iter(f"{SVG}text")]
 
 
+def test_a_number_on_a_page_is_the_number_of_the_drawing():
+    drawing, (ax,) = panels(["y [m]"])
+    ax.set(ylim=(0, 0.0155), ylabel="0.12345 m")
+    drawing.draw_without_rendering()
+    named = {text.get_text() for text in ax.get_yticklabels() if 0 <= text.get_position()[1] <= 0.0155}
+    letters = {text.text for text in ElementTree.fromstring(Figure("t", drawing).svg()).iter(f"{SVG}text")}
+    assert {"0.12345 m", *named} <= letters
+    assert "0.005" in letters
+
+
 def test_decimation_keeps_extremes_and_ends_and_bounds_the_count():
     rng = np.random.default_rng(3)
     t, y = np.linspace(0, 1, 100_000), rng.normal(size=100_000)
