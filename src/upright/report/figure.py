@@ -117,7 +117,7 @@ def _themed(body: str, mark: str) -> str:
     body = re.sub(r"<defs>\s*<style.*?</style>\s*</defs>", "", body, count=1, flags=re.DOTALL)
     for colour, variable in _VARIABLES.items():
         body = body.replace(colour, variable)
-    body = re.sub(r"(\d+\.\d{2})\d+", r"\1", body)
+    body = re.sub(r"<[^>]*>", lambda tag: re.sub(r"(\d+\.\d{2})\d+", r"\1", tag[0]), body)  # but not its letters
     body = re.sub(r"font: ([\d.]+)px [^;\"]*", r"font-size: \1px", body)
     body = body.replace("xlink:href", "href")
     used = set(re.findall(r"[\"(]#([^\")]+)", body))
