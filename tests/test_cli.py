@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import math
 import os
 import re
 import shlex
+import statistics
 import subprocess
 import sys
 from pathlib import Path
@@ -20,10 +22,12 @@ from upright.cli import main as cli
 from upright.cli.help import EXAMPLES
 from upright.cli.main import BUG, USER_ERROR, app, main
 from upright.cli.options import complete_controller, complete_kit, complete_robot
+from upright.cli.output import print_text
 from upright.control import CONTROLLERS
 from upright.errors import InvalidLog
 from upright.robots import PARAMETERS, Robot, kit_names
 
+SOURCES = Path(cli.__file__).parents[1]
 TIME = "t,truth/pitch,truth/pitch_rate,truth/wheel,truth/wheel_rate,truth/yaw,truth/yaw_rate\n"
 ROW = ",0,0,0,0,0,0\n"
 
@@ -380,3 +384,88 @@ def test_the_examples_of_the_help_are_calls_that_the_command_takes(line):
     name, *arguments = shlex.split(line)[1:]
     assert len(line) + 4 <= 80  # a terminal's width, indented as help is
     get_command(app).commands[name].make_context(name, arguments)  # raises where an option or an argument is wrong
+
+
+def sentences(text: str) -> list[list[str]]:
+    """The words of each sentence."""
+    parts = re.split(r"(?<=[.;:!?])\s+", text)
+    return [words for part in parts if (words := [word for word in part.split() if re.search(r"\w", word)])]
+
+
+def test_help_is_in_short_sentences() -> None:
+    """Half of them of at most 14 words, none of more than 25."""
+    commands = get_command(app).commands.values()  # type: ignore[attr-defined]
+    texts = [text for command in commands for text in (command.help, *(option.help for option in command.params))]
+    lengths = [len(words) for text in texts for words in sentences(text or "")]
+    assert statistics.median(lengths) <= 14
+    assert max(lengths) <= 25
+
+
+def test_errors_are_short_sentences() -> None:
+    """What stands in every `raise` of the sources."""
+    lengths: list[int] = []
+    for file in SOURCES.rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call):
+                values = [*node.exc.args, *(keyword.value for keyword in node.exc.keywords)]
+                lengths += [len(words) for value in values for words in sentences(literal(value))]
+    assert statistics.median(lengths) <= 14
+    assert max(lengths) <= 25
+
+
+def literal(node: ast.expr) -> str:
+    """The text of a string, with X for what is put in."""
+    if isinstance(node, ast.JoinedStr):
+        return "".join(str(part.value) if isinstance(part, ast.Constant) else "X" for part in node.values)
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else ""
+
+
+FILES_OF_THEIR_OWN = {"reproduce", "firmware", "fly", "monitor", "lab", "robots"}
+"""A folder with its page, a program, a log, nothing."""
+
+
+def test_every_command_with_a_result_writes_it_and_its_page() -> None:
+    commands = get_command(app).commands  # type: ignore[attr-defined]
+    flags = {name: {flag for option in command.params for flag in option.opts} for name, command in commands.items()}
+    lacking = [name for name, known in flags.items() if not {"-o", "--report"} <= known]
+    assert set(lacking) == FILES_OF_THEIR_OWN
+
+
+@pytest.mark.parametrize(
+    ("command", "option", "value"),
+    [("linearise", "model", "published"), ("push-map", "direction", "backward"), ("parity", "body", "twin"),
+     ("parity", "robot", "ev3way"), ("fly", "kit", "nxt"), ("calibrate", "known", "body_mass"),
+     ("firmware", "target", "nxc"), ("simulate", "controller", "lqg")],
+)  # fmt: skip
+def test_the_shell_completes_values(command: str, option: str, value: str) -> None:
+    asked = get_command(app).commands[command]  # type: ignore[attr-defined]
+    (parameter,) = [p for p in asked.params if p.name == option]
+    context = asked.make_context(command, [], resilient_parsing=True)
+    assert value in [item.value for item in parameter.shell_complete(context, value[:2])]
+
+
+@pytest.mark.parametrize(("no_color", "coloured"), [("", True), ("1", False)])
+def test_a_light_has_its_colour_on_a_terminal(no_color: str, coloured: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NO_COLOR", no_color)
+    monkeypatch.setenv("COLUMNS", "40")
+    master, slave = os.openpty()
+    with os.fdopen(slave, "w", encoding="utf-8") as screen, monkeypatch.context() as here:
+        here.setattr(sys, "stdout", screen)
+        print_text(f"GREEN: lqg\n  {'word ' * 20}\nname  mass\n{'a  1  ' * 20}")
+    lines = os.read(master, 10_000).decode().splitlines()
+    os.close(master)
+    assert lines[0].startswith("\x1b[32m" if coloured else "GREEN: lqg")
+    assert max(map(len, lines[1:-2])) <= 40
+    assert len(lines[-1]) > 100  # a row of a table stays one line
+
+
+def test_a_light_has_no_colour_in_a_file(capsys: pytest.CaptureFixture[str]) -> None:
+    print_text(f"GREEN: {'word ' * 40}")
+    assert capsys.readouterr().out == f"GREEN: {'word ' * 40}\n"
+
+
+def test_a_run_that_nothing_disturbs_says_so(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["simulate", "-s", "0.1"]) == 0
+    assert capsys.readouterr().out.startswith("nothing disturbs the robot; try: --push ")
+    assert main(["simulate", "-s", "0.1", "--push", "impulse:0.1"]) == 0
+    assert "nothing disturbs" not in capsys.readouterr().out

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import re
+import shutil
+import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -21,6 +24,8 @@ from upright.signals import STATE_NAMES, Log
 
 pytestmark = [pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow]
 
+LAB = Path(__file__).parents[1] / "src" / "upright" / "lab" / "web"
+KINDS = ("comparison", "design", "fleet", "basin", "bench")
 WIDTHS = (1280, 390)  # [px] a laptop's window, a phone
 
 
@@ -66,8 +71,65 @@ def browser() -> Iterator[Any]:
         browser.close()
 
 
+@pytest.fixture(scope="module")
+def axe(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """axe-core, as the lock of the lab's page pins it."""
+    if (LAB / "node_modules/axe-core").is_dir():
+        return LAB / "node_modules/axe-core/axe.min.js"
+    folder, name = tmp_path_factory.mktemp("axe"), "node_modules/axe-core"
+    entry = json.loads((LAB / "package-lock.json").read_text())["packages"][name]
+    asked = {"name": "axe", "dependencies": {"axe-core": entry["version"]}}
+    (folder / "package.json").write_text(json.dumps(asked))
+    lock = {"name": "axe", "lockfileVersion": 3, "packages": {"": asked, name: {**entry, "dev": False}}}
+    (folder / "package-lock.json").write_text(json.dumps(lock))
+    npm = shutil.which("npm") or "npm"
+    subprocess.run([npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=folder, check=True, timeout=300)
+    return folder / name / "axe.min.js"
+
+
+@pytest.mark.needs("npm")
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_core_finds_nothing_serious(pages: dict[str, Path], browser: Any, axe: Path, scheme: str) -> None:
+    """Neither on a light screen nor on a dark one, where it also measures the contrast of all letters."""
+    page = browser.new_page(color_scheme=scheme)
+    found: list[str] = []
+    for name in KINDS:
+        page.goto(pages[name].as_uri())
+        page.evaluate("document.querySelectorAll('details').forEach((item) => { item.open = true })")
+        page.add_script_tag(path=str(axe))
+        for wrong in page.evaluate("axe.run().then((result) => result.violations)"):
+            if wrong["impact"] in ("serious", "critical"):
+                found += [f"{name}: {wrong['id']}: {node['html'][:200]}" for node in wrong["nodes"]]
+    page.close()
+    assert not found
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_lines_and_letters_of_a_drawing_differ_from_the_paper(
+    pages: dict[str, Path], browser: Any, scheme: str
+) -> None:
+    """Letters by 4.5:1 and lines by 3:1, as WCAG 2.2 asks (1.4.3, 1.4.11), by its formula of contrast."""
+    page = browser.new_page(color_scheme=scheme)
+    page.goto(pages["comparison"].as_uri())
+
+    def luminance(variable: str) -> float:
+        text = page.evaluate(f"getComputedStyle(document.documentElement).getPropertyValue('--{variable}').trim()")
+        parts = [int(text[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+        linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in parts]
+        return float(np.dot(linear, (0.2126, 0.7152, 0.0722)))
+
+    def contrast(one: str, other: str) -> float:
+        low, high = sorted((luminance(one), luminance(other)))
+        return (high + 0.05) / (low + 0.05)
+
+    least = {"soft": 4.5, "ink": 4.5, **dict.fromkeys(("axis", "c0", "c1", "c2", "c3", "c4", "c5"), 3.0)}
+    weak = {name: contrast(name, "paper") for name, bar in least.items() if contrast(name, "paper") < bar}
+    page.close()
+    assert not weak
+
+
 @pytest.mark.parametrize("width", WIDTHS)
-@pytest.mark.parametrize("name", ["comparison", "design", "fleet", "basin", "bench"])
+@pytest.mark.parametrize("name", KINDS)
 def test_nothing_is_wider_than_the_screen(pages: dict[str, Path], browser: Any, name: str, width: int) -> None:
     page = browser.new_page(viewport={"width": width, "height": 900})
     page.goto(pages[name].as_uri())
@@ -78,7 +140,7 @@ def test_nothing_is_wider_than_the_screen(pages: dict[str, Path], browser: Any, 
     page.close()
 
 
-@pytest.mark.parametrize("name", ["comparison", "design", "fleet", "basin", "bench"])
+@pytest.mark.parametrize("name", KINDS)
 def test_the_first_screen_has_the_picture_and_no_axis_is_a_logarithm(
     pages: dict[str, Path], browser: Any, name: str
 ) -> None:
@@ -106,3 +168,14 @@ def test_a_pointer_over_a_figure_reads_its_lines(pages: dict[str, Path], browser
     assert float(time) == pytest.approx(0.5, abs=0.02)
     assert [float(value) for value in values] == pytest.approx([0.1] * 3, abs=0.002)
     page.close()
+
+
+def test_captions_are_short_sentences(pages: dict[str, Path]) -> None:
+    """Half of them of at most 14 words, none of more than 25."""
+    lengths: list[int] = []
+    for path in pages.values():
+        for text in re.findall(r"<(?:p|figcaption)\b[^>]*>(.*?)</(?:p|figcaption)>", path.read_text(), re.DOTALL):
+            plain = re.sub(r"<[^>]+>", "", text)
+            lengths += [len(re.findall(r"\S*\w\S*", part)) for part in re.split(r"(?<=[.;:!?])\s+", plain)]
+    assert np.median(lengths) <= 14
+    assert max(lengths) <= 25

@@ -17,6 +17,8 @@ from xarray import Dataset
 
 from upright.comparison import compare
 from upright.errors import InvalidLog, UnknownName, UprightError
+from upright.fleet.binomial import clopper_pearson
+from upright.fleet.tally import Cases, CaseSummary, Moments
 from upright.plotting import COLOURS, decimate, legend, line, number, numbered, panels, plane, points, span
 from upright.report import PAGES, Figure, Formula, Page, Section, Table, Verdict, page_of, report
 from upright.report.page import cell_text
@@ -134,7 +136,7 @@ def test_every_drawing_is_xml_with_a_title_a_description_and_units_on_both_axes(
 def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(comparison):
     html = page_of(comparison).html()
     assert sum(root.get("role") == "img" for root in drawings(html)) == len(STATE_NAMES) + 1
-    assert "Pitch settles to 2 %: twin in" in html
+    assert "After the push, pitch settles to 5 % in: twin " in html
     assert ">robot<" not in html
     assert "not results of a real robot" in html  # the note on twins
 
@@ -146,7 +148,7 @@ def test_the_same_page_is_the_same_bytes(comparison, tmp_path):
 
 
 def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(comparison, tmp_path):
-    assert "<title>Runs compared</title>" in page_of(comparison).html()
+    assert "<title>twin, linear, nonlinear compared</title>" in page_of(comparison).html()
     assert "<title>Two &amp; one</title>" in report(comparison, tmp_path / "a.html", title="Two & one").read_text()
     with pytest.raises(UprightError, match="float has no page; expected a result: Comparison, Calibration") as error:
         report(1.0, tmp_path / "b.html")
@@ -315,6 +317,31 @@ def test_the_unit_circle_is_round_and_poles_stand_where_they_are():
     centre, east, north = (ax.transData.transform(p) for p in ((0, 0), (1, 0), (0, 1)))
     assert east[0] - centre[0] == pytest.approx(north[1] - centre[1], rel=1e-6)
     assert [(line.get_xdata()[0], line.get_ydata()[0]) for line in ax.lines] == [(1, 0), (0, 1)]
+
+
+def test_a_state_without_motion_is_a_sentence_and_no_figure_of_rounding():
+    still = run()
+    quiet = Log(still.t, {**still.channels, "truth/yaw": 1e-17 * np.sin(still.t)}, origin=still.origin)
+    html = page_of(compare({"a": quiet, "b": quiet})).html()
+    assert "No motion of yaw." in html
+    assert ">yaw [rad]<" not in html
+
+
+def test_a_campaign_is_ranked_by_falls_and_what_nobody_survived_has_a_dash():
+    stood = {"effort": Moments().with_values(np.array([2.0, 4.0]))}
+    cases = Cases((
+        CaseSummary({"robot": "a"}, 100, 0, clopper_pearson(0, 100), stood),
+        CaseSummary({"robot": "b"}, 100, 100, clopper_pearson(100, 100), {"effort": Moments()}),
+    ))  # fmt: skip
+    (ax,) = cases.plot().axes
+    assert [label.get_text() for label in ax.get_yticklabels()] == ["b", "a"]
+    html = page_of(cases).html()
+    assert "Most falls: b, 100 % of the robots" in html
+    assert "96 to 100 %" in html  # 1 − 0.025^(1/100) = 3.6 % below
+    rows = [re.findall(r"<td[^>]*>([^<]*)</td>", row) for row in html.split("<tr>")]
+    assert ["a", "100", "0", "3"] in rows
+    assert ["b", "100", "100", "–"] in rows
+    assert str(cases).splitlines()[-1].endswith("–")
 
 
 def test_a_run_that_dwarfs_the_reference_is_cut_and_named():
