@@ -64,6 +64,19 @@ class Shown:
         return table.html(type(self).__name__) if table else f"<pre>{escape(str(self))}</pre>"
 
 
+def wrapped(text: str, width: int) -> str:
+    """`text` with its longer lines wrapped at `width`, indented as they begin; rows of tables stay whole."""
+    return "\n".join(_wrapped_line(line, width) for line in text.split("\n"))
+
+
+def _wrapped_line(line: str, width: int) -> str:
+    plain = line.strip()
+    if _length(line) <= width or "  " in plain:
+        return line
+    indent = " " * (len(line) - len(line.lstrip()))
+    return textwrap.fill(plain, max(width, 40), initial_indent=indent, subsequent_indent=f"{indent}  ")
+
+
 def sentence(text: str, end: str = ".") -> str:
     """`text` with its first letter upper, and with an `end`."""
     return f"{text[:1].upper()}{text[1:]}{end}"

@@ -7,7 +7,15 @@ from typing import Annotated, Any
 
 import typer
 
-from upright.cli.options import ROBOT_HELP, JsonOption, LogArgument, MappingOption, OutputOption, complete_robot
+from upright.cli.options import (
+    ROBOT_HELP,
+    JsonOption,
+    LogArgument,
+    MappingOption,
+    OutputOption,
+    ReportOption,
+    complete_robot,
+)
 from upright.cli.output import check_targets, finish, progress
 
 
@@ -26,6 +34,7 @@ def doctor(
         Path | None, typer.Option(help="Write the mapping as TOML, or a draft of one, for editing.")
     ] = None,
     output: OutputOption = None,
+    report: ReportOption = None,
     as_json: JsonOption = False,
 ) -> None:
     """Find faults of a log: units, signs, delays, bias, …
@@ -43,7 +52,7 @@ def doctor(
     from upright.logs.mapping import propose
     from upright.logs.readers import read_table
 
-    check_targets(fix, write_mapping, output, logs=[log])
+    check_targets(fix, write_mapping, output, report, logs=[log])
     if write_mapping and not mapping:
         table = read_table(log)
         try:
@@ -58,4 +67,4 @@ def doctor(
     if write_mapping:
         write_text(write_mapping, diagnosis.mapping.to_toml())
     facts: dict[str, Any] = {"repaired": str(repaired)} if repaired else {}
-    finish(diagnosis, as_json, output=output, written=(repaired, write_mapping), **facts)
+    finish(diagnosis, as_json, output=output, page=report, written=(repaired, write_mapping), **facts)

@@ -12,14 +12,24 @@ import typer
 
 from upright.cli import options
 from upright.cli.fleet_options import Asked, asked_alike
-from upright.cli.options import DriveOption, JsonOption, PushOption, SamplesOption, StartOption, TurnOption
-from upright.cli.output import print_json, print_table, progress, write_page
+from upright.cli.options import (
+    DriveOption,
+    JsonOption,
+    PushOption,
+    ReportOption,
+    SamplesOption,
+    StartOption,
+    TurnOption,
+)
+from upright.cli.output import check_targets, finish, print_json, print_text, progress, write_page
 from upright.errors import InvalidScenario
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
-    from upright.fleet.campaign import CaseSummary
+
+WAYS = {"forward": (1,), "backward": (-1,), "both": (1, -1)}
+"""Direction of a push → its signs."""
 
 
 @asked_alike
@@ -51,7 +61,9 @@ def fleet(
 def push_map(
     *,
     asked: Asked,
-    direction: Annotated[str, typer.Option(help="Direction: forward, backward or both.")] = "both",
+    direction: Annotated[
+        str, typer.Option(help="Direction: forward, backward or both.", autocompletion=options.completed(lambda: WAYS))
+    ] = "both",
     heights: Annotated[
         str | None, typer.Option(metavar="LOW..HIGH", help="Height above the axle [m] (default: up to the body's).")
     ] = None,
@@ -73,16 +85,15 @@ def push_map(
     from upright.fleet.push_map import push_map as search
 
     asked.check()
-    directions = {"forward": (1,), "backward": (-1,), "both": (1, -1)}
-    if direction not in directions:
-        raise InvalidScenario(f"--direction {direction}", expected=" or ".join(directions))
+    if direction not in WAYS:
+        raise InvalidScenario(f"--direction {direction}", expected=" or ".join(WAYS))
     ensemble = asked.ensemble(vary=() if asked.posterior else ("spread",))
     ranges = [
         _range(heights or f"0..{ensemble.family.robot.body_height}", "--heights"),
         _range(durations, "--durations"),
     ]
     grid = PushGrid(
-        directions=directions[direction],
+        directions=WAYS[direction],
         heights=np.linspace(*ranges[0], points),
         durations=np.linspace(*ranges[1], points),
     )
@@ -141,6 +152,7 @@ def sweep(
             "--workers", min=0, max=1024, help="Processes on this machine (default: one per processor); 0: none."
         ),
     ] = None,
+    report: ReportOption = None,
     as_json: JsonOption = False,
 ) -> None:
     """Run a campaign of robots, controllers and scenarios.
@@ -150,15 +162,12 @@ def sweep(
     from upright.fleet.campaign import run_campaign
     from upright.fleet.sweep import read_campaign
 
+    check_targets(report)
     campaign = read_campaign(spec)
     place = output or spec.with_suffix("")
     with _countdown() as tell:
         cases = run_campaign(campaign, place, workers=workers, cluster=cluster, progress=tell)
-    if as_json:
-        print_json({"folder": str(place), "cases": [_case_json(case) for case in cases]})
-        return
-    _print_cases(cases)
-    typer.echo(f"\nwrote {place}")
+    finish(cases, as_json, page=report, written=(place,), folder=str(place))
 
 
 def _state(text: str) -> tuple[float, ...]:
@@ -190,10 +199,7 @@ def _show(data: Dataset, text: str, numbers: Any, asked: Asked) -> None:
         written = {"output": str(output) if output else None, "report": str(report) if report else None}
         print_json({"result": numbers, "origin": origin_of(data), **written})
         return
-    typer.echo(text)
-    for path in (output, report):
-        if path:
-            typer.echo(f"wrote {path}")
+    print_text("\n".join([text, *(f"wrote {path}" for path in (output, report) if path)]))
 
 
 def _push_map_summary(data: Dataset) -> tuple[str, dict[str, Any]]:
@@ -232,28 +238,3 @@ def _countdown() -> Generator[Callable[[int, int, float], None]]:
             typer.echo(f"{done} of {total} chunks" + (f", {left:.0f} s left" if left > 0 else ""), err=True)
 
     yield tell
-
-
-def _print_cases(cases: tuple[CaseSummary, ...]) -> None:
-    names = list(dict.fromkeys(name for case in cases for name in case.labels))
-    outcomes = [name for name in ("peak_pitch", "settling", "effort") if any(name in c.outcomes for c in cases)]
-    rows: list[list[str]] = []
-    for case in cases:
-        chance = case.chance
-        fell = f"{case.fell} ({chance.low:.2g} … {chance.high:.2g})" if chance else "–"
-        labels = [_short(case.labels.get(name, "")) for name in names]
-        rows.append([*labels, str(case.n), fell, *(_short(case.outcomes[o].mean) for o in outcomes)])
-    print_table([*names, "robots", "fell (95 %)", *outcomes], rows, ["robots", "fell (95 %)", *outcomes])
-
-
-def _short(value: Any) -> str:
-    return value if isinstance(value, str) else f"{value:.4g}"
-
-
-def _case_json(case: CaseSummary) -> dict[str, Any]:
-    outcomes = {
-        name: {"mean": m.mean, "deviation": m.deviation if m.n > 1 else None, "least": m.least, "most": m.most}
-        for name, m in case.outcomes.items() if m.n
-    }  # fmt: skip
-    chance = case.chance._asdict() if case.chance else None
-    return {"labels": dict(case.labels), "n": case.n, "fell": case.fell, "chance": chance, "outcomes": outcomes}

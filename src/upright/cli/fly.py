@@ -25,10 +25,19 @@ def fly(
     *,
     robot: Annotated[
         str | None,
-        typer.Option("--robot", "-r", help="Robot (name, TOML file) or brick (nxt, spike, ev3) it must be made for."),
+        typer.Option(
+            "--robot",
+            "-r",
+            help="Robot (name, TOML file) or brick (nxt, spike, ev3) it must be made for.",
+            autocompletion=options.complete_robot,
+        ),
     ] = None,
     kit: Annotated[
-        str | None, typer.Option(help="Kit it must be made for: a name or a TOML file (default: the program's).")
+        str | None,
+        typer.Option(
+            help="Kit it must be made for: a name or a TOML file (default: the program's).",
+            autocompletion=options.complete_kit,
+        ),
     ] = None,
     port: Annotated[
         str,

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.options import JsonOption, RobotOption, vector
+from upright.cli.options import JsonOption, ReportOption, RobotOption, complete_model, vector
 from upright.cli.output import check_targets, finish
 from upright.errors import UnknownName
 
@@ -25,8 +25,12 @@ def linearise(
         str, typer.Option(help="Operating point, such as wheel_rate=4,left=1,right=1; the others are zero.")
     ] = "",
     period: Annotated[float | None, typer.Option(help="Period [s] of a discrete model with held commands.")] = None,
-    model: Annotated[str, typer.Option(help="Equations: complete (rolling without slip) or published.")] = "complete",
+    model: Annotated[
+        str,
+        typer.Option(help="Equations: complete (rolling without slip) or published.", autocompletion=complete_model),
+    ] = "complete",
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the model as JSON.")] = None,
+    report: ReportOption = None,
     as_json: JsonOption = False,
 ) -> None:
     """Linearise a robot: A, B and poles.
@@ -39,7 +43,7 @@ def linearise(
     from upright.robots import find_robot
     from upright.signals import STATE_NAMES
 
-    check_targets(output)
+    check_targets(output, report)
     if model not in MODELS:
         raise UnknownName("model", model, MODELS)
     point = vector(at, [*STATE_NAMES, *INPUTS], "--at")
@@ -47,7 +51,7 @@ def linearise(
     rates = zip(linear.states, linear.f0.tolist(), strict=True)
     drift = {name: rate for name, rate in rates if abs(rate) > DRIFT and name not in STEADY}
     linear = linear if period is None else linear.c2d(period)
-    finish(linear, as_json, output=output)
+    finish(linear, as_json, output=output, page=report)
     if drift and not as_json:
         rates = ", ".join(f"{name} {rate:+.4g}" for name, rate in drift.items())
         typer.echo(f"\nnot an equilibrium: the state drifts, per second: {rates}")

@@ -72,6 +72,20 @@ def _hubs() -> Iterable[str]:
     return GYROS
 
 
+def _parameters() -> Iterable[str]:
+    from upright.robots import PARAMETERS
+
+    return PARAMETERS
+
+
+def _models() -> Iterable[str]:
+    from upright.physics.dynamics import MODELS
+
+    return MODELS
+
+
+complete_parameter = completed(_parameters)
+complete_model = completed(_models)
 complete_robot = completed(_robots, ".toml")
 complete_kit = completed(_kits, ".toml")
 complete_mapping = completed(_mappings, ".toml")
@@ -90,6 +104,15 @@ LogRobotOption = Annotated[
 ]
 KitOption = Annotated[
     str | None, typer.Option("--kit", help=f"{KIT_HELP} (default: the robot's).", autocompletion=complete_kit)
+]
+ProgramRobotOption = Annotated[
+    str | None,
+    typer.Option("--robot", "-r", help="Robot by name or TOML file (default: the program's).",
+                 autocompletion=complete_robot),
+]  # fmt: skip
+ProgramKitOption = Annotated[
+    str | None,
+    typer.Option(help="Kit by name or TOML file (default: the program's).", autocompletion=complete_kit),
 ]
 IdealKitOption = Annotated[
     str | None,
@@ -114,8 +137,10 @@ PeriodOption = Annotated[float | None, typer.Option(help="Period of the controll
 AfterOption = Annotated[float | None, typer.Option("--start", help="Ignore the log before this time [s].")]
 BeforeOption = Annotated[float | None, typer.Option("--until", help="Ignore the log from this time on [s].")]
 KnownOption = Annotated[
-    list[str] | None, typer.Option(metavar="NAME", help="Parameter taken as exact, such as body_mass; repeatable.")
-]
+    list[str] | None,
+    typer.Option(metavar="NAME", help="Parameter taken as exact, such as body_mass; repeatable.",
+                 autocompletion=complete_parameter),
+]  # fmt: skip
 HeldOutOption = Annotated[float, typer.Option(help="Last fraction of each log, kept for validation.")]
 SamplesOption = Annotated[int, typer.Option("--samples", "-n", min=1, max=MOST_ROBOTS, help="Number of robots drawn.")]
 SeedOption = Annotated[int, typer.Option("--seed", min=0, max=MOST_SEED, help="Seed of all random draws and noise.")]

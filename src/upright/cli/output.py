@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import sys
 from collections.abc import Callable, Collection, Generator, Iterable, Sequence
@@ -13,7 +14,7 @@ import typer
 
 from upright.atomic import json_text, place_of, write_json
 from upright.errors import UprightError
-from upright.tables import Listing
+from upright.tables import Listing, wrapped
 
 
 class Result(Protocol):
@@ -46,7 +47,20 @@ def finish(
     if as_json:
         print_json(data)
         return
-    typer.echo("\n".join([str(result), *(f"wrote {path}" for path in (output, *written, page) if path)]))
+    print_text("\n".join([str(result), *(f"wrote {path}" for path in (output, *written, page) if path)]))
+
+
+LIGHTS = {"GREEN": "green", "AMBER": "yellow", "RED": "red"}
+
+
+def print_text(text: str) -> None:
+    """Print text; on a terminal its long lines are wrapped, and a light at its head has its colour."""
+    if sys.stdout.isatty():
+        text = wrapped(text, shutil.get_terminal_size().columns)
+        head, colon, rest = text.partition(":")
+        if head in LIGHTS and not os.environ.get("NO_COLOR"):
+            text = f"{typer.style(head, fg=LIGHTS[head], bold=True)}{colon}{rest}"
+    typer.echo(text)
 
 
 def write_page(result: Any, path: Path | None, title: str = "") -> None:

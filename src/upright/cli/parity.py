@@ -7,8 +7,15 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.options import JsonOption
-from upright.cli.output import finish, progress
+from upright.cli.options import (
+    JsonOption,
+    OutputOption,
+    ProgramKitOption,
+    ProgramRobotOption,
+    ReportOption,
+    complete_body,
+)
+from upright.cli.output import check_targets, finish, progress
 
 NOT_EQUAL = 3
 """Exit code of a program that does not do what was designed."""
@@ -18,14 +25,17 @@ def parity(
     program: Annotated[Path, typer.Argument(help="A program by upright firmware: .py, .c, .ino or .nxc.")],
     controller: Annotated[str, typer.Argument(help="The controller.json of its design.")],
     *,
-    robot: Annotated[
-        str | None, typer.Option("--robot", "-r", help="Robot by name or TOML file (default: the program's).")
-    ] = None,
-    kit: Annotated[str | None, typer.Option(help="Kit by name or TOML file (default: the program's).")] = None,
+    robot: ProgramRobotOption = None,
+    kit: ProgramKitOption = None,
     chip: Annotated[
         str, typer.Option(help="For c: host, arm7 or avr; for pybricks: micropython or mpy (default: the first).")
     ] = "",
-    body: Annotated[str, typer.Option("--body", "-b", help="Body it drives: twin (MuJoCo) or nonlinear.")] = "twin",
+    body: Annotated[
+        str,
+        typer.Option("--body", "-b", help="Body it drives: twin (MuJoCo) or nonlinear.", autocompletion=complete_body),
+    ] = "twin",
+    output: OutputOption = None,
+    report: ReportOption = None,
     as_json: JsonOption = False,
 ) -> None:
     """Execute a program and compare it with its design.
@@ -35,8 +45,9 @@ def parity(
     """
     from upright.parity import parity as run_parity
 
+    check_targets(output, report)
     with progress("running") as show:
         result = run_parity(program, controller, robot=robot, kit=kit, chip=chip, body=body, progress=show)
-    finish(result, as_json)
+    finish(result, as_json, output=output, page=report)
     if not result.passed:
         raise typer.Exit(NOT_EQUAL)

@@ -80,6 +80,8 @@ def simulate(
     with patience(), closing(plant), progress("simulating") as show:  # hardware is stopped however this ends
         log = run(plant, design, pushes, reference=references, seconds=length, seed=seed, start=first, progress=show)
     written = log.save(output) if output else None
+    if not as_json and not (pushes or references or any(first) or excite):
+        typer.echo("nothing disturbs the robot; try: --push hold:0.1,until=1")
     _show(log, body=body, robot=chosen.name, written=written, report=report, as_json=as_json)
 
 
