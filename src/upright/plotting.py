@@ -30,7 +30,7 @@ Array = NDArray[np.float64]
 P = ParamSpec("P")
 T = TypeVar("T")
 
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#b8609a", "#1d2126", "#c98a00")
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#b8609a", "#1d2126", "#b87e00")
 DASHES: tuple[Any, ...] = (
     "-", (0, (8, 3)), (0, (2, 2.5)), (0, (9, 3, 2, 3)), (0, (4, 3)), (0, (14, 4)), (0, (9, 3, 2, 3, 2, 3)),
 )  # fmt: skip
@@ -139,7 +139,7 @@ def plane(x_label: str, y_label: str, *, circle: bool = False) -> tuple[Figure, 
 
 
 @styled
-def points(ax: Axes, name: str, values: Sequence[complex], style: int | None = None) -> None:
+def points(ax: Axes, name: str, values: Sequence[complex], style: int | None = None, size: float = 7.0) -> None:
     """Complex numbers under one name, such as the poles of a closed loop; what is not finite is left out."""
     names = _names(ax)
     place = len(names) if style is None else style
@@ -147,7 +147,7 @@ def points(ax: Axes, name: str, values: Sequence[complex], style: int | None = N
     z = z[np.isfinite(z)]
     ax.plot(
         z.real, z.imag, label=name, linestyle="", marker=MARKERS[place % len(MARKERS)], fillstyle="none",
-        markersize=7, color=COLOURS[place % len(COLOURS)],
+        markersize=size, color=COLOURS[place % len(COLOURS)],
     )  # fmt: skip
 
 
@@ -185,7 +185,7 @@ def bars(names: Sequence[str], values: ArrayLike, x_label: str, y_label: str) ->
     for row, value in enumerate(lengths.tolist()):
         text = number(value, 3) if np.isfinite(value) else "–"
         ax.annotate(text, (value if np.isfinite(value) else 0.0, row), (4, 0), textcoords="offset points", va="center")
-    ax.set_xlim(0, 1.12 * max(float(np.nanmax(lengths, initial=0.0)), 1e-12))
+    ax.set_xlim(0, 1.12 * (float(np.nanmax(lengths, initial=0.0)) or 1.0))
     numbered(ax.xaxis)
     return figure
 

@@ -122,7 +122,7 @@ class Analysis(Shown):
 
         figure, ax = plane("real part [1]", "imaginary part [1]", circle=True)
         if self.drawn.size:
-            points(ax, "robots drawn from the spreads", self.drawn.ravel().tolist(), style=1)
+            points(ax, "robots drawn from the spreads", self.drawn.ravel().tolist(), style=1, size=2.5)
         points(ax, "nominal robot", self.poles.tolist(), style=0)
         return legend(figure)
 

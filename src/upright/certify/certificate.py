@@ -168,7 +168,7 @@ class Certificate(Shown):
 
     def __str__(self) -> str:
         head = f"{self.light.upper()}: {self.controller} on {self.robot} with kit {self.kit}"
-        columns = f"{'push':<20}{'battery':>8}{'fell':>12}{'saturated':>11}{'travel':>10}{'peak':>11}{'sway':>11}"
+        columns = f"{'push':<18}{'battery':>8}{'fell':>11}{'saturated':>10}{'travel':>9}{'peak':>11}{'sway':>11}"
         sweeps = [_sweep("dead time +", self.delayed), _sweep("period ", self.slower)]
         lines = [head, *(f"  {reason}" for reason in self.reasons), "", columns, *(_row(t) for t in self.trials)]
         sweeps += ["the log: " + "; ".join(map(str, self.agreement))] if self.agreement else []
@@ -359,9 +359,9 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
 
 
 def _row(t: PushTrial) -> str:
-    numbers = f"{t.saturated:>11.0%}{t.travel:>8.2f} m{t.peak:>7.3f} rad{t.cycle:>7.3f} rad"
-    numbers = numbers if t.fell < t.runs else f"{'–':>11}{'–':>10}{'–':>11}{'–':>11}"
-    return f"{t.push:<20}{t.battery:>8}{f'{t.fell}/{t.runs}':>12}{numbers}"
+    numbers = f"{t.saturated:>10.0%}{t.travel:>7.2f} m{t.peak:>7.3f} rad{t.cycle:>7.3f} rad"
+    numbers = numbers if t.fell < t.runs else f"{'–':>10}{'–':>9}{'–':>11}{'–':>11}"
+    return f"{t.push:<18}{t.battery:>8}{f'{t.fell}/{t.runs}':>11}{numbers}"
 
 
 def _sweep(label: str, swept: Sequence[Swept]) -> str:

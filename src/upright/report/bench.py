@@ -14,7 +14,7 @@ def page_of(bench: Bench) -> Page:
     ranked = bench.ranked()
     held = [name for name in ranked if all(row.holds for row in bench.rows if row.controller == name)]
     best, largest = next(iter(ranked.items()), ("", math.nan))
-    verdict = Verdict(f"{len(held)} of {len(ranked)} hold it", "good" if held else "warn")
+    verdict = Verdict(f"{len(held)} of {len(ranked)} hold the robot", "good" if held else "warn")
     knocked = not math.isnan(largest)
     title = f"{best} survives the largest knock, {cell_text(largest, 3)} N s"
     numbers = [(f"{cell_text(size, 3)} N s", f"largest knock survived by {name}") for name, size in ranked.items()]
@@ -23,7 +23,7 @@ def page_of(bench: Bench) -> Page:
     if knocked:
         sections = [Section("Responses", [responses(bench)]), *sections]
     return Page(
-        f"Controllers of {bench.robot}", sections, "All controllers under the same pushes.", facts,
+        f"Controllers of {bench.robot} compared", sections, "All controllers under the same pushes.", facts,
         bench.body == "twin", verdict=verdict, picture=Figure(title, bench.plot()) if knocked else responses(bench),
         numbers=numbers[:3] if knocked else (),
     )  # fmt: skip
@@ -40,7 +40,7 @@ def tables(bench: Bench) -> list[Table]:
     """What each controller does under each push."""
     header = [
         "controller",
-        "",
+        "holds",
         "peak [rad]",
         "settles [s]",
         "travel [rad]",

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from upright.certify.certificate import GREEN, RED, Certificate, LinearMargins
 from upright.certify.checks import Swept
-from upright.plotting import line, panels
+from upright.plotting import line, number, panels
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
@@ -35,7 +35,7 @@ def page_of(certificate: Certificate) -> Page:
 
 
 def _numbers(c: Certificate) -> list[tuple[str, str]]:
-    numbers = [(f"{cell_text(100 * c.bound, 2)} %", "probability of a fall, at most (95 % confidence)")]
+    numbers = [(f"{number(100 * c.bound, 2)} %", "probability of a fall, at most (95 % confidence)")]
     if c.linear:
         numbers += [(f"{cell_text(c.linear.delay * 1e3, 3)} ms", "delay margin of both motors")]
     stood = [t.travel for t in c.trials if t.fell < t.runs]
@@ -47,9 +47,9 @@ def _numbers(c: Certificate) -> list[tuple[str, str]]:
 
 def _falls(c: Certificate) -> Figure:
     most = max(c.trials, key=lambda t: t.fell / t.runs)
-    title = "No robot fell in any trial"
+    title = f"No robot fell in {sum(t.runs for t in c.trials)} trials"
     if most.fell:
-        percent = cell_text(100 * most.fell / most.runs, 3)
+        percent = number(100 * most.fell / most.runs, 3)
         title = f"Most falls: {most.push}, {most.battery} battery, {percent} % of the robots"
     return Figure(title, c.plot())
 

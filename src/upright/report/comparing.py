@@ -7,9 +7,10 @@ import math
 import numpy as np
 
 from upright.comparison import Comparison
-from upright.comparison.comparison import METRICS
+from upright.comparison.comparison import METRICS, NEGLIGIBLE
 from upright.report.figure import Figure
-from upright.report.page import Cell, Page, Section, Table, cell_text
+from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
+from upright.tables import sentence
 
 DWARFED = 5.0
 """A trace that leaves the reference's range by more than this many times its width is cut at the frame."""
@@ -17,33 +18,63 @@ DWARFED = 5.0
 
 def page_of(comparison: Comparison) -> Page:
     """The comparison's page, not yet written."""
-    labels = ", ".join(comparison.logs)
     first = "pitch" if "pitch" in comparison.signals else comparison.signals[0]
-    rest = [name for name in comparison.signals if name != first]
+    still = [name for name in comparison.signals if _is_still(comparison, name)]
+    figures = [state_figure(comparison, name) for name in comparison.signals if name not in (first, *still)]
+    quiet = [sentence(f"no motion of {' or '.join(name.replace('_', ' ') for name in still)}")] if still else []
     sections = [
         Section("Numbers", [metrics_table(comparison), *fit_tables(comparison), _how(comparison)]),
-        Section("Other states", [state_figure(comparison, name) for name in rest]),
+        Section("Other states", [*figures, *quiet]),
     ]
     commands = comparison.plot_commands()
     sections += [Section("Commands", [Figure(_efforts(comparison), commands)])] if commands else []
     sections.append(Section("Origin of the runs", [_origin_table(comparison)], folded=True))
-    lead = f"The same experiment in {labels}."
+    labels = list(comparison.logs)
+    lead = f"The same experiment in {', '.join(labels)}." if comparison.fits else "One run: pitch over time."
     if comparison.fits:
         fits = (f"{label} {_percent(f[first])}" for label, f in comparison.fits.items() if first in f)
         lead += f" Fit of {first.replace('_', ' ')} to {comparison.reference}: {', '.join(fits)}."
     return Page(
-        "Runs compared", sections, lead, _provenance(comparison),
-        picture=state_figure(comparison, first), numbers=_numbers(comparison),
+        f"{', '.join(labels) if len(labels) < 4 else f'{len(labels)} runs'} compared", sections, lead,
+        _provenance(comparison), verdict=_verdict(comparison), picture=state_figure(comparison, first),
+        numbers=_numbers(comparison),
     )  # fmt: skip
 
 
+def _verdict(comparison: Comparison) -> Verdict | None:
+    """How many robots stood, where every log says so."""
+    fell = [m.fell for m in comparison.metrics.values()]
+    if any(f is None for f in fell):
+        return None
+    stood = fell.count(False)
+    text = ("stood" if stood else "fell") if len(fell) == 1 else f"{stood} of {len(fell)} stood"
+    return Verdict(text, "good" if stood == len(fell) else "warn")
+
+
+def _is_still(comparison: Comparison, name: str) -> bool:
+    """Whether no run moves in this state by more than what counts as noise."""
+    states = [log[f"{comparison.sources[label]}/{name}"] for label, log in comparison.logs.items()]
+    return name in NEGLIGIBLE and all(np.nanmax(y) - np.nanmin(y) <= NEGLIGIBLE[name] for y in states)
+
+
 def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
-    """Of the first three runs how long pitch takes to settle; a fall says so."""
+    """Of one run pitch and travel, of the first three runs how long pitch takes to settle; a fall says so."""
+    if len(comparison.logs) == 1:
+        (m,) = comparison.metrics.values()
+        return [
+            (f"{abs(m.pitch_peak):.3g} rad", "largest pitch"),
+            (_settles(m.settling_5), "until pitch stays within 5 %"),
+            (f"{m.wheel_travel:.3g} rad", "largest turn of the wheels"),
+        ]
     return [
-        ("fell" if m.fell else "never" if math.isnan(m.settling_5) else f"{m.settling_5:.3g} s",
+        ("fell" if m.fell else _settles(m.settling_5),
          label if m.fell else f"{label}: pitch settles to 5 %")
         for label, m in list(comparison.metrics.items())[:3]
     ]  # fmt: skip
+
+
+def _settles(seconds: float) -> str:
+    return "never" if math.isnan(seconds) else f"{seconds:.3g} s"
 
 
 def _how(comparison: Comparison) -> str:
@@ -88,9 +119,12 @@ def state_figure(comparison: Comparison, name: str) -> Figure:
 
 def _claim(comparison: Comparison, name: str) -> str:
     if name == "pitch":
-        times = {label: numbers.settling_2 for label, numbers in comparison.metrics.items()}
-        settled = (f"{label} {'never' if math.isnan(s) else f'in {s:.3g} s'}" for label, s in times.items())
-        return "Pitch settles to 2 %: " + ", ".join(settled)
+        if not comparison.pushed:
+            peaks = (f"{label} {abs(m.pitch_peak):.3g} rad" for label, m in comparison.metrics.items())
+            return "Largest pitch: " + ", ".join(peaks)
+        times = {label: numbers.settling_5 for label, numbers in comparison.metrics.items()}
+        settled = (f"{label} {_settles(s)}" for label, s in times.items())
+        return "After the push, pitch settles to 5 % in: " + ", ".join(settled)
     words = name.replace("_", " ").capitalize()
     fits = (f"{label} {_percent(fits[name])}" for label, fits in comparison.fits.items())
     return f"{words}, fit to {comparison.reference}: " + ", ".join(fits) if comparison.fits else f"{words} of the run"

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.excite.plan import VISIBLE, ExcitationPlan, Predicted
-from upright.plotting import COLOURS, legend, line, numbered, panels, rows_of
+from upright.plotting import COLOURS, legend, line, number, numbered, panels, rows_of
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 
@@ -25,9 +25,9 @@ def page_of(plan: ExcitationPlan) -> Page:
     ]
     facts = {"controller": plan.hash[:12], "seed": str(plan.seed), "kit": plan.kit}
     numbers = [
-        (f"{cell_text(100 * plan.checked.bound, 2)} %", "probability of a fall, at most"),
+        (f"{number(100 * plan.checked.bound, 2)} %", "probability of a fall, at most"),
         (f"{cell_text(plan.checked.travel, 2)} m", "travel, 95 % of the robots"),
-        (f"{cell_text(100 * plan.checked.saturated, 2)} %", "periods with a saturated motor"),
+        (f"{number(100 * plan.checked.saturated, 2)} %", "periods with a saturated motor"),
     ]
     return Page(
         f"The next run of {plan.robot}", sections, _lead(plan), facts, False, verdict=verdict, picture=_widths(plan),

@@ -27,18 +27,19 @@ def page_of(result: PostMortem) -> Page:
         sections.append(Section("Reading the figure", [_READ]))
     facts = {"robot": result.robot, "kit": result.kit, "samples": str(result.rows)}
     facts |= {"controller": f"{result.controller}, {result.hash[:12]}"} if result.controller else {}
-    title = f"Why {result.robot} fell" if result.fell else f"{result.robot}: {result.verdict}"
+    title = f"Why {result.robot} fell: {result.verdict}" if result.fell else f"{result.robot}: {result.verdict}"
     return Page(
         title, sections, _lead(result), facts, False, verdict=Verdict(result.verdict, level),
         picture=_figure(result) if drawn else None,
-        numbers=[(f"{100 * c.likelihood:.0f} %", c.name) for c in result.causes[:3] if c.likelihood >= SHOWN],
+        numbers=[
+            (f"{100 * c.likelihood:.0f} %", f"likely: {c.name}") for c in result.causes[:3] if c.likelihood >= SHOWN
+        ],
     )  # fmt: skip
 
 
 _READ = (
-    "Relative lean is the lean over the largest one that the motors can recover from: 1 is the point of no return. NIS "
-    "is the mean normalised innovation squared over a tenth of a second. Without faults it stays between the dashed "
-    "lines in 95 of 100 cases."
+    "The third panel divides the lean by the largest one that the motors can recover from. NIS is the mean normalised "
+    "innovation squared over a tenth of a second. Without faults it stays between the dashed lines in 95 of 100 cases."
 )
 
 
@@ -64,20 +65,30 @@ def _causes(result: PostMortem) -> Table:
 
 def _figure(result: PostMortem) -> Figure:
     s = result.series
-    labels = ["pitch [rad]", "command / largest command [1]", "relative lean [1]", "NIS [1]"]
+    labels = [
+        "pitch [rad]", "command / largest command [1]", "lean / largest lean to recover from [1]",
+        "squared innovation / expected (NIS) [1]",
+    ]  # fmt: skip
     figure, axes = panels(labels, height=1.35)
     pitch, command, reach, nis = axes
     line(pitch, "pitch", s.t, s.pitch, style=0, solid=True)
     line(command, "command", s.t, s.command, step=True, style=1, solid=True)
-    line(reach, "relative lean", s.t, s.reserve, style=2, solid=True)
+    line(reach, "lean", s.t, s.reserve, style=2, solid=True)
+    line(reach, "point of no return", s.t[[0, -1]], [1.0] * 2, style=5)
     nis.set_yscale("log")
     numbered(nis.yaxis)
     line(nis, "NIS", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
-    for name, level in {"lower edge": s.low, "upper edge": s.high}.items():
+    for level in (s.low, s.high):
         if math.isfinite(level) and level > 0:
-            line(nis, f"{name} of 95 %", s.t[[0, -1]], [level] * 2, style=3)
+            line(nis, "95 % without faults", s.t[[0, -1]], [level] * 2, style=3)
     command.set_ylim(-1.5, 1.5)
     reach.set_ylim(0, 1.5)
     if result.fell and math.isfinite(result.onset):
         span(axes, max(result.onset, float(s.t[0])), result.fell_at, "from onset to fall")
-    return Figure("From the onset to the fall" if result.fell else "The last seconds", legend(figure))
+    known = result.fell and math.isfinite(result.onset)
+    title = (
+        f"It begins at {result.onset:.2f} s, and the robot lies at {result.fell_at:.2f} s"
+        if known
+        else "The last seconds"
+    )
+    return Figure(title, legend(figure))
