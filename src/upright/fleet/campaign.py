@@ -22,7 +22,7 @@ from upright.atomic import make_folder, place_of, write_bytes, write_json
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.fleet.ensemble import OUTCOMES, Ensemble
 from upright.fleet.results import labelled, load, write_parquet
-from upright.fleet.tally import CaseSummary, tally
+from upright.fleet.tally import Cases, tally
 from upright.fleet.workers import connected, run_all
 
 if TYPE_CHECKING:
@@ -103,7 +103,7 @@ def run_campaign(
     workers: int | None = None,
     cluster: str | None = None,
     progress: Callable[[int, int, float], None] | None = None,
-) -> tuple[CaseSummary, ...]:
+) -> Cases:
     """Run what `folder` lacks of the campaign, and summarise.
 
     `cluster` is a Dask scheduler's address; without one, `workers` processes on this machine (None: one a processor),
@@ -134,12 +134,12 @@ def run_campaign(
     return summaries(campaign, place)
 
 
-def summaries(campaign: Campaign, folder: Path) -> tuple[CaseSummary, ...]:
+def summaries(campaign: Campaign, folder: Path) -> Cases:
     """One summary for each case of a finished campaign."""
     paths: dict[int, list[Path]] = {}
     for chunk in campaign.chunks():
         paths.setdefault(chunk.case, []).append(chunk_path(folder, chunk.number))
-    return tuple(tally(case.labels, case.n, paths[i]) for i, case in enumerate(campaign.cases))
+    return Cases(tally(case.labels, case.n, paths[i]) for i, case in enumerate(campaign.cases))
 
 
 def run_part(

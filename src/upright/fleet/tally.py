@@ -5,13 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.fleet.binomial import Interval, clopper_pearson
 from upright.fleet.ensemble import OUTCOMES
+from upright.tables import Listing, Shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 
@@ -51,6 +55,75 @@ class CaseSummary:
     fell: int | None
     chance: Interval | None
     outcomes: Mapping[str, Moments]
+
+    def mean(self, outcome: str) -> float | None:
+        """The mean over the robots that stood; None where none did, or where the campaign does not keep it."""
+        moments = self.outcomes.get(outcome, Moments())
+        return moments.mean if moments.n else None
+
+
+class Cases(Shown, tuple[CaseSummary, ...]):
+    """The summaries of a campaign, in the order of its plan."""
+
+    def shown(self) -> list[str]:
+        """The outcomes of a table, as far as this campaign keeps them."""
+        return [name for name in ("peak_pitch", "settling", "effort") if any(name in c.outcomes for c in self)]
+
+    def names(self) -> list[str]:
+        """What tells each case from the others."""
+        labels = {name: {case.labels.get(name) for case in self} for case in self for name in case.labels}
+        differ = [name for name, values in labels.items() if len(values) > 1] or list(labels)
+        return [", ".join(_short(case.labels.get(name, "")) for name in differ) for case in self]
+
+    def worst_first(self) -> list[CaseSummary]:
+        """The cases whose falls are counted, the largest fraction that fell first."""
+        return sorted((c for c in self if c.fell is not None), key=lambda c: -(c.fell or 0) / c.n)
+
+    def plot(self) -> Figure:
+        """The fraction that fell in each case [%] with its 95 % interval, the `DRAWN` worst first."""
+        from upright.plotting import intervals, legend
+
+        names, worst = self.names(), self.worst_first()[:DRAWN]
+        chances = [c.chance or Interval(np.nan, np.nan, np.nan) for c in worst]
+        rows = [names[self.index(case)] for case in worst]
+        percent = 100 * np.array([(c.value, c.low, c.high) for c in chances]).reshape(-1, 3)
+        return legend(intervals(rows, percent[:, 0], percent[:, 1:], "robots that fell [%]", "case"))
+
+    def listing(self) -> Listing:
+        """All cases, one row each."""
+        names = list(dict.fromkeys(name for case in self for name in case.labels))
+        rows: list[list[str]] = []
+        for case in self:
+            chance = case.chance
+            fell = f"{case.fell} ({chance.low:.2g} … {chance.high:.2g})" if chance else "–"
+            labels = [_short(case.labels.get(name, "")) for name in names]
+            means = ["–" if (mean := case.mean(o)) is None else f"{mean:.4g}" for o in self.shown()]
+            rows.append([*labels, str(case.n), fell, *means])
+        numbers = ["robots", "fell (95 %)", *self.shown()]
+        return Listing([*names, *numbers], rows, numbers)
+
+    def __str__(self) -> str:
+        return str(self.listing())
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers."""
+        return {"cases": [_plain(case) for case in self]}
+
+
+DRAWN = 40  # cases at most in a figure
+
+
+def _short(value: Any) -> str:
+    return value if isinstance(value, str) else f"{value:.4g}"
+
+
+def _plain(case: CaseSummary) -> dict[str, Any]:
+    outcomes = {
+        name: {"mean": m.mean, "deviation": m.deviation if m.n > 1 else None, "least": m.least, "most": m.most}
+        for name, m in case.outcomes.items() if m.n
+    }  # fmt: skip
+    chance = case.chance._asdict() if case.chance else None
+    return {"labels": dict(case.labels), "n": case.n, "fell": case.fell, "chance": chance, "outcomes": outcomes}
 
 
 def tally(labels: Mapping[str, str | float], n: int, paths: Sequence[Path]) -> CaseSummary:

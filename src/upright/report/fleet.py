@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from upright.fleet.fleet import Fleet
 from upright.fleet.results import OUTCOMES, Summary, origin_of, summarise
-from upright.plotting import bars, colour_map, legend, line, panels, round_levels
+from upright.plotting import bars, colour_map, legend, line, number, panels, round_levels
 from upright.report.figure import Figure
-from upright.report.page import Cell, Page, Section, Table, cell_text
+from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
 
 if TYPE_CHECKING:
@@ -22,6 +22,10 @@ Array = NDArray[np.float64]
 
 LEVELS = 10
 """Colours of a map: few enough to be distinguished side by side, and to be named at the bar."""
+
+
+PARTS, DOTS = 12, 500
+"""Groups of as many robots each, of which the fraction that fell is drawn; and robots drawn as dots at most."""
 
 
 def push_map_figures(data: Dataset) -> list[Figure]:
@@ -98,18 +102,53 @@ def histogram(data: Dataset, name: str, bins: int = 60) -> Figure:
 
 
 def influence(data: Dataset, outcome: str) -> Figure | None:
-    """The rank correlation of an outcome with each varied number, the strongest first."""
+    """The rank correlation of an outcome with each of several varied numbers, the strongest first."""
+    sizes = _correlations(data, outcome)
+    if len(sizes) < 2:
+        return None
+    ranked = list(sizes)[:12]
+    drawing = bars(ranked, [abs(sizes[n]) for n in ranked], "size of the rank correlation [1]", "varied number")
+    return Figure(f"{_words(data, outcome)} follows {ranked[0].replace('_', ' ')} most", drawing)
+
+
+def over_strongest(data: Dataset, outcome: str) -> Figure | None:
+    """An outcome over the varied number that it follows most: each robot a dot, or the fraction that fell."""
+    sizes = _correlations(data, outcome)
+    if not sizes:
+        return None
+    name, size = next(iter(sizes.items()))
+    x, y = data[name].values.astype(np.float64), data[outcome].values.astype(np.float64)
+    use = np.isfinite(y)
+    x, y, across = x[use], y[use], f"{name.replace('_', ' ')} [{data[name].attrs.get('unit', '1')}]"
+    if outcome == "fell":
+        parts = np.array_split(np.argsort(x), min(PARTS, max(len(x) // 20, 2)))
+        figure, (ax,) = panels(["robots that fell [%]"], across)
+        line(ax, "fell", [x[k].mean() for k in parts], [100 * y[k].mean() for k in parts], solid=True)
+        ax.set_ylim(-2, 102)
+        ends = [f"{number(100 * float(y[k].mean()), 2)} %" for k in (parts[0], parts[-1])]
+        return Figure(
+            f"Falls over {name.replace('_', ' ')}: {ends[0]} of the smallest, {ends[1]} of the largest", figure
+        )
+    figure, (ax,) = panels([f"{data[outcome].attrs['long_name']} [{data[outcome].attrs['unit']}]"], across)
+    few = np.linspace(0, len(x) - 1, min(len(x), DOTS)).astype(int)
+    ax.plot(x[few], y[few], ".", markersize=3)
+    how = "grows" if size > 0 else "shrinks"
+    return Figure(f"{_words(data, outcome)} {how} with {name.replace('_', ' ')}: each dot is a robot", figure)
+
+
+def _words(data: Dataset, outcome: str) -> str:
+    return sentence(str(data[outcome].attrs["long_name"]), "")
+
+
+def _correlations(data: Dataset, outcome: str) -> dict[str, float]:
+    """The rank correlation of an outcome with each varied number, the strongest first; none where nothing differs."""
     varied = [str(n) for n, v in data.data_vars.items() if str(n) not in OUTCOMES and np.ptp(v.values) > 0]
     y = data[outcome].values.astype(np.float64)
     use = np.isfinite(y)
-    if not varied or use.sum() < 3 or np.ptp(y[use]) == 0:
-        return None
+    if use.sum() < 3 or np.ptp(y[use]) == 0:
+        return {}
     sizes = {name: _rank_correlation(data[name].values[use], y[use]) for name in varied}
-    ranked = sorted(sizes, key=lambda name: -abs(sizes[name]))[:12]
-    words = str(data[outcome].attrs["long_name"])
-    drawing = bars(ranked, [abs(sizes[n]) for n in ranked], "size of the rank correlation [1]", "varied number")
-    sign = "grows" if sizes[ranked[0]] > 0 else "shrinks"
-    return Figure(f"{sentence(words, '')} {sign} most with {ranked[0].replace('_', ' ')}", drawing)
+    return dict(sorted(sizes.items(), key=lambda pair: -abs(pair[1])))
 
 
 def _rank_correlation(x: Array, y: Array) -> float:
@@ -142,20 +181,40 @@ def _push_map_page(data: Dataset) -> Page:
         for d in data["direction"].values.tolist()
     ]
     sections = [Section("Maps and slices", rest)]
-    title = f"Pushes that {name} survives"
+    title = f"{name} survives every push up to {cell_text(float(data['impulse'].min()), 3)} N s"
     return Page(title, sections, lead, provenance(data), False, picture=first, numbers=numbers)
 
 
 def _basin_page(data: Dataset) -> Page:
     origin = origin_of(data)
-    title = f"States that {origin['robot']['name']} recovers from"
+    low, high = rest_range(data)
+    across, up = (str(name).replace("_", " ") for name in data["recovered"].dims)
+    unit = data[str(data["recovered"].dims[0])].attrs["unit"]
+    held = f"{cell_text(low, 2)} to {cell_text(high, 2)} {unit}"
+    name, percent = origin["robot"]["name"], f"{100 * float(data['recovered'].values.mean()):.3g} %"
+    known = math.isfinite(low)
+    title = f"{name} recovers from {across} of {held}" if known else f"{name} recovers from {percent} of these states"
     lead = f"Recovered: the robot stands {origin['scenario']['seconds']:g} s later."
-    return Page(title, [], lead, provenance(data), False, picture=basin_figure(data))
+    numbers = [(percent, "of the states in the picture"), *([(held, f"{across}, where {up} is zero")] if known else [])]
+    return Page(title, [], lead, provenance(data), False, picture=basin_figure(data), numbers=numbers)
+
+
+def rest_range(data: Dataset) -> tuple[float, float]:
+    """From where to where, round zero, the first state recovers while the second is zero; NaN where it does not."""
+    across, up = (data[str(name)].values for name in data["recovered"].dims)
+    row: NDArray[np.bool_] = data["recovered"].values[:, int(np.abs(up).argmin())] > 0.5
+    middle = int(np.abs(across).argmin())
+    if not row[middle] or not across[0] <= 0 <= across[-1] or not up[0] <= 0 <= up[-1]:
+        return math.nan, math.nan
+    lost = np.flatnonzero(~row)
+    low, high = lost[lost < middle].max(initial=-1) + 1, lost[lost > middle].min(initial=len(row)) - 1
+    return float(across[low]), float(across[high])
 
 
 def _fleet_page(data: Dataset, summary: Summary) -> Page:
     """Falls and quantiles of the robots, with the distribution of each outcome."""
     names = [name for name, row in summary.quantiles.items() if np.isfinite(row[1]) and np.ptp(row) > 0]
+    some = 0 < summary.fell < summary.n
     rows: list[list[Cell]] = [
         [str(data[name].attrs["long_name"]), summary.units[name], *summary.quantiles[name]]
         for name in summary.quantiles
@@ -163,24 +222,20 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     table = Table(["robots that stood", "unit", "5 %", "median", "95 %"], rows, "Quantiles over the robots")
     chance = summary.chance
     pushes = origin_of(data).get("scenario", {}).get("push")
-    lead = f"{summary.fell} of {summary.n} robots fell{'' if pushes else ', without a push'}."
+    robot = origin_of(data)["robot"]["name"]
+    lead = f"Robots that differ from {robot}{'' if pushes else ', without a push'}."
     numbers = [
-        (f"{cell_text(100 * chance.value, 3)} %", "of the robots fell"),
-        (f"{cell_text(100 * chance.low, 2)} to {cell_text(100 * chance.high, 2)} %", "95 % interval of that"),
+        (f"{number(100 * chance.value, 3)} %", "of the robots fell"),
+        (f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %", "95 % interval of that"),
     ]
-    first, *rest = [histogram(data, name) for name in names] or [None]
-    causes = [influence(data, name) for name in (*(["fell"] if 0 < summary.fell < summary.n else []), *names[:1])]
-    shown = [figure for figure in causes if figure]
-    title = f"Fleet of {summary.n} robots around {origin_of(data)['robot']['name']}"
-    sections = [
-        Section("Numbers", [table]),
-        *([Section("Influence of each number", shown[1:] if len(shown) > 1 else shown)] if shown else []),
-        Section("Distributions", [figure for figure in rest if figure]),
-    ]
-    picture = shown[0] if len(shown) > 1 else first
-    if picture is not first and first:
-        sections[-1] = Section("Distributions", [first, *sections[-1].items])
-    return Page(title, sections, lead, provenance(data), False, picture=picture, numbers=numbers)
+    outcomes = [*(["fell"] if some else []), *names[:1]]
+    causes = [figure for name in outcomes for figure in (over_strongest(data, name), influence(data, name)) if figure]
+    picture, *others = [*causes, *(histogram(data, name) for name in names), None]
+    sections = [Section("Numbers", [table]), Section("Distributions", [figure for figure in others if figure])]
+    return Page(
+        f"{summary.fell} of {summary.n} robots fell", sections, lead, provenance(data), False, picture=picture,
+        numbers=numbers, verdict=Verdict("some fell", "warn") if summary.fell else Verdict("none fell", "good"),
+    )  # fmt: skip
 
 
 def provenance(data: Dataset) -> dict[str, str]:

@@ -1,0 +1,82 @@
+"""Pages of what a check found: a `Diagnosis` of a log, a `Parity` of a program, the `LinearModel` of a robot."""
+
+from __future__ import annotations
+
+from upright.doctor.doctor import Diagnosis
+from upright.parity.parity import Parity
+from upright.physics.linear import LinearModel
+from upright.plotting import bars, plane, points
+from upright.report.figure import Figure
+from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
+from upright.tables import sentence
+
+
+def page_of(result: Diagnosis | Parity | LinearModel) -> Page:
+    """The page, not yet written."""
+    if isinstance(result, Diagnosis):
+        return _diagnosis(result)
+    return _parity(result) if isinstance(result, Parity) else _linear(result)
+
+
+def _diagnosis(result: Diagnosis) -> Page:
+    faults = sum(f.severity != "note" for f in result.findings)
+    rows: list[list[Cell]] = [
+        [f.severity, f.channel.replace("_", " "), sentence(f.evidence), f.repair] for f in result.findings
+    ]
+    columns: list[list[Cell]] = [[name, source.column] for name, source in result.mapping.channels.items()]
+    first = next(iter(result.findings), None)
+    return Page(
+        f"{result.source or 'Log'}: {f'{faults} faults' if faults else 'no fault found'}",
+        [
+            Section("Findings", [Table(["severity", "channel", "evidence", "repair"], rows)]),
+            Section("Columns of the log", [Table(["channel", "column"], columns)], folded=True),
+        ],
+        sentence(f"{first.channel}: {first.evidence}") if first and not result.healthy else "",
+        {"mapping": result.mapping.name, "rows": str(result.rows)}, False,
+        verdict=Verdict("healthy", "good") if result.healthy else Verdict("to repair", "warn"),
+        numbers=[
+            (f"{result.seconds:.4g} s", "length of the log"), (f"{result.period * 1e3:.4g} ms", "median period"),
+            (str(result.rows), "rows"),
+        ],
+    )  # fmt: skip
+
+
+def _parity(result: Parity) -> Page:
+    rows: list[list[Cell]] = [[p.push, p.outcome, p.peak] for p in result.pushes]
+    figure = bars(["difference", "tolerance"], [result.worst, result.tolerance], f"command [{result.unit}]", "largest")
+    difference = f"{cell_text(result.worst, 3)} {result.unit}"
+    within = "within" if result.worst <= result.tolerance else "beyond"
+    return Page(
+        f"{result.target} program of {result.robot}: {'equal to' if result.passed else 'not equal to'} its design",
+        [Section("Pushes", [Table(["push", "outcome", "largest pitch [rad]"], rows)])],
+        "" if result.as_generated else "The file differs from what `upright firmware` generates here.",
+        {"controller": result.hash[:12], "numbers": result.numbers, "where": result.where}, True,
+        verdict=Verdict("equal", "good") if result.passed else Verdict("not equal", "warn"),
+        picture=Figure(f"Commands differ by {difference}, {within} the tolerance", figure),
+        numbers=[
+            (f"{result.steps} of {result.periods}", "periods compared"),
+            (str(result.duties), "duties that do not follow from their commands"),
+        ],
+    )  # fmt: skip
+
+
+def _linear(model: LinearModel) -> Page:
+    poles = model.poles()
+    figure, ax = plane(
+        "real part [1/s]" if model.continuous else "real part [1]", "imaginary part", circle=model.dt > 0
+    )
+    points(ax, "poles", poles.tolist())
+    unstable = [p for p in poles if (p.real > 1e-9 if model.continuous else abs(p) > 1 + 1e-9)]
+    rows: list[list[Cell]] = [[p.real, p.imag] for p in poles.tolist()]
+    matrices = [
+        Table(["", *names], [[state, *row] for state, row in zip(model.states, matrix.tolist(), strict=True)], letter)
+        for letter, names, matrix in (("A", model.states, model.A), ("B", model.inputs, model.B))
+    ]
+    title = f"{len(unstable)} of {len(poles)} poles are unstable"
+    return Page(
+        "Linear model of a robot",
+        [Section("Matrices", matrices), Section("Poles", [Table(["real part", "imaginary part"], rows)])],
+        "ẋ = A x + B u" if model.continuous else f"x⁺ = A x + B u, every {model.dt:g} s", {}, False,
+        verdict=Verdict("unstable" if unstable else "stable", "info"), picture=Figure(title, figure),
+        numbers=[(cell_text(float(p.real), 3), "unstable pole, real part") for p in unstable[:1]],
+    )  # fmt: skip
