@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -46,12 +47,13 @@ class Claim:
         return textwrap.fill(f"{first}.", width, initial_indent="    ", subsequent_indent="    ")
 
     def section(self) -> Section:
-        """The claim as a section of the page."""
+        """The claim as a section of the page: the figures that come first, or else the first, then the rest folded."""
         verdict = Verdict(self.verdict, _LEVEL[self.verdict])
-        figure = next((item for item in self.items if isinstance(item, Figure)), None)
-        rest = [item for item in self.items if item is not figure]
+        figures = [item for item in self.items if isinstance(item, Figure)]
+        shown = list(itertools.takewhile(lambda item: isinstance(item, Figure), self.items)) or figures[:1]
+        rest = [item for item in self.items if item not in shown]
         folded = [Details("Tables, figures and derivations", rest)] if rest else []
-        return Section(f"{self.part} {self.title}", [self.summary, *([figure] if figure else []), *folded], verdict)
+        return Section(f"{self.part} {self.title}", [self.summary, *shown, *folded], verdict)
 
     def to_json(self) -> dict[str, Any]:
         named = {"part": self.part, "title": self.title, "verdict": self.verdict, "summary": self.summary}

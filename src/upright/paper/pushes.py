@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,9 +17,11 @@ from upright.experiment import Hold, run
 from upright.paper import printed
 from upright.paper.claim import NOT_AS_PRINTED, REPRODUCED, Claim, Progress, silent
 from upright.physics.linear import LinearModel
+from upright.plotting import legend, line, panels
 from upright.report import Figure, Table
 from upright.report.comparing import fit_tables, metrics_table, state_figure
 from upright.report.page import Cell, cell_text
+from upright.report.robot import filmstrip
 from upright.robots import Kit, Motor, Robot
 from upright.tables import sentence
 
@@ -31,6 +33,9 @@ FIGURES = {
     "back": {"pitch": 12, "wheel": 13},
 }
 """Which figure of the paper shows which state under which push."""
+PHOTOGRAPHS = {"front": 4, "back": 11}
+"""Which figure of the paper shows the robot itself under which push."""
+STRIP = (4.0, 8.2, 8.6, 12.0)  # [s] of the filmstrip: held, released at 8 s, swinging over, at rest
 NAMED = {"front": "figures 5 to 10", "back": "figures 12 and 13"}
 
 YAW_NEGLIGIBLE = NEGLIGIBLE["yaw"]
@@ -128,9 +133,11 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
         f"settles to 5 % in {_times(measured.settling)}. Its fit to the twin is {fits['nonlinear']} % for the "
         f"nonlinear and {fits['linear']} % for the linear model. {trial.why}"
     )
-    figures = [_figure(comparison, measured, state, number) for state, number in FIGURES[side].items()]
+    figures = _figures(comparison, measured, FIGURES[side])
+    strip = Figure(f"Figure {PHOTOGRAPHS[side]} again, by the twin", filmstrip(robot, comparison.logs["twin"], STRIP))
     title = f"{robot.name}: force on the {side}, {NAMED[side]}"
-    items = [metrics_table(comparison), _restless(comparison), *_fits(comparison, measured), *figures]
+    items = [*figures[:1], strip, metrics_table(comparison), _restless(comparison), *_fits(comparison, measured)]
+    items += figures[1:]
     numbers = {"force": force, "hold": PUSHES[side], **comparison.to_json()}
     logs = {f"{robot.name}-{side}-{name}": log for name, log in comparison.logs.items()}
     verdict = REPRODUCED if stood else NOT_AS_PRINTED
@@ -159,16 +166,23 @@ def _fits(comparison: Comparison, measured: Measured) -> list[Table]:
     return [replace(t, rows=[[*row[:-2], "negligible", "negligible"] for row in t.rows]) for t in tables]
 
 
-def _figure(comparison: Comparison, measured: Measured, state: str, number: int) -> Figure:
-    drawn = state_figure(comparison, state)
-    if state in ("yaw", "yaw_rate") and measured.yaw_negligible:
-        degrees = cell_text(math.degrees(measured.largest_yaw), 2)
-        title = f"Yaw is negligible: at most {degrees} degrees in any run, where the compass reads whole ones"
-        # rounding errors alone are no curve: there the axis shows what the compass could tell
-        if measured.largest_yaw <= YAW_NEGLIGIBLE / 100:
-            drawn.drawing.axes[0].set_ylim(-YAW_NEGLIGIBLE, YAW_NEGLIGIBLE)
-        drawn = replace(drawn, title=title, note="")
-    return replace(drawn, title=f"Figure {number} again. {drawn.title}")
+def _figures(comparison: Comparison, measured: Measured, numbers: Mapping[str, int]) -> list[Figure]:
+    """The paper's figures by their numbers; where the robot does not turn, a small one for yaw and its rate."""
+    still = [state for state in ("yaw", "yaw_rate") if state in numbers and measured.yaw_negligible]
+    figures = [
+        replace(drawn, title=f"Figure {number} again. {drawn.title}")
+        for state, number in numbers.items() if state not in still
+        for drawn in [state_figure(comparison, state)]
+    ]  # fmt: skip
+    if not still:
+        return figures
+    drawing, (ax,) = panels(["yaw [°]"], height=0.6)
+    for name, log in comparison.logs.items():
+        line(ax, name, log.t, np.degrees(log["truth/yaw"]))
+    ax.set_ylim(-1, 1)
+    degrees, named = cell_text(math.degrees(measured.largest_yaw), 2), " and ".join(str(numbers[s]) for s in still)
+    title = f"Figures {named} again. Yaw is at most {degrees}°, where the compass reads whole degrees"
+    return [*figures, Figure(title, legend(drawing))]
 
 
 def _tested(measured: dict[str, Measured]) -> Claim:

@@ -15,11 +15,10 @@ from upright.paper.claim import BEYOND, NOT_AS_PRINTED, REPRODUCED, Claim, Progr
 from upright.paper.pushes import RegulatedRobot
 from upright.report import Details, Figure, Page, Section, Table
 from upright.report.page import Cell
-from upright.report.robot import filmstrip, labelled
+from upright.report.robot import labelled
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.tables import Shown
 
-STRIP = (4.0, 8.2, 8.6, 12.0)  # [s] of the filmstrip: held, released at 8 s, swinging over, at rest
 LIGHT, HEAVY = "nxtway-gs", "herrera2015"
 
 TITLE = "The balancing robot of Herrera et al. (2015), reproduced"
@@ -76,12 +75,10 @@ def _page(claims: Sequence[Claim]) -> Page:
         [symbol, name.replace("_", " "), unit, *(getattr(robot, name) for robot in robots)]
         for name, (unit, symbol) in PARAMETERS.items()
     ]
-    run = part.logs[f"{HEAVY}-front-twin"]
-    strip = Figure("The twin of the paper's robot, held, released and at rest again", filmstrip(robots[1], run, STRIP))
     opening = [
         Section("The claims", [Table(["claim", "verdict"], rows)]),
         Section("The robot", [
-            Figure("Angles and lengths of the model", labelled(robots[0])), strip,
+            Figure("Angles and lengths of the model", labelled(robots[0])),
             Details("Parameters of both robots", [Table(["", "parameter", "unit", LIGHT, HEAVY], parameters)]),
         ]),
     ]  # fmt: skip
