@@ -62,9 +62,8 @@ def _parity(result: Parity) -> Page:
 
 def _linear(model: LinearModel) -> Page:
     poles = model.poles()
-    figure, ax = plane(
-        "real part [1/s]" if model.continuous else "real part [1]", "imaginary part", circle=model.dt > 0
-    )
+    unit = "1/s" if model.continuous else "1"
+    figure, ax = plane(f"real part [{unit}]", f"imaginary part [{unit}]", circle=not model.continuous)
     points(ax, "poles", poles.tolist())
     unstable = [p for p in poles if (p.real > 1e-9 if model.continuous else abs(p) > 1 + 1e-9)]
     rows: list[list[Cell]] = [[p.real, p.imag] for p in poles.tolist()]
@@ -78,5 +77,5 @@ def _linear(model: LinearModel) -> Page:
         [Section("Matrices", matrices), Section("Poles", [Table(["real part", "imaginary part"], rows)])],
         "ẋ = A x + B u" if model.continuous else f"x⁺ = A x + B u, every {model.dt:g} s", {}, False,
         verdict=Verdict("unstable" if unstable else "stable", "info"), picture=Figure(title, figure),
-        numbers=[(cell_text(float(p.real), 3), "unstable pole, real part") for p in unstable[:1]],
+        numbers=[(f"{cell_text(float(p.real), 3)} {unit}", "unstable pole, real part") for p in unstable[:1]],
     )  # fmt: skip

@@ -113,7 +113,7 @@ def _widths(plan: ExcitationPlan) -> Figure:
     figure, ax = rows_of([p.name for p in shown], "width of the 95 % interval after over before [1]", "parameter")
     ax.set_xscale("log")
     numbered(ax.xaxis)
-    kinds = {"plan": ("after", "o"), "dither": ("dither", "x"), "dither held 40 ms": ("held", "s")}
+    kinds = {"this plan": ("after", "o"), "random dither": ("dither", "x"), "dither held 40 ms": ("held", "s")}
     for k, (name, (kind, marker)) in enumerate(kinds.items()):
         ratios = [getattr(p, kind) / p.before for p in shown]
         ax.plot(ratios, range(len(shown)), label=name, linestyle="", marker=marker, color=COLOURS[k], fillstyle="none")
