@@ -19,26 +19,30 @@ LOST = 3
 """Exit code of a flight whose connection was lost: the program runs on without it."""
 
 
+MadeForOption = Annotated[
+    str | None,
+    typer.Option(
+        "--robot",
+        "-r",
+        help="Robot (name, TOML file) or brick (nxt, spike, ev3) it must be made for.",
+        autocompletion=options.complete_robot,
+    ),
+]
+KitMadeForOption = Annotated[
+    str | None,
+    typer.Option(
+        help="Kit it must be made for: a name or a TOML file (default: the program's).",
+        autocompletion=options.complete_kit,
+    ),
+]
+
+
 def fly(
     program: Annotated[Path, typer.Argument(help="A program by upright firmware for nxc (.nxc) or pybricks (.py).")],
     controller: Annotated[str, typer.Argument(help="The controller.json of its design.")],
     *,
-    robot: Annotated[
-        str | None,
-        typer.Option(
-            "--robot",
-            "-r",
-            help="Robot (name, TOML file) or brick (nxt, spike, ev3) it must be made for.",
-            autocompletion=options.complete_robot,
-        ),
-    ] = None,
-    kit: Annotated[
-        str | None,
-        typer.Option(
-            help="Kit it must be made for: a name or a TOML file (default: the program's).",
-            autocompletion=options.complete_kit,
-        ),
-    ] = None,
+    robot: MadeForOption = None,
+    kit: KitMadeForOption = None,
     port: Annotated[
         str,
         typer.Option(help="NXT: usb or a device such as /dev/rfcomm0. Hub: ble or ble:NAME. virtual: a simulated one."),
