@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
@@ -39,14 +40,16 @@ GYRO = np.convolve(RNG.standard_normal(430), np.ones(30) / 30, "valid")
 @pytest.mark.parametrize(
     ("predicted", "says"),
     [
-        (-GYRO, "flipped sign"),
-        (10 * GYRO, r"unit: the readings are 0.1"),
-        (np.roll(2 * np.sign(GYRO) * GYRO**2 / 0.1, 60), "slip"),
-        (np.full(401, np.nan), "falls"),
+        (lambda y: -y, "flipped sign"),
+        (lambda y: 10 * y, "unit: the readings are 0.1"),
+        (lambda y: np.roll(2 * np.sign(y) * y**2 / 0.1, 60), "slip"),
+        (lambda y: np.nan * y, "falls"),
     ],
 )
-def test_what_is_predicted_worse_than_its_mean_is_named_with_a_reason(predicted: np.ndarray, says: str) -> None:
-    (sentence,) = unpredicted(half_seconds(GYRO, predicted))
+def test_what_is_predicted_worse_than_its_mean_is_named_with_a_reason(
+    predicted: Callable[[np.ndarray], np.ndarray], says: str
+) -> None:
+    (sentence,) = unpredicted(half_seconds(GYRO, predicted(GYRO)))
     assert sentence.startswith("gyro: half a second")
     assert "worst at t = " in sentence
     assert says in sentence.replace("times the prediction", "")

@@ -29,22 +29,22 @@ def reasons(problem: Problem, z: Array, free: Sequence[Segments], estimates: Seq
 
     `free` are the half seconds of each recording, simulated freely.
     """
-    found = [reason for parts in free for reason in unpredicted(parts)]
+    faults = [reason for parts in free for reason in unpredicted(parts)]
     own = score(problem, np.zeros_like(z))
     if own > score(problem, z) + WORSE:
-        found.append(
+        faults.append(
             "the numbers of the robot's file predict half seconds of this log better than the fitted ones do: "
             "the log has too little in it, or something that no robot of this kind does"
         )
     foreign = sorted((e for e in estimates if not e.guess and abs(e.shift) > FOREIGN), key=lambda e: -abs(e.shift))
     if foreign:
-        said = "; ".join(
+        stated = "; ".join(
             f"{e.name} {e.prior:.3g} ± {e.prior_spread:.2g} {e.unit}, the log {e.value:.3g}" for e in foreign
         )
-        found.append(
-            f"the log is of another robot than the file, which says {said}: measure these, or choose another robot"
+        faults.append(
+            f"the log is of another robot than the file, which says {stated}: measure these, or choose another robot"
         )
-    return tuple(found)
+    return tuple(faults)
 
 
 def unpredicted(parts: Segments) -> list[str]:
@@ -77,8 +77,8 @@ def _likely(parts: Segments, name: str) -> str:
     lags += [_left(y[: len(y) - lag], predicted[lag:]) for lag in range(1, MOST_LAGS)]
     best = int(np.argmin(lags))
     if best and lags[best] < HALF:
-        late = best < MOST_LAGS
-        return f"a delay: {best if late else best - MOST_LAGS + 1} readings {'later' if late else 'earlier'}"
+        behind = best < MOST_LAGS
+        return f"a delay: {best if behind else best - MOST_LAGS + 1} readings {'later' if behind else 'earlier'}"
     if _left(y, slope * predicted) < HALF and slope < 0:
         return "a flipped sign"
     if _left(y, slope * predicted) < HALF and not 1 / TURNED < slope < TURNED:

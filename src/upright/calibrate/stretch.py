@@ -50,7 +50,7 @@ class Stretch:
         """The readings (events,) as simulated from the best first state, near the one of the filter (states,) or any
         other that fits the first readings; NaN beyond a fall."""
         fitted = [self._descended(first) for first in self._likeliest(self._starts(filtered))]
-        best = min(fitted, key=lambda found: found[1])[0]
+        best = min(fitted, key=lambda state_and_cost: state_and_cost[1])[0]
         e = self._errors(best[:, None])[:, 0] * self.scale[self.recording.kind[self.events]]
         return self.recording.value[self.events] - e
 
