@@ -44,7 +44,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Tests of one robust design run in one process, which designs it once: that takes up to fifteen seconds."""
     for item in items:
         given = item.callspec.params if isinstance(item, pytest.Function) and hasattr(item, "callspec") else {}
-        if "robust" in given.values() and "preset" in given:
+        if given.get("name") == "robust" and "preset" in given:
             item.add_marker(pytest.mark.xdist_group(f"robust {given['preset']}"))
 
 
