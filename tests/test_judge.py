@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from dataclasses import replace
 from importlib import import_module
@@ -18,10 +19,13 @@ from upright.calibrate.calibrate import prepared
 from upright.calibrate.calibration import FOREIGN, REFUSED, VISIBLE, Calibration, Estimate, Segments
 from upright.calibrate.fitting import normal_equations, objective
 from upright.calibrate.judge import reasons, unpredicted
+from upright.certify import certify
 from upright.cli.main import app
 from upright.control import lqr
+from upright.errors import InvalidLog, InvalidRobot
 from upright.experiment import run
 from upright.robots import Kit, Robot
+from upright.robots.uncertainty import read_posterior
 from upright.signals import Log
 
 ROBOT = Robot.preset("nxtway-gs").replace(coulomb_friction=0.0)
@@ -122,3 +126,17 @@ def test_refused_is_a_verdict_with_a_meaning() -> None:
 
     assert REFUSED in VERDICTS
     assert "refused" in Calibration.__dataclass_fields__
+
+
+def test_what_is_refused_is_not_used_elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A certificate is not made for the robot of a log that is another one's, nor are robots drawn from such a fit."""
+    refused = SimpleNamespace(refused=("the log is of another robot",))
+    certificate = import_module("upright.certify.certificate")
+    monkeypatch.setattr(certificate, "calibrate", lambda *_, **__: refused)
+    monkeypatch.setattr(certificate, "raw_log", lambda *_: SimpleNamespace())
+    with pytest.raises(InvalidLog, match="another robot"):
+        certify("lqr", ROBOT, "nxt", samples=100, log="run.csv")
+    path = tmp_path / "posterior.json"
+    path.write_text(json.dumps({"names": ["body_mass"], "refused": ["the log is of another robot"]}))
+    with pytest.raises(InvalidRobot, match="another robot"):
+        read_posterior(path)

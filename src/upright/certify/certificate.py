@@ -26,7 +26,7 @@ from upright.certify.margins import margins
 from upright.control import find_controller
 from upright.control.controller import Controller
 from upright.control.identity import Identity, identity
-from upright.errors import InvalidController, InvalidScenario, SpecMismatch
+from upright.errors import InvalidController, InvalidLog, InvalidScenario, SpecMismatch
 from upright.fleet.binomial import upper_bound
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
@@ -207,7 +207,13 @@ def certify(
     parts, recording = find_kit(kit or nominal.kit), None if log is None else raw_log(log, mapping)
     subject = {"robot": robot_facts(given), "kit": kit_facts(parts)}
     if recording and unknown is None and robots is None:
-        calibrated = learnt(calibrate(recording, nominal, parts, progress=progress), parts)
+        calibration = calibrate(recording, nominal, parts, progress=progress)
+        if calibration.refused:
+            raise InvalidLog(
+                f"the log does not describe {nominal.name}: {calibration.refused[0]}",
+                hint="upright doctor LOG; or certify without the log, or with the robot that it is of",
+            )
+        calibrated = learnt(calibration, parts)
         nominal, parts, unknown = calibrated.robot, calibrated.kit, calibrated.uncertainty
     design = find_controller(controller, nominal, parts, parts.period)
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)

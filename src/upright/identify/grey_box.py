@@ -30,7 +30,8 @@ def calibrated(study: Study) -> MethodFit:
     value = growth_rate(halves["pitch"])
     scale = value / pole.value  # one where no dry friction brakes
     how = "curvature of the likelihood"
-    return MethodFit(halves, Pole(value, pole.low * scale, pole.high * scale, how=how), notes=result.notes)
+    notes = [f"Not to be trusted: {reason}." for reason in result.refused]
+    return MethodFit(halves, Pole(value, pole.low * scale, pole.high * scale, how=how), notes=(*notes, *result.notes))
 
 
 def _delays(calibration: Calibration) -> dict[str, float]:

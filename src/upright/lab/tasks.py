@@ -127,7 +127,7 @@ def calibrate(report: Report, source: Path | Log, robot: Robot, kit: Kit) -> tup
     rows = tuple((e.name, f"{e.value:.4g}", f"{e.low:.4g} … {e.high:.4g}", f"{e.prior:.4g}", e.unit, e.verdict)
                  for e in estimates)  # fmt: skip
     header = ("parameter", "value", "95 %", "prior", "unit", "what the log tells")
-    text = "\n".join((*calibration.notes, *calibration.unseen))
+    text = "\n".join((*calibration.refused, *calibration.notes, *calibration.unseen))
     title = f"{robot.name} from {calibration.samples} samples"
     return calibration.robot, JobResult("calibrate", title, text, header, rows, not calibration.check())
 

@@ -316,6 +316,9 @@ def read_posterior(path: str | PathLike[str]) -> Uncertainty:
     expected = '{"parameters": [names], "mean": [numbers], "covariance": [[numbers]]}'
     data = read_json(Path(path), InvalidRobot, expected)
     with understood(f"the posterior {path}", InvalidRobot, expected):
+        if data.get("refused"):
+            why = f"{path} is of a fit that does not describe its robot: {str(data['refused'][0])[:300]}"
+            raise InvalidRobot(why, hint="calibrate from another log, or with the robot that the log is of")
         if "mean" in data:
             return Uncertainty.joint(data["parameters"], data["mean"], data["covariance"])
         names: Sequence[str] = data["names"]
