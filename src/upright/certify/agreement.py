@@ -84,9 +84,9 @@ def agreement(log: Log, course: Course) -> tuple[Agreement, ...]:
     measured = innovation_size(
         kalman_filter(sampled(course.robot, course.kit, log.period)), readings[None], applied[None]
     )[0]
-    period = course.controller.gains.period
+    period = course.controller.law.period
     estimator, agreements = kalman_filter(sampled(course.robot, course.kit, period)), list[Array]()
-    reads = course.controller.gains.reads
+    reads = course.controller.law.linear.reads
     if not set(RAW) <= set(reads):
         raise SpecMismatch(f"the controller reads {', '.join(reads)}", expected="both encoders and the gyro")
     for row, push in enumerate(standard_pushes(course.robot).values()):
