@@ -22,7 +22,10 @@ from upright.fleet.fleet import ensemble_of, fleet
 from upright.report import report
 from upright.signals import STATE_NAMES, Log
 
-pytestmark = [pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow]
+pytestmark = [
+    pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow,
+    pytest.mark.xdist_group("browser"),  # one at a time: two take more than two cores
+]  # fmt: skip
 
 LAB = Path(__file__).parents[1] / "src" / "upright" / "lab" / "web"
 KINDS = ("comparison", "design", "fleet", "basin", "bench")
