@@ -20,7 +20,7 @@ from upright.control import (
 )
 from upright.control.controller import Controller
 from upright.control.delay import RAW
-from upright.control.lqr import riccati, riccati_residual
+from upright.control.lqr import bryson, riccati, riccati_residual
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UnknownName
 from upright.experiment import Hold, run
 from upright.physics.dynamics import turn_ratio
@@ -116,6 +116,13 @@ def test_every_controller_says_what_it_is():
         assert controller_hash(controller) == controller_hash(make_controller(name, NXT, kit, 0.01))
     with pytest.raises(UnknownName):
         make_controller("lqx", NXT, kit, 0.01)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("size", [0.0, -1.0, np.nan, np.inf, 1e-200, 1e200])
+def test_deviations_without_a_square_are_refused_in_silence(size):
+    with pytest.raises(DesignFailed, match="positive numbers"):
+        bryson([1.0, size])
 
 
 def test_hash_changes_with_a_gain():

@@ -182,6 +182,14 @@ def test_a_log_of_29_rows_shows_its_fall(motors: int, gyro: int, blamed: str) ->
     assert ("against" in str(found)) == bool(blamed)
 
 
+@pytest.mark.parametrize("rows", [20, 29, 60, 120, 178, 199])
+def test_a_log_of_any_length_is_examined(rows: int) -> None:
+    """Of a robot that balances from its first row to its last: no kernel is longer than what it smooths, no error."""
+    log = balanced()
+    part = Log(log.t[100 : 100 + rows], {name: x[100 : 100 + rows] for name, x in log.channels.items()}, log.units)
+    assert not [f for f in doctor(part, robot="nxtway-gs").findings if f.severity == "error"]
+
+
 def test_a_rounded_estimate_is_called_coarse_and_has_no_wrong_scale() -> None:
     """Steps as large as the robot's swings: regressions on them find any factor."""
     log = balanced()

@@ -48,9 +48,11 @@ class Lqr(StateFeedback):
 def bryson(largest: ArrayLike) -> Array:
     """diag(1/largest²): weights from the largest accepted deviation of each (Bryson and Ho 1975)."""
     scale = np.asarray(largest, dtype=np.float64)
-    if not (np.isfinite(scale).all() and (scale > 0).all()):
+    with np.errstate(all="ignore"):
+        weights = 1 / scale**2
+    if not (scale > 0).all() or not ((weights > 0) & (weights < np.inf)).all():  # also where a square is beyond them
         raise DesignFailed(f"largest accepted deviations {scale.tolist()}", expected="positive numbers")
-    return np.diag(1 / scale**2)
+    return np.diag(weights)
 
 
 def lqr(robot: Robot | str, dt: float, Q: ArrayLike | None = None, R: ArrayLike | None = None) -> Lqr:

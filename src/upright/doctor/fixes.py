@@ -130,6 +130,13 @@ def runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
+def beside(mask: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
+    """The rows that are in `mask`, or within `reach` rows of one that is; of any length."""
+    from scipy.ndimage import maximum_filter1d
+
+    return maximum_filter1d(mask.astype(np.uint8), 2 * reach + 1, mode="constant").astype(np.bool_)
+
+
 def grain_of(x: Array) -> float:
     """Quantisation step: the 0.1 % quantile of the nonzero steps between readings (0 where there are none)."""
     steps = np.abs(np.diff(x))

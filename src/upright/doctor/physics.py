@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.doctor.finding import FEWEST, GAP, GYRO, LEFT, PITCH, RIGHT, Array, Record
+from upright.doctor.fixes import beside
 
 WIDTHS = (0.03, 0.06)
 """Standard deviations [s] of the kernel: band limits of 5 and 2.7 Hz, about the motion of balancing robots."""
@@ -120,8 +121,7 @@ def _rows(m: Resampled, width: float) -> NDArray[np.intp]:
     inside = np.arange(margin, len(m.t) - margin)
     near = int(4 * width / m.period) + 1
     if not m.good.all():
-        bad = np.convolve(~m.good, np.ones(2 * near + 1), mode="same") > 0.5
-        inside = inside[~bad[inside]]
+        inside = inside[~beside(~m.good, near)[inside]]
     return inside[:: max(1, len(inside) // _MOST_ROWS)]
 
 
@@ -274,8 +274,7 @@ def responses(
     that feedback gives to a cross-correlation (Jordà 2005, local projections).
     """
     rows = np.arange(order + 1, len(u) - reach - 1)
-    near = np.convolve(~m.good, np.ones(2 * (order + reach)), mode="same") > 0.5
-    rows = rows[~near[rows]]
+    rows = rows[~beside(~m.good, order + reach)[rows]]
     rows = rows[:: max(1, len(rows) // _MOST_RESPONSE_ROWS)]
     if len(rows) < _LEAST_ROWS:
         return {}

@@ -82,10 +82,12 @@ def _segment(m: Resampled, lean: Lean, kind: str, a: int, b: int) -> Segment:
 
 def at_rest(m: Resampled) -> tuple[Mask, Mask]:
     """The rows in which the body rests (the gyro reads noise), and those in which the wheels stand still as well."""
+    from scipy.ndimage import uniform_filter1d
+
     assert m.gyro is not None
     count = max(3, round(0.1 / m.period))
     left, right = (np.abs(smooth(wheel, m.period, 2 * m.period, 1)) for wheel in (m.left, m.right))
-    moved = np.convolve(left + right, np.ones(count) / count, mode="same")
+    moved = uniform_filter1d(left + right, count, mode="constant")
     swings = np.abs(smooth(m.gyro, m.period, _CALMED))
     level = max(0.02 * float(np.percentile(left + right, 95)), 1e-6)
     left_over = noise_of(m.gyro) * min(1.0, np.sqrt(m.period / (2 * np.sqrt(np.pi) * _CALMED)))

@@ -26,7 +26,7 @@ from upright.doctor.finding import (
     note,
     warning,
 )
-from upright.doctor.fixes import runs
+from upright.doctor.fixes import beside, runs
 from upright.doctor.physics import Resampled, motion, pendulum, resampled, smooth, widths
 from upright.doctor.poses import at_rest, lean_of
 
@@ -146,15 +146,14 @@ def slips(record: Record) -> list[Finding]:
     loud = np.abs(miss) > max(8 * scatter, 3 * usual)
     loud[:edge], loud[-edge:] = False, False
     nonlinear = ~m.good | (np.abs(lean_of(record, m).angle) > _LINEAR)
-    loud &= np.convolve(nonlinear, np.ones(2 * edge + 1), mode="same") < 0.5
+    loud &= ~beside(nonlinear, edge)
     return _events(m, miss, loud, scatter)
 
 
 def _events(m: Resampled, miss: Array, loud: NDArray[np.bool_], scatter: float) -> list[Finding]:
     join = max(1, round(0.25 / m.period))
-    near = np.convolve(loud, np.ones(2 * join + 1), mode="same") > 0.5
     findings: list[Finding] = []
-    for a, b in runs(near)[:_MOST]:
+    for a, b in runs(beside(loud, join))[:_MOST]:
         part = miss[a:b]
         largest = float(np.abs(part).max())
         both = min(float(part.max()), float(-part.min())) / largest
