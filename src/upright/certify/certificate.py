@@ -145,12 +145,15 @@ class Certificate(Shown):
         return f"another {what}: {f'{what} {name} instead of {certified}, ' if name != certified else ''}{others}"
 
     def plot(self) -> Figure:
-        """How many robots fell [%], a bar for every push at every battery, the worst first."""
+        """How many robots fell [%], or the travel [m] of 95 % of them where none did: a bar for every push at every
+        battery, the worst first."""
         from upright.plotting import bars
 
-        worst = sorted(self.trials, key=lambda t: -t.fell / t.runs)
+        fell = any(t.fell for t in self.trials)
+        sizes = {t: 100 * t.fell / t.runs if fell else t.travel for t in self.trials}
+        worst = sorted(sizes, key=lambda t: -sizes[t])
         names = [f"{t.push}, {t.battery} battery" for t in worst]
-        return bars(names, [100 * t.fell / t.runs for t in worst], "robots that fell [%]", "push")
+        return bars(names, [sizes[t] for t in worst], "robots that fell [%]" if fell else "travel [m]", "push")
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is unlimited."""

@@ -30,10 +30,18 @@ def page_of(result: Analysis | Designed) -> Page:
         sections += [Section("Closed-loop poles", [_poles(analysis)])]
     facts = {"controller": analysis.hash[:12], "period": f"{analysis.period * 1e3:g} ms"}
     return Page(
-        f"{analysis.controller} on {analysis.robot}", sections, sentence(first, ""), facts, False,
+        f"{analysis.controller} on {analysis.robot}", sections, _lead(analysis, first), facts, False,
         verdict=Verdict("stable", "good") if analysis.stable else Verdict("unstable", "warn"),
         picture=_nyquist(analysis) if analysis.stable else _poles(analysis), numbers=_numbers(analysis),
     )  # fmt: skip
+
+
+def _lead(analysis: Analysis, first: str) -> str:
+    """The first sentence, and the loop that a delay makes unstable first."""
+    if not analysis.stable:
+        return sentence(first, "")
+    weakest = min((*analysis.inputs, *analysis.outputs), key=lambda m: m.delay)
+    return f"{sentence(first, '')} A delay at {weakest.channel} alone may be {cell_text(weakest.delay * 1e3, 3)} ms."
 
 
 def _numbers(analysis: Analysis) -> list[tuple[str, str]]:

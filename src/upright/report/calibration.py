@@ -36,9 +36,16 @@ def page_of(calibration: Calibration) -> Page:
         "logs": ", ".join(calibration.sources),
     }
     return Page(
-        f"{calibration.robot.name}, calibrated", sections, _lead(calibration), kept, False, verdict=verdict,
+        _title(calibration), sections, _lead(calibration), kept, False, verdict=verdict,
         picture=_measured(calibration), numbers=_numbers(calibration),
     )  # fmt: skip
+
+
+def _title(c: Calibration) -> str:
+    if c.refused:
+        return f"The log does not describe {c.robot.name}"
+    visible = sum(e.verdict == "visible" for e in c.parameters)
+    return f"{c.robot.name}: the log determines {visible} of {len(c.parameters)} parameters"
 
 
 def _sentence(text: str) -> str:

@@ -34,9 +34,9 @@ def page_of(cases: Cases) -> Page:
         numbers.append((f"{low} to {high} %", "95 % interval of the worst case"))
     percent = number(100 * (worst.fell or 0) / worst.n, 3)
     name = cases.names()[cases.index(worst)]
-    title = f"Most falls: {name}, {percent} % of the robots" if fallen else "No robot fell in any case"
+    title = f"{name} falls most: {percent} % of the robots" if fallen else f"No robot fell in {len(cases)} cases"
     return Page(
-        f"{len(cases)} cases of a campaign", sections, f"Of {worst.n} robots in each case, the fraction that fell.",
+        title, sections, f"{len(cases)} cases of {worst.n} robots each.",
         twin_note=False, verdict=Verdict("some fell", "warn") if fallen else Verdict("none fell", "good"),
-        picture=Figure(title, cases.plot()), numbers=numbers,
+        picture=Figure("Robots that fell in each case, with the 95 % interval", cases.plot()), numbers=numbers,
     )  # fmt: skip

@@ -47,11 +47,10 @@ def _numbers(c: Certificate) -> list[tuple[str, str]]:
 
 def _falls(c: Certificate) -> Figure:
     most = max(c.trials, key=lambda t: t.fell / t.runs)
-    title = f"No robot fell in {sum(t.runs for t in c.trials)} trials"
     if most.fell:
         percent = number(100 * most.fell / most.runs, 3)
-        title = f"Most falls: {most.push}, {most.battery} battery, {percent} % of the robots"
-    return Figure(title, c.plot())
+        return Figure(f"Most falls: {most.push}, {most.battery} battery, {percent} % of the robots", c.plot())
+    return Figure(f"No robot fell in {sum(t.runs for t in c.trials)} trials: how far 95 % of them rolled", c.plot())
 
 
 def _intro(c: Certificate) -> str:

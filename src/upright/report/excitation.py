@@ -30,7 +30,7 @@ def page_of(plan: ExcitationPlan) -> Page:
         (f"{number(100 * plan.checked.saturated, 2)} %", "periods with a saturated motor"),
     ]
     return Page(
-        f"The next run of {plan.robot}", sections, _lead(plan), facts, False, verdict=verdict, picture=_widths(plan),
+        _title(plan), sections, _lead(plan), facts, False, verdict=verdict, picture=_widths(plan),
         numbers=numbers,
     )  # fmt: skip
 
@@ -107,6 +107,14 @@ def _energy(plan: ExcitationPlan) -> str:
 DRAWN = 0.95  # of the width before: parameters whose intervals shrink less are not drawn
 
 
+def _title(plan: ExcitationPlan) -> str:
+    return f"A run of {plan.seconds:.3g} s halves the intervals of {_halved(plan)} parameters of {plan.robot}"
+
+
+def _halved(plan: ExcitationPlan) -> int:
+    return sum(p.after < VISIBLE * p.before for p in plan.predicted)
+
+
 def _widths(plan: ExcitationPlan) -> Figure:
     """Widths over those before, a row for each parameter, the least certain first."""
     shown = sorted((p for p in plan.predicted if p.after < DRAWN * p.before), key=lambda p: -p.after / p.before)
@@ -118,8 +126,7 @@ def _widths(plan: ExcitationPlan) -> Figure:
         ratios = [getattr(p, kind) / p.before for p in shown]
         ax.plot(ratios, range(len(shown)), label=name, linestyle="", marker=marker, color=COLOURS[k], fillstyle="none")
     ax.axvline(VISIBLE, linestyle="--", linewidth=0.8, color="grey")
-    halved = sum(p.after < VISIBLE * p.before for p in shown)
-    title = f"This run at least halves the intervals of {halved} of {len(plan.predicted)} parameters"
+    title = f"What each parameter's interval shrinks to; {_halved(plan)} of {len(plan.predicted)} at least to a half"
     return Figure(
         title, legend(figure), f"Left of the dashed line the interval shrinks below {VISIBLE:g} of its width."
     )

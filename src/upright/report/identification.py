@@ -34,9 +34,15 @@ def page_of(compared: MethodComparison) -> Page:
         "kit": data.kit.name,
     }
     return Page(
-        f"Linear models of {data.robot.name}", sections, _lead(compared), facts, compared.judge.made_the_log,
-        verdict=verdict, picture=_pole_figure(compared), numbers=_numbers(compared),
+        f"{data.robot.name}: unstable pole {_between(compared)}", sections, _lead(compared), facts,
+        compared.judge.made_the_log, verdict=verdict, picture=_pole_figure(compared), numbers=_numbers(compared),
     )  # fmt: skip
+
+
+def _between(compared: MethodComparison) -> str:
+    poles = [m.pole.value for m in compared.models.values()]
+    ends = dict.fromkeys(cell_text(end, 3) for end in (min(poles), max(poles)))
+    return " to ".join(ends) + " 1/s" + (f" by {len(poles)} methods" if len(poles) > 1 else "")
 
 
 def _pole_figure(compared: MethodComparison) -> Figure:
