@@ -1,4 +1,4 @@
-"""A call in a child of its own, with limits: what it returned, or how it ended, and the most memory it held."""
+"""A call in a child of its own, with limits: what it returned, or how it ended, and the most memory it took."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ ROOM = 6 << 30
 @dataclass(frozen=True)
 class Ended:
     """`value` is what the call returned; `how` is "", or "unexpected …", "killed by …" or "hangs"; `peak` [MB] is the
-    most memory that the child held; `text` is what it printed to stdout and stderr."""
+    most memory that it took beyond what was loaded before; `text` is what it printed to stdout and stderr."""
 
     value: Any
     how: str
@@ -36,6 +36,7 @@ def forked(work: Callable[[], Any], scratch: Path) -> Ended:
     """Run `work` in a forked child whose stdout and stderr go to a file in `scratch`."""
     answer, printed = scratch / "answer", scratch / "printed"
     answer.unlink(missing_ok=True)
+    held = int(Path("/proc/self/statm").read_text().split()[1]) * resource.getpagesize() / 2**20
     child = os.fork()
     if child == 0:
         _child(work, answer, printed)
@@ -56,7 +57,7 @@ def forked(work: Callable[[], Any], scratch: Path) -> Ended:
         value, error = pickle.loads(answer.read_bytes())
         how = how or error
     text = printed.read_text("utf-8", "replace") if printed.exists() else ""
-    return Ended(value, how, usage.ru_maxrss / 1024, text)
+    return Ended(value, how, max(usage.ru_maxrss / 1024 - held, 0.0), text)
 
 
 def _child(work: Callable[[], Any], answer: Path, printed: Path) -> None:

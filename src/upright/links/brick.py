@@ -15,7 +15,7 @@ from typing import IO, Any
 
 from upright.errors import MissingTool, UprightError
 
-SEARCH = 10.0  # [s] to find a brick: the process that looks for it must begin first
+SEARCH = 30.0  # [s] to find a brick: the process that looks for it must begin first, on a busy machine too
 PATIENCE = 10.0  # [s] for an answer; a file of 30 kB takes 3 s over Bluetooth
 REST = 600  # what HiTechnic's gyro reads at rest, as programs take it
 GYRO, COMPASS, LEFT, RIGHT = 0, 1, 2, 1  # the ports: S1, S2, OUT_C, OUT_B, as in generated programs
