@@ -45,7 +45,7 @@ def calibrate(
     """Estimate a robot's parameters from its raw logs.
 
     Prints each estimate with its 95 % interval, and whether the logs determine it. A fit that does not describe the
-    robot is refused: it writes no robot, and ends with exit code 2.
+    robot is refused: with -o it then writes no robot, and ends with exit code 2.
     """
     from upright.atomic import write_json
     from upright.calibrate.calibrate import calibrate as estimate

@@ -19,7 +19,7 @@ from upright.cli.options import (
     SeedOption,
     complete_method,
 )
-from upright.cli.output import check_targets, finish, progress
+from upright.cli.output import check_targets, finish, progress, write_page
 
 
 def design(
@@ -47,8 +47,9 @@ def design(
 
     check_targets(output, report)
     result = design_controller(method, robot, kit, period=period, posterior=posterior)
+    write_page(result, report)  # before the controller's file, so that a design without a page leaves none
     written = result.save(output) if output else None
-    finish(result, as_json, page=report, written=(written,), file=str(written) if written else None)
+    finish(result, as_json, written=(written, report), file=str(written) if written else None)
 
 
 def bench_controllers(

@@ -16,7 +16,7 @@ from upright.cli.options import (
     ReportOption,
     complete_robot,
 )
-from upright.cli.output import check_targets, finish, progress
+from upright.cli.output import check_targets, finish, print_json, progress
 
 
 def doctor(
@@ -41,10 +41,6 @@ def doctor(
 
     Prints each finding with its evidence and repair. Exit code 0, whatever the findings.
     """
-    import json
-
-    from typer import echo
-
     from upright.atomic import write_text
     from upright.doctor.doctor import doctor as examine
     from upright.errors import InvalidLog
@@ -59,7 +55,10 @@ def doctor(
             propose(table)
         except InvalidLog as error:
             write_text(write_mapping, draft(table))
-            echo(json.dumps({"draft": str(write_mapping)}) if as_json else f"{error}\na draft is in {write_mapping}")
+            if as_json:
+                print_json({"draft": str(write_mapping)})
+            else:
+                typer.echo(f"{error}\na draft is in {write_mapping}")
             return
     with progress("examining") as show:
         diagnosis = examine(log, robot, mapping=mapping, progress=show)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from upright.calibrate.calibration import VERDICTS, Calibration, Estimate
+from upright.calibrate.calibration import VERDICTS, VISIBLE, Calibration, Estimate
 from upright.plotting import legend, line, panels
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
@@ -44,8 +44,12 @@ def page_of(calibration: Calibration) -> Page:
 def _title(c: Calibration) -> str:
     if c.refused:
         return f"The log does not describe {c.robot.name}"
-    visible = sum(e.verdict == "visible" for e in c.parameters)
-    return f"{c.robot.name}: the log determines {visible} of {len(c.parameters)} parameters"
+    return f"{c.robot.name}: the log determines {_determined(c)} parameters"
+
+
+def _determined(c: Calibration) -> str:
+    """How many of the parameters are visible."""
+    return f"{sum(e.verdict == VISIBLE for e in c.parameters)} of {len(c.parameters)}"
 
 
 def _sentence(text: str) -> str:
@@ -53,12 +57,12 @@ def _sentence(text: str) -> str:
 
 
 def _numbers(c: Calibration) -> list[tuple[str, str]]:
-    pole, visible = c["unstable_pole"], sum(e.verdict == "visible" for e in c.parameters)
+    pole = c["unstable_pole"]
     worst = [(n, v) for n, v in c.segments.items() if n.startswith("sensor/")]
     name, value = min(worst, key=lambda pair: pair[1]) if worst else ("", math.nan)
     return [
         (f"{pole.value:.3g} 1/s", f"unstable pole, 95 %: {pole.low:.3g} to {pole.high:.3g}"),
-        (f"{visible} of {len(c.parameters)}", "parameters determined by the log"),
+        (_determined(c), "parameters determined by the log"),
         (
             cell_text(value, 3),
             f"R² of half seconds, smallest of all sensors ({name.removeprefix('sensor/').replace('_', ' ')})",
