@@ -21,8 +21,8 @@ SOURCE = CHECKOUT / "src" / "upright"
 ROOMS = (
     "errors", "interrupts", "atomic", "reading", "tables", "plotting", "plugins", "signals", "robots", "physics",
     "compiled", "links", "bodies", "control", "logs", "doctor", "experiment", "kernel", "calibrate", "fleet",
-    "firmware", "bricks", "parity", "excite", "identify", "certify", "diagnose", "flight", "comparison", "report",
-    "paper", "lab", "cli", "__main__",
+    "firmware", "bricks", "parity", "excite", "identify", "validate", "certify", "diagnose", "flight", "comparison",
+    "report", "paper", "lab", "cli", "__main__",
 )  # fmt: skip
 """From the ground up."""
 

@@ -1,0 +1,113 @@
+"""A validation says how well known numbers predict a log, and which of them is wrong, whatever was planted."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import upright as up
+from upright.cli.main import main
+from upright.control import lqg
+from upright.control.excited import Excited, random_binary
+from upright.control.files import write_controller
+from upright.errors import UprightError
+from upright.robots import Kit, Robot
+from upright.validate.law import LinearLaw, law_of
+from upright.validate.validation import LogJudged
+
+ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+
+
+@cache
+def log_of(kind: str = "") -> up.Log:
+    """Five seconds of an excited robot: the preset's, or one with a planted fault."""
+    robot, kit = ROBOT, KIT
+    if kind == "resistance":
+        robot = robot.replace(motor_resistance=1.6 * robot.motor_resistance)
+    if kind == "gyro":
+        gyro = replace(kit.sensors["sensor/gyro"], delay=kit.sensors["sensor/gyro"].delay + 0.012)
+        kit = replace(kit, sensors={**kit.sensors, "sensor/gyro": gyro})
+    controller = Excited(lqg(ROBOT, KIT, KIT.period), random_binary(1000, 1.0, seed=5, hold=6))
+    body = up.Electronics(up.NonlinearBody(robot, period=0.001), kit)
+    return up.run(body, controller, seconds=5.0, seed=2)
+
+
+@cache
+def judged(kind: str = "") -> LogJudged:
+    return up.validate(ROBOT, log_of(kind), KIT).logs[0]
+
+
+def test_the_robot_that_made_the_log_predicts_it_and_needs_no_change() -> None:
+    log = judged()
+    assert log.worst.r2 > 0.9
+    # half seconds leave what quantised readings and an uncertain first state leave: 2 % of the motion
+    assert all(c.r2 > 0.97 and c.breaks is None for c in log.half_seconds if "compass" not in c.name)
+    assert log.shifts == ()
+
+
+def test_planted_faults_are_what_would_have_to_move() -> None:
+    # a winding of 1.6 times the resistance is one whose gain and damping are smaller: several numbers say so
+    moved = {shift.name: shift for shift in judged("resistance").shifts}
+    assert moved["torque_constant"].proposed < moved["torque_constant"].value
+    gyro = judged("gyro").shifts[0]
+    assert gyro.name == "delay/gyro"
+    # one Gauss–Newton step goes most of the planted 12 ms, not all
+    assert 0.004 < gyro.proposed - gyro.value < 0.02
+
+
+def test_the_law_is_read_from_the_log_or_from_its_file(tmp_path: Path) -> None:
+    controller = lqg(ROBOT, KIT, KIT.period)
+    log = log_of()
+    excitation = random_binary(1000, 1.0, seed=5, hold=6)[: len(log)]
+    channels = dict(log.channels) | {"excitation/left": excitation[:, 0], "excitation/right": excitation[:, 1]}
+    whole = up.Log(log.t, channels, log.units, log.origin)
+    read = law_of(whole, ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro"))
+    assert isinstance(read, LinearLaw)
+    assert read.explained > 0.9999  # u = −K x̂ + excitation, and x̂ is in the log
+    assert not isinstance(law_of(log, ("sensor/gyro",)), LinearLaw)  # without the excitation, which nobody logged
+    path = write_controller(controller, tmp_path / "c.json")
+    given = up.validate(ROBOT, whole, KIT, path).logs[0]
+    assert min(c.r2 for c in given.loop if "gyro" in c.name) > 0.8
+
+
+def test_a_law_that_is_not_linear_is_said_to_be_unknown() -> None:
+    log = log_of()
+    names = [n for n in log.channels if n.startswith(("sensor/encoder", "sensor/gyro", "applied/"))]
+    rng = np.random.default_rng(1)
+    signs = np.sign(rng.standard_normal((len(log), 2)))
+    channels = {n: log[n] for n in names} | {"command/left": signs[:, 0], "command/right": signs[:, 1]}
+    result = up.validate(ROBOT, up.Log(log.t, channels, log.units), KIT).logs[0]
+    assert not result.loop
+    assert "unknown" in result.law
+
+
+def test_the_command_gives_a_verdict_a_page_and_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = log_of("gyro").save(tmp_path / "run.parquet")
+    page = tmp_path / "page.html"
+    assert main(["validate", "nxtway-gs", str(path), "--json", "--report", str(page)]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert data["verdict"] in ("predicts", "predicts in part", "does not predict")
+    assert "measured" in page.read_text()
+    assert "predicted" in page.read_text()
+    assert main(["validate", "nxtway-gs", str(tmp_path / "none.csv")]) == 2
+    assert main(["validate", "no-such-robot", str(path)]) == 2
+
+
+def test_a_controller_of_another_period_is_refused(tmp_path: Path) -> None:
+    slow = write_controller(lqg(ROBOT, KIT, 0.02), tmp_path / "slow.json")
+    with pytest.raises(UprightError, match="20 ms"):
+        up.validate(ROBOT, log_of(), KIT, slow)
+
+
+@pytest.mark.needs("shared/data/twipr")
+@pytest.mark.slow
+def test_the_free_closed_loop_of_a_real_robot(shared: Path) -> None:
+    """The law is in the log (k1 v + k2 pitch + k3 rate ± k4 yaw rate + excitation); the robot is the preset."""
+    result = up.validate("twipr", shared / "data" / "twipr" / "run1.csv").logs[0]
+    assert "estimate/pitch" in result.law
+    assert result.loop
