@@ -41,3 +41,4 @@ from .robots import Kit as Kit
 from .robots import Robot as Robot
 from .signals import Log as Log
 from .signals import Signal as Signal
+from .validate.validate import validate as validate

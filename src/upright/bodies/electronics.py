@@ -51,6 +51,7 @@ class Electronics:
             (have.get(name), _Channel(sensor, name, inner.period, kit)) for name, sensor in kit.sensors.items()
         ]
         self._line = _CommandLine(kit, inner.period)
+        self._alike = kit.motor.left == kit.motor.right == 1.0
 
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:
         rng = np.random.Generator(np.random.Philox(seed))
@@ -64,7 +65,12 @@ class Electronics:
     def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
         arrived = self._line.step(checked(command, 2, "command"))
         applied, self._voltage = drive(arrived, self.kit, self.spec.command_unit)
-        return self._sample(self.body.step(applied, disturbance))
+        inner = self.body.step(self._strengths(applied), disturbance)
+        return self._sample(inner if self._alike else replace(inner, applied=applied))
+
+    def _strengths(self, applied: tuple[float, float]) -> tuple[float, float]:
+        """What each motor makes of what is applied to it."""
+        return applied if self._alike else (applied[0] * self.kit.motor.left, applied[1] * self.kit.motor.right)
 
     def close(self) -> None:
         self.body.close()

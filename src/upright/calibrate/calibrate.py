@@ -25,6 +25,7 @@ from upright.calibrate.electronics import electronics_of
 from upright.calibrate.fitting import EQUATIONS, JITTER, STICKING, Normal, Path, Problem, normal_equations, objective
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import INERTIAL, too_quiet
+from upright.calibrate.learnt_kit import learnt_kit
 from upright.calibrate.noise import Bounds, learn_noise
 from upright.calibrate.parameters import most_friction, parameters_of
 from upright.errors import DesignFailed, InvalidLog
@@ -112,7 +113,8 @@ def calibrate(
     show = progress or _unwatched
     several = [raw_log(log, mapping) for log in ([logs] if isinstance(logs, Log | str | os.PathLike) else logs)]
     nominal = find_robot(robot)
-    problem, limits = prepared(several, nominal, find_kit(kit or nominal.kit), known, held_out)
+    parts = find_kit(kit or nominal.kit)
+    problem, limits = prepared(several, nominal, parts, known, held_out)
     reason = too_quiet(problem)
     if reason:
         problem = replace(problem, held=frozenset(p.name for p in problem.parameters if p.name in INERTIAL))
@@ -123,7 +125,9 @@ def calibrate(
     if not np.isfinite(normal.objective):
         raise _lost()
     show(0.8)
-    return summarised(problem, z, normal, paths, several, reason, began)
+    result = summarised(problem, z, normal, paths, several, reason, began)
+    hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
+    return replace(result, kit=learnt_kit(result, parts, problem.delays, hidden))
 
 
 def _unwatched(fraction: float) -> None:

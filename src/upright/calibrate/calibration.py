@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from upright.atomic import finite
 from upright.errors import InvalidRobot
-from upright.robots import Robot
+from upright.robots import Kit, Robot
 from upright.tables import Listing, Shown
 
 if TYPE_CHECKING:
@@ -177,6 +177,7 @@ class Calibration(Shown):
     electronics: tuple[Estimate, ...] = ()
     free: tuple[Segments, ...] = ()
     refused: tuple[str, ...] = ()
+    kit: Kit | None = None
 
     def __post_init__(self) -> None:
         covariance = np.array(self.covariance, dtype=np.float64)
@@ -215,12 +216,14 @@ class Calibration(Shown):
         return self.covariance / np.outer(spread, spread)
 
     def known_robot(self) -> Robot:
-        """The robot with its posterior: beside each number's deviation, how the errors of each two go together."""
+        """The robot with its posterior: beside each number's deviation, how the errors of each two go together, and the
+        electronics with the dead times and the motors that the log shows."""
         fitted = [e.name for e in self.parameters if e.verdict != HELD]
         rows, rho = [self.names.index(name) for name in fitted], self.correlation
         pairs = {(b, a): float(rho[j, i]) for n, (a, i) in enumerate(zip(fitted, rows, strict=True))
                  for b, j in zip(fitted[n + 1 :], rows[n + 1 :], strict=True)}  # fmt: skip
-        return dataclasses.replace(self.robot, correlation=pairs)
+        own = {} if self.kit is None else {"kit": self.kit}
+        return dataclasses.replace(self.robot, correlation=pairs, **own)
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; what is not finite is null."""
@@ -239,7 +242,7 @@ class Calibration(Shown):
             "segments": {k: finite(v) for k, v in self.segments.items()},
             "temper": self.temper, "samples": self.samples, "seconds": self.seconds, "sources": list(self.sources),
             "notes": list(self.notes), "unseen": list(self.unseen), "refused": list(self.refused),
-            "wrong": list(self.check()),
+            "wrong": list(self.check()), "file": self.known_robot().to_toml(),
         }  # fmt: skip
 
     def plot(self) -> Figure:

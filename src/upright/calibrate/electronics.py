@@ -31,13 +31,13 @@ MEASURED = 0.02  # [1] spread where it was: drop in driver and wires
 
 def electronics_of(robot: Robot, kit: Kit, logs: Sequence[Log]) -> tuple[Parameter, ...]:
     """The parameters between the commands of these logs and the motors, with their priors."""
-    parameters = [Parameter(ASYMMETRY, "1", 0.0, UNEQUAL, "linear")]
-    if all("body" in log.origin for log in logs):
-        return tuple(parameters)
-    if robot.drive == "voltage":
-        measured = all("sensor/battery" in log for log in logs)
-        parameters.append(Parameter(BATTERY, "1", 1.0, MEASURED if measured else UNMEASURED, "logarithm"))
-    zone = kit.motor.dead_zone
+    strength = (kit.motor.left + kit.motor.right) / 2
+    parameters = [Parameter(ASYMMETRY, "1", (kit.motor.right - kit.motor.left) / strength, UNEQUAL, "linear")]
+    own = all("body" in log.origin for log in logs)
+    if robot.drive == "voltage" and (not own or strength != 1):
+        measured = own or all("sensor/battery" in log for log in logs)
+        parameters.append(Parameter(BATTERY, "1", strength, MEASURED if measured else UNMEASURED, "logarithm"))
+    zone = 0.0 if own else kit.motor.dead_zone
     if zone:
         parameters.append(Parameter(DEAD_ZONE, robot.command_unit, zone, zone / 2, "linear", 0.0, True))
     return tuple(parameters)

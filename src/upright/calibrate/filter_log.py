@@ -9,7 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.calibrate import NOISE_TIME, process
+from upright.calibrate.electronics import ASYMMETRY, BATTERY, electronics_of
 from upright.calibrate.fitting import STICKING, Path, Problem
+from upright.calibrate.parameters import Parameter
 from upright.logs.recording import SENSOR, first_noise, reading_matrix, record
 from upright.physics.dynamics import motor_gain, turn_ratio
 from upright.robots import Kit, Robot
@@ -58,12 +60,21 @@ def filter_log(
     noise |= process((recording,), robot, disturbance) | {STICKING: -math.inf}  # the motors' noise below holds it
     dry = friction * robot.coulomb_friction / motor_gain(robot)
     noise["motor"] = math.log(math.exp(noise["motor"]) + dry**2 * NOISE_TIME)
-    problem = Problem(recordings=(recording,), robot=robot, parameters=(), delays=after_command, noise=noise)
-    return _in_order(problem, problem.filtered(recording, np.zeros(0), keep=True), log)
+    problem = Problem(
+        recordings=(recording,), robot=robot, parameters=_motors(robot, kit, log), delays=after_command, noise=noise
+    )
+    return _in_order(problem, problem.filtered(recording, np.zeros(len(problem.parameters)), keep=True), log)
+
+
+def _motors(robot: Robot, kit: Kit, log: Log) -> tuple[Parameter, ...]:
+    """The strengths of two motors, where the kit has some of its own."""
+    if kit.motor.left == kit.motor.right == 1:
+        return ()
+    return tuple(p for p in electronics_of(robot, kit, [log]) if p.name in (ASYMMETRY, BATTERY))
 
 
 def _in_order(problem: Problem, path: Path, log: Log) -> FilteredLog:
-    recording, z = problem.recordings[0], np.zeros(0)
+    recording, z = problem.recordings[0], np.zeros(len(problem.parameters))
     order = problem.order(recording, z)
     row, after = recording.kind[order], path.states[order]
     latest = np.maximum.accumulate(np.where(row < 0, np.arange(len(order)), 0))

@@ -49,10 +49,13 @@ class Stretch:
     def predicted(self, filtered: Array) -> Array:
         """The readings (events,) as simulated from the best first state, near the one of the filter (states,) or any
         other that fits the first readings; NaN beyond a fall."""
-        fitted = [self._descended(first) for first in self._likeliest(self._starts(filtered))]
-        best = min(fitted, key=lambda state_and_cost: state_and_cost[1])[0]
-        e = self._errors(best[:, None])[:, 0] * self.scale[self.recording.kind[self.events]]
+        e = self._errors(self.first(filtered)[:, None])[:, 0] * self.scale[self.recording.kind[self.events]]
         return self.recording.value[self.events] - e
+
+    def first(self, filtered: Array) -> Array:
+        """The first state (states,) from which the readings are followed best."""
+        fitted = [self._descended(first) for first in self._likeliest(self._starts(filtered))]
+        return min(fitted, key=lambda state_and_cost: state_and_cost[1])[0]
 
     def _errors(self, firsts: Array) -> Array:
         """Errors (events, lanes) over their scale, from the first states (states, lanes)."""

@@ -15,11 +15,16 @@ GROUPS = {
         "robots": ("upright robots", "upright robots show ev3way"),
     },
     "Learn": {
+        "example": ("upright example", "upright example excited -o run.csv"),
         "excite": ("upright excite -o plan.json", "upright excite -r my-robot.toml --seconds 30 --report plan.html"),
         "doctor": ("upright doctor run.csv", "upright doctor run.csv --robot ev3way --fix repaired.csv"),
         "calibrate": (
             "upright calibrate run.csv --robot ev3way",
             "upright calibrate run1.csv run2.csv --robot my.toml -o mine.toml",
+        ),
+        "validate": (
+            "upright validate mine.toml run2.csv",
+            "upright validate mine.toml run2.csv --report prediction.html",
         ),
         "identify": (
             "upright identify run.csv --robot ev3way",

@@ -18,6 +18,7 @@ from upright.cli.certify import certify
 from upright.cli.compare import compare
 from upright.cli.design import bench_controllers, design
 from upright.cli.doctor import doctor
+from upright.cli.example import example
 from upright.cli.excite import excite
 from upright.cli.firmware import firmware
 from upright.cli.fleet import basin, fleet, push_map, sweep
@@ -32,6 +33,7 @@ from upright.cli.post_mortem import post_mortem
 from upright.cli.reproduce import reproduce
 from upright.cli.robots import robots
 from upright.cli.simulate import simulate
+from upright.cli.validate import validate
 from upright.errors import UprightError
 
 USER_ERROR, BUG = 2, 1
@@ -45,8 +47,8 @@ app = typer.Typer(
     name="upright", cls=Grouped, rich_markup_mode=None, context_settings={"help_option_names": ["-h", "--help"]}
 )
 COMMANDS = (
-    reproduce, simulate, compare, linearise, design, certify, bench_controllers, post_mortem, doctor, calibrate, excite,
-    identify, fleet, push_map, basin, sweep, firmware, parity, fly, monitor, lab,
+    reproduce, simulate, compare, linearise, design, certify, bench_controllers, post_mortem, doctor, calibrate,
+    validate, example, excite, identify, fleet, push_map, basin, sweep, firmware, parity, fly, monitor, lab,
 )  # fmt: skip
 for command in COMMANDS:
     name = command.__name__.replace("_", "-")

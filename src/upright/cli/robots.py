@@ -45,7 +45,7 @@ def show(
     if as_json:
         print_json({**_summary(robot), "parameters": robot.parameters()})
     else:
-        typer.echo(f"{robot.name}: {robot.drive} drive, kit {robot.kit}\n\n{robot.listing()}")
+        typer.echo(f"{robot.name}: {robot.drive} drive, kit {robot.kit_name}\n\n{robot.listing()}")
 
 
 def _summary(robot: Robot) -> dict[str, Any]:
@@ -57,5 +57,5 @@ def _summary(robot: Robot) -> dict[str, Any]:
         "com_height": robot.com_height,
         "unstable_pole": unstable_pole(robot),
         "drive": robot.drive,
-        "kit": robot.kit,
+        "kit": robot.kit_name,
     }

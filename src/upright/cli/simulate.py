@@ -99,7 +99,7 @@ def _show(log: Log, *, body: str, robot: str, written: Path | None, report: Path
 
 
 def _fitted(
-    robot: Robot, *, body: str, kit: str, controller: str | None, gains: str | None, period: float | None
+    robot: Robot, *, body: str, kit: Kit | str, controller: str | None, gains: str | None, period: float | None
 ) -> tuple[Any, Controller]:
     """The body inside its electronics and a controller that can read what it offers."""
     from upright.bodies import Electronics, make_body
@@ -127,7 +127,7 @@ def _excited(controller: Controller, path: Path) -> tuple[Controller, float]:
     return plan.excited(controller), plan.seconds
 
 
-def _standing_up(controller: Controller, robot: Robot, kit: str, pitch: float, start: str) -> Controller:
+def _standing_up(controller: Controller, robot: Robot, kit: Kit | str, pitch: float, start: str) -> Controller:
     """The controller behind a lift from that pitch."""
     if start:
         raise InvalidController("both --start and --lying", expected="one of them: a lift begins at rest")

@@ -210,6 +210,8 @@ def kit_of(log: Log, robot: Robot) -> Kit:
     body: Any = log.origin.get("body")
     kind = str(body.get("kind", "")) if isinstance(body, dict) else ""
     named = re.search(r" with (\S+) electronics$", kind)
+    if isinstance(robot.kit, Kit):
+        return robot.kit
     return Kit.preset(named[1] if named and named[1] in kit_names() else robot.kit)
 
 

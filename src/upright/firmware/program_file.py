@@ -56,7 +56,8 @@ def read_program(
     """
     source, text = Path(path), read_text(path)
     facts = head(text)
-    chosen, parts = find_robot(robot or facts["robot"]), find_kit(kit or facts["kit"])
+    chosen = find_robot(robot or facts["robot"])
+    parts = find_kit(kit or _kit_of(chosen, facts["kit"]))
     design = find_controller(controller, chosen, parts, parts.period)
     if other := identity(design).differs(_identity(facts)):
         raise InvalidController(
@@ -68,6 +69,11 @@ def read_program(
         reference="reference" in facts, seconds=longest_run(text),
     )  # fmt: skip
     return ProgramFile(path=source, text=text, head=facts, robot=chosen, kit=parts, controller=design, firmware=made)
+
+
+def _kit_of(robot: Robot, name: str) -> Kit | str:
+    """The robot's own electronics where they have that name, else the name."""
+    return robot.kit if robot.kit_name == name else name
 
 
 def _identity(facts: Mapping[str, str]) -> Identity:

@@ -77,7 +77,7 @@ def _case(
     _check(scenario, _SCENARIO, f"{where}: scenario")
     posterior = folder / table["posterior"] if "posterior" in table else None
     robot, unknown = at_medians(find_robot(_beside(robot_name, folder)), posterior)
-    kit = electronics(str(table.get("kit", robot.kit)), folder)
+    kit = electronics(table.get("kit", robot.kit), folder)
     controller = find_controller(_beside(controller_name, folder), robot, kit)
     for name, value in point.items():  # after the design: the controller does not know the grid
         if unknown and name in unknown.names:
@@ -97,9 +97,9 @@ def _case(
     return Case({k: v for k, v in labels.items() if v} | point, ensemble, int(table.get("n", 1000)))
 
 
-def electronics(name: str, folder: Path = Path()) -> Kit | None:
-    """The kit of that name or TOML file, None for the ideal one."""
-    kit = find_kit(_beside(name, folder))
+def electronics(kit: Kit | str, folder: Path = Path()) -> Kit | None:
+    """The kit, or the one of that name or TOML file; None for the ideal one."""
+    kit = kit if isinstance(kit, Kit) else find_kit(_beside(str(kit), folder))
     return None if kit.name == IDEAL else kit
 
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from upright.errors import InvalidLog, UnknownName
 from upright.identify.arx import FirstResponse, arx, first_response
 from upright.logs.recording import check_clock, one_encoder
-from upright.robots import Kit, Robot, Sensor
+from upright.robots import Kit, Robot, Sensor, find_kit
 from upright.signals import Log
 from upright.tables import sentence
 
@@ -97,7 +97,7 @@ def samples(
         raise UnknownName("source", source, SOURCES)
     if not 0 <= held_out < 0.9:
         raise InvalidLog(f"a held-out fraction of {held_out:g}", expected="between 0 and 0.9")
-    parts_of_robot = kit or Kit.preset(robot.kit)
+    parts_of_robot = kit or find_kit(robot.kit)
     prefix, commands = _commands(log, robot)
     notes = _clock(log)
     halves = _from_states(log, commands) if source == "states" else _from_sensors(log, robot, parts_of_robot, commands)

@@ -391,7 +391,7 @@ class Session:
         return [analysis, self.changed(), *self.follow()]
 
     def _read(self, robot: Robot) -> list[Any]:
-        kit = robot.kit if robot.kit in kit_names() else self.setup.kit
+        kit = robot.kit_name if robot.kit_name in kit_names() else self.setup.kit
         setup = replace(self.setup, robot=robot.name, numbers=robot.numbers(), drive=robot.drive, kit=kit)
         self.handle(Change(replace(setup, largest=(), gains=())))
         return [Notice("info", f"{robot.name}: read")]

@@ -27,7 +27,7 @@ def catalogue() -> Catalogue:
 
 
 def _info(robot: Robot) -> RobotInfo:
-    return RobotInfo(robot.name, robot.title, robot.kit, robot.drive, robot.numbers())
+    return RobotInfo(robot.name, robot.title, robot.kit_name, robot.drive, robot.numbers())
 
 
 def changed(setup: Setup, plant: Plant, lanes: Sequence[Lane], busy: bool) -> Changed:

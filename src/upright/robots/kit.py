@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
+from typing import Any
 
 from upright.errors import InvalidRobot
 from upright.robots import toml
 from upright.signals.signal import SENSORS
 
 PRESETS = "kits"
+_TIMING = ("period", "delay", "jitter")
+_MOTOR_UNITS = {
+    "limit": "V", "dead_zone": "V", "quantum": "V", "backlash": "rad", "left": "1", "right": "1",
+}  # fmt: skip
+_BATTERY_UNITS = {"voltage": ("V",), "sag": ("1",)}
 _KEYS = ("name", "title", "period", "delay", "jitter", "drive", "battery", "motor", "sensors")
 _SENSOR_UNITS = {signal.name.removeprefix("sensor/"): signal.unit for signal in SENSORS}
 
@@ -64,6 +70,8 @@ class Motor:
     dead_zone: float = 0.0  # commands up to this size do nothing (V or N m)
     quantum: float = 0.0  # step between two commands (V or N m)
     backlash: float = 0.0  # [rad] play between wheel and encoder
+    left: float = 1.0  # [1] fraction of a command that the left motor turns into torque
+    right: float = 1.0  # [1] the same of the right motor
 
     def __post_init__(self) -> None:
         for f in fields(self):
@@ -123,12 +131,28 @@ class Kit:
     @classmethod
     def preset(cls, name: str) -> Kit:
         """The kit of that name among the presets; `UnknownName` lists them."""
-        return _read(*toml.shipped("kit", PRESETS, name))
+        return kit_of(*toml.shipped("kit", PRESETS, name))
 
     @classmethod
     def load(cls, path: str | Path) -> Kit:
         """A kit from a TOML file written like the presets; raises `InvalidRobot` for a file without a valid kit."""
-        return _read(*toml.read("kit", path))
+        return kit_of(*toml.read("kit", path))
+
+    def to_toml(self, table: str = "") -> str:
+        """The text that `load` reads back as this kit, or the part of a robot's file in the `table` of this name."""
+        prefix = f"{table}." if table else ""
+        head = [f"[{table}]\n"] if table else []
+        head += [f"{key} = {toml.quoted(getattr(self, key))}\n" for key in ("name", "drive") if getattr(self, key)]
+        parts: list[tuple[str, Any, Mapping[str, str]]] = [
+            ("", self, dict.fromkeys(_TIMING, "s")), ("motor.", self.motor, _MOTOR_UNITS),
+            ("battery.", self.battery, {name: units[0] for name, units in _BATTERY_UNITS.items()}),
+        ]  # fmt: skip
+        for name, sensor in self.sensors.items():
+            units = {key: several[0] for key, several in _sensor_units(name.removeprefix("sensor/")).items()}
+            parts.append((f"sensors.{name.removeprefix('sensor/')}.", sensor, units))
+        tables = [text for where, part, units in parts for text in _numbers(f"{prefix}{where}", part, units)]
+        empty = [f"\n[{prefix}sensors.{n.removeprefix('sensor/')}]\n" for n, s in self.sensors.items() if s == Sensor()]
+        return "".join([*head, *tables, *empty])
 
 
 def kit_names() -> tuple[str, ...]:
@@ -143,16 +167,15 @@ def find_kit(kit: Kit | str | Path) -> Kit:
     return Kit.load(kit) if toml.is_path(kit) else Kit.preset(str(kit))
 
 
-def _read(table: toml.Table, where: str) -> Kit:
-    toml.check_keys(
-        table, {"name", "title", "period", "delay", "jitter", "drive", "battery", "motor", "sensors"}, where
-    )
+def kit_of(table: toml.Table, where: str) -> Kit:
+    """The kit in a table of TOML, which messages call `where`; raises `InvalidRobot`."""
+    toml.check_keys(table, _KEYS, where)
     if "name" not in table:
         raise InvalidRobot(f"{where} lacks name", expected="the kit's name", hint='name = "my-kit"')
-    timing = {key: toml.number(table[key], key, ("s",), where) for key in ("period", "delay", "jitter") if key in table}
-    battery = toml.numbers(table, "battery", {"voltage": ("V",), "sag": ("1",)}, where)
+    timing = {key: toml.number(table[key], key, ("s",), where) for key in _TIMING if key in table}
+    battery = toml.numbers(table, "battery", _BATTERY_UNITS, where)
     command = ("V", "N m")  # a kit serves voltage and torque drives alike
-    units = {"limit": command, "dead_zone": command, "quantum": command, "backlash": ("rad",)}
+    units = {key: command if unit == "V" else (unit,) for key, unit in _MOTOR_UNITS.items()}
     motor = toml.numbers(table, "motor", units, where)
     listed = toml.subtable(table, "sensors", where)
     toml.check_keys(listed, _SENSOR_UNITS, where, "sensors.")
@@ -163,7 +186,19 @@ def _read(table: toml.Table, where: str) -> Kit:
 
 
 def _sensor(listed: toml.Table, name: str, where: str) -> dict[str, float]:
+    return toml.numbers(listed, name, _sensor_units(name), where, "sensors.")
+
+
+def _sensor_units(name: str) -> dict[str, tuple[str, ...]]:
     unit = _SENSOR_UNITS[name]
     units = dict.fromkeys(("quantum", "noise", "bias", "range"), (unit,))
-    units |= {"bias_walk": (f"{unit}/√s",), "delay": ("s",), "period": ("s",)}
-    return toml.numbers(listed, name, units, where, "sensors.")
+    return units | {"bias_walk": (f"{unit}/√s",), "delay": ("s",), "period": ("s",)}
+
+
+def _numbers(where: str, part: Any, units: Mapping[str, str]) -> Iterator[str]:
+    """The numbers of a part that differ from its default, each as a table of TOML."""
+    default = {f.name: f.default for f in fields(part)}
+    for key, unit in units.items():
+        value = float(getattr(part, key))
+        if value != default[key] and math.isfinite(value):
+            yield f"\n[{where}{key}]\nvalue = {value!r}\nunit = {toml.quoted(unit)}\n"

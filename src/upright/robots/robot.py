@@ -13,7 +13,9 @@ from typing import Any, NamedTuple, cast
 
 from upright.atomic import write_text
 from upright.errors import InvalidRobot
+from upright.reading import read_json, understood
 from upright.robots import toml
+from upright.robots.kit import Kit, kit_of
 from upright.robots.toml import Provenance
 from upright.tables import Listing
 
@@ -33,7 +35,8 @@ class Robot:
     roll inertias include the two wheels' small inertias about their own diameters. With `drive="torque"`
     the command is each motor's torque [N m] on its wheel, and the electrical parameters are not used.
     `coulomb_friction` acts between body and wheel, smoothed over `stiction_rate`. `correlation` holds the correlation
-    of the errors of pairs of parameters [−1 to 1], as a calibration estimates them.
+    of the errors of pairs of parameters [−1 to 1], as a calibration estimates them. `kit` is the name of a kit or its
+    file, or the kit itself, with the delays and motors of this very robot.
 
     Raises `InvalidRobot` for a robot that cannot exist or that has nothing to balance.
     """
@@ -62,7 +65,7 @@ class Robot:
     body_height: float = _number("m", "H", 0.15)
     title: str = field(default="", compare=False)
     drive: str = "voltage"
-    kit: str = "ideal"
+    kit: str | Kit = field(default="ideal", hash=False)
     provenance: Mapping[str, Provenance] = field(default_factory=dict, compare=False, repr=False)
     correlation: Mapping[tuple[str, str], float] = field(default_factory=dict, compare=False, repr=False)
 
@@ -88,10 +91,21 @@ class Robot:
 
         Raises `UprightError` where the file cannot be written.
         """
-        head = [f"{key} = {toml.quoted(getattr(self, key))}\n" for key in ("name", "title", "drive", "kit")]
+        return write_text(path, self.to_toml())
+
+    def to_toml(self) -> str:
+        """The text that `load` reads back."""
+        words = ("name", "title", "drive", *(("kit",) if isinstance(self.kit, str) else ()))
+        head = [f"{key} = {toml.quoted(getattr(self, key))}\n" for key in words]
         unused = set(_ELECTRICAL) - self.provenance.keys() if self.drive == "torque" else set[str]()
         tables = [_written(name, self) for name in PARAMETERS if name not in unused]
-        return write_text(path, "".join([*head, *tables, _written_correlation(self)]))
+        kit = [] if isinstance(self.kit, str) else ["\n", self.kit.to_toml("kit")]
+        return "".join([*head, *tables, _written_correlation(self), *kit])
+
+    @property
+    def kit_name(self) -> str:
+        """What its electronics are called."""
+        return self.kit if isinstance(self.kit, str) else self.kit.name
 
     def replace(self, **changes: Any) -> Robot:
         """The same robot with some parameters changed, checked again; what is changed loses its source."""
@@ -109,7 +123,7 @@ class Robot:
         return f"Robot({self.name!r}: {mass:.3g} kg, centre of mass {self.com_height:.3g} m above the axle)"
 
     def _repr_html_(self) -> str:
-        return self.listing().html(f"{self.name}: {self.drive} drive, kit {self.kit}")
+        return self.listing().html(f"{self.name}: {self.drive} drive, kit {self.kit_name}")
 
     def listing(self) -> Listing:
         """Every parameter with symbol, value, spread, unit and source, as a table."""
@@ -154,10 +168,27 @@ def preset_names() -> tuple[str, ...]:
 
 
 def find_robot(robot: Robot | str | Path) -> Robot:
-    """The robot itself, the one in the file where this is a path to `.toml`, else the preset of that name."""
+    """The robot itself, the one in the file where this is a path to `.toml`, or to the `.json` of a
+    calibration, else the preset of that name."""
     if isinstance(robot, Robot):
         return robot
+    if str(robot).endswith(".json"):
+        return _calibrated(Path(robot))
     return Robot.load(robot) if toml.is_path(robot) else Robot.preset(str(robot))
+
+
+def _calibrated(path: Path) -> Robot:
+    """The robot in a posterior by `upright calibrate --save`; raises `InvalidRobot` where it holds none."""
+    expected = "a posterior by upright calibrate --save"
+    data = read_json(path, InvalidRobot, expected)
+    if isinstance(data, dict) and (refused := cast("dict[str, Any]", data).get("refused")):
+        raise InvalidRobot(
+            f"{path} is of a fit that does not describe its robot: {str(refused[0])[:300]}",
+            hint="calibrate from another log, or with the robot that the log is of",
+        )  # fmt: skip
+    with understood(f"the posterior {path}", InvalidRobot, expected):
+        text = data["file"]
+    return _read(toml.parse_toml(text, str(path), InvalidRobot, expected), str(path))
 
 
 def possible(p: Any) -> Any:
@@ -303,7 +334,10 @@ def _written_correlation(robot: Robot) -> str:
 
 def _read(table: toml.Table, where: str) -> Robot:
     toml.check_keys(table, {"name", "title", "drive", "kit", "correlation", *PARAMETERS}, where)
-    words = {key: toml.word(table, key, where) for key in ("name", "drive", "kit", "title") if key in table}
+    words: dict[str, Any] = {k: toml.word(table, k, where) for k in ("name", "drive", "title") if k in table}
+    if "kit" in table:
+        own = isinstance(table["kit"], dict)
+        words["kit"] = kit_of(table["kit"], f"{where}, kit") if own else toml.word(table, "kit", where)
     required = {f.name for f in dataclasses.fields(Robot) if f.default is f.default_factory is dataclasses.MISSING}
     missing = sorted(required - table.keys())
     if missing:
@@ -315,9 +349,7 @@ def _read(table: toml.Table, where: str) -> Robot:
     sources = {name: toml.provenance(table[name], name, where) for name in given}
     provenance = {name: source for name, source in sources.items() if source is not None}
     pairs = _correlation(toml.subtable(table, "correlation", where), where)
-    return Robot(
-        **cast(dict[str, Any], words), **cast(dict[str, Any], numbers), provenance=provenance, correlation=pairs
-    )
+    return Robot(**words, **cast(dict[str, Any], numbers), provenance=provenance, correlation=pairs)
 
 
 def _correlation(table: toml.Table, where: str) -> dict[tuple[str, str], float]:

@@ -1,0 +1,37 @@
+"""The electronics that a calibration has learnt: dead times, two motors that differ, and a dead zone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from upright.calibrate.calibration import Calibration
+from upright.calibrate.electronics import ASYMMETRY, BATTERY, DEAD_ZONE
+from upright.logs.recording import SENSOR
+from upright.robots import Kit
+
+OWN = "calibrated"  # name of electronics that were none before
+
+
+def learnt_kit(result: Calibration, kit: Kit, delays: Mapping[str, float], hidden: float) -> Kit:
+    """`kit` with what the log shows of its electronics.
+
+    `delays` [s] are those of the sensors before the calibration, `hidden` [s] the dead time that a log of applied
+    commands does not show. The time that all sensors are behind the command counts as the command's, the rest as each
+    sensor's.
+    """
+    learnt = {e.name.removeprefix("delay/"): e.value for e in result.delays}
+    delays = {name: learnt.get(name, delay) for name, delay in delays.items()}
+    common = max(min(delays.values()), 0.0)
+    sensors = {
+        name: replace(sensor, delay=max(delays[SENSOR[name]] - common, 0.0)) if SENSOR.get(name) in delays else sensor
+        for name, sensor in kit.sensors.items()
+    }
+    factors = {e.name: e.value for e in result.electronics}
+    strength, half = factors.get(BATTERY, 1.0), factors.get(ASYMMETRY, 0.0) / 2
+    zone = factors.get(DEAD_ZONE, kit.motor.dead_zone)
+    motor = replace(kit.motor, left=strength * (1 - half), right=strength * (1 + half), dead_zone=zone)
+    return replace(
+        kit, name=OWN if kit.name == "ideal" else kit.name, sensors=sensors, motor=motor,
+        delay=max(hidden + common - kit.jitter / 2, 0.0),
+    )  # fmt: skip

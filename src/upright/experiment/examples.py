@@ -1,0 +1,106 @@
+"""Example logs of the twin, as a robot would write them: each with a fixed seed, some with a planted fault.
+
+None holds what a robot does not know: no true state, no push.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.errors import UnknownName
+from upright.experiment.pushes import Impulse, PushProgramme
+from upright.experiment.run import run
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+
+ROBOT = "nxtway-gs"
+SECONDS = 12.0
+SEED = 11
+AMPLITUDE, HELD = 1.2, 8  # [V], rows: a random binary excitation that moves the robot by a few degrees
+BLOW, FATAL = 0.06, 0.4  # [N s] pushes that it survives, and not
+GYRO, LEFT, RIGHT = "sensor/gyro", "sensor/encoder_left", "sensor/encoder_right"
+BEHIND, LOST = 3, 0.03  # rows by which a gyro is behind; fraction of the rows that are lost
+
+Planted = Callable[[Log], tuple[Array, dict[str, Array]]]
+
+
+@dataclass(frozen=True)
+class Example:
+    """What a log shows (`about`), with which pushes, excited or not, and the fault `planted` in it."""
+
+    about: str
+    pushes: tuple[PushProgramme, ...] = ()
+    excited: bool = False
+    planted: Planted | None = None
+
+
+def _scaled(name: str, factor: float) -> Planted:
+    return lambda log: (log.t, {**log.channels, name: factor * log[name]})
+
+
+def _swapped(log: Log) -> tuple[Array, dict[str, Array]]:
+    return log.t, {**log.channels, LEFT: log[RIGHT], RIGHT: log[LEFT]}
+
+
+def _behind(log: Log) -> tuple[Array, dict[str, Array]]:
+    gyro = np.concatenate([np.full(BEHIND, log[GYRO][0]), log[GYRO][:-BEHIND]])
+    return log.t, {**log.channels, GYRO: gyro}
+
+
+def _lossy(log: Log) -> tuple[Array, dict[str, Array]]:
+    keep = np.random.Generator(np.random.Philox(SEED)).random(len(log)) >= LOST
+    keep[0] = True
+    return log.t[keep], {name: values[keep] for name, values in log.channels.items()}
+
+
+EXAMPLES: Mapping[str, Example] = {
+    "standing": Example("stands still: too quiet for an inertia"),
+    "excited": Example("excited by a random binary voltage, as `calibrate` needs it", excited=True),
+    "pushed": Example("pushed at 3 and 7 s", (Impulse(impulse=BLOW, start=3.0), Impulse(impulse=-BLOW, start=7.0))),
+    "fall": Example("pushed over at 5 s", (Impulse(impulse=FATAL, start=5.0),)),
+    "gyro-degrees": Example("excited; its gyro counts degrees", excited=True, planted=_scaled(GYRO, 180 / np.pi)),
+    "gyro-flipped": Example("excited; its gyro has the other sign", excited=True, planted=_scaled(GYRO, -1.0)),
+    "gyro-behind": Example("excited; its gyro is 3 rows behind", excited=True, planted=_behind),
+    "sides-swapped": Example("excited; left and right encoder are swapped", excited=True, planted=_swapped),
+    "rows-lost": Example("excited; 3 rows in 100 are lost", excited=True, planted=_lossy),
+}  # fmt: skip
+"""Name → example, in the order of a lesson."""
+
+
+def example(name: str) -> Log:
+    """The example of that name, always the same. Raises `UnknownName`."""
+    if name not in EXAMPLES:
+        raise UnknownName("example", name, EXAMPLES)
+    chosen = EXAMPLES[name]
+    log = _simulated(chosen.pushes, chosen.excited)
+    t, channels = chosen.planted(log) if chosen.planted else (log.t, dict(log.channels))
+    known = {n: x for n, x in channels.items() if not n.startswith(("truth/", "push/"))}
+    origin: dict[str, Any] = {**log.origin, "example": name}
+    return Log(t, known, {n: log.units[n] for n in known}, origin)
+
+
+@cache
+def _simulated(pushes: tuple[PushProgramme, ...], excited: bool) -> Log:
+    from upright.bodies import Electronics, make_body
+    from upright.control import find_controller
+    from upright.control.excited import Excited, random_binary
+    from upright.robots import find_kit, find_robot
+
+    robot = find_robot(ROBOT)
+    kit = find_kit(robot.kit)
+    controller = find_controller("lqg", robot, kit, kit.period)
+    if excited:
+        count = round(SECONDS / kit.period)
+        controller = Excited(controller, random_binary(count, AMPLITUDE, seed=SEED, hold=HELD))
+    body = Electronics(make_body("twin", robot), kit)
+    try:
+        return run(body, controller, pushes, seconds=SECONDS, seed=SEED)
+    finally:
+        body.close()

@@ -1,0 +1,79 @@
+"""The page of a `Validation`: measured against predicted, and what would have to move."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from upright.report.figure import Figure
+from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
+from upright.validate.validation import (
+    PREDICTS,
+    ChannelFit,
+    LogJudged,
+    Validation,
+    half_second_figure,
+    loop_figure,
+    short,
+)
+
+_HALF = (
+    "Each half second starts from a state that is fitted to it, and gets only the logged commands. R² counts what the "
+    "prediction misses against what the reading varies. Fit is 100 (1 − rms error / standard deviation)."
+)
+_LOOP = (
+    "The closed loop starts from the first state of the log. It gets the law, and what was added to it, and no reading."
+)
+_SHIFTS = (
+    "Each parameter is moved alone by one Gauss–Newton step. Listed are those after which half seconds are predicted "
+    "better by a tenth of what they leave. Steps are in standard deviations of what is known."
+)
+
+
+def page_of(result: Validation) -> Page:
+    """The validation's page, not yet written."""
+    worst = min(result.logs, key=lambda log: log.worst.r2)
+    verdict = Verdict(result.verdict, "good" if result.verdict == PREDICTS else "warn")
+    sections = [section for log in result.logs for section in _sections(log, len(result.logs) > 1)]
+    title = f"{result.robot} {result.verdict} {'a log' if len(result.logs) == 1 else f'{len(result.logs)} logs'}"
+    title += f" of {sum(log.samples for log in result.logs)} samples"
+    lowest = f"Measured and predicted for half a second at a time: R² is {cell_text(worst.worst.r2, 3)} or more"
+    return Page(
+        title, sections, result.sentence + ".", {"kit": result.kit, "logs": ", ".join(x.source for x in result.logs)},
+        False, verdict=verdict, picture=Figure(lowest, half_second_figure(worst)), numbers=_numbers(result),
+    )  # fmt: skip
+
+
+def _numbers(result: Validation) -> list[tuple[str, str]]:
+    worst = min(result.logs, key=lambda log: log.worst.r2)
+    numbers = [(cell_text(worst.worst.r2, 3), f"R² of half seconds, {short(worst.worst.name)}")]
+    loops = [c for log in result.logs for c in log.loop]
+    if loops:
+        least = min(loops, key=lambda c: c.r2)
+        numbers.append((cell_text(least.r2, 3), f"R² of the free closed loop, {short(least.name)}"))
+    shifts = [s for log in result.logs for s in log.shifts]
+    if shifts:
+        first = max(shifts, key=lambda s: s.explains)
+        numbers.append((f"{first.name.replace('_', ' ')}", "would have to move first"))
+    return numbers
+
+
+def _sections(log: LogJudged, several: bool) -> list[Section]:
+    """What the page says of one log."""
+    name = f" of {log.source}" if several else ""
+    loop: list[Item] = [_LOOP, f"Law {log.law.removeprefix('law')}".replace("  ", " ")]
+    if log.simulated is not None:
+        loop += [_table(log.loop), Figure("Measured, and the closed loop simulated freely", loop_figure(log.simulated))]
+    rows: list[list[Cell]] = [
+        [s.name.replace("_", " "), s.unit, s.value, s.proposed, s.deviations, s.explains] for s in log.shifts
+    ]
+    moves: list[Item] = [_SHIFTS, Table(["", "unit", "value", "proposed", "step", "removes"], rows, digits=3)]
+    return [
+        Section(f"Half seconds{name}", [*log.notes, _HALF, _table(log.half_seconds)]),
+        Section(f"Free closed loop{name}", loop),
+        Section(f"What would have to move{name}", moves if rows else ["No parameter alone."]),
+    ]
+
+
+def _table(channels: Sequence[ChannelFit]) -> Table:
+    rows: list[list[Cell]] = [[short(c.name), c.r2, c.fit, c.breaks] for c in channels]
+    return Table(["", "R²", "fit [%]", "breaks at [s]"], rows)

@@ -1,0 +1,1 @@
+"""What is known of a robot, judged on another log of it."""

@@ -1,0 +1,146 @@
+"""The closed loop simulated freely: from a log's first state the robot, and the law that drove it, and no reading."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.calibrate.fitting import Problem
+from upright.calibrate.stretch import Stretch
+from upright.logs.recording import Recording, commanded
+from upright.robots import Kit
+from upright.signals import Log
+from upright.validate.law import CommandLaw
+
+Array = NDArray[np.float64]
+Whole = NDArray[np.int64]
+
+PITCH = "estimate/pitch"
+FIRST = 0.5  # [s] of readings to which the first state is fitted
+TOPPLED = 1.4  # [rad] pitch beyond which the simulated robot lies
+
+
+@dataclass(frozen=True, eq=False)
+class FreeLoop:
+    """Readings of the sensor rows `names`, `measured` and `simulated` (rows, names), NaN after a simulated fall, at the
+    log's times `t` (rows,) [s]; the last is the pitch, where the log estimates it."""
+
+    names: tuple[str, ...]
+    t: Array
+    measured: Array
+    simulated: Array
+
+
+class _Plant:
+    """The robot of a problem at z, moved from event to event by the calibration's own equations."""
+
+    def __init__(self, problem: Problem, recording: Recording, z: Array, first: Array) -> None:
+        from upright.calibrate.motion import block_of
+
+        lanes = problem.lanes(recording, z[:, None])
+        self._w, self._longest, self._reads = block_of(lanes.robots), problem.longest, lanes.reads[:, :, 0]
+        self._offsets, self._now = first[6:], np.full(1, np.nan)
+        self.command = np.zeros(2)
+        self._put(first)
+
+    def _put(self, first: Array) -> None:
+        from upright.compiled.generated import PITCH, ROW
+
+        self._rows = [(PITCH + j) * ROW for j in range(6)]
+        for row, value in zip(self._rows, first, strict=False):
+            self._w[row] = value
+
+    @property
+    def state(self) -> Array:
+        """The six states."""
+        return self._w[self._rows]
+
+    def move(self, to: float) -> None:
+        """The robot at the time `to` [s]."""
+        from upright.calibrate.motion import move
+
+        if math.isnan(self._now[0]):
+            self._now[0] = to
+        move(self._w, 1, self.command, self._now, np.full(1, to), self._longest)
+
+    def reading(self, row: int) -> float:
+        """What the sensor of this row reads."""
+        return float(self._reads[row] @ np.concatenate([self.state, self._offsets]))
+
+
+def closed_loop(problem: Problem, recording: Recording, z: Array, log: Log, kit: Kit, law: CommandLaw) -> FreeLoop:
+    """The loop of `law` and the robot at `z` (parameters,), simulated from the log's first state to its end."""
+    order, when, start, first = first_state(problem, recording, z)
+    plant, line = _Plant(problem, recording, z, first), _Line(log, kit)
+    names = recording.rows
+    shown = (*names, *((PITCH,) if PITCH in log else ()))
+    measured = np.column_stack([log[name] for name in shown])
+    simulated, known = np.full_like(measured, np.nan), measured[:, : len(names)].copy()
+    sample = np.searchsorted(log.t, recording.when - 1e-9)
+    last = order[:start][recording.kind[order[:start]] < 0]
+    law.reset()
+    for event in last:  # what the law remembers of the readings before
+        row = int(recording.value[event])
+        law.step(row, dict(zip(names, known[row].tolist(), strict=True)), np.zeros(6))
+        law.applied(recording.commands[row].tolist())
+    plant.command[:] = recording.commands[int(recording.value[last[-1]]) if len(last) else 0]
+    line.begin(plant.command)
+    for event in order[start:]:
+        plant.move(float(when[event]))
+        if not abs(plant.state[0]) < TOPPLED:
+            break
+        kind, row = int(recording.kind[event]), int(sample[event])
+        if kind >= 0:
+            simulated[row, kind] = known[row, kind] = plant.reading(kind)
+        else:
+            asked = law.step(row, dict(zip(names, known[row].tolist(), strict=True)), plant.state)
+            plant.command[:] = line.step(asked)
+            law.applied(plant.command.tolist())
+            simulated[row, len(names) :] = plant.state[0]
+    return FreeLoop(shown, log.t, measured, simulated)
+
+
+def first_state(problem: Problem, recording: Recording, z: Array) -> tuple[Whole, Array, int, Array]:
+    """Events in order, a command after the readings of its instant, with their times [s]; the place of the first
+    reading; and the state there, fitted to what follows."""
+    when = recording.when - np.maximum(problem.own_delays(recording, z), 0.0)
+    order = np.lexsort((recording.kind < 0, when)).astype(np.int64)
+    start = int((recording.kind[order] >= 0).argmax())
+    part = order[start:][when[order[start:]] < when[order[start]] + FIRST]
+    states = problem.filtered(recording, z, keep=True).states
+    before = order[:start][recording.kind[order[:start]] < 0][-1:]
+    stretch = Stretch(problem, recording, z, part, before, _spans(recording))
+    return order, when, start, stretch.first(states[part[0]])
+
+
+def _spans(recording: Recording) -> Array:
+    """A hundredth of how much each row varies (rows,)."""
+    return np.array([max(0.01 * float(recording.value[recording.kind == i].std()), 1e-9)
+                     for i in range(len(recording.rows))])  # fmt: skip
+
+
+class _Line:
+    """From a law's command to the one that the log calls its own: what was really applied is a dead time of whole
+    periods behind, and nothing is larger than the kit and the log allow."""
+
+    def __init__(self, log: Log, kit: Kit) -> None:
+        prefix = commanded(log)
+        both = prefix == "applied" and "command/left" in log
+        self._periods = math.floor(kit.delay / log.period + 1e-9) if both else 0
+        largest = max(float(np.abs(log[f"{prefix}/{side}"]).max()) for side in ("left", "right"))
+        self._limit = largest if math.isinf(kit.motor.limit) else max(largest, kit.motor.limit)
+
+    def begin(self, command: Array) -> None:
+        """Start with this command on its way."""
+        self._waiting = deque([(float(command[0]), float(command[1]))] * self._periods)
+
+    def step(self, command: Sequence[float]) -> tuple[float, float]:
+        """What is applied while this command is given."""
+        left, right = (min(max(u, -self._limit), self._limit) for u in command)
+        self._waiting.append((left, right))
+        return self._waiting.popleft()

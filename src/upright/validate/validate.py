@@ -1,0 +1,162 @@
+"""What is known of a robot, judged on other logs of it.
+
+    validate(robot, logs) → Validation
+
+Nothing is fitted but the state from which a prediction starts: half a second of free simulation under the logged
+commands, and the whole log under its law. Then one step of Gauss–Newton says which number would have to move.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.calibrate.calibrate import SEGMENT, SEGMENT_NOISE, prepared, process
+from upright.calibrate.calibration import PREDICTED
+from upright.calibrate.fitting import EQUATION, Problem, normal_equations, objective
+from upright.calibrate.informativity import effective_fraction
+from upright.calibrate.noise import learn_noise
+from upright.calibrate.validate import segments
+from upright.control import Controller, read_controller
+from upright.errors import InvalidLog, SpecMismatch
+from upright.logs.mapping import Mapping as Columns
+from upright.logs.raw import LogSource, raw_log
+from upright.robots import Kit, Robot, find_kit, find_robot
+from upright.signals import Log
+from upright.validate.law import CommandLaw, LinearLaw, law_by, law_of
+from upright.validate.loop import FreeLoop, closed_loop
+from upright.validate.validation import LogJudged, Shift, Validation, channels_of, loop_channels
+
+Array = NDArray[np.float64]
+
+CHANCE = 2.0  # [deviations] of the gradient below which chance makes it
+TRIED = 3  # steps that are tried, each whole and halved
+TRIED_SECONDS = 4.0  # [s] of the log, on which they are tried
+WORTH = 0.1  # [1] of what half seconds leave: what a step must remove of it
+LARGEST_STEP = 3.0  # deviations of what is known: beyond, the equations are not straight
+NOISE_RANGE = (0.25, 1e6)  # variances of the readings that are learnt, over those of the kit
+SAME_PERIOD = 0.02  # [1] by which a log's period and its controller's may differ
+
+
+def validate(
+    robot: Robot | str | Path,
+    logs: LogSource | Sequence[LogSource],
+    kit: Kit | str | None = None,
+    controller: Controller | str | Path | None = None,
+    *,
+    mapping: Columns | str | None = None,
+    progress: Callable[[float], None] | None = None,
+) -> Validation:
+    """How well `robot` with `kit` (default: its own) predicts `logs` that it was not calibrated from.
+
+    All may be names or files; `robot` also a posterior by `upright calibrate --save`. `controller` is the law that
+    drove the logs; without it a law is read from each log, where a linear feedback of its readings explains 99 % of its
+    commands. Raises `InvalidLog` for a log without commands, encoders or gyro.
+    """
+    nominal = find_robot(robot)
+    parts = find_kit(kit or nominal.kit)
+    several = [logs] if isinstance(logs, Log | str | os.PathLike) else list(logs)
+    if not several:
+        raise InvalidLog("no log is given", expected="at least one")
+    given = read_controller(controller) if isinstance(controller, str | Path) else controller
+    judged: list[LogJudged] = []
+    for i, source in enumerate(several):
+        judged.append(_judged(raw_log(source, mapping), nominal, parts, given))
+        if progress:
+            progress((i + 1) / len(several))
+    return Validation(robot=nominal.name, kit=parts.name, logs=tuple(judged))
+
+
+def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> LogJudged:
+    problem, limits = prepared([log], robot, kit, (), 0.0)
+    recording, z = problem.recordings[0], np.zeros(len(problem.parameters))
+    parts = segments(problem, recording, z)
+    law, words = _law(log, recording.rows, controller)
+    loop: FreeLoop | None = closed_loop(problem, recording, z, log, kit, law) if law else None
+    pushed = [n for n in ("push/force", "push/slope") if n in log and log[n].any()]
+    return LogJudged(
+        source=str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log"))),
+        samples=len(log),
+        seconds=float(log.t[-1] - log.t[0]),
+        half_seconds=channels_of(parts),
+        law=words,
+        loop=loop_channels(loop) if loop else (),
+        shifts=_shifts(problem, limits),
+        notes=("The log was pushed, which no prediction here knows.",) if pushed else (),
+        segments=parts,
+        simulated=loop,
+    )
+
+
+def _law(log: Log, rows: Sequence[str], controller: Controller | None) -> tuple[CommandLaw | None, str]:
+    """What drove the log, and how that is known, in words."""
+    if controller is None:
+        law = law_of(log, rows)
+        if isinstance(law, LinearLaw):
+            return law, f"law {law.name}"
+        return None, (f"is not simulated: the law is unknown, the best linear feedback of the readings explains "
+                      f"{max(law, 0.0):.0%} of the commands; --controller names it")  # fmt: skip
+    if abs(controller.spec.period / log.period - 1) > SAME_PERIOD:
+        came = f"a controller of {controller.spec.period * 1e3:.4g} ms and a log of {log.period * 1e3:.4g} ms"
+        raise SpecMismatch(came, expected="one row of the log for each step of its controller")
+    given = {*rows, *(n for n in log.channels if n.startswith("sensor/"))}
+    missing = [n for n in controller.spec.reads if not n.startswith("truth/") and n not in given]
+    if missing:
+        raise SpecMismatch(f"the {controller.spec.kind} reads {', '.join(missing)}", expected="channels of the log")
+    law = law_by(controller, log)
+    return law, f"law: {law.name}"
+
+
+def _shifts(problem: Problem, limits: dict[str, float]) -> tuple[Shift, ...]:
+    """Parameters that, moved alone by one step, would predict half seconds visibly better; best first.
+
+    The gradient proposes: of each parameter the Gauss–Newton step, and how far beyond chance it is. The half seconds
+    decide: they are predicted again after each of the likeliest steps.
+    """
+    z = np.zeros(len(problem.parameters))
+    gradient, curvature = _slopes(problem, limits)
+    beyond = np.abs(gradient) / np.sqrt(curvature)
+    steps = -gradient / curvature
+    likely = [i for i, p in enumerate(problem.parameters) if beyond[i] > CHANCE and not p.name.startswith(EQUATION)]
+    before, shifts = _score(problem, z), list[Shift]()
+    for i in sorted(likely, key=lambda i: -beyond[i])[:TRIED]:
+        p = problem.parameters[i]
+        full = float(np.clip(steps[i], max(p.least, -LARGEST_STEP), LARGEST_STEP))
+        tries = {part * full: _score(problem, np.where(np.arange(len(z)) == i, part * full, z)) for part in (1.0, 0.5)}
+        step = max(tries, key=lambda one: tries[one])
+        explains = (tries[step] - before) / max(1 - before, 1e-9)
+        if explains > WORTH:
+            shifts.append(Shift(name=p.name, unit=p.unit, value=p.prior, proposed=float(p.value(step)), deviations=step,
+                                explains=explains))  # fmt: skip
+    return tuple(sorted(shifts, key=lambda shift: -shift.explains))
+
+
+def _score(problem: Problem, z: Array) -> float:
+    """How well half seconds follow gyro and encoders at z (parameters,), against each one's own mean: 1 is perfect."""
+    recording = problem.recordings[0]
+    parts = segments(problem, recording, z, among=recording.when <= recording.when.min() + TRIED_SECONDS)
+    return replace(parts, rows=tuple(row for row in parts.rows if row in PREDICTED)).score()  # a compass is the last
+
+
+def _slopes(problem: Problem, limits: dict[str, float]) -> tuple[Array, Array]:
+    """Gradient and curvature (parameters,) of the posterior where the robot is, with half seconds that begin anew; zero
+    and one where the filter loses the robot."""
+    z = np.zeros(len(problem.parameters))
+    noise = {**problem.noise, **process(problem.recordings, problem.robot, SEGMENT_NOISE)}
+    problem = replace(problem, restart=SEGMENT, noise=noise)
+    low, high = NOISE_RANGE
+    if np.isfinite(objective(problem, z)[0]):
+        problem = learn_noise(problem, z, {name: (low * v, high * v) for name, v in limits.items()}, iterations=5)
+    value, paths = objective(problem, z)
+    if not np.isfinite(value):
+        return z, z + 1
+    normal = normal_equations(problem, z, paths, value)
+    weight = effective_fraction(problem, normal, paths)
+    return weight * (normal.slopes.T @ (normal.weight * normal.whitened)), 1 + weight * (
+        normal.weight @ normal.slopes**2
+    )

@@ -1,0 +1,215 @@
+"""What a validation says: how well what is known predicts each log, where it breaks, and what would have to move."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from upright.atomic import finite
+from upright.calibrate.calibration import PREDICTED, Segments
+from upright.tables import Shown
+from upright.validate.loop import FreeLoop
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+PREDICTS, PARTLY, DOES_NOT = "predicts", "predicts in part", "does not predict"
+GOOD = 0.9
+"""[1] R² of half seconds from which a channel is predicted."""
+SHOWN = 3  # shifts in a report
+
+
+@dataclass(frozen=True, kw_only=True)
+class ChannelFit:
+    """One reading: R², and fit 100 (1 − rms error / standard deviation) [%]; `breaks` is the time [s] from which the
+    prediction misses by more than the reading varies, None where it never does."""
+
+    name: str
+    r2: float
+    breaks: float | None
+
+    @property
+    def fit(self) -> float:
+        return 100 * (1 - math.sqrt(max(1 - self.r2, 0.0)))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shift:
+    """A parameter that, moved alone by one Gauss–Newton step from `value` to `proposed`, would remove the fraction
+    `explains` of what half seconds leave; `deviations` is the step in standard deviations of what is known."""
+
+    name: str
+    unit: str
+    value: float
+    proposed: float
+    deviations: float
+    explains: float
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class LogJudged:
+    """One log: predictions over half seconds, each from a fitted state; the free closed loop where the law is known;
+    the shifts that would help, greatest first."""
+
+    source: str
+    samples: int
+    seconds: float
+    half_seconds: tuple[ChannelFit, ...]
+    law: str
+    loop: tuple[ChannelFit, ...]
+    shifts: tuple[Shift, ...]
+    notes: tuple[str, ...]
+    segments: Segments
+    simulated: FreeLoop | None
+
+    @property
+    def worst(self) -> ChannelFit:
+        """The gyro or encoder that is predicted worst; a compass turns with what no model here knows."""
+        return min((c for c in self.half_seconds if c.name in PREDICTED), key=lambda c: c.r2)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers."""
+
+        def plain(items: Sequence[Any]) -> list[dict[str, Any]]:
+            return [{k: finite(v) for k, v in asdict(item).items()} for item in items]
+
+        half, loop = ([{**c, "fit": finite(x.fit)} for c, x in zip(plain(xs), xs, strict=True)]
+                      for xs in (self.half_seconds, self.loop))  # fmt: skip
+        return {
+            "source": self.source, "samples": self.samples, "seconds": self.seconds, "half_seconds": half,
+            "closed_loop": {"law": self.law, "channels": loop}, "shifts": plain(self.shifts),
+            "notes": list(self.notes),
+        }  # fmt: skip
+
+    def lines(self) -> list[str]:
+        """This log in words."""
+        lines = [f"{self.source}: {self.samples} samples, {self.seconds:.4g} s", "  Half seconds, from a fitted state:"]
+        lines += [_line(c) for c in self.half_seconds]
+        lines += [f"  Closed loop, from the first state, {self.law}" + (":" if self.loop else "")]
+        lines += [_line(c) for c in self.loop]
+        for shift in self.shifts[:SHOWN]:
+            lines.append(
+                f"  Would have to move: {shift.name} from {shift.value:.4g} to {shift.proposed:.4g} {shift.unit} "
+                f"({shift.deviations:+.1f} deviations), which removes {shift.explains:.0%} of what half seconds leave"
+            )
+        return [*lines, *(f"  {note}" for note in self.notes)]
+
+
+def _line(c: ChannelFit) -> str:
+    breaks = "" if c.breaks is None else f"   breaks at t = {c.breaks:.4g} s"
+    return f"    {short(c.name):<20} R² {c.r2:>7.4f}   fit {c.fit:>5.1f} %{breaks}"
+
+
+def short(name: str) -> str:
+    """`sensor/encoder_left` as `encoder left`."""
+    return name.removeprefix("sensor/").removeprefix("estimate/").replace("_", " ")
+
+
+@dataclass(frozen=True, eq=False, kw_only=True, repr=False)
+class Validation(Shown):
+    """What is known of `robot` with `kit`, judged on `logs`. It prints as a short text, with its verdict first."""
+
+    robot: str
+    kit: str
+    logs: tuple[LogJudged, ...]
+
+    @property
+    def verdict(self) -> str:
+        """`PREDICTS` where every channel of every log is predicted over half seconds, `DOES_NOT` where one is predicted
+        worse than by its mean."""
+        worst = min(log.worst.r2 for log in self.logs)
+        return PREDICTS if worst >= GOOD else PARTLY if worst >= 0 else DOES_NOT
+
+    @property
+    def sentence(self) -> str:
+        """The verdict with the number that decides it."""
+        log = min(self.logs, key=lambda one: one.worst.r2)
+        several = f" of {log.source}" if len(self.logs) > 1 else ""
+        return (
+            f"{self.robot} {self.verdict} {'this log' if len(self.logs) == 1 else f'these {len(self.logs)} logs'}: "
+            f"over half seconds the {short(log.worst.name)}{several} has the smallest R², {log.worst.r2:.3f}"
+        )
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers; what is not finite is null."""
+        return {"robot": self.robot, "kit": self.kit, "verdict": self.verdict, "logs": [x.to_json() for x in self.logs]}
+
+    def __str__(self) -> str:
+        return "\n".join([self.sentence, *(line for log in self.logs for line in log.lines())])
+
+    def plot(self) -> Figure:
+        """Readings of the worst log, measured and predicted for half a second at a time."""
+        return half_second_figure(min(self.logs, key=lambda log: log.worst.r2))
+
+    def plot_loop(self) -> Figure | None:
+        """The same readings, and those of the closed loop simulated freely; None where no law is known."""
+        return next((loop_figure(log.simulated) for log in self.logs if log.simulated is not None), None)
+
+
+def half_second_figure(log: LogJudged) -> Figure:
+    """Measured and predicted readings, half a second at a time."""
+    from upright.plotting import legend, line, panels
+
+    names = [name for name in log.segments.rows if name in PREDICTED] or list(log.segments.rows)
+    figure, axes = panels([_label(name) for name in names])
+    for ax, name in zip(axes, names, strict=True):
+        t, measured, predicted = log.segments.series(name)
+        line(ax, "measured", t, measured, style=4, solid=True)
+        line(ax, "predicted", t, predicted, style=1)
+    return legend(figure)
+
+
+def loop_figure(loop: FreeLoop) -> Figure:
+    """Measured readings, and those of the free closed loop."""
+    from upright.plotting import legend, line, panels
+
+    figure, axes = panels([_label(name) for name in loop.names])
+    for i, ax in enumerate(axes):
+        line(ax, "measured", loop.t, loop.measured[:, i], style=4, solid=True)
+        line(ax, "simulated freely", loop.t, loop.simulated[:, i], style=1)
+    return legend(figure)
+
+
+def _label(name: str) -> str:
+    return f"{short(name)} [{PREDICTED.get(name, 'rad')}]"
+
+
+def channels_of(parts: Segments) -> tuple[ChannelFit, ...]:
+    """Each reading over half seconds, and when a half second first is predicted worse than the whole log's mean."""
+    channels: list[ChannelFit] = []
+    for i, name in enumerate(parts.rows):
+        at = parts.row == i
+        missed = np.where(np.isfinite(parts.predicted[at]), (parts.measured - parts.predicted)[at] ** 2, np.inf)
+        count = np.bincount(parts.segment[at])
+        with np.errstate(invalid="ignore", divide="ignore"):
+            mean = np.bincount(parts.segment[at], missed) / count
+        beyond = np.flatnonzero(mean > parts.measured[at].var())
+        when = float(parts.when[at][parts.segment[at] == beyond[0]].min()) if len(beyond) else None
+        channels.append(ChannelFit(name=name, r2=parts.r_squared(name), breaks=when))
+    return tuple(channels)
+
+
+SMOOTH = 0.25  # [s] over which a miss counts
+
+
+def loop_channels(loop: FreeLoop) -> tuple[ChannelFit, ...]:
+    """Each reading in the free closed loop; what lies beyond a simulated fall counts as missed by twice the deviation
+    of the reading."""
+    channels: list[ChannelFit] = []
+    window = max(1, round(SMOOTH / float(np.median(np.diff(loop.t)))))
+    for i, name in enumerate(loop.names):
+        there = np.isfinite(loop.measured[:, i])
+        y, simulated, t = loop.measured[there, i], loop.simulated[there, i], loop.t[there]
+        first = int(np.isfinite(simulated).argmax())
+        y, simulated, t = y[first:], simulated[first:], t[first:]
+        variance = max(float(y.var()), 1e-30)
+        missed = np.where(np.isfinite(simulated), (y - simulated) ** 2, 4 * variance)
+        mean = np.convolve(missed, np.ones(window) / window, "full")[: len(missed)]
+        beyond = np.flatnonzero(mean > variance)
+        when = float(t[beyond[0]]) if len(beyond) else None
+        channels.append(ChannelFit(name=name, r2=1 - float(missed.mean()) / variance, breaks=when))
+    return tuple(channels)
