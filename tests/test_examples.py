@@ -43,3 +43,37 @@ def test_the_command_lists_writes_and_refuses(
     assert up.Log.load(tmp_path / "standing.csv") == up.Log.load(example("standing").save(tmp_path / "again.csv"))
     assert main(["example", "stading"]) == 2
     assert "standing" in capsys.readouterr().err
+
+
+def test_no_pose_is_read_into_a_gyro_that_is_dead() -> None:
+    log = example("excited")
+    raw = {n: x for n, x in log.channels.items() if n.startswith(("sensor/", "applied/"))}
+    dead = up.Log(log.t, raw | {"sensor/gyro": np.zeros(len(log))}, log.units)
+    diagnosis = up.doctor(dead)
+    assert diagnosis.codes()[0] == "channel/constant"
+    assert diagnosis.segments == ()
+
+
+def test_a_duty_without_a_unit_is_not_shown_as_volts(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    log = example("excited")
+    columns = {"time_ms": 1000 * log.t, "gyro": log["sensor/gyro"]}
+    for side in ("left", "right"):
+        columns |= {f"enc_{side}": log[f"sensor/encoder_{side}"]}
+        columns |= {f"pwm_{side}": np.clip(log[f"applied/{side}"] / 7.5 * 100, -30, 30)}
+    table = np.column_stack(list(columns.values()))
+    path = tmp_path / "run.csv"
+    np.savetxt(path, table, delimiter=",", header=",".join(columns), comments="")
+    mapping = tmp_path / "m.toml"
+    assert main(["doctor", str(path), "--write-mapping", str(mapping)]) == 0
+    shown = capsys.readouterr().out
+    assert "30 V" not in shown
+    assert "per cent" in shown
+    assert "enc_left" in mapping.read_text()
+
+
+def test_a_log_that_cannot_be_examined_still_gives_a_draft(tmp_path: Path) -> None:
+    path, mapping = tmp_path / "short.csv", tmp_path / "m.toml"
+    path.write_text("time,enc_l,enc_r,gyro\n" + "".join(f"{0.01 * k},{k},{k},0\n" for k in range(5)))
+    assert main(["doctor", str(path), "--write-mapping", str(mapping)]) == 0
+    assert "enc_l" in mapping.read_text()
+    assert main(["doctor", str(path)]) == 2

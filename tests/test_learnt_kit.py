@@ -40,6 +40,8 @@ def test_a_robot_keeps_its_own_electronics_in_its_file(tmp_path: Path) -> None:
     assert again == robot
     assert again.kit == faulty()
     assert again.kit_name == "nxt"
+    # a certificate of a kit that says nothing of its motors stays one of this kit
+    assert kit_facts(faulty()).keys() - kit_facts(KIT).keys() == {"motor/left", "motor/right"}
 
 
 def test_a_robots_file_with_a_broken_kit_is_refused_in_a_line(tmp_path: Path) -> None:
