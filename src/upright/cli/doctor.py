@@ -45,23 +45,22 @@ def doctor(
     from upright.doctor.doctor import doctor as examine
     from upright.errors import InvalidLog
     from upright.logs.draft import draft
-    from upright.logs.mapping import propose
     from upright.logs.readers import read_table
 
     check_targets(fix, write_mapping, output, report, logs=[log])
-    if write_mapping and not mapping:
-        table = read_table(log)
-        try:
-            propose(table)
-        except InvalidLog as error:
-            write_text(write_mapping, draft(table))
-            if as_json:
-                print_json({"draft": str(write_mapping)})
-            else:
-                typer.echo(f"{error}\na draft is in {write_mapping}")
-            return
-    with progress("examining") as show:
-        diagnosis = examine(log, robot, mapping=mapping, progress=show)
+    table = read_table(log)
+    try:
+        with progress("examining") as show:
+            diagnosis = examine(table, robot, mapping=mapping, progress=show)
+    except InvalidLog as error:
+        if not write_mapping or mapping:
+            raise
+        write_text(write_mapping, draft(table))
+        if as_json:
+            print_json({"draft": str(write_mapping)})
+        else:
+            typer.echo(f"{error}\na draft is in {write_mapping}")
+        return
     repaired = diagnosis.repaired().save(fix) if fix else None
     if write_mapping:
         write_text(write_mapping, diagnosis.mapping.to_toml())

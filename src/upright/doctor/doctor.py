@@ -241,5 +241,7 @@ def _repaired(record: Record, findings: Sequence[Finding]) -> Record:
 
 
 def _without_empty(record: Record, findings: Sequence[Finding]) -> Record:
-    empty = {finding.channel for finding in findings if finding.code == "channel/empty"}
+    """Without the channels that hold no number, and the sensors that never change: no physics is read into these."""
+    empty = {f.channel for f in findings if f.code == "channel/empty"}
+    empty |= {f.channel for f in findings if f.code == "channel/constant" and f.channel.startswith("sensor/")}
     return replace(record, channels={n: x for n, x in record.channels.items() if n not in empty})

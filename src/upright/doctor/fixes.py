@@ -12,8 +12,10 @@ from upright.doctor.finding import Array, Fix, Record
 
 
 def repaired(record: Record, fix: Fix) -> Record:
-    """`record` with one fix applied."""
-    return FIXES[fix.kind](record, fix)
+    """`record` with one fix applied; what becomes of a command without a unit is volts."""
+    new = FIXES[fix.kind](record, fix)
+    volts = {name: "V" for name in fix.channels if fix.kind in ("scale", "percent") and record.units.get(name) == "1"}
+    return replace(new, units={**new.units, **volts}) if volts else new
 
 
 def _each(record: Record, fix: Fix, change: Callable[[Array], Array]) -> Record:

@@ -101,7 +101,8 @@ def saturation(record: Record) -> list[Finding]:
         few = names[0] == GYRO and np.nanmax(np.abs(record[GYRO])) < _LEVELS * grain_of(record[GYRO])
         if fraction > 0 and not few:
             limit = "gyro's range" if names[0] == GYRO else "largest command"
-            top = f"{float(np.abs(record[names[0]]).max()):.4g} {record.units.get(names[0], '')}".rstrip()
+            unit = record.units.get(names[0], "").replace("1", "without a unit")
+            top = f"{float(np.abs(record[names[0]]).max()):.4g} {unit}".rstrip()
             evidence = f"{fraction:.1%} of the rows are at the {limit}, {top}, up to {longest} consecutive"
             repair = "exclude these rows from a linear fit, or model the limit"
             findings.append(warning("saturation", names[0], evidence, repair))

@@ -234,7 +234,7 @@ def _unit(name: str, source: Source, units: Mapped[str, str]) -> str:
         si = si.removesuffix("/s")
     elif source.differentiate:
         si = f"{si}/s"
-    if name in KNOWN and si not in ("V", "N m"):
+    if name in KNOWN and si not in ("V", "N m") and not (si == "1" and name.startswith(("command/", "applied/"))):
         return KNOWN[name].unit  # the scale converts it: metres per second over the radius are radians per second
     return si
 
@@ -313,7 +313,7 @@ def _guess(table: RawTable) -> Mapping:
         if source.unit == "%" and battery:
             sources[name] = Source(column=source.column, unit="%", times="sensor/battery")
         elif source.unit == "%":
-            sources[name] = Source(column=source.column)
+            sources[name] = Source(column=source.column, unit="1")  # of what voltage, the log does not say
     return Mapping("guess", time, sources, about="guessed from the names of the columns; check it")
 
 

@@ -12,6 +12,9 @@ from upright.robots.robot import Robot
 
 Facts = Mapping[str, float | str | None]
 
+STRENGTHS = ("motor/left", "motor/right")
+"""Numbers of a kit that stand in its record only where its two motors differ from the robot's."""
+
 MOST_VALUES = 6
 """Differences that are told with their values; of more, the names."""
 
@@ -30,7 +33,7 @@ def kit_facts(kit: Kit) -> Facts:
         if isinstance(value, dict):
             known = "" if name == "sensors" else f"{name}/"
             parts[:0] = [(known + str(key), inner) for key, inner in value.items()]
-        else:
+        elif not (name in STRENGTHS and value == 1.0):
             facts[name] = finite(value)
     return facts
 
