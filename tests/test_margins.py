@@ -2,21 +2,27 @@
 
 import json
 import math
+from collections import deque
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.linalg import expm
 
 from upright.certify import Loop, analyse, delay_margin, disk_margin, margins, parameter_mu, robot_loop
+from upright.certify.certificate import linear_margins
 from upright.certify.margins import disk_gain, disk_phase
 from upright.certify.mu import upper_bound
 from upright.certify.scaling import balanced
-from upright.control.delay import sampled
+from upright.control import Controller, make_controller
+from upright.control.delay import RAW, rolling, sampled
 from upright.control.linear_controller import as_linear
 from upright.control.lqr import lqr
 from upright.control.state_space import continuous, controller_of, discrete
 from upright.errors import InvalidModel
-from upright.physics.linear import LinearModel
+from upright.physics.dynamics import turn_ratio
+from upright.physics.linear import LinearModel, linearise
+from upright.physics.sensing import sensor_matrix
 from upright.report import report
 from upright.robots import Kit, Robot
 
@@ -165,6 +171,65 @@ def test_the_delay_margin_is_found_at_a_thousand_periods_a_second():
     kit, feedback = replace(IDEAL, period=0.001), lqr(NXT, 0.001)
     found = delay_margin(NXT, feedback, kit)
     assert found == pytest.approx(margins(robot_loop(NXT, feedback, kit).at_input, (1, 1)).delay, abs=1e-3)
+
+
+def grows(robot: Robot, kit: Kit, controller: Controller, more: float, at: str) -> bool:
+    """Whether the linear robot's motion grows, stepped every 0.5 ms: each part of kit and program as itself, without
+    any model of the loop. The program believes that the command of so many periods ago was applied."""
+    step = 0.0005
+    model, period, reads = linearise(rolling(robot)), controller.spec.period, controller.spec.reads
+    phi = expm(step * np.block([[model.A, model.B], [np.zeros((2, 8))]]))[:6]
+    C, lag = sensor_matrix(reads, turn_ratio(robot)), math.floor((kit.delay + kit.jitter / 2) / period + 1e-9)
+    waits = [round((kit.sensors[n].delay + more * (n == at)) / step) for n in reads]
+    dead = round((kit.delay + kit.jitter / 2 + more * (not at)) / step)
+    x, sent, states = np.array([1e-6, 0, 0, 0, 1e-6, 0]), [(0.0, 0.0)], []
+    count, sizes = round(period / step), []
+    arriving = deque([(0.0, 0.0)] * (dead + 1), maxlen=dead + 1)
+    controller.reset()
+    for k in range(round(8.0 / step)):
+        states.append(x)
+        if k % count == 0:
+            y = [C[i] @ states[max(0, k - waits[i])] for i in range(len(reads))]
+            sent.append(tuple(controller.step(np.array(y), np.zeros(6))))
+            controller.applied(sent[max(0, len(sent) - 1 - lag)])
+            sizes.append(abs(x[[0, 1, 3, 5]]).max())
+        arriving.append(sent[-1])
+        x = phi @ np.concatenate([x, arriving[0]])
+        if not abs(x).max() < 1e3:
+            return True
+    half = len(sizes) // 2
+    return max(sizes[half:]) > max(sizes[half // 2 : half])
+
+
+@pytest.mark.parametrize(("robot", "design"), [("twipr", "hinf"), ("nxtway-gs", "pid"), ("ev3way", "lqg")])
+def test_the_smallest_margin_of_all_loops_is_what_a_simulation_finds(robot: str, design: str) -> None:
+    body = Robot.preset(robot)
+    kit = Kit.preset(body.kit)
+    controller = make_controller(design, body, kit, kit.period)
+    found = linear_margins(controller, body, kit)
+    name = f"sensor/{found.delay_at.replace(' ', '_')}"
+    at = name if name in kit.sensors else ""
+    assert at or found.delay_at == "both motors"
+    for share, unstable in ((0.85, False), (1.15, True)):
+        assert grows(body, kit, controller, share * found.delay, at) is unstable, (found.delay_at, found.delay, share)
+
+
+@pytest.mark.parametrize("channel", ["", *RAW])
+def test_no_place_of_the_loop_is_nearer_to_instability_than_told(channel: str) -> None:
+    # whichever sensor, or the command, comes late by less than the margin that the certificate tells: it stands
+    body = Robot.preset("nxtway-gs")
+    kit = Kit.preset(body.kit)
+    controller = make_controller("pid", body, kit, kit.period)
+    told = linear_margins(controller, body, kit).delay
+    assert not grows(body, kit, controller, 0.9 * told, channel)
+
+
+def test_a_period_much_shorter_than_the_dead_time_has_margins() -> None:
+    # TWIPR's 53 ms are 53 periods at 1 kHz: no filter is asked for, only the poles
+    body = Robot.preset("twipr")
+    kit = Kit.preset(body.kit)
+    fast = replace(as_linear(make_controller("pid", body, kit, kit.period)), period=0.001)
+    assert linear_margins(fast, body, kit) is not None
 
 
 def test_loop_of_a_regulator_has_the_regulators_poles(nominal, analysis):
