@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import io
+import math
 import sys
 from importlib import import_module
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from upright.bricks.world import World
 from upright.cli.main import main
 from upright.control import controller_hash, read_controller
 from upright.flight import Flight
-from upright.robots import Robot
+from upright.flight.fly import fly as virtual
+from upright.flight.program_logs import ProgramLog
+from upright.robots import Kit, Robot
+from upright.signals import Log
 
 KITS = {"nxc": ("nxt", "balance.nxc", "/dev/rfcomm0"), "pybricks": ("spike", "balance.py", "ble:Hub")}
 
@@ -207,3 +213,52 @@ def test_the_log_of_a_flight_survives_a_target_that_vanishes(
     place = Path(said.rpartition("the log is in ")[2].strip())
     assert place.parent == (here if what == "the folder is gone" else target.parent)
     assert Log.load(place) == flown
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_virtual_robot_is_let_go_off_the_vertical(seed: int) -> None:
+    # its encoders read zero, as where a program starts; not driven, it falls within the time of a few pendulum constants
+    robot = Robot.preset("nxtway-gs")
+    world = World("pybricks", robot, Kit.preset("spike"), seed=seed)
+    before = world.raw()
+    assert before["sensor/encoder_left"] == 0
+    world.step((0.0, 0.0), driven=True)
+    truth = dict(zip(world._names, world._now.values.tolist(), strict=True))
+    assert 1.9 < abs(math.degrees(truth["truth/pitch"])) < 3.1
+    assert abs(world.raw()["sensor/encoder_left"]) <= 1
+    for _ in range(round(3 / world.period)):
+        world.step((0.0, 0.0), driven=True)
+    assert world.fallen
+
+
+def flown_log(duty: float, *, rows: int = 1100) -> Flight:
+    t, zero = np.arange(rows) * 0.01, np.zeros(rows)
+    channels = {"applied/left": zero + duty, "applied/right": zero + duty, "estimate/pitch": zero}
+    return Flight(log=ProgramLog(Log(t, channels), {"hash": "0"}, "balancing"), robot="nxtway-gs", where="a hub")
+
+
+def test_a_flight_without_any_duty_did_not_balance() -> None:
+    assert "did not balance: no motor was driven in 11.0 s" in str(flown_log(0.0))
+    assert "balanced for 11.0 s" in str(flown_log(0.5))
+    assert flown_log(0.0).to_json()["drove"] is False
+    fell = flown_log(0.5)
+    fell.fell = True
+    assert "balanced" not in str(fell)
+    assert "fell" in str(fell)
+
+
+GYRO = "GYRO_SIGN * hub.imu.angular_velocity(AXIS)"
+MOUNTED = {"right": GYRO, "wrong axis": GYRO.replace("AXIS)", "Axis.X)"), "wrong sign": f"-{GYRO}"}
+
+
+@pytest.mark.slow
+@pytest.mark.needs("module:micropython_unix")
+@pytest.mark.parametrize("mounted", MOUNTED)
+def test_a_program_that_reads_its_gyro_wrongly_falls(tmp_path: Path, mounted: str) -> None:
+    controller, program = tmp_path / "controller.json", tmp_path / "balance.py"
+    assert main(["design", "lqg", "--kit", "spike", "-o", str(controller)]) == 0
+    assert main(["firmware", str(controller), "--target", "pybricks", "--kit", "spike", "-o", str(program)]) == 0
+    program.write_text(program.read_text().replace(GYRO, MOUNTED[mounted]))
+    flight = virtual(program, controller, seconds=4.0)
+    assert flight.fell is (mounted != "right"), str(flight)
+    assert ("balanced" in str(flight)) is (mounted == "right")
