@@ -1,0 +1,122 @@
+"""What a log contradicts of a certificate: planted in the body or the kit, found with its size, and nothing else."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+from collections.abc import Sequence
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from upright.bodies import Electronics, NonlinearBody
+from upright.bodies.body import Sample
+from upright.certify.certificate import AMBER, Certificate, certify
+from upright.certify.checks import Course, kernel_controller
+from upright.certify.support import Support, supported
+from upright.control import Controller, make_controller
+from upright.experiment import Drive, Impulse, Slope, run
+from upright.physics.dynamics import CALM, Disturbance
+from upright.robots import Kit, Robot
+from upright.robots.uncertainty import Uncertainty, draw
+from upright.signals import Log
+
+ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+KNOWN = Uncertainty.of(ROBOT).scaled(0.2)
+DRIVEN = [Drive(speed=0.1, start=2.0), Drive(speed=-0.2, start=4.0), Drive(speed=0.1, start=7.0)]
+KNOCKS = [Impulse(impulse=0.04, start=s, duration=0.02) for s in (1.5, 5.5)]
+
+
+class Altered:
+    """A body whose right motor is stronger than its left by `unequal` [1], and whose gyro counts `scale` times."""
+
+    def __init__(self, unequal: float = 0.0, scale: float = 1.0) -> None:
+        self.inner = NonlinearBody(ROBOT)
+        self.spec, self.gains = self.inner.spec, (1 - unequal / 2, 1 + unequal / 2)
+        self.counts = np.array([scale if s.name == "sensor/gyro" else 1.0 for s in self.spec.channels])
+
+    def reset(self, start: Sequence[float] = (0.0,) * 6, seed: int = 0) -> Sample:
+        return self._read(self.inner.reset(start, seed))
+
+    def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
+        left, right = (g * u for g, u in zip(self.gains, command, strict=True))
+        return self._read(self.inner.step((left, right), disturbance))
+
+    def close(self) -> None:
+        self.inner.close()
+
+    def _read(self, sample: Sample) -> Sample:
+        return dataclasses.replace(sample, values=sample.values * self.counts)
+
+
+@cache
+def designed() -> Controller:
+    return make_controller("lqg", ROBOT, KIT, KIT.period)
+
+
+def kit_with(**changes: Any) -> Kit:
+    return dataclasses.replace(KIT, **changes)
+
+
+def logged(body: Any = None, kit: Kit = KIT, pushes: Sequence[Any] = ()) -> Log:
+    """What a real robot would have logged under a controller that holds it."""
+    log = run(Electronics(body or NonlinearBody(ROBOT), kit), designed(), [*KNOCKS, *pushes], reference=DRIVEN,
+              seconds=9.0, seed=5)  # fmt: skip
+    assert not log.origin["outcome"]["fell"]
+    names = [n for n in log.channels if n.startswith(("sensor/", "command/"))]
+    return Log(log.t, {n: log[n] for n in names})
+
+
+PLANTED: dict[str, tuple[str, float, float, dict[str, Any]]] = {
+    "battery": ("battery", 4.2, 0.1, {"kit": kit_with(battery=dataclasses.replace(KIT.battery, voltage=4.2))}),
+    "slope": ("slope", math.radians(4.0), math.radians(1.0), {"pushes": [Slope(angle=math.radians(4.0))]}),
+    "gyro's scale": ("gyro's scale", 1.25, 0.06, {"body": Altered(scale=1.25)}),
+    "asymmetry": ("difference of the motors", 0.4, 0.08, {"body": Altered(unequal=0.4)}),
+    "dead zone": ("dead zone", 1.0, 0.3, {"kit": kit_with(motor=dataclasses.replace(KIT.motor, dead_zone=1.0))}),
+    "delay": ("further delay", 0.02, 0.006, {"kit": kit_with(delay=KIT.delay + 0.02)}),
+    "gyro's noise": (
+        "gyro's noise", 0.08, 0.03,
+        {"kit": kit_with(sensors=KIT.sensors | {"sensor/gyro": dataclasses.replace(KIT.sensors["sensor/gyro"], noise=0.08)})},
+    ),
+}  # fmt: skip
+
+
+@cache
+def course() -> Course:
+    return Course(kernel_controller(designed(), ROBOT, KIT), ROBOT, draw(ROBOT, 100, 3, KNOWN), KIT)
+
+
+def found(log: Log) -> dict[str, Support]:
+    return {s.name: s for s in supported(log, course())}
+
+
+@pytest.mark.parametrize("planted", PLANTED)
+def test_what_was_planted_lies_outside_with_its_size(planted: str) -> None:
+    name, value, near, changes = PLANTED[planted]
+    shown = found(logged(**changes))
+    assert shown[name].outside, str(shown[name])
+    assert shown[name].value == pytest.approx(value, abs=near)
+
+
+def test_a_log_of_the_robot_as_it_was_assumed_contradicts_nothing() -> None:
+    shown = found(logged())
+    assert not [str(s) for s in shown.values() if s.outside]
+    assert shown["battery"].value == pytest.approx(8.0, abs=0.05)
+
+
+def test_a_jittering_clock_is_told() -> None:
+    log = logged()
+    rng = np.random.default_rng(1)
+    t = np.maximum.accumulate(log.t + rng.uniform(-0.004, 0.004, len(log))) + 1e-6 * np.arange(len(log))
+    assert found(Log(t, dict(log.channels)))["jitter"].outside
+
+
+def test_a_certificate_on_a_weak_battery_is_not_green_and_says_why() -> None:
+    changes = PLANTED["battery"][3]
+    given = certify(designed(), ROBOT, KIT, samples=100, posterior=KNOWN, sweeps=False, log=logged(**changes))
+    assert given.light == AMBER
+    assert given.reasons[0] == "outside what the log supports: battery 4.2 V, assumed 6.8 to 8.96 V"
+    assert Certificate.from_json(json.loads(json.dumps(given.to_json()))) == given
