@@ -25,6 +25,7 @@ from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import Log
 
 ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+GYRO = "sensor/gyro"
 KNOWN = Uncertainty.of(ROBOT).scaled(0.2)
 DRIVEN = [Drive(speed=0.1, start=2.0), Drive(speed=-0.2, start=4.0), Drive(speed=0.1, start=7.0)]
 KNOCKS = [Impulse(impulse=0.04, start=s, duration=0.02) for s in (1.5, 5.5)]
@@ -36,7 +37,7 @@ class Altered:
     def __init__(self, unequal: float = 0.0, scale: float = 1.0) -> None:
         self.inner = NonlinearBody(ROBOT)
         self.spec, self.gains = self.inner.spec, (1 - unequal / 2, 1 + unequal / 2)
-        self.counts = np.array([scale if s.name == "sensor/gyro" else 1.0 for s in self.spec.channels])
+        self.counts = np.array([scale if s.name == GYRO else 1.0 for s in self.spec.channels])
 
     def reset(self, start: Sequence[float] = (0.0,) * 6, seed: int = 0) -> Sample:
         return self._read(self.inner.reset(start, seed))
@@ -79,7 +80,7 @@ PLANTED: dict[str, tuple[str, float, float, dict[str, Any]]] = {
     "delay": ("further delay", 0.02, 0.006, {"kit": kit_with(delay=KIT.delay + 0.02)}),
     "gyro's noise": (
         "gyro's noise", 0.08, 0.03,
-        {"kit": kit_with(sensors=KIT.sensors | {"sensor/gyro": dataclasses.replace(KIT.sensors["sensor/gyro"], noise=0.08)})},
+        {"kit": kit_with(sensors=KIT.sensors | {GYRO: dataclasses.replace(KIT.sensors[GYRO], noise=0.08)})},
     ),
 }  # fmt: skip
 
@@ -110,7 +111,7 @@ def test_a_log_of_the_robot_as_it_was_assumed_contradicts_nothing() -> None:
 def test_a_jittering_clock_is_told() -> None:
     log = logged()
     rng = np.random.default_rng(1)
-    t = np.maximum.accumulate(log.t + rng.uniform(-0.004, 0.004, len(log))) + 1e-6 * np.arange(len(log))
+    t = np.maximum.accumulate(log.t + rng.uniform(-0.002, 0.002, len(log))) + 1e-6 * np.arange(len(log))
     assert found(Log(t, dict(log.channels)))["jitter"].outside
 
 

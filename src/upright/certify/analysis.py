@@ -15,7 +15,7 @@ from upright.certify.loop import Loop, commanded, robot_loop
 from upright.certify.margins import Margins, broken_at, disk_gain, disk_margin, disk_phase, margins
 from upright.certify.mu import Mu, parameter_mu
 from upright.control.controller import Controller, controller_hash
-from upright.control.delay import sampled
+from upright.control.delay import MOST_PERIODS, sampled
 from upright.control.lqr import LARGEST_COMMAND
 from upright.control.near_rest import near_rest
 from upright.control.state_space import controller_of
@@ -33,8 +33,7 @@ INPUTS = {"left motor": (1.0, 0.0), "right motor": (0.0, 1.0), "both motors": (1
 """Where the loop is broken at the robot's input: one motor, both alike, both opposed."""
 
 LATEST = 0.3  # [s] more delay than this no balancing robot survives
-MOST_PERIODS = 1000  # of delay, for the poles of a loop: a filter of so many states is never asked for
-FINEST = 1e-3  # [s] steps of delay at short periods: of their hundreds none is skipped that a robot would notice
+FINEST = 1e-3  # [s] steps of delay: a loop that is unstable between two of them alone is not found
 DRAWN = 200
 COMPARABLE = {"sensor/gyro": 1.5, "sensor/compass": 0.5}  # [rad/s], [rad]: Bryson's sizes of the readings
 _ANGLE = 1.0  # [rad] of an encoder
@@ -85,8 +84,10 @@ class Analysis(Shown):
             return [f"The loop is unstable: its largest pole is at |z| = {np.abs(self.poles).max():.4f}."]
         low, high = disk_gain(self.disk)
         fell = int((self.radii >= 1).sum())
+        weakest = min((*self.inputs, *self.outputs), key=lambda m: m.delay)
         sentences = [
             self.both().words(),
+            f"A delay at {weakest.channel} alone may be {1e3 * weakest.delay:.3g} ms.",
             f"Both motors, varied independently: gains between {low * 100:.0f} and {high * 100:.0f} %, "
             f"or phases up to {math.degrees(disk_phase(self.disk)):.0f}°.",
             f"Of {len(self.radii)} robots drawn from the spreads, {fell} are unstable.",
@@ -185,18 +186,17 @@ def analyse(
     loop = robot_loop(robot, controller, kit)
     linear = near_rest(controller)
     family = draw(robot, DRAWN, seed) if robots is None else list(robots)
-    plants = [commanded(sampled(each, kit, linear.period, linear.reads)) for each in family]
+    plants = [commanded(sampled(each, kit, linear.period, linear.reads, longest=MOST_PERIODS)) for each in family]
     drawn = [Loop(plant, loop.controller).closed.poles() for plant in plants]
     readings = [COMPARABLE.get(name, _ANGLE) for name in linear.reads]
     command = [LARGEST_COMMAND[robot.command_unit]] * 2
     scaled = Loop(loop.plant.scaled(command, readings), loop.controller.scaled(readings, command))
-    delay = delay_margin(robot, controller, kit)
+    every = loop_margins(robot, controller, kit)
     return Analysis(
         robot=robot.name, controller=controller.spec.kind, hash=controller_hash(controller), period=linear.period,
         poles=loop.closed.poles(), loop=loop, drawn=np.array(drawn),
-        inputs=tuple(_at_input(loop, name, delay) for name in INPUTS),
-        outputs=tuple(_at_output(loop, i, name) for i, name in enumerate(linear.reads)),
-        disk=disk_margin(loop.at_input), delay=delay, coprime=stability_margin(scaled),
+        inputs=every[: len(INPUTS)], outputs=every[len(INPUTS) :],
+        disk=disk_margin(loop.at_input), delay=delay_margin(robot, controller, kit), coprime=stability_margin(scaled),
         gap=_largest_gap(scaled.plant, [plant.scaled(command, readings) for plant in plants[:GAPS]]),
         mu=parameter_mu(robot, controller, kit) if with_mu else None,
     )  # fmt: skip
@@ -206,43 +206,70 @@ GAPS = 20
 """How many of the drawn robots are measured by their ν-gap, which is slower than their poles."""
 
 
-def _at_input(loop: Loop, channel: str, delay: float) -> Margins:
+def _at_input(loop: Loop, channel: str, delay: float, *, peaks: bool) -> Margins:
     """With both motors alike the delay is the one found on the sampled robot where that is shorter: a delay by a part
     of a period changes what the robot answers near the Nyquist frequency, which e^{−jωτ} does not know."""
-    result = margins(loop.at_input, INPUTS[channel], channel)
+    result = margins(loop.at_input, INPUTS[channel], channel, peaks=peaks)
     return replace(result, delay=min(result.delay, delay)) if channel == "both motors" else result
 
 
-def _at_output(loop: Loop, i: int, name: str) -> Margins:
-    return margins(loop.at_output, np.eye(len(loop.plant.C))[i], name.removeprefix("sensor/").replace("_", " "))
+def _at_output(loop: Loop, i: int, name: str, *, peaks: bool) -> Margins:
+    channel = name.removeprefix("sensor/").replace("_", " ")
+    return margins(loop.at_output, np.eye(len(loop.plant.C))[i], channel, peaks=peaks)
+
+
+def loop_margins(robot: Robot, controller: Controller, kit: Kit, *, peaks: bool = True) -> tuple[Margins, ...]:
+    """The margins of the stable loop broken at each of `INPUTS`, then at each reading.
+
+    The delays of both motors and of each sensor are not above those by which the sampled robot becomes unstable.
+    """
+    loop, dead_time = robot_loop(robot, controller, kit), delay_margin(robot, controller, kit)
+    every = [_at_input(loop, name, dead_time, peaks=peaks) for name in INPUTS]
+    for i, name in enumerate(near_rest(controller).reads):
+        broken_there = _at_output(loop, i, name, peaks=peaks)
+        least = min(m.delay for m in (*every, broken_there))
+        if name in kit.sensors:
+            exact = delay_margin(robot, controller, kit, at=name, latest=min(least, LATEST))
+            broken_there = replace(broken_there, delay=min(broken_there.delay, exact))
+        every.append(broken_there)
+    return tuple(every)
 
 
 def _largest_gap(nominal: LinearModel, others: Sequence[LinearModel]) -> float:
     return max((nu_gap(nominal, other) for other in others), default=0.0)
 
 
-def delay_margin(robot: Robot, controller: Controller, kit: Kit, step: float = 0.2) -> float:
-    """How much more dead time [s] the loop survives when the controller does not know of it; infinite beyond `LATEST`.
+def delay_margin(robot: Robot, controller: Controller, kit: Kit, *, at: str = "", latest: float = LATEST) -> float:
+    """How much more dead time [s] the loop survives when the controller does not know of it; infinite beyond `latest`.
 
-    The dead time of the sampled robot is raised by `step` periods, or `FINEST`, at a time until the loop is unstable,
-    then bisected.
+    With `at`, a sensor's channel, it is that sensor's delay that grows. It is raised by `FINEST` until the loop of
+    the robot sampled with it is unstable, then bisected.
     """
     linear = near_rest(controller)
-    K = controller_of(linear, sampled(robot, kit, linear.period, linear.reads).delay)
+    nominal = sampled(robot, kit, linear.period, linear.reads, longest=MOST_PERIODS)
+    K = controller_of(linear, nominal.delay)
 
     def stable(more: float) -> bool:
-        delayed = replace(kit, delay=kit.delay + more)
-        return Loop(commanded(sampled(robot, delayed, linear.period, linear.reads, longest=MOST_PERIODS)), K).stable
+        delayed = sampled(robot, _slower_kit(kit, more, at), linear.period, linear.reads, longest=MOST_PERIODS)
+        return Loop(commanded(delayed), K).stable
 
-    high, low, stride = 0.0, 0.0, max(step * linear.period, FINEST)
+    high = low = 0.0
     while stable(high):
-        low, high = high, high + stride
-        if high > LATEST:
+        low, high = high, high + FINEST
+        if high > latest:
             return math.inf
     for _ in range(12 if high else 0):
         middle = (low + high) / 2
         low, high = (middle, high) if stable(middle) else (low, middle)
     return low
+
+
+def _slower_kit(kit: Kit, more: float, at: str) -> Kit:
+    """The kit with so much more dead time [s], or with as much more delay of the sensor `at`."""
+    if not at:
+        return replace(kit, delay=kit.delay + more)
+    sensor = kit.sensors[at]
+    return replace(kit, sensors=kit.sensors | {at: replace(sensor, delay=sensor.delay + more)})
 
 
 def broken(loop: Loop, direction: Sequence[float], count: int = 400) -> tuple[Array, Complex]:

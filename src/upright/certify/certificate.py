@@ -18,11 +18,11 @@ import numpy as np
 from upright.atomic import finite
 from upright.calibrate.calibrate import calibrate
 from upright.certify.agreement import AMBER, RED, Agreement, agreement, disagreements
-from upright.certify.analysis import INPUTS, delay_margin
+from upright.certify.analysis import loop_margins
 from upright.certify.checks import Course, PushTrial, RunCounter, Swept, delayed, kernel_controller, slower, trials
 from upright.certify.learnt import learnt
 from upright.certify.loop import robot_loop
-from upright.certify.margins import margins
+from upright.certify.support import Support, contradictions, supported
 from upright.control import find_controller
 from upright.control.controller import Controller
 from upright.control.identity import Identity, identity
@@ -59,15 +59,20 @@ VERSION = 2
 
 @dataclass(frozen=True)
 class LinearMargins:
-    """The nominal loop broken at both motors: its largest |pole| `radius`, and its margins.
+    """The nominal loop: its largest |pole| `radius`, and the smallest margins of all places where it can be broken.
 
-    It stays stable for gain factors from `gain_low` to `gain_high` [1], and for up to `delay` [s] of further dead time.
+    It stays stable for gain factors from `gain_low` to `gain_high` [1], and for up to `delay` [s] of further delay, at
+    any one motor or reading, or at both motors. The last three names say where each of these is the smallest; older
+    certificates, which looked at both motors only, leave them empty.
     """
 
     radius: float
     gain_low: float
     gain_high: float
     delay: float
+    low_at: str = ""
+    high_at: str = ""
+    delay_at: str = ""
 
     @property
     def stable(self) -> bool:
@@ -83,8 +88,8 @@ class Certificate(Shown):
     `control.identity`). Its `subject` is every number of robot and kit, by name; `robot` and `kit` are their names.
     Of `samples` robots `fell` fell in at least one of the `trials`. `bound` is the upper bound of that probability,
     with 95 % confidence. `linear` is None for a controller that is not linear, even near rest. `delayed` and `slower`
-    count falls with additional dead time and with other periods. `agreement` compares the log of the calibration with
-    these assumptions.
+    count falls with additional dead time and with other periods. `agreement` compares the innovations of a log with
+    these assumptions, `support` what the log shows of each number that is taken as given.
     """
 
     light: str
@@ -103,6 +108,7 @@ class Certificate(Shown):
     delayed: tuple[Swept, ...] = ()
     slower: tuple[Swept, ...] = ()
     agreement: tuple[Agreement, ...] = ()
+    support: tuple[Support, ...] = ()
     subject: Mapping[str, Facts]
     asked: str = ""
     response: tuple[float, ...] = ()
@@ -110,7 +116,9 @@ class Certificate(Shown):
     def check(self) -> tuple[str, ...]:
         """Contradictions among this certificate's own numbers, as sentences; none where it is consistent."""
         bound = upper_bound(self.fell, self.samples, CONFIDENCE)
-        light, reasons = judge(self.samples, self.fell, self.linear, self.trials, self.period, self.agreement)
+        light, reasons = judge(
+            self.samples, self.fell, self.linear, self.trials, self.period, self.agreement, self.support
+        )
         wrong = (
             [f"the bound is {self.bound:g}; its numbers give {bound:g}"] if not math.isclose(bound, self.bound) else []
         )
@@ -175,6 +183,8 @@ class Certificate(Shown):
         sweeps = [_sweep("dead time +", self.delayed), _sweep("period ", self.slower)]
         lines = [head, *(f"  {reason}" for reason in self.reasons), "", columns, *(_row(t) for t in self.trials)]
         sweeps += ["the log: " + "; ".join(map(str, self.agreement))] if self.agreement else []
+        inside = [str(s) for s in self.support if not s.outside]
+        sweeps += ["the log supports: " + "; ".join(inside)] if inside else []
         return "\n".join([*lines, *(line for line in sweeps if line)])
 
 
@@ -227,14 +237,15 @@ def certify(
     runs, fell = trials(course)
     linear, count, period = linear_margins(design, nominal, parts), int(fell.sum()), design.spec.period
     compared = agreement(recording, course) if recording else ()
-    light, reasons = judge(len(family), count, linear, runs, period, compared)
+    shown = supported(recording, course) if recording else ()
+    light, reasons = judge(len(family), count, linear, runs, period, compared, shown)
     who = identity(design)
     swept = [f(course) if sweeps else () for f in (delayed, slower)]
     return Certificate(
         light=light, reasons=reasons, bound=upper_bound(count, len(family), CONFIDENCE), robot=nominal.name,
         kit=parts.name, controller=design.spec.kind, hash=who.hash, period=period, seed=seed,
         samples=len(family), fell=count, linear=linear, trials=runs, delayed=swept[0], slower=swept[1],
-        agreement=compared, subject=subject, asked=who.asked, response=who.response,
+        agreement=compared, support=shown, subject=subject, asked=who.asked, response=who.response,
     )  # fmt: skip
 
 
@@ -252,9 +263,11 @@ def linear_margins(controller: Controller, robot: Robot, kit: Kit) -> LinearMarg
     radius = float(np.abs(loop.closed.poles()).max())
     if radius >= 1:
         return LinearMargins(radius, 1.0, 1.0, 0.0)
-    both = margins(loop.at_input, INPUTS["both motors"])
-    delay = min(both.delay, delay_margin(robot, controller, kit))
-    return LinearMargins(radius, both.gain_low, both.gain_high, delay)
+    every = loop_margins(robot, controller, kit, peaks=False)
+    low, high = max(every, key=lambda m: m.gain_low), min(every, key=lambda m: m.gain_high)
+    first = min(every, key=lambda m: m.delay)
+    at = (low.channel, high.channel, first.channel)
+    return LinearMargins(radius, low.gain_low, high.gain_high, first.delay, *at)
 
 
 def judge(
@@ -264,19 +277,20 @@ def judge(
     runs: Sequence[PushTrial],
     period: float,
     compared: Sequence[Agreement] = (),
+    support: Sequence[Support] = (),
 ) -> tuple[str, tuple[str, ...]]:
     """The light and its one or two reasons, the gravest first."""
     if red := _falls(samples, fell, runs) + (_unstable(linear) if linear else []) + disagreements(compared, RED):
         return RED, tuple(red[:2])
     thin = _thin(linear, period) if linear else []
-    if amber := disagreements(compared, AMBER) + thin + _laborious(runs):
+    if amber := disagreements(compared, AMBER) + contradictions(support) + thin + _laborious(runs):
         return AMBER, tuple(amber[:2])
     chance = _per_cent(upper_bound(fell, samples, CONFIDENCE))
     message = f"{fell} of {samples} robots fell: the probability of a fall is below {chance}"
     if linear is None:
         return GREEN, (message, "no linear margins are known")
     delay = "any delay" if math.isinf(linear.delay) else f"{linear.delay * 1e3:.1f} ms more delay"
-    return GREEN, (message, f"stable with {delay}")
+    return GREEN, (message, f"stable with {delay}{_place(linear.delay_at)}")
 
 
 def _falls(samples: int, fell: int, runs: Sequence[PushTrial]) -> list[str]:
@@ -295,14 +309,19 @@ def _unstable(linear: LinearMargins) -> list[str]:
 
 def _thin(linear: LinearMargins, period: float) -> list[str]:
     up, down = linear.gain_high - 1, 1 - linear.gain_low
-    slack, way = (up, "stronger") if up < down else (down, "weaker")
-    thin = [f"motors {100 * slack:.1f} % {way} make the loop unstable"] if slack < LEAST_GAIN else []
+    slack, way, at = (up, "stronger", linear.high_at) if up < down else (down, "weaker", linear.low_at)
+    changed = (
+        f"a signal {100 * slack:.1f} % {way}{_place(at)} makes" if at else f"motors {100 * slack:.1f} % {way} make"
+    )
+    thin = [f"{changed} the loop unstable"] if slack < LEAST_GAIN else []
     if linear.delay >= LEAST_DELAY * period:
         return thin
-    return [
-        *thin,
-        f"{linear.delay * 1e3:.1f} ms more delay ({linear.delay / period:.2f} of a period) make the loop unstable",
-    ]
+    more = f"{linear.delay * 1e3:.1f} ms more delay{_place(linear.delay_at)}"
+    return [*thin, f"{more} ({linear.delay / period:.2f} of a period) make the loop unstable"]
+
+
+def _place(channel: str) -> str:
+    return f" at {'' if channel in ('both motors', 'steering') else 'the '}{channel}" if channel else ""
 
 
 def _laborious(runs: Sequence[PushTrial]) -> list[str]:
@@ -338,7 +357,7 @@ def _per_cent(probability: float) -> str:
 
 
 def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
-    given = dict(data)
+    given: dict[str, Any] = {"support": (), **data}  # which older files lack
     if "later" in given:  # what older files call it
         given["delayed"] = given.pop("later")
     kind, version = given.pop("file"), given.pop("version")
@@ -349,13 +368,13 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
         )  # fmt: skip
     if kind != KIND:
         raise ValueError(f"it is no '{KIND}'")
-    linear = given["linear"]
+    linear: dict[str, Any] | None = given["linear"]
+    near_rest: dict[str, Any] = {n: math.inf if v is None else v for n, v in (linear or {}).items()}
     parts: dict[str, Any] = {
         "reasons": tuple(given["reasons"]),
-        "linear": LinearMargins(**{n: math.inf if v is None else float(v) for n, v in linear.items()})
-        if linear
-        else None,
+        "linear": LinearMargins(**near_rest) if linear else None,
         "agreement": tuple(Agreement.from_json(row) for row in given["agreement"]),
+        "support": tuple(Support.from_json(row) for row in given["support"]),
         "trials": tuple(PushTrial(**row) for row in given["trials"]),
         "subject": {what: dict(given["subject"][what]) for what in ("robot", "kit")},
         "response": tuple(map(float, given["response"])),

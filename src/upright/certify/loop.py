@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from upright.control.controller import Controller
-from upright.control.delay import SampledRobot, sampled
+from upright.control.delay import MOST_PERIODS, SampledRobot, sampled
 from upright.control.near_rest import near_rest
 from upright.control.state_space import controller_of, plant_of
 from upright.errors import InvalidModel, SpecMismatch
@@ -70,7 +70,7 @@ def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> Loop:
         raise SpecMismatch(
             f"the controller commands {linear.command_unit}", expected=f"{robot.command_unit}, as '{robot.name}'"
         )
-    model = sampled(robot, kit, linear.period, linear.reads)
+    model = sampled(robot, kit, linear.period, linear.reads, longest=MOST_PERIODS)
     return Loop(commanded(model), controller_of(linear, model.delay))
 
 

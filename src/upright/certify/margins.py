@@ -25,6 +25,7 @@ ScalarLoop = Callable[[Array], Complex]
 GRID = 3000
 """Frequencies looked at; crossovers between them are found to rounding, resonances narrower than the grid are not."""
 
+AT_ONCE = 256  # frequencies for which the matrices of a response are in memory together
 _UNBOUNDED = 1e6  # a response as large as this at a crossing is that of a pole: the gain may fall a million times
 _NEARLY_REAL = 1e-3  # a zero this near the real axis, relative to its size, may be a double one that rounding has split
 
@@ -94,10 +95,13 @@ def frequencies(dt: float, fastest: float = 1e4, count: int = GRID) -> Array:
     return np.union1d(grid, np.linspace(top / 300, top, 300)) if dt else grid
 
 
-def margins(loop: LinearModel, direction: ArrayLike = (1.0,), channel: str = "the loop") -> Margins:
+def margins(
+    loop: LinearModel, direction: ArrayLike = (1.0,), channel: str = "the loop", *, peaks: bool = True
+) -> Margins:
     """Margins of the square loop gain `loop` (1 + L = 0), broken along `direction` (m,) with all else closed.
 
-    Zero margins where the closed loop is unstable.
+    Zero margins where the closed loop is unstable. Without `peaks` neither Ms, Mt nor the disk is computed (NaN), which
+    takes half as long.
     """
     v = np.asarray(direction, dtype=np.float64)
     if loop.D.shape != (len(v), len(v)):
@@ -107,7 +111,7 @@ def margins(loop: LinearModel, direction: ArrayLike = (1.0,), channel: str = "th
             channel, gain_low=1.0, gain_high=1.0, phase=0.0, delay=0.0, disk=0.0, Ms=math.inf, Mt=math.inf,
             crossover=math.nan,
         )  # fmt: skip
-    return _scalar_margins(broken_at(loop, v / np.linalg.norm(v)), channel)
+    return _scalar_margins(broken_at(loop, v / np.linalg.norm(v)), channel, peaks=peaks)
 
 
 def broken_at(loop: LinearModel, v: Array) -> LinearModel:
@@ -129,12 +133,43 @@ def closed_stable(loop: LinearModel) -> bool:
     return LinearModel(closed, loop.B, loop.C, loop.D, loop.dt).stable
 
 
-def _scalar_margins(system: LinearModel, channel: str) -> Margins:
+class ScalarResponse:
+    """C (λI − A)⁻¹ B + D of a (1, 1) system, in n² steps for each frequency, by its Hessenberg form (Laub 1981)."""
+
+    def __init__(self, system: LinearModel) -> None:
+        from scipy.linalg import hessenberg
+
+        self._system = system
+        reduced: Any = hessenberg(system.A, calc_q=True) if len(system.A) else (system.A, system.A)
+        Q: Array = reduced[1]
+        self._H: Array = reduced[0]
+        self._b, self._c, self._d = Q.T @ system.B[:, 0], system.C[0] @ Q, float(system.D[0, 0])
+
+    def __call__(self, omega: Array) -> Complex:
+        """The response (len(omega),) at `omega` [rad/s]."""
+        parts = np.array_split(omega, max(1, len(omega) // AT_ONCE))
+        return np.concatenate([self._solved(self._system.points(part)) for part in parts])
+
+    def _solved(self, points: Complex) -> Complex:
+        n = len(self._b)
+        rows = points[None, :, None] * np.eye(n)[:, None, :] - self._H[:, None, :]  # (row, point, column)
+        right = np.repeat(self._b[:, None].astype(np.complex128), len(points), axis=1)
+        for k in range(n - 1):  # below the diagonal there is one number; the larger of both is the pivot
+            swap = np.abs(rows[k + 1, :, k]) > np.abs(rows[k, :, k])
+            rows[k, swap], rows[k + 1, swap] = rows[k + 1, swap], rows[k, swap]
+            right[k, swap], right[k + 1, swap] = right[k + 1, swap], right[k, swap]
+            factor = rows[k + 1, :, k] / rows[k, :, k]
+            rows[k + 1, :, k:] -= factor[:, None] * rows[k, :, k:]
+            right[k + 1] -= factor * right[k]
+        x = np.empty_like(right)
+        for k in reversed(range(n)):
+            x[k] = (right[k] - np.einsum("pj,jp->p", rows[k, :, k + 1 :], x[k + 1 :])) / rows[k, :, k]
+        return self._c @ x + self._d
+
+
+def _scalar_margins(system: LinearModel, channel: str, *, peaks: bool) -> Margins:
     """Margins of a loop gain (1, 1) whose closed loop is stable."""
-
-    def scalar(w: Array) -> Complex:
-        return system.response(w)[:, 0, 0]
-
+    scalar = ScalarResponse(system)
     grid = frequencies(system.dt)
     loop = scalar(grid)
     low, high = _gain_interval(system, scalar, grid)
@@ -142,9 +177,14 @@ def _scalar_margins(system: LinearModel, channel: str) -> Margins:
     lag = np.mod(np.angle(scalar(crossings)) + math.pi, 2 * math.pi) if len(crossings) else np.empty(0)
     phase = float(np.minimum(lag, 2 * math.pi - lag).min(initial=math.inf))
     delay = float((lag / crossings).min(initial=math.inf)) if len(crossings) else math.inf
+    top = float(crossings.max()) if len(crossings) else math.nan
+    if not peaks:
+        return Margins(
+            channel, gain_low=low, gain_high=high, phase=phase, delay=delay, disk=math.nan, Ms=math.nan, Mt=math.nan,
+            crossover=top,
+        )  # fmt: skip
     disk = 1 / peak(lambda w: np.abs(1 / (1 + scalar(w)) - 0.5), grid)
     Ms, Mt = peak(lambda w: np.abs(1 / (1 + scalar(w))), grid), peak(lambda w: np.abs(1 - 1 / (1 + scalar(w))), grid)
-    top = float(crossings.max()) if len(crossings) else math.nan
     return Margins(
         channel, gain_low=low, gain_high=high, phase=phase, delay=delay, disk=disk, Ms=Ms, Mt=Mt, crossover=top
     )

@@ -31,6 +31,7 @@ SIDES = ("left", "right")
 _SAME = 1e-9  # of a period: equal times may differ by rounding
 _FINEST = 1e-10  # [unit²] variance of a sensor said to be perfect, so that the filter stays defined
 LONGEST = 50  # periods of delay: beyond, the states of a filter would be many and the loop hopeless
+MOST_PERIODS = 1000  # of delay, for the poles of a loop: a filter of so many states is never asked for
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

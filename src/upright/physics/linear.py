@@ -137,10 +137,15 @@ class LinearModel(Shown):
     def _decay(self, poles: Complex) -> Array:
         return np.real(poles) if self.continuous else np.abs(poles)
 
+    def points(self, omega: Array) -> Complex:
+        """λ (len(omega),), jω or e^{jω dt}, at ω in [rad/s]."""
+        jw: Complex = (1j * omega).astype(np.complex128)
+        return jw if self.continuous else np.exp(jw * self.dt)
+
     def response(self, omega: ArrayLike) -> Complex:
         """C (λI − A)⁻¹ B + D (len(omega), p, m) at λ = jω or e^{jω dt}, ω in [rad/s]."""
         w = np.atleast_1d(np.asarray(omega, dtype=np.float64))
-        points = 1j * w if self.continuous else np.exp(1j * w * self.dt)
+        points = self.points(w)
         shifted = points[:, None, None] * np.eye(len(self.A)) - self.A
         return self.C @ np.linalg.solve(shifted, np.broadcast_to(self.B, (len(w), *self.B.shape))) + self.D
 

@@ -40,8 +40,7 @@ def _lead(analysis: Analysis, first: str) -> str:
     """The first sentence, and the loop that a delay makes unstable first."""
     if not analysis.stable:
         return sentence(first, "")
-    weakest = min((*analysis.inputs, *analysis.outputs), key=lambda m: m.delay)
-    return f"{sentence(first, '')} A delay at {weakest.channel} alone may be {cell_text(weakest.delay * 1e3, 3)} ms."
+    return f"{sentence(first, '')} {analysis.words()[1]}"
 
 
 def _numbers(analysis: Analysis) -> list[tuple[str, str]]:

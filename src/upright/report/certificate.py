@@ -25,6 +25,8 @@ def page_of(certificate: Certificate) -> Page:
         sections.append(Section("Nominal loop", [_linear(certificate.linear)], folded=True))
     if certificate.delayed or certificate.slower:
         sections.append(Section("Other delays and periods", _sweeps(certificate)))
+    if certificate.support:
+        sections.append(Section("What the log shows", [_support(certificate)]))
     facts = {"controller": certificate.hash[:12], "seed": str(certificate.seed), "kit": certificate.kit}
     c = certificate
     lead = f"{c.fell} of {c.samples} robots drawn from the uncertainty of {c.robot} fell in at least one trial."
@@ -37,7 +39,7 @@ def page_of(certificate: Certificate) -> Page:
 def _numbers(c: Certificate) -> list[tuple[str, str]]:
     numbers = [(f"{number(100 * c.bound, 2)} %", "probability of a fall, at most (95 % confidence)")]
     if c.linear:
-        numbers += [(f"{cell_text(c.linear.delay * 1e3, 3)} ms", "delay margin of both motors")]
+        numbers += [(f"{cell_text(c.linear.delay * 1e3, 3)} ms", "smallest delay margin of all loops")]
     stood = [t.travel for t in c.trials if t.fell < t.runs]
     return [
         *numbers,
@@ -83,7 +85,15 @@ def _linear(margins: LinearMargins) -> Table:
         ["gain margin, to", margins.gain_high],
         ["delay margin [ms]", margins.delay * 1e3],
     ]
-    return Table(["", "value"], rows, "Linear margins, loop broken at both motors", 4)
+    return Table(["", "value"], rows, "Smallest linear margins of all loops", 4)
+
+
+def _support(c: Certificate) -> Table:
+    rows: list[list[Cell]] = [
+        [s.name, s.unit, s.value, s.low, s.high, s.least, s.most, "outside" if s.outside else ""] for s in c.support
+    ]
+    header = ["number", "unit", "value", "from", "to", "assumed from", "assumed to", ""]
+    return Table(header, rows, "Numbers of the log with 95 % intervals, beside what was assumed", 3)
 
 
 def _sweeps(c: Certificate) -> list[Item]:

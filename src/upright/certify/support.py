@@ -1,0 +1,360 @@
+"""What a log says of the numbers that a certificate takes as given: battery, floor, motors, delays, gyro, load, clock.
+
+The nominal robot's steady Kalman filter follows the log. A number that differs from the assumed one adds a signature to
+its innovations; what robots within their spreads add is taken out as well as it may (ridge regression). The rest gives
+each number's value by least squares, with a 95 % interval that counts the innovations' correlation in time.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.bodies.electronics import drive
+from upright.certify.agreement import SETTLED, recorded
+from upright.certify.checks import BATTERIES, Course
+from upright.control.delay import MOST_PERIODS, RAW, SampledRobot, sampled
+from upright.control.kalman import Filter, filtered, kalman_filter
+from upright.logs.recording import commanded
+from upright.physics.dynamics import turn_ratio
+from upright.robots import Kit, Robot
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+
+OUTSIDE = "outside what the log supports: "
+NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution
+DRAWN = 24  # robots whose differences stand for the spreads
+CORRELATED = 0.5  # [s] over which the correlation of innovations is summed
+PUSH_CORRELATED = 3.0  # [s] the same of the filter's push, which is a slow state
+
+UNEQUAL = 0.1  # [1] difference of two motors: two standard deviations of two of one make
+STRENGTH = 0.1  # [1] of the motors beyond the robot's spreads: an empty battery or a warm winding takes as much
+GYRO_SCALE = 0.05  # [1] what makers state of a gyro's sensitivity
+GYRO_NOISE = 3.0  # times the kit's: a guess counts as right within a factor of two, and its estimate has one of 1.5
+LOAD = 0.1  # [1] of the body's mass beyond its spread
+LEVEL = math.radians(1.0)  # [rad] of a floor that counts as level
+LATER = 0.5  # [periods] of further delay that count as none
+CLOCK = 1e-3  # [s] resolution of a log's clock
+SAG = 2.0  # times the kit's: a guess counts as right within a factor of two
+FEWEST_VOLTS = 20  # readings of a battery from which its sag is fitted
+LEAST_LOAD = 0.05  # of the battery's voltage, by which commands must vary to show a sag
+DELAYS = tuple(0.5 * k for k in range(-2, 17))  # [periods] that are tried
+ZONES = (0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0)  # times the kit's dead zone that are tried
+LEAST_ZONE = 0.01  # of the largest command, where the kit has none
+
+
+@dataclass(frozen=True)
+class Support:
+    """One number of a log: its `value` with the 95 % interval from `low` to `high` in `unit`, beside what the
+    certificate covers, from `least` to `most`."""
+
+    name: str
+    unit: str
+    value: float
+    low: float
+    high: float
+    least: float
+    most: float
+
+    @property
+    def outside(self) -> bool:
+        """Whether the whole interval lies outside what was assumed."""
+        return self.high < self.least or self.low > self.most
+
+    @classmethod
+    def from_json(cls, data: Mapping[str, Any]) -> Support:
+        """From a certificate's file."""
+        return cls(**data)
+
+    def __str__(self) -> str:
+        scale, unit = (
+            (1e3, "ms") if self.unit == "s" else (math.degrees(1), "°") if self.unit == "rad" else (1, self.unit)
+        )
+        value, least, most = (f"{round(scale * v, 6):.3g}" for v in (self.value, self.least, self.most))
+        unit = f" {unit}" if unit not in ("1", "°") else "" if unit == "1" else unit
+        return f"{self.name} {value}{unit}, assumed {least} to {most}{unit}"
+
+
+def contradictions(support: Sequence[Support]) -> list[str]:
+    """The numbers that lie outside, the farthest first, as sentences."""
+    beyond = [s for s in support if s.outside]
+    beyond.sort(key=lambda s: -max(s.least - s.high, s.low - s.most) / max(s.most - s.least, s.high - s.low, 1e-12))
+    return [f"{OUTSIDE}{s}" for s in beyond]
+
+
+def supported(log: Log, course: Course) -> tuple[Support, ...]:
+    """What `log`, of the robot of `course`, shows of the numbers that its certificate takes as given.
+
+    Raises like `agreement`. Numbers that the log does not show at all are left out.
+    """
+    return (*_battery(log, course.robot, course.kit), *_jitter(log, course.kit), *_dynamics(log, course))
+
+
+def _battery(log: Log, robot: Robot, kit: Kit) -> list[Support]:
+    """The battery's open-circuit voltage and its sag, from its own readings."""
+    nominal, prefix = kit.battery.voltage, commanded(log)
+    if "sensor/battery" not in log or robot.command_unit != "V" or not math.isfinite(nominal):
+        return []
+    volts = log["sensor/battery"]
+    there = np.isfinite(volts)
+    if there.sum() < FEWEST_VOLTS:
+        return []
+    load = np.zeros(len(log))
+    if prefix:
+        sides = np.abs(np.column_stack([log[f"{prefix}/{side}"] for side in ("left", "right")]))
+        load = np.minimum(np.nan_to_num(sides), nominal).sum(axis=1)
+    lag = max(0, round(kit.delay / log.period)) if prefix == "command" else 0
+    load = np.concatenate([np.zeros(lag + 1), load])[: len(log)]  # a row's reading precedes its command
+    least, most = (fraction * nominal for fraction in BATTERIES.values())
+    if load[there].std() < LEAST_LOAD * nominal:
+        middle, spread = float(np.median(volts[there])), float(volts[there].std())
+        full = middle + kit.battery.sag * float(np.median(load[there]))
+        return [Support("battery", "V", full, full - spread, full + spread, least, most)]
+    A = np.column_stack([np.ones(int(there.sum())), -load[there]])
+    values, errors = _fitted(A, volts[there], log.period)
+    full, sag = (float(v) for v in values)
+    wide = NORMAL * errors
+    numbers = [Support("battery", "V", full, full - wide[0], full + wide[0], least, most)]
+    limit = max(SAG * kit.battery.sag, 0.01)
+    return [*numbers, Support("battery's sag", "V/V", sag, sag - wide[1], sag + wide[1], min(0.0, limit), limit)]
+
+
+def _fitted(A: Array, y: Array, period: float) -> tuple[Array, Array]:
+    """Least squares (k,) and standard deviations (k,) that count the correlation of what is left."""
+    values = np.linalg.lstsq(A, y, rcond=None)[0]
+    rest = y - A @ values
+    variance = float(rest @ rest) / max(len(y) - A.shape[1], 1) * _inflation(rest[:, None], period, CORRELATED)
+    errors: Array = np.sqrt(np.maximum(np.diag(np.linalg.pinv(A.T @ A)), 0) * variance).astype(np.float64)
+    return values.astype(np.float64), errors
+
+
+def _inflation(rest: Array, period: float, seconds: float) -> float:
+    """1 + 2 Σ ρ over positive autocorrelations up to `seconds`: readings (n, sensors) for each independent one."""
+    most = max(1, min(round(seconds / period), len(rest) // 4))
+    centred = rest - rest.mean(axis=0)
+    zero = float((centred**2).sum())
+    rho = [float((centred[k:] * centred[:-k]).sum()) / max(zero, 1e-300) for k in range(1, most + 1)]
+    cut = next((k for k, r in enumerate(rho) if r <= 0), len(rho))
+    return max(1.0, 1 + 2 * sum(rho[:cut]))
+
+
+def _jitter(log: Log, kit: Kit) -> list[Support]:
+    """The width of the steps between rows; lost rows are not counted."""
+    steps = np.diff(log.t)
+    steps = steps[steps < 1.5 * log.period]
+    if len(steps) < FEWEST_VOLTS:
+        return []
+    low, high = np.quantile(steps, (0.025, 0.975))
+    width = float(high - low)
+    return [Support("jitter", "s", width, width, width, 0.0, max(2 * kit.jitter, 2 * CLOCK))]
+
+
+def _dynamics(log: Log, course: Course) -> list[Support]:
+    """What the filter's innovations say."""
+    robot, kit, unit = course.robot, course.kit, course.robot.command_unit
+    model = sampled(robot, kit, log.period, longest=MOST_PERIODS)
+    estimator = kalman_filter(model)
+    readings, sent = recorded(log, model.delay)
+    raw = commanded(log) == "command"
+    motors = _at_motors(sent, kit, unit) if raw else sent
+    path = _Path.of(estimator, readings, motors)
+    names, columns = _signatures(path, motors)
+    spreads = _spreads(path, course, motors)
+    fit = _Fit(path, np.column_stack([*columns, spreads]), len(columns), log.period)
+    values, errors = fit.solved(path.errors)
+    fitted = {name: (float(v), NORMAL * float(e)) for name, v, e in zip(names, values, errors, strict=True)}
+    mass, spread = robot.body_mass, float(np.std([r.body_mass for r in course.robots]))
+    most_load = max(LOAD * mass, 2 * spread)
+    numbers = [
+        _of("motors' strength", "1", 1.0, fitted["strength"], STRENGTH),
+        _of("difference of the motors", "1", 0.0, fitted["asymmetry"], UNEQUAL),
+        _of("gyro's scale", "1", 1.0, fitted["gyro scale"], GYRO_SCALE),
+        _of("gyro's further delay", "s", 0.0, tuple(log.period * x for x in fitted["gyro delay"]), LATER * log.period),
+        _of("body's mass", "kg", mass, tuple(mass * x for x in fitted["load"]), most_load),
+        _slope(path, log.period, robot),
+        *_noise(log, kit),
+    ]  # fmt: skip
+    if raw:
+        numbers += [_delay(fit, path, motors, log.period), _dead_zone(fit, path, sent, motors, kit, unit)]
+    return numbers
+
+
+def _of(name: str, unit: str, middle: float, numbers: Sequence[float], around: float) -> Support:
+    value, wide = middle + numbers[0], numbers[1]
+    return Support(name, unit, value, value - wide, value + wide, middle - around, middle + around)
+
+
+def _at_motors(commands: Array, kit: Kit, unit: str) -> Array:
+    return np.array([drive(row, kit, unit)[0] for row in commands.tolist()])
+
+
+@dataclass(frozen=True, eq=False)
+class _Path:
+    """The nominal filter along a log: its `states` (n, states), the readings `predicted` (n, sensors), the weights of
+    its whitened innovations, and these, `errors` (rows·sensors,), of the rows in `keep`."""
+
+    estimator: Filter
+    states: Array
+    predicted: Array
+    whiten: Array
+    keep: NDArray[np.bool_]
+    errors: Array
+
+    @classmethod
+    def of(cls, estimator: Filter, readings: Array, motors: Array) -> _Path:
+        model = estimator.sampled
+        linear = model.linear
+        first, turn = np.nan_to_num(readings[0]), turn_ratio(model.robot)
+        start = np.zeros(len(linear.A))
+        start[2], start[4] = (first[0] + first[1]) / 2, (first[1] - first[0]) / (2 * turn)
+        for place, name in enumerate(linear.states):
+            start[place] += first[RAW.index(name[:-2])] if "@" in name else 0.0
+        states, errors = filtered(linear.A, linear.C, estimator.L, readings, _moved(model, motors), start)
+        whiten = 1 / np.sqrt(np.diag(linear.C @ estimator.P @ linear.C.T + model.noise))
+        keep: NDArray[np.bool_] = np.isfinite(errors).all(axis=1) & (np.arange(len(errors)) >= SETTLED / model.dt)
+        return cls(estimator, states, np.nan_to_num(readings - errors), whiten, keep, (errors * whiten)[keep].ravel())
+
+    def answer(self, readings: Array, moved: Array) -> Array:
+        """What more of `readings` (n, 3, k), and of what commands add, `moved` (n, states, k), adds to the whitened
+        innovations (rows·sensors, k)."""
+        linear, k = self.estimator.sampled.linear, moved.shape[2]
+        _, errors = filtered(linear.A, linear.C, self.estimator.L, readings, moved, np.zeros((len(linear.A), k)))
+        return (errors * self.whiten[:, None])[self.keep].reshape(-1, k)
+
+    def unknown(self, motors: Sequence[Array]) -> Array:
+        """The signature (rows·sensors, k) of commands (n, 2) that reached the motors besides those that are known."""
+        moved = np.stack([_moved(self.estimator.sampled, more) for more in motors], axis=2)
+        return -self.answer(np.zeros((len(moved), 3, moved.shape[2])), moved)
+
+
+def _moved(model: SampledRobot, commands: Array) -> Array:
+    """What commands (n, 2) add to the states in each period (n, states)."""
+    before = np.concatenate([np.zeros((1, 2)), commands[:-1]])
+    return before @ model.before.T + commands @ model.now.T
+
+
+def _signatures(path: _Path, motors: Array) -> tuple[list[str], list[Array]]:
+    """What each number that differs by one unit adds to the innovations."""
+    model = path.estimator.sampled
+    half = np.array([-0.5, 0.5])
+    commands = path.unknown([motors, motors * half])
+    gyro = path.predicted[:, 2]  # not the reading, whose noise is in its innovation too
+    shifted = np.zeros((len(gyro), 3, 2))
+    shifted[:, 2, 0], shifted[:, 2, 1] = gyro, -np.gradient(gyro)
+    sensors = path.answer(shifted, np.zeros((len(gyro), len(model.linear.A), 2)))
+    heavier = model.robot.replace(body_mass=model.robot.body_mass * 1.05)
+    load = _other(path, heavier, motors) / 0.05
+    names = ["strength", "asymmetry", "gyro scale", "gyro delay", "load"]
+    return names, [*commands.T, *sensors.T, load]
+
+
+def _other(path: _Path, robot: Robot, motors: Array) -> Array:
+    """What a robot that differs adds to the innovations, linear in the difference."""
+    model = path.estimator.sampled
+    other = sampled(robot, model.kit, model.dt, longest=MOST_PERIODS)
+    moved = path.states @ (other.linear.A - model.linear.A).T + _moved(other, motors) - _moved(model, motors)
+    return -path.answer(np.zeros((len(moved), 3, 1)), moved[:, :, None])[:, 0]
+
+
+def _spreads(path: _Path, course: Course, motors: Array) -> Array:
+    """What robots within their spreads add (rows·sensors, k), so that their sum with normal weights has their
+    covariance."""
+    some = course.robots[:DRAWN]
+    return np.column_stack([_other(path, robot, motors) for robot in some]) / math.sqrt(len(some))
+
+
+class _Fit:
+    """Least squares of innovations by the first `free` columns, beside others that have normal weights of one."""
+
+    def __init__(self, path: _Path, columns: Array, free: int, period: float) -> None:
+        self.columns, self.free, self.period = columns, free, period
+        self.prior = np.diag([1e-6] * free + [1.0] * (columns.shape[1] - free))
+        self.scale = 1.0
+        for _ in range(2):  # the prior weighs against the noise, which is known from what is left
+            rest = path.errors - columns @ self._weights(path.errors)
+            correlated = _inflation(rest.reshape(-1, 3), period, CORRELATED)
+            self.scale = float(rest @ rest) / len(rest) * correlated
+
+    def _matrix(self) -> Array:
+        return self.columns.T @ self.columns / self.scale + self.prior
+
+    def _weights(self, y: Array) -> Array:
+        return np.linalg.solve(self._matrix(), self.columns.T @ y / self.scale).astype(np.float64)
+
+    def solved(self, y: Array) -> tuple[Array, Array]:
+        """Values and standard deviations (free,)."""
+        return self._weights(y)[: self.free], np.sqrt(np.diag(np.linalg.inv(self._matrix()))[: self.free])
+
+    def cost(self, y: Array) -> float:
+        """−2 log likelihood, but for a constant, of innovations y with the best weights."""
+        w = self._weights(y)
+        rest = y - self.columns @ w
+        return float(rest @ rest) / self.scale + float(w @ self.prior @ w)
+
+
+def _profile(fit: _Fit, path: _Path, tried: Sequence[float], others: Callable[[float], Array], known: Array) -> Array:
+    """Value with the least cost among those `tried`, and the ends of where it is within 95 % of it."""
+    changes = path.unknown([others(x) - known for x in tried])
+    costs = np.array([fit.cost(path.errors - change) for change in changes.T])
+    near = np.array(tried)[costs <= costs.min() + NORMAL**2]
+    return np.array([tried[int(costs.argmin())], near.min(), near.max()])
+
+
+def _delay(fit: _Fit, path: _Path, motors: Array, period: float) -> Support:
+    rows = np.arange(len(motors))
+
+    def shifted(periods: float) -> Array:
+        return np.column_stack([np.interp(rows - periods, rows, side) for side in motors.T])
+
+    # neighbours of the best are not told apart from it by half a step of the grid
+    value, low, high = period * _profile(fit, path, DELAYS, shifted, motors)
+    half = period * (DELAYS[1] - DELAYS[0]) / 2
+    return Support("further delay", "s", value, low - half, high + half, -2 * period, LATER * period)
+
+
+def _dead_zone(fit: _Fit, path: _Path, sent: Array, motors: Array, kit: Kit, unit: str) -> Support:
+    least = LEAST_ZONE * float(np.abs(motors).max())
+    unit_zone = max(kit.motor.dead_zone, least)
+    zones = [x * unit_zone for x in ZONES]
+
+    def through(zone: float) -> Array:
+        return _at_motors(sent, replace(kit, motor=replace(kit.motor, dead_zone=zone)), unit)
+
+    value, low, high = _profile(fit, path, zones, through, motors)
+    return Support("dead zone", unit, value, low, high, 0.0, 2 * unit_zone)
+
+
+def _slope(path: _Path, period: float, robot: Robot) -> Support:
+    """The floor's slope from the steady push that the filter sees, apart from friction, which turns with the wheels."""
+    linear = path.estimator.sampled.linear
+    rows = path.keep
+    push, wheel = path.states[rows, linear.states.index("push")], path.states[rows, 3]
+    scale = max(float(np.abs(wheel).max()), 1e-9)
+    A = np.column_stack([np.ones(len(push)), wheel / scale, np.tanh(wheel)])
+    values = np.linalg.lstsq(A, push, rcond=None)[0]
+    rest = push - A @ values
+    variance = float(rest @ rest) / len(rest) * _inflation(rest[:, None], period, PUSH_CORRELATED)
+    weight = (robot.body_mass + 2 * robot.wheel_mass) * robot.gravity
+    wide = NORMAL * math.sqrt(float(np.linalg.pinv(A.T @ A)[0, 0]) * variance) / weight
+    angle = -float(values[0]) / weight
+    return Support("slope", "rad", angle, angle - wide, angle + wide, -LEVEL, LEVEL)
+
+
+def _noise(log: Log, kit: Kit) -> list[Support]:
+    """The gyro's noise, from its third differences, in which the motion nearly vanishes."""
+    gyro, sensor = log["sensor/gyro"], kit.sensors["sensor/gyro"]
+    differences = np.diff(gyro[np.isfinite(gyro)], n=3)
+    if len(differences) < FEWEST_VOLTS:
+        return []
+    quantised = sensor.quantum**2 / 12
+    size = 1.4826 * float(np.median(np.abs(differences))) / math.sqrt(20)
+    value = math.sqrt(max(size**2 - quantised, 0.0))
+    wide = value * 2 / math.sqrt(len(differences))
+    most = GYRO_NOISE * math.hypot(sensor.noise, sensor.quantum)
+    return [Support("gyro's noise", "rad/s", value, value - wide, value + wide, 0.0, most)]
