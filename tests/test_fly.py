@@ -217,7 +217,7 @@ def test_the_log_of_a_flight_survives_a_target_that_vanishes(
 
 @pytest.mark.parametrize("seed", range(4))
 def test_a_virtual_robot_is_let_go_off_the_vertical(seed: int) -> None:
-    # its encoders read zero, as where a program starts; not driven, it falls within the time of a few pendulum constants
+    # its encoders read zero, as where a program starts; not driven, it falls within some of its time constants
     robot = Robot.preset("nxtway-gs")
     world = World("pybricks", robot, Kit.preset("spike"), seed=seed)
     before = world.raw()
@@ -260,5 +260,5 @@ def test_a_program_that_reads_its_gyro_wrongly_falls(tmp_path: Path, mounted: st
     assert main(["firmware", str(controller), "--target", "pybricks", "--kit", "spike", "-o", str(program)]) == 0
     program.write_text(program.read_text().replace(GYRO, MOUNTED[mounted]))
     flight = virtual(program, controller, seconds=4.0)
-    assert flight.fell is (mounted != "right"), str(flight)
+    assert flight.balanced is (mounted == "right"), str(flight)
     assert ("balanced" in str(flight)) is (mounted == "right")

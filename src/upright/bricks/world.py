@@ -5,6 +5,7 @@ A stand-in, never the robot. Its dead time is that of the program, not the kit's
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -15,10 +16,14 @@ from upright.experiment.pushes import PushProgramme, combined
 from upright.firmware.targets import BATTERY, COMPASS, GYRO, OFFSET, find_target
 from upright.robots import Kit, Robot
 
+HELD = (math.radians(2.0), math.radians(3.0))
+"""[rad] by which a hand holds a robot off the vertical when it lets go: between these, to either side."""
+
 
 class World:
     """`robot` in the electronics of `kit`, with the sensors and motors of a `target`; `pushes` are timed from its
-    release. Once `fallen` it stays where it lies, and its motors turn freely."""
+    release. It is let go off the vertical (`HELD`), encoders at zero, so that nobody stands who does not balance. Once
+    `fallen` it stays where it lies, and its motors turn freely."""
 
     def __init__(
         self,
@@ -39,7 +44,8 @@ class World:
         self._rng = np.random.Generator(np.random.Philox(seed))
         self.period = self._plant.spec.period
         self._names = [signal.name for signal in self._plant.spec.channels]
-        self._now = self._plant.reset(seed=seed)
+        lean = float(self._rng.uniform(*HELD) * self._rng.choice((-1, 1)))
+        self._now = self._plant.reset((lean, 0.0, lean, 0.0, 0.0, 0.0), seed)
         self.released = self.fallen = False
 
     @property

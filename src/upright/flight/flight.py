@@ -20,6 +20,8 @@ Clock = Callable[[], float]
 STOPS = 3
 """Attempts to stop a program, and to fetch its log; none depends on the one before."""
 INTERRUPTED = "stopped by Ctrl-C"
+RUNNING = ("", "balancing")  # how the log of a program ends that others stopped, or that was cut off
+DRIVEN = ("applied/left", "applied/right")
 
 
 class FlightRefused(UprightError):
@@ -30,11 +32,12 @@ class MotorsMayRun(UprightError):
     """A flight that went wrong, of a robot that did not confirm that it stopped."""
 
 
-@dataclass
+@dataclass(kw_only=True)
 class Flight:
     """Result of a flight: its `log` if one arrived, whether the connection was `lost`, and `notes` of one line each.
 
-    `robot`, controller `hash`, `port` and `where` (a description of the brick) say whose it is.
+    `robot`, controller `hash`, `port` and `where` (a description of the brick) say whose it is. A virtual robot `fell`
+    where it lies at the end; of a real one nobody knows.
     """
 
     log: ProgramLog | None = None
@@ -44,6 +47,17 @@ class Flight:
     hash: str = ""
     port: str = ""
     where: str = ""
+    fell: bool = False
+
+    @property
+    def drove(self) -> bool:
+        """Whether a motor got a command that is not zero, by the log: without one nothing balances."""
+        return bool(self.log and any(self.log.log[name].any() for name in DRIVEN))
+
+    @property
+    def balanced(self) -> bool:
+        """Whether motors were driven, no virtual robot fell, and the program did not stop by itself."""
+        return self.drove and not self.fell and bool(self.log and self.log.ended in RUNNING)
 
     @property
     def seconds(self) -> float:
@@ -62,16 +76,24 @@ class Flight:
             hashes = f"{log.head['hash'][:12]}, not {program.hash[:12]}"
             self.notes.append(f"the log is of another controller ({hashes}), from an earlier flight")
         self.notes += log.flaws
-        if log.ended not in ("", "balancing"):
+        if log.ended not in RUNNING:
             self.notes.append(f"the program stopped by itself: {log.ended}")
 
     def to_json(self) -> dict[str, Any]:
         facts = {"rows": len(self.log.log) if self.log else 0, "seconds": self.seconds}
         facts |= {"largest_pitch": self.largest_pitch, "hash": self.hash, "port": self.port}
-        return facts | {"lost": self.lost, "notes": self.notes}
+        return facts | {
+            "balanced": self.balanced,
+            "drove": self.drove,
+            "fell": self.fell,
+            "lost": self.lost,
+            "notes": self.notes,
+        }
 
     def __str__(self) -> str:
-        result = f"balanced for {self.seconds:.1f} s; largest estimated pitch {self.largest_pitch or 0.0:.3f} rad"
+        ran = f"{'fell; ran' if self.fell else 'balanced' if self.balanced else 'ran'} for {self.seconds:.1f} s"
+        did = ran if self.drove else f"did not balance: no motor was driven in {self.seconds:.1f} s"
+        result = f"{did}; largest estimated pitch {self.largest_pitch or 0.0:.3f} rad"
         return "\n".join([f"{self.robot} ({self.where}): {result if self.log else 'no log'}", *self.notes])
 
 

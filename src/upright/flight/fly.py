@@ -166,11 +166,15 @@ def _fly_virtual(
     if plan.hub:
         with virtual_hub(file.robot, file.kit, pushes, seed=seed) as hub:
             hub.until = seconds
-            return fly_hub(
+            flight = fly_hub(
                 file.path, file.program, hub, seconds, progress=progress, clock=lambda: hub.seconds, where=where
             )
+            flight.fell = hub.world.fallen
+            return flight
     with virtual_flight(file.robot, file.kit, pushes, seed=seed, wiring=nxt_wiring(file.text)) as virtual:
         virtual.line.until = seconds
-        return fly_nxt(
+        flight = fly_nxt(
             file.path, file.program, virtual.path, seconds, progress=progress, clock=virtual.clock, where=where
         )
+        flight.fell = virtual.robot.world.fallen
+    return flight
