@@ -266,12 +266,17 @@ def test_robots_are_listed_with_mass_and_pole(capsys: pytest.CaptureFixture[str]
     assert listed["nxtway-gs"]["mass"] == pytest.approx(0.66, abs=1e-12)
     assert all(entry["unstable_pole"] > 0 for entry in listed.values())
     assert main(["robots"]) == 0
-    assert listed.keys() <= set(capsys.readouterr().out.split())
+    table = capsys.readouterr().out
+    assert listed.keys() <= set(table.split())
+    assert "0.0215" in table  # wheels tell one EV3way from the other
+    assert max(map(len, table.splitlines())) <= 80
 
 
 def test_a_robot_is_shown_with_every_number_and_its_source(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["robots", "show", "nxtway-gs"]) == 0
-    lines = {line.split()[0]: line for line in capsys.readouterr().out.splitlines() if line}
+    shown = capsys.readouterr().out
+    assert Robot.preset("nxtway-gs").title in " ".join(shown.split())
+    lines = {line.split()[0]: line for line in shown.splitlines() if line}
     assert set(PARAMETERS) <= lines.keys()
     assert "0.04" in lines["wheel_radius"]  # [m], Yamamoto (2008)
     assert main(["robots", "show", "nxtway-gs", "--json"]) == 0

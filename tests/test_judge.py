@@ -87,6 +87,16 @@ def test_a_number_many_deviations_from_its_source_is_of_another_robot(model_log:
     assert not reasons(problem, z, (), [replace(far, guess=True), replace(far, shift=3.5)])
 
 
+@pytest.mark.parametrize(("true", "named"), [("ev3way-large-wheels", True), ("ev3way", False)])
+def test_a_log_of_another_preset_names_it(true: str, named: bool) -> None:
+    """A log of the robot on large wheels under the file of the small ones; the file's own log proposes nothing."""
+    robot, kit = Robot.preset(true), Kit.preset("ideal")
+    log = run(NonlinearBody(robot), lqr(robot, 0.01), seconds=1.5, start=(0.15, 0.0, 0.0, 0.0, 0.0, 0.3))
+    raw = Log(log.t, {n: v for n, v in log.channels.items() if not n.startswith("truth/")}, log.units, log.origin)
+    problem, _ = prepared([raw], Robot.preset("ev3way"), kit, (), 0.0)
+    assert ("--robot ev3way-large-wheels" in judge.proposed(problem, np.zeros(len(problem.parameters)))) == named
+
+
 def test_numbers_that_predict_worse_than_the_file_are_refused(model_log: Log, monkeypatch: pytest.MonkeyPatch) -> None:
     problem, _ = prepared([model_log], ROBOT, Kit.preset("ideal"), (), 0.25)
     z = np.ones(len(problem.parameters))

@@ -129,6 +129,16 @@ def test_the_inertias_of_ev3way_follow_nxtways_formulas() -> None:
     assert p.roll_inertia == pytest.approx(p.body_mass * (p.track**2 + p.body_height**2) / 12)
 
 
+def test_the_ev3way_on_large_wheels_weighs_what_its_authors_say() -> None:
+    """0.777 kg in all (README of their logs), on wheels that fits of several logs put between 37 and 50 mm."""
+    p, small = Robot.preset("ev3way-large-wheels"), Robot.preset("ev3way")
+    assert 2 * p.wheel_mass + p.body_mass == pytest.approx(0.777)
+    assert p.wheel_inertia == pytest.approx(p.wheel_mass * p.wheel_radius**2 / 2)
+    assert 0.037 < p.wheel_radius < 0.050
+    assert p.name in small.title  # who finds one of the two finds the other
+    assert "21.5 mm" in small.title
+
+
 def test_herrera2015_has_the_four_effective_numbers_of_the_printed_matrices() -> None:
     p = Robot.preset("herrera2015")
     a11, a12, a22, _ = mass_matrix(1.0, 0.0, p)
