@@ -8,26 +8,32 @@ and one that bends numbers which somebody measured is a fit of another robot.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.calibration import FOREIGN, Estimate, Segments
+from upright.calibrate.electronics import MEANING
 from upright.calibrate.fitting import Problem
 from upright.calibrate.validate import score
+from upright.robots import Robot, preset_names
 
 Array = NDArray[np.float64]
 
 WORSE = 0.02  # [1] R² of half seconds by which the prior's own numbers may predict better
+NEARER = 0.5  # [1] of what the file's numbers leave of half seconds: another preset that leaves less is proposed
 MOST_LAGS = 8  # readings by which a prediction is shifted to see whether it is a delay
 HALF = 0.5  # [1] of the readings' deviation: what a sign, a unit or a delay must explain of them to be named
 TURNED = 1.5  # a factor between prediction and reading that no tolerance of a motor makes
 
 
-def reasons(problem: Problem, z: Array, free: Sequence[Segments], estimates: Sequence[Estimate]) -> tuple[str, ...]:
+def reasons(
+    problem: Problem, z: Array, free: Sequence[Segments], estimates: Sequence[Estimate], other: str = ""
+) -> tuple[str, ...]:
     """Why the fit at z (parameters,) is refused as a description of the robot, in words; nothing where it stands.
 
-    `free` are the half seconds of each recording, simulated freely.
+    `free` are the half seconds of each recording, simulated freely; `other` is what `proposed` proposes.
     """
     faults = [reason for parts in free for reason in unpredicted(parts)]
     own = score(problem, np.zeros_like(z))
@@ -43,8 +49,30 @@ def reasons(problem: Problem, z: Array, free: Sequence[Segments], estimates: Seq
         )
         faults.append(
             f"the log is of another robot than the file, which says {stated}: measure these, or choose another robot"
+            f"{other}"
         )
     return tuple(faults)
+
+
+def proposed(problem: Problem, z: Array) -> str:
+    """The preset whose numbers predict half seconds of these logs far better than those of the robot's file, in words;
+    '' where there is none. Dead times and motors are those at z (parameters,) or the prior's, whichever serve better.
+    """
+    kept = [i for i, p in enumerate(problem.parameters) if p.name.startswith("delay/") or p.name in MEANING]
+
+    def predicts(robot: Robot) -> float:
+        swapped = replace(problem, robot=robot, parameters=tuple(problem.parameters[i] for i in kept), held=frozenset())
+        return max(score(swapped, z[kept]), score(swapped, 0 * z[kept]))
+
+    named = {name: Robot.preset(name) for name in preset_names() if name != problem.robot.name}
+    scores = {name: predicts(robot) for name, robot in named.items() if robot.drive == problem.robot.drive}
+    best, own = max(scores, key=lambda name: scores[name], default=""), predicts(problem.robot)
+    if not best or 1 - scores[best] > NEARER * (1 - max(own, 0.0)):
+        return ""
+    return (
+        f"; the preset {best} predicts half seconds better as it stands (R² {scores[best]:.2f}, this file "
+        f"{own:.2f}); try: --robot {best}"
+    )
 
 
 def unpredicted(parts: Segments) -> list[str]:

@@ -26,7 +26,7 @@ from upright.calibrate.calibration import (
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.fitting import Normal, Path, Problem, around, slopes_of
 from upright.calibrate.informativity import posterior, unseen_directions
-from upright.calibrate.judge import reasons
+from upright.calibrate.judge import proposed, reasons
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, columns, with_values
 from upright.calibrate.validate import segments, steps_ahead, whiteness
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
@@ -62,7 +62,8 @@ def summarised(
     every = [_estimate(p, float(z[i]), float(spread[i]), p.name in problem.held) for i, p in enumerate(problem.asked)]
     combined = _combined(problem, z, C)
     free = tuple(segments(problem, recording, z) for recording in problem.recordings)
-    refused = () if reason else reasons(problem, z, free, every)
+    other = proposed(problem, z) if any(e.surprising for e in every) else ""
+    refused = () if reason else reasons(problem, z, free, every, other)
     if refused:
         every = [_withdrawn(e) for e in every]
         combined = tuple(_withdrawn(e) for e in combined)
@@ -90,7 +91,7 @@ def summarised(
         samples=int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
         seconds=time.perf_counter() - began,
         sources=sources,
-        notes=tuple(_notes(problem, every, scores, reason)),
+        notes=tuple(_notes(problem, every, scores, reason, other)),
         unseen=tuple(unseen_directions(problem, normal)),
         refused=refused,
     )
@@ -227,7 +228,9 @@ def _mean(each: Sequence[Mapping[str, float]]) -> dict[str, float]:
     return {name: float(np.mean([one[name] for one in each if name in one])) for name in names}
 
 
-def _notes(problem: Problem, every: Sequence[Estimate], free: Mapping[str, float], reason: str) -> list[str]:
+def _notes(
+    problem: Problem, every: Sequence[Estimate], free: Mapping[str, float], reason: str, other: str
+) -> list[str]:
     notes = [reason] if reason else []
     if problem.temper < 1:
         notes.append(
@@ -238,7 +241,7 @@ def _notes(problem: Problem, every: Sequence[Estimate], free: Mapping[str, float
     if surprised:
         notes.append(
             f"The log contradicts the stated value of {', '.join(surprised)} deviations (more than {SURPRISE:g}): "
-            "measure it again, or start from another robot."
+            f"measure it again, or start from another robot{other}."
         )
     if free["lost"] > 0.1:
         notes.append(

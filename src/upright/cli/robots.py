@@ -26,10 +26,13 @@ def every(context: typer.Context, *, as_json: JsonOption = False) -> None:
     if as_json:
         print_json(entries)
         return
-    header = ("robot", "mass [kg]", "com height [m]", "unstable pole [1/s]", "drive", "kit")
+    header = ("robot", "mass [kg]", "wheel radius [m]", "pole [1/s]", "drive", "kit")
+    shown = ("name", "mass", "wheel_radius", "unstable_pole", "drive", "kit")
     print_table(
-        header, [[f"{v:.3g}" if isinstance(v, float) else v for v in e.values()] for e in entries], numbers=header[1:4]
-    )
+        header, [[f"{e[k]:.3g}" if isinstance(e[k], float) else e[k] for k in shown] for e in entries],
+        numbers=header[1:4],
+    )  # fmt: skip
+    typer.echo("What each is: upright robots show NAME")
 
 
 @robots.command()
@@ -45,7 +48,8 @@ def show(
     if as_json:
         print_json({**_summary(robot), "parameters": robot.parameters()})
     else:
-        typer.echo(f"{robot.name}: {robot.drive} drive, kit {robot.kit_name}\n\n{robot.listing()}")
+        title = f"{robot.title}\n" if robot.title else ""
+        typer.echo(f"{title}{robot.name}: {robot.drive} drive, kit {robot.kit_name}\n\n{robot.listing()}")
 
 
 def _summary(robot: Robot) -> dict[str, Any]:
@@ -53,7 +57,9 @@ def _summary(robot: Robot) -> dict[str, Any]:
 
     return {
         "name": robot.name,
+        "title": robot.title,
         "mass": robot.body_mass + 2 * robot.wheel_mass,
+        "wheel_radius": robot.wheel_radius,
         "com_height": robot.com_height,
         "unstable_pole": unstable_pole(robot),
         "drive": robot.drive,
