@@ -205,6 +205,8 @@ def test_a_quiet_log_gives_no_inertia() -> None:
     assert found["pitch_inertia"].verdict == HELD
     assert found.robot.pitch_inertia == PRIOR.pitch_inertia
     assert any("Too quiet" in note for note in found.notes)
+    assert "upright excite" in found.withheld()  # and so no robot is written of it
+    assert not calibration().withheld()
 
 
 def test_several_logs_say_more_than_one() -> None:

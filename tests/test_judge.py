@@ -122,7 +122,7 @@ def test_a_log_that_is_lost_leaves_the_equations_of_the_others_whole(model_log: 
 def test_a_refused_fit_writes_no_robot_unless_asked(
     model_log: Log, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    result = SimpleNamespace(refused=("another robot",), known_robot=lambda: ROBOT, to_json=dict)
+    result = SimpleNamespace(withheld=lambda: "another robot; try: --force", known_robot=lambda: ROBOT, to_json=dict)
     monkeypatch.setattr(import_module("upright.calibrate.calibrate"), "calibrate", lambda *_, **__: result)
     monkeypatch.setattr(import_module("upright.logs.raw"), "raw_log", lambda *_: model_log)
     robot = tmp_path / "robot.toml"
