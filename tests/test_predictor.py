@@ -42,7 +42,7 @@ START = np.diag([1e-3, 1e-2, 1e-3, 1e-2, 1e-3, 1e-2, 1e-2])
 
 def filtered(events: Events, delays: np.ndarray) -> tuple[np.ndarray, ...]:
     """Innovations, variances, gains and states of the predictor."""
-    robot = np.array([*constants(list(ROBOT.numbers().values()), 1.0), 1.0, 1.0, 0.0])
+    robot = np.array([*constants(list(ROBOT.numbers().values()), 1.0), 1.0, 1.0, 0.0, 0.0])
     lanes = RobotLanes(*(np.repeat(a[..., None], WIDE, axis=-1) for a in (C, delays, robot)))
     noise = Noise(START, np.array([process()] * 2), 0.0, R, np.inf)
     return kalman_path(events, lanes, np.zeros(SIZE), noise, LONGEST, True)
@@ -126,7 +126,7 @@ def test_innovations_at_the_filter_s_gains_are_the_filter_s() -> None:
     events = uneven_log()
     events = events._replace(order=np.lexsort((events.kind, events.when - np.append(delays, 0.0)[events.kind])))
     e, _, gains, _ = filtered(events, delays)
-    robot = np.array([*constants(list(ROBOT.numbers().values()), 1.0), 1.0, 1.0, 0.0])
+    robot = np.array([*constants(list(ROBOT.numbers().values()), 1.0), 1.0, 1.0, 0.0, 0.0])
     lanes = RobotLanes(*(np.repeat(a[..., None], 3, axis=-1) for a in (C, delays, robot)))
     lanes.robots[-3, 2] = 1.1  # a neighbour whose left motor is stronger
     alone = innovations(events, lanes, np.zeros((SIZE, 3)), gains, LONGEST)

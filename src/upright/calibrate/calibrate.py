@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.calibration import Calibration
+from upright.calibrate.effects import effects_of, respread
 from upright.calibrate.electronics import electronics_of
 from upright.calibrate.fitting import EQUATIONS, JITTER, STICKING, Normal, Path, Problem, normal_equations, objective
 from upright.calibrate.gauss_newton import gauss_newton
@@ -62,6 +63,7 @@ simulations over it leave: a model that leaves something out then still is the o
 SEGMENT_NOISE = 0.003  # [1] process noise within a segment, as a fraction of the commands: nearly none
 MISSING = 0.3  # [1] of a reading's change over a segment: its first deviation there
 LEVEL = 0.1  # [1] of what the best fit leaves: fits that leave so little more predict equally well
+SPREADS = 3  # turns in which parameters and the spreads between runs are fitted
 SETTLED = 0.05  # [1] deviations of the prior by which no parameter moves any more
 
 GYRO_DELAY_TRIALS = (-0.5, 0.5, 1.0)
@@ -149,7 +151,7 @@ def prepared(
     noise = {s: float(np.log(v)) for s, v in limits.items()}
     noise |= {JITTER: math.log(kit.jitter**2 / 12)} if kit.jitter else {}
     parameters = parameters_of(robot, delays, known, electronics_of(robot, kit, logs))
-    every = (*parameters, *EQUATIONS)
+    every = (*parameters, *EQUATIONS, *effects_of(parameters, len(recordings)))
     problem = Problem(
         recordings=recordings, robot=robot, parameters=every, delays=delays,
         noise=noise | process(recordings, robot, ANNEALING_NOISE[0]),
@@ -261,12 +263,21 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
     rough = _settled(start, z, _bounds(problem, limits, FREEDOM))
     best = _polished(rough, _bounds(problem, limits, FREEDOM))
     if worst_correlation(*best) < WHITE:
-        return _tempered(*best)
+        return _tempered(*_between_runs(best))
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         fits = [rough, *pool.map(partial(_segmented, problem, limits), (np.zeros_like(z), z, rough.z))]
         best = _best_simulated(fits, LEVEL)
         best = _best_simulated([best, *pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)])
-    return _tempered(*best)
+    return _tempered(*_between_runs(best))
+
+
+def _between_runs(fit: Fitted) -> Fitted:
+    """The same fit with the spreads between runs that it shows; of one run none can."""
+    for _ in range(SPREADS if len(fit.problem.recordings) > 1 else 0):
+        covariance = np.linalg.inv(fit.normal.hessian).astype(np.float64)
+        parameters, z = respread(fit.problem.parameters, fit.z, covariance)
+        fit = _fitted(replace(fit.problem, parameters=parameters), z, iterations=5)
+    return fit
 
 
 def _segmented(problem: Problem, limits: Mapping[str, float], z: Array) -> Fitted:

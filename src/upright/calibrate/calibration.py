@@ -110,11 +110,11 @@ class Segments:
 
     def r_squared(self, name: str) -> float:
         """1 − Σ(y − ŷ)²/Σ(y − ȳ)² of one reading, or of the mean of a pair ("encoder", "encoder_rate"); a reading
-        beyond a simulated fall counts as missed by twice the deviation."""
+        beyond a simulated fall, or further off, counts as missed by twice the deviation."""
         y, predicted, _ = self._of(name)
         variance = float(y.var())
-        missed = np.where(np.isfinite(predicted), (y - predicted) ** 2, FAR * variance)
-        return 1 - float(missed.mean()) / max(variance, 1e-30)
+        missed = np.where(np.isfinite(predicted), (y - predicted) ** 2, np.inf)
+        return 1 - float(np.minimum(missed, FAR * variance).mean()) / max(variance, 1e-30)
 
     def score(self) -> float:
         """Mean over the readings of R² against each segment's own mean, falls and misses counted up to `FAR`."""
@@ -155,7 +155,8 @@ class Calibration(Shown):
     them, and the unstable pole), `delays` the dead times, `electronics` what commands go through; `covariance` (n, n)
     is that of the parameters' names in `names`, in SI units. `fits` holds [%] h-step fits by horizon and sensor on the
     part kept back, `segments` R² of free simulation. `notes` are sentences for the reader. `refused` says why the fit
-    is no description of this robot: then no number is called visible."""
+    is no description of this robot: then no number is called visible. `widening` is by how much the intervals of what
+    is visible are wider than those of a right model. `quiet` says why the logs can give no inertia."""
 
     robot: Robot
     prior: Robot
@@ -178,6 +179,8 @@ class Calibration(Shown):
     free: tuple[Segments, ...] = ()
     refused: tuple[str, ...] = ()
     kit: Kit | None = None
+    widening: float = 1.0
+    quiet: str = ""
 
     def __post_init__(self) -> None:
         covariance = np.array(self.covariance, dtype=np.float64)
@@ -191,7 +194,7 @@ class Calibration(Shown):
 
     def check(self) -> tuple[str, ...]:
         """What is wrong with this calibration, from its own numbers; nothing where it may be trusted."""
-        wrong = list(self.refused)
+        wrong = [*self.refused, *([self.quiet] if self.quiet else [])]
         wrong += [
             f"{e.name}: {e.low:g} ≤ {e.value:g} ≤ {e.high:g} does not hold"
             for e in self.parameters
@@ -208,6 +211,17 @@ class Calibration(Shown):
         except InvalidRobot as error:
             wrong.append(str(error))
         return tuple(wrong)
+
+    def withheld(self) -> str:
+        """Why no robot is to be written of this calibration, and what to try; '' where one may be."""
+        if self.refused:
+            return "the fit does not describe this robot; try: --force"
+        if self.quiet:
+            return (
+                "the log is too quiet for an inertia; try: upright excite -o plan.json, run it "
+                "(upright simulate --excite plan.json, or the robot), and calibrate from that log; or --force"
+            )
+        return ""
 
     @property
     def correlation(self) -> Array:
@@ -240,9 +254,10 @@ class Calibration(Shown):
             "whiteness": [{**d, "white": w.white} for d, w in zip(plain(self.whiteness), self.whiteness, strict=True)],
             "fits": {k: {n: finite(v) for n, v in row.items()} for k, row in self.fits.items()},
             "segments": {k: finite(v) for k, v in self.segments.items()},
-            "temper": self.temper, "samples": self.samples, "seconds": self.seconds, "sources": list(self.sources),
+            "temper": self.temper, "widening": self.widening,
+            "samples": self.samples, "seconds": self.seconds, "sources": list(self.sources),
             "notes": list(self.notes), "unseen": list(self.unseen), "refused": list(self.refused),
-            "wrong": list(self.check()), "file": self.known_robot().to_toml(),
+            "quiet": self.quiet, "wrong": list(self.check()), "file": self.known_robot().to_toml(),
         }  # fmt: skip
 
     def plot(self) -> Figure:

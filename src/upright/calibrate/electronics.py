@@ -6,25 +6,31 @@ what somebody computed from a duty and a battery, and each of these has its prio
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.parameters import Parameter
+from upright.physics.dynamics import motor_gain
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
 Array = NDArray[np.float64]
 
-ASYMMETRY, BATTERY, DEAD_ZONE = "asymmetry", "battery", "dead_zone"
+ASYMMETRY, BATTERY, DEAD_ZONE, CONSTANT = "asymmetry", "battery", "dead_zone", "constant_command"
 MEANING = {
     ASYMMETRY: "strength of the right motor less that of the left, over their mean",
     BATTERY: "fraction of the logged command that reaches the motors",
     DEAD_ZONE: "commands up to this size do not move the motors",
+    CONSTANT: "what a sloping floor, or an offset of the motors, adds to both commands",
 }
 
 UNEQUAL = 0.05  # [1] spread of the difference of two motors of one make
+SLOPE = math.radians(0.5)
+"""Spread of the slope of a floor. A robot on a slope leans, so that its weight holds it; what is left of the slope, as
+far as sensors without a vertical can tell, is a constant torque of each wheel (to first order)."""
 UNMEASURED = 0.1  # [1] spread of a supply that was not logged: a full and an empty battery differ by a quarter
 MEASURED = 0.02  # [1] spread where it was: drop in driver and wires
 
@@ -32,7 +38,11 @@ MEASURED = 0.02  # [1] spread where it was: drop in driver and wires
 def electronics_of(robot: Robot, kit: Kit, logs: Sequence[Log]) -> tuple[Parameter, ...]:
     """The parameters between the commands of these logs and the motors, with their priors."""
     strength = (kit.motor.left + kit.motor.right) / 2
-    parameters = [Parameter(ASYMMETRY, "1", (kit.motor.right - kit.motor.left) / strength, UNEQUAL, "linear")]
+    slope = (robot.body_mass + 2 * robot.wheel_mass) * robot.gravity * robot.wheel_radius * math.sin(SLOPE) / 2
+    parameters = [
+        Parameter(ASYMMETRY, "1", (kit.motor.right - kit.motor.left) / strength, UNEQUAL, "linear"),
+        Parameter(CONSTANT, robot.command_unit, 0.0, slope / motor_gain(robot), "linear"),
+    ]
     own = all("body" in log.origin for log in logs)
     if robot.drive == "voltage" and (not own or strength != 1):
         measured = own or all("sensor/battery" in log for log in logs)
@@ -44,8 +54,9 @@ def electronics_of(robot: Robot, kit: Kit, logs: Sequence[Log]) -> tuple[Paramet
 
 
 def driven(parameters: Sequence[Parameter], z: Array) -> Array:
-    """Factor of the left and of the right motor and dead zone (3, lanes) at z (parameters, lanes)."""
+    """Factor of the left and of the right motor, dead zone and constant command (4, lanes) at z (parameters, lanes)."""
     values = {p.name: np.asarray(p.value(z[i])) for i, p in enumerate(parameters) if p.name in MEANING}
     half = values.get(ASYMMETRY, np.zeros(z.shape[1])) / 2
     supply = values.get(BATTERY, np.ones(z.shape[1]))
-    return np.array([supply * (1 - half), supply * (1 + half), values.get(DEAD_ZONE, np.zeros(z.shape[1]))])
+    zone, constant = (values.get(name, np.zeros(z.shape[1])) for name in (DEAD_ZONE, CONSTANT))
+    return np.array([supply * (1 - half), supply * (1 + half), zone, constant])

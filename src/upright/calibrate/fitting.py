@@ -10,11 +10,12 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.calibrate.effects import RUN, maps_of
 from upright.calibrate.electronics import driven
 from upright.calibrate.parameters import Parameter, columns
 from upright.calibrate.threads import CORES, in_threads
@@ -41,7 +42,7 @@ SLIDING = 0.001  # [s] the same for a robot known to have dry friction: its erro
 NUDGE = 1e-4  # of the prior's deviation: central differences are right to 1e-8, and rounding stays below
 AT = Constants(*range(len(Constants._fields)))
 """Where each named constant of the equations stands among the coefficients."""
-DRIVEN, DELAYS = len(AT), len(AT) + 3
+DRIVEN, DELAYS = len(AT), len(AT) + 4
 """Where among the coefficients begins what drives the robot, and where the delays."""
 ZONE = DRIVEN + 2
 LEVEL = (
@@ -85,7 +86,8 @@ def _linear(robot: Robot) -> tuple[float, tuple[Array, Array]]:
 class Problem:
     """Recordings, the robot they are thought to be of, what to estimate, and log-variances of process and sensors.
 
-    `asked` are the parameters without `EQUATIONS`, which come last. `held` names some that stay at their prior.
+    Of the parameters come first those `asked`, then `EQUATIONS`, then where there are several recordings the deviations
+    of each run from the robot. `held` names some that stay at their prior.
     `temper` weighs the readings against the prior: below one where innovations are not white, so that they hold less
     information than their number says (Lyddon et al. 2019). After every `restart` [s] the filter forgets the state.
     """
@@ -101,6 +103,8 @@ class Problem:
     restart: float = math.inf
     longest: float = field(init=False)
     asked: tuple[Parameter, ...] = field(init=False)
+    _least: Array = field(init=False, repr=False)
+    _runs: Array = field(init=False, repr=False)
     _shapes: tuple[Array, Array] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -108,15 +112,26 @@ class Problem:
         most = SLIDING if self.fine and self.robot.coulomb_friction else ROLLING
         object.__setattr__(self, "longest", min(most, PREDICTED / max(1.0, fastest)))
         object.__setattr__(self, "_shapes", shapes)
-        object.__setattr__(self, "asked", tuple(p for p in self.parameters if not p.name.startswith(EQUATION)))
+        shared = [p for p in self.parameters if not p.name.startswith(RUN)]
+        object.__setattr__(self, "asked", tuple(p for p in shared if not p.name.startswith(EQUATION)))
+        object.__setattr__(self, "_least", np.array([[p.least - 2 * NUDGE] for p in shared]))
+        object.__setattr__(self, "_runs", maps_of(self.parameters, len(self.recordings)))
 
     @property
     def active(self) -> NDArray[np.bool_]:
         """Which parameters move; the others are held at their prior."""
         return np.array([p.name not in self.held for p in self.parameters])
 
+    def run_of(self, recording: Recording) -> int:
+        """Which run a recording is, among those of the problem."""
+        return next((i for i, other in enumerate(self.recordings) if other is recording), 0)
+
+    def of_run(self, z: Array, run: int) -> Array:
+        """The numbers of one run (shared, lanes) at z (parameters, lanes): the robot's, and what this run adds."""
+        return np.maximum(self._runs[run] @ z, self._least) if len(z) else z
+
     def delays_at(self, z: Array) -> dict[str, Array]:
-        """Dead time [s] of each sensor, over the lanes of z (parameters, lanes)."""
+        """Dead time [s] of each sensor, over the lanes of a run's numbers z (shared, lanes)."""
         delays = {name: np.full(z.shape[1], value) for name, value in self.delays.items()}
         for i, p in enumerate(self.asked):
             if p.name.startswith("delay/"):
@@ -124,8 +139,8 @@ class Problem:
         return delays
 
     def coefficients(self, z: Array) -> Array:
-        """What the predictor is made of (coefficients, lanes), for the lanes of z (parameters, lanes): the constants of
-        the equations of motion, what drives them, and the dead time of each sensor."""
+        """What the predictor is made of (coefficients, lanes), for the lanes of a run's numbers z (shared, lanes): the
+        constants of the equations of motion, what drives them, and the dead time of each sensor."""
         numbers = columns(self.robot, self.asked, z)
         c = np.empty((len(AT), z.shape[1]))
         for row, value in zip(c, constants([getattr(numbers, name) for name in PARAMETERS], 1.0), strict=True):
@@ -137,10 +152,12 @@ class Problem:
             c[list(LEVEL)] += EXACT * size * z[len(self.asked) :]
         return np.concatenate([c, driven(self.asked, z), [*self.delays_at(z).values()]])
 
-    def by_parameter(self, z: Array) -> tuple[Array, Array]:
-        """The coefficients (coefficients,) at z (parameters,), and their slopes (coefficients, parameters)."""
-        q = self.coefficients(around(z))
-        return q[:, -1], slopes_of(q)
+    def by_parameter(self, z: Array) -> list[tuple[Array, Array]]:
+        """For each run the coefficients (coefficients,) at z (parameters,), and their slopes (coefficients,
+        parameters)."""
+        several = [around(self.of_run(z[:, None], run)[:, 0]) for run in range(len(self.recordings))]
+        q = np.split(self.coefficients(np.concatenate(several, axis=1)), len(several), axis=1)
+        return [(part[:, -1], slopes_of(part) @ of_z) for part, of_z in zip(q, self._runs, strict=True)]
 
     def lanes_of(self, recording: Recording, q: Array) -> RobotLanes:
         """What the predictor takes of the coefficients q (coefficients, lanes)."""
@@ -153,17 +170,18 @@ class Problem:
 
     def lanes(self, recording: Recording, z: Array) -> RobotLanes:
         """The same for z (parameters, lanes)."""
-        return self.lanes_of(recording, self.coefficients(z))
+        return self.lanes_of(recording, self.coefficients(self.of_run(z, self.run_of(recording))))
 
     def own_delays(self, recording: Recording, z: Array) -> Array:
         """Dead time [s] of each event (events,): zero for commands."""
-        delays = self.delays_at(z[:, None])
+        delays = self.delays_at(self.of_run(z[:, None], self.run_of(recording)))
         rows = np.array([float(delays[SENSOR[row]][0]) for row in recording.rows] + [0.0])
         return rows[recording.kind]
 
     def order(self, recording: Recording, z: Array) -> NDArray[np.int64]:
         """The events in the command's time at z (parameters,)."""
-        return recording.order({name: float(d[0]) for name, d in self.delays_at(z[:, None]).items()})
+        delays = self.delays_at(self.of_run(z[:, None], self.run_of(recording)))
+        return recording.order({name: float(d[0]) for name, d in delays.items()})
 
     def filtered(self, recording: Recording, z: Array, *, keep: bool = False, until: float = np.inf) -> Path:
         """The filter at z (parameters,) along a recording, up to the time `until` [s]."""
@@ -212,7 +230,7 @@ class Problem:
 
     def slopes(self, recording: Recording, z: Array, gains: Array) -> Array:
         """∂e/∂z (events, parameters) at fixed gains."""
-        q, C = self.by_parameter(z)
+        q, C = self.by_parameter(z)[self.run_of(recording)]
         unit, rows = units(C)
         return self.coefficient_slopes(recording, q, unit, gains, rows) @ (C[rows] / unit[rows, None])
 
@@ -246,13 +264,23 @@ def units(C: Array) -> tuple[Array, list[int]]:
     return unit, [i for i in (*LEVEL, *range(DRIVEN, len(C))) if unit[i] > 0]
 
 
+class Linear(NamedTuple):
+    """A recording near z: its whitened innovations (events,), their slopes by the coefficients (events, rows), each in
+    its `unit` (rows,), and which `rows` of the coefficients these are."""
+
+    whitened: Array
+    by_coefficient: Array
+    unit: Array
+    rows: list[int]
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Normal:
     """What Gauss–Newton needs at z: objective −log posterior (up to a constant), gradient and Hessian, and by event the
     whitened innovations and their slopes (of the fitted events that are readings).
 
-    The slopes are those by the coefficients, `by_coefficient` (events, rows) in `unit`, times the coefficients' own:
-    what the equations cannot tell apart, the Hessian cannot either.
+    The slopes are those by the coefficients, in `linear` for each recording, times the coefficients' own: what the
+    equations cannot tell apart, the Hessian cannot either.
     """
 
     objective: float
@@ -260,9 +288,7 @@ class Normal:
     hessian: Array
     whitened: Array
     slopes: Array
-    by_coefficient: Array
-    rows: list[int]
-    unit: Array
+    linear: list[Linear]
 
     @property
     def weight(self) -> Array:
@@ -296,26 +322,20 @@ def objective(problem: Problem, z: Array) -> tuple[float, list[Path]]:
 
 def normal_equations(problem: Problem, z: Array, paths: Sequence[Path], value: float) -> Normal:
     """Gradient and Gauss–Newton Hessian of the objective at fixed gains."""
-    q, C = problem.by_parameter(z)
-    unit, rows = units(C)
-    whites: list[Array] = []
-    parts: list[Array] = []
-    for recording, path in zip(problem.recordings, paths, strict=True):
+    linear: list[Linear] = []
+    slopes: list[Array] = []
+    hessian = np.eye(len(z))
+    for recording, path, (q, C) in zip(problem.recordings, paths, problem.by_parameter(z), strict=True):
+        unit, rows = units(C)
         use = fitted_readings(recording, path)
         deviation = np.sqrt(path.s[use])
-        by_coefficient = problem.coefficient_slopes(recording, q, unit, path.gains, rows)[use] / deviation[:, None]
-        whites.append(path.e[use] / deviation)
-        parts.append(np.where(np.isfinite(by_coefficient), by_coefficient, 0.0))
-    r, by_coefficient = np.concatenate(whites), np.concatenate(parts)
-    by_parameter = C[rows] / unit[rows, None]
-    J = by_coefficient @ by_parameter
-    weight = huber_weight(r)
-    gradient = z + problem.temper * (J.T @ (weight * r))
-    hessian = (
-        np.eye(len(z))
-        + problem.temper * by_parameter.T @ (by_coefficient.T @ (weight[:, None] * by_coefficient)) @ by_parameter
-    )
-    return Normal(
-        objective=value, gradient=gradient, hessian=hessian, whitened=r, slopes=J, by_coefficient=by_coefficient,
-        rows=rows, unit=unit,
-    )  # fmt: skip
+        e = problem.coefficient_slopes(recording, q, unit, path.gains, rows)[use] / deviation[:, None]
+        part = Linear(path.e[use] / deviation, np.where(np.isfinite(e), e, 0.0), unit[rows], rows)
+        by_parameter = C[rows] / part.unit[:, None]
+        weighed = huber_weight(part.whitened)[:, None] * part.by_coefficient
+        hessian += problem.temper * by_parameter.T @ (part.by_coefficient.T @ weighed) @ by_parameter
+        linear.append(part)
+        slopes.append(part.by_coefficient @ by_parameter)
+    r, J = np.concatenate([part.whitened for part in linear]), np.concatenate(slopes)
+    gradient = z + problem.temper * (J.T @ (huber_weight(r) * r))
+    return Normal(objective=value, gradient=gradient, hessian=hessian, whitened=r, slopes=J, linear=linear)

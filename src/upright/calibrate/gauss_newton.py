@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.fitting import Normal, Path, Problem, normal_equations, objective
+from upright.calibrate.fitting import Normal, Path, Problem, huber_weight, normal_equations, objective
 from upright.calibrate.parameters import rows_of
 
 Array = NDArray[np.float64]
@@ -70,26 +70,31 @@ def _predicted_minimum(problem: Problem, z: Array, normal: Normal, damping: floa
     The coefficients themselves are taken as they are: products and quotients of parameters, along whose curved valleys
     straight steps would have to be short.
     """
-    rows, unit = normal.rows, normal.unit[normal.rows]
     least = np.maximum([p.least for p in problem.parameters], z - REACH)
-    weighed = normal.weight[:, None] * normal.by_coefficient
-    information, g = problem.temper * normal.by_coefficient.T @ weighed, problem.temper * weighed.T @ normal.whitened
-    A = information + damping * np.diag(np.diag(information))
-    q0 = problem.coefficients(z[:, None])[rows, 0] / unit
+    bowls: list[tuple[Array, Array, Array]] = []
+    for part, (q, _) in zip(normal.linear, problem.by_parameter(z), strict=True):
+        weighed = huber_weight(part.whitened)[:, None] * part.by_coefficient
+        A = problem.temper * part.by_coefficient.T @ weighed
+        bowls.append(
+            (q[part.rows] / part.unit, A + damping * np.diag(np.diag(A)), problem.temper * weighed.T @ part.whitened)
+        )
 
     def model(y: Array) -> tuple[float, Array, Array]:
-        q, C = problem.by_parameter(y)
-        d, slopes = q[rows] / unit - q0, C[rows] / unit[:, None]
-        return float(g @ d + 0.5 * d @ A @ d + 0.5 * y @ y), d, slopes
+        value, gradient, hessian = 0.5 * float(y @ y), y, np.eye(len(y))
+        for part, (at, A, g), (q, C) in zip(normal.linear, bowls, problem.by_parameter(y), strict=True):
+            d, slopes = q[part.rows] / part.unit - at, C[part.rows] / part.unit[:, None]
+            value += float(g @ d + 0.5 * d @ A @ d)
+            gradient = gradient + slopes.T @ (g + A @ d)
+            hessian += slopes.T @ A @ slopes
+        return value, gradient, hessian
 
-    y, (value, d, slopes), brake = z, model(z), FIRST_BRAKE
+    y, (value, gradient, hessian), brake = z, model(z), FIRST_BRAKE
     for _ in range(INNER):
-        gradient = slopes.T @ (g + A @ d) + y
-        H = slopes.T @ A @ slopes + np.eye(len(z))
         free = rows_of(problem.active & ~((y <= least + 1e-9) & (gradient > 0)))
         while brake < MOST_BRAKE:
             step = np.zeros_like(y)
-            step[free] = -np.linalg.solve((H + brake * np.diag(np.diag(H)))[np.ix_(free, free)], gradient[free])
+            braked = (hessian + brake * np.diag(np.diag(hessian)))[np.ix_(free, free)]
+            step[free] = -np.linalg.solve(braked, gradient[free])
             new = np.clip(y + step, least, z + REACH)
             lower, *there = model(new)
             if lower < value:
@@ -97,7 +102,7 @@ def _predicted_minimum(problem: Problem, z: Array, normal: Normal, damping: floa
             brake = max(10 * brake, LEAST_BRAKE)
         else:
             break
-        gained, y, value, brake, (d, slopes) = value - lower, new, lower, brake / 10, there
+        gained, y, value, brake, (gradient, hessian) = value - lower, new, lower, brake / 10, there
         if gained < INNER_GAIN:
             break
     return y

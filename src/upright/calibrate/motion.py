@@ -40,12 +40,12 @@ inlined: Any = partial(numba.njit, error_model="numpy", forceinline=True, no_cpy
 STATES = 6
 
 
-DRIVE_LEFT, DRIVE_RIGHT, DEAD_ZONE, SPAN, FRICTION, REVERSAL, STUCK, START, ROWS = (
-    WORK + row for row in (0, 1, 2, 3, 4, 5, 6, 7, 7 + STATES)
+DRIVE_LEFT, DRIVE_RIGHT, DEAD_ZONE, CONSTANT, SPAN, FRICTION, REVERSAL, STUCK, START, ROWS = (
+    WORK + row for row in (0, 1, 2, 3, 4, 5, 6, 7, 8, 8 + STATES)
 )
-"""Rows of a block after those of the kernel's, one number for each lane: factors of both motors and their dead zone;
-the time to move [s]; dry friction as a command; negative where a wheel turned back; whether one has since the row was
-cleared; the state before the step."""
+"""Rows of a block after those of the kernel's, one number for each lane: factors of both motors, their dead zone, and
+what is added to both commands; the time to move [s]; dry friction as a command; negative where a wheel turned back;
+whether one has since the row was cleared; the state before the step."""
 
 SWEEPS = 20  # of Gauss and Seidel over both wheels, at most: each halves the error at least
 PASSES = 3  # in which the response to friction, known to a few hundredths, is corrected, at most
@@ -176,8 +176,8 @@ def _beyond(command: Any, zone: Any) -> Any:
 @inlined
 def driven(w: Any, i: Any, u: Any) -> Any:
     """What reaches both motors of lane i of the command u (2,)."""
-    zone = get(w, DEAD_ZONE, i)
-    return get(w, DRIVE_LEFT, i) * _beyond(u[0], zone), get(w, DRIVE_RIGHT, i) * _beyond(u[1], zone)
+    zone, added = get(w, DEAD_ZONE, i), get(w, CONSTANT, i)
+    return get(w, DRIVE_LEFT, i) * _beyond(u[0], zone) + added, get(w, DRIVE_RIGHT, i) * _beyond(u[1], zone) + added
 
 
 @njit
@@ -203,12 +203,12 @@ _FIRST, _CONSTANTS = HALF_TRACK, len(Constants._fields)
 
 @njit
 def block_of(robots: Any) -> Any:
-    """The block of lanes of these robots (constants and 3, lanes), their states zero."""
+    """The block of lanes of these robots (constants and 4, lanes), their states zero."""
     w = np.zeros(ROWS * ROW)
     for i in range(robots.shape[1]):
         for j in range(_CONSTANTS):
             put(w, _FIRST + j, i, robots[j, i])
-        for j in range(3):
+        for j in range(4):
             put(w, DRIVE_LEFT + j, i, robots[_CONSTANTS + j, i])
         put(w, FRICTION, i, max(0.0, get(w, COULOMB_TORQUE, i) / get(w, MOTOR_TORQUE, i)))
     return w

@@ -42,8 +42,8 @@ class Events(NamedTuple):
 
 class RobotLanes(NamedTuple):
     """Robots that go through the same events: how each sensor row `reads` the state (rows, states, lanes), the `delays`
-    of the rows (rows, lanes) [s], and the `robots` (constants and 3, lanes): the named constants of the equations, the
-    factors of both motors and the dead zone."""
+    of the rows (rows, lanes) [s], and the `robots` (constants and 4, lanes): the named constants of the equations, the
+    factors of both motors, the dead zone and the constant command."""
 
     reads: Any
     delays: Any

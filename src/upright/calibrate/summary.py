@@ -6,7 +6,7 @@ import math
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,9 +23,10 @@ from upright.calibrate.calibration import (
     Estimate,
     Segments,
 )
+from upright.calibrate.effects import of_robot
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.fitting import Normal, Path, Problem, around, slopes_of
-from upright.calibrate.informativity import posterior, unseen_directions
+from upright.calibrate.informativity import information, posterior, unseen_directions
 from upright.calibrate.judge import proposed, reasons
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, columns, with_values
 from upright.calibrate.validate import segments, steps_ahead, whiteness
@@ -57,13 +58,19 @@ def summarised(
     problem: Problem, z: Array, normal: Normal, paths: Sequence[Path], logs: Sequence[Log], reason: str, began: float
 ) -> Calibration:
     """The calibration that a fit amounts to."""
-    C = posterior(problem, normal, paths) + _floor(problem)
+    free = tuple(segments(problem, recording, z) for recording in problem.recordings)
+    fits, scores = _checks(problem, z, free)
+    fitted, runs = z, len(problem.recordings)
+    white = np.linalg.inv(np.eye(len(z)) + information(problem, normal))
+    _, right = of_robot(problem.parameters, z, white + _floor(problem), runs)
+    z, C = of_robot(problem.parameters, z, posterior(problem, normal, paths) + _floor(problem), runs)
     spread = np.sqrt(np.diag(C))
     every = [_estimate(p, float(z[i]), float(spread[i]), p.name in problem.held) for i, p in enumerate(problem.asked)]
-    combined = _combined(problem, z, C)
-    free = tuple(segments(problem, recording, z) for recording in problem.recordings)
+    combinations = _combinations(problem, z)
+    combined = tuple(_combined(c, C) for c in combinations)
+    widening = _widening(C, right, every, combinations)
     other = proposed(problem, z) if any(e.surprising for e in every) else ""
-    refused = () if reason else reasons(problem, z, free, every, other)
+    refused = () if reason else reasons(problem, fitted, free, every, other)
     if refused:
         every = [_withdrawn(e) for e in every]
         combined = tuple(_withdrawn(e) for e in combined)
@@ -72,7 +79,6 @@ def summarised(
     parameters = tuple(by_name[name] for name in names if name in PARAMETERS)
     sources = tuple(str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log"))) for log in logs)
     robot = _calibrated(problem, z, parameters, sources)
-    fits, scores = _checks(problem, z, free)
     return Calibration(
         robot=robot,
         prior=problem.robot,
@@ -91,7 +97,9 @@ def summarised(
         samples=int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
         seconds=time.perf_counter() - began,
         sources=sources,
-        notes=tuple(_notes(problem, every, scores, reason, other)),
+        notes=tuple(_notes(problem, every, scores, reason, other, widening)),
+        widening=widening,
+        quiet=reason,
         unseen=tuple(unseen_directions(problem, normal)),
         refused=refused,
     )
@@ -148,19 +156,30 @@ def _calibrated(problem: Problem, z: Array, every: Sequence[Estimate], sources: 
     return robot.replace(provenance={**problem.robot.provenance, **sources_of}, name=problem.robot.name)
 
 
-def _combined(problem: Problem, z: Array, C: Array) -> tuple[Estimate, ...]:
-    """Each combination by its logarithm's gradient, with the prior's own deviation beside it."""
+class _Combination(NamedTuple):
+    """A number that follows from others: its value, that at the prior, and its slopes (parameters,)."""
+
+    name: str
+    unit: str
+    value: float
+    prior: float
+    slopes: Array
+
+
+def _combinations(problem: Problem, z: Array) -> list[_Combination]:
+    """Each combination at z (parameters,)."""
     lanes = around(z)
     numbers, prior = (columns(problem.robot, problem.asked, at) for at in (lanes, 0 * lanes))
-    combined: list[Estimate] = []
+    combined: list[_Combination] = []
     for name, (unit, formula) in COMBINATIONS.items():
         if problem.robot.drive == "torque" and name == "motor_gain":
             continue
         values = np.broadcast_to(formula(numbers), lanes.shape[1])
-        combined.append(_combination(name, unit, values, float(np.atleast_1d(formula(prior))[0]), C))
+        before = float(np.atleast_1d(formula(prior))[0])
+        combined.append(_Combination(name, unit, float(values[-1]), before, slopes_of(values)))
     poles = np.array([rolling_pole(_robot_at(problem, lanes[:, i])) for i in range(lanes.shape[1])])
-    combined.append(_combination("unstable_pole", "1/s", poles, rolling_pole(problem.robot), C))
-    return tuple(combined)
+    pole, before = float(poles[-1]), rolling_pole(problem.robot)
+    return [*combined, _Combination("unstable_pole", "1/s", pole, before, slopes_of(poles))]
 
 
 def rolling_pole(robot: Robot) -> float:
@@ -174,17 +193,23 @@ def _robot_at(problem: Problem, z: Array) -> Robot:
     return with_values(problem.robot, {n: max(v, 0.0) for n, v in values.items()})
 
 
-def _combination(name: str, unit: str, values: Array, prior: float, C: Array) -> Estimate:
-    gradient = slopes_of(values)
-    spread, before = float(np.sqrt(gradient @ C @ gradient)), float(np.linalg.norm(gradient))
-    value = float(values[-1])
-    shrink = spread / max(before, 1e-300)
-    verdict = VISIBLE if shrink < HALVED else PRIOR
-    shift = (value - prior) / max(before, 1e-300)
+def _combined(c: _Combination, C: Array) -> Estimate:
+    """A combination with its interval, for the covariance C (n, n) of the coordinates."""
+    spread, before = float(np.sqrt(c.slopes @ C @ c.slopes)), max(float(np.linalg.norm(c.slopes)), 1e-300)
     return Estimate(
-        name=name, unit=unit, value=value, low=value - NORMAL * spread, high=value + NORMAL * spread, prior=prior,
-        prior_spread=before, verdict=verdict, shift=shift, shrink=shrink, guess=True,
+        name=c.name, unit=c.unit, value=c.value, low=c.value - NORMAL * spread, high=c.value + NORMAL * spread,
+        prior=c.prior, prior_spread=before, verdict=VISIBLE if spread < HALVED * before else PRIOR,
+        shift=(c.value - c.prior) / before, shrink=spread / before, guess=True,
     )  # fmt: skip
+
+
+def _widening(C: Array, right: Array, every: Sequence[Estimate], combinations: Sequence[_Combination]) -> float:
+    """How many times wider the intervals of what is visible are than those of a right model, whose innovations are
+    white and whose covariance is `right`: the geometric mean over them; 1 where nothing is."""
+    ratios = [C[i, i] / right[i, i] for i, e in enumerate(every) if e.verdict == VISIBLE]
+    slopes = [c.slopes for c in combinations if _combined(c, C).verdict == VISIBLE]
+    ratios += [(s @ C @ s) / (s @ right @ s) for s in slopes]
+    return float(np.exp(0.5 * np.mean(np.log(ratios)))) if ratios else 1.0
 
 
 def _delays(problem: Problem, z: Array, C: Array, every: Sequence[Estimate]) -> tuple[Estimate, ...]:
@@ -229,13 +254,14 @@ def _mean(each: Sequence[Mapping[str, float]]) -> dict[str, float]:
 
 
 def _notes(
-    problem: Problem, every: Sequence[Estimate], free: Mapping[str, float], reason: str, other: str
+    problem: Problem, every: Sequence[Estimate], free: Mapping[str, float], reason: str, other: str, widening: float
 ) -> list[str]:
     notes = [reason] if reason else []
     if problem.temper < 1:
         notes.append(
             "The innovations are not white: the model leaves something out. "
-            f"The effective sample size is {problem.temper:.0%} of the readings, and the intervals are wider for it."
+            f"The effective sample size is {problem.temper:.0%} of the readings, and the intervals of what is visible "
+            f"are {widening:.2g} times as wide as those of a right model."
         )
     surprised = [f"{e.name} by {abs(e.shift):.1f}" for e in every if e.surprising]
     if surprised:

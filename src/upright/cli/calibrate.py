@@ -38,14 +38,14 @@ def calibrate(
         Path | None, typer.Option(help="Write all estimates with their covariance as JSON (a posterior).")
     ] = None,
     force: Annotated[
-        bool, typer.Option("--force", help="Write the robot also where the fit is refused as its description.")
+        bool, typer.Option("--force", help="Write the robot also where the fit is refused, or the log too quiet.")
     ] = False,
     as_json: JsonOption = False,
 ) -> None:
     """Estimate a robot's parameters from its raw logs.
 
     Prints each estimate with its 95 % interval, and whether the logs determine it. A fit that does not describe the
-    robot is refused: with -o it then writes no robot, and ends with exit code 2.
+    robot is refused, and a log may be too quiet for an inertia: with -o no robot is then written (exit code 2).
     """
     from upright.atomic import write_json
     from upright.calibrate.calibrate import calibrate as estimate
@@ -58,12 +58,12 @@ def calibrate(
             [raw_log(path, mapping).between(*ends) for path in logs], robot, kit,
             known=known or (), held_out=held_out, progress=show,
         )  # fmt: skip
-    withheld = bool(output and result.refused and not force)
+    withheld = result.withheld() if output and not force else ""
     if output and not withheld:
         result.known_robot().save(output)
     if save:
         write_json(save, result.to_json())
     finish(result, as_json, page=report, written=(None if withheld else output, save))
     if withheld:
-        typer.echo(f"{output} is not written: the fit does not describe this robot; try: --force", err=True)
+        typer.echo(f"{output} is not written: {withheld}", err=True)
         raise typer.Exit(2)

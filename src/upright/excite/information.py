@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.calibrate import FREEDOM, prepared, process
+from upright.calibrate.electronics import CONSTANT
 from upright.calibrate.fitting import STICKING, Problem, normal_equations, objective
 from upright.calibrate.informativity import too_quiet
 from upright.robots import Kit, Robot
@@ -36,8 +37,8 @@ LOOSE = 0.03
 
 def problem_of(log: Log, robot: Robot, kit: Kit, known: Sequence[str] = ()) -> Problem:
     """The calibration of `robot` from `log` at its prior, with the noise of the kit's sensors and the least
-    `PROCESS_NOISE` with which the filter does not lose the robot."""
-    problem = replace(prepared([log], robot, kit, known, HELD_OUT)[0], fine=True)
+    `PROCESS_NOISE` with which the filter does not lose the robot. The floor is taken for level."""
+    problem = replace(prepared([log], robot, kit, (*known, CONSTANT), HELD_OUT)[0], fine=True)
     several = (replace(problem, noise={**problem.noise, **_process(problem, size)}) for size in PROCESS_NOISE)
     return next((p for p in several if np.isfinite(objective(p, np.zeros(len(p.parameters)))[0])), problem)
 
@@ -49,7 +50,7 @@ def _process(problem: Problem, size: float) -> dict[str, float]:
 
 def quiet(log: Log, robot: Robot, kit: Kit, known: Sequence[str] = ()) -> str:
     """Why `calibrate` would give no inertia from that log, in words; '' where it would."""
-    return too_quiet(prepared([log], robot, kit, known, HELD_OUT)[0])
+    return too_quiet(prepared([log], robot, kit, (*known, CONSTANT), HELD_OUT)[0])
 
 
 def fisher(problem: Problem) -> Array:
