@@ -206,7 +206,19 @@ def test_a_quiet_log_gives_no_inertia() -> None:
     assert found.robot.pitch_inertia == PRIOR.pitch_inertia
     assert any("Too quiet" in note for note in found.notes)
     assert "upright excite" in found.withheld()  # and so no robot is written of it
+    every = (*found.parameters, *found.combinations, *found.delays, *found.electronics)
+    assert VISIBLE not in {e.verdict for e in every}  # what seems to be is partly an image of the sensors' steps
     assert not calibration().withheld()
+
+
+def test_a_useless_prediction_is_no_number_of_thousands() -> None:
+    """Ten times further off than the mean of what varies is −900 %: the page says that it is worse than the mean."""
+    from upright.report.calibration import page_of
+
+    found = replace(calibration(), fits={"1": {"sensor/gyro": -3592.0, "sensor/encoder_left": 99.0}})
+    page = str(page_of(found).html())
+    assert "3592" not in page
+    assert "worse than the mean" in page
 
 
 def test_several_logs_say_more_than_one() -> None:
