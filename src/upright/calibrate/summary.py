@@ -16,6 +16,7 @@ from upright.calibrate.calibration import (
     HELD,
     NORMAL,
     PRIOR,
+    QUIET,
     REFUSED,
     SURPRISE,
     VISIBLE,
@@ -71,9 +72,9 @@ def summarised(
     widening = _widening(C, right, every, combinations)
     other = proposed(problem, z) if any(e.surprising for e in every) else ""
     refused = () if reason else reasons(problem, fitted, free, every, other)
-    if refused:
-        every = [_withdrawn(e) for e in every]
-        combined = tuple(_withdrawn(e) for e in combined)
+    delays = _delays(problem, z, C, every)
+    if withdrawn := REFUSED if refused else QUIET if reason else "":
+        every, combined, delays = (tuple(_withdrawn(e, withdrawn) for e in each) for each in (every, combined, delays))
     names, covariance = _in_units(problem, z, C)
     by_name = {e.name: e for e in every} | ({"roll_inertia": _roll_inertia(problem, combined[0])})
     parameters = tuple(by_name[name] for name in names if name in PARAMETERS)
@@ -84,7 +85,7 @@ def summarised(
         prior=problem.robot,
         parameters=parameters,
         combinations=combined[1:],
-        delays=tuple(_withdrawn(e) if refused else e for e in _delays(problem, z, C, every)),
+        delays=delays,
         electronics=tuple(e for e in every if e.name in MEANING),
         names=names,
         covariance=covariance,
@@ -105,9 +106,9 @@ def summarised(
     )
 
 
-def _withdrawn(e: Estimate) -> Estimate:
-    """The estimate of a fit that is refused."""
-    return replace(e, verdict=REFUSED) if e.verdict != HELD else e
+def _withdrawn(e: Estimate, verdict: str) -> Estimate:
+    """The estimate of a fit that is refused, or of a log too quiet for it."""
+    return replace(e, verdict=verdict) if e.verdict == VISIBLE or (verdict == REFUSED and e.verdict != HELD) else e
 
 
 def _floor(problem: Problem) -> Array:

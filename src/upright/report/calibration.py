@@ -148,7 +148,10 @@ def _predicted(c: Calibration) -> list[Item]:
     if not c.fits:
         return tables
     names = list(next(iter(c.fits.values())))
-    rows: list[list[Cell]] = [[f"{h} samples", *fits.values()] for h, fits in c.fits.items()]
+    rows: list[list[Cell]] = [
+        [f"{h} samples", *("worse than the mean" if fit < 0 else fit for fit in fits.values())]
+        for h, fits in c.fits.items()
+    ]
     tables.append(Table(["ahead", *(n.removeprefix("sensor/") for n in names)], rows, "Fit [%]", digits=3))
     figure, (ax,) = panels(["fit on the part held out [%]"], "samples ahead", "log")
     for name in names:
