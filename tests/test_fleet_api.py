@@ -20,11 +20,11 @@ from upright.control import make_controller
 from upright.errors import InvalidLog, InvalidScenario, UnknownName, UprightError
 from upright.experiment import Drive, Hold, Impulse, Push, Slope, run
 from upright.experiment.pushes import combined
-from upright.fleet.basin import Axis, basin
+from upright.fleet.basin import Axis, basin, islands
 from upright.fleet.binomial import clopper_pearson
 from upright.fleet.ensemble import Ensemble, tables
 from upright.fleet.fleet import ensemble_of, fleet
-from upright.fleet.push_map import PushGrid, largest, push_map
+from upright.fleet.push_map import PushGrid, first_border, largest, push_map
 from upright.fleet.results import labelled, load, origin_of, save, summarise
 from upright.fleet.vary import variation, varied, with_number
 from upright.kernel.batch import parameters_of
@@ -215,6 +215,25 @@ def small_map():
     ensemble = bare(family=Family(ROBOT, kit, ensemble.family.uncertainty))
     grid = PushGrid(heights=np.array([0.05, 0.1, 0.144]), durations=np.array([0.02, 0.1, 0.2]))
     return ensemble, push_map(ensemble, grid, samples=20, nodes=(3, 2), watch=3.0)
+
+
+@pytest.mark.parametrize(("gap", "border"), [((0.6, 0.7), 0.6), ((0.36, 0.99), 0.36), ((2.0, 3.0), 1.0)])
+def test_the_first_border_is_told_where_survival_is_not_monotone(gap, border):
+    # survived up to 1 but for a gap below it; the search of a border alone ends above the gap
+    def stands(impulse, which):
+        return (impulse <= 1.0) & ~((impulse > gap[0]) & (impulse < gap[1]))
+
+    found = first_border(stands, np.array([1.0, 0.0]), floor=1e-3, tolerance=0.01)
+    assert border / 1.0101 <= found[0] <= border
+    assert found[1] == 0
+
+
+def test_states_that_recover_apart_from_rest_are_islands():
+    recovered = np.zeros((7, 5), dtype=bool)
+    recovered[2:5, 1:4] = recovered[6, 0] = recovered[0, 4] = True
+    recovered[1, 3] = True  # joined to the middle
+    apart = islands(recovered, np.linspace(-1, 1, 7), np.linspace(-10, 10, 5))
+    assert np.argwhere(apart).tolist() == [[0, 4], [6, 0]]
 
 
 def test_the_impulse_found_is_survived_and_a_little_more_is_not(small_map):
