@@ -2,11 +2,16 @@
 
     python benchmarks/certificate.py            # 240 controllers, some ten minutes on two cores
     python benchmarks/certificate.py --count 40 # fewer
+    python benchmarks/certificate.py --outside 40   # robots outside the spreads, each with a log
 
 A controller is designed for a robot and spoilt in one way, or not at all. Its certificate knows the robot by the
 spreads of its sources, cut to a share as by a calibration. The truth is one robot drawn from the same spreads, with
 noise and seed of its own, under each of the standard pushes for `SECONDS`, with the battery low, full, and somewhere in
 between; where it falls in none of these it holds.
+
+With `--outside` a robot differs in one way that its certificate does not know of: battery, slope, mass, delay, dead
+zone, motors, gyro's scale or noise, or in none. Its log is of `LOGGED` seconds under the same controller, driven and
+knocked, in the nonlinear model; the certificate has this log and the spreads of a calibration.
 """
 
 from __future__ import annotations
@@ -16,8 +21,9 @@ import dataclasses
 import os
 import time
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy loads; many small products gain nothing by threads
 
@@ -26,12 +32,14 @@ import numpy as np
 from upright.certify.certificate import certify
 from upright.certify.checks import BATTERIES, kernel_controller, standard_pushes
 from upright.control import LinearController, as_linear, lqg, make_controller
-from upright.errors import DesignFailed, InvalidRobot
+from upright.errors import DesignFailed, InvalidRobot, UprightError
+from upright.experiment import Drive, Impulse, Slope
 from upright.fleet.ensemble import tables
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot, find_kit
 from upright.robots.uncertainty import Uncertainty, draw
+from upright.signals import Log
 
 ROBOTS = ("nxtway-gs", "nxtway-gs-measured", "ev3way", "herrera2015")
 DESIGNS = ("lqr", "lqg", "lqi", "pid", "hinf")
@@ -131,20 +139,144 @@ def plant(number: int, samples: int = 1000) -> Case | None:
     )  # fmt: skip
 
 
-def falls(controller: LinearController, robot: Robot, truth: Robot, kit: Kit, rng: np.random.Generator) -> bool:
-    """Whether the true robot falls in any of the pushes, each a run of `SECONDS` at each of three batteries."""
+def falls(
+    controller: LinearController, robot: Robot, truth: Robot, kit: Kit, rng: np.random.Generator, *,
+    slope: Sequence[Any] = (), known: bool = False,
+) -> bool:  # fmt: skip
+    """Whether the true robot falls in any of the pushes, each a run of `SECONDS` at each of three batteries, or at the
+    kit's where that is `known`; on a `slope`."""
     low, full = (share * kit.battery.voltage for share in BATTERIES.values())
-    voltages = [low, full, float(rng.uniform(low, full))]
+    voltages = [kit.battery.voltage] if known else [low, full, float(rng.uniform(low, full))]
     parameters = parameters_of([truth] * len(voltages))
     fell = False
     for push in standard_pushes(robot).values():
         batch = FleetBatch(
             parameters=parameters, controller=kernel_controller(controller, robot, kit).law, kit=kit,
             seed=int(rng.integers(2**31)), kit_changes={"battery.voltage": voltages},
-            pushes=tables([push], (), parameters).pushes,
+            pushes=tables([push, *slope], (), parameters).pushes, slope=tables([push, *slope], (), parameters).slope,
         )  # fmt: skip
         fell |= bool(simulate(batch, SECONDS, threads=1).fell.any())
     return fell
+
+
+LOGGED = 12.0  # [s]
+OUTSIDE = ("none", "battery", "slope", "mass", "delay", "dead zone", "asymmetry", "gyro scale", "gyro noise")
+HOLDING = ("pid", "lqg", "lqr")
+
+
+@dataclass(frozen=True)
+class Stranger:
+    """A robot that differs from what its certificate assumes by `size` in one way, and what came of it."""
+
+    robot: str
+    design: str
+    way: str
+    size: float
+    light: str
+    reason: str
+    fell: bool
+    logged: bool
+
+
+def stranger(number: int, samples: int) -> Stranger:
+    """Case `number` of `--outside`."""
+    rng = np.random.Generator(np.random.Philox(3 * SEED + number))
+    name, way = str(rng.choice(["nxtway-gs", "nxtway-gs-measured"])), OUTSIDE[number % len(OUTSIDE)]
+    robot, design = Robot.preset(name), str(rng.choice(HOLDING))
+    kit = find_kit(robot.kit)
+    controller = as_linear(make_controller(design, robot, kit, kit.period))
+    unknown = Uncertainty.of(robot).scaled(0.2)
+    truth = draw(robot, 1, SEED + number, unknown)[0]
+    true_kit, size, pushes = kit, 0.0, list[Any]()
+    gain, unequal, kits = 1.0, 0.0, dataclasses.replace
+    if way == "battery":
+        size = float(rng.uniform(1.8, 5.5))
+        true_kit = kits(kit, battery=kits(kit.battery, voltage=size))
+    elif way == "slope":
+        size = float(np.radians(rng.uniform(2.5, 14.0)) * rng.choice([-1, 1]))
+        pushes = [Slope(angle=size)]
+    elif way == "mass":
+        size = float(rng.choice([rng.uniform(0.2, 0.6), rng.uniform(1.5, 5.0)]))
+        loaded = ("body_mass", "pitch_inertia", "roll_inertia", "yaw_inertia")
+        truth = truth.replace(**{n: size * getattr(truth, n) for n in loaded})
+    elif way == "delay":
+        size = float(rng.integers(8, 60)) * 1e-3
+        true_kit = kits(kit, delay=kit.delay + size)
+    elif way == "dead zone":
+        size = float(rng.uniform(0.7, 4.0))
+        true_kit = kits(kit, motor=kits(kit.motor, dead_zone=size))
+    elif way == "asymmetry":
+        size = unequal = float(rng.uniform(0.3, 1.6) * rng.choice([-1, 1]))
+    elif way == "gyro scale":
+        size = gain = float(rng.choice([rng.uniform(0.25, 0.7), rng.uniform(1.4, 5.0)]))
+    elif way == "gyro noise":
+        size = float(rng.uniform(0.1, 3.0))
+        gyro = kits(kit.sensors["sensor/gyro"], noise=size / gain)
+        true_kit = kits(kit, sensors={**kit.sensors, "sensor/gyro": gyro})
+    met = _as_met(controller, gain, unequal)
+    log = _recorded(met, truth, true_kit, robot, pushes, (gain, unequal, number))
+    fell = falls(met, robot, truth, true_kit, rng, slope=pushes, known=way == "battery")
+    if log is None:
+        return Stranger(name, design, way, size, "", "no log under a holding controller", fell, False)
+    given = certify(controller, robot, kit, samples=samples, seed=number, posterior=unknown, sweeps=False, log=log)
+    return Stranger(name, design, way, size, given.light, given.reasons[0], fell, True)
+
+
+def _as_met(controller: LinearController, gain: float, unequal: float) -> LinearController:
+    """The controller together with a gyro that counts `gain` times and motors that differ by `unequal`."""
+    read = np.array([gain if name == "sensor/gyro" else 1.0 for name in controller.reads])
+    sides = np.array([[1 - unequal / 2], [1 + unequal / 2]])
+    C, Dy, Dr = (sides * m for m in (controller.C, controller.Dy * read, controller.Dr))
+    return dataclasses.replace(controller, By=controller.By * read, C=C, Dy=Dy, Dr=Dr)
+
+
+def _recorded(
+    met: LinearController, truth: Robot, kit: Kit, robot: Robot, pushes: list[Any], wrong: tuple[float, float, int]
+) -> Log | None:
+    """The log of a robot that is driven and knocked; None where it falls."""
+    gain, unequal, number = wrong
+    names = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro", "command/left", "command/right")
+    parameters = parameters_of([truth])
+    knocks = [Impulse(impulse=0.06 * robot.body_mass, start=t, duration=0.02) for t in (2.0, 6.5)]
+    drives = [Drive(speed=0.08, start=3.0), Drive(speed=-0.16, start=5.0), Drive(speed=0.08, start=9.0)]
+    programme = tables([*knocks, *pushes], drives, parameters)
+    batch = FleetBatch(
+        parameters=parameters, controller=kernel_controller(met, robot, kit).law, kit=kit, seed=number,
+        pushes=programme.pushes, slope=programme.slope, reference=programme.reference,
+    )  # fmt: skip
+    result = simulate(batch, LOGGED, record=1, channels=names, threads=1)
+    if result.fell.any():
+        return None
+    columns = dict(zip(names, result.trace[0].T, strict=True))
+    full = kit.battery.voltage
+    load = np.minimum(np.abs(columns["command/left"]), full) + np.minimum(np.abs(columns["command/right"]), full)
+    columns["sensor/battery"] = full - kit.battery.sag * np.concatenate([[0.0], load[:-1]])  # the kernel records none
+    columns["sensor/gyro"] = gain * columns["sensor/gyro"]
+    columns["command/left"], columns["command/right"] = (
+        columns["command/left"] / (1 - unequal / 2), columns["command/right"] / (1 + unequal / 2),
+    )  # fmt: skip
+    return Log(np.arange(len(result.trace[0])) * met.period, columns)
+
+
+def strangers(first: int, count: int, samples: int, *, each: bool) -> None:
+    """Run and print `--outside`."""
+    cases: list[Stranger] = []
+    for number in range(first, first + count):
+        try:
+            cases.append(stranger(number, samples))
+        except UprightError as error:
+            print(f"{number}: {error}", flush=True)
+            continue
+        if each:
+            print(cases[-1], flush=True)
+    print(f"{'':<12}{'no log':>8}{'fell':>6}{'not green':>11}{'held':>6}{'green':>7}{'outside':>9}")
+    for way in (*OUTSIDE, "all"):
+        own = [c for c in cases if way in (c.way, "all")]
+        with_log = [c for c in own if c.logged]
+        fell, held = ([c for c in with_log if c.fell is happened] for happened in (True, False))
+        numbers = (len(own) - len(with_log), len(fell), sum(c.light != "green" for c in fell), len(held))
+        numbers += (sum(c.light == "green" for c in held), sum("outside" in c.reason for c in with_log))
+        print(f"{way:<12}" + "".join(f"{n:>{w}}" for n, w in zip(numbers, (8, 6, 11, 6, 7, 9), strict=True)))
 
 
 def table(cases: list[Case], labels: list[str]) -> str:
@@ -169,7 +301,11 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=240)
     parser.add_argument("--first", type=int, default=0, help="number of the first case; other numbers, other cases")
     parser.add_argument("--each", action="store_true", help="print every case")
+    parser.add_argument("--outside", type=int, default=0, help="robots outside the spreads, each with a log; no others")
+    parser.add_argument("--samples", type=int, default=200, help="robots drawn for each certificate of --outside")
     options = parser.parse_args()
+    if options.outside:
+        return strangers(options.first, options.outside, options.samples, each=options.each)
     start = time.perf_counter()
     cases: list[Case] = []
     for number in range(options.first, options.first + options.count):
@@ -182,6 +318,7 @@ def main() -> None:
     red, green = shares(cases)
     print(f"{len(cases)} controllers in {time.perf_counter() - start:.0f} s")
     print(f"of those that fell {red:.1%} are red (bar: 99 %); of those that held {green:.1%} are green (bar: 90 %)")
+    return None
 
 
 if __name__ == "__main__":

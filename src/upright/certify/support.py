@@ -35,9 +35,9 @@ PUSH_CORRELATED = 3.0  # [s] the same of the filter's push, which is a slow stat
 
 UNEQUAL = 0.1  # [1] difference of two motors: two standard deviations of two of one make
 STRENGTH = 0.1  # [1] of the motors beyond the robot's spreads: an empty battery or a warm winding takes as much
-GYRO_SCALE = 0.05  # [1] what makers state of a gyro's sensitivity
+GYRO_SCALE = 0.2  # [1] of robots as assumed estimates were up to 0.17 off: the filter knows no dry friction
 GYRO_NOISE = 3.0  # times the kit's: a guess counts as right within a factor of two, and its estimate has one of 1.5
-LOAD = 0.1  # [1] of the body's mass beyond its spread
+LOAD = 0.3  # [1] of the body's mass beyond its spread, with which the errors of its inertia and height go
 LEVEL = math.radians(1.0)  # [rad] of a floor that counts as level
 LATER = 0.5  # [periods] of further delay that count as none
 CLOCK = 1e-3  # [s] resolution of a log's clock

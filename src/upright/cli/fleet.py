@@ -134,7 +134,9 @@ def basin(
     recovered = data["recovered"].values
     mean, points = float(recovered.mean()), int(recovered.size)
     text = f"recovers from {100 * mean:.4g} % of {points} states ({first.name} × {second.name})"
-    _show(data, text, {"fraction": mean, "points": points}, asked)
+    apart = float(data["island"].values.mean())
+    text += f"; {100 * apart:.2g} % of them are islands, with states between that fall" if apart else ""
+    _show(data, text, {"fraction": mean, "islands": apart, "points": points}, asked)
 
 
 def sweep(
@@ -219,7 +221,12 @@ def _push_map_summary(data: Dataset) -> tuple[str, dict[str, Any]]:
             f"{direction}: survives at least {row['impulse']:.3g} N s{band}, "
             f"worst at {row['height']:.3g} m above the axle within {row['duration']:.3g} s"
         )
-        numbers[direction] = row
+        apart = float(part["island"].values.mean())
+        if apart:
+            lines.append(
+                f"  at {100 * apart:.2g} % of the points a larger push is survived again: the first border counts"
+            )
+        numbers[direction] = row | {"islands": apart}
     return "\n".join(lines), numbers
 
 

@@ -92,6 +92,18 @@ def _starts(ensemble: Ensemble, across: Axis, up: Axis) -> Array:
     return starts
 
 
+def islands(recovered: NDArray[np.bool_], across: Array, up: Array) -> NDArray[np.bool_]:
+    """Which of `recovered` (across, up) are not joined, side by side, to the region nearest to rest."""
+    from scipy.ndimage import label
+
+    regions: NDArray[np.int64] = np.asarray(label(recovered)[0], dtype=np.int64)  # type: ignore[index]
+    if not recovered.any():
+        return recovered
+    far = np.hypot(*np.meshgrid(across / np.ptp(across), up / np.ptp(up), indexing="ij"))
+    main = regions.flat[int(np.where(recovered, far, np.inf).argmin())]
+    return recovered & (regions != main)
+
+
 def _labelled(ensemble: Ensemble, across: Axis, up: Axis, stood: Array, settled: Array) -> Dataset:
     import xarray as xr
 
@@ -99,8 +111,11 @@ def _labelled(ensemble: Ensemble, across: Axis, up: Axis, stood: Array, settled:
     inner = np.where(np.isnan(settled), np.inf, settled)
     median = np.sort(inner, axis=1)[:, settled.shape[1] // 2]
     units = {signal.name.removeprefix("truth/"): signal.unit for signal in STATE}
+    recovered = stood.mean(axis=1).reshape(shape)
+    apart = islands(recovered >= 0.5, across.values, up.values)
     variables: dict[str, Any] = {
-        "recovered": (dims, stood.mean(axis=1).reshape(shape), {"unit": "1", "long_name": "fraction that recovered"}),
+        "island": (dims, apart, {"unit": "1", "long_name": "recovers apart from the region round rest"}),
+        "recovered": (dims, recovered, {"unit": "1", "long_name": "fraction that recovered"}),
         "settling": (
             dims, np.where(np.isinf(median), np.nan, median).reshape(shape), {"unit": "s", "long_name": "settling time"}
         ),

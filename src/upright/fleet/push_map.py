@@ -1,5 +1,8 @@
 """The largest push from which a robot recovers, by direction, height and duration, with a band for its uncertainty.
 
+Where survival is not monotone the *first* border is told: the least impulse beyond which some push fells the robot. A
+larger one may be survived again; the map marks such points as islands.
+
 A robot has *recovered* if it has not fallen (`bodies.body.FALLEN`) `watch` seconds after the push ended. The search
 itself runs only until `glance` seconds after the push, since most falls come soon; each result is then tried for the
 whole `watch`, and searched again at full length where the robot fell.
@@ -37,6 +40,11 @@ FLOOR = 1e-3
 
 BAND = (0.025, 0.975)
 
+LOWEST = 0.35
+"""Of an impulse that is survived, from which on smaller ones are tried too."""
+SCANNED = 35
+"""Number of smaller impulses that are tried: 3 % from one to the next, so that a narrower gap is not seen."""
+
 _LEAP = 16.0  # largest factor between two tries while the bracket grows
 
 
@@ -65,6 +73,25 @@ def largest(stands: Stands, guess: ArrayLike, ceiling: float, floor: float, tole
         done = (hi <= lo * (1 + tolerance)) | (lo >= ceiling) | (hi <= floor)
         active = active[~done]
     return low
+
+
+def first_border(stands: Stands, survived: Array, floor: float, tolerance: float) -> Array:
+    """For each of n searches the least border of survival from `LOWEST` of `survived` [N s] up to it."""
+    first = survived.copy()
+    alive = np.flatnonzero(survived > 0)
+    steps = np.geomspace(LOWEST, 1.0, SCANNED + 1)
+    tried = survived[alive, None] * steps[:-1]
+    stood = stands(tried.reshape(-1), np.repeat(alive, SCANNED)).reshape(tried.shape)
+    fell = np.flatnonzero(~stood.all(axis=1))
+    place = np.argmin(stood[fell], axis=1)
+    low = np.where(place > 0, survived[alive[fell]] * steps[np.maximum(place - 1, 0)], floor)
+    high = survived[alive[fell]] * steps[place]
+    while (wide := np.flatnonzero(high > low * (1 + tolerance))).size:
+        middle = np.sqrt(low[wide] * high[wide])
+        good = stands(middle, alive[fell[wide]])
+        low[wide[good]], high[wide[~good]] = middle[good], middle[~good]
+    first[alive[fell]] = low
+    return first
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -125,6 +152,9 @@ def push_map(
     An `Ensemble` is taken without its own pushes; for a robot, `ensemble_of` makes one of it and `choices` (controller,
     kit, vary, posterior, seed), which by default varies all parameters by their spreads.
 
+    `impulse` is the first border: every smaller push that was tried is survived. Where a larger one is survived again,
+    `island` is true, and `last` [N s] is the largest that was found.
+
     The band is computed robot by robot at `nodes` (heights, durations) of the grid; between them the ratio to the
     nominal robot is interpolated, linear in both. Robot s has noise from stream s everywhere, the nominal one from 0.
     """
@@ -138,15 +168,16 @@ def push_map(
         grid = PushGrid(heights=heights, durations=np.linspace(0.01, 0.5, 64))
     show = progress or _silent
     search = _Search(ensemble, tolerance, watch, glance, threads)
-    nominal, capped = search.nominal(grid)
+    last, capped = search.nominal(grid)
+    first = search.first(grid, last)
     show(0.2)
     small = grid.thinned(*nodes)
     spread = (
-        search.sampled(small, _at(nominal, grid, small), samples, lambda fraction: show(0.2 + 0.8 * fraction))
+        search.sampled(small, _at(last, grid, small), samples, lambda fraction: show(0.2 + 0.8 * fraction))
         if samples
         else None
     )
-    return _labelled(ensemble, grid, small, nominal, capped, spread, search)
+    return _labelled(ensemble, grid, small, (first, last), capped, spread, search)
 
 
 class _Search:
@@ -173,6 +204,15 @@ class _Search:
         guess = _between(first.reshape(coarse.shape), coarse, grid).reshape(-1)
         impulses = self._find(ensemble, points, zeros, guess, 1.06).reshape(grid.shape)
         return impulses, impulses >= self.ceiling
+
+    def first(self, grid: PushGrid, last: Array) -> Array:
+        """The first borders of the nominal robot, shape of the grid, below those found."""
+        table, points = self.ensemble.nominal().batch(np.zeros(last.size, dtype=np.int64)), grid.flat()
+
+        def stands(impulse: Array, which: NDArray[np.int64]) -> NDArray[np.bool_]:
+            return self._stand(table, points, impulse, which, self.glance)
+
+        return first_border(stands, last.reshape(-1), self.floor, self.tolerance).reshape(grid.shape)
 
     def sampled(self, grid: PushGrid, nominal: Array, samples: int, show: Callable[[float], None]) -> Array:
         """Impulses (samples, *grid.shape) of robots 0 to `samples` − 1 of the family."""
@@ -255,15 +295,18 @@ def _between(values: Array, small: PushGrid, grid: PushGrid) -> Array:
 
 
 def _labelled(
-    ensemble: Ensemble, grid: PushGrid, small: PushGrid, nominal: Array, capped: NDArray[np.bool_],
+    ensemble: Ensemble, grid: PushGrid, small: PushGrid, borders: tuple[Array, Array], capped: NDArray[np.bool_],
     spread: Array | None, search: _Search,
 ) -> Dataset:  # fmt: skip
     import xarray as xr
 
     dims = ("direction", "height", "duration")
     newton = {"unit": "N s"}
+    first, last = borders
     variables: dict[str, Any] = {
-        "impulse": (dims, nominal, newton | {"long_name": "largest impulse survived"}),
+        "impulse": (dims, first, newton | {"long_name": "largest impulse survived, with every smaller one"}),
+        "last": (dims, last, newton | {"long_name": "largest impulse survived at all"}),
+        "island": (dims, first < last, {"unit": "1", "long_name": "a larger impulse is survived again"}),
         "capped": (dims, capped, {"unit": "1", "long_name": "at the largest impulse of the search"}),
     }
     coords: dict[str, Any] = {
@@ -272,11 +315,11 @@ def _labelled(
         "duration": ("duration", grid.durations, {"unit": "s", "long_name": "duration of the push"}),
     }
     if spread is not None:
-        base = np.maximum(_at(nominal, grid, small), search.floor)
+        base = np.maximum(_at(last, grid, small), search.floor)
         for name, quantile in zip(("low", "high"), BAND, strict=True):
             ratio = np.quantile(spread, quantile, axis=0) / base
             words = {"long_name": f"{100 * quantile:g} % quantile over the family"}
-            variables[name] = (dims, nominal * _between(ratio, small, grid), newton | words)
+            variables[name] = (dims, first * _between(ratio, small, grid), newton | words)
     settings: dict[str, Any] = {"samples": 0 if spread is None else len(spread), "tolerance": search.tolerance}
     settings |= {"watch": search.watch, "glance": search.glance, "ceiling": search.ceiling, "runs": search.runs}
     settings |= {"nodes": {"height": small.heights.tolist(), "duration": small.durations.tolist()}}

@@ -43,12 +43,18 @@ def _map(part: Any, direction: str) -> Figure:
     title = f"Pushed {direction}, the robot survives at least {float(np.nanmin(impulse)):.3g} N s ({lowest})"
     high = float(np.nanquantile(impulse, 0.98))
     note = "The lightest colour includes all larger impulses." if float(np.nanmax(impulse)) > high else ""
+    apart = float(part["island"].values.mean())
+    note += (
+        f" At {100 * apart:.2g} % of the points a larger push is survived again; the first border is drawn."
+        if apart
+        else ""
+    )
     low = float(np.nanmin(impulse))
     drawing = colour_map(
         part["duration"].values, part["height"].values, impulse.T, x_label="duration of the push [s]",
         y_label="height above the axle [m]", label="impulse [N s]", levels=round_levels(low, high, LEVELS), smooth=True,
     )  # fmt: skip
-    return Figure(title, drawing, note)
+    return Figure(title, drawing, note.strip())
 
 
 def _place(part: Any, impulse: Array, at: int) -> str:
@@ -84,7 +90,9 @@ def basin_figure(data: Dataset) -> Figure:
         label="recovers [1]" if family else "", names=() if family else ("falls", "recovers"),
         levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0],
     )  # fmt: skip
-    return Figure(title + (", mean over the robots drawn" if family else ""), drawing)
+    apart = float(data["island"].values.mean())
+    note = f"{100 * apart:.2g} % of these states are islands: from states between them and rest the robot falls."
+    return Figure(title + (", mean over the robots drawn" if family else ""), drawing, note if apart else "")
 
 
 def histogram(data: Dataset, name: str, bins: int = 60) -> Figure:
