@@ -77,3 +77,13 @@ def test_a_log_that_cannot_be_examined_still_gives_a_draft(tmp_path: Path) -> No
     assert main(["doctor", str(path), "--write-mapping", str(mapping)]) == 0
     assert "enc_l" in mapping.read_text()
     assert main(["doctor", str(path)]) == 2
+
+
+def test_rows_that_came_late_are_told_by_their_own_times() -> None:
+    log = example("excited")
+    keep = {n: x for n, x in log.channels.items() if n.startswith(("sensor/", "applied/"))}
+    origin = {"controller": {"period": 0.01}, "outcome": {"late": 30}}
+    slow = up.Log(1.2 * log.t, keep, log.units, origin)
+    finding = next(f for f in up.doctor(slow).findings if f.code == "time/pace")
+    assert "30 of 1199 rows came late: the program's period is 10 ms, its rows are 12 ms apart" in finding.evidence
+    assert "time/pace" not in up.doctor(up.Log(log.t, keep, log.units, {**origin, "outcome": {"late": 0}})).codes()

@@ -238,7 +238,8 @@ def test_a_pulled_cable_ends_with_the_motors_off_and_a_whole_log(tmp_path: Path,
     later = fetched(virtual, (source, made.program))
     assert later.log is not None
     assert (later.log.ended, later.log.flaws) == ("time is over", ())
-    assert later.log.log.t == pytest.approx(0.01 * np.arange(len(later.log.log)))
+    # its own clock, which counts milliseconds
+    assert later.log.log.t == pytest.approx(0.01 * np.arange(len(later.log.log)), abs=0.00101)
     assert len(later.log.log) in (300, 301)  # 3 s of 10 ms, and one more where the clock was read before its end
 
 
@@ -302,22 +303,22 @@ def test_what_is_not_ready_is_not_driven(
 
 @pytest.mark.needs("module:nxt")
 def test_a_log_that_does_not_fit_is_said_before_the_start(tmp_path: Path, virtual: VirtualFlight) -> None:
-    """60 s are 6000 rows of 7 integers and a head; the hint fits, and what the last log takes counts as free."""
+    """60 s are 6000 rows of 8 integers and a head; the hint fits, and what the last log takes counts as free."""
     source, made = written(tmp_path, "nxc", seconds=60)
     flash = virtual.brick.hardware.flash
     program = len(compile_nxc(source, tmp_path).read_bytes())
     flash.capacity = 50_000 + program
     flash.create("music.rso", 10_000)
-    with pytest.raises(FlightRefused, match=r"6000 rows, 84200 bytes, and the brick has 40000 free") as caught:
+    with pytest.raises(FlightRefused, match=r"6000 rows, 96200 bytes, and the brick has 40000 free") as caught:
         fly_nxt(source, made.program, virtual.path, 1.0, clock=virtual.clock)
     assert "\n" not in str(caught.value)
-    assert "upright firmware --seconds 28" in str(caught.value)  # 28 s · 100 rows/s · 14 bytes + 200 = 39400
+    assert "upright firmware --seconds 24" in str(caught.value)  # 24 s · 100 rows/s · 16 bytes + 200 = 38600
     assert virtual.brick.machine is None
     assert motors_are_off(virtual)
     flash.create("balance.log", 39_400)
     with pytest.raises(FlightRefused, match="40000 free"):
         fly_nxt(source, made.program, virtual.path, 1.0, clock=virtual.clock)
-    shorter, made = written(tmp_path, "nxc", seconds=28)
+    shorter, made = written(tmp_path, "nxc", seconds=24)
     virtual.line.until = 1.5
     assert fly_nxt(shorter, made.program, virtual.path, 1.5, clock=virtual.clock).log is not None
 
@@ -366,10 +367,12 @@ HEAD = b"robot=nxtway-gs;kit=nxt;hash=00;period=0.01;every=1\r\n"
 
 
 def test_a_log_that_breaks_off_keeps_its_whole_rows() -> None:
-    rows = b"".join(struct.pack("<7h", k, k, 1000, 0, 8000, 50, -50) for k in range(10))
+    rows = b"".join(struct.pack("<8h", k, k, 1000, 0, 8000, 50, -50, 12 * k) for k in range(10))
     found = read_brick_log(HEAD + rows[:-5])
     assert (len(found.log), found.ended) == (9, "")
-    assert found.flaws == ("the log breaks off in a row; its 9 whole rows are kept",)
+    assert found.flaws[0] == "the log breaks off in a row; its 9 whole rows are kept"
+    assert found.log.t == pytest.approx(0.012 * np.arange(9))  # the brick's own clock, not row × period
+    assert "8 of 8 rows came late" in found.flaws[1]
     assert found.log["sensor/gyro"][0] == 1.0  # 1000 mrad/s
     assert found.log["applied/left"][0] == 4.0  # half of 8 V
     assert found.log["sensor/encoder_left"][3] == pytest.approx(math.radians(3))
@@ -377,11 +380,17 @@ def test_a_log_that_breaks_off_keeps_its_whole_rows() -> None:
 
 def test_encoder_counts_go_on_beyond_their_sixteen_bits() -> None:
     counts = [32766, 32767, -32768, -32767]
-    data = HEAD + b"".join(struct.pack("<7h", c, c, 0, 0, 8000, 0, 0) for c in counts)
+    data = HEAD + b"".join(struct.pack("<8h", c, c, 0, 0, 8000, 0, 0, 10 * k) for k, c in enumerate(counts))
     assert np.diff(read_brick_log(data).log["sensor/encoder_left"]) == pytest.approx([math.radians(1)] * 3)
 
 
-@pytest.mark.parametrize("data", [b"", b"garbage", HEAD, HEAD + bytes(14), bytes(1000)])
+def test_a_clock_of_sixteen_bits_goes_on_after_its_end() -> None:
+    stamps = [65516, 65526, 0, 10]
+    data = HEAD + b"".join(struct.pack("<7hH", 0, 0, 0, 0, 8000, 0, 0, stamp) for stamp in stamps)
+    assert np.diff(read_brick_log(data).log.t) == pytest.approx([0.01] * 3)
+
+
+@pytest.mark.parametrize("data", [b"", b"garbage", HEAD, HEAD + bytes(16), bytes(1000)])
 def test_what_is_no_log_is_one_line(data: bytes) -> None:
     with pytest.raises(InvalidLog) as caught:
         read_brick_log(data)
@@ -395,7 +404,7 @@ def test_a_log_of_another_controller_is_noted(made: tuple[Path, Program]) -> Non
             return [["balance.log", 1]]
 
         def fetch(self, name: str) -> bytes:
-            return HEAD + b"".join(struct.pack("<7h", 0, 0, 0, 0, 8000, 0, 0) for _ in range(3))
+            return HEAD + b"".join(struct.pack("<8h", 0, 0, 0, 0, 8000, 0, 0, 10 * k) for k in range(3))
 
     flight = Flight()
     fetch_log(Brick(), made[0].read_text(), made[1], flight)  # type: ignore[arg-type]

@@ -124,7 +124,7 @@ def check_log(said: list[str], rows: int, telemetry: int) -> None:
     assert f"robot={ROBOT.name};" in head
     assert controller_hash(frozen()) in head
     data = "".join(line.split()[2].partition("*")[0] for line in said if line.startswith("D"))
-    assert len(data) == rows * 13 * 2
+    assert len(data) == rows * 15 * 2
     assert kinds.count("T") == telemetry
     assert said[-1].startswith(f"E {rows}*")
     found = read_lines(said)
@@ -231,8 +231,15 @@ def signed(*lines: str) -> list[str]:
     return [f"{line}*{binascii.crc_hqx(line.encode(), 0xFFFF):04X}" for line in lines]
 
 
-HEAD = ("H robot=r;kit=k;hash=h;period=0.01;rows=6", "H first=100;late=0;status=1;offset=0.5")
-ROWS = tuple(f"D {row} " + "01" * 26 for row in (0, 2, 4))  # two rows a line
+HEAD = ("H robot=r;kit=k;hash=h;period=0.01;rows=6", "H first=100;status=1;offset=0.5")
+
+
+def packed(row: int) -> str:
+    """A row, every number 257 or 1, at its own time [ms]."""
+    return "01" * 13 + (1000 + 10 * row).to_bytes(2, "little").hex()
+
+
+ROWS = tuple(f"D {row} " + packed(row) + packed(row + 1) for row in (0, 2, 4))  # two rows a line
 
 
 def test_every_whole_row_is_kept_at_its_time_and_what_is_lost_is_counted():

@@ -34,7 +34,7 @@ SECONDS = 60  # [s] the longest run, whatever becomes of the computer; 0 for no 
 PERIOD = 0.01  # [s]
 ROWS = 6000  # periods that the log keeps
 TELEMETRY = 10  # periods from one line to the next, 0 for none
-SIZE = 13  # bytes of a row: encoders [deg], gyro [mrad/s], pitch [0.1 mrad], battery [mV], duties, status
+SIZE = 15  # bytes of a row: encoders [deg], gyro [mrad/s], pitch [0.1 mrad], battery [mV], duties, status, time [ms]
 CHUNK = 2  # rows in a line
 
 row = []  # what the last period came to: pitch, command_left, command_right, duty_left, applied_left, duty_right, applied_right, status
@@ -57,11 +57,11 @@ def send(kind, text):
     print(sealed(kind, text))
 
 
-def dump(log, count, late, status, offset):
+def dump(log, count, status, offset):
     # The last periods, oldest first, as many rows in a line as a hub sends at once.
     kept = min(count, ROWS)
     send("H", "robot=nxtway-gs;kit=nxt;hash=23fdd5ad566b2f1841f88e207b6e0ef53f4e405d9ca17da10a6632bd856f3a94;period=0.01;rows=%d" % kept)
-    send("H", "first=%d;late=%d;status=%d;offset=%r" % (count - kept, late, status, offset))
+    send("H", "first=%d;status=%d;offset=%r" % (count - kept, status, offset))
     row = 0
     while row < kept:
         chunk = b""
@@ -99,7 +99,7 @@ def main():
     battery_sensor, buttons, leds = PowerSupply(), Button(), Leds()
     gyro_sensor.mode = "GYRO-RATE"
     log = bytearray(ROWS * SIZE)
-    count = late = status = 0
+    count = status = 0
     gyro_offset = 0.0
     still = 0.0
     gyro_total = 0.0
@@ -160,6 +160,7 @@ def main():
     begun = time.monotonic()
     try:
         while not status:
+            at = int((time.monotonic() - begun) * 1000)
             raw_encoder_left = left.position
             raw_encoder_right = right.position
             raw_gyro = GYRO_SIGN * gyro_sensor.rate
@@ -243,24 +244,23 @@ def main():
                 status = 5
             row[:] = [pitch, command_left, command_right, duty_left, applied_left, duty_right, applied_right, status]
             pack_into(
-                "<hhhhHbbB", log, count % ROWS * SIZE, raw_encoder_left & 32767, raw_encoder_right & 32767,
+                "<hhhhHbbBH", log, count % ROWS * SIZE, raw_encoder_left & 32767, raw_encoder_right & 32767,
                 clip(gyro * 1000, 32767), clip(pitch * 10000, 32767), raw_battery & 65535, duty_left, duty_right, status,
+                at & 65535,
             )
             count += 1
             if TELEMETRY and count % TELEMETRY == 0:
-                send("T", "%d %d %d %d %d %d %d" % (
+                send("T", "%d %d %d %d %d %d %d %d" % (
                     count, raw_encoder_left, raw_encoder_right, clip(pitch * 10000, 32767), duty_left, duty_right,
-                    raw_battery,
+                    raw_battery, at,
                 ))
             if buttons.any():
                 break
-            now = pause(due + PERIOD)
-            late += now > due + PERIOD
-            due = now
+            due = pause(due + PERIOD)
     finally:
         stop(left, right)
         leds.set_color("LEFT", "RED")
-        dump(log, count, late, status, gyro_offset)
+        dump(log, count, status, gyro_offset)
 
 
 for end in (signal.SIGHUP, signal.SIGTERM):  # else Python would leave, and the motors go on

@@ -34,7 +34,7 @@ PERIOD = 10  # [ms]
 ROWS = 1000  # periods that the log keeps
 TELEMETRY = 10  # periods from one line to the next at least, 0 for none
 WAITED = 3  # [ms] a line that took longer to print waited for room: the next ones come half as often
-SIZE = 13  # bytes of a row: encoders [deg], gyro [mrad/s], pitch [0.1 mrad], battery [mV], duties, status
+SIZE = 15  # bytes of a row: encoders [deg], gyro [mrad/s], pitch [0.1 mrad], battery [mV], duties, status, time [ms]
 CHUNK = 2  # rows in a line
 
 row = []  # what the last period came to: pitch, command_left, command_right, duty_left, applied_left, duty_right, applied_right, status
@@ -57,11 +57,11 @@ def send(kind, text):
     print(sealed(kind, text))
 
 
-def dump(log, count, late, status, offset):
+def dump(log, count, status, offset):
     # The last periods, oldest first, as many rows in a line as a hub sends at once.
     kept = min(count, ROWS)
     send("H", "robot=nxtway-gs;kit=spike;hash=23fdd5ad566b2f1841f88e207b6e0ef53f4e405d9ca17da10a6632bd856f3a94;period=0.01;rows=%d" % kept)
-    send("H", "first=%d;late=%d;status=%d;offset=%r" % (count - kept, late, status, offset))
+    send("H", "first=%d;status=%d;offset=%r" % (count - kept, status, offset))
     row = 0
     while row < kept:
         chunk = b""
@@ -99,7 +99,7 @@ def main():
     left, right = Motor(*LEFT), Motor(*RIGHT)
     watch = StopWatch()
     log = bytearray(ROWS * SIZE)
-    due = count = late = status = 0
+    due = count = status = 0
     pace = line_due = TELEMETRY
     room = poll()
     room.register(stdout, 2)  # POLLOUT: all output is out
@@ -162,6 +162,7 @@ def main():
     begun = watch.time()
     try:
         while not status:
+            at = watch.time() - begun
             raw_encoder_left = left.angle()
             raw_encoder_right = right.angle()
             raw_gyro = GYRO_SIGN * hub.imu.angular_velocity(AXIS)
@@ -245,14 +246,15 @@ def main():
                 status = 5
             row[:] = [pitch, command_left, command_right, duty_left, applied_left, duty_right, applied_right, status]
             pack_into(
-                "<hhhhHbbB", log, count % ROWS * SIZE, raw_encoder_left & 32767, raw_encoder_right & 32767,
+                "<hhhhHbbBH", log, count % ROWS * SIZE, raw_encoder_left & 32767, raw_encoder_right & 32767,
                 clip(gyro * 1000, 32767), clip(pitch * 10000, 32767), raw_battery & 65535, duty_left, duty_right, status,
+                at & 65535,
             )
             count += 1
             if TELEMETRY and count >= line_due and (not tells or room.poll(0)):
-                line = sealed("T", "%d %d %d %d %d %d %d" % (
+                line = sealed("T", "%d %d %d %d %d %d %d %d" % (
                     count, raw_encoder_left, raw_encoder_right, clip(pitch * 10000, 32767), duty_left, duty_right,
-                    raw_battery,
+                    raw_battery, at,
                 ))
                 began = watch.time()
                 print(line)
@@ -261,9 +263,7 @@ def main():
                 line_due = count + pace
             if hub.buttons.pressed():
                 break
-            now = pause(watch, due + PERIOD)
-            late += now > due + PERIOD
-            due = now
+            due = pause(watch, due + PERIOD)
     finally:
         stop(left, right)
         hub.light.on(Color.RED)
@@ -273,7 +273,7 @@ def main():
             while status and not hub.buttons.pressed():
                 wait(PERIOD)
         finally:
-            dump(log, count, late, status, gyro_offset)
+            dump(log, count, status, gyro_offset)
 
 
 main()
