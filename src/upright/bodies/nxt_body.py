@@ -71,7 +71,7 @@ class NxtBody:
         kind = "NXT over a cable" if wait is None else "virtual NXT with the twin round it, over a cable"
         self.spec = remote_spec(kind, robot, PERIOD, FRESH, real=wait is None)
         self.overruns, self._port, self._wait, self._brick = 0, port, wait, None
-        self._steps, self._offset, self._battery, self._tick = 0, 0.0, 0.0, 0.0
+        self._steps, self._offset, self._battery, self._tick, self._began = 0, 0.0, 0.0, 0.0, 0.0
         self._leashes, self._turned = [Leash() for _ in MOTORS], [0 for _ in MOTORS]
 
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (hardware makes its own noise)
@@ -84,6 +84,7 @@ class NxtBody:
         still = [self._look() for _ in range(STILL)]
         self._offset = sum(reading.gyro for reading in still) / STILL
         self._battery, self._tick = still[-1].battery, time.monotonic()
+        self._began = self._tick
         return as_sample(0.0, still[-1], self._offset, (0.0, 0.0))
 
     def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
@@ -93,7 +94,11 @@ class NxtBody:
         self._pass()
         reading = self._look()
         self._steps, self._battery = self._steps + 1, reading.battery
-        return as_sample(self._steps * PERIOD, reading, self._offset, duties)
+        return as_sample(self._clock(), reading, self._offset, duties)
+
+    def _clock(self) -> float:
+        """The time [s] since the start: the computer's, or that of a virtual brick, which passes in whole periods."""
+        return self._steps * PERIOD if self._wait else time.monotonic() - self._began
 
     def close(self) -> None:
         """Switch the motors off, and let go of the brick."""

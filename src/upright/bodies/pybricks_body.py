@@ -36,7 +36,7 @@ class PybricksBody:
         self.spec = remote_spec(kind, robot, PERIOD, FRESH, real)
         self.overruns, self._port, self._program = 0, port, program
         self._runner, self._stack, self._hub = asyncio.Runner(), AsyncExitStack(), None
-        self._tick, self._began, self._offset, self._battery = 0, 0, 0.0, 0.0
+        self._tick, self._time, self._began, self._offset, self._battery = 0, 0, 0, 0.0, 0.0
 
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (hardware makes its own noise)
         at_rest(start, self.spec.kind)
@@ -59,7 +59,7 @@ class PybricksBody:
         self._tick, self.overruns = 0, 0
         still = [(await self._next(hub))[0] for _ in range(STILL)]
         self._offset = sum(reading.gyro for reading in still) / STILL
-        self._battery, self._began, self.overruns = still[-1].battery, self._tick, 0
+        self._battery, self._began, self.overruns = still[-1].battery, self._time, 0
         return as_sample(0.0, still[-1], self._offset, (0, 0))
 
     async def _step(self, duties: Sequence[int]) -> Sample:
@@ -69,7 +69,7 @@ class PybricksBody:
         self._newest(hub)  # readings from before the order arrived
         reading, really = await self._next(hub)
         self._battery = reading.battery
-        return as_sample((self._tick - self._began) * PERIOD, reading, self._offset, really)
+        return as_sample((self._time - self._began) / 1000, reading, self._offset, really)
 
     async def _connected(self) -> HubLink:
         hub = await self._stack.enter_async_context(linked(self._port))
@@ -101,7 +101,7 @@ class PybricksBody:
         if not rows:
             hub.lines = [line for line in lines if line]  # its last words, perhaps
             return []
-        tick, *values = rows[-1]
+        tick, *values, self._time = rows[-1]
         self.overruns, self._tick = self.overruns + tick - self._tick - 1, tick
         return values
 

@@ -31,6 +31,7 @@ from upright.calibrate.noise import Bounds, learn_noise
 from upright.calibrate.parameters import most_friction, parameters_of
 from upright.errors import DesignFailed, InvalidLog
 from upright.logs.mapping import Mapping as Columns
+from upright.logs.pace import pace_of
 from upright.logs.raw import LogSource, raw_log
 from upright.logs.recording import SENSOR, Recording, commanded, first_noise, head, record
 from upright.physics.dynamics import motor_gain
@@ -129,7 +130,8 @@ def calibrate(
     show(0.8)
     result = summarised(problem, z, normal, paths, several, reason, began)
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
-    return replace(result, kit=learnt_kit(result, parts, problem.delays, hidden))
+    notes = [str(pace) + "." for pace in map(pace_of, several) if pace and not pace.kept]
+    return replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
 
 
 def _unwatched(fraction: float) -> None:

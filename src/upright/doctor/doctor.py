@@ -142,7 +142,7 @@ def doctor(
     known = find_robot(robot) if robot else None
     raw = _record(table, chosen)
     findings, last = _examine(raw, known, progress)
-    findings += rates.stated(table.comments, findings)
+    findings += rates.stated(table.comments, findings) + time.paced(raw.t, table.origin)
     order = {severity: i for i, severity in enumerate(SEVERITIES)}
     ranked = tuple(sorted(findings, key=lambda finding: order[finding.severity]))
     origin = dict(table.origin) | ({"file": table.source, "mapping": chosen.name} if table.source else {})

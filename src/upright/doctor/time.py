@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.doctor.finding import FEWEST, GAP, Array, Finding, Fix, Record, error, warning
 from upright.errors import InvalidLog
+from upright.logs.pace import pace
 from upright.logs.recording import jumps
 
 LONGEST, SHORTEST = 0.2, 2e-4
@@ -116,3 +120,11 @@ def _gaps(record: Record, step: Array, period: float) -> list[Finding]:
     evidence = f"{len(gaps)} gap{'s' if len(gaps) > 1 else ''}: the longest, {step[worst]:.3g} s or "
     evidence += f"{step[worst] / period:.0f} periods, after t = {span[0]:.4g} s"
     return [warning("time/gap", "t", evidence, "use the parts as separate logs", span=span)]
+
+
+def paced(t: Array, origin: Mapping[str, Any]) -> list[Finding]:
+    """A program whose rows are not its period apart, by their own times."""
+    kept = pace(t, origin)
+    if kept is None or kept.kept:
+        return []
+    return [warning("time/pace", "t", str(kept), "use the times of the log, as every command does, not row × period")]

@@ -36,6 +36,7 @@ class Stepper:
             *body.spec.channels, *command_signals(body.spec.command_unit), *PUSH, *REFERENCE,
             *(ESTIMATE if controller.spec.estimates else ()),
         )  # fmt: skip
+        self._times = list[float]()  # hardware keeps its own time; a model's steps are exact
         controller.reset()
         self.now, self.command = body.reset(start, seed), (0.0, 0.0)
 
@@ -44,6 +45,8 @@ class Stepper:
         the body. Returns the row: what the body read at the period's start, the command decided on it, the command that
         was really applied, the disturbance at the period's start, the reference, and the controller's estimate."""
         body, controller, before = self.body, self.controller, self.now
+        if not body.spec.settable:
+            self._times.append(before.t)
         command = controller.step(before.values[self._inputs], reference)
         acting = disturbance(before.t)
         now = body.step(command, acting)
@@ -68,7 +71,8 @@ class Stepper:
         }
         channels = {signal.name: table[:, i] for i, signal in enumerate(self.signals)}
         units = {signal.name: signal.unit for signal in self.signals}
-        return Log(np.arange(len(table)) * controller.spec.period, channels, units, origin)
+        t = np.array(self._times[-len(table) :]) if self._times else np.arange(len(table)) * controller.spec.period
+        return Log(t, channels, units, origin)
 
 
 @cache

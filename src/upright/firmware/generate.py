@@ -24,7 +24,7 @@ from upright.firmware.targets import find_target
 from upright.robots import Kit, Robot
 
 LONGEST_HEAD = 40  # lines in which the head of a program is searched
-NXT_ROWS = 6000  # most periods in an NXT's log: 84 kB of the 130 kB that its firmware leaves
+NXT_ROWS = 6000  # most periods in an NXT's log: 96 kB of the 130 kB that its firmware leaves
 NXT_HEAD = 200  # bytes of its first line, where names are of ASCII
 NXT_LOG = "balance.log"
 """Its name on every brick, whatever the robot is called: a brick keeps 15.3 characters of ASCII."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import binascii
 import struct
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,17 +14,20 @@ from numpy.typing import NDArray
 from upright.errors import InvalidLog
 from upright.firmware.setup import STATUS
 from upright.firmware.targets import DEGREE
+from upright.logs.pace import overdue, pace_of
 from upright.signals import Log
 
 Array = NDArray[np.float64]
 
-ROW = "<hhhhHbbB"
-"""Encoders [deg, modulo 32768], gyro [mrad/s], pitch [0.1 mrad], battery [mV], duties [%], status."""
-BRICK_ROW = 7  # integers of 16 bits: encoders, gyro, pitch, battery and duties in those units
+ROW = "<hhhhHbbBH"
+"""Encoders [deg, modulo 32768], gyro [mrad/s], pitch [0.1 mrad], battery [mV], duties [%], status, time [ms, modulo
+65536] since the program let go."""
+BRICK_ROW = 8  # integers of 16 bits: encoders, gyro, pitch, battery, duties and time in those units
 HUB, BRICK = "a hub", "an NXT brick"  # what a program runs on, as its log says it
 LINE_TURN, BRICK_TURN = 1 << 15, 1 << 16  # [deg] after which an encoder's field begins again
-TELEMETRY = ("period", "encoder_left", "encoder_right", "pitch", "duty_left", "duty_right", "battery")
-"""The numbers of a line T; encoders [deg], pitch [0.1 mrad], duties [%], battery [mV]."""
+STAMP_TURN = 1 << 16  # [ms] after which a time begins again
+TELEMETRY = ("period", "encoder_left", "encoder_right", "pitch", "duty_left", "duty_right", "battery", "time")
+"""The numbers of a line T; encoders [deg], pitch [0.1 mrad], duties [%], battery [mV], time [ms]."""
 
 
 @dataclass(frozen=True)
@@ -107,8 +110,11 @@ def _read_lines(lines: Iterable[str], facts: dict[str, str], where: str) -> Prog
     table = np.array([row for _, row in sorted(rows.items())], dtype=np.float64)
     index = np.array(sorted(rows)) + int(facts.get("first", 0))
     ended = status_text(facts["status"]) if "status" in facts else ""
-    log = program_log(index, table[:, :7], facts, ended=ended, turn=LINE_TURN, where=where)
-    return ProgramLog(log, facts, ended, tuple(flaws))
+    period = float(facts["period"])
+    t = _clock(table[:, 8], index[0] * period)
+    slow = overdue(t, period, np.diff(index) == 1)
+    log = program_log(t, table[:, :7], facts, ended=ended, turn=LINE_TURN, where=where, slow=slow)
+    return ProgramLog(log, facts, ended, (*flaws, *_paced(log)))
 
 
 def _rows(packed: Iterable[str]) -> dict[int, tuple[float, ...]]:
@@ -127,9 +133,9 @@ def read_telemetry(lines: Iterable[str], known: Mapping[str, str], where: str = 
     if len(rows) < 2:
         raise InvalidLog("no telemetry arrived", expected="two lines at least", likely="the line was lost at once")
     number = np.array([[float(v) for v in row] for _, row in sorted(rows.items())])
-    left, right, pitch, duty_left, duty_right, battery = number.T
+    left, right, pitch, duty_left, duty_right, battery, stamp = number.T
     table = np.column_stack([left, right, np.full(len(left), np.nan), pitch, battery, duty_left, duty_right])
-    log = program_log(np.array(sorted(rows)), table, known, ended="", turn=0, where=where)
+    log = program_log(stamp / 1000, table, known, ended="", turn=0, where=where)
     return ProgramLog(log, dict(known), "", ("telemetry alone: every tenth period, without the gyro",))
 
 
@@ -153,18 +159,32 @@ def read_brick_log(data: bytes, where: str = BRICK) -> ProgramLog:
         )
     broken = len(rest) - whole * 2 * BRICK_ROW
     flaws = (f"the log breaks off in a row; its {len(table)} whole rows are kept",) if broken else ()
-    log = program_log(
-        np.arange(len(table)) * int(head["every"]), table, head, ended=ended, turn=BRICK_TURN, where=where
-    )
-    return ProgramLog(log, head, ended, flaws)
+    t, period = _clock(table[:, 7], 0.0), float(head["period"]) * int(head["every"])
+    slow = overdue(t, period)
+    log = program_log(t, table[:, :7], head, ended=ended, turn=BRICK_TURN, where=where, slow=slow)
+    return ProgramLog(log, head, ended, (*flaws, *_paced(log)))
+
+
+def _paced(log: Log) -> tuple[str, ...]:
+    """A line where the rows of a program are not its period apart."""
+    pace = pace_of(log)
+    return (str(pace),) if pace and not pace.kept else ()
+
+
+def _clock(stamps: Array, first: float) -> Array:
+    """Times [s] of rows by their `stamps` [ms] (n,), which begin again; the first row is near `first` [s]."""
+    t = np.unwrap(stamps % STAMP_TURN, period=STAMP_TURN)
+    t += STAMP_TURN * np.round((1000 * first - t[0]) / STAMP_TURN)
+    return t / 1000
 
 
 def program_log(
-    index: Sequence[int] | Any, table: Array, head: Mapping[str, str], *, ended: str, turn: int, where: str
+    t: Array, table: Array, head: Mapping[str, str], *, ended: str, turn: int, where: str, slow: int | None = None
 ) -> Log:
     """The `table` (n, 7) of encoders [deg], gyro [mrad/s], pitch [0.1 mrad], battery [mV] and duties [%] as a log.
 
-    `index` (n,) is each row's period; encoders wrap after `turn` [deg], never where it is 0.
+    `t` (n,) [s] is each row's own time; encoders wrap after `turn` [deg], never where it is 0. `slow` of
+    its rows were overdue (None: not known).
     """
     volts = table[:, 4] / 1000
     channels = {
@@ -180,14 +200,15 @@ def program_log(
     units = {name: "V" for name in channels if name.startswith("applied")}
     period = float(head["period"])
     outcome: dict[str, Any] = {"ended": ended or "the log breaks off"}
-    outcome |= {name: float(head[key]) for name, key in (("late", "late"), ("gyro_offset", "offset")) if key in head}
+    outcome |= {} if slow is None else {"late": slow}
+    outcome |= {"gyro_offset": float(head["offset"])} if "offset" in head else {}
     origin = {
         "robot": {"name": head["robot"]},
         "body": {"kind": f"program on {where}", "kit": head.get("kit", "")},
         "controller": {"hash": head["hash"], "period": period},
         "outcome": outcome,
     }
-    return Log(np.asarray(index) * period, channels, units, origin)
+    return Log(t, channels, units, origin)
 
 
 def _unwrapped(degrees: Array, turn: int) -> Array:
