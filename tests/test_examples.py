@@ -25,6 +25,7 @@ def test_an_example_shows_what_it_says_and_no_more_than_a_robot_knows(name: str)
     assert (swing > 1.0) == (name == "fall")  # [rad] a fall turns the body by more than anything that balances
     assert (np.std(log["sensor/gyro"]) > 0.1) == (name != "standing")
     assert up.doctor(log).healthy or name == "fall"
+    assert ("excitation/left" in log) == (name == "excited")
 
 
 @pytest.mark.parametrize("name", list(FOUND))

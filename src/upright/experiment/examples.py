@@ -96,11 +96,13 @@ def _simulated(pushes: tuple[PushProgramme, ...], excited: bool) -> Log:
     robot = find_robot(ROBOT)
     kit = find_kit(robot.kit)
     controller = find_controller("lqg", robot, kit, kit.period)
+    added = random_binary(round(SECONDS / kit.period), AMPLITUDE, seed=SEED, hold=HELD)
     if excited:
-        count = round(SECONDS / kit.period)
-        controller = Excited(controller, random_binary(count, AMPLITUDE, seed=SEED, hold=HELD))
+        controller = Excited(controller, added)
     body = Electronics(make_body("twin", robot), kit)
     try:
-        return run(body, controller, pushes, seconds=SECONDS, seed=SEED)
+        log = run(body, controller, pushes, seconds=SECONDS, seed=SEED)
     finally:
         body.close()
+    known = {f"excitation/{side}": added[: len(log), i] for i, side in enumerate(("left", "right"))} if excited else {}
+    return Log(log.t, {**log.channels, **known}, {**log.units, **dict.fromkeys(known, "V")}, log.origin)
