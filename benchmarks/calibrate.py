@@ -2,6 +2,7 @@
 
     python benchmarks/calibrate.py                   # time: 2000 samples, eight parameters, against SciPy
     python benchmarks/calibrate.py --seeds 100       # coverage and unstable pole on twins of three kits
+    python benchmarks/calibrate.py --families 100    # coverage where friction, winding and floor differ between runs
 
 Truth is drawn from what each preset says of its own numbers (value and spread); the controller and the calibration know
 the preset alone. Robots that the preset's controller cannot hold fall, and are left out and counted.
@@ -26,6 +27,7 @@ from upright.bodies import Electronics
 from upright.bodies.twin import Twin
 from upright.calibrate.calibrate import annealed, calibrate, prepared, refined
 from upright.calibrate.calibration import VISIBLE
+from upright.calibrate.effects import SHARES
 from upright.calibrate.fitting import Problem, events_of
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.summary import rolling_pole
@@ -33,6 +35,7 @@ from upright.control import Estimated, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError
 from upright.experiment import run
+from upright.experiment.pushes import Slope
 from upright.logs.recording import SENSOR
 from upright.physics.dynamics import derivative
 from upright.robots import PARAMETERS, Kit, Robot
@@ -44,6 +47,10 @@ EIGHT = (
 )  # fmt: skip
 DITHER = {"nxtway-gs": (1.5, 4), "ev3way": (2.5, 4), "twipr": (0.03, 6)}
 """Amplitude [command unit] and how many periods it is held: loud enough to be told from the sensors' steps."""
+
+
+RUNS = 3
+"""Of each family."""
 
 
 def drawn(robot: Robot, seed: int) -> Robot:
@@ -63,8 +70,9 @@ def drawn(robot: Robot, seed: int) -> Robot:
         return true
 
 
-def twin_log(name: str, true: Robot, seed: int, seconds: float = 20.0) -> Log:
-    """The twin of `true` under the preset's controller, excited by a random binary dither."""
+def twin_log(name: str, true: Robot, seed: int, seconds: float = 20.0, slope: float = 0.0) -> Log:
+    """The twin of `true` under the preset's controller, excited by a random binary dither, on a floor of that slope
+    [rad]."""
     robot = Robot.preset(name)
     kit = Kit.preset(robot.kit)
     if name == "nxtway-gs":
@@ -73,7 +81,48 @@ def twin_log(name: str, true: Robot, seed: int, seconds: float = 20.0) -> Log:
         controller = make_controller("lqg", robot, kit, kit.period)
     amplitude, hold = DITHER[name]
     dither = random_binary(round(seconds / kit.period), amplitude, seed, hold)
-    return run(Electronics(Twin(true), kit), Excited(controller, dither), seconds=seconds, seed=seed)
+    floor = Slope(angle=slope)
+    return run(Electronics(Twin(true), kit), Excited(controller, dither), floor, seconds=seconds, seed=seed)
+
+
+def runs_of(name: str, true: Robot, seed: int) -> list[Log]:
+    """Three runs of 8 s of that robot: warmer and colder, on other floors. Each run's friction and winding are off by
+    the spreads that `effects` states, its floor by half a degree."""
+    rng = np.random.default_rng(5000 + seed)
+    logs: list[Log] = []
+    for number in range(RUNS):
+        values = {n: getattr(true, n) * math.exp(size * rng.standard_normal()) for n, size in SHARES.items()
+                  if true.drive == "voltage" or n != "motor_resistance"}  # fmt: skip
+        slope = math.radians(0.5) * rng.standard_normal()
+        logs.append(twin_log(name, true.replace(**values), RUNS * seed + number, 8.0, slope))
+    return logs
+
+
+def families(name: str, seeds: int) -> None:
+    """How often the robot's own number lies in the interval of what is called visible, of its three runs together and
+    of the first alone, where friction, winding and floor differ from run to run."""
+    robot = Robot.preset(name)
+    held: dict[str, dict[str, list[bool]]] = {"three runs": {}, "one of them": {}}
+    left_out = 0
+    for seed in range(seeds):
+        true = drawn(robot, seed)
+        logs = runs_of(name, true, seed)
+        if any(log.origin["outcome"]["fell"] for log in logs):
+            left_out += 1
+            continue
+        right = truth(name, true) | {"unstable_pole": rolling_pole(true)}
+        for which, several in (("three runs", logs), ("one of them", logs[:1])):
+            found = calibrate(several, robot)
+            for e in (*found.parameters, *found.delays, found["asymmetry"], found["unstable_pole"]):
+                if e.verdict == VISIBLE:
+                    held[which].setdefault(e.name, []).append(e.low <= right[e.name] <= e.high)
+    for which, inside in held.items():
+        every = [one for several in inside.values() for one in several]
+        rate = np.mean(every) if every else math.nan
+        print(f"\n{name}, {which}, {seeds - left_out} robots ({left_out} with a fall left out): truth inside "
+              f"{sum(every)} of {len(every)} intervals, {rate:.1%}")  # fmt: skip
+        missed = {n: f"{len(v) - sum(v)} of {len(v)}" for n, v in inside.items() if not all(v)}
+        print("  missed:", ", ".join(f"{n} {count}" for n, count in missed.items()) or "none", flush=True)
 
 
 def truth(name: str, true: Robot) -> dict[str, float]:
@@ -92,8 +141,8 @@ def truth(name: str, true: Robot) -> dict[str, float]:
         if channel in SENSOR
     }
     return {**true.numbers(), **delays, "delay/gyro−encoder": delays["delay/gyro"] - delays["delay/encoder"]} | {
-        "asymmetry": 0.0
-    }
+        "asymmetry": 0.0, "constant_command": 0.0
+    }  # fmt: skip
 
 
 def coverage(name: str, seeds: int) -> None:
@@ -238,6 +287,7 @@ def solve_ivp_pass(problem: Problem, z: np.ndarray, gains: np.ndarray) -> np.nda
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seeds", type=int, default=0, help="logs of each kit for coverage (default: time only)")
+    parser.add_argument("--families", type=int, default=0, help="robots of each kit with three runs that differ")
     parser.add_argument("--whole", action="store_true", help="run SciPy's fit to its end too (several minutes)")
     parser.add_argument("--untimed", action="store_true", help="leave the timing out")
     parser.add_argument("--robots", nargs="*", default=list(DITHER), help="presets to draw from")
@@ -249,6 +299,8 @@ def main() -> None:
         timing(asked.whole)
     for name in asked.robots if asked.seeds else ():
         coverage(name, asked.seeds)
+    for name in asked.robots if asked.families else ():
+        families(name, asked.families)
 
 
 if __name__ == "__main__":

@@ -41,7 +41,7 @@ def electronics_of(robot: Robot, kit: Kit, logs: Sequence[Log]) -> tuple[Paramet
     slope = (robot.body_mass + 2 * robot.wheel_mass) * robot.gravity * robot.wheel_radius * math.sin(SLOPE) / 2
     parameters = [
         Parameter(ASYMMETRY, "1", (kit.motor.right - kit.motor.left) / strength, UNEQUAL, "linear"),
-        Parameter(CONSTANT, robot.command_unit, 0.0, slope / motor_gain(robot), "linear"),
+        Parameter(CONSTANT, robot.command_unit, 0.0, slope / motor_gain(robot), "linear", guess=True),
     ]
     own = all("body" in log.origin for log in logs)
     if robot.drive == "voltage" and (not own or strength != 1):

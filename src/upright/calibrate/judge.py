@@ -22,7 +22,8 @@ from upright.robots import Robot, preset_names
 Array = NDArray[np.float64]
 
 WORSE = 0.02  # [1] R² of half seconds by which the prior's own numbers may predict better
-NEARER = 0.5  # [1] of what the file's numbers leave of half seconds: another preset that leaves less is proposed
+NEARER = 2 / 3  # [1] of what the file's numbers leave of half seconds: another preset that leaves less is proposed
+LEVEL = 1.1  # [1] of what the best leaves: presets that leave no more are proposed beside it, those of the kit first
 MOST_LAGS = 8  # readings by which a prediction is shifted to see whether it is a delay
 HALF = 0.5  # [1] of the readings' deviation: what a sign, a unit or a delay must explain of them to be named
 TURNED = 1.5  # a factor between prediction and reading that no tolerance of a motor makes
@@ -54,25 +55,23 @@ def reasons(
     return tuple(faults)
 
 
-def proposed(problem: Problem, z: Array) -> str:
-    """The preset whose numbers predict half seconds of these logs far better than those of the robot's file, in words;
-    '' where there is none. Dead times and motors are those at z (parameters,) or the prior's, whichever serve better.
-    """
-    kept = [i for i, p in enumerate(problem.parameters) if p.name.startswith("delay/") or p.name in MEANING]
+def proposed(problem: Problem) -> str:
+    """The presets whose numbers predict half seconds of these logs far better than those of the robot's file, all as
+    they stand, in words; '' where there is none."""
+    kept = tuple(p for p in problem.parameters if p.name.startswith("delay/") or p.name in MEANING)
 
     def predicts(robot: Robot) -> float:
-        swapped = replace(problem, robot=robot, parameters=tuple(problem.parameters[i] for i in kept), held=frozenset())
-        return max(score(swapped, z[kept]), score(swapped, 0 * z[kept]))
+        return score(replace(problem, robot=robot, parameters=kept, held=frozenset()), np.zeros(len(kept)))
 
-    named = {name: Robot.preset(name) for name in preset_names() if name != problem.robot.name}
-    scores = {name: predicts(robot) for name, robot in named.items() if robot.drive == problem.robot.drive}
-    best, own = max(scores, key=lambda name: scores[name], default=""), predicts(problem.robot)
-    if not best or 1 - scores[best] > NEARER * (1 - max(own, 0.0)):
+    robot = problem.robot
+    named = {name: Robot.preset(name) for name in preset_names() if name != robot.name}
+    left = {name: 1 - predicts(other) for name, other in named.items() if other.drive == robot.drive}
+    least, own = min(left.values(), default=1.0), min(1 - predicts(robot), 1.0)
+    if least > NEARER * own:
         return ""
-    return (
-        f"; the preset {best} predicts half seconds better as it stands (R² {scores[best]:.2f}, this file "
-        f"{own:.2f}); try: --robot {best}"
-    )
+    level = sorted((n for n in left if left[n] <= LEVEL * least), key=lambda n: (named[n].kit != robot.kit, left[n]))
+    stated = ", or ".join(f"--robot {name} (R² {1 - left[name]:.2f})" for name in level)
+    return f"; half seconds are better predicted as they stand by other presets (this file: R² {1 - own:.2f}): {stated}"
 
 
 def unpredicted(parts: Segments) -> list[str]:

@@ -70,7 +70,7 @@ def summarised(
     combinations = _combinations(problem, z)
     combined = tuple(_combined(c, C) for c in combinations)
     widening = _widening(C, right, every, combinations)
-    other = proposed(problem, z) if any(e.surprising for e in every) else ""
+    other = proposed(problem) if any(e.surprising for e in every) else ""
     refused = () if reason else reasons(problem, fitted, free, every, other)
     delays = _delays(problem, z, C, every)
     if withdrawn := REFUSED if refused else QUIET if reason else "":
