@@ -117,8 +117,8 @@ def calibrate(
     several = [raw_log(log, mapping) for log in ([logs] if isinstance(logs, Log | str | os.PathLike) else logs)]
     nominal = find_robot(robot)
     parts = find_kit(kit or nominal.kit)
-    problem, limits = prepared(several, nominal, parts, known, held_out)
-    reason = too_quiet(problem)
+    stated, limits = prepared(several, nominal, parts, known, held_out)
+    problem, reason = stated, too_quiet(stated)
     if reason:
         problem = replace(problem, held=frozenset(p.name for p in problem.parameters if p.name in INERTIAL))
     show(0.05)
@@ -128,7 +128,8 @@ def calibrate(
     if not np.isfinite(normal.objective):
         raise _lost()
     show(0.8)
-    result = summarised(problem, z, normal, paths, several, reason, began)
+    fit = Fitted(problem, z, normal, paths)
+    result = summarised(fit, several, reason, began, stated=stated)
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
     notes = [str(pace) + "." for pace in map(pace_of, several) if pace and not pace.kept]
     return replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))

@@ -56,9 +56,16 @@ COMBINATIONS: dict[str, tuple[str, Callable[[Any], Any]]] = {
 
 
 def summarised(
-    problem: Problem, z: Array, normal: Normal, paths: Sequence[Path], logs: Sequence[Log], reason: str, began: float
+    fit: tuple[Problem, Array, Normal, Sequence[Path]],
+    logs: Sequence[Log],
+    reason: str,
+    began: float,
+    *,
+    stated: Problem,
 ) -> Calibration:
-    """The calibration that a fit amounts to."""
+    """The calibration that a fit (its problem, parameters, derivatives and filters) amounts to; `stated` is the problem
+    as the files state it."""
+    problem, z, normal, paths = fit
     free = tuple(segments(problem, recording, z) for recording in problem.recordings)
     fits, scores = _checks(problem, z, free)
     fitted, runs = z, len(problem.recordings)
@@ -70,7 +77,7 @@ def summarised(
     combinations = _combinations(problem, z)
     combined = tuple(_combined(c, C) for c in combinations)
     widening = _widening(C, right, every, combinations)
-    other = proposed(problem) if any(e.surprising for e in every) else ""
+    other = proposed(stated) if any(e.surprising for e in every) else ""
     refused = () if reason else reasons(problem, fitted, free, every, other)
     delays = _delays(problem, z, C, every)
     if withdrawn := REFUSED if refused else QUIET if reason else "":
