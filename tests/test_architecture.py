@@ -67,7 +67,6 @@ RETIRED = {
 delay are what is meant (docs/conventions.md has the glossary)."""
 
 # It only ever shrinks: messages of the lab beside what they are about, and a motor of a brick and of a kit.
-KNOWN_TWICE = {"Motor", "Refused", "Setup", "StandUp"}
 
 
 @dataclass(frozen=True)
@@ -264,7 +263,7 @@ def test_a_class_name_means_one_thing() -> None:
         for node in ast.walk(tree):
             if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
                 homes.setdefault(node.name, set()).add(file)
-    assert {n: files for n, files in homes.items() if len(files) > 1 and n not in KNOWN_TWICE} == {}
+    assert {n: files for n, files in homes.items() if len(files) > 1} == {}
 
 
 def positional(node: ast.AST) -> int:

@@ -38,7 +38,7 @@ from upright.control.observed import observed
 from upright.control.observer import steady
 from upright.control.reach import largest_pitch, static_pitch
 from upright.control.sliding import chattering
-from upright.control.standup import Lift, StandUp, lift
+from upright.control.standup import Lift, StandUpController, lift
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UprightError
 from upright.experiment import Drive, Hold, Impulse, Turn, run
 from upright.physics.dynamics import accelerations
@@ -559,7 +559,7 @@ def test_twipr_stands_up_from_lying_on_the_twins_floor(side):
     plan = lift(robot, kit, side * 1.83)
     assert plan.check() < 1
     assert np.abs(plan.commands).max() <= 0.5  # [N m] what its board gives (its kit's source)
-    controller = StandUp(plan, lqg(robot, kit), kit)
+    controller = StandUpController(plan, lqg(robot, kit), kit)
     body = Electronics(Twin(robot), kit)
     log = run(body, controller, start=(side * 1.83, 0, 0, 0, 0, 0), seconds=8, seed=1)
     assert abs(log["truth/pitch"][0]) > 1.8
@@ -579,7 +579,7 @@ def test_a_robot_whose_motors_do_not_reach_says_so_in_numbers():
         lift(NXT, KIT, 0.0)
     other, volts = Lift(Robot.preset("twipr"), 1.0, 0.01, np.zeros(6), (0.0, 0.0, 0.0)), lqg(NXT, KIT)
     with pytest.raises(DesignFailed, match="the same of both"):
-        StandUp(other, volts, KIT)
+        StandUpController(other, volts, KIT)
 
 
 def test_a_robot_that_lies_has_not_fallen_until_it_stood():

@@ -44,7 +44,7 @@ class Port:
 
 
 @dataclass(kw_only=True)
-class Motor:
+class MotorPort:
     """An output: `power` [%] while it is on, and the `count` [°] of its encoder; resets only move `zero`.
 
     Its tacho limit is that of LEGO's published firmware for unregulated motors (d_output.c: dOutputSetTachoLimit,
@@ -177,7 +177,7 @@ class Hardware:
     the robot on and set `inputs`, `motors`, `registers` (of digital sensors by port), `battery` [mV] and `buttons`."""
 
     def __init__(self, world: Callable[[int], None] | None = None, flash: Flash | None = None) -> None:
-        self.inputs, self.motors = [Port() for _ in range(4)], [Motor() for _ in range(3)]
+        self.inputs, self.motors = [Port() for _ in range(4)], [MotorPort() for _ in range(3)]
         self.registers: dict[int, dict[int, int]] = {}
         self.battery, self.buttons, self.lines = 8000, set[int](), dict[int, str]()
         self.flash = Flash() if flash is None else flash
@@ -246,7 +246,7 @@ class Hardware:
             raise InvalidProgram(f"the program uses input {port + 1}", expected="1 to 4")
         return self.inputs[port]
 
-    def _motor(self, port: int) -> Motor:
+    def _motor(self, port: int) -> MotorPort:
         if not 0 <= port < len(self.motors):
             raise InvalidProgram(f"the program uses motor {port}", expected="A to C")
         return self.motors[port]

@@ -37,7 +37,7 @@ MOST_STOPS = 100  # stop requests to a program before it is killed
 SLICE = 0.005  # [s] of the hub's time between two looks at the line
 
 
-class Refused(IntEnum):
+class Refusal(IntEnum):
     """Errors of the attribute protocol with which a hub answers a command."""
 
     TOO_LONG = 0x0D
@@ -95,13 +95,13 @@ class VirtualHub:
     def write(self, uuid: str, data: bytes) -> None:
         """A command; raises `CommandRefused`."""
         if uuid != COMMANDS or not data or data[0] not in HANDLERS:
-            raise CommandRefused(Refused.UNKNOWN)
+            raise CommandRefused(Refusal.UNKNOWN)
         if len(data) > LONGEST_WRITE:
-            raise CommandRefused(Refused.TOO_LONG)
+            raise CommandRefused(Refusal.TOO_LONG)
         try:
             HANDLERS[data[0]](self, bytes(data[1:]))
         except struct.error:
-            raise CommandRefused(Refused.NOT_ALLOWED) from None
+            raise CommandRefused(Refusal.NOT_ALLOWED) from None
 
     def run(self, seconds: float) -> None:
         """Run the program for that time [s] or to its end."""
@@ -139,7 +139,7 @@ class VirtualHub:
     def begin(self) -> None:
         """Start the program in memory; `CommandRefused` where there is none."""
         if self.running:
-            raise CommandRefused(Refused.BUSY)
+            raise CommandRefused(Refusal.BUSY)
         modules = unpacked(bytes(self._memory[: self._size]))
         for old in self._script.folder.glob("*.mpy"):
             old.unlink()
@@ -206,7 +206,7 @@ class VirtualHub:
 
     def start(self, _: bytes = b"") -> None:
         if not self._size:
-            raise CommandRefused(Refused.NOT_ALLOWED)
+            raise CommandRefused(Refusal.NOT_ALLOWED)
         self.begin()
 
     def measure(self, data: bytes) -> None:
@@ -225,9 +225,9 @@ class VirtualHub:
 
     def _idle(self, fits: bool) -> None:
         if self.running:
-            raise CommandRefused(Refused.BUSY)
+            raise CommandRefused(Refusal.BUSY)
         if not fits:
-            raise CommandRefused(Refused.NOT_ALLOWED)
+            raise CommandRefused(Refusal.NOT_ALLOWED)
 
 
 HANDLERS: dict[int, Callable[[VirtualHub, bytes], None]] = {
@@ -243,7 +243,7 @@ def unpacked(program: bytes) -> dict[str, bytes]:
         size = int.from_bytes(program[:4], "little")
         name, zero, rest = program[4:].partition(b"\0")
         if not zero or len(rest) < size:
-            raise CommandRefused(Refused.NOT_ALLOWED)
+            raise CommandRefused(Refusal.NOT_ALLOWED)
         modules[name.decode("ascii", "replace").replace("/", "")] = rest[:size]
         program = rest[size:]
     return modules
@@ -279,7 +279,7 @@ class HubClient:
         try:
             self._hub.write(uuid, bytes(data))
         except CommandRefused as error:
-            code = Refused(error.args[0])
+            code = Refusal(error.args[0])
             raise BleakError(f"the hub answers {code:#04x}, {code.name.lower().replace('_', ' ')}") from None
 
     async def start_notify(self, uuid: str, callback: Callable[[Any, bytearray], None]) -> None:

@@ -131,11 +131,11 @@ def _standing_up(controller: Controller, robot: Robot, kit: Kit | str, pitch: fl
     """The controller behind a lift from that pitch."""
     if start:
         raise InvalidController("both --start and --lying", expected="one of them: a lift begins at rest")
-    from upright.control.standup import StandUp, lift
+    from upright.control.standup import StandUpController, lift
     from upright.robots import find_kit
 
     parts = find_kit(kit)
-    return StandUp(lift(robot, parts, pitch, controller.spec.period), controller, parts)
+    return StandUpController(lift(robot, parts, pitch, controller.spec.period), controller, parts)
 
 
 def _state_feedback(gains: str, robot: Robot, kit: Kit | None, dt: float) -> Controller:

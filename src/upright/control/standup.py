@@ -127,7 +127,7 @@ def _ends(robot: Robot, pitch: float, period: float, commands: Array) -> Array:
     return np.column_stack([x[0], x[1], x[3]])
 
 
-class StandUp:
+class StandUpController:
     """`lift`, then `controller` from where the robot stands then: its encoders count from there.
 
     Between them nothing is commanded for the kit's dead time, so that no command is on its way when it takes over.

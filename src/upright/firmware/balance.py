@@ -40,7 +40,7 @@ from upright.firmware.setup import (
     TRAVEL,
     UNPROVEN,
     UPSIDE_DOWN,
-    Setup,
+    ProgramSetup,
 )
 from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, Driver, driver, find_target, largest
 from upright.robots import Kit, Robot
@@ -109,13 +109,15 @@ def trace(
     )
 
 
-def _setup(controller: Controller, robot: Robot, kit: Kit, *, target: str, reference: bool, travel: float) -> Setup:
+def _setup(
+    controller: Controller, robot: Robot, kit: Kit, *, target: str, reference: bool, travel: float
+) -> ProgramSetup:
     """The checked facts that the program is written from."""
     inner, place = incremental(controller, POSITIONS), find_target(target)
     unit = inner.linear.command_unit
     if unit != robot.command_unit:
         raise SpecMismatch(f"the controller commands {unit}", expected=f"{robot.command_unit}")
-    setup = Setup(inner, kit, driver(robot, kit, place), place, travel, reference)
+    setup = ProgramSetup(inner, kit, driver(robot, kit, place), place, travel, reference)
     if not math.isfinite(setup.strongest):
         raise SpecMismatch(
             f"kit '{kit.name}' does not limit the command", expected="a battery or a motor's limit",
@@ -129,7 +131,7 @@ def _counted(t: Tracer, state: Form, index: int, row: Array, steps: list[Form]) 
     return t.let(f"z{index}", state - dot(row, steps), "1") if row.any() else state
 
 
-def _bounds(setup: Setup) -> Array | None:
+def _bounds(setup: ProgramSetup) -> Array | None:
     linear = setup.linear
     y = np.array([HEADING if c == COMPASS else largest(setup.kit, c, setup.travel) for c in linear.reads])
     r = np.array(REFERENCE_RANGE) if setup.reference else np.zeros(6)
@@ -137,7 +139,7 @@ def _bounds(setup: Setup) -> Array | None:
     return setup.incremental.bounds(change=np.full(len(y), FASTEST * linear.period), y=y, r=r, u=u, a=a)
 
 
-def _reference(t: Tracer, setup: Setup) -> list[Form]:
+def _reference(t: Tracer, setup: ProgramSetup) -> list[Form]:
     """The reference state as inputs; zero for states that the controller does not compare."""
     linear, switching = setup.linear, setup.incremental.law.switching
     rows = np.vstack([linear.Br, linear.Dr, *([switching.Dr] if switching else [])])
@@ -151,7 +153,7 @@ def _bounded_input(t: Tracer, name: str, unit: str, most: float) -> Form:
     return t.limit(f"kept_{name}", t.input(name, unit, most), -most, most, unit)
 
 
-def _pitch(t: Tracer, setup: Setup, z: list[Form], y: list[Form]) -> Form:
+def _pitch(t: Tracer, setup: ProgramSetup, z: list[Form], y: list[Form]) -> Form:
     """The controller's estimate of the pitch, or without one the gyro's integral, which decays over `TILT_TIME`."""
     linear = setup.linear
     if len(linear.S):
@@ -163,7 +165,7 @@ def _pitch(t: Tracer, setup: Setup, z: list[Form], y: list[Form]) -> Form:
     return pitch
 
 
-def _fit(t: Tracer, setup: Setup, read: dict[str, Form], values: list[Form]) -> Form:
+def _fit(t: Tracer, setup: ProgramSetup, read: dict[str, Form], values: list[Form]) -> Form:
     """The status by what was read: `TOO_FAR` for a wheel out of range, `SENSOR_FAILED` where a value is no number."""
     status: Form | float = float(BALANCING)
     for side, channel in zip(SIDES, ENCODERS, strict=True):
@@ -173,7 +175,7 @@ def _fit(t: Tracer, setup: Setup, read: dict[str, Form], values: list[Form]) -> 
     return numbers(t, "fit", values, status)
 
 
-def _applied(t: Tracer, setup: Setup, u: list[Form], read: dict[str, Form], fit: Form) -> list[Form]:
+def _applied(t: Tracer, setup: ProgramSetup, u: list[Form], read: dict[str, Form], fit: Form) -> list[Form]:
     """The applied commands: zero in the dead zone and unless the readings are `fit`, within the limit, in whole steps
     of the battery's voltage."""
     d, full = setup.driver, float(setup.driver.full)
@@ -201,7 +203,7 @@ def _applied(t: Tracer, setup: Setup, u: list[Form], read: dict[str, Form], fit:
     return applied
 
 
-def _arrived(t: Tracer, setup: Setup, a: list[Form]) -> list[Form]:
+def _arrived(t: Tracer, setup: ProgramSetup, a: list[Form]) -> list[Form]:
     """The commands that reach the motors now, applied `lag` periods ago."""
     if not setup.lag:
         return a
@@ -237,7 +239,7 @@ def _remember(t: Tracer, w: list[Form], rows: Sequence[Form], proven: bool) -> N
         t.commit(state, value)
 
 
-def _stop(t: Tracer, setup: Setup, pitch: Form, fit: Form) -> None:
+def _stop(t: Tracer, setup: ProgramSetup, pitch: Form, fit: Form) -> None:
     """The status: not `fit`, fallen, or stuck at full duty."""
     lean = t.absolute("lean", pitch, "rad")
     status = t.choose("fallen", lean, FALL_PITCH, float(BALANCING), float(FALLEN), "1", whole=True)
@@ -246,7 +248,7 @@ def _stop(t: Tracer, setup: Setup, pitch: Form, fit: Form) -> None:
     t.choose("status", fit, 0.5, status, fit, "1", output=True, whole=True)
 
 
-def _stuck(t: Tracer, setup: Setup, status: Form) -> Form:
+def _stuck(t: Tracer, setup: ProgramSetup, status: Form) -> Form:
     full, longest = float(setup.driver.full), setup.periods(STUCK_TIME)
     count = t.state("stuck", "1", float(longest), True)
     sizes = [t.absolute(f"strength_{side}", Form({f"duty_{side}": 1.0}), "1") for side in SIDES]

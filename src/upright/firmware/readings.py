@@ -16,12 +16,12 @@ from upright.firmware.setup import (
     HEADING,
     LEAST_SCATTER,
     SENSOR_FAILED,
-    Setup,
+    ProgramSetup,
 )
 from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, SI, largest
 
 
-def inputs(t: Tracer, setup: Setup) -> dict[str, Form]:
+def inputs(t: Tracer, setup: ProgramSetup) -> dict[str, Form]:
     """The raw readings, by channel."""
     reads = setup.linear.reads
     if missing := [channel for channel in (*ENCODERS, GYRO) if channel not in reads]:
@@ -63,7 +63,7 @@ class Held:
     heading: Form | None
 
 
-def calibrate(t: Tracer, setup: Setup, raw: dict[str, Form]) -> Held:
+def calibrate(t: Tracer, setup: ProgramSetup, raw: dict[str, Form]) -> Held:
     """The gyro's mean over a second in which its readings stay within what a still gyro scatters; else anew."""
     first = kept(t, {channel: form for channel, form in raw.items() if channel not in ENCODERS}, "first")
     g, most = first[GYRO], t.variables[raw[GYRO].name].most
@@ -100,14 +100,14 @@ def _heading_at_start(t: Tracer, first: dict[str, Form]) -> Form | None:
     return before
 
 
-def _scatter(setup: Setup) -> float:
+def _scatter(setup: ProgramSetup) -> float:
     """The largest difference between readings of a still gyro: ±4 deviations and a step to either side, [raw]."""
     sensor, raw = setup.kit.sensors[GYRO], setup.raw(GYRO)
     step = max(sensor.quantum, raw.scale if raw.whole else 0.0)
     return (8 * sensor.noise + 2 * step + LEAST_SCATTER) / raw.scale
 
 
-def reading(t: Tracer, setup: Setup, read: dict[str, Form], channel: str, held: Held) -> Form:
+def reading(t: Tracer, setup: ProgramSetup, read: dict[str, Form], channel: str, held: Held) -> Form:
     """The channel in SI units, within what the sensor can say."""
     name, scale = channel.removeprefix("sensor/"), setup.raw(channel).scale
     if channel == COMPASS:
@@ -132,7 +132,7 @@ def _heading(t: Tracer, raw: Form, held: Held, scale: float) -> Form:
     return t.let("compass", now * scale, "rad")
 
 
-def moved(t: Tracer, setup: Setup, read: dict[str, Form], channel: str) -> Form:
+def moved(t: Tracer, setup: ProgramSetup, read: dict[str, Form], channel: str) -> Form:
     """How far a position has moved since the period before [SI], within what a wheel can do; 0 for a rate."""
     name, scale, most = channel.removeprefix("sensor/"), setup.raw(channel).scale, FASTEST * setup.linear.period
     if channel in ENCODERS:

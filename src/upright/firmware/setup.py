@@ -36,7 +36,7 @@ REFERENCE_RANGE = (0.5, 5.0, 1000.0, 40.0, 1000.0, 20.0)  # in those units
 
 
 @dataclass(frozen=True)
-class Setup:
+class ProgramSetup:
     """The common data of the trace's steps."""
 
     incremental: Incremental
