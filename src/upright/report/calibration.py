@@ -109,12 +109,9 @@ _INNOVATIONS = (
 
 
 def _lead(c: Calibration) -> str:
-    visible = [e.name.replace("_", " ") for e in c.parameters if e.verdict == "visible"]
-    pole = c["unstable_pole"]
-    return (
-        f"{c.samples} samples determine {', '.join(visible) or 'no parameter'}. Unstable pole: {pole.value:.3g} 1/s "
-        f"({pole.low:.3g} to {pole.high:.3g})."
-    )
+    visible = [e for e in c.parameters if e.verdict == VISIBLE]
+    known = (f"{e.name.replace('_', ' ')} {cell_text(e.value, 3)} {e.unit}".removesuffix(" 1") for e in visible)
+    return f"{c.samples} samples determine {', '.join(known) or 'no parameter'}."
 
 
 def _estimates(estimates: Sequence[Estimate]) -> Table:

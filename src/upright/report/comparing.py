@@ -12,6 +12,8 @@ from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
 
+BESIDE = 1.0  # [s] shown before a push and after it has settled
+SMALL = 0.6  # [1] of a run: less is shown alone
 DWARFED = 5.0
 """A trace that leaves the reference's range by more than this many times its width is cut at the frame."""
 
@@ -29,16 +31,40 @@ def page_of(comparison: Comparison) -> Page:
     commands = comparison.plot_commands()
     sections += [Section("Commands", [Figure(_efforts(comparison), commands)])] if commands else []
     sections.append(Section("Origin of the runs", [_origin_table(comparison)], folded=True))
-    labels = list(comparison.logs)
-    lead = f"The same experiment in {', '.join(labels)}." if comparison.fits else "One run: pitch over time."
-    if comparison.fits:
-        fits = (f"{label} {_percent(f[first])}" for label, f in comparison.fits.items() if first in f)
-        lead += f" Fit of {first.replace('_', ' ')} to {comparison.reference}: {', '.join(fits)}."
     return Page(
-        f"{', '.join(labels) if len(labels) < 4 else f'{len(labels)} runs'} compared", sections, lead,
-        _provenance(comparison), verdict=_verdict(comparison), picture=state_figure(comparison, first),
-        numbers=_numbers(comparison),
+        _title(comparison, first), sections, _lead(comparison), _provenance(comparison),
+        verdict=_verdict(comparison), picture=state_figure(comparison, first), numbers=_numbers(comparison),
     )  # fmt: skip
+
+
+def _title(comparison: Comparison, first: str) -> str:
+    """Who fell, or how well the runs agree; of one run what it did."""
+    labels = list(comparison.logs)
+    fell = [label for label, m in comparison.metrics.items() if m.fell]
+    if len(labels) == 1:
+        (m,) = comparison.metrics.values()
+        done = "The robot fell" if m.fell else "The robot stands"
+        return f"{done}; pitch reaches {abs(m.pitch_peak):.2g} rad ({math.degrees(abs(m.pitch_peak)):.2g}°)"
+    if fell and len(fell) < len(labels):
+        return f"{', '.join(fell)} fell; {', '.join(label for label in labels if label not in fell)} did not"
+    fits = {label: f[first] for label, f in comparison.fits.items() if math.isfinite(f.get(first, math.nan))}
+    if not fits:
+        return f"{', '.join(labels)} compared"
+    worst = min(fits, key=lambda label: fits[label])
+    if len(fits) == 1:
+        return f"{sentence(worst, '')} follows {comparison.reference}: fit {_percent(fits[worst])}"
+    return f"{len(fits)} runs follow {comparison.reference}; the worst, {worst}, fits {_percent(fits[worst])}"
+
+
+def _lead(comparison: Comparison) -> str:
+    """What was run: robot, controller, push."""
+    log = comparison.logs[comparison.reference]
+    robot, kind = log.origin.get("robot", {}).get("name", ""), log.origin.get("controller", {}).get("kind", "")
+    who = f"{robot} under {kind}" if robot and kind else robot or "One experiment"
+    pushes = [f"from {start:.3g} to {stop:.3g} s" for start, stop in comparison.pushed]
+    pushed = f", pushed {' and '.join(pushes[:2])}" if pushes else ", without a push"
+    several = f", in {', '.join(comparison.logs)}" if comparison.fits else ""
+    return f"{who}{pushed}{several}."
 
 
 def _verdict(comparison: Comparison) -> Verdict | None:
@@ -62,7 +88,7 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
     if len(comparison.logs) == 1:
         (m,) = comparison.metrics.values()
         return [
-            (f"{abs(m.pitch_peak):.3g} rad", "largest pitch"),
+            (f"{abs(m.pitch_peak):.3g} rad", f"largest pitch: {math.degrees(abs(m.pitch_peak)):.2g}°"),
             (_settles(m.settling_5), "until pitch stays within 5 %"),
             (f"{m.wheel_travel:.3g} rad", "largest turn of the wheels"),
         ]
@@ -114,7 +140,22 @@ def state_figure(comparison: Comparison, name: str) -> Figure:
     limits, note = _limits(comparison, name)
     if limits:
         figure.axes[0].set_ylim(*limits)
+    around = _around(comparison)
+    if around:
+        figure.axes[0].set_xlim(*around)
+        note = f"{note} Shown round the push; before and after the robot is near rest.".strip()
     return Figure(_claim(comparison, name), figure, note)
+
+
+def _around(comparison: Comparison) -> tuple[float, float] | None:
+    """The time [s] round the pushes until every run has settled, where that is a small part of the runs."""
+    if not comparison.pushed or any(m.fell or math.isnan(m.settling_5) for m in comparison.metrics.values()):
+        return None
+    settled = max(comparison.releases[label] + m.settling_5 for label, m in comparison.metrics.items())
+    log = comparison.logs[comparison.reference]
+    start, end = float(log.t[0]), float(log.t[-1])
+    low, high = max(start, comparison.pushed[0][0] - BESIDE), min(end, settled + BESIDE)
+    return (low, high) if high - low < SMALL * (end - start) else None
 
 
 def _claim(comparison: Comparison, name: str) -> str:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.excite.plan import VISIBLE, ExcitationPlan, Predicted
-from upright.plotting import COLOURS, legend, line, number, numbered, panels, rows_of
+from upright.plotting import AXIS, COLOURS, legend, line, number, numbered, panels, rows_of
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 
@@ -116,20 +116,19 @@ def _halved(plan: ExcitationPlan) -> int:
 
 
 def _widths(plan: ExcitationPlan) -> Figure:
-    """Widths over those before, a row for each parameter, the least certain first."""
+    """Widths over those before, a row for each parameter that the run tells something of, the most certain last."""
     shown = sorted((p for p in plan.predicted if p.after < DRAWN * p.before), key=lambda p: -p.after / p.before)
-    figure, ax = rows_of([p.name for p in shown], "width of the 95 % interval after over before [1]", "parameter")
+    across = "width of the 95 % interval after the run over that before [1]"
+    figure, ax = rows_of([p.name for p in shown], across, "parameter")
     ax.set_xscale("log")
     numbered(ax.xaxis)
-    kinds = {"this plan": ("after", "o"), "random dither": ("dither", "x"), "dither held 40 ms": ("held", "s")}
-    for k, (name, (kind, marker)) in enumerate(kinds.items()):
-        ratios = [getattr(p, kind) / p.before for p in shown]
-        ax.plot(ratios, range(len(shown)), label=name, linestyle="", marker=marker, color=COLOURS[k], fillstyle="none")
-    ax.axvline(VISIBLE, linestyle="--", linewidth=0.8, color="grey")
-    title = f"What each parameter's interval shrinks to; {_halved(plan)} of {len(plan.predicted)} at least to a half"
-    return Figure(
-        title, legend(figure), f"Left of the dashed line the interval shrinks below {VISIBLE:g} of its width."
-    )
+    rows, after = np.arange(len(shown)), [p.after / p.before for p in shown]
+    ax.hlines(rows, after, 1.0, linewidth=2.5, color=COLOURS[0], label="what this run removes")
+    ax.plot(after, rows, "o", markersize=4.5, color=COLOURS[0], label="left after this run")
+    ax.plot([p.dither / p.before for p in shown], rows, "x", color=COLOURS[1], label="left after a random signal")
+    ax.axvline(VISIBLE, linestyle="--", linewidth=0.8, color=AXIS, label="half of the width")
+    title = f"What each run leaves of a parameter's interval: {_halved(plan)} of {len(plan.predicted)} at most half"
+    return Figure(title, legend(figure), "The random signal has the same energy and changes in every period.")
 
 
 def _table(plan: ExcitationPlan) -> Table:

@@ -39,28 +39,36 @@ def push_map_figures(data: Dataset) -> list[Figure]:
 
 def _map(part: Any, direction: str) -> Figure:
     impulse: Array = part["impulse"].values
-    lowest = _place(part, impulse, int(np.nanargmin(impulse)))
-    title = f"Pushed {direction}, the robot survives at least {float(np.nanmin(impulse)):.3g} N s ({lowest})"
-    high = float(np.nanquantile(impulse, 0.98))
-    note = "The lightest colour includes all larger impulses." if float(np.nanmax(impulse)) > high else ""
+    low, high = float(np.nanmin(impulse)), float(np.nanquantile(impulse, 0.98))
+    row, column = np.unravel_index(int(np.nanargmin(impulse)), impulse.shape)
+    height, duration = float(part["height"].values[row]), float(part["duration"].values[column])
+    weakest = f"a push of {duration:.2g} s, {height:.3g} m above the axle"
+    title = f"Pushed {direction}, the robot survives at least {low:.3g} N s: {weakest}"
+    note = "The cross marks where it survives least."
+    note += " The lightest colour includes all larger impulses." if float(np.nanmax(impulse)) > high else ""
     apart = float(part["island"].values.mean())
-    note += (
-        f" At {100 * apart:.2g} % of the points a larger push is survived again; the first border is drawn."
-        if apart
-        else ""
-    )
-    low = float(np.nanmin(impulse))
+    if apart:
+        note += f" At {100 * apart:.2g} % of the points a larger push is survived again; the first border is drawn."
     drawing = colour_map(
         part["duration"].values, part["height"].values, impulse.T, x_label="duration of the push [s]",
-        y_label="height above the axle [m]", label="impulse [N s]", levels=round_levels(low, high, LEVELS), smooth=True,
+        y_label="height above the axle [m]", label="impulse [N s]", levels=_levels(low, high), smooth=True,
     )  # fmt: skip
-    return Figure(title, drawing, note.strip())
+    drawing.axes[0].plot(duration, height, "x", color="white", markersize=9, markeredgewidth=2, clip_on=False)
+    return Figure(title, drawing, note)
 
 
-def _place(part: Any, impulse: Array, at: int) -> str:
-    row, column = np.unravel_index(at, impulse.shape)
-    height, duration = (float(part[name].values[k]) for name, k in (("height", row), ("duration", column)))
-    return f"{height:.3g} m above the axle, within {duration:.2g} s"
+def _levels(low: float, high: float) -> list[float]:
+    """Round borders between colours: equal steps, or where the values span more than a factor of three equal ratios."""
+    if low <= 0 or high < 3 * low:
+        return round_levels(low, high, LEVELS)
+    powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
+    steps = [m * 10.0**p for p in powers for m in (1, 1.5, 2, 3, 4, 6, 8)]
+    steps = steps if high < 30 * low else [10.0**p for p in powers]
+    return [
+        *[s for s in steps if s <= low][-1:],
+        *(s for s in steps if low < s < high),
+        *[s for s in steps if s >= high][:1],
+    ]
 
 
 def _slices(part: Any, direction: str) -> Figure:

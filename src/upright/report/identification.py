@@ -12,6 +12,7 @@ from upright.identify.methods import TITLES
 from upright.plotting import legend, line, numbered, panels, plane, points
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
+from upright.tables import sentence
 
 
 def page_of(compared: MethodComparison) -> Page:
@@ -34,7 +35,7 @@ def page_of(compared: MethodComparison) -> Page:
         "kit": data.kit.name,
     }
     return Page(
-        f"{data.robot.name}: unstable pole {_between(compared)}", sections, _lead(compared), facts,
+        _title(compared), sections, _lead(compared), facts,
         compared.judge.made_the_log, verdict=verdict, picture=_pole_figure(compared), numbers=_numbers(compared),
     )  # fmt: skip
 
@@ -45,6 +46,27 @@ def _between(compared: MethodComparison) -> str:
     return " to ".join(ends) + " 1/s" + (f" by {len(poles)} methods" if len(poles) > 1 else "")
 
 
+def _title(compared: MethodComparison) -> str:
+    """Which model predicts the held-out part best, and the pole it gives."""
+    name = compared.samples.robot.name
+    ranked = _ranked(compared)
+    if len(ranked) < 2:
+        return f"{name}: unstable pole {_between(compared)}"
+    best = compared.models[ranked[0]]
+    return f"{sentence(ranked[0], '')} predicts {name} best: unstable pole {cell_text(best.pole.value, 3)} 1/s"
+
+
+def _ranked(compared: MethodComparison) -> list[str]:
+    """Methods, the one first that predicts the held-out part best over the longest horizon."""
+    return sorted(compared.models, key=lambda name: -_fit(compared.models[name]))
+
+
+def _fit(model: Identified) -> float:
+    """Mean fit [%] of all outputs over the longest horizon; −∞ where a prediction diverges."""
+    fits = list(list(model.fits.values())[-1].values()) if model.fits else []
+    return float(np.mean(fits)) if fits and np.isfinite(fits).all() else -math.inf
+
+
 def _pole_figure(compared: MethodComparison) -> Figure:
     title = "The unstable pole by each method, with its 95 % interval"
     true = "" if math.isnan(compared.true_pole) else "The dashed line is the pole of the robot itself."
@@ -52,10 +74,10 @@ def _pole_figure(compared: MethodComparison) -> Figure:
 
 
 def _numbers(compared: MethodComparison) -> list[tuple[str, str]]:
-    return [
-        (f"{cell_text(m.pole.value, 3)} 1/s", f"unstable pole by {name}")
-        for name, m in list(compared.models.items())[:3]
-    ]
+    fits = {name: _fit(compared.models[name]) for name in _ranked(compared)[:3]}
+    ahead = next((list(m.fits)[-1] for m in compared.models.values() if m.fits), "")
+    text = f"fit {ahead} samples ahead:"
+    return [(f"{cell_text(fit, 3)} %", f"{text} {name}") for name, fit in fits.items() if fit > -math.inf]
 
 
 _POLES = (
