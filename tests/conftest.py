@@ -40,12 +40,21 @@ def pytest_configure(config: pytest.Config) -> None:
     )
 
 
+TOGETHER = frozenset((
+    "test_agreement", "test_campaign", "test_certificate", "test_excite", "test_hinf", "test_identify", "test_margins",
+    "test_permit", "test_postmortem", "test_reproduce",
+))  # fmt: skip
+"""Files whose tests share results that take seconds: one process runs the file and computes them once."""
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Tests of one robust design run in one process, which designs it once: that takes up to fifteen seconds."""
+    """Tests of one robust design run in one process too, which designs it once: that takes up to fifteen seconds."""
     for item in items:
         given = item.callspec.params if isinstance(item, pytest.Function) and hasattr(item, "callspec") else {}
         if given.get("name") == "robust" and "preset" in given:
             item.add_marker(pytest.mark.xdist_group(f"robust {given['preset']}"))
+        elif item.path.stem in TOGETHER:
+            item.add_marker(pytest.mark.xdist_group(item.path.stem))
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:

@@ -64,11 +64,8 @@ def _levels(low: float, high: float) -> list[float]:
     powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     steps = [m * 10.0**p for p in powers for m in (1, 1.5, 2, 3, 4, 6, 8)]
     steps = steps if high < 30 * low else [10.0**p for p in powers]
-    return [
-        *[s for s in steps if s <= low][-1:],
-        *(s for s in steps if low < s < high),
-        *[s for s in steps if s >= high][:1],
-    ]
+    first = max(k for k, step in enumerate(steps) if step <= low)
+    return steps[first : 1 + min(k for k, step in enumerate(steps) if step >= high)]
 
 
 def _slices(part: Any, direction: str) -> Figure:
