@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 from importlib import import_module
-from typing import Any
+from typing import Any, NamedTuple
 
 from upright.compiled.generated import ROW
 
@@ -31,6 +31,15 @@ inlined: Any = partial(njit, forceinline=True)
 
 merged: Any = partial(njit, inline="always")
 """The same, put into its one caller before that is compiled, which spares the compiler a second look at all of it."""
+
+
+class RobotBlock(NamedTuple):
+    """The rows `w` of so many `robots`, the first of which is number `first` of the batch's `index`."""
+
+    w: Any
+    robots: int
+    index: Any
+    first: int
 
 
 def _same(a: Any, *others: Any) -> Any:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from upright.compiled.jit import bits, fma, from_bits, inlined, item, njit, put, sqrt
+from upright.compiled.jit import RobotBlock, bits, fma, from_bits, inlined, item, njit, put, sqrt
 from upright.compiled.lane_math import sincos_any
 
 _LOW = np.uint64(0xFFFFFFFF)
@@ -76,19 +76,17 @@ def normal_pair(first: Any, second: Any) -> Any:
 
 
 @njit
-def fill_normals(
-    w: Any, out: int, count: int, index: Any, first: int, time: int, purpose: int, half: int, seed: int
-) -> None:  # fmt: skip
-    """Rows `out` and `out` + 1 of a block: two normal numbers for each robot from `first` on, at whole `time`. Of the
-    four that a purpose has, `half` 0 gives the first two and 1 the others."""
+def fill_normals(block: RobotBlock, out: int, time: int, purpose: int, half: int, seed: int) -> None:
+    """Rows `out` and `out` + 1 of a block: two normal numbers for each robot, at whole `time`. Of the four that a
+    purpose has, `half` 0 gives the first two and 1 the others."""
     c0, c3, key = np.uint64(time), np.uint64(purpose), np.uint64(seed)
     k0, k1, second = key & _LOW, key >> _SHIFT, half > 0
-    for i in range(count):
-        robot = item(index, first + i)
+    for i in range(block.robots):
+        robot = item(block.index, block.first + i)
         r0, r1, r2, r3 = philox(c0, robot & _LOW, robot >> _SHIFT, c3, k0, k1)
         a, b = normal_pair(r2 if second else r0, r3 if second else r1)
-        put(w, out, i, a)
-        put(w, out + 1, i, b)
+        put(block.w, out, i, a)
+        put(block.w, out + 1, i, b)
 
 
 @inlined

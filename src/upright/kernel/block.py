@@ -6,7 +6,7 @@ is straight-line code, which the compiler turns into vector instructions.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from upright.compiled.generated import (
     FORCE,
@@ -23,6 +23,7 @@ from upright.compiled.generated import (
     H,
 )
 from upright.compiled.jit import (
+    RobotBlock,
     absolute,
     fma,
     get,
@@ -82,6 +83,14 @@ from upright.kernel.rows import (
 )
 
 
+class Trace(NamedTuple):
+    """Where a period is recorded: in `out` from `place` on, robots being `size` apart."""
+
+    out: Any
+    place: int
+    size: int
+
+
 @njit
 def fill(w: Any, count: int, plan: Any, common: Any, rows: Any, table: Any, first: int) -> None:
     """Every row as `common` (r,) has it for all robots, then `rows` (v,) from those of `table` (v, n)."""
@@ -130,22 +139,21 @@ def drive(w: Any, count: int) -> None:
 
 
 @njit
-def arrive(
-    w: Any, count: int, ring: int, slots: int, k: int, stride: int, index: Any, first: int, seed: Any
-) -> int:  # fmt: skip
+def arrive(block: RobotBlock, ring: int, slots: int, k: int, stride: int, seed: Any) -> int:
     """The three commands that a motor may hold during period `k`: six rows from HOLD on in order of arrival, then two
     rows with the steps at which the second and the third arrive. Returns the largest of these steps.
 
     Rows from DEAD_TIME on: periods and steps of dead time, largest jitter in steps.
     """
-    last = 0
-    for i in range(count):
+    w, last = block.w, 0
+    for i in range(block.robots):
         j = k - int(get(w, DEAD_TIME, i))
         two = int(get(w, DEAD_TIME + 1, i))
         one, jitter = two - stride, int(get(w, DEAD_TIME + 2, i))
         if jitter > 0:
-            one += whole(item(index, first + i), j - 1, JITTER, seed, jitter + 1)
-            two = max(one, two + whole(item(index, first + i), j, JITTER, seed, jitter + 1))
+            robot = item(block.index, block.first + i)
+            one += whole(robot, j - 1, JITTER, seed, jitter + 1)
+            two = max(one, two + whole(robot, j, JITTER, seed, jitter + 1))
         for m in range(3):
             slot = ring + 2 * ((j - 2 + m) % slots)
             put(w, HOLD + 2 * m, i, get(w, slot, i))
@@ -320,11 +328,10 @@ def standing(w: Any, count: int) -> int:
 
 
 @njit
-def record(w: Any, count: int, rows: Any, many: int, out: Any, place: int, size: int, since: float) -> None:
-    """The `many` rows of every robot that stands or stood after `since` [s], into `out` from `place` on, where robots
-    are `size` apart; entries of the others stay as they are."""
+def record(w: Any, count: int, rows: Any, many: int, trace: Trace, since: float) -> None:
+    """The `many` rows of every robot that stands or stood after `since` [s]; entries of the others stay."""
     for m in range(many):
         row = item(rows, m)
         for i in range(count):
             if positive(get(w, H, i)) or get(w, LIVED, i) > since:
-                store(out, place + i * size + m, get(w, row, i))
+                store(trace.out, trace.place + i * trace.size + m, get(w, row, i))

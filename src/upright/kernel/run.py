@@ -1,15 +1,25 @@
 """The loop over time for one block of robots after another: the compiled counterpart of `experiment.run`.
 
-Tables are plain addresses here, read by `item`: they are quicker to compile, and to pass on, than arrays. Functions
-here and in `block` take all arguments by position, however many, since compiled code has no keyword-only ones.
+Tables are plain addresses here, read by `item`: they are quicker to compile, and to pass on, than arrays.
 """
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from upright.compiled.generated import LANES, LEFT, LIVED, PITCH
-from upright.compiled.jit import call_on_block, call_program, call_to_move, get, item, njit, put, row_of, store
+from upright.compiled.jit import (
+    RobotBlock,
+    call_on_block,
+    call_program,
+    call_to_move,
+    get,
+    item,
+    njit,
+    put,
+    row_of,
+    store,
+)
 from upright.compiled.random import fill_normals
 from upright.kernel import block as b
 from upright.kernel.rows import (
@@ -73,17 +83,26 @@ from upright.kernel.rows import (
 )
 
 
+class Ahead(NamedTuple):
+    """Steps of the next sample of a sensor, and of the next change of a push and of the slope."""
+
+    sensed: int
+    pushed: int
+    tilted: int
+
+
 @njit
-def draw(w: Any, count: int, plan: Any, index: Any, first: int, k: int, purpose: int, pair: int) -> None:
+def draw(block: RobotBlock, plan: Any, k: int, purpose: int, pair: int) -> None:
     """Normal numbers of period `k` for sensors of the kinds 2 `pair` and 2 `pair` + 1, in their rows from NOISE on, or
     from WALK on."""
     out = (WALK if purpose == FOR_WALK else NOISE) + 2 * pair
-    fill_normals(w, out, count, index, first, k, purpose + pair // 2, pair % 2, item(plan, SEED))
+    fill_normals(block, out, k, purpose + pair // 2, pair % 2, item(plan, SEED))
 
 
 @njit
-def sense_first(w: Any, count: int, plan: Any, sensors: Any, index: Any, first: int) -> None:
+def sense_first(block: RobotBlock, plan: Any, sensors: Any) -> None:
     """Sensors of a robot that has been at rest: delay lines are full of the first reading; offsets are drawn."""
+    w, count = block.w, block.robots
     if item(plan, ACCELEROMETER) != 0:
         call_on_block(item(plan, ACCELEROMETER), w, count, SPECIFIC_FORCE)
     for s in range(item(plan, SENSORS)):
@@ -93,7 +112,7 @@ def sense_first(w: Any, count: int, plan: Any, sensors: Any, index: Any, first: 
         for k in range(item(sensors, t + S_PLACES)):
             b.copy(w, row + S_LINE + k, row + S_TOUCH, count)
         if item(sensors, t + S_LOUD) & LOUD_BIAS:
-            draw(w, count, plan, index, first, 0 * kind, FOR_BIAS + 0 * kind, kind // 2)
+            draw(block, plan, 0 * kind, FOR_BIAS + 0 * kind, kind // 2)
             for i in range(count):
                 put(w, row + S_OFFSET, i, get(w, row + S_BIAS, i) * get(w, NOISE + kind, i))
 
@@ -126,8 +145,9 @@ def sense_all(w: Any, count: int, plan: Any, sensors: Any, now: int) -> int:
 
 
 @njit
-def read(w: Any, count: int, plan: Any, times: Any, sensors: Any, index: Any, first: int, k: int) -> None:
+def read(block: RobotBlock, plan: Any, times: Any, sensors: Any, k: int) -> None:
     """Rows `reading`: the readings at the start of period `k`; a sensor without a new sample holds its last reading."""
+    w, count = block.w, block.robots
     stride, drawn = item(plan, STRIDE), 0
     now = k * stride
     for s in range(item(plan, SENSORS)):
@@ -140,7 +160,7 @@ def read(w: Any, count: int, plan: Any, times: Any, sensors: Any, index: Any, fi
             done = 1 << (2 * pair + (purpose == FOR_WALK))
             if loud & part and not drawn & done:
                 drawn |= done
-                draw(w, count, plan, index, first, k, purpose, pair)
+                draw(block, plan, k, purpose, pair)
         passed = max(every, stride) if k > 0 else every
         value = row + S_LINE + (now // every) % item(sensors, t + S_PLACES)
         b.corrupt(w, count, value, row, kind, (passed * item(times, STEP)) ** 0.5)
@@ -155,8 +175,9 @@ def control(address: int, w: Any, count: int, plan: Any, constants: Any) -> None
 
 
 @njit
-def decide(w: Any, count: int, plan: Any, times: Any, constants: Any, index: Any, first: int, k: int) -> int:
+def decide(block: RobotBlock, plan: Any, times: Any, constants: Any, k: int) -> int:
     """The command of period `k`, into the delay line; returns the last of its steps at which a command arrives."""
+    w, count = block.w, block.robots
     if item(plan, RAMP_COUNT) > 0:
         t = k * item(plan, STRIDE) * item(times, STEP)
         b.refer(w, count, item(plan, RAMPS), item(plan, RAMP_COUNT), t)
@@ -172,7 +193,7 @@ def decide(w: Any, count: int, plan: Any, times: Any, constants: Any, index: Any
         return -1
     if item(plan, ALIKE):
         return b.arrive_alike(w, count, item(plan, RING), slots, k, item(plan, STRIDE))
-    return b.arrive(w, count, item(plan, RING), slots, k, item(plan, STRIDE), index, first, item(plan, SEED))
+    return b.arrive(block, item(plan, RING), slots, k, item(plan, STRIDE), item(plan, SEED))
 
 
 @njit
@@ -187,14 +208,10 @@ def write(w: Any, count: int, final: Any, lived: Any, counted: Any, first: int) 
 
 
 @njit
-def move(
-    w: Any, count: int, plan: Any, times: Any, sensors: Any, begin: int, last: int, sensed: int, pushed: int,
-    tilted: int,
-) -> Any:  # fmt: skip
-    """The bodies' steps of the period that begins at step `begin`, whose last command arrives `last` steps later.
-
-    Returns the steps of the next sample, the next change of a push, and the next change of the slope.
-    """
+def move(block: RobotBlock, plan: Any, times: Any, sensors: Any, begin: int, last: int, ahead: Ahead) -> Ahead:
+    """The bodies' steps of the period that begins at step `begin`, whose last command arrives `last` steps later."""
+    w, count = block.w, block.robots
+    sensed, pushed, tilted = ahead.sensed, ahead.pushed, ahead.tilted
     substeps, h, fallen = item(plan, SUBSTEPS), item(times, H_STEP), item(times, FALLEN_AT)
     for s in range(item(plan, STRIDE)):
         now = begin + s
@@ -208,7 +225,7 @@ def move(
             tilted = b.tilt(w, count, now)
         for r in range(substeps):
             call_to_move(item(plan, ADVANCE), w, count, fallen, (now * substeps + r + 1) * h)
-    return sensed, pushed, tilted
+    return Ahead(sensed, pushed, tilted)
 
 
 def entry(
@@ -225,33 +242,34 @@ def entry(
     step, h = item(times, STEP), item(times, H_STEP)
     end = (item(plan, PERIODS) + 1) * stride * step
     channels = item(plan, BEFORE) + item(plan, AFTER)
+    size = item(plan, HELD) * channels
     for first in range(start, stop, LANES):
         count = min(LANES, stop - first)
         b.fill(w, count, plan, common, rows, table, first)
-        sense_first(w, count, plan, sensors, index, first)
+        block = RobotBlock(w, count, index, first)
+        sense_first(block, plan, sensors)
         pushed, tilted = 0 if item(plan, PUSH_COUNT) > 0 else NEVER, 0 if item(plan, SLOPE) else NEVER
-        sensed = 0 if item(plan, SENSORS) > 0 else NEVER
+        ahead = Ahead(0 if item(plan, SENSORS) > 0 else NEVER, pushed, tilted)
         for k in range(item(plan, PERIODS)):
             if b.standing(w, count) == 0:
                 break
             begin = k * stride
             for r in range(item(plan, TRUTHS)):
                 b.copy(w, item(truth, 2 * r + 1), item(truth, 2 * r), count)
-            if begin >= sensed:
-                sensed = sense_all(w, count, plan, sensors, begin)
-            read(w, count, plan, times, sensors, index, first, k)
-            last = decide(w, count, plan, times, constants, index, first, k)
+            if begin >= ahead.sensed:
+                ahead = Ahead(sense_all(w, count, plan, sensors, begin), ahead.pushed, ahead.tilted)
+            read(block, plan, times, sensors, k)
+            last = decide(block, plan, times, constants, k)
             b.count_period(w, count, bands, begin * step)
             kept = every > 0 and k % every == 0
             place = (first * item(plan, HELD) + k // every) * channels if kept else 0
             if kept:
-                b.record(w, count, before, item(plan, BEFORE), trace, place, item(plan, HELD) * channels, end)
-            sensed, pushed, tilted = move(w, count, plan, times, sensors, begin, last, sensed, pushed, tilted)
+                b.record(w, count, before, item(plan, BEFORE), b.Trace(trace, place, size), end)
+            ahead = move(block, plan, times, sensors, begin, last, ahead)
             b.count_effort(w, count)
             if kept:
-                place += item(plan, BEFORE)
-                since = begin * step + h / 2
-                b.record(w, count, after, item(plan, AFTER), trace, place, item(plan, HELD) * channels, since)
+                since, place = begin * step + h / 2, place + item(plan, BEFORE)
+                b.record(w, count, after, item(plan, AFTER), b.Trace(trace, place, size), since)
             if item(plan, UPDATE) != 0:
                 control(item(plan, UPDATE), w, count, plan, constants)
         write(w, count, final, lived, counted, first)
