@@ -18,12 +18,13 @@ from test_lab_server import MODEL, Room, heard, kinds
 from upright.lab import desk as desk_module
 from upright.lab import display, stage_process
 from upright.lab import session as session_module
-from upright.lab.classroom import Door
+from upright.lab.classroom import MOST_STUDENTS, Door
 from upright.lab.codec import encode
 from upright.lab.desk import InlineDesk, ProcessDesk
 from upright.lab.hub import Client, Hub
 from upright.lab.mailbox import Mailbox
 from upright.lab.messages import VERSION, Ack, Change, Drag, Hello, Play, Save, Setup, Step, Strike
+from upright.lab.seat import BURDEN, LARGEST_CREDIT, Seat, paid
 from upright.lab.stage import Options, Stage
 
 HOSTILE = {
@@ -336,6 +337,7 @@ class FakeClerk:
 def test_at_the_desk_each_session_has_its_turn(monkeypatch, alone):
     """However many jobs one submits, another's waits for one of them at each of the desk's places, no more."""
     monkeypatch.setattr(desk_module, "_Clerk", FakeClerk)
+    monkeypatch.setattr(desk_module, "REST", 0.0)
     FakeClerk.done = []
     desk = ProcessDesk()
     for i in range(20):
@@ -346,6 +348,46 @@ def test_at_the_desk_each_session_has_its_turn(monkeypatch, alone):
         desk.poll()
     assert ("honest", "mine") in FakeClerk.done[:3]
     assert len(FakeClerk.done) >= 3
+
+
+def test_who_asks_again_and_again_does_not_begin_a_process_each_time(monkeypatch):
+    """Each takes the machine a third of a second, whatever becomes of it."""
+    monkeypatch.setattr(desk_module, "_Clerk", FakeClerk)
+    FakeClerk.done = []
+    desk = ProcessDesk()
+    for _ in range(20):
+        desk.submit(("hostile", "design"), "design", (), alone=True)
+        desk.poll()
+        desk.poll()
+    assert FakeClerk.done == [("hostile", "design")]
+    monkeypatch.setattr(desk, "_rested", {})  # two seconds later
+    desk.poll()
+    desk.poll()
+    assert len(FakeClerk.done) == 2
+
+
+def test_where_time_is_short_who_only_watches_comes_before_who_asks_for_much():
+    """By weight: four times the burden of half the weight is a fifth of it."""
+    watching, asking = (Seat(Path(), MODEL, credit=0.0, burden=burden) for burden in (0.0, 4 * BURDEN))
+    paid([asking, watching], 0.06)
+    assert (watching.credit, asking.credit) == pytest.approx((0.05, 0.01))
+    paid([asking, watching], 1.0)  # where there is enough, nobody is short
+    assert (watching.credit, asking.credit) == pytest.approx((LARGEST_CREDIT, LARGEST_CREDIT))
+    assert watching.quiet
+    assert not asking.quiet
+
+
+def test_one_address_has_no_more_new_robots_than_two_classes(classroom):
+    """Whoever comes and goes all the time would have the others wait while robots are made."""
+    said: list[str] = []
+    for i in range(2 * MOST_STUDENTS + 1):
+        client = Client(f"k{i}", Mailbox(), "10.0.0.9")
+        classroom.hub.receive(client, encode(Hello(VERSION, token="students", name="X")))
+        said += [m["reason"] for m in heard(client) if m["kind"] == "Refused"]
+        classroom.hub.leave(client)
+    assert [text for text in said if "too many new robots" in text] == said
+    assert said
+    assert goes_on(classroom, classroom.page("elsewhere", token="students", name="Ana"))
 
 
 def test_a_job_has_its_seconds_of_computing_on_a_busy_machine_too(monkeypatch):

@@ -22,7 +22,7 @@ from upright.errors import UprightError
 from upright.lab.classroom import MOST_STUDENTS, Door, token
 from upright.lab.codec import encode
 from upright.lab.hub import BURST, Client, Hub
-from upright.lab.mailbox import MOST_EVENTS, Mailbox
+from upright.lab.mailbox import AHEAD, MOST_EVENTS, Mailbox
 from upright.lab.messages import VERSION, Ack, Broadcast, Change, Drag, Hello, Setup
 from upright.lab.server import Lab, listening
 from upright.lab.stage import Options, Stage
@@ -132,16 +132,20 @@ def test_nothing_passes_before_hello(room):
     assert kinds(heard(client)) == ["Refused"]
 
 
-def test_a_client_gets_one_snapshot_until_it_acknowledges_and_then_the_latest(room):
+def test_a_client_gets_a_few_snapshots_until_it_acknowledges_and_then_the_latest(room):
     client = room.page("a")
     first = [m for m in heard(client) if m["kind"] == "Snapshot"]
     assert len(first) == 1
+    for _ in range(AHEAD - 1):
+        room.stage.pump(0.02)
+        first += [m for m in heard(client) if m["kind"] == "Snapshot"]
+    assert len(first) == AHEAD
     for _ in range(5):
         room.stage.pump(0.02)
     assert "Snapshot" not in kinds(heard(client))
     room.hub.receive(client, encode(Ack(first[0]["n"])))
     (latest,) = [m for m in heard(client) if m["kind"] == "Snapshot"]
-    assert latest["t"] == pytest.approx(first[0]["t"] + 0.1)  # five ticks later, not the first of the five
+    assert latest["t"] == pytest.approx(first[-1]["t"] + 0.1)  # five ticks later, not the first of the five
 
 
 def test_events_are_in_order_and_never_dropped():

@@ -125,7 +125,7 @@ async def _talk(foreign: Foreign, hub: Hub, book: Book, socket: WebSocket) -> No
         return
     await socket.accept()
     address = (socket.client.host, socket.client.port) if socket.client else ("", 0)
-    client = Client(secrets.token_hex(8), Mailbox())
+    client = Client(secrets.token_hex(8), Mailbox(), address[0])
     both = client.box.deliver(socket.send_text), _listen(hub, client, book, socket, address)
     tasks = [asyncio.create_task(task) for task in (*both, client.box.overflown.wait())]
     try:

@@ -9,7 +9,10 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import sys
+import threading
 import time
+import warnings
 from collections.abc import Callable
 from multiprocessing.connection import Connection
 from pathlib import Path
@@ -25,7 +28,8 @@ CROWDED = 120.0  # [s] the same while another session's job waits for its place
 BRIEF = 30.0  # [s] the same for what the one clerk does
 BUSY = 5.0  # times as long a job may last by the clock, on a machine where others compute too
 MOST_ALONE = 2  # jobs at a time, since the loop has the first claim on the machine
-MODEST = 5  # of nice: behind the loop, without starving on a machine where others work
+REST = 2.0  # [s] between the beginnings of two such jobs of one session: each takes a process
+MODEST = 15  # of nice: three jobs together leave nine tenths to the loop
 MEMORY = 4 << 30  # [bytes] of addresses for one job: a hostile file must not take the machine
 
 
@@ -64,6 +68,7 @@ class ProcessDesk:
         self._alone: dict[Key, _Clerk] = {}
         self._queue: dict[Key, tuple[str, tuple[Any, ...]]] = {}
         self._served: dict[str, float] = {}  # when a session's job was begun last
+        self._rested: dict[str, float] = {}  # from when on it may begin another process
 
     def submit(self, key: Key, task: str, args: tuple[Any, ...], alone: bool = False) -> None:
         self.cancel(key)
@@ -81,6 +86,7 @@ class ProcessDesk:
             if key[0] == session:
                 self.cancel(key)
         self._served.pop(session, None)
+        self._rested.pop(session, None)
 
     def poll(self) -> list[Word]:
         """What was done since, in order, without waiting; begins what can begin."""
@@ -105,11 +111,13 @@ class ProcessDesk:
             self._give(self._quick, self._waiting, list(self._waiting))
         while len(self._alone) < MOST_ALONE:
             busy = {session for session, _ in self._alone}
-            free = [key for key in self._queue if key[0] not in busy]
+            now = time.monotonic()
+            free = [key for key in self._queue if key[0] not in busy and self._rested.get(key[0], 0.0) <= now]
             if not free:
                 return
             clerk = _Clerk()
-            self._alone[self._give(clerk, self._queue, free)] = clerk
+            key = self._give(clerk, self._queue, free)
+            self._alone[key], self._rested[key[0]] = clerk, now + REST
 
     def _give(self, clerk: _Clerk, jobs: dict[Key, tuple[str, tuple[Any, ...]]], keys: list[Key]) -> Key:
         """Give the clerk the job of whoever was served longest ago."""
@@ -132,9 +140,17 @@ class _Clerk:
         context = multiprocessing.get_context("spawn")
         self._pipe, theirs = context.Pipe()
         self._process = context.Process(target=_work, args=(theirs,), daemon=True)
-        self._process.start()
+        starting = threading.Thread(target=self._start)
+        starting.start()
+        starting.join()
         theirs.close()
         self.idle, self.dead, self._key, self._since, self._before = True, False, ("", ""), 0.0, 0.0
+
+    def _start(self) -> None:
+        """From a thread, whose modesty the process has from its beginning on where the system counts it by threads."""
+        if sys.platform == "linux":
+            os.nice(MODEST)
+        self._process.start()
 
     def give(self, key: Key, task: str, args: tuple[Any, ...]) -> None:
         self.idle, self._key, self._since, self._before = False, key, time.monotonic(), self._computed()
@@ -187,6 +203,7 @@ def _work(pipe: Connection) -> None:
         pipe.send(("progress", round(fraction, 3)))
 
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    warnings.simplefilter("ignore")  # of a student's numbers: the result says what is wrong
     _be_modest()
     while True:
         try:
@@ -198,7 +215,7 @@ def _work(pipe: Connection) -> None:
 
 
 def _be_modest() -> None:
-    if hasattr(os, "nice"):
+    if hasattr(os, "nice") and sys.platform != "linux":
         os.nice(MODEST)
     try:
         import resource

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
+from threading import Thread
 from typing import Any
 
 from upright.atomic import TemporaryFolder
@@ -21,7 +22,8 @@ from upright.lab.mailbox import Mailbox
 from upright.lab.messages import VERSION, Ack, Board, Broadcast, Change, Hello, Notice, Refused, Setup, Welcome
 from upright.lab.stage_process import StageLink, Words
 
-BURST, STEADY = 400.0, 200.0  # messages of `SHORT` characters at once, and a second, from one client
+BURST, STEADY = 300.0, 130.0  # messages of `SHORT` characters at once, and a second, from one client
+OPENED, OPENING = 2.0 * MOST_STUDENTS, 0.2  # robots that one address may have made at once, and a second
 SHORT = 1000  # characters: a longer message counts as several
 MOST_PAGES = 6  # that show one robot
 PATIENCE = 100  # messages that are none, after which a client is let go
@@ -32,10 +34,11 @@ FORGOTTEN = 900.0  # [s] that a session is kept without anybody watching it
 
 @dataclass
 class Client:
-    """One page. `session` is empty until its `Hello`; `closed` is the reason why it was disconnected."""
+    """One page, at the address `host`. `session` is empty until its `Hello`; `closed` is why it was disconnected."""
 
     key: str
     box: Mailbox
+    host: str = ""
     session: str = ""
     role: Role = "alone"
     closed: str = ""
@@ -65,6 +68,7 @@ class Hub:
         self.stats: asyncio.Queue[Any] = asyncio.Queue()
         self._stages = list(stages)
         self._setup = CLASS_SETUP if door.is_class else Setup()
+        self._opened: dict[str, Bucket] = {}
 
     def begin(self) -> None:
         """Listen to the stages, from within the running event loop."""
@@ -119,6 +123,7 @@ class Hub:
     def sweep(self) -> None:
         """Forget sessions that nobody has watched for long."""
         now = time.monotonic()
+        self._opened = {host: bucket for host, bucket in self._opened.items() if not bucket.full()}
         for name, entry in list(self.entries.items()):
             if not entry.clients and now - entry.left > FORGOTTEN:
                 self._end(name)
@@ -152,6 +157,8 @@ class Hub:
             )  # fmt: skip
         client.role = self.door.role(hello)
         known = hello.session in self.entries
+        if not known and not self._opened.setdefault(client.host, Bucket(OPENED, OPENING)).take(1.0):
+            raise NotAdmitted("too many new robots from this address", hint="wait a minute and reload the page")
         client.session = hello.session if known else self._open(client.role, hello)
         entry = self.entries[client.session]
         if len(entry.clients) >= MOST_PAGES:
@@ -192,7 +199,7 @@ class Hub:
         entry = self.entries.pop(name)
         self.scores.forget(name)
         self._stages[entry.stage].say("close", name)
-        shutil.rmtree(entry.folder, ignore_errors=True)
+        Thread(target=shutil.rmtree, args=(entry.folder, True), daemon=True).start()  # a disk may be slow
 
     def _broadcast(self, client: Client, message: Broadcast) -> None:
         if client.role != "teacher":

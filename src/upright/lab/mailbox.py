@@ -11,16 +11,19 @@ MOST_EVENTS, MOST_TEXT = 2000, 4 << 20
 dropped."""
 
 
+AHEAD = 3  # snapshots on their way: a busy server answers late, but no rarer
+
+
 class Mailbox:
     """A client that reads slowly delays nobody: `event` and `snapshot` return at once, whatever it does.
 
-    A snapshot is sent only after the one before has been acknowledged; meanwhile newer ones replace it.
+    A snapshot is sent only while fewer than `AHEAD` wait to be acknowledged; meanwhile newer ones replace it.
     """
 
     def __init__(self) -> None:
         self._events: deque[str] = deque()
         self._latest: dict[str, str] = {}
-        self._unacknowledged, self._size = False, 0
+        self._unacknowledged, self._size = 0, 0
         self._wake, self.overflown = asyncio.Event(), asyncio.Event()
 
     def event(self, text: str) -> None:
@@ -36,7 +39,7 @@ class Mailbox:
     def snapshot(self, text: str) -> None:
         """Replace the snapshot that waits."""
         self._latest["snapshot"] = text
-        if not self._unacknowledged:
+        if self._unacknowledged < AHEAD:
             self._wake.set()
 
     def board(self, text: str) -> None:
@@ -46,7 +49,7 @@ class Mailbox:
 
     def acknowledged(self) -> None:
         """The client has drawn what it was sent."""
-        self._unacknowledged = False
+        self._unacknowledged = max(0, self._unacknowledged - 1)
         if self._latest:
             self._wake.set()
 
@@ -68,6 +71,6 @@ class Mailbox:
                 return
             if board := self._latest.pop("board", ""):
                 await send(board)
-            if not self._unacknowledged and (text := self._latest.pop("snapshot", "")):
-                self._unacknowledged = True
+            if self._unacknowledged < AHEAD and (text := self._latest.pop("snapshot", "")):
+                self._unacknowledged += 1
                 await send(text)

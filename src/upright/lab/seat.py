@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 MOST_WAITING = 32  # words; a page that is served at all never has so many
 LARGEST_CREDIT = 0.2  # [s] of computing that a session saves up, so that a change of its robot is made at once
 QUIET = 0.15  # [s] of credit that say that a session has used little of late
+BURDEN, AWHILE = 0.05, 60.0  # [s] of computing for its own wishes that halve a session's part, forgotten in this time
 LONGEST_STEP = 1000  # periods that wait at most
 LATEST = (Broadcast, Change, Drag, Play, Scrub, StandUp, Steer)
 """Of two such messages in a row, the first need not be done."""
@@ -27,7 +28,9 @@ LATEST = (Broadcast, Change, Drag, Play, Scrub, StandUp, Steer)
 @dataclass
 class Seat:
     """`good` is the set-up to which the session is set back; `credit` [s] is the computing time that it may use; `at`
-    is the wall time up to which it was run, `last` that of its last turn; `watched` is how many pages show it."""
+    is the wall time up to which it was run, `last` that of its last turn; `watched` is how many pages show it. `burden`
+    [s] is the computing time that it took of late for more than to run as fast as the clock: where time is short, who
+    only watches comes before who asks for much."""
 
     folder: Path
     good: Setup
@@ -37,9 +40,15 @@ class Seat:
     at: float = 0.0
     last: float = 0.0
     watched: int = 0
+    burden: float = 0.0
     shown: tuple[Any, ...] = ()
     words: deque[tuple[str, Any]] = field(default_factory=deque[tuple[str, Any]])
     _full: bool = False
+
+    @property
+    def quiet(self) -> bool:
+        """Whether it has used little of late."""
+        return self.credit > QUIET and self.burden < BURDEN
 
     def put(self, kind: str, content: Any) -> bool:
         """Let a word wait for the session's turn; False where it is the first for which there is no room."""
@@ -66,10 +75,13 @@ class Seat:
 
 
 def paid(seats: Sequence[Seat], seconds: float) -> None:
-    """Share `seconds` of computing among those who have used some: who needs less leaves more for the others."""
-    for i, seat in enumerate(sorted(seats, key=lambda seat: -seat.credit)):
-        part = min(LARGEST_CREDIT - seat.credit, seconds / (len(seats) - i))
-        seat.credit, seconds = seat.credit + part, seconds - part
+    """Share `seconds` of computing among those who have used some, by weight: who needs less leaves more for the
+    others."""
+    weights = {id(seat): 1 / (1 + seat.burden / BURDEN) for seat in seats}
+    left = sum(weights.values())
+    for seat in sorted(seats, key=lambda seat: (LARGEST_CREDIT - seat.credit) / weights[id(seat)]):
+        part = min(LARGEST_CREDIT - seat.credit, seconds * weights[id(seat)] / left)
+        seat.credit, seconds, left = seat.credit + part, seconds - part, left - weights[id(seat)]
 
 
 class TookTooLong(Exception):

@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import os
 import time
+import warnings
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -22,7 +23,7 @@ from upright.lab.classroom import CLASS_SETUP
 from upright.lab.codec import encode
 from upright.lab.desk import ProcessDesk
 from upright.lab.messages import Notice, Setup, Step
-from upright.lab.seat import QUIET, Seat, paid, within
+from upright.lab.seat import AWHILE, Seat, paid, within
 
 if TYPE_CHECKING:
     from upright.lab.session import Session
@@ -34,6 +35,7 @@ FORGIVEN = 5.0  # [s] beyond which a session makes nothing good: the machine has
 REMEMBERED = 6000  # ticks whose lateness is kept, to be asked for
 SCORED = 0.25  # [s] between two boards
 SPENT = 0.8  # part of the wall time that all sessions may compute; the rest is for words and the desk
+RELIEF = 3.0  # times as long as such a session overran a tick it waits for its next turn
 SCANT = 0.15  # of it that one session may have in a tick whose time has run out
 AT_ONCE, PIECE = 5, 0.02  # periods of a `Step`, and [s] of simulated time, between two looks at the clock
 
@@ -68,6 +70,7 @@ class Stage:
         self._seats: dict[str, Seat] = {}
         self._door = Seat(Path(), CLASS_SETUP)  # who comes in pays from here: new sessions cannot be had for nothing
         self._out: list[tuple[str, str, Any]] = []
+        self._heavy = 0.0  # wall time from which on sessions that ask for much have their turn again
         self._scored, self._delays = 0.0, deque[float](maxlen=REMEMBERED)
 
     def take(self, word: tuple[Any, ...], now: float) -> None:
@@ -92,13 +95,22 @@ class Stage:
             if name in self._seats:
                 self._seats[name].put("report", (job, status, result))
         span = SPENT / self._options.rate
-        paid([self._door, *self._seats.values()], span)
-        spare = True
-        for name, seat in sorted(self._seats.items(), key=lambda item: -item[1].credit):  # who used least comes first
-            payer = seat if seat.session else self._door
-            if payer.credit > 0 and (spare or payer.credit > QUIET):  # who used little has its turn in every tick
+        everybody = [self._door, *self._seats.values()]
+        for seat in everybody:
+            seat.burden *= 1 - 1 / (AWHILE * self._options.rate)
+        paid(everybody, span)
+        turns = [(name, seat, seat if seat.session else self._door) for name, seat in self._seats.items()]
+        turns = [turn for turn in turns if turn[1].session or turn[1].watched]  # who has gone again is not let in
+        turns.sort(key=lambda turn: (not turn[2].quiet, -turn[1].credit))
+        spare, others = True, bool(turns and turns[0][2].quiet)
+        for name, seat, payer in turns:
+            light = payer.quiet  # who used little has its turn first, and in every tick
+            if payer.credit > 0 and (light or (spare and now >= self._heavy)):
                 self._turn(name, seat, payer, now, min(payer.credit, span if spare else SCANT * span))
-                spare = self._wall() < due + span
+                over = self._wall() - due - span
+                spare = over < 0
+                if others and not light and over > 0:
+                    self._heavy = now + RELIEF * over
         self._at_work("")
         if now - self._scored >= SCORED:
             self._scored = now
@@ -131,18 +143,23 @@ class Stage:
         self._at_work(name)
         try:
             with within(self._options.longest):
-                self._served(name, seat, now, began + most)
+                self._served(name, seat, payer, now, began + most)
         except Exception as error:  # whatever it was, the others go on
             self._set_back(name, seat, error)
         payer.credit -= self._used() - began
 
-    def _served(self, name: str, seat: Seat, now: float, end: float) -> None:
-        standing = seat.session.setup if seat.session else None
-        while seat.words and self._used() < end:
-            self._word(name, seat, *seat.words.popleft())
+    def _served(self, name: str, seat: Seat, payer: Seat, now: float, end: float) -> None:
+        standing, began = seat.session.setup if seat.session else None, self._used()
+        try:
+            while seat.words and self._used() < end:
+                self._word(name, seat, *seat.words.popleft())
+        finally:
+            payer.burden += self._used() - began
         if seat.session is None:
             return
+        began = self._used()
         self._run(seat, seat.session, now, end)
+        payer.burden += (self._used() - began) * max(0.0, 1 - 1 / seat.session.speed)
         for event in seat.session.events():
             self._say(name, event)
         if seat.watched and (moment := seat.session.moment()) != seat.shown:
@@ -220,6 +237,7 @@ def perform(pipe: Connection, options: Options, at_work: Any) -> None:
     """
     if hasattr(os, "setsid"):
         os.setsid()  # Ctrl-C is the server's, and its jobs end with the stage
+    warnings.simplefilter("ignore")  # of numbers that students ask for: what comes of them is said to the page
     for slow in ("upright.bodies.twin", "upright.lab.session"):
         import_module(slow)  # before the first page asks for them
 
