@@ -143,6 +143,10 @@ class FaultyBody:
             values = self.readings[0]
         if on and self._is("gyro bias"):
             values = self._biased(values, t)
+        if self._is("sensor stuck"):
+            values, place = values.copy(), self.names.index(self.fault.way)
+            self.stuck_at = values[place] if not on else self.stuck_at
+            values[place] = self.stuck_at
         if on and self._is("weak battery") and "sensor/battery" in self.names:
             values = values.copy()
             values[self.names.index("sensor/battery")] *= self._left(t)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
 import sys
@@ -22,6 +23,7 @@ from upright.cli.main import main
 from upright.control import LinearController, make_controller, write_controller
 from upright.control.delay import RAW
 from upright.diagnose import PostMortem, post_mortem
+from upright.diagnose.fall import stuck_sensor
 from upright.diagnose.fault_fits import fits
 from upright.diagnose.innovations import follow
 from upright.diagnose.signatures import bank
@@ -97,6 +99,38 @@ PLANTED: dict[str, dict[str, Any]] = {
 def test_planted_cause_is_named_from_the_data_alone(cause: str) -> None:
     found = post_mortem(logged(cause, **PLANTED[cause]), NXT, KIT)
     assert found.verdict == cause, str(found)
+    assert not found.check()
+
+
+def test_a_sensor_that_stands_still_while_another_moves_is_stuck() -> None:
+    # what the controller reads is stuck from `ONSET` on, as by a plug that came off; the robot falls by it
+    found = post_mortem(logged("sensor stuck", "sensor/gyro"), NXT, KIT)
+    assert found.verdict == "sensor stuck", str(found)
+    assert "gyro" in found.causes[0].evidence
+    assert found.onset == pytest.approx(ONSET, abs=0.1)
+
+
+def test_an_encoder_is_stuck_where_the_other_one_moves_and_not_where_it_rests_too() -> None:
+    t = np.arange(300) * 0.01
+    turning, still = np.round(3 * t, 2), np.where(t < 2, np.round(3 * t, 2), 6.0)
+    both = {"sensor/gyro": np.sin(t), "sensor/encoder_left": still}
+    stuck = stuck_sensor(Log(t, both | {"sensor/encoder_right": turning}), KIT, 2.9)
+    assert stuck is not None
+    assert stuck.channel == "sensor/encoder_left"
+    assert stuck.start == pytest.approx(2.0, abs=0.02)
+    assert stuck_sensor(Log(t, both | {"sensor/encoder_right": still}), KIT, 2.9) is None
+
+
+def test_reversed_motors_are_named_from_a_log_of_a_third_of_a_second() -> None:
+    law = designed()
+    wrong = dataclasses.replace(law, C=-law.C, Dy=-law.Dy, Dr=-law.Dr)
+    push = Impulse(impulse=0.02, start=0.0, duration=0.02)
+    log = run(Electronics(Twin(NXT), KIT), wrong, push, seconds=4.0, seed=2)
+    names = [n for n in log.channels if n.startswith(("sensor/", "command/"))]
+    short = Log(log.t, {n: log[n] * (-1 if n.startswith("command/") else 1) for n in names})
+    assert 20 <= len(short) < 100
+    found = post_mortem(short, NXT, KIT)
+    assert found.verdict == "motor or sensor reversed", str(found)
     assert not found.check()
 
 
