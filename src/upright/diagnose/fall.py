@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 
 from upright.control.delay import rolling
 from upright.control.mpc import largest_command
-from upright.diagnose.innovations import FilterRun
+from upright.diagnose.innovations import FULL_RANGE, FilterRun
 from upright.doctor.finding import FALLING, Record, Segment
 from upright.doctor.poses import segments
+from upright.logs.raw import RATES
 from upright.logs.recording import commanded
 from upright.physics.linear import linearise
 from upright.robots import Kit, Robot
@@ -25,6 +26,8 @@ FELL = 0.8  # [rad] lean at the end of a log that only falling robots have, unle
 LEANING = 0.7  # [rad] lean that counts as the fall: up to it the seconds before are examined
 LOST_END = 0.2  # [s] before the log's end at which the filter has stopped where the robot toppled
 PLAUSIBLE = 0.4  # [rad] of the filter's pitch where a fall begins: beyond, the filter has lost the robot
+STUCK = 0.2  # [s] up to the fall, of one and the same reading: a moving robot repeats itself a few times at most
+STUCK_STEPS, STUCK_MOVES = 20, 0.4  # steps, and [rad or rad/s], by which another sensor moves meanwhile
 STILL_GRAINS = 2  # encoder steps that wheels must turn before a repeated reading cannot be true
 
 
@@ -173,6 +176,38 @@ def frozen_rows(run: FilterRun) -> Mask:
     turned[run.sample[commands]] = np.abs(run.after[commands, 3] - run.after[commands, 1]) * log.period
     grain = max((s.quantum for n, s in run.kit.sensors.items() if "encoder" in n), default=0.0)
     return stale & (turned > STILL_GRAINS * grain)
+
+
+@dataclass(frozen=True)
+class StuckSensor:
+    """A sensor, by its channel, that gave one and the same `reading` from `start` [s] on to the fall, while others
+    moved."""
+
+    channel: str
+    reading: float
+    start: float
+
+
+def stuck_sensor(log: Log, kit: Kit, end: float) -> StuckSensor | None:
+    """The sensor that stood still up to `end` [s] while an encoder, or for an encoder the other one, moved by far more
+    than a step; None where there is none. A reading at the end of its range is clipped, not stuck."""
+    encoders = [n for pair in RATES.items() for n in pair if n in log]
+    upto = log.t <= end
+    for name in [n for n in ("sensor/gyro", *encoders) if n in log]:
+        sensor = kit.sensors.get(name)
+        readings = log[name][upto]
+        changes = np.flatnonzero(np.diff(readings) != 0)
+        first = int(changes[-1]) + 1 if len(changes) else 0
+        start = float(log.t[first])
+        clipped = sensor is not None and abs(float(readings[-1])) >= FULL_RANGE * sensor.range
+        others = [n for n in encoders if n != name and ("rate" in n) == ("rate" in encoders[0])]
+        if end - start < STUCK or clipped or not np.isfinite(readings[-1]):
+            continue
+        moves = [float(np.ptp(np.nan_to_num(log[n][upto][first:]))) for n in others]
+        grains = [STUCK_STEPS * kit.sensors[n].quantum if n in kit.sensors else 0.0 for n in others]
+        if any(m > max(g, STUCK_MOVES) for m, g in zip(moves, grains, strict=True)):
+            return StuckSensor(name, float(readings[-1]), start)
+    return None
 
 
 def without(log: Log, rows: Mask) -> Log:

@@ -22,7 +22,7 @@ from upright.atomic import finite
 from upright.control import Controller, controller_hash, read_controller
 from upright.diagnose.evidence import Evidence, Series, gather, series_of
 from upright.diagnose.fall import against, last_fall
-from upright.diagnose.verdict import CANNOT_TELL, NO_FALL, Cause, ranked
+from upright.diagnose.verdict import CANNOT_TELL, NO_FALL, Cause, ranked, reversed_causes
 from upright.doctor.finding import FEWEST as FEWEST_POSES
 from upright.errors import InvalidLog, InvalidRobot
 from upright.logs.mapping import Mapping as Columns
@@ -161,11 +161,12 @@ def _short(log: Log, head: dict[str, Any]) -> PostMortem:
     if len(log) < FEWEST_POSES:
         raise InvalidLog(f"the log has {len(log)} samples", expected=f"at least {FEWEST_POSES} to see a fall")
     fall = last_fall(log)
-    notes = (f"{len(log)} rows show poses only; causes need {FEWEST}",)
+    causes = reversed_causes(against(log, fall), fall.start) if fall else ()
     return PostMortem(
-        verdict=CANNOT_TELL if fall else NO_FALL, causes=(), fell_at=fall.stop if fall else math.nan,
-        onset=fall.start if fall else math.nan, missing=(f"{FEWEST} rows",) if fall else (),
-        notes=notes + (against(log, fall) if fall else ()), series=Series.none(), **head,
+        verdict=causes[0].name if causes else CANNOT_TELL if fall else NO_FALL, causes=causes,
+        fell_at=fall.stop if fall else math.nan, onset=fall.start if fall else math.nan,
+        missing=(f"{FEWEST} rows",) if fall else (),
+        notes=(f"{len(log)} rows show poses only; other causes need {FEWEST}",), series=Series.none(), **head,
     )  # fmt: skip
 
 

@@ -14,13 +14,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from upright.diagnose.evidence import EXCURSION, FOREIGN, Demand, Evidence
-from upright.diagnose.fall import LEANING
+from upright.diagnose.fall import LEANING, stuck_sensor
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
 
 NO_FALL, CANNOT_TELL = "it did not fall", "cannot tell"
 SATURATION, BIAS, DROPPED, SLIP, BATTERY = "saturation", "gyro bias", "dropped samples", "wheel slip", "weak battery"
 PUSH, DELAY, LOW, HIGH = "push too large", "delay grown", "gain too low", "gain too high"
-CAUSES = (SATURATION, BIAS, DROPPED, SLIP, BATTERY, PUSH, DELAY, LOW, HIGH)
+STUCK, REVERSED = "sensor stuck", "motor or sensor reversed"
+CAUSES = (SATURATION, BIAS, DROPPED, SLIP, BATTERY, PUSH, DELAY, LOW, HIGH, STUCK, REVERSED)
 
 NAMES = {"bias": BIAS, "weak": BATTERY, "delay": DELAY, "slip": SLIP, "dropped": DROPPED}
 
@@ -71,6 +72,8 @@ REPAIRS = {
     DELAY: "find the cause of the delay (bus, filter, sensor mode), or design for it",
     LOW: "raise the gain again, or design a new controller (`upright design`)",
     HIGH: "lower the gain again, or design a new controller (`upright design`)",
+    STUCK: "check the plug and the cable of the sensor, and whether its wheel is jammed",
+    REVERSED: "turn the motor or the sensor round, or its sign in the program's first constants",
     CANNOT_TELL: "",
 }
 
@@ -115,6 +118,15 @@ def ranked(evidence: Evidence) -> tuple[Cause, ...]:
     )
 
 
+def reversed_causes(notes: Sequence[str], onset: float) -> tuple[Cause, ...]:
+    """The causes of a fall in which something worked against its purpose, by what `fall.against` says of it."""
+    if not notes:
+        return ()
+    rest = 1 - LIKELY
+    first = Cause(REVERSED, LIKELY, onset, "; ".join(notes), REPAIRS[REVERSED])
+    return first, Cause(CANNOT_TELL, rest, onset, "too few rows to tell it from a push", REPAIRS[CANNOT_TELL])
+
+
 def _step(x: float, width: float) -> float:
     """From 0 to 1 round x = 0 over some `width`s (logistic)."""
     return 1 / (1 + math.exp(-min(max(x / width, -50.0), 50.0)))
@@ -128,6 +140,17 @@ def _stuck(evidence: Evidence) -> list[_Answer]:
     name, why = (SATURATION, "the motors were at their limit") if pegged else (DROPPED, "the loop did not run")
     text = f"no command changed in the last {EXCURSION:g} s, while the robot fell: {why}"
     return [_Answer(FACT, name, _since(evidence), text)]
+
+
+def _stuck_sensor(evidence: Evidence) -> list[_Answer]:
+    """Whether a sensor gave one and the same reading up to the fall, while another moved."""
+    stuck = stuck_sensor(evidence.run.log, evidence.run.kit, evidence.fell_at)
+    if stuck is None:
+        return []
+    name, since = stuck.channel.removeprefix("sensor/").replace("_", " "), evidence.fell_at - stuck.start
+    text = f"the {name} reads {stuck.reading:.3g} in every row of the last {since:.2g} s, while the wheels turn"
+    jam = "; a jammed wheel looks alike" if "encoder" in stuck.channel else ""
+    return [_Answer(FACT, STUCK, stuck.start, text + jam)]
 
 
 def _changed_gain(evidence: Evidence) -> list[_Answer]:
@@ -260,7 +283,7 @@ def _weak_or_wild(evidence: Evidence) -> list[_Answer]:
 
 
 QUESTIONS: tuple[Callable[[Evidence], list[_Answer]], ...] = (
-    _stuck, _changed_gain, _lost, _changed_robot, _pushed, _steady_load, _demanded, _weak_or_wild,
+    _stuck, _stuck_sensor, _changed_gain, _lost, _changed_robot, _pushed, _steady_load, _demanded, _weak_or_wild,
 )  # fmt: skip
 
 
