@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.calibrate.calibrate import FREEDOM, calibrate, prepared, process
+from upright.calibrate.calibrate import FREEDOM, prepared, process
 from upright.calibrate.effects import RUN, SHARES, effects_of, maps_of, of_robot, respread
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.parameters import Parameter, parameters_of
@@ -37,10 +37,10 @@ def logged(friction: float, slope: float, seed: int, seconds: float = 5.0) -> Lo
 def test_runs_share_a_robot_and_differ_in_what_is_theirs() -> None:
     """Three runs, their viscous friction from 0.7 to 1.3 of the robot's and on three slopes, at the kit's noise: each
     run's friction, slope and the robot's own numbers are within three deviations of the truth."""
-    logs = [logged(*effects, seed, 3.0) for seed, effects in enumerate(RUNS)]
+    logs = [logged(*effects, seed, 2.0) for seed, effects in enumerate(RUNS)]
     problem, _ = prepared(logs, PRIOR, NXT, (), 0.0)
     problem = replace(problem, noise=problem.noise | process(problem.recordings, PRIOR, FREEDOM / 10))
-    z, normal, *_ = gauss_newton(problem, np.zeros(len(problem.parameters)), iterations=8, tolerance=0.1)
+    z, normal, *_ = gauss_newton(problem, np.zeros(len(problem.parameters)), iterations=6, tolerance=0.2)
     C, names = np.linalg.inv(normal.hessian), [p.name for p in problem.asked]
     gain = TRUE.torque_constant / TRUE.motor_resistance
     for run_, (share, slope) in enumerate(RUNS):
@@ -53,15 +53,6 @@ def test_runs_share_a_robot_and_differ_in_what_is_theirs() -> None:
             i = names.index(name)
             spread = np.sqrt(map_[i] @ C @ map_[i])
             assert abs(own[i] - problem.asked[i].coordinate(value)) < 3 * spread + 0.05, (run_, name)
-
-
-def test_a_slope_is_a_constant_command() -> None:
-    """One run on a slope of 0.6°: M g R sin γ / 2 of each wheel against the motion, over the motor's gain."""
-    found = calibrate(logged(1.0, 0.010, 7, 3.0), PRIOR)
-    constant = found["constant_command"]
-    gain = TRUE.torque_constant / TRUE.motor_resistance
-    assert constant.low <= -SLOPE_TORQUE * 0.010 / gain <= constant.high
-    assert constant.shrink < 0.2
 
 
 def test_a_robot_is_the_mean_of_its_runs_and_as_unknown_as_they_differ() -> None:

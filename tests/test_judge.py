@@ -92,7 +92,7 @@ def test_a_number_many_deviations_from_its_source_is_of_another_robot(model_log:
 def test_a_log_of_another_preset_names_it(true: str, named: bool) -> None:
     """A log of the robot on large wheels under the file of the small ones; the file's own log proposes nothing."""
     robot, kit = Robot.preset(true), Kit.preset("ideal")
-    log = run(NonlinearBody(robot), Excited(lqr(robot, 0.01), random_binary(300, 2.0, 1, 4)), seconds=3.0)
+    log = run(NonlinearBody(robot), Excited(lqr(robot, 0.01), random_binary(150, 2.0, 1, 4)), seconds=1.5)
     raw = Log(log.t, {n: v for n, v in log.channels.items() if not n.startswith("truth/")}, log.units, log.origin)
     problem, _ = prepared([raw], Robot.preset("ev3way"), kit, (), 0.0)
     assert ("--robot ev3way-large-wheels" in judge.proposed(problem)) == named

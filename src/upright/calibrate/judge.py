@@ -69,7 +69,9 @@ def proposed(problem: Problem) -> str:
     least, own = min(left.values(), default=1.0), min(1 - predicts(robot), 1.0)
     if least > NEARER * own:
         return ""
-    level = sorted((n for n in left if left[n] <= LEVEL * least), key=lambda n: (named[n].kit != robot.kit, left[n]))
+    level = sorted(
+        (n for n in left if left[n] <= LEVEL * least), key=lambda n: (named[n].kit_name != robot.kit_name, left[n])
+    )
     stated = ", or ".join(f"--robot {name} (R² {1 - left[name]:.2f})" for name in level)
     return f"; half seconds are better predicted as they stand by other presets (this file: R² {1 - own:.2f}): {stated}"
 
