@@ -268,8 +268,8 @@ def _notes(
     if problem.temper < 1:
         notes.append(
             "The innovations are not white: the model leaves something out. "
-            f"The effective sample size is {problem.temper:.0%} of the readings, and the intervals of what is visible "
-            f"are {widening:.2g} times as wide as those of a right model."
+            f"The effective sample size is {problem.temper:.0%} of the readings, and the intervals are on average "
+            f"{widening:.2g} times as wide as those of a right model."
         )
     surprised = [f"{e.name} by {abs(e.shift):.1f}" for e in every if e.surprising]
     if surprised:
