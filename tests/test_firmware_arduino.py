@@ -107,6 +107,18 @@ def test_a_sensor_lost_in_a_run_stops_the_motors_or_is_started_anew(
     executor.close()
 
 
+def test_every_line_of_telemetry_has_its_own_time(sketch: tuple[Path, Firmware]) -> None:
+    """Ten periods of 10 ms from one to the next, by the cycles of the simulated processor."""
+    executor = balancing(sketch)
+    executor.run(0.45)
+    lines = [line.partition("*")[0].split() for line in executor.output() if line.startswith("T")]
+    assert all(len(words) == 7 for words in lines)
+    assert len(lines) >= 3
+    periods = {(int(b[1]) - int(a[1])) * 10 - (int(b[-1]) - int(a[-1])) for a, b in pairwise(lines)}
+    assert periods <= {-1, 0, 1}  # [ms]
+    executor.close()
+
+
 def test_a_bus_that_hangs_for_a_moment_is_survived(sketch: tuple[Path, Firmware]) -> None:
     """Two periods without a reading, less than the three that are allowed."""
     executor = balancing(sketch)

@@ -335,13 +335,14 @@ static void put(char *line, long value)
 static void telemetry()
 {
     char line[64] = "T";
-    if (count % TELEMETRY || Serial.availableForWrite() < 48)
+    if (count % TELEMETRY || Serial.availableForWrite() < 56)
         return;
     put(line, count);
     put(line, encoder_left);
     put(line, encoder_right);
     put(line, (long)results.duty_left);
     put(line, (long)results.duty_right);
+    put(line, (long)millis());
     send(line);
 }
 
