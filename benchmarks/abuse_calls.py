@@ -65,6 +65,7 @@ BASES = {
     "firmware": "lqr -t c", "monitor": "lines.txt", "robots": "", "sweep": "campaign.toml --workers 0",
     "bench-controllers": "", "calibrate": "run.csv", "excite": "-n 100 -s 2", "parity": "program.py controller.json",
     "fly": "program.py controller.json -y -s 5", "reproduce": "", "lab": "--no-browser",
+    "validate": "nxtway-gs run.csv", "example": "standing",
 }  # fmt: skip
 """What is right in a call of each command, and quick."""
 
