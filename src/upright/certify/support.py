@@ -39,6 +39,7 @@ GYRO_SCALE = 0.2  # [1] of robots as assumed estimates were up to 0.17 off: the 
 GYRO_NOISE = 3.0  # times the kit's: a guess counts as right within a factor of two, and its estimate has one of 1.5
 LOAD = 0.3  # [1] of the body's mass beyond its spread, with which the errors of its inertia and height go
 LEVEL = math.radians(1.0)  # [rad] of a floor that counts as level
+EARLIER = -2.0  # [periods] of less delay, which harms no loop
 LATER = 0.5  # [periods] of further delay that count as none
 CLOCK = 1e-3  # [s] resolution of a log's clock
 SAG = 2.0  # times the kit's: a guess counts as right within a factor of two
@@ -169,13 +170,14 @@ def _dynamics(log: Log, course: Course) -> list[Support]:
     fit = _Fit(path, np.column_stack([*columns, spreads]), len(columns), log.period)
     values, errors = fit.solved(path.errors)
     fitted = {name: (float(v), NORMAL * float(e)) for name, v, e in zip(names, values, errors, strict=True)}
+    lag = tuple(log.period * x for x in fitted["gyro delay"])
     mass, spread = robot.body_mass, float(np.std([r.body_mass for r in course.robots]))
     most_load = max(LOAD * mass, 2 * spread)
     numbers = [
         _of("motors' strength", "1", 1.0, fitted["strength"], STRENGTH),
         _of("difference of the motors", "1", 0.0, fitted["asymmetry"], UNEQUAL),
         _of("gyro's scale", "1", 1.0, fitted["gyro scale"], GYRO_SCALE),
-        _of("gyro's further delay", "s", 0.0, tuple(log.period * x for x in fitted["gyro delay"]), LATER * log.period),
+        replace(_of("gyro's further delay", "s", 0.0, lag, LATER * log.period), least=EARLIER * log.period),
         _of("body's mass", "kg", mass, tuple(mass * x for x in fitted["load"]), most_load),
         _slope(path, log.period, robot),
         *_noise(log, kit),
@@ -315,7 +317,7 @@ def _delay(fit: _Fit, path: _Path, motors: Array, period: float) -> Support:
     # neighbours of the best are not told apart from it by half a step of the grid
     value, low, high = period * _profile(fit, path, DELAYS, shifted, motors)
     half = period * (DELAYS[1] - DELAYS[0]) / 2
-    return Support("further delay", "s", value, low - half, high + half, -2 * period, LATER * period)
+    return Support("further delay", "s", value, low - half, high + half, EARLIER * period, LATER * period)
 
 
 def _dead_zone(fit: _Fit, path: _Path, sent: Array, motors: Array, kit: Kit, unit: str) -> Support:
