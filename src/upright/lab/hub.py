@@ -7,7 +7,7 @@ import secrets
 import shutil
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import KW_ONLY, dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from threading import Thread
@@ -39,6 +39,7 @@ class Client:
     key: str
     box: Mailbox
     host: str = ""
+    _: KW_ONLY
     session: str = ""
     role: Role = "alone"
     closed: str = ""

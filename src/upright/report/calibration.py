@@ -44,12 +44,8 @@ def page_of(calibration: Calibration) -> Page:
 def _title(c: Calibration) -> str:
     if c.refused:
         return f"The log does not describe {c.robot.name}"
-    return f"{c.robot.name}: the log determines {_determined(c)} parameters"
-
-
-def _determined(c: Calibration) -> str:
-    """How many of the parameters are visible."""
-    return f"{sum(e.verdict == VISIBLE for e in c.parameters)} of {len(c.parameters)}"
+    visible = sum(e.verdict == VISIBLE for e in c.parameters)
+    return f"{c.robot.name}: the log determines {visible} of {len(c.parameters)} parameters"
 
 
 def _sentence(text: str) -> str:
@@ -62,7 +58,6 @@ def _numbers(c: Calibration) -> list[tuple[str, str]]:
     name, value = min(worst, key=lambda pair: pair[1]) if worst else ("", math.nan)
     return [
         (f"{pole.value:.3g} 1/s", f"unstable pole, 95 %: {pole.low:.3g} to {pole.high:.3g}"),
-        (_determined(c), "parameters determined by the log"),
         (
             cell_text(value, 3),
             f"R² of half seconds, smallest of all sensors ({name.removeprefix('sensor/').replace('_', ' ')})",

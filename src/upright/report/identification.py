@@ -12,7 +12,6 @@ from upright.identify.methods import TITLES
 from upright.plotting import legend, line, numbered, panels, plane, points
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
-from upright.tables import sentence
 
 
 def page_of(compared: MethodComparison) -> Page:
@@ -47,24 +46,17 @@ def _between(compared: MethodComparison) -> str:
 
 
 def _title(compared: MethodComparison) -> str:
-    """Which model predicts the held-out part best, and the pole it gives."""
-    name = compared.samples.robot.name
-    ranked = _ranked(compared)
-    if len(ranked) < 2:
+    """Whose regulator holds the robot best, or what the poles are where there is only one method."""
+    name, ranked = compared.samples.robot.name, _ranked(compared)
+    if len(compared.models) < 2 or not compared.trials:
         return f"{name}: unstable pole {_between(compared)}"
-    best = compared.models[ranked[0]]
-    return f"{sentence(ranked[0], '')} predicts {name} best: unstable pole {cell_text(best.pole.value, 3)} 1/s"
+    return f"{name} is held best with the {ranked[0]} model" if ranked else f"No model's regulator holds {name}"
 
 
 def _ranked(compared: MethodComparison) -> list[str]:
-    """Methods, the one first that predicts the held-out part best over the longest horizon."""
-    return sorted(compared.models, key=lambda name: -_fit(compared.models[name]))
-
-
-def _fit(model: Identified) -> float:
-    """Mean fit [%] of all outputs over the longest horizon; −∞ where a prediction diverges."""
-    fits = list(list(model.fits.values())[-1].values()) if model.fits else []
-    return float(np.mean(fits)) if fits and np.isfinite(fits).all() else -math.inf
+    """Methods whose regulators hold the robot, the one first after whose release it leans least."""
+    leans = {name: trial.largest or 0.0 for name, trial in compared.trials.items() if trial.holds}
+    return sorted(leans, key=leans.__getitem__)
 
 
 def _pole_figure(compared: MethodComparison) -> Figure:
@@ -74,10 +66,10 @@ def _pole_figure(compared: MethodComparison) -> Figure:
 
 
 def _numbers(compared: MethodComparison) -> list[tuple[str, str]]:
-    fits = {name: _fit(compared.models[name]) for name in _ranked(compared)[:3]}
-    ahead = next((list(m.fits)[-1] for m in compared.models.values() if m.fits), "")
-    text = f"fit {ahead} samples ahead:"
-    return [(f"{cell_text(fit, 3)} %", f"{text} {name}") for name, fit in fits.items() if fit > -math.inf]
+    ranked = _ranked(compared)[:3]
+    if len(compared.models) < 2 or not ranked:
+        return [(f"{cell_text(m.pole.value, 3)} 1/s", f"unstable pole by {n}") for n, m in compared.models.items()][:3]
+    return [(f"{cell_text(compared.trials[n].largest, 3)} rad", f"largest pitch with the {n} model") for n in ranked]
 
 
 _POLES = (
