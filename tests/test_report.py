@@ -148,7 +148,7 @@ def test_the_same_page_is_the_same_bytes(comparison, tmp_path):
 
 
 def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(comparison, tmp_path):
-    assert "<title>twin, linear, nonlinear compared</title>" in page_of(comparison).html()
+    assert "<title>2 runs follow twin; the worst, linear, fits " in page_of(comparison).html()
     assert "<title>Two &amp; one</title>" in report(comparison, tmp_path / "a.html", title="Two & one").read_text()
     with pytest.raises(UprightError, match="float has no page; expected a result: Comparison, Calibration") as error:
         report(1.0, tmp_path / "b.html")
