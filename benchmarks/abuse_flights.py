@@ -46,7 +46,7 @@ MAY_RUN = "motors may be running"
 
 NXC = """
 #define SECONDS 60
-struct log_row { int a; int b; int c; int d; int battery; int e; int f; };
+struct log_row { int a; int b; int c; int d; int battery; int e; int f; int time; };
 log_row row;
 byte handle;
 task main() {
@@ -58,7 +58,7 @@ task main() {
   SetOutput(OUT_B, Power, 30, OutputMode, OUT_MODE_MOTORON, RunState, OUT_RUNSTATE_RUNNING, UpdateFlags, 6);
   SetOutput(OUT_C, Power, 30, OutputMode, OUT_MODE_MOTORON, RunState, OUT_RUNSTATE_RUNNING, UpdateFlags, 6);
   row.battery = 8000;
-  while (true) { Write(handle, row); Wait(10); }
+  while (true) { Write(handle, row); row.time += 10; Wait(10); }
 }
 """
 """A program that drives for ever and keeps a log like that of a balancing one, of little work for a virtual brick."""

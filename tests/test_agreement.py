@@ -252,7 +252,7 @@ def test_a_calibrated_robots_file_says_how_its_errors_go_together() -> None:
                                                                       ("com_height", "visible")))  # fmt: skip
     names, root = ("track", "delay/gyro", "body_mass", "com_height"), np.random.default_rng(0).normal(size=(4, 4))
     calibration: Any = SimpleNamespace(
-        names=names, parameters=estimates, correlation=np.corrcoef(root @ root.T), robot=ROBOT
+        names=names, parameters=estimates, correlation=np.corrcoef(root @ root.T), robot=ROBOT, kit=None
     )
     robot = Calibration.known_robot(calibration)
     assert dict(robot.correlation) == {("com_height", "track"): pytest.approx(np.corrcoef(root @ root.T)[3, 0])}

@@ -52,7 +52,7 @@ class Flight:
     @property
     def drove(self) -> bool:
         """Whether a motor got a command that is not zero, by the log: without one nothing balances."""
-        return bool(self.log and any(self.log.log[name].any() for name in DRIVEN))
+        return bool(self.log and any(self.log.log[name].any() for name in DRIVEN if name in self.log.log))
 
     @property
     def balanced(self) -> bool:
