@@ -21,7 +21,7 @@ from upright.lab import session as session_module
 from upright.lab.classroom import MOST_STUDENTS, Door
 from upright.lab.codec import encode
 from upright.lab.desk import InlineDesk, ProcessDesk
-from upright.lab.hub import Client, Hub
+from upright.lab.hub import FORGOTTEN, SOON, Client, Entry, Hub
 from upright.lab.mailbox import Mailbox
 from upright.lab.messages import VERSION, Ack, Change, Drag, Hello, Play, Save, Setup, Step, Strike
 from upright.lab.seat import BURDEN, LARGEST_CREDIT, Seat, paid
@@ -388,6 +388,22 @@ def test_one_address_has_no_more_new_robots_than_two_classes(classroom):
     assert [text for text in said if "too many new robots" in text] == said
     assert said
     assert goes_on(classroom, classroom.page("elsewhere", token="students", name="Ana"))
+
+
+def test_a_robot_is_kept_as_long_as_it_was_used(classroom):
+    """A reload finds it; whoever only looked in leaves nothing behind for a quarter of an hour."""
+    ana = classroom.page("a", token="students", name="Ana")
+    entry = classroom.hub.entries[ana.session]
+    classroom.hub.leave(ana)
+    entry.came = entry.left - 5.0
+    entry.left -= SOON - 1
+    classroom.hub.sweep()
+    assert ana.session in classroom.hub.entries  # a reload within a minute
+    entry.left -= 2.0
+    classroom.hub.sweep()
+    assert ana.session not in classroom.hub.entries
+    assert Entry(0, Path(), MODEL, left=entry.came + 300.0, came=entry.came).kept == pytest.approx(300.0)
+    assert Entry(0, Path(), MODEL, left=entry.came + 1e5, came=entry.came).kept == FORGOTTEN
 
 
 def test_a_job_has_its_seconds_of_computing_on_a_busy_machine_too(monkeypatch):

@@ -29,7 +29,7 @@ MOST_PAGES = 6  # that show one robot
 PATIENCE = 100  # messages that are none, after which a client is let go
 RESTARTED = Notice("error", "the simulation stopped and was started again: all robots stand upright", "restarted")
 ENDED = Notice("error", "this robot stopped the simulation for all; the usual one stands here instead", "ended")
-FORGOTTEN = 900.0  # [s] that a session is kept without anybody watching it
+SOON, FORGOTTEN = 60.0, 900.0  # [s] that a session is kept at least, and at most, without anybody watching it
 
 
 @dataclass
@@ -56,6 +56,12 @@ class Entry:
     setup: Setup
     clients: dict[str, Client] = field(default_factory=dict[str, Client])
     left: float = 0.0
+    came: float = field(default_factory=time.monotonic)
+
+    @property
+    def kept(self) -> float:
+        """Seconds that it is kept when all have left: as long as it was used, within limits."""
+        return min(max(self.left - self.came, SOON), FORGOTTEN)
 
 
 class Hub:
@@ -126,7 +132,7 @@ class Hub:
         now = time.monotonic()
         self._opened = {host: bucket for host, bucket in self._opened.items() if not bucket.full()}
         for name, entry in list(self.entries.items()):
-            if not entry.clients and now - entry.left > FORGOTTEN:
+            if not entry.clients and now - entry.left > entry.kept:
                 self._end(name)
 
     def ask_stats(self) -> None:
