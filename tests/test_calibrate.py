@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import cmath
 import json
-from collections.abc import Mapping, Sequence
+import sys
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -22,7 +22,6 @@ from upright.calibrate.fitting import DRIVEN, LEVEL, events_of, normal_equations
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, parameters_of, with_values
 from upright.calibrate.threads import in_threads
 from upright.control import Estimated, kalman, lqr, make_controller
-from upright.control.controller import TRUE_STATE, ControllerSpec
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import run
@@ -32,6 +31,10 @@ from upright.physics.integrate import rk4_step
 from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Provenance, Robot
 from upright.signals import Log
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "benchmarks"))
+
+real_logs = pytest.importorskip("real_logs")
 
 PRIOR = Robot.preset("nxtway-gs")
 NXT = Kit.preset("nxt")
@@ -440,44 +443,6 @@ def test_twipr_is_foretold_for_half_a_second(shared: Path) -> None:
     assert found.segments["mean encoder_rate"] > 0.99
 
 
-class DelayedLaw:
-    """u = 0.020 v + 0.040 ψ + 0.006 ψ̇ ∓ 0.007 φ̇ + excitation [N m] every millisecond: the law of twipr's README, on
-    readings as late as its sensors; v [m/s] is the speed of the wheels relative to the body."""
-
-    spec = ControllerSpec("law of twipr's README", TRUE_STATE, 0.001, "N m")
-
-    def __init__(self, radius: float, delays: Mapping[str, float], log: Log) -> None:
-        self._radius, self._delays = radius, {name: round(d / 0.001) for name, d in delays.items()}
-        self._rows = np.searchsorted(log.t - log.t[0], np.arange(0.0, log.t[-1] - log.t[0], 0.001) + 1e-6) - 1
-        self._excitation = np.column_stack([log["excitation/left"], log["excitation/right"]])
-        self.reset()
-
-    def reset(self) -> None:
-        self._past: list[np.ndarray] = []
-        self._command = (0.0, 0.0)
-
-    def ago(self, sensor: str) -> np.ndarray:
-        return self._past[max(0, len(self._past) - 1 - self._delays[sensor])]
-
-    def step(self, measurement: np.ndarray, reference: np.ndarray) -> tuple[float, float]:
-        now = len(self._past)
-        self._past.append(measurement.copy())
-        if now == 0 or self._rows[now] > self._rows[now - 1]:  # held from one row of the log to the next
-            gyro, wheels, extra = self.ago("gyro"), self.ago("encoder"), self._excitation[self._rows[now]]
-            both = 0.020 * self._radius * (wheels[3] - wheels[1]) + 0.040 * gyro[0] + 0.006 * gyro[1]
-            self._command = (both - 0.007 * wheels[5] + extra[0], both + 0.007 * wheels[5] + extra[1])
-        return self._command
-
-    def estimate(self) -> tuple[float, ...]:
-        return ()
-
-    def applied(self, command: Sequence[float]) -> None:
-        pass
-
-    def to_json(self) -> dict[str, str]:
-        return {"kind": self.spec.kind}
-
-
 @pytest.mark.xdist_group("twipr")  # one calibration serves both
 @pytest.mark.needs("shared/data/twipr")
 def test_the_whole_loop_of_twipr_runs_freely_for_ten_seconds(shared: Path) -> None:
@@ -487,7 +452,7 @@ def test_the_whole_loop_of_twipr_runs_freely_for_ten_seconds(shared: Path) -> No
     path = shared / "data/twipr/run1.csv"
     log, result = raw_log(path), of_twipr(path)
     delays = {name: result[f"delay/{name}"].value for name in ("encoder", "gyro")}
-    law = DelayedLaw(result.robot.wheel_radius, delays, log)
+    law = real_logs.StatedLaw("run1", result, log)
     free = run(NonlinearBody(result.robot), law, seconds=float(log.t[-1] - log.t[0]))
 
     def r_squared(measured: np.ndarray, simulated: np.ndarray, delay: float) -> float:

@@ -2,7 +2,7 @@
 times differ from one run of a robot to the next.
 
 A run's own number is the robot's plus a deviation with a normal prior. Of several runs the spread of the deviations is
-estimated; of one alone nobody can tell its number from the robot's. The robot is told as the mean of its runs, with
+estimated; of one alone nobody can tell its number from the robot's. The robot is the mean of its runs, with
 intervals as wide as the spread between runs makes them.
 """
 
@@ -31,7 +31,7 @@ sensors at another moment."""
 
 OWN = {BATTERY: 0.5, CONSTANT: 1.0}
 """Standard deviation between runs, over that of the prior: half a supply's uncertainty is its charge, and every run has
-a floor of its own. These and the dead times are told of the log alone where there is one."""
+a floor of its own. Where there is one log, these and the dead times are those of this log."""
 
 WORTH = 2.0
 """[runs] What the stated spread counts where runs are there to estimate it from."""

@@ -314,7 +314,7 @@ def _delay(fit: _Fit, path: _Path, motors: Array, period: float) -> Support:
     def shifted(periods: float) -> Array:
         return np.column_stack([np.interp(rows - periods, rows, side) for side in motors.T])
 
-    # neighbours of the best are not told apart from it by half a step of the grid
+    # neighbours of the best cannot be distinguished from it by half a step of the grid
     value, low, high = period * _profile(fit, path, DELAYS, shifted, motors)
     half = period * (DELAYS[1] - DELAYS[0]) / 2
     return Support("further delay", "s", value, low - half, high + half, EARLIER * period, LATER * period)

@@ -1,7 +1,7 @@
 """The largest push from which a robot recovers, by direction, height and duration, with a band for its uncertainty.
 
-Where survival is not monotone the *first* border is told: the least impulse beyond which some push fells the robot. A
-larger one may be survived again; the map marks such points as islands.
+Where survival is not monotone the result is the *first* border: the least impulse beyond which some push fells the
+robot. A larger one may be survived again; the map marks such points as islands.
 
 A robot has *recovered* if it has not fallen (`bodies.body.FALLEN`) `watch` seconds after the push ended. The search
 itself runs only until `glance` seconds after the push, since most falls come soon; each result is then tried for the

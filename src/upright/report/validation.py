@@ -31,7 +31,7 @@ _SHIFTS = (
 
 def page_of(result: Validation) -> Page:
     """The validation's page, not yet written."""
-    worst = min(result.logs, key=lambda log: log.worst.r2)
+    worst = result.worst
     verdict = Verdict(result.verdict, "good" if result.verdict == PREDICTS else "warn")
     sections = [section for log in result.logs for section in _sections(log, len(result.logs) > 1)]
     title = f"{result.robot} {result.verdict} {'a log' if len(result.logs) == 1 else f'{len(result.logs)} logs'}"
@@ -44,8 +44,8 @@ def page_of(result: Validation) -> Page:
 
 
 def _numbers(result: Validation) -> list[tuple[str, str]]:
-    worst = min(result.logs, key=lambda log: log.worst.r2)
-    numbers = [(cell_text(worst.worst.r2, 3), f"R² of half seconds, {short(worst.worst.name)}")]
+    worst = result.worst.worst
+    numbers = [(cell_text(worst.r2, 3), f"R² of half seconds, {short(worst.name)}")]
     loops = [c for log in result.logs for c in log.loop]
     if loops:
         least = min(loops, key=lambda c: c.r2)

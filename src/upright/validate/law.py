@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ from upright.signals import Log
 from upright.signals.signal import STATE_NAMES
 
 Array = NDArray[np.float64]
+Values = TypeVar("Values", float, Array)
 
 EXPLAINED = 0.99  # [1] R² of the commands from which a law is known
 EXACT = 1e-6  # [1] unexplained fraction at which no further term is sought
@@ -114,9 +115,10 @@ class LinearLaw:
         return values
 
 
-def _paired(readings: Mapping[str, float]) -> dict[str, float]:
-    """Readings by name, those of two sides as `name` (their mean) and `name turn` (half their difference)."""
-    values: dict[str, float] = {}
+def _paired(readings: Mapping[str, Values]) -> dict[str, Values]:
+    """Readings, of a row or of all rows, by name; those of two sides as `name` (their mean) and `name turn` (half their
+    difference)."""
+    values: dict[str, Values] = {}
     for name in READINGS:
         sides = [readings.get(f"sensor/{name}_{side}") for side in ("left", "right")]
         if sides[0] is not None:
@@ -143,10 +145,7 @@ def law_of(log: Log, rows: Sequence[str]) -> LinearLaw | float:
 
 def _terms(log: Log, rows: Sequence[str]) -> dict[str, Array]:
     """What a command may depend on, each (rows,)."""
-    table: dict[str, Array] = {}
-    for i in range(len(log)):
-        for name, value in _paired({row: float(log[row][i]) for row in rows}).items():
-            table.setdefault(name, np.empty(len(log)))[i] = value
+    table = _paired({row: log[row] for row in rows})
     levels = {name: values for name, values in table.items() if np.isfinite(values).all()}
     for name, values in levels.items():
         table |= {f"step of {name}": np.diff(values, prepend=values[:1]), f"sum of {name}": np.cumsum(values)}

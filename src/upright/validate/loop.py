@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.bodies.body import FALLEN
 from upright.calibrate.fitting import Problem
 from upright.calibrate.stretch import Stretch
 from upright.logs.recording import Recording, commanded
@@ -22,7 +23,6 @@ Whole = NDArray[np.int64]
 
 PITCH = "estimate/pitch"
 FIRST = 0.5  # [s] of readings to which the first state is fitted
-TOPPLED = 1.4  # [rad] pitch beyond which the simulated robot lies
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,7 +92,7 @@ def closed_loop(problem: Problem, recording: Recording, z: Array, log: Log, kit:
     line.begin(plant.command)
     for event in order[start:]:
         plant.move(float(when[event]))
-        if not abs(plant.state[0]) < TOPPLED:
+        if not abs(plant.state[0]) < FALLEN:
             break
         kind, row = int(recording.kind[event]), int(sample[event])
         if kind >= 0:

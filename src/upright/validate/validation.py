@@ -118,16 +118,21 @@ class Validation(Shown):
     logs: tuple[LogJudged, ...]
 
     @property
+    def worst(self) -> LogJudged:
+        """The log that is predicted worst over half seconds."""
+        return min(self.logs, key=lambda log: log.worst.r2)
+
+    @property
     def verdict(self) -> str:
         """`PREDICTS` where every channel of every log is predicted over half seconds, `DOES_NOT` where one is predicted
         worse than by its mean."""
-        worst = min(log.worst.r2 for log in self.logs)
+        worst = self.worst.worst.r2
         return PREDICTS if worst >= GOOD else PARTLY if worst >= 0 else DOES_NOT
 
     @property
     def sentence(self) -> str:
         """The verdict with the number that decides it."""
-        log = min(self.logs, key=lambda one: one.worst.r2)
+        log = self.worst
         several = f" of {log.source}" if len(self.logs) > 1 else ""
         return (
             f"{self.robot} {self.verdict} {'this log' if len(self.logs) == 1 else f'these {len(self.logs)} logs'}: "
@@ -143,7 +148,7 @@ class Validation(Shown):
 
     def plot(self) -> Figure:
         """Readings of the worst log, measured and predicted for half a second at a time."""
-        return half_second_figure(min(self.logs, key=lambda log: log.worst.r2))
+        return half_second_figure(self.worst)
 
     def plot_loop(self) -> Figure | None:
         """The same readings, and those of the closed loop simulated freely; None where no law is known."""
