@@ -50,6 +50,14 @@ def test_the_robot_that_made_the_log_predicts_it_and_needs_no_change() -> None:
     assert log.shifts == ()
 
 
+def test_a_sensor_that_never_changes_is_named() -> None:
+    """What is left out of a verdict is said beside it: the plug of one encoder is out."""
+    log = log_of()
+    dead = up.Log(log.t, {**log.channels, "sensor/encoder_right": np.zeros(len(log))}, log.units, log.origin)
+    assert any("encoder right never changes" in note for note in up.validate(ROBOT, dead, KIT).logs[0].notes)
+    assert judged().notes == ()
+
+
 def test_planted_faults_are_what_would_have_to_move() -> None:
     # a winding of 1.6 times the resistance is one whose gain and damping are smaller: several numbers say so
     moved = {shift.name: shift for shift in judged("resistance").shifts}

@@ -26,11 +26,12 @@ from upright.control import Controller, read_controller
 from upright.errors import InvalidLog, SpecMismatch
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
+from upright.logs.recording import SENSOR
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
 from upright.validate.law import CommandLaw, LinearLaw, law_by, law_of
 from upright.validate.loop import FreeLoop, closed_loop
-from upright.validate.validation import LogJudged, Shift, Validation, channels_of, loop_channels
+from upright.validate.validation import LogJudged, Shift, Validation, channels_of, loop_channels, short
 
 Array = NDArray[np.float64]
 
@@ -79,6 +80,9 @@ def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> 
     law, words = _law(log, recording.rows, controller)
     loop: FreeLoop | None = closed_loop(problem, recording, z, log, kit, law) if law else None
     pushed = [n for n in ("push/force", "push/slope") if n in log and log[n].any()]
+    notes = ["The log was pushed, which no prediction here knows."] if pushed else []
+    dead = [short(n) for n in log.channels if n in SENSOR and n not in recording.rows and not np.ptp(log[n])]
+    notes += [f"The {name} never changes, and is not judged: look at its plug and its port." for name in dead]
     return LogJudged(
         source=str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log"))),
         samples=len(log),
@@ -87,7 +91,7 @@ def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> 
         law=words,
         loop=loop_channels(loop) if loop else (),
         shifts=_shifts(problem, limits),
-        notes=("The log was pushed, which no prediction here knows.",) if pushed else (),
+        notes=tuple(notes),
         segments=parts,
         simulated=loop,
     )
