@@ -183,3 +183,11 @@ def test_one_encoder_stands_for_both_wheels_only_where_no_side_is_named() -> Non
     assert propose(RawTable({"t": zeros, "enc": zeros})).channels.keys() == {*SENSORS[:2]}
     named = propose(RawTable({"t": zeros, "enc": zeros, "enc_l": zeros, "enc_r": zeros}))
     assert {s.column for s in named.channels.values()} == {"enc_l", "enc_r"}
+
+
+@pytest.mark.parametrize(("largest", "volts"), [(80.0, 6.4), (200.0, 8.0 * 200 / 255), (1023.0, 8.0)])
+def test_full_duty_is_the_smallest_usual_number_that_no_row_exceeds(largest: float, volts: float) -> None:
+    """A duty of 80 of 100, 200 of 255 and 1023 of 1023, on a battery of 8 V."""
+    columns = {"time_s": T, "gyro": GYRO, "pwm_left": largest * np.cos(4 * T), "vbat": np.full(N, 8.0)}
+    table = RawTable(columns)
+    assert apply(propose(table), table)["command/left"].max() == pytest.approx(volts, rel=1e-9)

@@ -34,24 +34,27 @@ STANDARD_GRAVITY = 9.80665
 
 @dataclass(frozen=True)
 class _Suspect:
-    """A channel group that may be too large by `factor`; `why` is the mistake in words."""
+    """What may be wrong, in words (`why`), and by which factors the gyro and the encoders are then too large."""
 
-    group: str
-    factor: float
     why: str
+    gyro: float = 1.0
+    encoder: float = 1.0
 
 
 _SUSPECTS = (
-    _Suspect("gyro", 1 / DEGREE, "degrees per second instead of radians per second"),
-    _Suspect("gyro", 10.0, "tenths of a radian per second instead of radians per second"),
-    _Suspect("gyro", DEGREE, "converted from degrees twice"),
-    _Suspect("gyro", 1000.0, "milliradians per second instead of radians per second"),
-    _Suspect("gyro", 1000.0 / DEGREE, "millidegrees per second instead of radians per second"),
-    _Suspect("encoder", 1 / DEGREE, "degrees instead of radians"),
-    _Suspect("encoder", 10.0, "tenths of a radian instead of radians"),
-    _Suspect("encoder", 1 / math.tau, "turns instead of radians"),
-    _Suspect("encoder", DEGREE, "converted from degrees twice"),
+    _Suspect("degrees per second instead of radians per second", gyro=1 / DEGREE),
+    _Suspect("tenths of a radian per second instead of radians per second", gyro=10.0),
+    _Suspect("converted from degrees twice", gyro=DEGREE),
+    _Suspect("milliradians per second instead of radians per second", gyro=1000.0),
+    _Suspect("millidegrees per second instead of radians per second", gyro=1000.0 / DEGREE),
+    _Suspect("degrees instead of radians", encoder=1 / DEGREE),
+    _Suspect("tenths of a radian instead of radians", encoder=10.0),
+    _Suspect("turns instead of radians", encoder=1 / math.tau),
+    _Suspect("converted from degrees twice", encoder=DEGREE),
+    _Suspect("degrees instead of radians in gyro and encoders", gyro=1 / DEGREE, encoder=1 / DEGREE),
+    _Suspect("gyro and encoders converted from degrees twice", gyro=DEGREE, encoder=DEGREE),
 )
+"""One mistake of a program each: who prints degrees prints them everywhere."""
 
 _FAULT = 6.0
 """Prior of a fault in natural log odds: one log in 400 has a given unit wrong."""
@@ -92,11 +95,11 @@ def scales(record: Record, robot: Robot | None = None) -> list[Finding]:
     usual = expected(robot)
     estimated = _estimated(record, m, fit.values)
     by_gravity = _gyro_by_gravity(record, m)
-    plain = _penalty(estimated, usual, by_gravity, _Suspect("none", 1.0, ""))
+    plain = _penalty(estimated, usual, by_gravity, _Suspect("none"))
     graded = sorted((_FAULT + _penalty(estimated, usual, by_gravity, s), i) for i, s in enumerate(_SUSPECTS))
     if graded[0][0] >= plain:
         return []
-    return [_wrong(_SUSPECTS[graded[0][1]], estimated, plain - graded[0][0], by_gravity)]
+    return _wrong(_SUSPECTS[graded[0][1]], estimated, plain - graded[0][0], by_gravity)
 
 
 def _estimated(record: Record, m: Resampled, values: tuple[float, ...]) -> dict[str, float]:
@@ -141,8 +144,7 @@ def _gyro_by_gravity(record: Record, m: Resampled) -> float:
 
 def _penalty(estimated: dict[str, float], usual: dict[str, tuple[float, float]], gravity: float, s: _Suspect) -> float:
     """Negative log prior density of the robot that results from correcting the suspect's scale."""
-    gyro = s.factor if s.group == "gyro" else 1.0
-    wheel = s.factor if s.group == "encoder" else 1.0
+    gyro, wheel = s.gyro, s.encoder
     divide = {"q": wheel / gyro, "p": wheel / gyro, "pitch": gyro, "wheel_rate": wheel, "back_emf": 1 / wheel}
     total = 0.0
     for name, divisor in divide.items():
@@ -158,17 +160,21 @@ def _penalty(estimated: dict[str, float], usual: dict[str, tuple[float, float]],
     return total
 
 
-def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float) -> Finding:
-    ratio = s.factor if s.group == "encoder" else 1 / s.factor
+def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float) -> list[Finding]:
+    ratio = s.encoder / s.gyro
     evidence = (
         f"{s.why}: as logged, the pendulum equation has q = {estimated['q']:.3g} and p = {estimated['p']:.3g} 1/s² "
     )
-    evidence += f"(robots: 1.2 to 15, 10 to 500); repaired: {estimated['q'] / ratio:.3g} and "
-    evidence += f"{estimated['p'] / ratio:.3g}; log odds {odds:.0f}"
-    if gravity and s.group == "gyro":
-        evidence += f"; by the accelerometer it is {abs(gravity):.3g} times too large"
-    channels = (GYRO,) if s.group == "gyro" else (LEFT, RIGHT)
-    return _divide(channels, evidence, s.factor)
+    if ratio != 1:
+        evidence += f"(robots: 1.2 to 15, 10 to 500); repaired: {estimated['q'] / ratio:.3g} and "
+        evidence += f"{estimated['p'] / ratio:.3g}; log odds {odds:.0f}"
+    else:
+        evidence += f"in any unit of angle, but the body sways by {estimated['pitch']:.2g} rad and the wheels turn at "
+        evidence += f"{estimated['wheel_rate']:.2g} rad/s; log odds {odds:.0f}"
+    if gravity and s.gyro != 1:
+        evidence += f"; by the accelerometer the gyro is {abs(gravity):.3g} times too large"
+    groups = (((GYRO,), s.gyro), ((LEFT, RIGHT), s.encoder))
+    return [_divide(channels, evidence, factor) for channels, factor in groups if factor != 1]
 
 
 def _divide(channels: tuple[str, ...], evidence: str, divisor: float) -> Finding:
