@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from upright.atomic import finite
+from upright.atomic import finite, write_json
 from upright.calibrate.calibrate import calibrate
 from upright.certify.agreement import AMBER, RED, Agreement, agreement, disagreements
 from upright.certify.analysis import loop_margins
@@ -168,6 +168,10 @@ class Certificate(Shown):
         linear = {k: finite(v) for k, v in asdict(self.linear).items()} if self.linear else None
         numbers = asdict(self) | {"linear": linear}
         return {"file": KIND, "version": VERSION} | numbers
+
+    def save(self, path: str | Path) -> Path:
+        """Write it as JSON, as `upright firmware` and `upright fly` ask for it. Returns the path."""
+        return write_json(path, self.to_json())
 
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> Certificate:

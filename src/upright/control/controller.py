@@ -62,6 +62,16 @@ class Controller(Protocol):
     def to_json(self) -> dict[str, Any]: ...
 
 
+class ShortRepr:
+    """Shows a controller by its kind, readings and period; its matrices are attributes."""
+
+    spec: Any  # a `ControllerSpec`: a field in some controllers, a property in others
+
+    def __repr__(self) -> str:
+        spec: ControllerSpec = self.spec
+        return f"{type(self).__name__}({spec.kind!r}: reads {', '.join(spec.reads)}; every {spec.period:g} s)"
+
+
 def controller_hash(controller: Controller) -> str:
     """SHA-256 of the controller's JSON, the same for the same numbers on every machine."""
     text = json.dumps(controller.to_json(), sort_keys=True, separators=(",", ":"))

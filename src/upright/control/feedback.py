@@ -9,15 +9,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.control.controller import TRUE_STATE, ControllerSpec
+from upright.control.controller import TRUE_STATE, ControllerSpec, ShortRepr
 from upright.errors import InvalidController
 from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
-class StateFeedback:
+@dataclass(frozen=True, eq=False, repr=False)
+class StateFeedback(ShortRepr):
     """u = −K (x − r): `gain` K (2, 6) from the state to [left, right], every `period` [s]; r is the reference state.
 
     Raises `InvalidController` for a gain of the wrong size or with NaN.

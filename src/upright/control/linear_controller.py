@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from upright.control.controller import Controller, ControllerSpec
+from upright.control.controller import Controller, ControllerSpec, ShortRepr
 from upright.control.design import Design
 from upright.control.estimators import Estimated, Kalman
 from upright.control.feedback import StateFeedback
@@ -25,8 +25,8 @@ MOST_STATES = 1000
 MATRICES = ("A", "By", "Br", "Ba", "C", "Dy", "Dr", "S", "Sy", "Bu")
 
 
-@dataclass(eq=False)
-class LinearController:
+@dataclass(eq=False, repr=False)
+class LinearController(ShortRepr):
     """z⁺ = A z + By y + Br r + Ba a, u = C z + Dy y + Dr r, x̂ = S z + Sy y, every `period` [s].
 
     y are the channels `reads`, r the reference state (6,) and u the command (2,). a is the command that was really

@@ -23,7 +23,7 @@ LARGEST_COMMAND = {"V": 4.0, "N m": 0.15}
 _LEFT = 1e-9  # a mode that Q does not see stays on the unit circle, to rounding on either side of it
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Lqr(StateFeedback):
     """The gain that minimises J = Σ xᵀQx + uᵀRu for x⁺ = Ax + Bu, with what proves it.
 

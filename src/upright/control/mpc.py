@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from upright.control.controller import ControllerSpec
+from upright.control.controller import ControllerSpec, ShortRepr
 from upright.control.delay import RAW, sampled
 from upright.control.kalman import Disturbed, kalman_filter, offset_free
 from upright.control.linear_controller import LinearController
@@ -65,8 +65,8 @@ class QuadraticProgram:
         return float(max(np.abs(gradient).max() / max(np.abs(f).max(), 1.0), over, np.abs(beyond).max(initial=0.0)))
 
 
-@dataclass(eq=False)
-class PredictiveController:
+@dataclass(eq=False, repr=False)
+class PredictiveController(ShortRepr):
     """The programme with its filter: outputs of `memory` are [f (2N), c, u of the unlimited regulator (2)].
 
     DAQP may give no solution: a hard limit that cannot be kept, or too many iterations. Then the regulator's command,

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from upright.control.controller import ControllerSpec
+from upright.control.controller import ControllerSpec, ShortRepr
 from upright.control.delay import RAW, sampled
 from upright.control.design import Design
 from upright.control.kalman import RECOVERED, Disturbed, kalman_filter
@@ -47,8 +47,8 @@ class Sliding(Design):
         return max(self.base.check(), normal)
 
 
-@dataclass(eq=False)
-class SlidingMode:
+@dataclass(eq=False, repr=False)
+class SlidingMode(ShortRepr):
     """u = u_lin − reach · sat(s / layer) for each motor, from the outputs [s, u_lin] of `memory`, in command units.
 
     With u_lin = u_r r − S A ξ + keep · s follows s⁺ = keep · s − reach · sat(s / layer). (Gao, Wang and Homaifa 1995,

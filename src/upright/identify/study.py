@@ -123,6 +123,8 @@ def by_part(fit: PartFit, study: Study) -> MethodFit:
     notes: list[str] = []
     if study.runs and not runs:
         notes.append("No interval: the subspace model and the log's feedback law make no stable loop to repeat.")
+    elif runs and models < FEWEST:
+        notes.append(f"No interval: {models} repeated logs; at least {FEWEST} are needed.")
     elif models < 0.9 * runs:
         notes.append(f"The method gave no model on {runs - models} of {runs} repeated logs.")
     return MethodFit(halves, pole, deviations, tuple(notes))
