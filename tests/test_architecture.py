@@ -39,7 +39,7 @@ AT_ONCE = {
     ("compiled/trace_constants.py", "sympy"), ("compiled/trace_print.py", "sympy"),
     ("compiled/trace_motion.py", "sympy"),
     ("calibrate/motion.py", "numba"), ("lab/app.py", "fastapi"), ("plotting.py", "matplotlib"),
-    ("report/figure.py", "matplotlib"), ("report/robot.py", "matplotlib"),
+    ("report/figure.py", "matplotlib"), ("report/robot.py", "matplotlib"), ("report/film.py", "matplotlib"),
 }  # fmt: skip
 """Heavy packages that a module may import when it is loaded, because it is loaded only to use them."""
 

@@ -30,13 +30,13 @@ def compare(
 
     check_targets(output, report)
     comparison = compare_logs(
-        {label: Log.load(path) for label, path in _labelled(logs).items()}, reference=reference, release=release
+        {label: Log.load(path) for label, path in labelled(logs).items()}, reference=reference, release=release
     )
     facts: dict[str, Any] = {"report": str(report)} if report else {}
     finish(comparison, as_json, output=output, page=report, **facts)
 
 
-def _labelled(arguments: list[str]) -> dict[str, Path]:
+def labelled(arguments: list[str]) -> dict[str, Path]:
     labelled: dict[str, Path] = {}
     for argument in arguments:
         label, equals, file = argument.partition("=")

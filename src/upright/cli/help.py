@@ -58,7 +58,10 @@ GROUPS = {
         "fly": ("upright fly balance.nxc controller.json", "upright fly balance.py controller.json -o flight.parquet"),
         "monitor": ("upright monitor", "upright monitor -o run.csv"),
     },
-    "Teach": {"lab": ("upright lab", "upright lab --class")},
+    "Teach": {
+        "lab": ("upright lab", "upright lab --class"),
+        "film": ("upright film run.parquet", "upright film robot=run.csv model=model.parquet -o run.mp4 --speed 0.5"),
+    },
 }
 """Heading → command → two calls that show what it is for."""
 

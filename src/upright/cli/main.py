@@ -20,6 +20,7 @@ from upright.cli.design import bench_controllers, design
 from upright.cli.doctor import doctor
 from upright.cli.example import example
 from upright.cli.excite import excite
+from upright.cli.film import film
 from upright.cli.firmware import firmware
 from upright.cli.fleet import basin, fleet, push_map, sweep
 from upright.cli.fly import fly
@@ -49,6 +50,7 @@ app = typer.Typer(
 COMMANDS = (
     reproduce, simulate, compare, linearise, design, certify, bench_controllers, post_mortem, doctor, calibrate,
     validate, example, excite, identify, fleet, push_map, basin, sweep, firmware, parity, fly, monitor, lab,
+    film,
 )  # fmt: skip
 for command in COMMANDS:
     name = command.__name__.replace("_", "-")

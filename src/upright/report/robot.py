@@ -27,7 +27,7 @@ def labelled(robot: Robot) -> Figure:
     figure, (side, top) = empty(2, height=2.9)
     R, L = robot.wheel_radius, robot.com_height
     stand(side, robot, LEAN, 0.0)
-    height, centre = _height(robot), (L * math.sin(LEAN), R + L * math.cos(LEAN))
+    height, centre = height_of(robot), (L * math.sin(LEAN), R + L * math.cos(LEAN))
     tip = (height * math.sin(LEAN), R + height * math.cos(LEAN))
     side.plot([0, 0], [R, R + 1.05 * height], linestyle="--", color=INK, linewidth=0.8)
     side.plot([0, tip[0]], [R, tip[1]], linestyle="--", color=INK, linewidth=0.8)
@@ -51,17 +51,17 @@ def labelled(robot: Robot) -> Figure:
 def filmstrip(robot: Robot, log: Log, times: Sequence[float], prefix: str = "truth") -> Figure:
     """The robot of a run at some `times` [s], each from its side, where its wheels have rolled it."""
     figure, axes = empty(len(times), height=1.5)
-    width = 1.3 * _height(robot)
+    width = 1.3 * height_of(robot)
     for ax, time in zip(axes, times, strict=True):
         row = int(abs(log.t - time).argmin())
         pitch, wheel = float(log[f"{prefix}/pitch"][row]), float(log[f"{prefix}/wheel"][row])
         x = robot.wheel_radius * wheel
         stand(ax, robot, pitch, wheel, x)
-        ax.plot([x, x], [0, 2 * robot.wheel_radius + _height(robot)], linestyle=":", linewidth=0.7, color=INK)
+        ax.plot([x, x], [0, 2 * robot.wheel_radius + height_of(robot)], linestyle=":", linewidth=0.7, color=INK)
         ends = (x - width / 2, x + width / 2)
         for mark in range(math.ceil(ends[0] / FLOOR), math.floor(ends[1] / FLOOR) + 1):
             ax.plot([mark * FLOOR] * 2, [0, -0.008 if mark else -0.03], color=INK, linewidth=0.8)
-        ax.set(xlim=ends, ylim=(-0.035, 2.1 * robot.wheel_radius + _height(robot)))
+        ax.set(xlim=ends, ylim=(-0.035, 2.1 * robot.wheel_radius + height_of(robot)))
         where = f"{number(time)} s\n{number(round(1000 * pitch))} mrad, {number(round(100 * x, 1))} cm"
         ax.set_title(where, loc="center", fontsize=SMALL)
     return figure
@@ -69,14 +69,19 @@ def filmstrip(robot: Robot, log: Log, times: Sequence[float], prefix: str = "tru
 
 def stand(ax: Axes, robot: Robot, pitch: float, wheel: float, x: float = 0.0) -> None:
     """The robot from its side on the floor: body at `pitch` [rad], wheel turned to `wheel` [rad], axle at `x` [m]."""
-    R, half, height = robot.wheel_radius, robot.body_depth / 2, _height(robot)
-    across, up = (math.cos(pitch), -math.sin(pitch)), (math.sin(pitch), math.cos(pitch))
-    corners = [(a * half, b) for a, b in ((-1, 0), (1, 0), (1, height), (-1, height))]
-    outline = [(x + a * across[0] + b * up[0], R + a * across[1] + b * up[1]) for a, b in corners]
-    ax.add_patch(Polygon(outline, facecolor=BODY, alpha=0.25, edgecolor=BODY, linewidth=1.2))
+    R = robot.wheel_radius
+    ax.add_patch(Polygon(outline(robot, pitch, x), facecolor=BODY, alpha=0.25, edgecolor=BODY, linewidth=1.2))
     ax.add_patch(Circle((x, R), R, fill=False, edgecolor=WHEEL, linewidth=1.8))
     ax.plot([x, x + R * math.sin(wheel)], [R, R + R * math.cos(wheel)], color=WHEEL, linewidth=1.2)
     ax.axhline(0, color=INK, linewidth=0.8)
+
+
+def outline(robot: Robot, pitch: float, x: float) -> list[tuple[float, float]]:
+    """The corners of the body from its side [m], at `pitch` [rad], over an axle at `x` [m]."""
+    R, half, height = robot.wheel_radius, robot.body_depth / 2, height_of(robot)
+    across, up = (math.cos(pitch), -math.sin(pitch)), (math.sin(pitch), math.cos(pitch))
+    corners = [(a * half, b) for a, b in ((-1, 0), (1, 0), (1, height), (-1, height))]
+    return [(x + a * across[0] + b * up[0], R + a * across[1] + b * up[1]) for a, b in corners]
 
 
 def _above(ax: Axes, robot: Robot) -> None:
@@ -97,6 +102,6 @@ def _above(ax: Axes, robot: Robot) -> None:
     ax.set_title("from above", loc="center", fontsize=LETTERS)
 
 
-def _height(robot: Robot) -> float:
+def height_of(robot: Robot) -> float:
     """From the axle to the top of the body [m]."""
     return robot.com_height + robot.body_height / 2
