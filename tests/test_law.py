@@ -32,7 +32,7 @@ from upright.signals import STATE_NAMES
 
 ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
 START = (0.05, 0.0, 0.1, 0.0, 0.2, 0.0)
-NAMES = ("lqr", "lqi", "lqg", "pid", "hinf", "sliding")
+NAMES = ("lqr", "lqi", "lqg", "pid", "hinf", "sliding", "mpc")
 EQUAL = 1e-9  # as in test_fleet_kernel
 
 PERIODS = 40
@@ -76,14 +76,15 @@ def readings(k: int, size: int) -> np.ndarray:
 
 def by_c(library: Any, number: int, text: Program) -> np.ndarray:
     """The commands (PERIODS, 2) to random inputs."""
-    inputs, out = text.of(Kind.INPUT), (ctypes.c_double * 2)()
+    inputs, outputs = text.of(Kind.INPUT), [v.name for v in text.of(Kind.OUTPUT)]
+    out, sides = (ctypes.c_double * len(outputs))(), [outputs.index(f"command_{side}") for side in ("left", "right")]
     state = (ctypes.c_double * (len(text.of(Kind.STATE)) + len(text.carried()) + 1))()
     commands = []
     for k in range(PERIODS):
         given = (ctypes.c_double * len(inputs))(*readings(k, len(inputs)))
         for function in (library[f"command{number}"], library[f"update{number}"]):
             function(state, given, out)
-        commands.append(list(out))
+        commands.append([out[i] for i in sides])
     return np.array(commands)
 
 
@@ -105,7 +106,7 @@ def by_kernel(name: str) -> np.ndarray:
     return np.array(commands)
 
 
-@pytest.mark.parametrize("name", ["lqg", "sliding"])
+@pytest.mark.parametrize("name", ["lqg", "sliding", "mpc"])
 @pytest.mark.parametrize(("quantised", "seconds"), [(False, 10.0), (True, 2.0)])
 def test_the_kernel_does_what_run_does(name: str, quantised: bool, seconds: float) -> None:
     controller, kit = designed(name), quiet(quantised)
@@ -165,7 +166,7 @@ def test_alike_laws_have_one_text_on_disk(tmp_path: Path, monkeypatch: pytest.Mo
 
 def test_what_no_law_describes_is_refused_with_what_the_kernel_runs() -> None:
     with pytest.raises(InvalidController, match="sliding"):
-        FleetBatch(parameters=parameters_of(ROBOT), controller=designed("mpc"))
+        FleetBatch(parameters=parameters_of(ROBOT), controller=designed("lqr-complementary"))
 
 
 def test_a_static_law_remembers_nothing() -> None:

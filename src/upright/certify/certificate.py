@@ -186,6 +186,10 @@ class Certificate(Shown):
         columns = f"{'push':<18}{'battery':>8}{'fell':>11}{'saturated':>10}{'travel':>9}{'peak':>11}{'sway':>11}"
         sweeps = [_sweep("dead time +", self.delayed), _sweep("period ", self.slower)]
         lines = [head, *(f"  {reason}" for reason in self.reasons), "", columns, *(_row(t) for t in self.trials)]
+        worst = max((t.residual for t in self.trials), default=0.0)
+        sweeps += (
+            [f"the last iteration of a period moved a command by at most {worst:.2%} of its limit"] if worst else []
+        )
         sweeps += ["the log: " + "; ".join(map(str, self.agreement))] if self.agreement else []
         inside = [str(s) for s in self.support if not s.outside]
         sweeps += ["the log supports: " + "; ".join(inside)] if inside else []
@@ -215,9 +219,9 @@ def certify(
     assumptions. `sweeps` adds further dead times and other periods, on which the light does not
     depend. Controller, robot and kit may be names or files.
 
-    A controller that is not linear is called for each robot, so that 1000 samples take minutes; `progress` receives the
-    fraction done. Raises `SpecMismatch` for a controller that does not fit, `InvalidScenario` for too few samples,
-    `InvalidLog` for a log that cannot be compared.
+    A controller that no law describes, such as one of your own, is called for each robot: 1000 samples take minutes.
+    `progress` receives the fraction done. Raises `SpecMismatch` for a controller that does not fit, `InvalidScenario`
+    for too few samples, `InvalidLog` for a log that cannot be compared.
     """
     given = find_robot(robot)
     nominal, unknown = at_medians(given, posterior)

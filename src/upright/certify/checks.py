@@ -15,10 +15,12 @@ from numpy.typing import NDArray
 
 from upright.control.controller import Controller
 from upright.control.law import Law, as_law
+from upright.control.mpc import Splitting
 from upright.errors import InvalidController, SpecMismatch
 from upright.experiment.pushes import Hold, Impulse
 from upright.fleet.ensemble import tables
 from upright.kernel.batch import NAMES, FleetBatch, FleetResult, parameters_of, silent
+from upright.kernel.pack import RESIDUAL
 from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
 
@@ -53,7 +55,8 @@ _MOST = 95  # per cent: what one run in twenty exceeds
 class PushTrial:
     """One push at one battery voltage: `fell` of `runs` fell. The others are 95 % quantiles over the robots that stand:
     `saturated` (fraction of periods), `travel` [m], `peak` pitch [rad], and `cycle`, half of pitch's range in the last
-    seconds [rad]. They are zero where every robot fell.
+    seconds [rad]. They are zero where every robot fell. `residual` is the largest one of a predictive controller that
+    stands: by how much the last iteration of a period still moved a command, over its limit.
     """
 
     push: str
@@ -65,6 +68,7 @@ class PushTrial:
     travel: float
     peak: float
     cycle: float
+    residual: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -145,12 +149,14 @@ class Course:
 def trials(course: Course) -> tuple[tuple[PushTrial, ...], NDArray[np.bool_]]:
     """Every standard push at every battery on all robots, and which robots (n,) fell in any of them."""
     fell = np.zeros(len(course.robots), dtype=np.bool_)
-    results: list[PushTrial] = []
+    law, results = course.controller.law, list[PushTrial]()
+    planned = law.nonlinear is not None and isinstance(law.nonlinear.part, Splitting)
+    channels = (*PITCH, RESIDUAL) if planned else PITCH
     for name, push in standard_pushes(course.robot).items():
         for battery, fraction in BATTERIES.items():
             changes = _battery(course.kit, course.robot, fraction)
-            rows = list(_runs(course, course.robots, push, len(results), changes, course.controller, PITCH))
-            results.append(_trial(name, battery, rows, parameters_of(course.robots), course.controller.law.period))
+            rows = list(_runs(course, course.robots, push, len(results), changes, course.controller, channels))
+            results.append(_trial(name, battery, rows, parameters_of(course.robots), law.period))
             fell |= np.concatenate([row.fell for row in rows])
     return tuple(results), fell
 
@@ -227,7 +233,8 @@ def _trial(push: str, battery: str, rows: Sequence[FleetResult], parameters: Arr
     swings = (ending.max(axis=1) - ending.min(axis=1)) / 2
     numbers = (saturated[stood], (peak[:, 1] * radius)[stood], peak[stood, 0], swings)
     most = dict(zip(("saturated", "travel", "peak", "cycle"), map(_most, numbers), strict=True))
-    return PushTrial(push, battery, len(stood), int(fell.sum()), **most)
+    residual = float(trace[stood, :, 1:].max(initial=0.0))
+    return PushTrial(push, battery, len(stood), int(fell.sum()), **most, residual=residual)
 
 
 def _most(values: Array) -> float:

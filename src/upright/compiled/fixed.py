@@ -20,7 +20,7 @@ from upright.compiled.program import (
     Kind,
     Limit,
     Program,
-    Statement,
+    Step,
     Sum,
     Variable,
     operands,
@@ -48,12 +48,12 @@ def fractions(program: Program) -> dict[str, int]:
     """Bits of fraction of every variable; raises `InvalidController` for one that no word holds."""
     if not program.proven:
         raise InvalidController(
-            f"the memory of this {program.kind} grows without its robot", expected="a proven range",
+            f"nothing is proven of the numbers inside this {program.kind}", expected="a proven range",
             hint="use --number float",
         )  # fmt: skip
     bits = {v.name: _own(v) for v in program.variables.values()}
     for block in program.blocks:
-        for statement in block.statements:
+        for statement in block.steps:
             variable = program.variables[statement.target]
             if variable.kind is Kind.TEMPORARY and not variable.whole:
                 bits[variable.name] = min(bits[variable.name], _inherited(statement, bits))
@@ -73,7 +73,7 @@ def _own(variable: Variable) -> int:
     return min(left, INTERFACE if variable.kind in (Kind.INPUT, Kind.OUTPUT) else FINEST)
 
 
-def _inherited(statement: Statement, bits: Mapping[str, int]) -> int:
+def _inherited(statement: Step, bits: Mapping[str, int]) -> int:
     """A statement that only selects or mirrors a word keeps its format."""
     if isinstance(statement, Limit | Absolute):
         return bits[statement.value]
@@ -112,11 +112,11 @@ def quantum(program: Program, bits: Mapping[str, int] | None = None) -> float:
     places = fractions(program) if bits is None else bits
     names, inner, A = memory(program)
     errors = _reading_errors(program, places)
-    rows = {s.target: s for s in program.update.statements if isinstance(s, Sum)}
+    rows = {s.target: s for s in program.update.steps if isinstance(s, Sum)}
     made = np.array([_row_error(rows[f"next_{w}"], program, places, errors) for w in names])
     for name, grown in zip(inner, (impulse_norm(A, np.eye(len(A))) @ made).tolist(), strict=True):
         errors[name] += grown
-    outputs = [s for s in program.command.statements if isinstance(s, Sum)]
+    outputs = [s for s in program.command.steps if isinstance(s, Sum)]
     after = {s.target: _row_error(s, program, places, errors) for s in outputs if s.target not in inner}
     return max(error for name, error in after.items() if name.startswith("command_"))
 
@@ -124,7 +124,7 @@ def quantum(program: Program, bits: Mapping[str, int] | None = None) -> float:
 def memory(program: Program) -> tuple[list[str], list[str], Array]:
     """The controller's states, the variables that its rows read for them, and their matrix (n, n) over one period."""
     names = [v.name for v in program.of(Kind.STATE) if v.name[0] == "w" and v.name[1:].isdigit()]
-    rows = {s.target: s for s in program.update.statements if isinstance(s, Sum)}
+    rows = {s.target: s for s in program.update.steps if isinstance(s, Sum)}
     inner = [f"z{name[1:]}" if f"z{name[1:]}" in program.variables else name for name in names]
     A = np.array([[_coefficient(rows[f"next_{w}"], z) for z in inner] for w in names])
     return names, inner, A.reshape(len(names), len(names))
@@ -138,7 +138,7 @@ def _reading_errors(program: Program, bits: Mapping[str, int]) -> dict[str, floa
     """The rounding error of each variable in one period that begins with an exact memory."""
     errors = {v.name: 0.0 for v in (*program.of(Kind.INPUT), *program.of(Kind.STATE))}
     errors["gyro_offset"] = 2.0 ** -bits["gyro_offset"]
-    for statement in program.command.statements:
+    for statement in program.command.steps:
         target = statement.target
         if isinstance(statement, Sum):
             errors[target] = _row_error(statement, program, bits, errors)

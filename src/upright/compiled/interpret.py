@@ -15,7 +15,9 @@ from upright.compiled.program import (
     Product,
     Program,
     Quotient,
+    Repeat,
     Statement,
+    Step,
     Sum,
     Whole,
 )
@@ -44,12 +46,22 @@ class Interpreter:
     def _run(self, block: Block, raw: Mapping[str, float]) -> Mapping[str, float]:
         self.values |= raw
         for statement in block.statements:
-            self.values[statement.target] = evaluate(statement, self.values)
+            self._do(statement)
         self.values |= {state: self.values[name] for state, name in block.commit}
         return self.values
 
+    def _do(self, statement: Statement) -> None:
+        if not isinstance(statement, Repeat):
+            self.values[statement.target] = evaluate(statement, self.values)
+            return
+        for _ in range(statement.count):
+            for step in statement.steps:
+                self._do(step)
+            for name, value in statement.carry:
+                self.values[name] = self.values[value]
 
-def evaluate(statement: Statement, values: Mapping[str, float]) -> float:  # noqa: PLR0911 (one for each kind of statement)
+
+def evaluate(statement: Step, values: Mapping[str, float]) -> float:  # noqa: PLR0911 (one for each kind of statement)
     """The right side of a statement."""
     match statement:
         case Sum(_, terms, constant, low, high):

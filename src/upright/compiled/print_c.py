@@ -5,7 +5,7 @@ from __future__ import annotations
 import struct
 
 from upright.compiled.printer import Printer
-from upright.compiled.program import Kind, Program, Variable
+from upright.compiled.program import Kind, Program, Repeat, Variable
 
 
 class CPrinter(Printer):
@@ -15,6 +15,8 @@ class CPrinter(Printer):
         super().__init__(program)
         self.type, self._single = number, number == "float"
         self._carried = set(program.carried())
+        loops = [s for block in program.blocks for s in block.statements if isinstance(s, Repeat)]
+        self._changing = {name for loop in loops for name, _ in loop.carry}
 
     def number(self, value: float) -> str:
         if float(value).is_integer() and abs(value) < 2**24:
@@ -36,7 +38,11 @@ class CPrinter(Printer):
 
     def write(self, name: str) -> str:
         place = self.read(name)
-        return place if "->" in place else f"const {self.type} {name}"
+        return place if "->" in place else f"{'' if name in self._changing else 'const '}{self.type} {name}"
+
+    def repeat(self, loop: Repeat) -> list[str]:
+        head = f"for (int pass = 0; pass < {loop.count}; pass++) {{"
+        return [head, *(f"    {line}" for line in self.once(loop)), "}"]
 
     def whole(self, value: str) -> str:
         return f"({self.type})(int32_t){value}"

@@ -15,7 +15,7 @@ from upright.compiled.program import (
     Product,
     Program,
     Quotient,
-    Statement,
+    Step,
     Sum,
     Variable,
     Whole,
@@ -56,7 +56,7 @@ class FixedPrinter(CPrinter):
             return text
         return f"rounded({text}, {shift})" if shift > 0 else f"({text} * {2**-shift})"
 
-    def right(self, statement: Statement) -> str:  # noqa: PLR0911 (one for each kind of statement)
+    def right(self, statement: Step) -> str:  # noqa: PLR0911 (one for each kind of statement)
         bits = self.bits[statement.target]
         match statement:
             case Sum():

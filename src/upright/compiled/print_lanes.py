@@ -21,7 +21,8 @@ from upright.compiled.program import (
     Product,
     Program,
     Quotient,
-    Statement,
+    Repeat,
+    Step,
     Sum,
     Whole,
 )
@@ -53,11 +54,14 @@ class LanesPrinter:
         return f"declare {self._vector} @llvm.trunc({self._vector})\n{functions}"
 
     def _function(self, block: Block) -> str:
-        self._lines, self._names = [], {}
+        self._lines, self._names, label = [], {}, "loop"
         for statement in block.statements:
-            self._names[statement.target] = self._right(statement)
+            if isinstance(statement, Repeat):
+                label = self._repeat(statement, label)
+            else:
+                self._names[statement.target] = self._right(statement)
         after = [(state, self._read(value)) for state, value in block.commit]
-        for name, value in [*((s.target, self._names[s.target]) for s in block.statements), *after]:
+        for name, value in [*((s.target, self._names[s.target]) for s in block.steps), *after]:
             if name in self._places:
                 self._lines.append(f"store {self._vector} {value}, ptr {self._address(name)}, align 64")
         body = "\n  ".join(self._lines)
@@ -67,7 +71,7 @@ start:
   %below = mul i64 %first, {ROW}
   br i1 %some, label %loop, label %end
 loop:
-  %i = phi i64 [0, %start], [%next, %loop]
+  %i = phi i64 [0, %start], [%next, %{label}]
   %here = getelementptr {self._number}, ptr %w, i64 %i
   %own = getelementptr {self._number}, ptr %here, i64 %below
   %table = getelementptr {self._number}, ptr %constants, i64 {"%i" if self._own else 0}
@@ -79,7 +83,33 @@ end:
   ret void
 }}"""
 
-    def _right(self, statement: Statement) -> str:  # noqa: PLR0911 (one for each kind of statement)
+    def _repeat(self, loop: Repeat, label: str) -> str:
+        """A loop over what it carries, from the block `label` to the one whose name it returns."""
+        self._count += 1
+        here, then = f"repeat{self._count}", f"after{self._count}"
+        first = {name: self._read(name) for name, _ in loop.carry}
+        self._lines.append(f"br label %{here}\n{here}:")
+        top = len(self._lines)
+        self._names |= {name: f"%{here}.{name}" for name in first}
+        for step in loop.steps:
+            self._names[step.target] = self._right(step)
+        for name, value in loop.carry:
+            self._names[name] = self._read(value)
+        self._lines[top:top] = [
+            f"%{here}.pass = phi i64 [0, %{label}], [%{here}.more, %{here}]",
+            *(
+                f"%{here}.{n} = phi {self._vector} [{v}, %{label}], [{self._names[n]}, %{here}]"
+                for n, v in first.items()
+            ),
+        ]
+        self._lines += [
+            f"%{here}.more = add i64 %{here}.pass, 1",
+            f"%{here}.again = icmp slt i64 %{here}.more, {loop.count}",
+            f"br i1 %{here}.again, label %{here}, label %{then}\n{then}:",
+        ]
+        return then
+
+    def _right(self, statement: Step) -> str:  # noqa: PLR0911 (one for each kind of statement)
         """The name of the vector that holds the right side."""
         match statement:
             case Sum(_, terms, constant, low, _):
@@ -152,11 +182,10 @@ end:
 
 def constants(program: Program) -> list[float]:
     """The numbers in the statements of `command` and `update`, in the order in which the text reads them."""
-    statements = (*program.command.statements, *program.update.statements)
-    return [value for statement in statements for value in _constants(statement)]
+    return [value for block in (program.command, program.update) for step in block.steps for value in _constants(step)]
 
 
-def _constants(statement: Statement) -> Iterator[float]:
+def _constants(statement: Step) -> Iterator[float]:
     match statement:
         case Sum(_, terms, constant, low, high):
             yield from (coefficient for coefficient, _ in terms)

@@ -22,6 +22,7 @@ from upright.compiled.program import (
     Product,
     Program,
     Quotient,
+    Repeat,
     Statement,
     Sum,
     Whole,
@@ -70,6 +71,8 @@ class NxcPrinter(Printer):
 
     def statement(self, statement: Statement) -> list[str]:  # noqa: PLR0911 (one for each kind of statement)
         match statement:
+            case Repeat():
+                return self.repeat(statement)
             case Sum(target, terms, constant, low, high):
                 lines = self._sum(target, terms, constant)
                 return lines if low == -INFINITY else [*lines, *self._limited(target, low, high)]

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from upright.compiled.printer import Printer
-from upright.compiled.program import Block, Kind
+from upright.compiled.program import Block, Kind, Repeat
 
 
 class PythonPrinter(Printer):
     """All variables are locals of one function, which MicroPython reads quickest."""
 
     end = ""
+
+    def repeat(self, loop: Repeat) -> list[str]:
+        return [f"for _ in range({loop.count}):", *(f"    {line}" for line in self.once(loop))]
 
     def limit(self, value: str, low: str, high: str) -> str:
         return f"min(max({value}, {low}), {high})"

@@ -14,7 +14,9 @@ from upright.compiled.program import (
     Product,
     Program,
     Quotient,
+    Repeat,
     Statement,
+    Step,
     Sum,
     Whole,
 )
@@ -49,9 +51,20 @@ class Printer:
         return [f"{self.read(state)} = {self.read(value)}{self.end}"]
 
     def statement(self, statement: Statement) -> list[str]:
+        if isinstance(statement, Repeat):
+            return self.repeat(statement)
         return [f"{self.write(statement.target)} = {self.right(statement)}{self.end}"]
 
-    def right(self, statement: Statement) -> str:  # noqa: PLR0911 (one for each kind of statement)
+    def repeat(self, loop: Repeat) -> list[str]:
+        """A loop, written out where the language has none."""
+        return [line for _ in range(loop.count) for line in self.once(loop)]
+
+    def once(self, loop: Repeat) -> list[str]:
+        """The lines of one pass."""
+        lines = [line for step in loop.steps for line in self.statement(step)]
+        return [*lines, *(line for name, value in loop.carry for line in self.commit(name, value))]
+
+    def right(self, statement: Step) -> str:  # noqa: PLR0911 (one for each kind of statement)
         """The right side of a statement as one expression."""
         match statement:
             case Sum(_, terms, constant, low, high):

@@ -3,7 +3,8 @@
 A `Program` has three blocks, called once a period: `calibrate` while the robot is held still, then `command` (readings
 to duty) and `update` (memory, fall detection), which comes second so that the motors wait for `command` alone. Every
 variable is a number with a unit and a proven range; a state keeps its value from one period to the next, and `commit`
-gives it its next value at the end of a block. There are no branches, loops or calls: `Choose` picks one of two values.
+gives it its next value at the end of a block. There are no branches or calls: `Choose` picks one of two values. The one
+loop is `Repeat`, a fixed number of times.
 """
 
 from __future__ import annotations
@@ -113,10 +114,22 @@ class Choose:
     other: Operand
 
 
-Statement = Sum | Product | Quotient | Limit | Absolute | Whole | Choose
+Step = Sum | Product | Quotient | Limit | Absolute | Whole | Choose
 
 
-def operands(statement: Statement) -> tuple[str, ...]:
+@dataclass(frozen=True)
+class Repeat:
+    """`steps`, `count` times; each time every (variable, value) of `carry` follows, in order."""
+
+    count: int
+    steps: tuple[Step, ...]
+    carry: tuple[tuple[str, str], ...]
+
+
+Statement = Step | Repeat
+
+
+def operands(statement: Step) -> tuple[str, ...]:
     """The variables a statement reads, in order."""
     if isinstance(statement, Sum):
         return tuple(name for _, name in statement.terms)
@@ -126,18 +139,23 @@ def operands(statement: Statement) -> tuple[str, ...]:
 
 @dataclass(frozen=True)
 class Block:
-    """`statements` in order, each target assigned once; then every (state, variable) of `commit` at the same time."""
+    """`statements` in order, each target written once; then every (state, variable) of `commit` at the same time."""
 
     name: str
     statements: tuple[Statement, ...]
     commit: tuple[tuple[str, str], ...] = ()
 
+    @property
+    def steps(self) -> tuple[Step, ...]:
+        """The statements, those of a loop once."""
+        return tuple(step for s in self.statements for step in (s.steps if isinstance(s, Repeat) else (s,)))
+
     def reads(self) -> set[str]:
         """Every variable that a statement or a commit reads."""
-        return {name for s in self.statements for name in operands(s)} | {name for _, name in self.commit}
+        return {name for s in self.steps for name in operands(s)} | {name for _, name in self.commit}
 
     def writes(self) -> set[str]:
-        return {s.target for s in self.statements}
+        return {s.target for s in self.steps}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -179,11 +197,11 @@ class Program:
     def carried(self) -> list[str]:
         """Temporaries of `command` that `update` reads: they live from one to the other, but not over a period."""
         both = self.update.reads() & self.command.writes()
-        return [s.target for s in self.command.statements if s.target in both and not self.is_output(s.target)]
+        return [s.target for s in self.command.steps if s.target in both and not self.is_output(s.target)]
 
     def results(self) -> list[str]:
         """The outputs of a period in balance, in order."""
-        written = (s.target for block in (self.command, self.update) for s in block.statements)
+        written = (s.target for block in (self.command, self.update) for s in block.steps)
         return [name for name in written if self.is_output(name)]
 
     def is_output(self, name: str) -> bool:
@@ -216,12 +234,20 @@ class Program:
 
     def _listing(self, block: Block) -> Iterator[str]:
         for statement in block.statements:
-            variable = self.variables[statement.target]
-            yield f"{statement.target} = {expression(statement)}  # [{variable.unit}] in {_range(variable)}"
+            if isinstance(statement, Repeat):
+                yield f"{statement.count} times:"
+                yield from (f"    {line}" for line in map(self._line, statement.steps))
+                yield from (f"    {name} <- {value}" for name, value in statement.carry)
+            else:
+                yield self._line(statement)
         yield from (f"{state} <- {value}" for state, value in block.commit)
 
+    def _line(self, step: Step) -> str:
+        variable = self.variables[step.target]
+        return f"{step.target} = {expression(step)}  # [{variable.unit}] in {_range(variable)}"
 
-def expression(statement: Statement) -> str:  # noqa: PLR0911 (one for each kind of statement)
+
+def expression(statement: Step) -> str:  # noqa: PLR0911 (one for each kind of statement)
     """The right side of a statement as a formula."""
     match statement:
         case Sum(_, terms, constant, low, high):
@@ -242,6 +268,8 @@ def expression(statement: Statement) -> str:  # noqa: PLR0911 (one for each kind
 
 
 def _products(statement: Statement) -> int:
+    if isinstance(statement, Repeat):
+        return statement.count * sum(map(_products, statement.steps))
     if isinstance(statement, Sum):
         return sum(abs(c) != 1 for c, _ in statement.terms)
     return int(isinstance(statement, Product | Quotient))
@@ -249,6 +277,8 @@ def _products(statement: Statement) -> int:
 
 def _plain(part: Statement | Variable) -> dict[str, Any]:
     values = {k: v for k, v in asdict(part).items() if v not in (INFINITY, -INFINITY)}
+    if isinstance(part, Repeat):
+        values["steps"] = [_plain(step) for step in part.steps]
     return {"op": type(part).__name__.lower()} | values if not isinstance(part, Variable) else values
 
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 from upright.compiled.program import (
     INFINITY,
@@ -16,6 +16,7 @@ from upright.compiled.program import (
     Operand,
     Product,
     Quotient,
+    Repeat,
     Statement,
     Sum,
     Variable,
@@ -141,6 +142,20 @@ class Tracer:
         bounds = min(r[0] for r in ranges), max(r[1] for r in ranges)
         self._statements.append(Choose(name, left.name, _operand(right), _operand(then), _operand(other)))
         return self._new(name, unit, bounds, _kind(output), whole)
+
+    def repeat(self, count: int, carried: Sequence[Form], body: Callable[[], Sequence[Form]]) -> None:
+        """`count` times what `body` records; then each of `carried` takes, in order, the value that it returns.
+
+        Nothing is proven of the range of what is carried.
+        """
+        for form in carried:
+            variable = self.variables[form.name]
+            self.variables[form.name] = replace(variable, low=-INFINITY, high=INFINITY, whole=False)
+        before, self._statements = self._statements, []
+        carry = tuple((form.name, value.name) for form, value in zip(carried, body(), strict=True))
+        steps = tuple(s for s in self._statements if not isinstance(s, Repeat))
+        assert len(steps) == len(self._statements), "a loop in a loop"
+        self._statements = [*before, Repeat(count, steps, carry)]
 
     def commit(self, state: Form, value: Form) -> None:
         """The state's next value, checked against the state's range."""

@@ -21,7 +21,7 @@ def near_rest(controller: Controller) -> LinearController:
     Raises `InvalidController` for any other.
     """
     if isinstance(controller, PredictiveController):
-        return _closed(controller.memory, np.eye(2, len(controller.memory.C), len(controller.memory.C) - 2))
+        return _closed(controller.memory, controller.splitting.limit * np.eye(2, len(controller.memory.C)))
     if isinstance(controller, SlidingMode):
         slope = controller.reach / controller.layer
         return _closed(controller.memory, np.hstack([-slope * np.eye(2), np.eye(2)]))

@@ -17,7 +17,7 @@ from importlib.metadata import version
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.compiled.program import Program
+from upright.compiled.program import Program, Repeat
 from upright.compiled.tracer import Form, Tracer
 from upright.control.controller import Controller, controller_hash
 from upright.control.law import SIDES, commanded, dot, remembered
@@ -61,7 +61,7 @@ def trace(
     """The program of `controller` for `robot` on `kit`'s electronics.
 
     `reference` adds the reference state as inputs (a robot that only stands needs none); encoders are followed within
-    ±`travel` [rad]. Raises `InvalidController` for a controller that is not a fixed sum of products, `SpecMismatch`
+    ±`travel` [rad]. Raises `InvalidController` for a controller that no law describes, `SpecMismatch`
     where target, robot and controller do not fit, `UnknownName` for the target.
     """
     setup = _setup(controller, robot, kit, target=target, reference=reference, travel=travel)
@@ -98,7 +98,7 @@ def trace(
         version=version("upright"),
         command_unit=setup.driver.unit,
         full=setup.driver.full,
-        proven=bounds is not None,
+        proven=bounds is not None and not any(isinstance(s, Repeat) for s in command.statements),
         lag=setup.lag,
         channels=channels,
         scales={name: setup.raw(channel).scale for name, channel in channels.items()},
@@ -135,14 +135,14 @@ def _bounds(setup: ProgramSetup) -> Array | None:
     linear = setup.linear
     y = np.array([HEADING if c == COMPASS else largest(setup.kit, c, setup.travel) for c in linear.reads])
     r = np.array(REFERENCE_RANGE) if setup.reference else np.zeros(6)
-    u, a = np.full(2, setup.typed if setup.incremental.law.switching else 0.0), np.full(2, setup.strongest)
+    u, a = np.full(2, setup.typed if setup.incremental.law.nonlinear else 0.0), np.full(2, setup.strongest)
     return setup.incremental.bounds(change=np.full(len(y), FASTEST * linear.period), y=y, r=r, u=u, a=a)
 
 
 def _reference(t: Tracer, setup: ProgramSetup) -> list[Form]:
     """The reference state as inputs; zero for states that the controller does not compare."""
-    linear, switching = setup.linear, setup.incremental.law.switching
-    rows = np.vstack([linear.Br, linear.Dr, *([switching.Dr] if switching else [])])
+    linear, rest = setup.linear, setup.incremental.law.nonlinear
+    rows = np.vstack([linear.Br, linear.Dr, *([rest.Dr] if rest else [])])
     return [
         _bounded_input(t, f"reference_{name}", unit, most) if setup.reference and rows[:, i].any() else Form()
         for i, (name, unit, most) in enumerate(zip(STATE_NAMES, STATE_UNITS, REFERENCE_RANGE, strict=True))

@@ -20,7 +20,7 @@ from upright.control.identity import identity
 from upright.errors import InvalidController, UnknownName
 from upright.firmware.balance import trace
 from upright.firmware.setup import FLAT_BATTERY, SENSOR_FAILED, STATUS, TIME_IS_OVER
-from upright.firmware.targets import find_target
+from upright.firmware.targets import check_time, find_target
 from upright.robots import Kit, Robot
 
 LONGEST_HEAD = 40  # lines in which the head of a program is searched
@@ -114,6 +114,7 @@ def generate(
     longest = _longest(seconds, target)
     program = trace(controller, robot, kit, target, reference=reference)
     _check_period(program, place.suffix)
+    check_time(program, target)
     finest = quantum(program, fractions(program)) if arithmetic == "fixed" else None
     facts: dict[str, Any] = {**_facts(program, arithmetic, finest), "hub": hub, "seconds": longest}
     who = identity(controller)

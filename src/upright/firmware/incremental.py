@@ -45,8 +45,8 @@ class Incremental:
         The exact bound, Σ_k |A^k B| s for inputs of size s (the l1 norm of the impulse response); None for a memory
         that grows by itself, as that of a controller may that is unstable without its robot.
         """
-        linear, switching = self.linear, self.law.switching
-        Bu = np.zeros((len(linear.A), 2)) if switching is None else switching.Bu
+        linear, rest = self.linear, self.law.nonlinear
+        Bu = np.zeros((len(linear.A), 2)) if rest is None else rest.Bu
         if np.abs(np.linalg.eigvals(linear.A)).max(initial=0.0) > FADING:
             return None
         entering = np.hstack([linear.A @ self.X, linear.By, linear.Br, Bu, linear.Ba])
@@ -54,12 +54,12 @@ class Incremental:
 
 
 def incremental(controller: Controller, channels: Sequence[str]) -> Incremental:
-    """A linear or sliding controller with the readings of `channels` taken out of its memory.
+    """A controller that `as_law` knows, with the readings of `channels` taken out of its memory.
 
     Raises `InvalidController` for any other, with the reason.
     """
     law = _law(controller)
-    linear, switching = law.linear, law.switching
+    linear, rest = law.linear, law.nonlinear
     positions = np.array([name in channels for name in linear.reads])
     steady = _solved(linear.A, linear.By * positions)
     X = _clean(_floats(steady), np.ones(linear.By.shape))
@@ -69,7 +69,7 @@ def incremental(controller: Controller, channels: Sequence[str]) -> Incremental:
 
     Sy = direct(linear.S, linear.Sy) if len(linear.S) else linear.Sy
     changed = replace(linear, By=linear.By * ~positions, Dy=direct(linear.C, linear.Dy), Sy=Sy)
-    return Incremental(Law(changed, switching and replace(switching, Dy=direct(switching.C, switching.Dy))), X)
+    return Incremental(Law(changed, rest and replace(rest, Dy=direct(rest.C, rest.Dy))), X)
 
 
 def _law(controller: Controller) -> Law:
@@ -83,7 +83,7 @@ def _law(controller: Controller) -> Law:
     except InvalidController:
         raise InvalidController(
             f"a {spec.kind} cannot become a program: its step is not a fixed sum of products",
-            expected="a linear controller (lqr behind a Kalman filter, lqi, lqg, pid, hinf, robust) or a sliding one",
+            expected="a linear controller (lqr behind a Kalman filter, lqi, lqg, pid, hinf, robust), sliding or mpc",
         ) from None
 
 

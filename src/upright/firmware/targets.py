@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from upright.compiled.program import Program
 from upright.errors import InvalidController, SpecMismatch, UnknownName
 from upright.robots import Kit, Robot
 
@@ -95,6 +96,20 @@ class Driver:
     lowest: float
     highest: float
     empty: float
+
+
+PRODUCT = {"arduino": 17.7e-6, "avr": 17.7e-6, "nxc": 33e-6, "pybricks": 16e-6}
+"""[s] of one product and its sum in float, of an LQG in the table of docs/firmware.md; C on 32 bits is quicker."""
+
+
+def check_time(program: Program, where: str) -> None:
+    """Raise `InvalidController` for a program whose products alone take `where` it runs longer than its period."""
+    time = program.operations() * PRODUCT.get(where, 0.0)
+    if time > program.period:
+        raise InvalidController(
+            f"this {program.kind} takes about {time * 1e3:.0f} ms a period on {where}: {program.operations()} products",
+            expected=f"at most its period, {program.period * 1e3:g} ms", hint="target c on a 32-bit processor",
+        )  # fmt: skip
 
 
 FINE = 1000  # steps of duty where the kit states none

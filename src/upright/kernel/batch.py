@@ -30,7 +30,7 @@ _TAILS = {"parameters": (len(NAMES),), "start": (6,), "pushes": (-1, 4), "slope"
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class FleetBatch:
-    """n robots under a linear or a sliding controller. Every array has n rows, or one row that all robots share.
+    """n robots under a linear, sliding or predictive controller. Every array has n rows, or one that all robots share.
 
     `parameters` (·, 21) in the order and units of `robots.robot.PARAMETERS` (see `parameters_of`); `controller` is
     one for all or a sequence of n, and `laws` what they compute; `start` (·, 6) the state at t = 0;
@@ -130,8 +130,8 @@ def _laws(controller: Controller | Law | Sequence[Controller | Law]) -> tuple[La
     several = [controller] if isinstance(controller, Controller | Law) else controller
     laws = tuple(as_law(one) for one in several)
     forms = {(one.reads, one.period, one.command_unit, len(one.A)) for one in (law.linear for law in laws)}
-    if len(laws) > 1 and any(law.switching for law in laws):
-        raise SpecMismatch("several sliding modes in a batch", expected="one, or linear controllers for each robot")
+    if len(laws) > 1 and any(law.nonlinear for law in laws):
+        raise SpecMismatch("several controllers that are not linear in a batch", expected="one of them, or linear ones")
     if len(forms) != 1:
         raise SpecMismatch(
             f"{len(forms)} forms of controllers", expected="one period, size and set of channels for all"

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from upright.compiled.generated import LEFT, RIGHT
 from upright.compiled.print_lanes import LanesPrinter, RowOf, constants
-from upright.compiled.program import Block, Kind, Program, Statement, Sum
+from upright.compiled.program import Block, Kind, Program, Step, Sum
 from upright.control.law import Law, program
 from upright.kernel.rows import COMMAND, REFERENCE
 from upright.kernel.store import functions_of
@@ -31,23 +31,27 @@ FIXED = {f"reference_{name}": RowOf(REFERENCE + i) for i, name in enumerate(STAT
 @dataclass(frozen=True, eq=False)
 class CompiledLaw:
     """Addresses of both functions (`update` is 0 where nothing is remembered), the number of their own `rows`, which
-    begin with the readings, and their `constants`: one row for all robots, or one for each."""
+    begin with the readings, and their `constants`: one row for all robots, or one for each. `residual` is the row of
+    a predictive controller's, among its own; 0 for any other."""
 
     command: int
     update: int
     rows: int
     constants: Array
+    residual: int
 
 
 @lru_cache(maxsize=64)
 def compiled(laws: tuple[Law, ...], referred: int, dtype: str) -> CompiledLaw:
     """The laws of a batch, in float64 or float32; for the first `referred` states there is a reference."""
     text, table = merged([program(law, referred) for law in laws])
-    own = [*text.channels, *(v.name for v in text.of(Kind.STATE)), *text.carried()]
+    outputs = [v.name for v in text.of(Kind.OUTPUT) if v.name not in FIXED]
+    own = [*text.channels, *(v.name for v in text.of(Kind.STATE)), *text.carried(), *outputs]
     places = FIXED | {name: RowOf(i, relative=True) for i, name in enumerate(own)}
     module = LanesPrinter(text, NUMBERS[dtype], places, own=len(laws) > 1).text()
     command, update = functions_of(module, "command", "update")
-    return CompiledLaw(command, update if text.update.statements else 0, len(own), table)
+    residual = own.index("residual") if "residual" in own else 0
+    return CompiledLaw(command, update if text.update.statements else 0, len(own), table, residual)
 
 
 def merged(programs: Sequence[Program]) -> tuple[Program, Array]:
@@ -59,22 +63,22 @@ def merged(programs: Sequence[Program]) -> tuple[Program, Array]:
     place = {name: i for i, name in enumerate(first.variables)}
 
     def whole(blocks: Sequence[Block], terms: Sequence[Sequence[str]]) -> list[Block]:
-        statements = [[_filled(s, names) for s, names in zip(b.statements, terms, strict=True)] for b in blocks]
+        statements = [[_filled(s, names) for s, names in zip(b.steps, terms, strict=True)] for b in blocks]
         return [replace(b, statements=tuple(s)) for b, s in zip(blocks, statements, strict=True)]
 
     filled: list[list[Block]] = []
     for blocks in ([p.command for p in programs], [p.update for p in programs]):
-        rows = zip(*(b.statements for b in blocks), strict=True)
+        rows = zip(*(b.steps for b in blocks), strict=True)
         filled.append(whole(blocks, [sorted(set().union(*map(_names, row)), key=place.__getitem__) for row in rows]))
     each = [replace(p, command=c, update=u) for p, c, u in zip(programs, *filled, strict=True)]
     return each[0], np.array([constants(p) for p in each])
 
 
-def _names(statement: Statement) -> set[str]:
+def _names(statement: Step) -> set[str]:
     return {name for _, name in statement.terms} if isinstance(statement, Sum) else set()
 
 
-def _filled(statement: Statement, names: Sequence[str]) -> Statement:
+def _filled(statement: Step, names: Sequence[str]) -> Step:
     """A sum with a coefficient for each of `names`."""
     if not isinstance(statement, Sum):
         return statement

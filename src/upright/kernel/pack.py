@@ -22,6 +22,9 @@ from upright.signals import STATE_NAMES
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 
+RESIDUAL = "command/residual"
+"""By how much the last iteration of a predictive controller moved its command, over the limit [1]."""
+
 _SAME_TIME = 1e-9  # [s] as in `experiment.pushes`
 
 
@@ -171,12 +174,14 @@ def _state(name: str) -> int:
     return names.index(name)
 
 
-def recorded(channels: Sequence[str], at: Rows, controller: LinearController) -> tuple[Whole, Whole]:
+def recorded(channels: Sequence[str], packed: Packed, controller: LinearController) -> tuple[Whole, Whole]:
     """Rows to be recorded at the start and at the end of a period."""
+    at, residual = packed.at, packed.program.residual
     start = {f"truth/{name}": g.PITCH + i for i, name in enumerate(STATE_NAMES)}
     start |= {f"reference/{name}": b.REFERENCE + i for i, name in enumerate(STATE_NAMES)}
     start |= {"command/left": b.COMMAND, "command/right": b.COMMAND + 1}
     start |= {name: at.reading + i for i, name in enumerate(controller.reads) if name.startswith("sensor/")}
+    start |= {RESIDUAL: at.reading + residual} if residual else {}
     end = {"applied/left": g.LEFT, "applied/right": g.RIGHT, "push/force": g.FORCE}
     for name in channels:
         if name not in start | end:

@@ -53,8 +53,9 @@ def simulate(
     """Every robot of `batch` for `seconds`, or until it falls.
 
     `channels` are recorded every `record` periods (0: not at all): truth/…, reference/…, command/…, applied/…,
-    push/force and the sensor/… that the controller reads. `bands` are |pitch|, |wheel|, |yaw| [rad] inside
-    which a robot counts as settled. `dtype` is float64 or float32; `threads` is by default the number of processors.
+    push/force, the sensor/… that the controller reads, and command/residual of a predictive one. `bands` are |pitch|,
+    |wheel|, |yaw| [rad] inside which a robot counts as settled. `dtype` is float64 or float32; `threads` is by default
+    the number of processors.
     The controller `called` acts in place of the batch's own, which is then `batch.silent(called)`: any controller, in
     Python for one robot after another, in float64 and one thread.
 

@@ -102,7 +102,7 @@ def run_piece(batch: FleetBatch, rows: Selection, variant: str, order: Order, ou
     h = batch.period / order.substeps
     kit = kit_tables(piece, order.stride)
     packed = pack(piece, kit, h, order.dtype)
-    before, after = recorded(order.channels, packed.at, piece.form)
+    before, after = recorded(order.channels, packed, piece.form)
     lanes = Lanes(order.called, packed.at) if order.called else None
     plan = Plan(
         order.periods, order.stride, order.substeps, order.record, packed.program.command, packed.program.update,

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from upright.compiled.program import Program
 from upright.errors import UnknownName
+from upright.firmware.targets import check_time
 from upright.parity.execute_arm import ArmExecutor
 from upright.parity.execute_avr import AvrExecutor
 from upright.parity.execute_nxc import NxcExecutor
@@ -31,9 +32,11 @@ EXECUTORS: dict[str, dict[str, Maker]] = {
 
 
 def execute(source: Path, program: Program, number: str, chip: str = "") -> Executor:
-    """What runs that file; `UnknownName` for a chip the target does not run on, `MissingTool` for an absent tool."""
+    """What runs that file; `UnknownName` for a chip the target does not run on, `InvalidController` for one that is
+    too slow, `MissingTool` for an absent tool."""
     known = EXECUTORS[program.target]
     name = chip or next(iter(known))
     if name not in known:
         raise UnknownName(f"chip for {program.target}", name, known)
+    check_time(program, name)
     return known[name](source, program, number)
