@@ -66,7 +66,7 @@ def measured(
 
 
 def _machine() -> str:
-    packages = ", ".join(f"{name} {version(name)}" for name in ("numpy", "daqp"))
+    packages = f"numpy {version('numpy')}"
     chip = platform.processor() or platform.machine()
     return f"{chip}, {os.cpu_count()} cores, Python {platform.python_version()}, {packages}"
 

@@ -13,11 +13,12 @@ import numpy as np
 import pytest
 
 from firmware_cases import NXT, ROBOT, SPIKE, designed, frozen, steering, written
+from upright.compiled.interpret import Interpreter
 from upright.control import controller_hash
 from upright.control.controller import Controller
-from upright.errors import InvalidLog, MissingTool
+from upright.errors import InvalidController, InvalidLog, MissingTool
 from upright.experiment import Drive, Turn
-from upright.firmware import Firmware, longest_run
+from upright.firmware import Firmware, generate, longest_run
 from upright.firmware.tools import ExecutionFailed, run_tool, tool
 from upright.flight.program_logs import read_lines
 from upright.links.brick import LEFT, RIGHT
@@ -272,6 +273,62 @@ def test_c_on_an_arm7tdmi(tmp_path: Path, number):
     products = made.program.operations()
     # at least an instruction a product, and less than the 480 000 cycles of 10 ms at 48 MHz
     assert products < executor.worst.instructions <= executor.worst.cycles < 480_000
+
+
+@pytest.mark.needs("gcc")
+@pytest.mark.parametrize("number", ["double", "float"])
+def test_predictive_control_in_c(tmp_path: Path, number):
+    source, made = written(tmp_path, "c", controller=designed("mpc"), number=number)
+    executor = HostExecutor(source, made.program, number)
+    found = executed_parity(executor, designed("mpc"), made, ROBOT, NXT, body="nonlinear")
+    executor.close()
+    passed(found)
+
+
+@pytest.mark.slow
+@pytest.mark.needs("arm-none-eabi-gcc", "module:unicorn")
+@pytest.mark.parametrize("number", ["float", "double"])
+def test_predictive_control_on_an_arm7(tmp_path: Path, number):
+    """A few periods where limits count, against the statements themselves: 20 s would take minutes to emulate."""
+    source, made = written(tmp_path, "c", controller=designed("mpc"), number=number)
+    executor, machine = ArmExecutor(source, made.program, number), Interpreter(made.program)
+    executor.start()
+    still, worst = dict.fromkeys(made.program.channels, 0.0) | {"raw_battery": 8.0}, 0.0
+    while not machine.calibrate(still)["ready"]:
+        executor.step(still)
+    executor.step(still)
+    limited = 0
+    for k in range(20):
+        raw = still | {"raw_gyro": 4.0 if k < 10 else -4.0}
+        own, found = machine.command(raw), executor.step(raw)
+        machine.update()
+        limited += own["beyond"] > 0
+        worst = max(worst, abs(found["command_left"] - own["command_left"]))
+    assert limited > 5
+    assert worst < ALLOWED[number]
+    # less than the 480 000 cycles of 10 ms at 48 MHz
+    assert made.program.operations() < executor.worst.cycles
+    assert number == "double" or executor.worst.cycles < 480_000
+
+
+@pytest.mark.parametrize("target", ["arduino", "nxc", "pybricks"])
+def test_predictive_control_is_refused_where_it_takes_longer_than_its_period(target):
+    with pytest.raises(InvalidController, match=r"takes about \d\d ms a period"):
+        generate(designed("mpc"), ROBOT, NXT, target)
+
+
+def test_predictive_control_is_refused_on_an_avr(tmp_path: Path):
+    source, made = written(tmp_path, "c", controller=designed("mpc"))
+    with pytest.raises(InvalidController, match="on avr"):
+        execute(source, made.program, "float", "avr")
+
+
+@pytest.mark.slow
+def test_predictive_control_in_python(tmp_path: Path):
+    source, made = written(tmp_path, "ev3dev", controller=designed("mpc"))
+    executor = execute(source, made.program, made.number)
+    passed(executed_parity(executor, designed("mpc"), made, ROBOT, NXT, body="nonlinear"))
+    executor.close()
 
 
 @pytest.mark.parametrize(

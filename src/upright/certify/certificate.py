@@ -187,9 +187,7 @@ class Certificate(Shown):
         sweeps = [_sweep("dead time +", self.delayed), _sweep("period ", self.slower)]
         lines = [head, *(f"  {reason}" for reason in self.reasons), "", columns, *(_row(t) for t in self.trials)]
         worst = max((t.residual for t in self.trials), default=0.0)
-        sweeps += (
-            [f"the last iteration of a period moved a command by at most {worst:.2%} of its limit"] if worst else []
-        )
+        sweeps += [f"the last iteration moved a command by {worst:.2%} of its limit at most"] if worst else []
         sweeps += ["the log: " + "; ".join(map(str, self.agreement))] if self.agreement else []
         inside = [str(s) for s in self.support if not s.outside]
         sweeps += ["the log supports: " + "; ".join(inside)] if inside else []
@@ -216,12 +214,10 @@ def certify(
     `posterior` is an `Uncertainty`, or a file by `upright calibrate --save`; its medians are then the nominal robot. By
     default robots are drawn from the spreads in the robot's file. `log` is a recording of this robot, read through
     `mapping`. Without a `posterior` the robot is first calibrated from it. The log is also compared with the
-    assumptions. `sweeps` adds further dead times and other periods, on which the light does not
-    depend. Controller, robot and kit may be names or files.
-
-    A controller that no law describes, such as one of your own, is called for each robot: 1000 samples take minutes.
-    `progress` receives the fraction done. Raises `SpecMismatch` for a controller that does not fit, `InvalidScenario`
-    for too few samples, `InvalidLog` for a log that cannot be compared.
+    assumptions. `sweeps` adds further dead times and other periods, on which the light does not depend. Controller,
+    robot and kit may be names or files. A controller that no law describes, such as one of your own, is called for
+    each robot: 1000 samples take minutes. `progress` receives the fraction done. Raises `SpecMismatch` for a controller
+    that does not fit, `InvalidScenario` for too few samples, `InvalidLog` for a log that cannot be compared.
     """
     given = find_robot(robot)
     nominal, unknown = at_medians(given, posterior)
