@@ -16,9 +16,10 @@ from upright.control import lqg
 from upright.control.excited import Excited, random_binary
 from upright.control.files import write_controller
 from upright.errors import UprightError
+from upright.report.validation import page_of as report_page
 from upright.robots import Kit, Robot
 from upright.validate.law import LinearLaw, law_of
-from upright.validate.validation import LogJudged
+from upright.validate.validation import LogJudged, Validation
 
 ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
 
@@ -34,7 +35,12 @@ def log_of(kind: str = "") -> up.Log:
         kit = replace(kit, sensors={**kit.sensors, "sensor/gyro": gyro})
     controller = Excited(lqg(ROBOT, KIT, KIT.period), random_binary(1000, 1.0, seed=5, hold=6))
     body = up.Electronics(up.NonlinearBody(robot, period=0.001), kit)
-    return up.run(body, controller, seconds=5.0, seed=2)
+    log = up.run(body, controller, seconds=5.0, seed=2)
+    if kind == "excited":  # and says so in the log
+        added = random_binary(1000, 1.0, seed=5, hold=6)[: len(log)]
+        channels = {"excitation/left": added[:, 0], "excitation/right": added[:, 1]}
+        log = up.Log(log.t, {**log.channels, **channels}, log.units, log.origin)
+    return log
 
 
 @cache
@@ -50,12 +56,28 @@ def test_the_robot_that_made_the_log_predicts_it_and_needs_no_change() -> None:
     assert log.shifts == ()
 
 
-def test_a_sensor_that_never_changes_is_named() -> None:
-    """What is left out of a verdict is said beside it: the plug of one encoder is out."""
+@pytest.mark.parametrize("channel", ["sensor/encoder_right", "sensor/encoder_left"])
+def test_a_sensor_that_never_changes_is_named_in_the_verdict(channel: str) -> None:
+    """What is left out of a verdict is said in it: the plug of one encoder is out."""
     log = log_of()
-    dead = up.Log(log.t, {**log.channels, "sensor/encoder_right": np.zeros(len(log))}, log.units, log.origin)
-    assert any("encoder right never changes" in note for note in up.validate(ROBOT, dead, KIT).logs[0].notes)
+    dead = up.Log(log.t, {**log.channels, channel: np.zeros(len(log))}, log.units, log.origin)
+    result, name = up.validate(ROBOT, dead, KIT), channel.removeprefix("sensor/").replace("_", " ")
+    assert result.verdict != "predicts"
+    assert f"{name} never changes" in result.sentence
+    assert any(f"{name} never changes" in note for note in result.logs[0].notes)
     assert judged().notes == ()
+
+
+def test_a_loop_of_a_law_that_reads_estimates_is_not_taken_for_the_programs() -> None:
+    """The program's Kalman filter reads coarse encoders and a noisy gyro: the true states are not what it computed."""
+    log = judged("excited")
+    assert log.estimates
+    assert "--controller" in log.caution
+    assert "--controller" in str(Validation(robot="", kit="", logs=(log,)))
+    whole = report_page(Validation(robot="", kit="", logs=(log,)))
+    assert not any("closed loop" in label for _, label in whole.numbers)
+    given = up.validate(ROBOT, log_of("excited"), KIT, lqg(ROBOT, KIT, KIT.period)).logs[0]
+    assert given.caution == ""
 
 
 def test_planted_faults_are_what_would_have_to_move() -> None:
@@ -71,9 +93,7 @@ def test_planted_faults_are_what_would_have_to_move() -> None:
 def test_the_law_is_read_from_the_log_or_from_its_file(tmp_path: Path) -> None:
     controller = lqg(ROBOT, KIT, KIT.period)
     log = log_of()
-    excitation = random_binary(1000, 1.0, seed=5, hold=6)[: len(log)]
-    channels = dict(log.channels) | {"excitation/left": excitation[:, 0], "excitation/right": excitation[:, 1]}
-    whole = up.Log(log.t, channels, log.units, log.origin)
+    whole = log_of("excited")
     read = law_of(whole, ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro"))
     assert isinstance(read, LinearLaw)
     assert read.explained > 0.9999  # u = −K x̂ + excitation, and x̂ is in the log

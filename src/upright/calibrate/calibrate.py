@@ -269,8 +269,9 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
         return _tempered(*_between_runs(best))
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         fits = [rough, *pool.map(partial(_segmented, problem, limits), (np.zeros_like(z), z, rough.z))]
-        best = _best_simulated(fits, LEVEL)
-        best = _best_simulated([best, *pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)])
+        best, level = _best_simulated(fits, [*pool.map(_simulated, fits)], LEVEL)
+        tries = [*pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)]
+        best, _ = _best_simulated([best, *tries], [level, *pool.map(_simulated, tries)])
     return _tempered(*_between_runs(best))
 
 
@@ -316,16 +317,19 @@ def _fitted(problem: Problem, z: Array, *, iterations: int) -> Fitted:
     return Fitted(problem, result.z, result.normal, result.paths)
 
 
-def _best_simulated(fits: Sequence[Fitted], level: float = 0.0) -> Fitted:
-    """The fit whose robot follows the log best when it is simulated freely; of fits that leave more than it by a
-    fraction of at most `level`, the one whose numbers the prior takes for likeliest."""
+def _simulated(fit: Fitted) -> float:
+    """How well the robot of a fit follows the log when it is simulated freely."""
     from upright.calibrate.validate import score
 
-    scores = [score(fit.problem, fit.z) if np.isfinite(fit.normal.objective) else -np.inf for fit in fits]
+    return score(fit.problem, fit.z) if np.isfinite(fit.normal.objective) else -np.inf
+
+
+def _best_simulated(fits: Sequence[Fitted], scores: Sequence[float], level: float = 0.0) -> tuple[Fitted, float]:
+    """The fit with the best of these `scores`, and its score; of fits that leave more than it by a fraction of at most
+    `level`, the one whose numbers the prior takes for likeliest."""
     least = max(scores) - level * (1 - max(scores)) if np.isfinite(max(scores)) else -np.inf
-    return min(
-        (fit for fit, value in zip(fits, scores, strict=True) if value >= least), key=lambda fit: float(fit.z @ fit.z)
-    )
+    good = [(fit, value) for fit, value in zip(fits, scores, strict=True) if value >= least]
+    return min(good, key=lambda one: float(one[0].z @ one[0].z))
 
 
 def _with_gyro_delay(problem: Problem, z: Array, periods: float) -> Fitted:

@@ -7,7 +7,7 @@ what somebody computed from a duty and a battery, and each of these has its prio
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,10 +53,10 @@ def electronics_of(robot: Robot, kit: Kit, logs: Sequence[Log]) -> tuple[Paramet
     return tuple(parameters)
 
 
-def driven(parameters: Sequence[Parameter], z: Array) -> Array:
-    """Factor of the left and of the right motor, dead zone and constant command (4, lanes) at z (parameters, lanes)."""
-    values = {p.name: np.asarray(p.value(z[i])) for i, p in enumerate(parameters) if p.name in MEANING}
-    half = values.get(ASYMMETRY, np.zeros(z.shape[1])) / 2
-    supply = values.get(BATTERY, np.ones(z.shape[1]))
-    zone, constant = (values.get(name, np.zeros(z.shape[1])) for name in (DEAD_ZONE, CONSTANT))
+def driven(values: Mapping[str, Array], lanes: int) -> Array:
+    """Factor of the left and of the right motor, dead zone and constant command (4, lanes) where the parameters have
+    these `values` (lanes,)."""
+    half = values.get(ASYMMETRY, np.zeros(lanes)) / 2
+    supply = values.get(BATTERY, np.ones(lanes))
+    zone, constant = (values.get(name, np.zeros(lanes)) for name in (DEAD_ZONE, CONSTANT))
     return np.array([supply * (1 - half), supply * (1 + half), zone, constant])

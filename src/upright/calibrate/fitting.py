@@ -7,7 +7,7 @@ uncorrelated with their own derivative at fixed gains, and the estimate stays co
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from upright.calibrate.effects import RUN, maps_of
 from upright.calibrate.electronics import driven
-from upright.calibrate.parameters import Parameter, columns
+from upright.calibrate.parameters import Coordinates, Parameter, columns
 from upright.calibrate.threads import CORES, in_threads
 from upright.compiled.generated import LANES, Constants, constants
 from upright.logs.recording import SENSOR, Recording, reading_matrix
@@ -51,6 +51,7 @@ LEVEL = (
     AT.rotor_coupling, AT.pitch_inertia, AT.yaw_swing,
 )  # fmt: skip
 """The constants that a robot on a level floor shows; the rest belong to slopes and pushes."""
+_LEVEL = list(LEVEL)
 EXACT = 7e-4
 """How right the equations are (root mean square): with the same numbers they and MuJoCo, whose contacts yield a little,
 differ by 0.04 % in pitch and 0.07 % in the wheel rate (docs/twin.md), and no real robot is nearer to either."""
@@ -103,6 +104,7 @@ class Problem:
     restart: float = math.inf
     longest: float = field(init=False)
     asked: tuple[Parameter, ...] = field(init=False)
+    _coordinates: Coordinates = field(init=False, repr=False)
     _least: Array = field(init=False, repr=False)
     _runs: Array = field(init=False, repr=False)
     _shapes: tuple[Array, Array] = field(init=False, repr=False)
@@ -114,6 +116,7 @@ class Problem:
         object.__setattr__(self, "_shapes", shapes)
         shared = [p for p in self.parameters if not p.name.startswith(RUN)]
         object.__setattr__(self, "asked", tuple(p for p in shared if not p.name.startswith(EQUATION)))
+        object.__setattr__(self, "_coordinates", Coordinates(self.asked))
         object.__setattr__(self, "_least", np.array([[p.least - 2 * NUDGE] for p in shared]))
         object.__setattr__(self, "_runs", maps_of(self.parameters, len(self.recordings)))
 
@@ -130,34 +133,44 @@ class Problem:
         """The numbers of one run (shared, lanes) at z (parameters, lanes): the robot's, and what this run adds."""
         return np.maximum(self._runs[run] @ z, self._least) if len(z) else z
 
-    def delays_at(self, z: Array) -> dict[str, Array]:
-        """Dead time [s] of each sensor, over the lanes of a run's numbers z (shared, lanes)."""
-        delays = {name: np.full(z.shape[1], value) for name, value in self.delays.items()}
-        for i, p in enumerate(self.asked):
-            if p.name.startswith("delay/"):
-                delays[p.name.removeprefix("delay/")] = p.value(z[i])
-        return delays
+    def values(self, z: Array) -> dict[str, Array]:
+        """What is asked (lanes,), by name, at a run's numbers z (shared, lanes)."""
+        return self._coordinates.values(z)
+
+    def _delays_at(self, values: Mapping[str, Array], lanes: int) -> dict[str, Array]:
+        """Dead time [s] of each sensor (lanes,), where the parameters have these `values`."""
+        return {name: values.get(f"delay/{name}", np.full(lanes, d)) for name, d in self.delays.items()}
+
+    def _own(self, recording: Recording, z: Array) -> dict[str, float]:
+        """Dead time [s] of each sensor in this recording at z (parameters,)."""
+        values = self.values(self.of_run(z[:, None], self.run_of(recording)))
+        return {name: float(d[0]) for name, d in self._delays_at(values, 1).items()}
 
     def coefficients(self, z: Array) -> Array:
         """What the predictor is made of (coefficients, lanes), for the lanes of a run's numbers z (shared, lanes): the
         constants of the equations of motion, what drives them, and the dead time of each sensor."""
-        numbers = columns(self.robot, self.asked, z)
-        c = np.empty((len(AT), z.shape[1]))
+        values, lanes = self.values(z), z.shape[1]
+        numbers = columns(self.robot, values)
+        c = np.empty((len(AT), lanes))
         for row, value in zip(c, constants([getattr(numbers, name) for name in PARAMETERS], 1.0), strict=True):
             row[:] = value
         if len(z) > len(self.asked):
-            size = c[list(LEVEL)]
+            size = c[_LEVEL]
             if self.robot.coulomb_friction:
                 size[LEVEL.index(AT.rotor_coupling)] = TURNED / EXACT * np.sqrt(c[AT.pitch_inertia])
-            c[list(LEVEL)] += EXACT * size * z[len(self.asked) :]
-        return np.concatenate([c, driven(self.asked, z), [*self.delays_at(z).values()]])
+            c[_LEVEL] += EXACT * size * z[len(self.asked) :]
+        return np.concatenate([c, driven(values, lanes), [*self._delays_at(values, lanes).values()]])
 
     def by_parameter(self, z: Array) -> list[tuple[Array, Array]]:
         """For each run the coefficients (coefficients,) at z (parameters,), and their slopes (coefficients,
         parameters)."""
-        several = [around(self.of_run(z[:, None], run)[:, 0]) for run in range(len(self.recordings))]
-        q = np.split(self.coefficients(np.concatenate(several, axis=1)), len(several), axis=1)
+        q = self.coefficients_of_runs(z[:, None], around)
         return [(part[:, -1], slopes_of(part) @ of_z) for part, of_z in zip(q, self._runs, strict=True)]
+
+    def coefficients_of_runs(self, z: Array, lanes: Callable[[Array], Array] = np.asarray) -> list[Array]:
+        """For each run its coefficients (coefficients, lanes) at z (parameters, 1), or at `lanes` of its numbers."""
+        several = [lanes(self.of_run(z, run)) for run in range(len(self.recordings))]
+        return np.split(self.coefficients(np.concatenate(several, axis=1)), len(several), axis=1)
 
     def lanes_of(self, recording: Recording, q: Array) -> RobotLanes:
         """What the predictor takes of the coefficients q (coefficients, lanes)."""
@@ -174,14 +187,12 @@ class Problem:
 
     def own_delays(self, recording: Recording, z: Array) -> Array:
         """Dead time [s] of each event (events,): zero for commands."""
-        delays = self.delays_at(self.of_run(z[:, None], self.run_of(recording)))
-        rows = np.array([float(delays[SENSOR[row]][0]) for row in recording.rows] + [0.0])
-        return rows[recording.kind]
+        delays = self._own(recording, z)
+        return np.array([delays[SENSOR[row]] for row in recording.rows] + [0.0])[recording.kind]
 
     def order(self, recording: Recording, z: Array) -> NDArray[np.int64]:
         """The events in the command's time at z (parameters,)."""
-        delays = self.delays_at(self.of_run(z[:, None], self.run_of(recording)))
-        return recording.order({name: float(d[0]) for name, d in delays.items()})
+        return recording.order(self._own(recording, z))
 
     def filtered(self, recording: Recording, z: Array, *, keep: bool = False, until: float = np.inf) -> Path:
         """The filter at z (parameters,) along a recording, up to the time `until` [s]."""
@@ -243,9 +254,9 @@ def events_of(recording: Recording, order: NDArray[np.int64]) -> Events:
 
 
 def around(z: Array) -> Array:
-    """RobotLanes (n, 2n + 1) a nudge above z (n,) in each parameter, then a nudge below, then z."""
+    """Lanes (n, 2n + 1) a nudge above z (n,) in each parameter, then a nudge below, then z."""
     n = len(z)
-    lanes = np.repeat(z[:, None], 2 * n + 1, axis=1)
+    lanes = np.repeat(z.reshape(n, 1), 2 * n + 1, axis=1)
     lanes[np.arange(n), np.arange(n)] += NUDGE
     lanes[np.arange(n), n + np.arange(n)] -= NUDGE
     return lanes

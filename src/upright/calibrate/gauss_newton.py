@@ -27,6 +27,7 @@ REACH = 3.0  # deviations of the prior that a parameter moves at most in one ite
 INNER = 25  # iterations along the coefficients' curves, at most
 INNER_GAIN = 1e-5  # in log-likelihood: gain that ends them, a thousandth of `NO_LOSS`
 FIRST_BRAKE, LEAST_BRAKE, MOST_BRAKE = 1e-9, 1e-6, 1e9  # damping of the inner steps: first, after a failure, most
+MORE_BRAKE = 2.0  # [1] factor after a first failure, doubled after each further one; after a success Nielsen's (1999)
 
 CONVERGED, NO_DESCENT, OUT_OF_ITERATIONS = "converged", "no step lowers the objective", "iterations used up"
 
@@ -79,30 +80,41 @@ def _predicted_minimum(problem: Problem, z: Array, normal: Normal, damping: floa
             (q[part.rows] / part.unit, A + damping * np.diag(np.diag(A)), problem.temper * weighed.T @ part.whitened)
         )
 
-    def model(y: Array) -> tuple[float, Array, Array]:
-        value, gradient, hessian = 0.5 * float(y @ y), y, np.eye(len(y))
-        for part, (at, A, g), (q, C) in zip(normal.linear, bowls, problem.by_parameter(y), strict=True):
-            d, slopes = q[part.rows] / part.unit - at, C[part.rows] / part.unit[:, None]
-            value += float(g @ d + 0.5 * d @ A @ d)
-            gradient = gradient + slopes.T @ (g + A @ d)
-            hessian += slopes.T @ A @ slopes
-        return value, gradient, hessian
+    def value(y: Array) -> float:
+        q = (c[:, 0] for c in problem.coefficients_of_runs(y[:, None]))
+        steps = [at[part.rows] / part.unit - c for part, (c, *_), at in zip(normal.linear, bowls, q, strict=True)]
+        return 0.5 * float(y @ y) + sum(
+            float(g @ d + 0.5 * d @ A @ d) for d, (_, A, g) in zip(steps, bowls, strict=True)
+        )
 
-    y, (value, gradient, hessian), brake = z, model(z), FIRST_BRAKE
+    def derivatives(y: Array) -> tuple[Array, Array]:
+        gradient, hessian = y, np.eye(len(y))
+        for part, (at, A, g), (q, C) in zip(normal.linear, bowls, problem.by_parameter(y), strict=True):
+            slopes = C[part.rows] / part.unit[:, None]
+            gradient = gradient + slopes.T @ (g + A @ (q[part.rows] / part.unit - at))
+            hessian += slopes.T @ A @ slopes
+        return gradient, hessian
+
+    y, now, brake, more = z, value(z), FIRST_BRAKE, MORE_BRAKE
     for _ in range(INNER):
+        gradient, hessian = derivatives(y)
         free = rows_of(problem.active & ~((y <= least + 1e-9) & (gradient > 0)))
         while brake < MOST_BRAKE:
             step = np.zeros_like(y)
             braked = (hessian + brake * np.diag(np.diag(hessian)))[np.ix_(free, free)]
             step[free] = -np.linalg.solve(braked, gradient[free])
             new = np.clip(y + step, least, z + REACH)
-            lower, *there = model(new)
-            if lower < value:
+            expected = -(gradient @ (new - y)) - 0.5 * (new - y) @ hessian @ (new - y)
+            if expected < INNER_GAIN and (new == y + step).all():
+                return y
+            gained = now - value(new)
+            if gained > 0:
                 break
-            brake = max(10 * brake, LEAST_BRAKE)
+            brake, more = max(more * brake, LEAST_BRAKE), 2 * more
         else:
             break
-        gained, y, value, brake, (gradient, hessian) = value - lower, new, lower, brake / 10, there
+        y, now, more = new, now - gained, MORE_BRAKE
+        brake *= max(0.1, 1 - (2 * gained / max(expected, gained) - 1) ** 3)
         if gained < INNER_GAIN:
             break
     return y

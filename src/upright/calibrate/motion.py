@@ -47,7 +47,7 @@ DRIVE_LEFT, DRIVE_RIGHT, DEAD_ZONE, CONSTANT, SPAN, FRICTION, REVERSAL, STUCK, S
 what is added to both commands; the time to move [s]; dry friction as a command; negative where a wheel turned back;
 whether one has since the row was cleared; the state before the step."""
 
-SWEEPS = 20  # of Gauss and Seidel over both wheels, at most: each halves the error at least
+SWEEPS = 20  # of Gauss and Seidel over both wheels, at most, from where both would stand still
 PASSES = 3  # in which the response to friction, known to a few hundredths, is corrected, at most
 SETTLED = 1e-10  # [rad/s] of a wheel, to which friction is solved for
 
@@ -142,6 +142,14 @@ def _mean_friction(first: Any, free: Any, own: Any, dry: Any) -> Any:
     return sign * (free - last) / own
 
 
+@inlined
+def _both_held(free_left: Any, free_right: Any, own: Any, other: Any, dry: Any) -> Any:
+    """The friction that brings both wheels to rest at the end of a step, or as much of it as there is."""
+    left, right = own * free_left - other * free_right, own * free_right - other * free_left
+    most = dry * (own * own - other * other)
+    return dry * max(-1.0, min(1.0, left / most)), dry * max(-1.0, min(1.0, right / most))
+
+
 @njit
 def _stop(w: Any, i: Any, d: Any) -> None:
     """The step of lane i again, in which a wheel stops: friction is such that it sticks or turns back."""
@@ -155,11 +163,12 @@ def _stop(w: Any, i: Any, d: Any) -> None:
         free_left = last_left + own * left + other * right
         free_right = last_right + own * right + other * left
         before_left, before_right = left, right
+        left, right = _both_held(free_left, free_right, own, other, dry)
         for _ in range(SWEEPS):
-            before = left
+            before = left, right
             left = _mean_friction(first_left, free_left - other * right, own, dry)
             right = _mean_friction(first_right, free_right - other * left, own, dry)
-            if abs(left - before) * own < SETTLED:
+            if (abs(left - before[0]) + abs(right - before[1])) * own < SETTLED:
                 break
         if (abs(left - before_left) + abs(right - before_right)) * own < SETTLED:
             break

@@ -7,10 +7,10 @@ deviation away, and the information of a log about z is in units of the prior's.
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from types import SimpleNamespace
 from typing import Any, Literal
 
 import numpy as np
@@ -54,10 +54,12 @@ class Parameter:
 
     def value(self, z: Any) -> Any:
         """The parameter at the coordinate z."""
-        if self.scale == "logarithm":
-            return self.prior * np.exp(np.asarray(z) * (self.spread / self.prior))
-        value = self.prior + np.asarray(z) * self.spread
-        return np.where(np.abs(value - self.lower) < ROUNDING * self.spread, self.lower, value)[()]
+        return _values(np.asarray(z), self.prior, self.spread, self.rate, self.lower)[()]
+
+    @property
+    def rate(self) -> float:
+        """How much its logarithm changes by z; 0 where z acts on the number itself."""
+        return self.spread / self.prior if self.scale == "logarithm" else 0.0
 
     def coordinate(self, value: float) -> float:
         """The inverse of `value`."""
@@ -69,6 +71,29 @@ class Parameter:
     def least(self) -> float:
         """The smallest z allowed."""
         return (self.lower - self.prior) / self.spread if self.scale == "linear" else -math.inf
+
+
+def _values(z: Array, prior: Any, spread: Any, rate: Any, lower: Any) -> Array:
+    linear = prior + z * spread
+    linear = np.where(np.abs(linear - lower) < ROUNDING * spread, lower, linear)
+    return np.where(rate > 0, prior * np.exp(z * rate), linear)
+
+
+@dataclass(frozen=True, eq=False)
+class Coordinates:
+    """Several parameters as functions of their coordinates, all at once."""
+
+    parameters: tuple[Parameter, ...]
+    _shapes: tuple[Array, ...] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        each = [[getattr(p, name) for p in self.parameters] for name in ("prior", "spread", "rate", "lower")]
+        object.__setattr__(self, "_shapes", tuple(np.array(one, dtype=np.float64)[:, None] for one in each))
+
+    def values(self, z: Array) -> dict[str, Array]:
+        """Each parameter (lanes,) at the coordinates z (parameters and more, lanes)."""
+        each = _values(z[: len(self.parameters)], *self._shapes)
+        return {p.name: row for p, row in zip(self.parameters, each, strict=True)}
 
 
 def parameters_of(
@@ -135,7 +160,7 @@ def most_friction(robot: Robot) -> float:
 def with_values(robot: Robot, values: Mapping[str, float]) -> Robot:
     """`robot` with new numbers, its roll inertia where `ROLL_FRACTION` says between its bounds, or where it stood."""
     physical = {name: value for name, value in values.items() if name in PARAMETERS}
-    changed = _Numbers(**(robot.numbers() | physical))
+    changed = SimpleNamespace(**robot.numbers() | physical)
     fraction = min(max(values.get(ROLL_FRACTION, _roll_fraction(robot).prior), 0.02), 0.98)
     return robot.replace(**physical, roll_inertia=float(roll_inertia(changed, fraction)))
 
@@ -146,16 +171,12 @@ def roll_inertia(p: Any, fraction: Any) -> Any:
     return low + fraction * (high - low)
 
 
-_Numbers: Any = dataclasses.make_dataclass("_Numbers", list(PARAMETERS), frozen=True)
-
-
-def columns(robot: Robot, parameters: Sequence[Parameter], z: Array) -> Any:
-    """The robot's numbers, with the fields of `Robot`: arrays over the lanes of `z` (parameters, lanes) where they are
-    parameters."""
-    values = {p.name: p.value(z[i]) for i, p in enumerate(parameters)}
-    changed = _Numbers(**{name: values.get(name, value) for name, value in robot.numbers().items()})
+def columns(robot: Robot, values: Mapping[str, Any]) -> Any:
+    """The robot's numbers, with the fields of `Robot`: those of `values` (arrays over lanes) in place of its own."""
+    changed = SimpleNamespace(**robot.numbers() | {n: v for n, v in values.items() if n in PARAMETERS})
     fraction = values[ROLL_FRACTION] if ROLL_FRACTION in values else _roll_fraction(robot).prior
-    return dataclasses.replace(changed, roll_inertia=roll_inertia(changed, fraction))
+    changed.roll_inertia = roll_inertia(changed, fraction)
+    return changed
 
 
 def rows_of(mask: NDArray[np.bool_]) -> list[int]:

@@ -7,6 +7,7 @@ know it either; so first states of several pitches are tried, and the best of th
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,9 @@ from upright.calibrate.fitting import Problem
 from upright.logs.recording import Recording
 from upright.physics.dynamics import turn_ratio
 
+if TYPE_CHECKING:
+    from upright.calibrate.predictor import RobotLanes
+
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 
@@ -22,6 +26,7 @@ FAN = np.array([-0.6, -0.3, -0.15, -0.07, -0.03, 0.0, 0.03, 0.07, 0.15, 0.3, 0.6
 """[rad] first pitches to try, closer where a balancing robot is."""
 TRIED = 2  # of the first states are fitted: those that follow the readings best as they are
 FIRST_READINGS = 7  # of a sensor, through which a line gives its first value and slope
+SAME = 1e-3  # [1] of the weak hold below: first states so close descend to one
 MISSED = 1e4  # squared error, over its scale, of a reading beyond a fall: as far off as what varies a hundredfold
 
 _NUDGES = np.array([1e-5, 1e-4, 1e-4, 1e-3, 1e-4, 1e-3])  # steps in the first state, of its own size
@@ -42,8 +47,10 @@ class Stretch:
     before: Whole
     scale: Array
     events: Whole = field(init=False)
+    _robot: RobotLanes = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "_robot", self.problem.lanes(self.recording, self.z[:, None]))
         object.__setattr__(self, "events", self.order[self.recording.kind[self.order] >= 0])
 
     def predicted(self, filtered: Array) -> Array:
@@ -54,12 +61,15 @@ class Stretch:
 
     def first(self, filtered: Array) -> Array:
         """The first state (states,) from which the readings are followed best."""
-        fitted = [self._descended(first) for first in self._likeliest(self._starts(filtered))]
-        return min(fitted, key=lambda state_and_cost: state_and_cost[1])[0]
+        best, least = np.full_like(filtered, np.inf), np.inf
+        for first in self._likeliest(self._starts(filtered)):
+            state, cost = self._descended(first, best)
+            best, least = (state, cost) if cost < least else (best, least)
+        return best
 
     def _errors(self, firsts: Array) -> Array:
         """Errors (events, lanes) over their scale, from the first states (states, lanes)."""
-        e = free(self.problem, self.recording, self.z, self.order, self.before, firsts)
+        e = free(self._robot, self.recording, self.order, self.before, firsts, self.problem.longest)
         return e[self.recording.kind[self.order] >= 0] / self.scale[self.recording.kind[self.events], None]
 
     def _starts(self, filtered: Array) -> Array:
@@ -97,8 +107,9 @@ class Stretch:
         """The best of the first states (states, lanes)."""
         return [firsts[:, lane] for lane in np.argsort(_cost(self._errors(firsts)), kind="stable")[:TRIED]]
 
-    def _descended(self, first: Array) -> tuple[Array, float]:
-        """The first state of least error near `first`, and its cost, by damped Gauss–Newton."""
+    def _descended(self, first: Array, known: Array) -> tuple[Array, float]:
+        """The first state of least error near `first`, and its cost, by damped Gauss–Newton; as far as to one that is
+        `known` already."""
         best, least, damping = first, np.inf, _FIRST_DAMPING
         hessian, slope = np.eye(6), np.zeros(6)
         candidate = first
@@ -112,7 +123,7 @@ class Stretch:
                 J = (e[:, 1:] - e[:, :1]) / _NUDGES
                 there = np.isfinite(J).all(axis=1) & (np.abs(e[:, 0]) < np.sqrt(MISSED))
                 hessian, slope = J[there].T @ J[there] + np.diag(1 / _SPANS**2), J[there].T @ e[there, 0]
-                if done:
+                if done or (np.abs(candidate - known)[:6] < SAME * _SPANS).all():
                     break
             else:
                 damping = max(30 * damping, 1e-3)
@@ -129,15 +140,16 @@ def _cost(errors: Array) -> Array:
         return np.where(np.isfinite(errors), np.minimum(errors**2, MISSED), MISSED).sum(axis=0)
 
 
-def free(problem: Problem, recording: Recording, z: Array, order: Whole, before: Whole, firsts: Array) -> Array:
-    """Errors (events of `order`, lanes) of a free simulation over these events from the first states (states, lanes),
-    after the command `before` them; NaN for commands and beyond a fall."""
-    from upright.calibrate.predictor import Events, innovations
+def free(robot: RobotLanes, recording: Recording, order: Whole, before: Whole, firsts: Array, longest: float) -> Array:
+    """Errors (events of `order`, lanes) of a free simulation of one `robot` over these events from the first states
+    (states, lanes), after the command `before` them, in steps of at most `longest` [s]; NaN for commands and beyond a
+    fall."""
+    from upright.calibrate.predictor import Events, RobotLanes, innovations
 
-    lanes = problem.lanes(recording, np.repeat(z[:, None], firsts.shape[1], axis=1))
+    lanes = RobotLanes(*(np.repeat(of_one, firsts.shape[1], axis=-1) for of_one in robot))
     kind, value = recording.kind[order], recording.value[order].copy()
     skipped = int(recording.value[before[0]]) if len(before) else 0
     value[kind < 0] -= skipped
     commands = np.ascontiguousarray(recording.commands[skipped:])
     events = Events(np.arange(len(order)), kind, recording.when[order], value, commands)
-    return innovations(events, lanes, firsts, np.zeros((len(order), len(firsts))), problem.longest)
+    return innovations(events, lanes, firsts, np.zeros((len(order), len(firsts))), longest)

@@ -137,8 +137,8 @@ def _estimate(p: Parameter, z: float, spread: float, held: bool) -> Estimate:
 def _in_units(problem: Problem, z: Array, C: Array) -> tuple[tuple[str, ...], Array]:
     """Names and covariance (n, n) of what was fitted, with the roll inertia in place of its share."""
     lanes = around(z)
-    roll = np.broadcast_to(columns(problem.robot, problem.asked, lanes).roll_inertia, lanes.shape[1])
-    values = {p.name: p.value(lanes[i]) for i, p in enumerate(problem.asked)}
+    values = problem.values(lanes)
+    roll = np.broadcast_to(columns(problem.robot, values).roll_inertia, lanes.shape[1])
     if ROLL_FRACTION in values:
         values = {
             ("roll_inertia" if n == ROLL_FRACTION else n): (roll if n == ROLL_FRACTION else v)
@@ -177,7 +177,7 @@ class _Combination(NamedTuple):
 def _combinations(problem: Problem, z: Array) -> list[_Combination]:
     """Each combination at z (parameters,)."""
     lanes = around(z)
-    numbers, prior = (columns(problem.robot, problem.asked, at) for at in (lanes, 0 * lanes))
+    numbers, prior = (columns(problem.robot, problem.values(at)) for at in (lanes, 0 * lanes))
     combined: list[_Combination] = []
     for name, (unit, formula) in COMBINATIONS.items():
         if problem.robot.drive == "torque" and name == "motor_gain":
@@ -197,8 +197,8 @@ def rolling_pole(robot: Robot) -> float:
 
 
 def _robot_at(problem: Problem, z: Array) -> Robot:
-    values = {p.name: float(p.value(z[i])) for i, p in enumerate(problem.asked)}
-    return with_values(problem.robot, {n: max(v, 0.0) for n, v in values.items()})
+    values = problem.values(z[:, None])
+    return with_values(problem.robot, {n: max(float(v[0]), 0.0) for n, v in values.items()})
 
 
 def _combined(c: _Combination, C: Array) -> Estimate:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from upright.calibrate.calibration import Segments, Whiteness
 from upright.calibrate.fitting import Normal, Path, Problem, fitted_readings
 from upright.calibrate.stretch import Stretch, free
+from upright.calibrate.threads import in_threads
 from upright.logs.recording import Recording
 
 Array = NDArray[np.float64]
@@ -30,18 +31,17 @@ def segments(
     states = problem.filtered(recording, z, keep=True).states
     edges = np.arange(moment[0], moment[-1], seconds)
     scale = _variation(recording, order, moment, edges)
-    parts = [np.empty((3, 0))]
-    for number, start in enumerate(edges):
-        inside = np.flatnonzero((moment >= start) & (moment < start + seconds))
-        if len(inside) and (recording.kind[order[inside]] >= 0).sum() >= 12:
-            stretch = Stretch(problem, recording, z, order[inside], _before(recording, order, inside[0]), scale)
-            predicted = stretch.predicted(states[order[inside[0]]])
-            parts.append(np.array([stretch.events, predicted, np.full(len(predicted), number)]))
-    events, predicted, number = np.concatenate(parts, axis=1)
-    at = events.astype(np.int64)
+    inside = [np.flatnonzero((moment >= start) & (moment < start + seconds)) for start in edges]
+    places = [(n, at) for n, at in enumerate(inside) if (recording.kind[order[at]] >= 0).sum() >= 12]
+    stretches = [Stretch(problem, recording, z, order[at], _before(recording, order, at[0]), scale) for _, at in places]
+    filtered = [states[order[at[0]]] for _, at in places]
+    predicted = [np.empty(0), *in_threads(lambda one: one[0].predicted(one[1]), zip(stretches, filtered, strict=True))]
+    events = np.concatenate([np.empty(0, np.int64), *(stretch.events for stretch in stretches)])
+    number = np.repeat([n for n, _ in places], [len(stretch.events) for stretch in stretches])
     return Segments(
-        recording.rows, recording.kind[at], recording.when[at], recording.value[at], predicted, number.astype(np.int64)
-    )
+        recording.rows, recording.kind[events], recording.when[events], recording.value[events],
+        np.concatenate(predicted), number.astype(np.int64),
+    )  # fmt: skip
 
 
 def score(problem: Problem, z: Array) -> float:
@@ -55,6 +55,7 @@ def steps_ahead(problem: Problem, recording: Recording, z: Array, every: int = 5
     states = problem.filtered(recording, z, keep=True).states
     kept = np.flatnonzero(~recording.fitted[order] & (recording.kind[order] == recording.kind[order].max()))
     moment = recording.when - problem.own_delays(recording, z)
+    robot = problem.lanes(recording, z[:, None])
     errors: dict[tuple[int, int], list[float]] = {}
     for first in kept[::every]:
         now = moment[order[first]]
@@ -62,7 +63,7 @@ def steps_ahead(problem: Problem, recording: Recording, z: Array, every: int = 5
         ahead = ahead[: np.searchsorted(moment[ahead], now + (HORIZONS[-1] + 0.5) * recording.period)]
         begin = states[order[first]][:, None]
         part = order[first : first + 1 + len(ahead)]
-        e = free(problem, recording, z, part, _before(recording, order, first), begin)[1:]
+        e = free(robot, recording, part, _before(recording, order, first), begin, problem.longest)[1:]
         steps = np.round((moment[ahead] - now) / recording.period)
         for horizon in HORIZONS:
             for i in np.flatnonzero((steps == horizon) & (recording.kind[ahead] >= 0)):
@@ -83,9 +84,9 @@ def _percent(recording: Recording, row: int, errors: Sequence[float]) -> float:
 
 def whiteness(recording: Recording, path: Path) -> list[Whiteness]:
     """Both tests for each reading over the fitted part (Ljung and Box 1978; Ljung 1999, section 16.6)."""
-    from scipy.stats import chi2
+    from scipy.special import chdtri
 
-    threshold = float(chi2.ppf(0.99, LAGS))
+    threshold = float(chdtri(LAGS, 0.01))
     command = recording.commands.mean(axis=1)
     tests: list[Whiteness] = []
     for row, name in enumerate(recording.rows):

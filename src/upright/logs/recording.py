@@ -148,8 +148,10 @@ def _rows(log: Log) -> tuple[str, ...]:
     if "sensor/encoder_left" in rows and "sensor/encoder_right" in rows and one_encoder(log):
         rows.remove("sensor/encoder_right")
     if not {"encoder", "gyro"} <= {SENSOR[row] for row in rows}:
+        still = ", ".join(name for name in ROWS if name in log and name not in rows)
         raise InvalidLog(
             f"raw sensors that move: {', '.join(rows) or 'none'}", expected="both encoders and a gyro",
+            likely=f"a plug that is out, since {still} never changes" if still else "",
             hint="name their columns in a mapping; see `upright doctor`",
         )  # fmt: skip
     return tuple(rows)

@@ -46,7 +46,7 @@ def page_of(result: Validation) -> Page:
 def _numbers(result: Validation) -> list[tuple[str, str]]:
     worst = result.worst.worst
     numbers = [(cell_text(worst.r2, 3), f"R² of half seconds, {short(worst.name)}")]
-    loops = [c for log in result.logs for c in log.loop]
+    loops = [c for log in result.logs if not log.caution for c in log.loop]
     if loops:
         least = min(loops, key=lambda c: c.r2)
         numbers.append((cell_text(least.r2, 3), f"R² of the free closed loop, {short(least.name)}"))
@@ -61,6 +61,7 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
     """What the page says of one log."""
     name = f" of {log.source}" if several else ""
     loop: list[Item] = [_LOOP, f"Law {log.law.removeprefix('law')}".replace("  ", " ")]
+    loop += [log.caution] if log.caution else []
     if log.simulated is not None:
         loop += [_table(log.loop), Figure("Measured, and the closed loop simulated freely", loop_figure(log.simulated))]
     rows: list[list[Cell]] = [

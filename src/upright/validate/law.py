@@ -93,6 +93,11 @@ class LinearLaw:
     def name(self) -> str:
         return f"read from the log: {', '.join(self.terms)} explain {self.explained:.1%} of the commands"
 
+    @property
+    def estimates(self) -> tuple[str, ...]:
+        """The terms that a filter of the program computed, which no model of the robot gives."""
+        return tuple(name for name in self.terms if name in ESTIMATES)
+
     def reset(self) -> None:
         self._past.clear()
         self._sums.clear()

@@ -81,20 +81,27 @@ def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> 
     loop: FreeLoop | None = closed_loop(problem, recording, z, log, kit, law) if law else None
     pushed = [n for n in ("push/force", "push/slope") if n in log and log[n].any()]
     notes = ["The log was pushed, which no prediction here knows."] if pushed else []
-    dead = [short(n) for n in log.channels if n in SENSOR and n not in recording.rows and not np.ptp(log[n])]
-    notes += [f"The {name} never changes, and is not judged: look at its plug and its port." for name in dead]
+    dead = tuple(n for n in log.channels if n in SENSOR and n not in recording.rows and _never_changes(log[n]))
+    notes += [f"The {short(name)} never changes, and is not judged: look at its plug and its port." for name in dead]
     return LogJudged(
         source=str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log"))),
         samples=len(log),
         seconds=float(log.t[-1] - log.t[0]),
         half_seconds=channels_of(parts),
         law=words,
+        estimates=law.estimates if isinstance(law, LinearLaw) else (),
+        dead=dead,
         loop=loop_channels(loop) if loop else (),
         shifts=_shifts(problem, limits),
         notes=tuple(notes),
         segments=parts,
         simulated=loop,
     )
+
+
+def _never_changes(reading: Array) -> bool:
+    there = reading[np.isfinite(reading)]
+    return not len(there) or not np.ptp(there)
 
 
 def _law(log: Log, rows: Sequence[str], controller: Controller | None) -> tuple[CommandLaw | None, str]:

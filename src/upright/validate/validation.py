@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 PREDICTS, PARTLY, DOES_NOT = "predicts", "predicts in part", "does not predict"
+JUDGED = "predicts what could be judged of"
 GOOD = 0.9
 """[1] R² of half seconds from which a channel is predicted."""
 SHOWN = 3  # shifts in a report
@@ -53,13 +55,16 @@ class Shift:
 @dataclass(frozen=True, eq=False, kw_only=True)
 class LogJudged:
     """One log: predictions over half seconds, each from a fitted state; the free closed loop where the law is known;
-    the shifts that would help, greatest first."""
+    the shifts that would help, greatest first. `dead` are sensors that never change, which nothing is judged by;
+    `estimates` are what the law reads of a filter in the program, in whose place the loop has the true states."""
 
     source: str
     samples: int
     seconds: float
     half_seconds: tuple[ChannelFit, ...]
     law: str
+    estimates: tuple[str, ...]
+    dead: tuple[str, ...]
     loop: tuple[ChannelFit, ...]
     shifts: tuple[Shift, ...]
     notes: tuple[str, ...]
@@ -71,6 +76,17 @@ class LogJudged:
         """The gyro or encoder that is predicted worst; a compass turns with what no model here knows."""
         return min((c for c in self.half_seconds if c.name in PREDICTED), key=lambda c: c.r2)
 
+    @property
+    def caution(self) -> str:
+        """Why the free closed loop is not that of the program, in words; '' where it is."""
+        if not (self.loop and self.estimates):
+            return ""
+        return (
+            f"This law reads {_listed(self.estimates)}, which the program's own filter estimated. The simulated loop "
+            "has the true state instead. So its commands are not the program's, and its R² is no judgement of the robot: "
+            "--controller FILE gives the filter too."
+        )
+
     def to_json(self) -> dict[str, Any]:
         """Plain numbers."""
 
@@ -81,8 +97,9 @@ class LogJudged:
                       for xs in (self.half_seconds, self.loop))  # fmt: skip
         return {
             "source": self.source, "samples": self.samples, "seconds": self.seconds, "half_seconds": half,
-            "closed_loop": {"law": self.law, "channels": loop}, "shifts": plain(self.shifts),
-            "notes": list(self.notes),
+            "dead": list(self.dead),
+            "closed_loop": {"law": self.law, "estimates": list(self.estimates), "channels": loop},
+            "shifts": plain(self.shifts), "notes": list(self.notes),
         }  # fmt: skip
 
     def lines(self) -> list[str]:
@@ -90,7 +107,7 @@ class LogJudged:
         lines = [f"{self.source}: {self.samples} samples, {self.seconds:.4g} s", "  Half seconds, from a fitted state:"]
         lines += [_line(c) for c in self.half_seconds]
         lines += [f"  Closed loop, from the first state, {self.law}" + (":" if self.loop else "")]
-        lines += [_line(c) for c in self.loop]
+        lines += [f"    {line}" for line in textwrap.wrap(self.caution, 116)] + [_line(c) for c in self.loop]
         for shift in self.shifts[:SHOWN]:
             lines.append(
                 f"  Would have to move: {shift.name} from {shift.value:.4g} to {shift.proposed:.4g} {shift.unit} "
@@ -102,6 +119,10 @@ class LogJudged:
 def _line(c: ChannelFit) -> str:
     breaks = "" if c.breaks is None else f"   breaks at t = {c.breaks:.4g} s"
     return f"    {short(c.name):<20} R² {c.r2:>7.4f}   fit {c.fit:>5.1f} %{breaks}"
+
+
+def _listed(names: Sequence[str]) -> str:
+    return " and ".join([", ".join(names[:-1]), names[-1]]) if len(names) > 1 else names[0]
 
 
 def short(name: str) -> str:
@@ -124,19 +145,22 @@ class Validation(Shown):
 
     @property
     def verdict(self) -> str:
-        """`PREDICTS` where every channel of every log is predicted over half seconds, `DOES_NOT` where one is predicted
-        worse than by its mean."""
+        """`PREDICTS` where every channel of every log is predicted over half seconds, `JUDGED` where a sensor of one is
+        dead, `DOES_NOT` where one is predicted worse than by its mean."""
         worst = self.worst.worst.r2
-        return PREDICTS if worst >= GOOD else PARTLY if worst >= 0 else DOES_NOT
+        good = JUDGED if any(log.dead for log in self.logs) else PREDICTS
+        return good if worst >= GOOD else PARTLY if worst >= 0 else DOES_NOT
 
     @property
     def sentence(self) -> str:
-        """The verdict with the number that decides it."""
+        """The verdict with the number that decides it, and what is not judged."""
         log = self.worst
         several = f" of {log.source}" if len(self.logs) > 1 else ""
+        dead = {short(name) for one in self.logs for name in one.dead}
+        never = f"; {_listed(sorted(dead))} never change{'s' if len(dead) == 1 else ''}" if dead else ""
         return (
             f"{self.robot} {self.verdict} {'this log' if len(self.logs) == 1 else f'these {len(self.logs)} logs'}: "
-            f"over half seconds the {short(log.worst.name)}{several} has the smallest R², {log.worst.r2:.3f}"
+            f"over half seconds the {short(log.worst.name)}{several} has the smallest R², {log.worst.r2:.3f}{never}"
         )
 
     def to_json(self) -> dict[str, Any]:
