@@ -83,7 +83,7 @@ class LogJudged:
             return ""
         return (
             f"This law reads {_listed(self.estimates)}, which the program's own filter estimated. The simulated loop "
-            "has the true state instead. So its commands are not the program's, and its R² is no judgement of the robot: "
+            "has the true state instead. So its commands are not the program's, and its R² does not judge the robot: "
             "--controller FILE gives the filter too."
         )
 
