@@ -18,7 +18,7 @@ from upright.control.files import write_controller
 from upright.errors import UprightError
 from upright.report.validation import page_of as report_page
 from upright.robots import Kit, Robot
-from upright.validate.law import LinearLaw, law_of
+from upright.validate.law import LinearLaw, law_of, recorded
 from upright.validate.validation import LogJudged, Validation
 
 ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
@@ -70,14 +70,31 @@ def test_a_sensor_that_never_changes_is_named_in_the_verdict(channel: str) -> No
 
 def test_a_loop_of_a_law_that_reads_estimates_is_not_taken_for_the_programs() -> None:
     """The program's Kalman filter reads coarse encoders and a noisy gyro: the true states are not what it computed."""
-    log = judged("excited")
+    foreign = replace_origin(log_of("excited"))
+    log = up.validate(ROBOT, foreign, KIT).logs[0]
     assert log.estimates
     assert "--controller" in log.caution
     assert "--controller" in str(Validation(robot="", kit="", logs=(log,)))
     whole = report_page(Validation(robot="", kit="", logs=(log,)))
     assert not any("closed loop" in label for _, label in whole.numbers)
-    given = up.validate(ROBOT, log_of("excited"), KIT, lqg(ROBOT, KIT, KIT.period)).logs[0]
+    given = up.validate(ROBOT, foreign, KIT, lqg(ROBOT, KIT, KIT.period)).logs[0]
     assert given.caution == ""
+
+
+def test_a_log_of_ours_names_its_controller() -> None:
+    """The program of the log, filter and all, gives its commands again; where the log lies about it, it does not."""
+    log = log_of("excited")
+    law = recorded(log)
+    assert law is not None
+    assert "names (lqg" in law.name
+    wrong = {name: -values if name.startswith("command/") else values for name, values in log.channels.items()}
+    assert recorded(up.Log(log.t, wrong, log.units, log.origin)) is None
+    assert recorded(replace_origin(log)) is None
+
+
+def replace_origin(log: up.Log) -> up.Log:
+    """The log as if another program had written it."""
+    return up.Log(log.t, dict(log.channels), log.units)
 
 
 def test_planted_faults_are_what_would_have_to_move() -> None:

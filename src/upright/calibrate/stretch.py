@@ -24,7 +24,10 @@ Whole = NDArray[np.int64]
 
 FAN = np.array([-0.6, -0.3, -0.15, -0.07, -0.03, 0.0, 0.03, 0.07, 0.15, 0.3, 0.6])
 """[rad] first pitches to try, closer where a balancing robot is."""
-TRIED = 2  # of the first states are fitted: those that follow the readings best as they are
+TRIED, MOST_TRIED = 2, 6
+"""How many of the first states are fitted, those that follow the readings best as they are; and how many where the fit
+is still `POOR`: near a fall the errors have several minima."""
+POOR = 400.0  # squared error of a reading, over its scale: a fifth of what varies
 FIRST_READINGS = 7  # of a sensor, through which a line gives its first value and slope
 SAME = 1e-3  # [1] of the weak hold below: first states so close descend to one
 MISSED = 1e4  # squared error, over its scale, of a reading beyond a fall: as far off as what varies a hundredfold
@@ -62,7 +65,9 @@ class Stretch:
     def first(self, filtered: Array) -> Array:
         """The first state (states,) from which the readings are followed best."""
         best, least = np.full_like(filtered, np.inf), np.inf
-        for first in self._likeliest(self._starts(filtered)):
+        for tried, first in enumerate(self._likeliest(self._starts(filtered))):
+            if tried >= TRIED and least < POOR * len(self.events):
+                break
             state, cost = self._descended(first, best)
             best, least = (state, cost) if cost < least else (best, least)
         return best
@@ -104,8 +109,8 @@ class Stretch:
         return float(y.mean()) - slope * float(t.mean()), slope
 
     def _likeliest(self, firsts: Array) -> list[Array]:
-        """The best of the first states (states, lanes)."""
-        return [firsts[:, lane] for lane in np.argsort(_cost(self._errors(firsts)), kind="stable")[:TRIED]]
+        """The best of the first states (states, lanes), best first."""
+        return [firsts[:, lane] for lane in np.argsort(_cost(self._errors(firsts)), kind="stable")[:MOST_TRIED]]
 
     def _descended(self, first: Array, known: Array) -> tuple[Array, float]:
         """The first state of least error near `first`, and its cost, by damped Gauss–Newton; as far as to one that is

@@ -11,7 +11,7 @@ GROUPS = {
         "simulate": ("upright simulate --push hold:0.1,until=1", "upright simulate -r ev3way -b twin -o run.parquet"),
         "compare": ("upright compare run.csv twin.parquet", "upright compare a=run1.csv b=run2.csv --report page.html"),
         "linearise": ("upright linearise", "upright linearise -r ev3way --period 0.01"),
-        "reproduce": ("upright reproduce", "upright reproduce -o study"),
+        "reproduce": ("upright reproduce", "upright reproduce --log run.csv --robot mine.toml -o study"),
         "robots": ("upright robots", "upright robots show ev3way"),
     },
     "Learn": {

@@ -1,14 +1,16 @@
-"""`upright reproduce`: Herrera et al. (2015) again, from its equations to its comparison."""
+"""`upright reproduce`: Herrera et al. (2015) again, from its equations to its comparison, or with one's own log."""
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from upright.cli.options import JsonOption
+from upright.cli import options
 from upright.cli.output import finish, progress
+from upright.errors import InvalidScenario
 
 
 def reproduce(
@@ -16,13 +18,53 @@ def reproduce(
     output: Annotated[
         Path, typer.Option("--output", "-o", help="Folder for the page, the logs and the numbers.")
     ] = Path("herrera2015"),
-    as_json: JsonOption = False,
-) -> None:
+    log: Annotated[Path | None, typer.Option(help="Log of your own robot, put into the paper's figures.")] = None,
+    robot: Annotated[
+        str | None,
+        typer.Option("--robot", "-r", help=f"{options.ROBOT_HELP}, of the log.", autocompletion=options.complete_robot),
+    ] = None,
+    calibrated: Annotated[
+        str | None,
+        typer.Option(help="The same robot as another log calibrated it (default: from this log).",
+                     autocompletion=options.complete_robot),
+    ] = None,
+    kit: options.KitOption = None,
+    controller: Annotated[
+        str | None,
+        typer.Option("--controller", "-c", help="Law of the log: controller.json (default: read from the log).",
+                     autocompletion=options.complete_controller),
+    ] = None,
+    push: options.PushOption = None,
+    mapping: options.MappingOption = None,
+    start: options.AfterOption = None,
+    until: options.BeforeOption = None,
+    as_json: options.JsonOption = False,
+) -> None:  # fmt: skip
     """Reproduce the paper of Herrera and others (2015).
 
-    Its model, fit, regulator and pushes beside the printed numbers, and the errata of the text.
+    Its model, fit, regulator and pushes beside the printed numbers, and the errata of the text. With --log and --robot:
+    your robot in its figures, beside both models under the same push and law, and what must be adjusted.
     """
-    from upright.paper.reproduce import reproduce as reproduce_paper
+    if log is None:
+        given = {"--robot": robot, "--calibrated": calibrated, "--kit": kit, "--controller": controller, "--push": push,
+                 "--mapping": mapping, "--start": start, "--until": until}  # fmt: skip
+        if named := [name for name, value in given.items() if value is not None]:
+            raise InvalidScenario(f"{', '.join(named)} without a log", expected="--log FILE --robot ROBOT")
+        from upright.paper.reproduce import reproduce as reproduce_paper
 
+        with progress("reproducing") as show:
+            finish(reproduce_paper(output, show), as_json)
+        return
+    if robot is None:
+        raise InvalidScenario("--log without a robot", expected="--robot NAME or FILE", hint="upright robots")
+    from upright.logs.raw import raw_log
+    from upright.paper.own_page import reproduce_log
+
+    ends = (-math.inf if start is None else start, math.inf if until is None else until)
+    pushes = [options.push(text) for text in push or ()]
     with progress("reproducing") as show:
-        finish(reproduce_paper(output, show), as_json)
+        finish(
+            reproduce_log(output, raw_log(log, mapping).between(*ends), robot, kit, controller=controller, push=pushes,
+                          learnt=calibrated, progress=show),
+            as_json,
+        )  # fmt: skip

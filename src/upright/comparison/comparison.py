@@ -30,6 +30,9 @@ NEGLIGIBLE = {"yaw": math.radians(1.0), "yaw_rate": math.radians(1.0)}
 """[rad], [rad/s] A compass of an NXT resolves one degree: where two runs turn less than that, their yaw is noise, and
 has no fit."""
 
+CONSTANT = 1e-9
+"""[rad], [rad/s] of a reference that only rounding moves: nothing can be fitted to it."""
+
 
 def _number(unit: str, label: str) -> Any:
     return field(metadata={"unit": unit, "label": label})
@@ -326,7 +329,8 @@ def _fit(anchor: Log, log: Log, mine: Mapping[str, str], other: Mapping[str, str
     t = anchor.t[keep]
     pairs = {name: (anchor[mine[name]][keep], np.interp(t, log.t, log[other[name]])) for name in mine}
     return {
-        name: math.nan if np.ptp(y) <= NEGLIGIBLE.get(name, 0.0) and np.ptp(z) <= NEGLIGIBLE.get(name, 0.0)
+        name: math.nan
+        if (np.ptp(y) <= NEGLIGIBLE.get(name, 0.0) and np.ptp(z) <= NEGLIGIBLE.get(name, 0.0)) or np.ptp(y) < CONSTANT
         else metrics.nrmse_fit(y, z)
         for name, (y, z) in pairs.items()
     }  # fmt: skip

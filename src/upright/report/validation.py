@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
 from upright.validate.validation import (
+    JUDGED,
     PREDICTS,
     ChannelFit,
     LogJudged,
@@ -34,7 +35,8 @@ def page_of(result: Validation) -> Page:
     worst = result.worst
     verdict = Verdict(result.verdict, "good" if result.verdict == PREDICTS else "warn")
     sections = [section for log in result.logs for section in _sections(log, len(result.logs) > 1)]
-    title = f"{result.robot} {result.verdict} {'a log' if len(result.logs) == 1 else f'{len(result.logs)} logs'}"
+    of = " of" if result.verdict == JUDGED else ""
+    title = f"{result.robot} {result.verdict}{of} {'a log' if len(result.logs) == 1 else f'{len(result.logs)} logs'}"
     title += f" of {sum(log.samples for log in result.logs)} samples"
     lowest = f"Measured and predicted for half a second at a time: R² is {cell_text(worst.worst.r2, 3)} or more"
     return Page(

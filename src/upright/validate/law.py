@@ -7,14 +7,17 @@ on which it was not fitted.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping, Sequence
+from copy import deepcopy
+from dataclasses import dataclass, field, replace
 from typing import Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.control import Controller
+from upright.control.files import FORMS
+from upright.errors import UprightError
 from upright.signals import Log
 from upright.signals.signal import STATE_NAMES
 
@@ -55,10 +58,11 @@ class ControllerLaw:
     references: Array
     excitation: Array
     logged: Mapping[str, Array]
+    source: str = "the controller's file"
 
     @property
     def name(self) -> str:
-        return f"the controller's file ({self.controller.spec.kind})"
+        return f"{self.source} ({self.controller.spec.kind})"
 
     def reset(self) -> None:
         self.controller.reset()
@@ -143,7 +147,11 @@ def law_of(log: Log, rows: Sequence[str]) -> LinearLaw | float:
     left, right = log[f"{prefix}/left"], log[f"{prefix}/right"]
     u = np.column_stack([(left + right) / 2, (right - left) / 2])
     terms, added = _terms(log, rows), _added(log)
-    laws = [_fitted(u, terms, added, delay) for delay in (0, 1)]
+    laws: list[LinearLaw] = []
+    for choice in (_forward, _states, _backward):  # states that move together hide each other from one at a time
+        laws += [_fitted(u, terms, added, delay, choice) for delay in (0, 1)]
+        if max(law.explained for law in laws) >= EXPLAINED:
+            break
     best = max(laws, key=lambda law: law.explained)
     return best if best.explained >= EXPLAINED else best.explained
 
@@ -168,24 +176,17 @@ def _added(log: Log) -> dict[str, Array]:
     return {name: values for name, values in added.items() if np.isfinite(values).all() and np.ptp(values) > 0}
 
 
-def _fitted(u: Array, terms: Mapping[str, Array], added: Mapping[str, Array], delay: int) -> LinearLaw:
-    """The shortest law with this delay, by forward selection of terms."""
+Choice = Callable[[Array, Mapping[str, Array], Array, NDArray[np.bool_]], list[str]]
+
+
+def _fitted(u: Array, terms: Mapping[str, Array], added: Mapping[str, Array], delay: int, choice: Choice) -> LinearLaw:
+    """The shortest law with this delay, of the terms that `choice` finds."""
     n = len(u) - delay
     y, fitted = u[delay:], np.arange(n) < FITTED * n
     known = np.column_stack([np.ones(n), *(values[delay:] for values in added.values())])
-    pool, chosen = {name: values[:n] for name, values in terms.items()}, list[str]()
-    weights, left = _solved(known, y, fitted)
-    while pool.keys() - chosen and len(chosen) < MOST_TERMS and left > EXACT:
-        tries = {
-            name: _solved(np.column_stack([known, *(pool[c] for c in chosen), pool[name]]), y, fitted)
-            for name in pool
-            if name not in chosen
-        }
-        name = min(tries, key=lambda one: tries[one][1])
-        if tries[name][1] > WORTH * left:
-            break
-        chosen.append(name)
-        weights, left = tries[name]
+    pool = {name: values[:n] for name, values in terms.items()}
+    chosen = choice(known, pool, y, fitted)
+    weights, _ = _of(known, pool, chosen, y, fitted)
     k = known.shape[1]
     whole = np.column_stack([known, *(pool[c] for c in chosen)]) if chosen else known
     rest = (y - whole @ weights)[~fitted]
@@ -195,6 +196,46 @@ def _fitted(u: Array, terms: Mapping[str, Array], added: Mapping[str, Array], de
     return LinearLaw(
         terms=tuple(chosen), gains=weights[k:].T, constant=weights[0], added=replayed, delay=delay, explained=explained
     )
+
+
+def _forward(known: Array, pool: Mapping[str, Array], y: Array, fitted: NDArray[np.bool_]) -> list[str]:
+    """One term after the other, each the one that explains most."""
+    chosen, left = list[str](), _of(known, pool, [], y, fitted)[1]
+    while pool.keys() - chosen and len(chosen) < MOST_TERMS and left > EXACT:
+        tries = {name: _of(known, pool, [*chosen, name], y, fitted)[1] for name in pool if name not in chosen}
+        name = min(tries, key=lambda one: tries[one])
+        if tries[name] > WORTH * left:
+            break
+        chosen.append(name)
+        left = tries[name]
+    return chosen
+
+
+def _states(known: Array, pool: Mapping[str, Array], y: Array, fitted: NDArray[np.bool_]) -> list[str]:  # noqa: ARG001
+    """Every logged estimate: state feedback."""
+    return [name for name in pool if name in ESTIMATES]
+
+
+def _backward(known: Array, pool: Mapping[str, Array], y: Array, fitted: NDArray[np.bool_]) -> list[str]:
+    """All terms, less one after the other that explains least, down to those that all count; none where more than
+    `MOST_TERMS` do."""
+    chosen = list(pool)
+    left = _of(known, pool, chosen, y, fitted)[1]
+    while chosen:
+        tries = {name: _of(known, pool, [c for c in chosen if c != name], y, fitted)[1] for name in chosen}
+        name = min(tries, key=lambda one: tries[one])
+        if tries[name] > max(left / WORTH, EXACT):
+            break
+        chosen.remove(name)
+        left = max(left, EXACT)
+    return chosen if len(chosen) <= MOST_TERMS else []
+
+
+def _of(
+    known: Array, pool: Mapping[str, Array], chosen: Sequence[str], y: Array, fitted: NDArray[np.bool_]
+) -> tuple[Array, float]:
+    """Least squares on what is known and the chosen terms."""
+    return _solved(np.column_stack([known, *(pool[name] for name in chosen)]), y, fitted)
 
 
 def _solved(X: Array, y: Array, fitted: NDArray[np.bool_]) -> tuple[Array, float]:
@@ -210,3 +251,36 @@ def law_by(controller: Controller, log: Log) -> ControllerLaw:
     references = [log[f"reference/{n}"] if f"reference/{n}" in log else np.zeros(len(log)) for n in STATE_NAMES]
     sides = [log[f"excitation/{s}"] if f"excitation/{s}" in log else np.zeros(len(log)) for s in ("left", "right")]
     return ControllerLaw(controller, np.column_stack(references), np.column_stack(sides), dict(log.channels))
+
+
+def recorded(log: Log) -> ControllerLaw | None:
+    """The controller that a log of ours names, where it gives the log's commands from the log's readings."""
+    named = log.origin.get("controller")
+    facts = {k: v for k, v in named.items() if k not in ("hash", "excitation")} if isinstance(named, Mapping) else {}
+    for _, made in FORMS.values() if facts else ():
+        try:
+            controller = made(deepcopy(facts))
+        except (KeyError, TypeError, ValueError, AttributeError, UprightError):
+            continue  # of another form
+        if all(name in log for name in controller.spec.reads):
+            law = replace(law_by(controller, log), source="the controller that the log names")
+            if _replayed(law, log) >= EXPLAINED:
+                return law
+    return None
+
+
+def _replayed(law: ControllerLaw, log: Log) -> float:
+    """R² of the commands that a controller gives on the log's own readings."""
+    reads = law.controller.spec.reads
+    state = log.state() if law.controller.spec.reads_truth else np.zeros((len(log), len(STATE_NAMES)))
+    table = np.column_stack([log[name] for name in reads])
+    prefixes = [p for p in ("command", "applied") if f"{p}/left" in log and f"{p}/right" in log]
+    if not prefixes:
+        return -np.inf
+    asked, applied = (np.column_stack([log[f"{p}/left"], log[f"{p}/right"]]) for p in (prefixes[0], prefixes[-1]))
+    given = np.empty_like(asked)
+    law.reset()
+    for row in range(len(log)):
+        given[row] = law.step(row, dict(zip(reads, table[row].tolist(), strict=True)), state[row])
+        law.applied(applied[row].tolist())
+    return 1 - float(((asked - given) ** 2).sum()) / max(float(((asked - asked.mean(axis=0)) ** 2).sum()), 1e-300)

@@ -29,7 +29,7 @@ from upright.logs.raw import LogSource, raw_log
 from upright.logs.recording import SENSOR
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
-from upright.validate.law import CommandLaw, LinearLaw, law_by, law_of
+from upright.validate.law import CommandLaw, LinearLaw, law_by, law_of, recorded
 from upright.validate.loop import FreeLoop, closed_loop
 from upright.validate.validation import LogJudged, Shift, Validation, channels_of, loop_channels, short
 
@@ -107,6 +107,8 @@ def _never_changes(reading: Array) -> bool:
 def _law(log: Log, rows: Sequence[str], controller: Controller | None) -> tuple[CommandLaw | None, str]:
     """What drove the log, and how that is known, in words."""
     if controller is None:
+        if known := recorded(log):
+            return known, f"law: {known.name}"
         law = law_of(log, rows)
         if isinstance(law, LinearLaw):
             return law, f"law {law.name}"

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 PREDICTS, PARTLY, DOES_NOT = "predicts", "predicts in part", "does not predict"
-JUDGED = "predicts what could be judged of"
+JUDGED = "predicts what could be judged"
 GOOD = 0.9
 """[1] R² of half seconds from which a channel is predicted."""
 SHOWN = 3  # shifts in a report
@@ -157,9 +157,10 @@ class Validation(Shown):
         log = self.worst
         several = f" of {log.source}" if len(self.logs) > 1 else ""
         dead = {short(name) for one in self.logs for name in one.dead}
+        of = " of" if self.verdict == JUDGED else ""
         never = f"; {_listed(sorted(dead))} never change{'s' if len(dead) == 1 else ''}" if dead else ""
         return (
-            f"{self.robot} {self.verdict} {'this log' if len(self.logs) == 1 else f'these {len(self.logs)} logs'}: "
+            f"{self.robot} {self.verdict}{of} {'this log' if len(self.logs) == 1 else f'these {len(self.logs)} logs'}: "
             f"over half seconds the {short(log.worst.name)}{several} has the smallest R², {log.worst.r2:.3f}{never}"
         )
 

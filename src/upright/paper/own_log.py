@@ -1,0 +1,324 @@
+"""The paper's experiment on a robot of one's own: its log beside both models, under the same push and law.
+
+The law and the push are read from the log, or given. The models have the numbers of the robot's file, ideal sensors and
+no dead time, like the paper's. A calibration from the same log says which numbers bring the settling times together.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.atomic import finite
+from upright.bodies import LinearBody
+from upright.calibrate.calibrate import calibrate, prepared
+from upright.calibrate.calibration import NORMAL
+from upright.calibrate.filter_log import filter_log
+from upright.comparison import Comparison, compare
+from upright.comparison.metrics import active_intervals
+from upright.control import Controller, read_controller
+from upright.errors import DesignFailed, InvalidLog, InvalidRobot
+from upright.experiment import Push
+from upright.experiment.pushes import PushProgramme
+from upright.logs.mapping import Mapping as Columns
+from upright.logs.raw import LogSource, raw_log
+from upright.paper.claim import Progress, silent
+from upright.paper.own_trial import MEASURED, NONLINEAR, WIDEST, Trial, trial_of
+from upright.physics.linear import linearise
+from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot
+from upright.robots.uncertainty import GUESS, stated
+from upright.signals import STATE_NAMES, Log
+from upright.validate.law import CommandLaw, LinearLaw, law_by, law_of, recorded
+from upright.validate.loop import first_state
+
+Array = NDArray[np.float64]
+
+LINEAR, CALIBRATED = "linear", "calibrated"
+ELECTRONICS = "with electronics"
+REST, ROUND = (
+    1.0,
+    1.5,
+)  # [s] before the push and at the end, where the robot rests; after its end, where its answer is compared
+DISTURBED = 0.03  # [1] process noise of the filter that rebuilds states, as a fraction of the commands
+MOVED = 0.25  # [deviations] a number that the calibration moved less is not tried
+TRIED, MOST_STEPS = 6, 3  # numbers that are tried: those that moved most; numbers that are put right
+WORTH = 0.1  # [1] of the gap that is left: what a further number must close
+
+
+@dataclass(frozen=True, kw_only=True)
+class Adjustment:
+    """What is put right in the model, on top of those before it, in words: a number of the robot's file with its 95 %
+    interval, or the electronics. Pitch then settles in `settling` [s], and fits the log round the push by `fit` [%]."""
+
+    name: str
+    change: str
+    settling: float
+    fit: float
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class OwnRobot:
+    """A robot's log compared with its models: `law` and `push` in words; what is `adjusted`, in the order in which it
+    counts; `notes` say what could not be done. `settling` [s] of each run is the time until pitch stays within `band`
+    (fraction) of its largest deviation after the push: 5 %, or what the resting robot swings, if that is more."""
+
+    robot: Robot
+    comparison: Comparison
+    law: str
+    push: str
+    side: str
+    band: float
+    settling: Mapping[str, float]
+    fits: Mapping[str, float]
+    adjusted: tuple[Adjustment, ...]
+    notes: tuple[str, ...]
+
+    @property
+    def settles(self) -> bool:
+        """Whether the robot comes to rest, so that settling times say something."""
+        return self.band <= WIDEST
+
+    @property
+    def answer(self) -> str:
+        """What must be adjusted, in a sentence."""
+        stated, measured = self.settling[NONLINEAR], self.settling[self.comparison.reference]
+        if not self.adjusted:
+            return "Nothing that was tried brings the nonlinear model nearer to the robot."
+        last = self.adjusted[-1]
+        if not math.isnan(measured):
+            effect = f"settles in {_seconds(last.settling)} instead of {_seconds(stated)} (robot: {_seconds(measured)})"
+        else:
+            effect = f"fits the robot's pitch by {last.fit:.0f} % instead of {self.fits[NONLINEAR]:.0f} %"
+        return f"With {'; '.join(f'{a.name}: {a.change}' for a in self.adjusted)}, the nonlinear model {effect}."
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain numbers."""
+        adjusted = [{k: v if isinstance(v, str) else finite(v) for k, v in asdict(a).items()} for a in self.adjusted]
+        return {
+            "robot": self.robot.name, "law": self.law, "push": self.push, "side": self.side, "answer": self.answer,
+            "band": self.band, "settling": {name: finite(value) for name, value in self.settling.items()},
+            "comparison": self.comparison.to_json(), "adjusted": adjusted, "notes": list(self.notes),
+        }  # fmt: skip
+
+
+def _seconds(time: float) -> str:
+    return "no time (never)" if math.isnan(time) else f"{time:.2f} s"
+
+
+class _Number(NamedTuple):
+    """A number of the robot's file that was learnt: stated and learnt, its interval, and by how many deviations of the
+    file it moved."""
+
+    name: str
+    unit: str
+    stated: float
+    value: float
+    low: float
+    high: float
+    moved: float
+
+    def __str__(self) -> str:
+        return f"{self.stated:.3g} to {self.value:.3g} {self.unit} ({self.low:.3g} to {self.high:.3g})"
+
+
+class _Learnt(NamedTuple):
+    """A robot and its electronics as a calibration has them, and the numbers that it moved, most moved first."""
+
+    robot: Robot
+    kit: Kit
+    numbers: tuple[_Number, ...]
+
+
+def compare_own(
+    source: LogSource,
+    robot: Robot | str | Path,
+    kit: Kit | str | None = None,
+    *,
+    controller: Controller | str | Path | None = None,
+    push: Sequence[PushProgramme] = (),
+    learnt: Robot | str | Path | None = None,
+    mapping: Columns | str | None = None,
+    progress: Progress = silent,
+) -> OwnRobot:
+    """The log of a robot beside its nonlinear and linear model, under the log's push and law.
+
+    Without `controller` the law is read from the log. Without `push` it is the log's `push/…`, or none: then the models
+    start from the log's first state alone. Times of a push count from the first row. `learnt` is the robot as another
+    log calibrated it; without it the part of this log without a push is calibrated. Raises `InvalidLog` where no law
+    explains the commands.
+    """
+    log = _from_zero(raw_log(source, mapping))
+    nominal = find_robot(robot)
+    parts = find_kit(kit or nominal.kit)
+    law = _law(log, controller)
+    pushes = tuple(push) or _logged(log)
+    known, notes = (_other(nominal, learnt), ()) if learnt else _calibrated(log, nominal, parts)
+    progress(0.4)
+    measured, first, how = _with_states(log, known.robot, known.kit)
+    trial = trial_of(measured, first, law, pushes, nominal, parts)
+    runs = {
+        MEASURED: measured,
+        NONLINEAR: trial.simulated(nominal),
+        LINEAR: trial.simulated(nominal, body=LinearBody(linearise(nominal), nominal, period=trial.step)),
+        CALIBRATED if known.numbers else ELECTRONICS: trial.simulated(known.robot, known.kit),
+    }
+    progress(0.6)
+    comparison = compare(runs, release=trial.release)
+    judged = {label: trial.judged(one) for label, one in comparison.logs.items()}
+    adjusted = _adjusted(trial, judged, comparison.reference, known)
+    progress(1.0)
+    force = pushes[0].at(_start(pushes[0]), nominal).force if pushes else 0.0
+    return OwnRobot(
+        robot=nominal, comparison=comparison, law=law.name, push=_words(pushes, nominal), adjusted=adjusted,
+        side="back" if force > 0 else "front", notes=(*how, *notes), band=trial.band,
+        settling={n: settling for n, (settling, _) in judged.items()}, fits={n: fit for n, (_, fit) in judged.items()},
+    )  # fmt: skip
+
+
+def _from_zero(log: Log) -> Log:
+    return Log(log.t - log.t[0], dict(log.channels), log.units, log.origin)
+
+
+def _law(log: Log, controller: Controller | str | Path | None) -> CommandLaw:
+    if controller is not None:
+        return law_by(read_controller(controller) if isinstance(controller, str | Path) else controller, log)
+    if known := recorded(log):
+        return known
+    rows = [n for n in log.channels if n.startswith("sensor/") and np.isfinite(log[n]).all() and np.ptp(log[n]) > 0]
+    law = law_of(log, rows)
+    if isinstance(law, LinearLaw):
+        return law
+    raise InvalidLog(
+        f"the law is unknown: the best linear feedback of the readings explains {max(law, 0.0):.0%} of the commands",
+        expected="the law that drove the log", hint="--controller names its file",
+    )  # fmt: skip
+
+
+def _logged(log: Log) -> tuple[PushProgramme, ...]:
+    """The pushes that a log says it had, each with its mean force and height."""
+    if "push/force" not in log:
+        return ()
+    pushes: list[PushProgramme] = []
+    for start, stop in active_intervals(log.t, log["push/force"]):
+        at = (log.t >= start) & (log.t < stop)
+        height = float(log["push/height"][at].mean()) if "push/height" in log else None
+        last = stop if math.isfinite(stop) else float(log.t[-1]) + log.period
+        pushes.append(
+            Push(force=float(log["push/force"][at].mean()), start=start, duration=last - start, height=height)
+        )
+    return tuple(pushes)
+
+
+def _start(push: PushProgramme) -> float:
+    return float(getattr(push, "start", 0.0))
+
+
+def _words(pushes: Sequence[PushProgramme], robot: Robot) -> str:
+    parts = [f"{p.at(_start(p), robot).force:.3g} N from {_start(p):.3g} s" for p in pushes]
+    return f"pushed by {' and '.join(parts)}" if parts else "no push is known: the models start from the first state"
+
+
+def _calibrated(log: Log, robot: Robot, kit: Kit) -> tuple[_Learnt, tuple[str, ...]]:
+    """What the longest part without a push says of the robot, or its file and why there is no more."""
+    pushed = active_intervals(log.t, log["push/force"]) if "push/force" in log else ()
+    edges = [0.0, *(t for pair in pushed for t in pair), float(log.t[-1])]
+    parts = [(a, b) for a, b in zip(edges[::2], edges[1::2], strict=False) if math.isfinite(a)]
+    start, stop = max(parts, key=lambda part: part[1] - part[0])
+    try:
+        found = calibrate(log.between(start, stop), robot, kit)
+    except (DesignFailed, InvalidLog) as error:
+        return _Learnt(robot, kit, ()), (f"No number is learnt from this log: {error}.",)
+    reasons = [*found.refused, *([found.quiet] if found.quiet else [])]
+    if reasons:
+        return _Learnt(robot, kit, ()), tuple(f"No number is learnt from this log: {r.rstrip('.')}." for r in reasons)
+    numbers = [
+        _Number(e.name, e.unit, e.prior, e.value, e.low, e.high, e.shift)
+        for e in found.parameters if abs(e.shift) > MOVED
+    ]  # fmt: skip
+    most = sorted(numbers, key=lambda n: -abs(n.moved))[:TRIED]
+    return _Learnt(found.known_robot(), found.kit or kit, tuple(most)), ()
+
+
+def _other(robot: Robot, learnt: Robot | str | Path) -> _Learnt:
+    """The robot as another log has it, beside its file."""
+    best = find_robot(learnt)
+    numbers: list[_Number] = []
+    for name, (unit, _) in PARAMETERS.items():
+        before, after = getattr(robot, name), getattr(best, name)
+        if after != before:
+            half = NORMAL * (stated(best, name) or 0.0)
+            spread = stated(robot, name) or GUESS * abs(before) or abs(after)
+            numbers.append(_Number(name, unit, before, after, after - half, after + half, (after - before) / spread))
+    most = sorted((n for n in numbers if abs(n.moved) > MOVED), key=lambda n: -abs(n.moved))[:TRIED]
+    return _Learnt(best, find_kit(best.kit), tuple(most))
+
+
+def _with_states(log: Log, robot: Robot, kit: Kit) -> tuple[Log, Array, tuple[str, ...]]:
+    """The log with six states: its true ones, its own estimates, or for what is missing those of a filter along its
+    readings; the first state (6,); and a note on what was rebuilt."""
+    for prefix in ("truth", "estimate"):
+        if all(f"{prefix}/{name}" in log for name in STATE_NAMES):
+            return log, np.array([log[f"{prefix}/{name}"][0] for name in STATE_NAMES]), ()
+    problem, _ = prepared([log], robot, kit, (), 0.0)
+    first = first_state(problem, problem.recordings[0], np.zeros(len(problem.parameters)))[3][:6]
+    filtered = filter_log(log, robot, kit, delay=kit.delay, disturbance=DISTURBED)
+    last = np.searchsorted(filtered.sample, np.arange(len(log)), side="right") - 1
+    states = filtered.after[np.clip(last, 0, None), :6]
+    begin = int(filtered.sample[int((filtered.row >= 0).argmax())])
+    states[: begin + 1] = first
+    rebuilt = {f"estimate/{name}": states[:, i] for i, name in enumerate(STATE_NAMES)}
+    missing = [name.replace("_", " ") for name in STATE_NAMES if f"estimate/{name}" not in log]
+    note = f"Not in the log, but a Kalman filter's along its readings: {', '.join(missing)}."
+    return Log(log.t, rebuilt | dict(log.channels), log.units, log.origin), first, (note,)
+
+
+def _adjusted(
+    trial: Trial, judged: Mapping[str, tuple[float, float]], reference: str, known: _Learnt
+) -> tuple[Adjustment, ...]:
+    """Of the numbers that were learnt, and the electronics, what brings the model nearest to the log, one on top of the
+    other."""
+    measured, left = judged[reference][0], _gap(judged[reference][0], *judged[NONLINEAR])
+    at: tuple[Robot, Kit | None] = (trial.robot, None)
+    candidates: list[_Number | None] = [*known.numbers, None]  # None: the electronics
+    steps: list[Adjustment] = []
+    while candidates and len(steps) < MOST_STEPS:
+        tries = [(n, changed) for n in candidates if (changed := _with(at, n, known.kit))]
+        results = [(*trial.judged(trial.simulated(*changed)), n, changed) for n, changed in tries]
+        settling, fit, number, changed = min(results, key=lambda one: _gap(measured, one[0], one[1]))
+        gap = _gap(measured, settling, fit)
+        if not gap < (1 - WORTH) * left:
+            break
+        name = number.name.replace("_", " ") if number else "electronics"
+        steps.append(Adjustment(name=name, change=str(number or _parts(known.kit)), settling=settling, fit=fit))
+        at, left, candidates = changed, gap, [n for n in candidates if n is not number]
+    return tuple(steps)
+
+
+def _with(at: tuple[Robot, Kit | None], number: _Number | None, kit: Kit) -> tuple[Robot, Kit | None] | None:
+    """The model with that number, or with the electronics of `kit`; None where no robot has that number alone."""
+    if number is None:
+        return at[0], kit
+    try:
+        return at[0].replace(**{number.name: number.value}), at[1]
+    except InvalidRobot:  # such a pitch inertia needs the roll inertia that goes with it
+        return None
+
+
+def _parts(kit: Kit) -> str:
+    late = [f"{1e3 * kit.delay:.3g} ms to the motors"] if kit.delay else []
+    late += [f"{1e3 * s.delay:.3g} ms of the {n.partition('/')[2]}" for n, s in kit.sensors.items() if s.delay]
+    zone = [f"dead zone {kit.motor.dead_zone:.3g}"] if kit.motor.dead_zone else []
+    return ", ".join(["resolution and noise of its sensors", *zone, *late])
+
+
+def _gap(measured: float, settling: float, fit: float) -> float:
+    """How far a model is from the log: in settling time [s], or in the fit of pitch [%] where the log never settles."""
+    if math.isnan(measured):
+        return 100 - fit if math.isfinite(fit) else math.inf
+    return abs(settling - measured) if math.isfinite(settling) else math.inf
