@@ -2,6 +2,7 @@
 
     python benchmarks/calibrate.py                   # time: 2000 samples, eight parameters, against SciPy
     python benchmarks/calibrate.py --seeds 100       # coverage and unstable pole on twins of three kits
+    python benchmarks/calibrate.py --quiet 100       # coverage on logs that nobody excited: a hold and its release
     python benchmarks/calibrate.py --families 100    # coverage where friction, winding and floor differ between runs
 
 Truth is drawn from what each preset says of its own numbers (value and spread); the controller and the calibration know
@@ -35,7 +36,7 @@ from upright.control import Estimated, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError
 from upright.experiment import run
-from upright.experiment.pushes import Slope
+from upright.experiment.pushes import Hold, Slope
 from upright.logs.recording import SENSOR
 from upright.physics.dynamics import derivative
 from upright.robots import PARAMETERS, Kit, Robot
@@ -49,6 +50,7 @@ DITHER = {"nxtway-gs": (1.5, 4), "ev3way": (2.5, 4), "twipr": (0.03, 6)}
 """Amplitude [command unit] and how many periods it is held: loud enough to be told from the sensors' steps."""
 
 
+HELD, RELEASED = 0.05, 1.0  # [rad], [s]
 RUNS = 3
 """Of each family."""
 
@@ -70,15 +72,22 @@ def drawn(robot: Robot, seed: int) -> Robot:
         return true
 
 
-def twin_log(name: str, true: Robot, seed: int, seconds: float = 20.0, slope: float = 0.0) -> Log:
+def twin_log(
+    name: str, true: Robot, seed: int, seconds: float = 20.0, slope: float = 0.0, *, quiet: bool = False
+) -> Log:
     """The twin of `true` under the preset's controller, excited by a random binary dither, on a floor of that slope
-    [rad]."""
+    [rad]; or `quiet`: held at a tenth of a radian, let go after a second, and then left alone. The log then begins at
+    the release, as a person's does who lets a robot go."""
     robot = Robot.preset(name)
     kit = Kit.preset(robot.kit)
     if name == "nxtway-gs":
         controller = Estimated(lqr(robot, kit.period), kalman(robot, kit, kit.period))
     else:
         controller = make_controller("lqg", robot, kit, kit.period)
+    if quiet:
+        body = Electronics(Twin(true), kit)
+        whole = run(body, controller, Hold(pitch=HELD, until=RELEASED), seconds=RELEASED + seconds, seed=seed)
+        return whole.between(RELEASED, math.inf)
     amplitude, hold = DITHER[name]
     dither = random_binary(round(seconds / kit.period), amplitude, seed, hold)
     floor = Slope(angle=slope)
@@ -145,15 +154,16 @@ def truth(name: str, true: Robot) -> dict[str, float]:
     }  # fmt: skip
 
 
-def coverage(name: str, seeds: int) -> None:
-    """How often the truth lies in the interval of what is called visible, and how far the unstable pole is off."""
+def coverage(name: str, seeds: int, *, quiet: bool = False) -> None:
+    """How often the truth lies in the interval of what is called visible, and how far the unstable pole is off; on logs
+    of 20 s, or `quiet` ones of 10 s."""
     robot = Robot.preset(name)
     held: dict[str, list[bool]] = {}
     poles: list[float] = []
     fallen = refused = 0
     for seed in range(seeds):
         true = drawn(robot, seed)
-        log = twin_log(name, true, seed)
+        log = twin_log(name, true, seed, 10.0 if quiet else 20.0, quiet=quiet)
         if log.origin["outcome"]["fell"]:
             fallen += 1
         else:
@@ -168,14 +178,15 @@ def coverage(name: str, seeds: int) -> None:
                         held.setdefault(e.name, []).append(e.low <= right[e.name] <= e.high)
                 poles.append(abs(rolling_pole(found.robot) / rolling_pole(true) - 1))
         if poles and ((seed + 1) % 10 == 0 or seed + 1 == seeds):
-            print(
-                f"\n{name}: {len(poles)} logs of 20 s ({fallen} of {seed + 1} fell and are left out, {refused} refused)"
-            )
+            logs = "quiet logs of 10 s" if quiet else "logs of 20 s"
+            print(f"\n{name}: {len(poles)} {logs} ({fallen} of {seed + 1} fell and are left out, {refused} refused)")
             say(held, poles)
 
 
 def say(held: dict[str, list[bool]], poles: list[float]) -> None:
     """The table so far: how far the pole was off, and how often each visible parameter's interval held the truth."""
+    every = [one for inside in held.values() for one in inside]
+    print(f"  truth inside {sum(every)} of {len(every)} intervals ({np.mean(every) if every else math.nan:.1%})")
     print(f"  unstable pole: median error {np.median(poles):.2%}, worst {max(poles):.2%}")
     for parameter, inside in held.items():
         print(f"  {parameter:<18} visible in {len(inside):3d}, truth inside in {np.mean(inside):.0%}", flush=True)
@@ -287,6 +298,7 @@ def solve_ivp_pass(problem: Problem, z: np.ndarray, gains: np.ndarray) -> np.nda
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seeds", type=int, default=0, help="logs of each kit for coverage (default: time only)")
+    parser.add_argument("--quiet", type=int, default=0, help="the same on logs that nobody excited")
     parser.add_argument("--families", type=int, default=0, help="robots of each kit with three runs that differ")
     parser.add_argument("--whole", action="store_true", help="run SciPy's fit to its end too (several minutes)")
     parser.add_argument("--untimed", action="store_true", help="leave the timing out")
@@ -299,6 +311,8 @@ def main() -> None:
         timing(asked.whole)
     for name in asked.robots if asked.seeds else ():
         coverage(name, asked.seeds)
+    for name in asked.robots if asked.quiet else ():
+        coverage(name, asked.quiet, quiet=True)
     for name in asked.robots if asked.families else ():
         families(name, asked.families)
 

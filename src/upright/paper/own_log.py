@@ -66,7 +66,7 @@ class Adjustment:
 class OwnRobot:
     """A robot's log compared with its models: `law` and `push` in words; what is `adjusted`, in the order in which it
     counts; `notes` say what could not be done. `settling` [s] of each run is the time until pitch stays within `band`
-    (fraction) of its largest deviation after the push: 5 %, or what the resting robot swings, if that is more."""
+    (fraction) of its largest deviation from where it comes to rest: 5 %, or what the resting robot swings, if more."""
 
     robot: Robot
     comparison: Comparison

@@ -8,7 +8,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from upright.atomic import make_folder, write_json
+from upright.comparison.comparison import NEGLIGIBLE
 from upright.control import Controller
 from upright.experiment.pushes import PushProgramme
 from upright.logs.mapping import Mapping as Columns
@@ -29,10 +32,11 @@ _HOW = (
     "The last run has the calibrated numbers, where there are any, and the robot's electronics."
 )
 UNSETTLED = "The robot swings at the end as much as after any push: no settling time is told."
+STILL = "The robot turns by less than 1°: yaw and its rate are not drawn."
 _ADJUSTED = (
     "Each line is put right on top of those above it: what brings the nonlinear model nearest to the settling time of "
-    "the robot, or to its pitch round the push where the robot never settles. Settled is 5 % of the largest deviation, "
-    "or what the resting robot swings, if that is more."
+    "the robot, or to its pitch round the push where the robot never settles. Settled is 5 % of the largest deviation "
+    "from where pitch comes to rest, or what the resting robot swings, if that is more."
 )
 
 
@@ -45,8 +49,7 @@ class OwnReproduction(Shown):
 
     def __str__(self) -> str:
         r = self.result
-        times = ", ".join(f"{n} {'never' if math.isnan(t) else f'{t:.2f} s'}" for n, t in r.settling.items())
-        settled = f"pitch settles to {100 * r.band:.0f} %: {times}" if r.settles else UNSETTLED
+        settled = _settled(r) if r.settles else UNSETTLED
         lines = [f"law: {r.law}", r.push, "", str(r.comparison), "", settled, r.answer, *r.notes]
         return "\n".join([*lines, "", f"wrote {self.folder / 'report.html'}, results.json and the logs beside it"])
 
@@ -81,14 +84,29 @@ def reproduce_log(
     return done
 
 
+def _settled(result: OwnRobot) -> str:
+    times = ", ".join(f"{n} {'never' if math.isnan(t) else f'{t:.2f} s'}" for n, t in result.settling.items())
+    return f"Pitch settles to {100 * result.band:.0f} % in: {times}"
+
+
+def _is_still(result: OwnRobot, state: str) -> bool:
+    """Whether the robot turns by no more than a compass shows."""
+    reference = result.comparison.reference
+    values = result.comparison.logs[reference][f"{result.comparison.sources[reference]}/{state}"]
+    return float(np.ptp(values)) <= NEGLIGIBLE.get(state, -1.0)
+
+
 def page_of(result: OwnRobot) -> Page:
     """The page, not yet written."""
     comparison, numbered = result.comparison, FIGURES[result.side]
+    moving = [name for name in STATE_NAMES if not _is_still(result, name)]
     figures: list[Figure] = []
-    for state in STATE_NAMES:
+    for state in moving:
         drawn = state_figure(comparison, state)
+        drawn = replace(drawn, title=_settled(result)) if state == "pitch" and result.settles else drawn
         title = f"Figure {numbered[state]} again. {drawn.title}" if state in numbered else drawn.title
         figures.append(replace(drawn, title=title))
+    still: list[Item] = [] if len(moving) == len(STATE_NAMES) else [STILL]
     within = f"{100 * result.band:.0f} %"
     settling = [
         (f"{cell_text(fit, 3)} %", f"{label}: fit of pitch to the robot's")
@@ -110,7 +128,7 @@ def page_of(result: OwnRobot) -> Page:
                 *result.notes,
             ],
         ),
-        Section(f"{NAMED[result.side].capitalize()}, of this robot", [*figures[1:]]),
+        Section(f"{NAMED[result.side].capitalize()}, of this robot", [*figures[1:], *still]),
         Section("Numbers", [metrics_table(comparison), *fit_tables(comparison)]),
         Section("How this was done", [_HOW, Details("Law and push", [f"Law: {result.law}.", sentence(result.push)])]),
     ]

@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 
 MEASURED, NONLINEAR = "robot", "nonlinear"
 SENSED = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro", "sensor/compass")
-REST = 1.0  # [s] before the push and at the end of the log, where the robot rests
+REST = 1.0  # [s] at the end of the log, where the robot rests
 ROUND = 1.5  # [s] after the push, where pitch is compared; the whole log where there is no push
 WIDEST = 0.5  # [1] of the largest deviation: a robot that swings more at rest never settles
 FINE = 0.001  # [s] step of a model with dead times
@@ -104,11 +104,17 @@ class Trial:
         )
         (fit,) = both.fits.values()
         settles = self.band <= WIDEST
-        return settling_time(log.t, pitch, band=self.band, start=self.release) if settles else math.nan, fit["pitch"]
+        settling = settling_time(log.t, pitch - _rest(log).mean(), band=self.band, start=self.release)
+        return settling if settles else math.nan, fit["pitch"]
 
 
 def _pitch(log: Log) -> Array:
     return log["truth/pitch" if "truth/pitch" in log else "estimate/pitch"]
+
+
+def _rest(log: Log) -> Array:
+    """Pitch at the end of a log: where a robot that leans, or whose gyro is off, comes to rest."""
+    return _pitch(log)[log.t > log.t[-1] - REST]
 
 
 def trial_of(
@@ -119,6 +125,6 @@ def trial_of(
     force = [sum(abs(p.at(float(at), robot).force) for p in pushes) for at in t]
     times = [time for pair in active_intervals(t, force) for time in pair if math.isfinite(time)]
     pushed, release = (times[0], times[-1]) if times else (0.0, 0.0)
-    rest = pitch[((t < pushed) & (t > pushed - REST)) | (t > t[-1] - REST)]
-    swing, peak = float(np.abs(rest).max(initial=0.0)), float(np.abs(pitch[t >= release]).max(initial=1e-9))
+    rest = _rest(measured)
+    swing, peak = float(np.ptp(rest)) / 2, float(np.abs(pitch[t >= release] - rest.mean()).max(initial=1e-9))
     return Trial(measured, first, law, pushes, robot, kit, pushed, release, max(0.05, 1.1 * swing / peak))
