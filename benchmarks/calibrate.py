@@ -50,7 +50,7 @@ DITHER = {"nxtway-gs": (1.5, 4), "ev3way": (2.5, 4), "twipr": (0.03, 6)}
 """Amplitude [command unit] and how many periods it is held: loud enough to be told from the sensors' steps."""
 
 
-HELD, RELEASED = 0.05, 1.0  # [rad], [s]
+HELD, RELEASED = 0.1, 1.0  # [rad], [s]
 RUNS = 3
 """Of each family."""
 

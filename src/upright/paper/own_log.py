@@ -231,18 +231,18 @@ def _calibrated(log: Log, robot: Robot, kit: Kit) -> tuple[_Learnt, tuple[str, .
     parts = [(a, b) for a, b in zip(edges[::2], edges[1::2], strict=False) if math.isfinite(a)]
     start, stop = max(parts, key=lambda part: part[1] - part[0])
     try:
-        found = calibrate(log.between(start, stop), robot, kit)
+        result = calibrate(log.between(start, stop), robot, kit)
     except (DesignFailed, InvalidLog) as error:
         return _Learnt(robot, kit, ()), (f"No number is learnt from this log: {error}.",)
-    reasons = [*found.refused, *([found.quiet] if found.quiet else [])]
+    reasons = [*result.refused, *([result.quiet] if result.quiet else [])]
     if reasons:
         return _Learnt(robot, kit, ()), tuple(f"No number is learnt from this log: {r.rstrip('.')}." for r in reasons)
     numbers = [
         _Number(e.name, e.unit, e.prior, e.value, e.low, e.high, e.shift)
-        for e in found.parameters if abs(e.shift) > MOVED
+        for e in result.parameters if abs(e.shift) > MOVED
     ]  # fmt: skip
     most = sorted(numbers, key=lambda n: -abs(n.moved))[:TRIED]
-    return _Learnt(found.known_robot(), found.kit or kit, tuple(most)), ()
+    return _Learnt(result.known_robot(), result.kit or kit, tuple(most)), ()
 
 
 def _other(robot: Robot, learnt: Robot | str | Path) -> _Learnt:
@@ -311,10 +311,10 @@ def _with(at: tuple[Robot, Kit | None], number: _Number | None, kit: Kit) -> tup
 
 
 def _parts(kit: Kit) -> str:
-    late = [f"{1e3 * kit.delay:.3g} ms to the motors"] if kit.delay else []
-    late += [f"{1e3 * s.delay:.3g} ms of the {n.partition('/')[2]}" for n, s in kit.sensors.items() if s.delay]
+    delays = [f"{1e3 * kit.delay:.3g} ms to the motors"] if kit.delay else []
+    delays += [f"{1e3 * s.delay:.3g} ms of the {n.partition('/')[2]}" for n, s in kit.sensors.items() if s.delay]
     zone = [f"dead zone {kit.motor.dead_zone:.3g}"] if kit.motor.dead_zone else []
-    return ", ".join(["resolution and noise of its sensors", *zone, *late])
+    return ", ".join(["resolution and noise of its sensors", *zone, *delays])
 
 
 def _gap(measured: float, settling: float, fit: float) -> float:

@@ -63,7 +63,7 @@ class _LawController:
         return {"kind": self.spec.kind, "law": self.law.name}
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Trial:
     """What every model goes through: the `measured` log's length, `first` state, law and pushes, the first of
     which begins at `pushed` [s] and the last ends at `release` [s]; and what settled means, `band`."""
@@ -127,4 +127,7 @@ def trial_of(
     pushed, release = (times[0], times[-1]) if times else (0.0, 0.0)
     rest = _rest(measured)
     swing, peak = float(np.ptp(rest)) / 2, float(np.abs(pitch[t >= release] - rest.mean()).max(initial=1e-9))
-    return Trial(measured, first, law, pushes, robot, kit, pushed, release, max(0.05, 1.1 * swing / peak))
+    return Trial(
+        measured=measured, first=first, law=law, pushes=pushes, robot=robot, kit=kit, pushed=pushed, release=release,
+        band=max(0.05, 1.1 * swing / peak),
+    )  # fmt: skip
