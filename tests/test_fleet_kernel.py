@@ -14,7 +14,7 @@ from upright.control.linear_controller import LinearController
 from upright.errors import InvalidScenario, SpecMismatch, UnknownName
 from upright.experiment import Drive, Push, Slope, Turn, run
 from upright.kernel import store
-from upright.kernel.batch import FleetBatch, parameters_of
+from upright.kernel.batch import FleetBatch, parameters_of, silent
 from upright.kernel.simulate import simulate
 from upright.robots import Battery, Kit, Motor, Robot, Sensor
 from upright.signals import STATE_NAMES
@@ -92,6 +92,31 @@ def test_delay_saturation_and_sensors_equal_the_obvious_loop():
         "sensor/encoder_right": Sensor(delay=0.005, period=0.02),  # held over two periods
     }
     assert difference(NXT, FILTERED, replace(late, sensors=sensors)) < EQUAL
+
+
+@pytest.mark.parametrize("delay", [0.0, 0.013])
+def test_unequal_motors_equal_the_obvious_loop(delay):
+    motor = Motor(dead_zone=0.05, left=0.8, right=1.1, limit=3.0)
+    kit = smooth(NOISY, motor=motor, delay=delay)
+    assert difference(NXT, FILTERED, kit, push=Push(force=1.5, start=0.5), pushes=[[1.5, math.nan, 0.5, 0.1]]) < EQUAL
+
+
+def test_a_weak_motor_turns_the_robot_and_is_told_as_what_was_applied():
+    # each motor's own strength as a change, among robots whose motors are alike: the same bits as alone
+    kit, changes = smooth(NOISY), {"motor.left": [1.0, 0.9, 1.0], "motor.right": [1.0, 1.0, 0.9]}
+    channels = ("truth/yaw", "applied/left", "applied/right")
+    given = {"parameters": parameters_of(NXT), "controller": FILTERED, "start": (0.05, 0, 0, 0, 0, 0), "kit": kit}
+    together = simulate(FleetBatch(**given, kit_changes=changes), 2.0, record=1, channels=channels)
+    alike = simulate(FleetBatch(**given), 2.0, record=1, channels=channels)
+    assert np.array_equal(together.trace[0], alike.trace[0])
+    yaw = together.trace[:, :, 0]
+    assert np.abs(yaw[0]).max() < 1e-9  # both motors alike: straight on
+    assert np.abs(yaw[1]).max() > 0.01
+    assert yaw[1] == pytest.approx(-yaw[2], abs=1e-9)  # the mirrored robot
+    called = simulate(FleetBatch(**{**given, "controller": silent(FILTERED)}, kit_changes=changes), 2.0, record=1,
+                      channels=channels, called=FILTERED)  # fmt: skip
+    assert np.abs(called.trace - together.trace).max() < EQUAL
+    assert together.effort == pytest.approx((together.trace[:, :, 1:] ** 2).sum(axis=(1, 2)) * 0.01)
 
 
 def test_an_accelerometer_equals_the_obvious_loop():

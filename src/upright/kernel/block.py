@@ -42,6 +42,7 @@ from upright.compiled.random import whole
 from upright.kernel.rows import (
     ACCEL_FORWARD,
     ALL_ROWS,
+    APPLIED,
     COMMAND,
     COMPASS,
     DEAD_TIME,
@@ -77,6 +78,7 @@ from upright.kernel.rows import (
     SATURATED,
     SPECIFIC_FORCE,
     SQUARE,
+    STRENGTH,
     VARIED,
     VOLTAGE,
     WALK,
@@ -179,8 +181,8 @@ def arrive_alike(w: Any, count: int, ring: int, slots: int, k: int, stride: int)
 
 
 @njit
-def hold(w: Any, count: int, step: float) -> None:
-    """The command that has arrived by `step` of the period goes to the motors."""
+def hold(w: Any, count: int, row: int, step: float) -> None:
+    """The command that has arrived by `step` of the period goes to the motors, in two rows from `row` on."""
     at = like(w, step)
     for i in range(count):
         before_second, before_third = get(w, HOLD + 6, i) > at, get(w, HOLD + 7, i) > at
@@ -188,8 +190,16 @@ def hold(w: Any, count: int, step: float) -> None:
         next_left, next_right = get(w, HOLD + 2, i), get(w, HOLD + 3, i)
         last_left, last_right = get(w, HOLD + 4, i), get(w, HOLD + 5, i)
         next_left, next_right = next_left if before_third else last_left, next_right if before_third else last_right
-        put(w, LEFT, i, left if before_second else next_left)
-        put(w, RIGHT, i, right if before_second else next_right)
+        put(w, row, i, left if before_second else next_left)
+        put(w, row + 1, i, right if before_second else next_right)
+
+
+@njit
+def turn(w: Any, count: int) -> None:
+    """What each motor makes of what is applied to it."""
+    for i in range(count):
+        put(w, LEFT, i, mul(get(w, APPLIED, i), get(w, STRENGTH, i)))
+        put(w, RIGHT, i, mul(get(w, APPLIED + 1, i), get(w, STRENGTH + 1, i)))
 
 
 @njit
@@ -309,10 +319,10 @@ def count_period(w: Any, count: int, bands: Any, t: Any) -> None:
 
 
 @njit
-def count_effort(w: Any, count: int) -> None:
-    """Adds the squares of both applied commands at the end of this period."""
+def count_effort(w: Any, count: int, row: int) -> None:
+    """Adds the squares of both applied commands, in two rows from `row` on, at the end of this period."""
     for i in range(count):
-        left, right = get(w, LEFT, i), get(w, RIGHT, i)
+        left, right = get(w, row, i), get(w, row + 1, i)
         sum_ = get(w, EFFORT, i)
         square = fma(left, left, right * right)
         put(w, EFFORT, i, sum_ + square if positive(get(w, H, i)) else sum_)

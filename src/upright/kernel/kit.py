@@ -23,19 +23,26 @@ KINDS = tuple(
 )
 """Sensors in the order of the kinds in `block`."""
 
-_MOTOR = ("motor.limit", "motor.dead_zone", "motor.quantum", "battery.voltage", "battery.sag")
+_MOTOR = (
+    "motor.limit", "motor.dead_zone", "motor.quantum", "battery.voltage", "battery.sag", "motor.left", "motor.right",
+)  # fmt: skip
 _SENSOR = ("quantum", "noise", "bias", "bias_walk", "range")
 
 
 @dataclass(frozen=True, eq=False)
 class KitTables:
-    """`motor` (·, 5) and `sensor` (·, s, 6) as in `block`; `dead_time` (·, 3) as in `block.arrive`;
+    """`motor` (·, 7) and `sensor` (·, s, 6) as in `block`; `dead_time` (·, 3) as in `block.arrive`;
     `times` (s, 3): kind, delay and period [steps] of each sensor."""
 
     motor: Array
     dead_time: NDArray[np.int64]
     sensor: Array
     times: NDArray[np.int64]
+
+    @property
+    def unequal(self) -> bool:
+        """Whether some motor makes more or less of what is applied to it."""
+        return bool((self.motor[:, -2:] != 1).any())
 
 
 def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
@@ -67,7 +74,7 @@ def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
 @cache
 def _bare(voltage: bool) -> KitTables:
     """The tables without a kit, made once: they would take half of the time to start a single robot."""
-    motor = [[BARE.motor.limit, 0.0, 0.0, BARE.battery.voltage if voltage else math.inf, 0.0]]
+    motor = [[BARE.motor.limit, 0.0, 0.0, BARE.battery.voltage if voltage else math.inf, 0.0, 1.0, 1.0]]
     dead_time, times = np.zeros((1, 3), dtype=np.int64), np.zeros((0, 3), dtype=np.int64)
     return KitTables(np.array(motor), dead_time, np.zeros((1, 0, len(_SENSOR) + 1)), times)
 

@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.compiled.generated import LANES, LEFT, ROW, H
+from upright.compiled.generated import LANES, ROW, H
 from upright.control import Controller
 from upright.errors import SpecMismatch
-from upright.kernel.rows import COMMAND, REFERENCE, Rows
+from upright.kernel.pack import Packed
+from upright.kernel.rows import COMMAND, REFERENCE
 
 Array = NDArray[np.float64]
 
@@ -24,7 +25,9 @@ class Lanes:
     """The function that `Plan.called` points to. Compiled code passes no exception on: an error is kept, commands are
     zero from then on, and `check` raises it after the run."""
 
-    def __init__(self, controller: Controller, at: Rows) -> None:
+    def __init__(self, controller: Controller, packed: Packed) -> None:
+        at = packed.at
+        self._applied = slice(packed.applied, packed.applied + 2)
         self._copies = [copy.deepcopy(controller) for _ in range(LANES)]
         self._reading = slice(at.reading, at.reading + len(controller.spec.reads))
         self._rows = max(at.reading + len(controller.spec.reads), COMMAND + 2, REFERENCE + 6)
@@ -50,7 +53,7 @@ class Lanes:
 
     def _command(self, w: Array, k: int) -> None:
         readings, references = w[self._reading].T.copy(), w[REFERENCE : REFERENCE + 6].T.copy()
-        applied, standing = w[LEFT : LEFT + 2].T.tolist(), w[H] > 0
+        applied, standing = w[self._applied].T.tolist(), w[H] > 0
         for i in np.flatnonzero(standing).tolist():
             one = self._copies[i]
             if k == 0:

@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.compiled.generated import LEFT, RIGHT
+from upright.compiled.generated import LEFT
 from upright.compiled.print_lanes import LanesPrinter, RowOf, constants
 from upright.compiled.program import Block, Kind, Program, Step, Sum
 from upright.control.law import Law, program
@@ -23,7 +23,6 @@ NUMBERS = {"float64": "double", "float32": "float"}
 
 FIXED = {f"reference_{name}": RowOf(REFERENCE + i) for i, name in enumerate(STATE_NAMES)} | {
     "command_left": RowOf(COMMAND), "command_right": RowOf(COMMAND + 1),
-    "applied_left": RowOf(LEFT), "applied_right": RowOf(RIGHT),
 }  # fmt: skip
 """Variables of a law that every block has."""
 
@@ -42,12 +41,17 @@ class CompiledLaw:
 
 
 @lru_cache(maxsize=64)
-def compiled(laws: tuple[Law, ...], referred: int, dtype: str) -> CompiledLaw:
-    """The laws of a batch, in float64 or float32; for the first `referred` states there is a reference."""
+def compiled(laws: tuple[Law, ...], referred: int, dtype: str, applied: int = LEFT) -> CompiledLaw:
+    """The laws of a batch, in float64 or float32; for the first `referred` states there is a reference, and what is
+    applied stands in the two rows from `applied` on."""
     text, table = merged([program(law, referred) for law in laws])
     outputs = [v.name for v in text.of(Kind.OUTPUT) if v.name not in FIXED]
     own = [*text.channels, *(v.name for v in text.of(Kind.STATE)), *text.carried(), *outputs]
-    places = FIXED | {name: RowOf(i, relative=True) for i, name in enumerate(own)}
+    places = (
+        FIXED
+        | {"applied_left": RowOf(applied), "applied_right": RowOf(applied + 1)}
+        | {name: RowOf(i, relative=True) for i, name in enumerate(own)}
+    )
     module = LanesPrinter(text, NUMBERS[dtype], places, own=len(laws) > 1).text()
     command, update = functions_of(module, "command", "update")
     residual = own.index("residual") if "residual" in own else 0

@@ -31,7 +31,7 @@ _SAME_TIME = 1e-9  # [s] as in `experiment.pushes`
 @dataclass(eq=False, kw_only=True)
 class Packed:
     """`common` (r,) holds each row of a block as all robots have it; `rows` (v,) are overwritten by the rows of
-    `table` (v, n). `truth` and `sensors` are those of `run.entry`."""
+    `table` (v, n). `truth` and `sensors` are those of `run.entry`; what is applied stands in rows from `applied` on."""
 
     at: Rows
     common: NDArray[Any]
@@ -40,6 +40,7 @@ class Packed:
     truth: Whole
     sensors: Whole
     program: CompiledLaw
+    applied: int
 
 
 class _Block:
@@ -84,10 +85,12 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
     block.take(3, kit.dead_time.astype(np.float64))
     block.take(b.FLOOR - b.NOISE)
     block.take(3, _floor(batch))
+    block.take(2)
     assert block.end == b.FIXED, f"{block.end} rows are packed where the layout of `rows` has {b.FIXED}"
     pushes, ramps = pushes_of(batch), _ramps(batch)
     # a reference that is zero all the time takes no products
-    program = compiled(batch.laws, len(STATE_NAMES) if ramps.shape[1] else 0, np.dtype(dtype).name)
+    applied = b.APPLIED if kit.unequal else g.LEFT
+    program = compiled(batch.laws, len(STATE_NAMES) if ramps.shape[1] else 0, np.dtype(dtype).name, applied)
     own = len(batch.laws) > 1
     slots = int(kit.dead_time[:, 0].max()) + 4 if kit.dead_time.any() else 0
     at = Rows(
@@ -102,7 +105,7 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
     truth = [(g.PITCH + _state(name), at.reading + i) for i, name in enumerate(controller.reads) if "truth/" in name]
     return Packed(
         at=at, common=common, rows=rows, table=table, truth=np.array(truth, dtype=np.int64).reshape(-1, 2),
-        sensors=sensors, program=program,
+        sensors=sensors, program=program, applied=applied,
     )  # fmt: skip
 
 
@@ -182,7 +185,7 @@ def recorded(channels: Sequence[str], packed: Packed, controller: LinearControll
     start |= {"command/left": b.COMMAND, "command/right": b.COMMAND + 1}
     start |= {name: at.reading + i for i, name in enumerate(controller.reads) if name.startswith("sensor/")}
     start |= {RESIDUAL: at.reading + residual} if residual else {}
-    end = {"applied/left": g.LEFT, "applied/right": g.RIGHT, "push/force": g.FORCE}
+    end = {"applied/left": packed.applied, "applied/right": packed.applied + 1, "push/force": g.FORCE}
     for name in channels:
         if name not in start | end:
             raise SpecMismatch(f"no channel '{name}' in this fleet", expected="some of " + ", ".join(start | end))

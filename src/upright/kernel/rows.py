@@ -23,7 +23,8 @@ reading, 1 for backlash, and the sum of its random parts:"""
 LOUD_NOISE, LOUD_WALK, LOUD_BIAS = 1, 2, 4
 
 KIT = WORK + WORK_ROWS  # rows that every block has, after those of the motion
-LIMIT, DEAD_ZONE, QUANTUM, VOLTAGE, SAG, COUNTS = range(KIT, KIT + 6)  # numbers of a kit; then what is counted:
+LIMIT, DEAD_ZONE, QUANTUM, VOLTAGE, SAG, STRENGTH = range(KIT, KIT + 6)  # numbers of a kit; 2 strengths; then counts:
+COUNTS = STRENGTH + 2
 PEAK_PITCH, PEAK_WHEEL, PEAK_YAW, OUTSIDE, EFFORT, SATURATED, SQUARE, REFERENCE = range(COUNTS, COUNTS + 8)
 KIT_SIZE, COUNTED = COUNTS - KIT, REFERENCE - COUNTS
 COMMAND = REFERENCE + 6  # 2: of the controller; the reference has 6
@@ -34,7 +35,8 @@ NOISE = DEAD_TIME + 3  # 6: one for each kind of sensor
 WALK = NOISE + 6  # 6
 SPECIFIC_FORCE = WALK + 6  # 2: accelerometer
 FLOOR = SPECIFIC_FORCE + 2  # 3: see `block.tilt`
-FIXED = FLOOR + 3  # rows that every block has; those of `Rows` come after them
+APPLIED = FLOOR + 3  # 2: what is applied to motors that make more or less of it; else the motors' own rows have it
+FIXED = APPLIED + 2  # rows that every block has; those of `Rows` come after them
 
 
 class Rows(NamedTuple):
@@ -64,6 +66,7 @@ class Plan(NamedTuple):
     alike: int  # 1: all robots have the same dead time, without jitter
     advance: int  # address of `advance_…`
     accelerometer: int  # address of `specific_force_…`, 0 where no accelerometer is read
+    applied_row: int  # of the two rows of what is applied the first: `APPLIED`, or where motors are alike their own
     called: int  # address of the controller that is called instead (see `lanes`), 0: none
     seed: int  # its 64 bits as a signed number
 
@@ -90,8 +93,8 @@ class Times(NamedTuple):
 
 
 PUSHES, PUSH_COUNT, RAMPS, RAMP_COUNT, READING, CONSTANTS, RING, SLOTS = range(8)
-PERIODS, STRIDE, SUBSTEPS, EVERY, DECIDE, UPDATE, OWN, SLOPE, ALIKE, ADVANCE, ACCELEROMETER, CALLED, SEED = range(8, 21)
-ROBOTS, ALL_ROWS, VARIED, HELD, TRUTHS, SENSORS, BEFORE, AFTER = range(21, 29)
+PERIODS, STRIDE, SUBSTEPS, EVERY, DECIDE, UPDATE, OWN, SLOPE, ALIKE, ADVANCE, ACCELEROMETER = range(8, 19)
+APPLIED_ROW, CALLED, SEED, ROBOTS, ALL_ROWS, VARIED, HELD, TRUTHS, SENSORS, BEFORE, AFTER = range(19, 30)
 """Places of the fields of `Rows`, `Plan` and `Sizes` in the one array that compiled functions get."""
 STEP, H_STEP, FALLEN_AT = range(3)
 """Places of the fields of `Times`."""

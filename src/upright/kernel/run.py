@@ -27,6 +27,7 @@ from upright.kernel.rows import (
     ADVANCE,
     AFTER,
     ALIKE,
+    APPLIED_ROW,
     BEFORE,
     CALLED,
     CONSTANTS,
@@ -186,7 +187,7 @@ def decide(block: RobotBlock, plan: Any, times: Any, constants: Any, k: int) -> 
         call_on_block(item(plan, CALLED), w, count, k)
     b.drive(w, count)
     slots = item(plan, SLOTS)
-    slot = item(plan, RING) + 2 * (k % slots) if slots else LEFT
+    slot = item(plan, RING) + 2 * (k % slots) if slots else item(plan, APPLIED_ROW)
     b.copy(w, slot, DRIVEN + 0 * k, count)
     b.copy(w, slot + 1, DRIVEN + 1 + 0 * k, count)
     if slots == 0:
@@ -218,7 +219,9 @@ def move(block: RobotBlock, plan: Any, times: Any, sensors: Any, begin: int, las
         if s > 0 and now >= sensed:
             sensed = sense_all(w, count, plan, sensors, now)
         if s <= last or (s == 0 and item(plan, SLOTS) > 0):
-            b.hold(w, count, float(s))
+            b.hold(w, count, item(plan, APPLIED_ROW), float(s))
+        if item(plan, APPLIED_ROW) != LEFT:
+            b.turn(w, count)
         if now >= pushed:
             pushed = b.push(w, count, item(plan, PUSHES), item(plan, PUSH_COUNT), now)
         if now >= tilted:
@@ -266,7 +269,7 @@ def entry(
             if kept:
                 b.record(w, count, before, item(plan, BEFORE), b.Trace(trace, place, size), end)
             ahead = move(block, plan, times, sensors, begin, last, ahead)
-            b.count_effort(w, count)
+            b.count_effort(w, count, item(plan, APPLIED_ROW))
             if kept:
                 since, place = begin * step + h / 2, place + item(plan, BEFORE)
                 b.record(w, count, after, item(plan, AFTER), b.Trace(trace, place, size), since)

@@ -103,12 +103,12 @@ def run_piece(batch: FleetBatch, rows: Selection, variant: str, order: Order, ou
     kit = kit_tables(piece, order.stride)
     packed = pack(piece, kit, h, order.dtype)
     before, after = recorded(order.channels, packed, piece.form)
-    lanes = Lanes(order.called, packed.at) if order.called else None
+    lanes = Lanes(order.called, packed) if order.called else None
     plan = Plan(
         order.periods, order.stride, order.substeps, order.record, packed.program.command, packed.program.update,
         int(len(piece.laws) > 1), int("slope" in variant),
         int(len(kit.dead_time) == 1 and not kit.dead_time[0, 2]), *_motion(piece, variant, order.dtype),
-        lanes.address if lanes else 0, int(np.uint64(batch.seed).astype(np.int64)),
+        packed.applied, lanes.address if lanes else 0, int(np.uint64(batch.seed).astype(np.int64)),
     )  # fmt: skip
     here = out if whole else out.part(rows)
     extra = (np.array(order.bands, order.dtype), before, after)
