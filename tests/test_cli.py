@@ -195,7 +195,7 @@ def test_ctrl_c_ends_with_130(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Ca
 
 def test_every_command_has_a_help_page(capsys: pytest.CaptureFixture[str]) -> None:
     registered = get_command(app).commands  # type: ignore[attr-defined]
-    assert len(registered) == 24
+    assert len(registered) == 25
     for command in registered:
         assert main([command, "--help"]) == 0
         page = capsys.readouterr().out
@@ -425,8 +425,8 @@ def literal(node: ast.expr) -> str:
     return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else ""
 
 
-FILES_OF_THEIR_OWN = {"reproduce", "firmware", "fly", "monitor", "lab", "robots", "example"}
-"""A folder with its page, a program, a log, nothing."""
+FILES_OF_THEIR_OWN = {"reproduce", "firmware", "fly", "monitor", "lab", "robots", "example", "film"}
+"""A folder with its page, a program, a log, a film, nothing."""
 
 
 def test_every_command_with_a_result_writes_it_and_its_page() -> None:
