@@ -65,7 +65,7 @@ BASES = {
     "firmware": "lqr -t c", "monitor": "lines.txt", "robots": "", "sweep": "campaign.toml --workers 0",
     "bench-controllers": "", "calibrate": "run.csv", "excite": "-n 100 -s 2", "parity": "program.py controller.json",
     "fly": "program.py controller.json -y -s 5", "reproduce": "", "lab": "--no-browser",
-    "validate": "nxtway-gs run.csv", "example": "standing",
+    "validate": "nxtway-gs run.csv", "example": "standing", "film": "run.csv -r nxtway-gs -o f.gif --width 160",
 }  # fmt: skip
 """What is right in a call of each command, and quick."""
 
@@ -212,6 +212,7 @@ def calls() -> Iterator[Call]:
     group: Any = get_command(app)
     for name, base in BASES.items():
         right = shlex.split(base)
+        always = tuple(right[right.index("-o") + 1 :][:1]) if "-o" in right else ()
         positions = [word for word in right if not word.startswith("-")][:2] if name != "lab" else []
         command = group.commands[name]
         for parameter in command.params:
@@ -223,7 +224,7 @@ def calls() -> Iterator[Call]:
                 name == "identify" and option == "--controller"
             )
             for value in values(kind, output=output, file=not option or "Path" in kind, slow=name in SLOW):
-                outputs = (value,) if output else ()
+                outputs = (*always, value) if output else always
                 if option:
                     yield Call(name, (name, *right, f"{option}={value}"), outputs)
                 elif positions:
@@ -234,7 +235,7 @@ def calls() -> Iterator[Call]:
                         1,
                     )
                     words = [value if word == positions[index] else word for word in right]
-                    yield Call(name, (name, *words), ())
+                    yield Call(name, (name, *words), always)
     for words in (
         "nosuch",
         "--nosuch",

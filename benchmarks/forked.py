@@ -14,6 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from upright.cli.streams import guard
+
 SECONDS = 30.0
 """[s] of a processor's time after which a call hangs; on the wall eight times as long, for a busy machine."""
 
@@ -67,7 +69,7 @@ def _child(work: Callable[[], Any], answer: Path, printed: Path) -> None:
     os.dup2(out, 1)
     os.dup2(out, 2)
     sys.stdin = os.fdopen(0, "r", closefd=False)
-    sys.stdout, sys.stderr = (os.fdopen(i, "w", closefd=False) for i in (1, 2))
+    guard()  # as the program prints
     resource.setrlimit(resource.RLIMIT_CPU, (int(SECONDS) + 1, int(SECONDS) + 5))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     mapped = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()

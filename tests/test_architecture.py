@@ -348,3 +348,10 @@ def test_positional_parameters_are_counted(source: str, count: int) -> None:
 )
 def test_the_reader_of_imports_tells_early_from_late(source: str, expected: list[tuple[str, bool]]) -> None:
     assert [(i.target, i.at_once) for i in walk("x.py", ast.parse(source), at_once=True)] == expected
+
+
+def test_a_home_that_does_not_exist_raises_nothing_of_its_own() -> None:
+    """`Path.expanduser` raises a RuntimeError for `~nosuchuser`; `os.path.expanduser` leaves it as it is."""
+    files = {path for path in SOURCE.rglob("*.py") if ".expanduser()" in path.read_text("utf-8")}
+    allowed = {SOURCE / "reading.py"}  # catches it
+    assert files == allowed

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -75,7 +76,7 @@ class Firmware:
 
     def write(self, path: str | Path) -> list[Path]:
         """Write `path` and whatever stands beside it, each whole or not at all."""
-        first, target = Path(path).expanduser(), find_target(self.program.target)
+        first, target = Path(os.path.expanduser(path)), find_target(self.program.target)
         if first.suffix != target.suffix:
             raise UnknownName(f"ending of a program for {target.name}", first.suffix or first.name, [target.suffix])
         return [write_text(first.with_suffix(ending), text) for ending, text in self.texts(first).items()]
@@ -234,7 +235,8 @@ def head(text: str) -> dict[str, str]:
     facts = {m[1]: m[2].strip() for m in (re.fullmatch(pattern, line) for line in lines) if m}
     if missing := [name for name in ("target", "robot", "kit", "hash", "number") if name not in facts]:
         raise InvalidController(
-            f"not a program by upright: its first lines lack {missing[0]}", hint="generate it with upright firmware"
+            f"not a program by upright, whose first lines name its {missing[0]}",
+            hint="generate it with upright firmware",
         )
     return facts
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import io
 import json
+import os
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -110,7 +111,7 @@ def run_campaign(
     or with 0 this process alone. `progress(done, total, seconds)` gets the chunks on disk and the time left. Raises
     `InvalidScenario` where the folder holds another campaign, `UprightError` for a chunk that kills its workers.
     """
-    place = Path(folder).expanduser()
+    place = Path(os.path.expanduser(folder))
     total = sum(1 for _ in campaign.chunks())
     plan = json.loads(json.dumps(campaign.plan()))
     digest = _digest(plan)
@@ -167,7 +168,7 @@ def collect(folder: str | Path) -> Dataset:
     """All runs of a finished campaign in one dataset, with each one's `case` by number; they must fit into memory."""
     import xarray as xr
 
-    place = Path(folder).expanduser()
+    place = Path(os.path.expanduser(folder))
     plan = _read_plan(place)
     digest = _digest(plan)
     parts: list[Any] = []

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -109,7 +110,7 @@ def save(data: Dataset, path: str | Path) -> Path:
 
     Raises `UprightError` for another suffix or where it cannot be written, `MissingTool` where Zarr is not installed.
     """
-    target = Path(path).expanduser()
+    target = Path(os.path.expanduser(path))
     check_suffix(target)
     if target.suffix == ".zarr":
         return _save_zarr(data, target)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import itertools
 import math
+import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, cast
@@ -46,7 +47,7 @@ def read_campaign(path: str | Path) -> Campaign:
     source = Path(path)
     table = read_toml(source, InvalidScenario, "a campaign in TOML (see docs/fleet.md)")
     with understood(str(path), InvalidScenario, "a campaign (see docs/fleet.md)"):
-        return campaign_of(table, source.expanduser().parent, str(path))
+        return campaign_of(table, Path(os.path.expanduser(source)).parent, str(path))
 
 
 def campaign_of(table: Table, folder: Path = Path(), where: str = "the campaign") -> Campaign:

@@ -13,6 +13,7 @@ import ctypes
 import hashlib
 import os
 import sys
+import tempfile
 from collections.abc import Generator
 from contextlib import contextmanager, suppress
 from functools import cache
@@ -94,11 +95,12 @@ def _stamp(sources: tuple[str, ...]) -> str:
 
 
 def folder() -> Path:
-    """Where compiled functions are kept."""
+    """Where compiled functions are kept: among temporary files for a user without a home folder."""
     if chosen := os.environ.get("UPRIGHT_CACHE"):
         return Path(chosen)
     home = {"win32": os.environ.get("LOCALAPPDATA"), "darwin": "~/Library/Caches"}.get(sys.platform)
-    return Path(home or os.environ.get("XDG_CACHE_HOME") or "~/.cache").expanduser() / "upright"
+    place = os.path.expanduser(home or os.environ.get("XDG_CACHE_HOME") or "~/.cache")
+    return Path(tempfile.gettempdir() if place.startswith("~") else place) / "upright"
 
 
 def path_of(function: str, key: str, also: tuple[str, ...] = ()) -> Path:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import os
 import re
 from collections.abc import Mapping as Mapped
 from collections.abc import Sequence
@@ -115,7 +116,7 @@ def find_mapping(name: Mapping | str | Path) -> Mapping:
 
 
 def _from_file(name: str | Path) -> Mapping:
-    if not Path(name).expanduser().is_file():
+    if not Path(os.path.expanduser(name)).is_file():
         raise UnknownName("mapping", str(name), mappings())
     return Mapping.load(name)
 

@@ -91,15 +91,20 @@ def film(
     runs = [_run(label, log, robot) for label, log in (logs if isinstance(logs, Mapping) else {"": logs}).items()]
     if not runs:
         raise InvalidLog("there is no log", expected="one or more")
-    times = _times(runs, start, stop, speed / frames)
+    times = _times(runs, (start, stop), speed, frames)
     drawn = _Drawing(runs, (float(times[0]), float(times[-1])), width)
     pictures = _shown((drawn.frame(float(time)) for time in times), len(times), progress)
     return write_bytes(target, _encoded(pictures, target.suffix.lower(), frames))
 
 
-def _times(runs: list[_Run], start: float | None, stop: float | None, step: float) -> Array:
-    if not step > 0 or not math.isfinite(step):
-        raise UprightError("frames a second or speed is not positive", expected="numbers above zero")
+def _times(runs: list[_Run], ends: tuple[float | None, float | None], speed: float, frames: float) -> Array:
+    start, stop = ends
+    if not (0.001 <= speed <= 1000 and 0.1 <= frames <= 100):
+        raise UprightError(
+            f"a speed of {speed:g} and {frames:g} pictures a second",
+            expected="a speed of 0.001 to 1000, and 0.1 to 100 pictures",
+        )
+    step = speed / frames
     first = max(start if start is not None else -math.inf, float(runs[0].t[0]))
     last = min(stop if stop is not None else math.inf, max(float(run.t[-1]) for run in runs))
     if not last > first:
@@ -120,7 +125,15 @@ def _run(label: str, log: Log, robot: Robot | None) -> _Run:
     wheel = next((log[name] for name in ("truth/wheel", "estimate/wheel") if name in log), None)
     wheel = _rolled(label, log, lean) if wheel is None else wheel
     force = log["push/force"] if "push/force" in log else np.zeros(len(log))
-    return _Run(label, robot or robot_of(log), log.t, lean, wheel, force)
+    return _Run(label, robot or robot_of(log), log.t, _filled(label, lean), _filled(label, wheel), np.nan_to_num(force))
+
+
+def _filled(label: str, values: Array) -> Array:
+    """`values` with a straight line over rows that hold no number."""
+    good, rows = np.isfinite(values), np.arange(len(values))
+    if not good.any():
+        raise InvalidLog(f"{_called(label)} has no numbers where its lean and wheels should be")
+    return values if good.all() else np.interp(rows, rows[good], values[good])
 
 
 def _swing(label: str, log: Log) -> Array:
@@ -260,7 +273,7 @@ def scene(labels: tuple[str, str], times: tuple[float, float]) -> tuple[Figure, 
     each, panels = (WIDTH / 2 - LEFT - RIGHT) / WIDTH, list[Axes]()
     for k, label in enumerate(labels):
         ax = figure.add_axes((k / 2 + LEFT / WIDTH, FOOT / HEIGHT, each, PANEL / HEIGHT))
-        ax.set(xlim=times)
+        ax.set_xlim(times[0], max(times[1], math.nextafter(times[0], math.inf)))
         ax.set_title(label)
         ax.set_xlabel("time [s]", loc="right")
         numbered(ax.xaxis, ax.yaxis)
