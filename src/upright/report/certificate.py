@@ -56,10 +56,14 @@ def _falls(c: Certificate) -> Figure:
 
 
 def _intro(c: Certificate) -> str:
+    moved = max((t.residual for t in c.trials), default=0.0)
+    last = (
+        f" The last iteration of a period moved a command by {100 * moved:.2g} % of its limit at most." if moved else ""
+    )
     return (
         f"{c.samples} robots drawn from the uncertainty of {c.robot}, in the nonlinear model with kit {c.kit}. "
         f"{c.fell} fell in at least one trial: with 95 % confidence the probability is below {100 * c.bound:.2g} %. "
-        "The last four columns are 95 % quantiles of the robots that stood."
+        f"The last four columns are 95 % quantiles of the robots that stood.{last}"
     )
 
 
