@@ -42,9 +42,9 @@ def doctor(
     Prints each finding with its evidence and repair. Exit code 0, whatever the findings.
     """
     from upright.atomic import write_text
+    from upright.doctor.columns import drafted
     from upright.doctor.doctor import doctor as examine
     from upright.errors import InvalidLog
-    from upright.logs.draft import draft
     from upright.logs.readers import read_table
 
     check_targets(fix, write_mapping, output, report, logs=[log])
@@ -55,7 +55,7 @@ def doctor(
     except InvalidLog as error:
         if not write_mapping or mapping:
             raise
-        write_text(write_mapping, draft(table))
+        write_text(write_mapping, drafted(table))
         if as_json:
             print_json({"draft": str(write_mapping)})
         else:

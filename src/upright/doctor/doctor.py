@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from upright.doctor import delays, motion, poses, rates, segments, sensors, time, units
-from upright.doctor.finding import FEWEST, SEVERITIES, Finding, Record, Segment
+from upright.doctor import columns, delays, motion, poses, rates, segments, sensors, time, units
+from upright.doctor.finding import FEWEST, SEVERITIES, Finding, Record, Segment, note
 from upright.doctor.fixes import repaired
 from upright.errors import InvalidLog
 from upright.logs.mapping import Mapping, Source, channels_of, find_mapping, propose
@@ -138,11 +138,11 @@ def doctor(
     table = (
         table_of(source) if isinstance(source, Log) else source if isinstance(source, RawTable) else read_table(source)
     )
-    chosen = find_mapping(mapping) if mapping else propose(table)
+    chosen, assumed = (find_mapping(mapping), []) if mapping else _proposed(table)
     known = find_robot(robot) if robot else None
     raw = _record(table, chosen)
     findings, last = _examine(raw, known, progress)
-    findings += rates.stated(table.comments, findings) + time.paced(raw.t, table.origin)
+    findings += assumed + rates.stated(table.comments, findings) + time.paced(raw.t, table.origin)
     order = {severity: i for i, severity in enumerate(SEVERITIES)}
     ranked = tuple(sorted(findings, key=lambda finding: order[finding.severity]))
     origin = dict(table.origin) | ({"file": table.source, "mapping": chosen.name} if table.source else {})
@@ -151,6 +151,18 @@ def doctor(
         source=table.source, mapping=chosen, findings=ranked, rows=len(raw.t), seconds=seconds, period=last.period,
         segments=last.segments, ignored=tuple(chosen.ignored(table)), _raw=raw, _origin=origin,
     )  # fmt: skip
+
+
+def _proposed(table: RawTable) -> tuple[Mapping, list[Finding]]:
+    """The mapping by the columns' names, or where these say nothing, by how the columns move, and a note on that."""
+    try:
+        return propose(table), []
+    except InvalidLog:
+        mapping = columns.by_physics(table)
+        if mapping is None or not mapping.time.column:  # nobody knows how fast rows without a clock follow each other
+            raise
+    text = "no name says what the columns are: they were taken for what they move like"
+    return mapping, [note("columns/unnamed", mapping.time.column, text, "check them, and --write-mapping MINE.toml")]
 
 
 def _record(table: RawTable, mapping: Mapping) -> Record:

@@ -46,15 +46,25 @@ unit = "V"
 
 def draft(table: RawTable) -> str:
     """A mapping to be edited, with what each column of `table` looks like."""
-    clock = next((name for name, values in table.columns.items() if _is_clock(values)), "")
+    clock = clock_of(table)
     time = (
         f'column = "{clock}"'
         if clock
         else "period = 0.01                      # [s] from row to row: no column is a clock"
     )
-    lines = [HEAD.format(lacks="channel" if clock else "time", time=time), "# What the columns look like:"]
-    lines += [f"#   {name}: {text}" for name, text in behaviour(table).items()]
-    return "\n".join(lines) + "\n" + CHOICES
+    return HEAD.format(lacks="channel" if clock else "time", time=time) + "\n" + looks(table) + "\n" + CHOICES
+
+
+def looks(table: RawTable) -> str:
+    """What each column looks like, as comments."""
+    lines = [f"#   {name}: {text}" for name, text in behaviour(table).items()]
+    return "\n".join(["# What the columns look like:", *lines])
+
+
+def clock_of(table: RawTable) -> str:
+    """The first column that is a clock, '' where none is; one that counts rows only where there is no other."""
+    clocks = [name for name, values in table.columns.items() if _is_clock(values)]
+    return min(clocks, key=lambda name: bool((np.diff(table.columns[name]) == 1).all()), default="")
 
 
 def behaviour(table: RawTable) -> dict[str, str]:
@@ -65,7 +75,7 @@ def behaviour(table: RawTable) -> dict[str, str]:
         words[name] = _alone(x)
     moving = [name for name, x in several.items() if np.ptp(x) > 0 and not _is_clock(x)][:_MOST]
     for rate in moving:
-        fits = {name: _rate_of(several[rate], several[name]) for name in moving if name != rate}
+        fits = {name: rate_of(several[rate], several[name]) for name in moving if name != rate}
         name = max(fits, key=lambda other: abs(fits[other]), default="")
         if name and abs(fits[name]) > _SURE:
             words[rate] += f"; {'minus ' if fits[name] < 0 else ''}the rate of {name} (correlation {fits[name]:.2f})"
@@ -93,7 +103,7 @@ def _is_clock(x: Array) -> bool:
     return bool(np.median(np.abs(steps - np.median(steps))) < _EVEN * np.median(steps))
 
 
-def _rate_of(rate: Array, angle: Array) -> float:
+def rate_of(rate: Array, angle: Array) -> float:
     """Correlation of a column with the steps of another, over one row and over three."""
     best = 0.0
     for rows in (1, 3):

@@ -312,13 +312,13 @@ def _guess(table: RawTable) -> Mapping:
     times = "sensor/battery" if "sensor/battery" in sources else ""  # else of what voltage, the log does not say
     for name, source in sources.items():
         if source.unit == "%":
-            full = _full_duty(table.columns[source.column])
+            full = full_duty(table.columns[source.column])
             unit, scale = ("%", 1.0) if full == 100 and times else ("1", 1.0 if not times else 1 / full)
             sources[name] = Source(column=source.column, unit=unit, scale=scale, times=times)
     return Mapping("guess", time, sources, about="guessed from the names of the columns; check it")
 
 
-def _full_duty(values: Array) -> float:
+def full_duty(values: Array) -> float:
     """The number that means full duty: the smallest usual one that no row exceeds (Arduino 255; 10 and 12 bits)."""
     largest = float(np.nanmax(np.abs(values), initial=0.0))
     return next((full for full in (100.0, 255.0, 1000.0, 1023.0, 4095.0) if largest <= full), 100.0)

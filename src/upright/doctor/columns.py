@@ -1,0 +1,164 @@
+"""Columns without names, taken for what they behave like: encoders, gyro and commands of a balancing robot.
+
+Two columns that run together, and one that the pendulum equation ties to them, are encoders and gyro. Commands are
+those that drive them by the motor equation. Both hold in any unit: names, units and signs may all be unknown.
+"""
+
+from __future__ import annotations
+
+import math
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.doctor.finding import GYRO, LEFT, RIGHT, Record
+from upright.doctor.physics import Resampled, motor, pendulum, resampled
+from upright.logs.draft import clock_of, draft, looks, rate_of
+from upright.logs.mapping import Mapping, Source, full_duty
+from upright.logs.readers import RawTable
+from upright.logs.units import UNITS
+
+Array = NDArray[np.float64]
+
+TRUSTED = 0.95
+"""[1] R² of the pendulum equation from which columns are taken for encoders and gyro. Other triples of columns reach
+0.9, since all of them follow the robot's motion."""
+FEWEST = 200  # rows: in fewer, a few swings fit each other by chance
+DRIVEN = 0.3  # [1] R² of the motor equation from which columns are taken for commands
+EQUAL = 1.5  # how many times more one of two commands may vary
+TOGETHER, ALIKE = 0.3, 3.0  # [1] least correlation of two encoders, and how many times more one may vary
+SMOOTH = 0.3  # [1] of its deviation: steps of a column that may be an encoder
+RATE = 0.9  # [1] correlation from which a column is the rate of another
+MOST = 14  # columns that are tried
+VALUES = 5  # different values that a column has at least; fewer are a mode or a flag
+ROWS = 3000  # of the log, on which they are tried
+COUPLING = 1.6  # [1] q of the pendulum equation: a22/a11 plus what the rotor adds, of robots that were measured
+GYROS = ("rad/s", "deg/s", "mrad/s", "mdeg/s")
+PERIOD = 0.01  # [s] taken where no column is a clock
+
+
+class _Choice(NamedTuple):
+    """Encoders and a gyro among the columns, with R² of the pendulum equation, its q, and the gyro's sign."""
+
+    left: str
+    right: str
+    gyro: str
+    r2: float
+    q: float
+    sign: int
+
+
+def by_physics(table: RawTable) -> Mapping | None:
+    """A mapping of columns by how they move, or None where no three of them move like encoders and gyro."""
+    if len(table) < FEWEST:
+        return None
+    t, time = _time(table)
+    fine = {n: x[:ROWS] for n, x in table.columns.items() if np.isfinite(x[:ROWS]).all() and n != time.column}
+    moving = {n: x for n, x in fine.items() if len(np.unique(x)) >= VALUES}
+    moving = dict(list(moving.items())[:MOST])
+    best = _sensors(t[:ROWS], moving)
+    if best is None:
+        return None
+    counts = _whole(table.columns[best.left]) and np.ptp(table.columns[best.left]) > 20
+    angle = "deg" if counts else "rad"
+    sides = {LEFT: Source(column=best.left, unit=angle), RIGHT: Source(column=best.right, unit=angle)}
+    q = abs(best.q) * UNITS[angle][0]  # of a gyro in the file's unit, whose factor brings it near to `COUPLING`
+    unit = min(GYROS, key=lambda name: abs(math.log(q / UNITS[name][0] / COUPLING)))
+    channels = {**sides, GYRO: Source(column=best.gyro, unit=unit, sign=best.sign)}
+    channels |= _commands(t[:ROWS], moving, best)
+    return Mapping("columns by physics", time, channels, about=f"by how the columns move (R² {best.r2:.2f}); check it")
+
+
+def _time(table: RawTable) -> tuple[Array, Source]:
+    """Times [s] of the rows, and the column that is the clock; without one a period that is assumed."""
+    name = clock_of(table)
+    if not name:
+        return np.arange(len(table), dtype=np.float64) * PERIOD, Source(column="", period=PERIOD)
+    step = float(np.median(np.diff(table.columns[name])))
+    unit = "s" if step < 0.5 else "ms" if step < 500 else "us"
+    return table.columns[name] * UNITS[unit][0], Source(column=name, unit=unit)
+
+
+def _sensors(t: Array, moving: dict[str, Array]) -> _Choice | None:
+    """The best encoders and gyro among the columns, each scaled by its deviation."""
+    smooth = [n for n, x in moving.items() if np.std(np.diff(x)) < SMOOTH * np.std(x)]
+    size = {name: float(np.std(moving[name])) for name in smooth}
+    alike = [(a, b) for a, b in combinations(smooth, 2) if 1 / ALIKE < size[a] / size[b] < ALIKE]
+    pairs = [(a, b) for a, b in alike if _correlation(moving[a], moving[b]) > TOGETHER]
+    choices: list[_Choice] = []
+    for left, right in pairs:
+        for gyro in (n for n in moving if n not in (left, right)):
+            choice = _judged(t, moving, left, right, gyro)
+            choices += [choice] if choice else []
+    best = max(choices, key=lambda c: c.r2, default=None)
+    if best is None:
+        return None
+    rates = {n: rate_of(x, moving[best.gyro]) for n, x in moving.items() if n not in best[:3]}
+    rate = max(rates, key=lambda n: rates[n], default="")
+    if rate and rates[rate] > RATE:  # the column was the tilt, of which another is the rate
+        return _judged(t, moving, best.left, best.right, rate) or best
+    return best
+
+
+def _judged(t: Array, moving: dict[str, Array], left: str, right: str, gyro: str) -> _Choice | None:
+    """Whether these columns obey the pendulum equation, with q in the file's units."""
+    scale, rate = float(np.std(moving[left])), float(np.std(moving[gyro]))
+    m = _resampled(t, {LEFT: moving[left] / scale, RIGHT: moving[right] / scale, GYRO: moving[gyro] / rate})
+    if m is None:
+        return None
+    fit = pendulum(m, m.wheel)
+    if fit.r2 < TRUSTED or len(fit.values) < 2 or fit.values[0] * fit.values[1] <= 0:
+        return None
+    return _Choice(left, right, gyro, fit.r2, fit.values[0] * scale / rate, 1 if fit.values[0] > 0 else -1)
+
+
+def _commands(t: Array, moving: dict[str, Array], best: _Choice) -> dict[str, Source]:
+    """The pair of columns, or the one, that drives the encoders by the motor equation."""
+    left, right = moving[best.left], moving[best.right]
+    m = _resampled(t, {LEFT: left, RIGHT: right})
+    rest = [n for n in moving if n not in best[:3] and abs(rate_of(moving[n], left)) < RATE]
+    tries: dict[tuple[str, str, int], float] = {}
+    for names in [*combinations(rest, 2), *((n, n) for n in rest)]:
+        one, other = (float(np.std(moving[name])) for name in names)
+        if m is not None and 1 / EQUAL < one / other < EQUAL:
+            mean = (moving[names[0]] + moving[names[1]]) / 2
+            even = np.interp(m.t, t, mean / max(float(np.std(mean)), 1e-300))
+            for sign in (1, -1):
+                tries[(*names, sign)] = motor(m, sign * even, m.left, m.right, None).r2 + 0.01 * (names[0] != names[1])
+    chosen = max(tries, key=lambda one: tries[one], default=None)
+    if chosen is None or tries[chosen] < DRIVEN:
+        return {}
+    *names, sign = chosen
+    return {
+        f"applied/{side}": _command(str(name), moving[str(name)], sign)
+        for side, name in zip(("left", "right"), names, strict=True)
+    }
+
+
+def _command(name: str, values: Array, sign: int) -> Source:
+    if _whole(values):
+        return Source(column=name, unit="1", scale=1 / full_duty(values), sign=sign)
+    return Source(column=name, unit="V", sign=sign)
+
+
+def _resampled(t: Array, channels: dict[str, Array]) -> Resampled | None:
+    return resampled(Record(t, channels, {}))
+
+
+def _whole(values: Array) -> bool:
+    return bool((values[np.isfinite(values)] == np.rint(values[np.isfinite(values)])).all())
+
+
+def _correlation(a: Array, b: Array) -> float:
+    return float(np.corrcoef(a, b)[0, 1])
+
+
+def drafted(table: RawTable) -> str:
+    """A mapping to be edited: the one of `by_physics`, or an empty one, with what each column looks like."""
+    mapping = by_physics(table)
+    if mapping is None:
+        return draft(table)
+    period = "" if mapping.time.column else "# No column is a clock: state the period [s] from row to row.\n"
+    return f"{looks(table)}\n{period}{mapping.to_toml()}"
