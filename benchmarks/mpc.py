@@ -48,11 +48,12 @@ SOFT, HARD = 8, 0  # DAQP's names for a constraint that may and one that may not
 
 @dataclass(frozen=True, eq=False)
 class QuadraticProgram:
-    """min ½ UᵀH U + fᵀU over |U| ≤ limit, |rows U + c| ≤ 1, the rows soft: breaking one by e costs e²/(2 SOFTNESS)."""
+    """min ½ UᵀH U + fᵀU over |U| ≤ limit, |rows U + c| ≤ 1, soft: breaking a row by e costs e²/(2 softness)."""
 
     H: Array
     rows: Array
     limit: float
+    softness: Array
 
     def solver(self) -> Any:
         """A DAQP workspace."""
@@ -63,7 +64,7 @@ class QuadraticProgram:
         flag, _ = model.setup(self.H, np.zeros(n), self.rows, upper, -upper, sense)
         if flag < 0:
             raise DesignFailed(f"DAQP refuses the programme (flag {flag})", expected="a positive definite H")
-        weights = np.full(n + k, SOFTNESS)
+        weights = np.concatenate([np.ones(n), self.softness])
         model.soft_weights(rho_l=weights, rho_u=weights)
         return model
 
@@ -117,9 +118,10 @@ class Exact:
 
 def exact(
     robot: Robot, kit: Kit, *, pitch: float = 0.3, travel: float = 1.0, limit: float | None = None,
-    instants: Sequence[int] = (1, 4, 7, 11, 14, 17, 20, 24, 27, 30), horizon: int = 30,
+    instants: Sequence[int] = range(3, 31, 3), horizon: int = 30,
 ) -> Exact:  # fmt: skip
-    """The judge of `mpc` with the same arguments; pitch and travel are bounded after so many `instants` periods."""
+    """The judge of `mpc` with the same arguments; pitch and travel are bounded after so many `instants` periods, each
+    for the periods since the one before."""
     design = mpc(robot, kit).design
     assert isinstance(design, Lqg)
     model, plant = design.filter.sampled, design.filter.sampled.plant
@@ -142,7 +144,8 @@ def exact(
     g = outputs(xi_push[:, None], u_push[:, None])[:, 0]
     most = min(largest_command(robot, kit) if limit is None else limit, UNLIMITED)
     recursion = memory(design.filter, G, g, outputs(xi_r, u_r), kind="exact mpc")
-    return Exact(recursion, QuadraticProgram((H + H.T) / 2, rows, most))
+    softness = SOFTNESS / np.tile(np.diff([0, *when]), 2)
+    return Exact(recursion, QuadraticProgram((H + H.T) / 2, rows, most, softness))
 
 
 @dataclass(eq=False)

@@ -80,8 +80,8 @@ def test_prediction_is_the_model_stepped_with_commands_held_in_blocks():
 
 
 def test_blocks_double_up_to_the_horizon():
-    assert doubling(30) == (1, 2, 4, 8, 15)
-    assert doubling(7) == (1, 2, 4)
+    assert doubling(30) == (1, 1, 2, 4, 8, 14)
+    assert doubling(7) == (1, 1, 2, 3)
     assert doubling(1) == (1,)
 
 
@@ -133,7 +133,7 @@ def test_daqp_and_osqp_agree_with_limits_active():
     p, compared = exact.programme, 0
     n, rows = len(p.H), len(p.rows)
     # a soft row is |rows U + c| ≤ 1 + slack with slack²/(2 softness) in the cost: slack as further variables
-    H = sparse.block_diag([p.H, sparse.eye(rows) / JUDGE.SOFTNESS], format="csc")
+    H = sparse.block_diag([p.H, sparse.diags(1 / p.softness)], format="csc")
     A = sparse.bmat([[sparse.eye(n), None], [p.rows, -sparse.eye(rows)], [p.rows, sparse.eye(rows)]], format="csc")
     solver = p.solver()
     for f, c in ((step[:n], step[n:]) for step in steps[::10]):

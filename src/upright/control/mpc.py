@@ -9,12 +9,12 @@ within |u| ≤ limit, and, softly, |pitch| ≤ `pitch` and R|θ − θ_r| ≤ `t
 1.3 and 1.5). K and P are the regulator's, and u_i − u_s = −K (ξ_i − ξ_s) + c_i, so that Σ c_iᵀ(R + BᵀPB)c_i is to be
 minimised, and c = 0 is its minimum where no limit is reached (Rossiter, Kouvaritakis and Rice 1998).
 
-Nothing here is exact. c is constant in blocks of 1, 2, 4, … periods (Cagienard et al. 2007); limits count at the start
-of each block, bounds at the end of each. `Splitting` then iterates a fixed number of times. Six iterations, where a
-limit counts, on nxtway-gs: 95 % of the commands are within 1 % of the limit of the exact minimum by DAQP, 99 % within
-5 %, the worst is 16 % off; on twipr, where the bound of pitch counts, 68 %, 98 % and 8 % (`benchmarks/mpc.py`,
+Nothing here is exact. c is constant in blocks of 1, 1, 2, 4, … periods (Cagienard et al. 2007); limits count at the
+start of each block, bounds at its end, for all of its periods. `Splitting` then iterates a fixed number of times. Six
+iterations, where a limit or a bound counts: on nxtway-gs 96 % of the commands are within 1 % of the limit of the exact
+minimum by DAQP, the worst is 3 % off; on twipr, where the bound of pitch counts, 63 % and 8 % (`benchmarks/mpc.py`,
 docs/add-a-controller.md). At the limit of iterations the command is that of the last one: it is always within its
-limit, and `residual` is by how much that iteration still moved it. A period takes some 2000 products.
+limit, and `residual` is by how much that iteration still moved it. A period takes some 2700 products.
 """
 
 from __future__ import annotations
@@ -40,8 +40,8 @@ from upright.signals import STATE_NAMES
 Array = NDArray[np.float64]
 
 UNLIMITED = 1e9  # [V or N m] in place of no limit: more than any driver gives
-SOFTNESS = 1e-3  # breaking a bound by all of it costs 1/(2 · SOFTNESS)
-BOUND_WEIGHT = 0.2  # weight of a bound in the splitting, over 1/SOFTNESS
+SOFTNESS = 3e-3  # breaking a bound by all of it costs 1/(2 · SOFTNESS) a period
+BOUND_WEIGHT = 0.2  # weight of a bound in the splitting, over that of breaking it
 MOST_ITERATIONS = 100
 
 
@@ -225,10 +225,10 @@ def largest_command(robot: Robot, kit: Kit) -> float:
 
 
 def doubling(horizon: int) -> tuple[int, ...]:
-    """Lengths 1, 2, 4, … [periods] of blocks, the last one what is left of `horizon`."""
-    lengths = list[int]()
+    """Lengths 1, 1, 2, 4, … [periods] of blocks, the last one what is left of `horizon`."""
+    lengths = [1]
     while (left := horizon - sum(lengths)) > 0:
-        lengths.append(min(2 ** len(lengths), left))
+        lengths.append(min(sum(lengths), left))
     return tuple(lengths)
 
 
@@ -257,7 +257,7 @@ def _split(
     g = outputs(xi_push[:, None], u_push[:, None])[:, 0]
     H = np.kron(np.diag(lengths), W)
     soft = np.arange(len(G)) >= 2 * n
-    rho = np.where(soft, BOUND_WEIGHT / SOFTNESS, limit**2 * np.trace(W))
+    rho = np.where(soft, BOUND_WEIGHT / SOFTNESS * np.tile(lengths, 4), limit**2 * np.trace(W))
     projection = G @ np.linalg.solve(H + G.T @ (rho[:, None] * G), G.T * rho)
     shift = np.zeros_like(projection)
     shift[: 2 * n, : 2 * n] = np.kron(_shifted(starts, lengths[-1]), np.eye(2))
