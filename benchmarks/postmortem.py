@@ -283,7 +283,10 @@ def planted(cause: str, seed: int) -> Planted:
         fault = _fault(cause, rng, 0.1 * (tried % 10))
         pushes, references = _programme(fault, nominal, kit, rng)
         seconds = fault.onset + AFTER
-        log, end, skipped = _run(true, kit, robot, design, fault, pushes, references, seconds, seed)
+        try:
+            log, end, skipped = _run(true, kit, robot, design, fault, pushes, references, seconds, seed)
+        except ValueError:  # MuJoCo: a drawn robot that no rigid body is
+            continue
         if cause == NO_FALL:
             if not end["fell"]:
                 real = _as_real(log, skipped, rng)

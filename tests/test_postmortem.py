@@ -23,11 +23,11 @@ from upright.cli.main import main
 from upright.control import LinearController, make_controller, write_controller
 from upright.control.delay import RAW
 from upright.diagnose import PostMortem, post_mortem
+from upright.diagnose.causes import CANNOT_TELL, CAUSES, NO_FALL
 from upright.diagnose.fall import stuck_sensor
 from upright.diagnose.fault_fits import fits
 from upright.diagnose.innovations import follow
 from upright.diagnose.signatures import bank
-from upright.diagnose.verdict import CANNOT_TELL, CAUSES, NO_FALL
 from upright.errors import InvalidLog, InvalidRobot
 from upright.experiment import Drive, Impulse, Push, run
 from upright.report.postmortem import page_of

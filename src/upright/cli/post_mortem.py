@@ -38,8 +38,8 @@ def post_mortem(
 ) -> None:
     """Diagnose a fall from the last seconds of a log.
 
-    Ranks saturation, gyro bias, dropped samples, wheel slip, weak battery, push, delay and wrong gain, each with
-    evidence and remedy. Exit code 0, also for a robot that did not fall.
+    Ranks faults of sensors, motors, battery, loop, gain and floor, pushes, loads and walls, two at once too, each with
+    evidence and repair; or says that it is none of these. Exit code 0, also for a robot that did not fall.
     """
     from upright.diagnose import post_mortem as examine
 

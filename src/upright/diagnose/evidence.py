@@ -13,13 +13,26 @@ from numpy.typing import NDArray
 
 from upright.atomic import finite
 from upright.control import Controller
-from upright.diagnose.fall import authority, fall_time, falling, frozen_rows, limit, lost_rows, stale_rows
-from upright.diagnose.fault_fits import FaultFit, PushEstimate, fits
+from upright.diagnose.beyond import Leftover, Pair, jam_or_stuck, leftover, paired
+from upright.diagnose.fall import (
+    StuckSensor,
+    authority,
+    fall_time,
+    falling,
+    falling_lean,
+    frozen_rows,
+    limit,
+    lost_rows,
+    stale_rows,
+    stuck_sensor,
+)
+from upright.diagnose.fault_fits import FaultFit, PushEstimate, fits, with_commands
 from upright.diagnose.innovations import FilterRun, follow
 from upright.diagnose.law import CommandMatch, matched, references
 from upright.diagnose.remedy import Window, dropped, remedied, searched, sharpened
 from upright.diagnose.signatures import Bank
 from upright.errors import SpecMismatch, UprightError
+from upright.logs.recording import FEWEST
 from upright.physics.dynamics import motor_damping, motor_gain
 from upright.physics.linear import linearise
 from upright.robots import Kit, Robot
@@ -30,7 +43,9 @@ Array = NDArray[np.float64]
 SECONDS = 4.0  # [s] before the fall that are judged: a fault that shows earlier has not made it fall
 EXCURSION = 1.2  # [s] before the fall in which a push or a demand must lie to be its cause
 ORDINARY_END = 1.0  # [s] before the fall up to which innovations count as ordinary
+CALMER = 0.3  # of the seconds before the fall, that are calmer than what counts as calm
 MEDIAN = 0.455  # of χ² with one degree of freedom, by which the median of squares becomes their scale
+EXPLAINED = 1.3  # NIS over the ordinary one, up to which nothing is left to explain
 LOST = 20.0  # times the ordinary NIS at which the filter has lost the robot, over the log's last `LOST_SECONDS`
 LOST_SECONDS = 0.4  # [s]
 FOREIGN = 20.0  # ordinary NIS from which the robot is not the one that was given
@@ -123,17 +138,24 @@ class Demand:
 class Evidence:
     """What was measured of a fall at the time `fell_at` [s].
 
-    `fits` are the hypotheses, the likeliest first. `ordinary` is the scale of the innovations before the fall, `nis`
-    their mean square in the window. `match` compares the recorded commands with the file's, whose loop is `stable`.
-    `lost` is the fraction of periods without a row in the last second, and before it; `battery` the voltage [V] before
-    and at the fall. `demand` is None where the references never change.
+    `fits` are the hypotheses, the likeliest first, `pairs` two faults at once, and `left` is what the likeliest leaves,
+    where it leaves something. `ordinary` is the scale of the innovations before the fall, `calm` that of its calmer
+    seconds, `nis` their mean square in the window. A `stuck` sensor has the scores of a jammed wheel and of a dumb
+    encoder in `jam`. `match` compares the recorded commands with the file's, whose loop is `stable`. `lost` is the
+    fraction of periods without a row in the last second, and before it; `battery` the voltage [V] before and at the
+    fall. `demand` is None where the references never change.
     """
 
     run: FilterRun
     fell_at: float
     ordinary: float
+    calm: float
     nis: float
     fits: tuple[FaultFit, ...]
+    pairs: tuple[Pair, ...]
+    left: Leftover | None
+    stuck: StuckSensor | None
+    jam: tuple[float, float] | None
     toppling: Toppling
     motors: MotorUse
     match: CommandMatch | None
@@ -167,7 +189,7 @@ def gather(
     show(0.4)
     several = fits(bank)
     if _unexplained(several, bank):
-        several += searched(run, window)
+        several += [*searched(run, window), *with_commands(bank, several)]
     if fell_at is None:
         fell_at = _hidden_fall(run, several)
         if fell_at is None:
@@ -185,7 +207,18 @@ def _window(run: FilterRun, end: float) -> Window:
     readings = run.readings
     early = readings & (run.t < end - ORDINARY_END)
     part = early if early.sum() > 100 else readings
+    if len(run.log) < FEWEST:  # all of it may be trouble: the noise is what the kit says
+        return Window(end, SECONDS, 1.0)
     return Window(end, SECONDS, max(1.0, float(np.median(run.innovation[part] ** 2 / run.variance[part])) / MEDIAN))
+
+
+def _calm(run: FilterRun, window: Window) -> float:
+    """The scale of the innovations in the calmer seconds before the fall: trouble may last longer than calm."""
+    use = run.readings & (run.t < window.end - ORDINARY_END)
+    t, squares = run.t[use], run.innovation[use] ** 2 / run.variance[use]
+    seconds = np.floor(t - run.t[0])
+    blocks = [float(np.median(squares[seconds == k])) for k in np.unique(seconds) if (seconds == k).sum() > FEWEST / 2]
+    return min(window.usual, max(1.0, float(np.quantile(blocks, CALMER)) / MEDIAN)) if blocks else window.usual
 
 
 def _lost(run: FilterRun, window: Window) -> bool:
@@ -222,10 +255,16 @@ def _evidence(
     log, robot = run.log, run.robot
     most, mode, model = limit(robot, run.kit, run.asked), falling(robot), linearise(robot)
     match, stable, notes = _match(run, controller, end)
+    stuck = stuck_sensor(log, run.kit, end)
+    jam = jam_or_stuck(run, stuck, window, bank) if stuck and "encoder" in stuck.channel else None
+    open_ = not stuck and several[0].nis > EXPLAINED * window.usual  # something is left to explain
+    pairs = paired(run, several, window, bank) if open_ else []
     if window.usual > FOREIGN:
         notes = (*notes, _foreign(window.usual))
     return Evidence(
-        run=run, fell_at=end, ordinary=window.usual, nis=float(np.mean(bank.y**2)), fits=tuple(several),
+        run=run, fell_at=end, ordinary=window.usual, calm=_calm(run, window),
+        nis=float(np.mean(bank.y**2)), fits=tuple(several),
+        stuck=stuck, jam=jam, pairs=tuple(pairs), left=leftover(several, window, bank) if open_ else None,
         toppling=Toppling(float(mode.w @ model.E[:, 0]), float(mode.w @ model.E[:, 1]), abs(mode.b) * most / mode.pole),
         motors=_motor_use(run, mode.w, end), match=match, stable=stable,
         lost=(lost_rows(log, run.kit.period, end - 1, end), lost_rows(log, run.kit.period, log.t[0], end - 1)),
@@ -327,7 +366,11 @@ def series_of(run: FilterRun, end: float) -> Series:
     count = edges - np.searchsorted(t, motors.t[keep] - PLOTTED_NIS)
     nis = (sums[edges] - sums[edges - count]) / np.maximum(count, 1)
     low, high = _band(float(np.median(count)) if keep.any() else 1.0)
-    states = motors.states[keep]
+    states = motors.states[keep].copy()
+    fallen = falling_lean(run)
+    if fallen is not None:  # the same lean as the time of the fall
+        later = motors.t[keep] >= fallen[0][0]
+        states[later, 0] = np.interp(motors.t[keep][later], *fallen)
     return Series(
         t=motors.t[keep], pitch=states[:, 0], pitch_rate=states[:, 1], command=motors.command[keep],
         reserve=motors.reserve[keep], nis=nis, low=low, high=high,

@@ -28,6 +28,9 @@ LOST_END = 0.2  # [s] before the log's end at which the filter has stopped where
 PLAUSIBLE = 0.4  # [rad] of the filter's pitch where a fall begins: beyond, the filter has lost the robot
 STUCK = 0.2  # [s] up to the fall, of one and the same reading: a moving robot repeats itself a few times at most
 STUCK_STEPS, STUCK_MOVES = 20, 0.4  # steps, and [rad or rad/s], by which another sensor moves meanwhile
+DRIVING = 0.08  # [m/s] from which a robot can drive into something
+RUN_UP, CONTACT, HELD = 0.2, 0.03, 0.1  # [s] before a contact, of its beginning, and after it, that are looked at
+GIVES, THROWN = 0.6, 0.6  # of the way that the robot would have gone on: how far it may go, and be thrown back
 STILL_GRAINS = 2  # encoder steps that wheels must turn before a repeated reading cannot be true
 
 
@@ -36,22 +39,29 @@ def fall_time(run: FilterRun) -> float | None:
 
     Either the integrated motion falls (`doctor.poses`), whatever its shape, or the filter's pitch ends beyond `FELL`.
     """
-    t, rate = run.log.t, gyro(run.log)
-    fall = last_fall(run.log)
-    if fall is not None:
-        start = fall.start
-        first = int(np.searchsorted(t, start))
-        angle = np.concatenate([[0.0], np.cumsum(rate[first:-1] * np.diff(t[first:]))])
-        lean = angle + _lean_at(run, start)
+    fallen = falling_lean(run)
+    if fallen is not None:
+        t, lean = fallen
         out = np.flatnonzero(np.abs(lean) > LEANING)
-        last = first + int(out[0]) if len(out) else len(t) - 1
-        return float(t[last])
+        return float(t[out[0]] if len(out) else t[-1])
     pitch = run.after[:, 0]
-    lost = run.t[-1] < t[-1] - LOST_END
+    lost = run.t[-1] < run.log.t[-1] - LOST_END
     if abs(pitch[-1]) < FELL and not lost:
         return None
     upright = np.flatnonzero(np.abs(pitch) < LEANING)
     return float(run.t[upright[-1]])
+
+
+def falling_lean(run: FilterRun) -> tuple[Array, Array] | None:
+    """Times [s] from where the last fall begins, and the lean [rad] that the gyro integrates to from there; None where
+    the integrated motion shows no fall."""
+    fall = last_fall(run.log)
+    if fall is None:
+        return None
+    first = int(np.searchsorted(run.log.t, fall.start))
+    t, rate = run.log.t[first:], gyro(run.log)[first:]
+    angle = np.concatenate([[0.0], np.cumsum(rate[:-1] * np.diff(t))])
+    return t, angle + _lean_at(run, fall.start)
 
 
 def last_fall(log: Log) -> Segment | None:
@@ -208,6 +218,37 @@ def stuck_sensor(log: Log, kit: Kit, end: float) -> StuckSensor | None:
         if any(m > max(g, STUCK_MOVES) for m, g in zip(moves, grains, strict=True)):
             return StuckSensor(name, float(readings[-1]), start)
     return None
+
+
+@dataclass(frozen=True)
+class Blocked:
+    """A robot that drove at `speed` [m/s] and was held from `start` [s] on: it went no further than `further` [m]."""
+
+    start: float
+    speed: float
+    further: float
+
+
+def blocked(log: Log, robot: Robot, start: float, force: float) -> Blocked | None:
+    """Whether what pushed with a `force` from `start` [s] on was something that the robot drove into: it opposes the
+    motion, and the wheels neither go on nor are thrown back."""
+    record = _record(log)
+    names = [name for name in RATES if name in record.channels]
+    if not names:
+        return None
+    pitch = np.concatenate([[0.0], np.cumsum(gyro(log)[:-1] * np.diff(log.t))])
+    wheel = np.mean([record[name] for name in names], axis=0) + pitch
+    x = robot.wheel_radius * wheel
+    first, held = start - CONTACT, start + HELD
+    if first - RUN_UP < log.t[0] or held > log.t[-1]:
+        return None
+    at = np.interp([first - RUN_UP, first, start], log.t, x)
+    speed = float(at[1] - at[0]) / RUN_UP
+    after = np.sign(speed) * (x[(log.t >= start) & (log.t <= held)] - at[2])
+    if abs(speed) < DRIVING or force * speed > 0 or not len(after):
+        return None
+    stands = after[-1] < GIVES * abs(speed) * HELD and after[-1] > -THROWN * abs(speed) * HELD
+    return Blocked(start, speed, float(after.max())) if stands else None
 
 
 def without(log: Log, rows: Mask) -> Log:

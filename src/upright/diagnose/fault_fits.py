@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.diagnose.innovations import FilterRun
-from upright.diagnose.signatures import Bank, Signature, beside, biases, unknown_parameters
+from upright.diagnose.changes import PART, scales
+from upright.diagnose.innovations import FilterRun, Signature
+from upright.diagnose.signatures import Bank, beside, biases, unknown_parameters
 
 Array = NDArray[np.float64]
 
@@ -17,6 +19,8 @@ VISIBLE_SLIP = 3.0  # standard deviations of a reading, from which a slip shows
 MOST_PUSHES = 3  # that may come beside a fault
 PUSH_GAP = 0.1  # [s] between two pushes: several at once, up and down, would follow whatever is wrong with the model
 SUDDEN = {"step": 0.12, "ramp": 0.4}  # [s] after its onset in which an offset shows, before the filter loses the robot
+SEARCHED = ("weak", "delay", "motor")  # faults that are not small: the filter itself searches for them
+NEAR_BEST = 60.0  # nats behind the likeliest, up to which a fault of the commands beside pushes is examined
 TRIED = 3  # signatures of each kind, by their squares alone, that are tried with pushes beside them
 LEAST_GAIN = 3.0  # nats that a push must add to the score beyond the price of its numbers
 FAULT_NUMBERS, PUSH_NUMBERS = 2, 3  # free numbers: size and onset; size, start and length
@@ -39,7 +43,8 @@ class FaultFit:
     """A fault (or "none") that explains the innovations by `score`, the log likelihood ratio [nats] less the penalty.
 
     `size` is in the fault's own unit from `onset` [s] on, `pushes` stand beside it. `explained` is the fraction of the
-    squares that it explains, `nis` the mean square that it leaves.
+    squares that it explains, `nis` the mean square that it leaves, `rest` the innovations themselves that it leaves.
+    `values` is what it took from them, `run` the log's run without it, where there is one.
     """
 
     fault: str
@@ -50,17 +55,48 @@ class FaultFit:
     pushes: tuple[PushEstimate, ...] = ()
     explained: float = math.nan
     nis: float = math.nan
+    spent: float = 0.0
+    rest: Array = field(default_factory=lambda: np.zeros(0), repr=False)
+    values: Array = field(default_factory=lambda: np.zeros(0), repr=False)
+    run: FilterRun | None = field(default=None, repr=False)
 
 
 def fits(bank: Bank) -> list[FaultFit]:
-    """The best of each kind of fault, and of none, each with the pushes that it needs; the likeliest first."""
+    """The best of each kind of fault that the filter itself does not search for, and of none, each with the pushes that
+    it needs; the likeliest first."""
     best = [with_pushes(bank)]
-    for kind in dict.fromkeys((one.fault, one.way) for one in bank.faults):
+    kinds = [(one.fault, one.way) for one in bank.faults if one.fault not in SEARCHED]
+    for kind in dict.fromkeys(kinds):
         some = [one for one in bank.faults if (one.fault, one.way) == kind]
-        some.sort(key=lambda one: _least_squares(bank.y, one)[1])
+        some.sort(key=lambda one: least_squares(bank.y, one)[1])
         best.append(max((with_pushes(bank, one) for one in some[:TRIED]), key=lambda f: f.score))
     best += [_sudden(bank, way) for way in SUDDEN if any(one.way == way for one in bank.faults)]
     return sorted(best, key=lambda f: -f.score)
+
+
+def with_commands(bank: Bank, fits: Sequence[FaultFit]) -> list[FaultFit]:
+    """Faults of the commands beside pushes: the filter's own search knows of no push, and takes it for part of them."""
+    pushed = next(fit for fit in fits if fit.fault == "none")
+    several: list[FaultFit] = []
+    for kind in dict.fromkeys((one.fault, one.way) for one in bank.faults if one.fault in SEARCHED):
+        places = [i for i, one in enumerate(bank.faults) if (one.fault, one.way) == kind]
+        i = min(places, key=lambda i: least_squares(pushed.rest, bank.faults[i])[1])
+        size = least_squares(pushed.rest, bank.faults[i])[0]
+        beside = with_pushes(bank, bank.faults[i])
+        several.append(replace(beside, way=(fit := as_fit(bank, i, size)).way, size=fit.size))
+    return [fit for fit in several if fit.score > fits[0].score - NEAR_BEST]
+
+
+def as_fit(bank: Bank, i: int, size: float) -> FaultFit:
+    """A signature of the bank as a fault; of a part of the commands, the fault that the filter itself looks for."""
+    one = bank.faults[i]
+    fit = FaultFit(
+        fault=one.fault, way=one.way, onset=one.onset, size=float(size) * (one.size or 1.0) if one.free else one.size,
+        values=size * one.values,
+    )  # fmt: skip
+    if one.way == PART and one.fault == "weak":
+        return replace(fit, way="pwm", size=float(np.clip(1 - size, 0.03, 0.97)))
+    return replace(fit, way="") if one.way == PART else fit
 
 
 def _sudden(bank: Bank, way: str) -> FaultFit:
@@ -74,7 +110,7 @@ def _sudden(bank: Bank, way: str) -> FaultFit:
     return with_pushes(bank, offsets[i], amplitude=-float(dots[i] / squares[i]))
 
 
-def _least_squares(y: Array, signature: Signature) -> tuple[float, float]:
+def least_squares(y: Array, signature: Signature) -> tuple[float, float]:
     """The amplitude of least squares, and the squares that it leaves."""
     a = signature.values
     amplitude = -float(a @ y) / max(float(a @ a), 1e-12) if signature.free else 1.0
@@ -82,16 +118,25 @@ def _least_squares(y: Array, signature: Signature) -> tuple[float, float]:
 
 
 def with_pushes(
-    bank: Bank, signature: Signature | None = None, *, against: Bank | None = None, amplitude: float | None = None
+    bank: Bank,
+    signature: Signature | None = None,
+    *,
+    against: Bank | None = None,
+    amplitude: float | None = None,
+    beside: Array | None = None,
 ) -> FaultFit:
     """A hypothesis (None: no fault, or one that the bank's run was freed of before, `against` the bank of the run as it
-    was) with the pushes that it needs beside it."""
-    y, spent, size = bank.y, FAULT_NUMBERS if against or signature else 0, 0.0
+    was) with the pushes that it needs beside it; with `beside`, the innovations that another fault leaves, the second
+    of two."""
+    y, size = bank.y if beside is None else beside, 0.0
+    spent = FAULT_NUMBERS * (bool(against or signature) + (beside is not None))
+    values = np.zeros(len(y))
     if signature is not None:
-        size = _least_squares(y, signature)[0] if amplitude is None else amplitude
-        y = y + size * signature.values
+        size = least_squares(y, signature)[0] if amplitude is None else amplitude
+        values = size * signature.values
+        y = y + values
     first = against or bank
-    best, pushes = _score(first, y, spent), list[PushEstimate]()
+    best, pushes = score_of(first, y, spent), list[PushEstimate]()
     free = np.ones(len(bank.pushes), dtype=np.bool_)
     starts, stops = (np.array([getattr(p, edge) for p in bank.pushes]) for edge in ("onset", "stop"))
     for _ in range(MOST_PUSHES if bank.pushes else 0):
@@ -99,7 +144,7 @@ def with_pushes(
         i = int(np.argmax(np.where(free, dots**2 / bank.squares, 0.0)))
         force = -float(dots[i] / bank.squares[i])
         after = y + force * bank.matrix[:, i]
-        score = _score(first, after, spent + PUSH_NUMBERS)
+        score = score_of(first, after, spent + PUSH_NUMBERS)
         if score < best + LEAST_GAIN:
             break
         push = bank.pushes[i]
@@ -108,11 +153,13 @@ def with_pushes(
         free &= (starts > push.stop + PUSH_GAP) | (stops < push.onset - PUSH_GAP)
     nis = float(y @ y) / len(y)
     explained = 1 - nis / max(float(first.y @ first.y) / len(first.y), 1e-12)
-    fit = FaultFit(fault="none", score=best, pushes=tuple(pushes), explained=explained, nis=nis)
+    fit = FaultFit(
+        fault="none", score=best, pushes=tuple(pushes), explained=explained, nis=nis, spent=spent, rest=y, values=values
+    )
     if signature is None:
         return fit
     onset = _first_slip(bank, signature) if signature.fault == "slip" else signature.onset
-    size = size if signature.free else signature.size
+    size = size * (signature.size or 1.0) if signature.free else signature.size
     return replace(fit, fault=signature.fault, way=signature.way, onset=onset, size=size)
 
 
@@ -122,7 +169,7 @@ def _first_slip(bank: Bank, slip: Signature) -> float:
     return float(bank.then[shows[0]]) if len(shows) else slip.onset
 
 
-def _score(bank: Bank, rest: Array, spent: int) -> float:
+def score_of(bank: Bank, rest: Array, spent: float) -> float:
     """Log likelihood [nats] against nothing at all, of readings whose noise has any scale from the usual one up, less
     the penalty for `spent` free numbers."""
     size = len(bank.y)
@@ -131,9 +178,11 @@ def _score(bank: Bank, rest: Array, spent: int) -> float:
     return n / 2 * math.log((bank.y @ bank.y + floor) / (squares + floor)) - spent * math.log(n)
 
 
-def remaining_bias(run: FilterRun, fit: FaultFit) -> float:
-    """The gyro's offset that a run still has from the onset of `fit` on, by least squares."""
-    offset = next(one for one in biases(run, np.array([fit.onset])) if one.way == fit.way)
+def remaining(run: FilterRun, fit: FaultFit) -> float:
+    """The gyro's offset, or the wrong scale of a sensor, that a run still has from the onset of `fit` on, by least
+    squares."""
+    some = (scales if fit.fault == "scale" else biases)(run, np.array([fit.onset]))
+    offset = next(one for one in some if one.way == fit.way)
     basis = unknown_parameters(run)
     y = beside(basis, run.whitened)
-    return _least_squares(y, replace(offset, values=beside(basis, offset.values)))[0]
+    return least_squares(y, replace(offset, values=beside(basis, offset.values)))[0]

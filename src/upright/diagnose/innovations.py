@@ -8,7 +8,7 @@ sent through the same filter, linearised along its path (Willsky and Jones 1976)
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from types import SimpleNamespace
@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from upright.bodies.electronics import drive
 from upright.calibrate.filter_log import FilteredLog, filter_log
 from upright.errors import InvalidLog
+from upright.logs.recording import FEWEST
 from upright.physics.dynamics import Disturbance, derivative
 from upright.physics.integrate import PREDICTED, rk4_step, substeps
 from upright.physics.linear import linearise
@@ -52,6 +53,18 @@ class FilterRun(FilteredLog):
     kit: Kit
     log: Log
     asked: Array
+
+    @cached_property
+    def drives(self) -> dict[tuple[float, bool], Array]:
+        """What the kit's driver makes of the commands by the battery's charge, as far as it was asked for."""
+        return {}
+
+    def driven(self, charge: float = 1.0, *, pwm: bool = True) -> Array:
+        """What the kit's driver makes of the commands (samples, 2) with the fraction `charge` of the battery."""
+        key = charge, pwm
+        if key not in self.drives:
+            self.drives[key] = driven(self.asked, self.kit, self.robot.command_unit, charge, pwm=pwm)
+        return self.drives[key]
 
     @property
     def spans(self) -> Array:
@@ -119,10 +132,21 @@ def follow(log: Log, robot: Robot, kit: Kit, sent: Array | None = None) -> Filte
     others = {n: v for n, v in log.channels.items() if not n.startswith(("applied/", "truth/", "command/"))}
     channels = {n: _inside(v, kit, n) for n, v in others.items()} | dict(zip(names, sent.T, strict=True))
     result = filter_log(
-        Log(log.t, channels), robot, kit,
+        _long_enough(Log(log.t, channels), names), robot, kit,
         delay=_dead_time(names[0], kit), disturbance=PROCESS_NOISE, friction=DRY_FRICTION_NOISE,
     )  # fmt: skip
-    return FilterRun(**vars(result), robot=robot, kit=kit, log=log, asked=asked)
+    run = FilterRun(**vars(result), robot=robot, kit=kit, log=log, asked=asked)
+    return run.only(run.sample < len(log)) if len(log) < FEWEST else run
+
+
+def _long_enough(log: Log, commands: Sequence[str]) -> Log:
+    """The log with rows after its end that hold the last commands and no reading, where it is too short to filter."""
+    more = FEWEST - len(log)
+    if more <= 0:
+        return log
+    t = np.concatenate([log.t, log.t[-1] + log.period * np.arange(1, more + 1)])
+    last = {n: v[-1] if n in commands else math.nan for n, v in log.channels.items()}
+    return Log(t, {n: np.concatenate([v, np.full(more, last[n])]) for n, v in log.channels.items()})
 
 
 def _dead_time(name: str, kit: Kit) -> float:
@@ -137,6 +161,19 @@ def _inside(values: Array, kit: Kit, name: str) -> Array:
     if sensor is None or not math.isfinite(sensor.range):
         return values
     return np.where(np.abs(values) < FULL_RANGE * sensor.range, values, np.nan)
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Signature:
+    """What one fault adds to the whitened innovations, `values` (readings,), `free` in amplitude or of fixed `size`."""
+
+    fault: str
+    onset: float
+    values: Array
+    way: str = ""
+    size: float = 0.0
+    free: bool = True
+    stop: float = math.inf
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,12 +210,17 @@ def tangent(run: FilterRun) -> Tangent:
 
 def misfits(run: FilterRun, spreads: Mapping[str, float]) -> Array:
     """What enters the state over each span (events, 6, parameters) where a parameter is larger by its spread."""
+    return entering(run, [{name: _SPREAD_STEP * size} for name, size in spreads.items()]) / _SPREAD_STEP
+
+
+def entering(run: FilterRun, changes: Sequence[Mapping[str, float]]) -> Array:
+    """What enters the state over each span (events, 6, changes) where parameters are larger by these amounts."""
     x, u, w = run.before[None, :, :6], run.command[None], np.zeros((1, len(run.t), 2))
     usual = _flown(run.robot, run.robot, x, u, w, run.spans)[0]
     numbers = run.robot.numbers()
-    moved = [numbers | {name: numbers[name] + _SPREAD_STEP * size} for name, size in spreads.items()]
-    others = [(_flown(run.robot, SimpleNamespace(**p), x, u, w, run.spans)[0] - usual) / _SPREAD_STEP for p in moved]
-    return np.moveaxis(np.reshape(others, (len(spreads), *usual.shape)), 0, 2)
+    moved = [numbers | {name: numbers[name] + size for name, size in change.items()} for change in changes]
+    others = [_flown(run.robot, SimpleNamespace(**p), x, u, w, run.spans)[0] - usual for p in moved]
+    return np.moveaxis(np.reshape(others, (len(changes), *usual.shape)), 0, 2)
 
 
 def _flown(robot: Robot, p: Any, x: Array, u: Array, w: Array, spans: Array) -> Array:

@@ -20,9 +20,10 @@ from numpy.typing import NDArray
 
 from upright.atomic import finite
 from upright.control import Controller, controller_hash, read_controller
+from upright.diagnose.causes import CANNOT_TELL, NO_FALL, Cause
 from upright.diagnose.evidence import Evidence, Series, gather, series_of
 from upright.diagnose.fall import against, last_fall
-from upright.diagnose.verdict import CANNOT_TELL, NO_FALL, Cause, ranked, reversed_causes
+from upright.diagnose.verdict import ranked, reversed_causes
 from upright.doctor.finding import FEWEST as FEWEST_POSES
 from upright.errors import InvalidLog, InvalidRobot
 from upright.logs.mapping import Mapping as Columns
@@ -139,8 +140,8 @@ def post_mortem(
             verdict=CANNOT_TELL, causes=(), fell_at=math.nan, onset=math.nan, missing=missing, notes=notes,
             series=Series.none(), **head,
         )  # fmt: skip
-    if len(log) < FEWEST:
-        return _short(log, head)
+    if len(log) < FEWEST and (short := _short(log, head)) is not None:
+        return short
     run, evidence = gather(log, nominal, parts, controller, progress or (lambda _: None))
     if evidence is None:
         return PostMortem(
@@ -156,17 +157,18 @@ def post_mortem(
     )  # fmt: skip
 
 
-def _short(log: Log, head: dict[str, Any]) -> PostMortem:
-    """What a log shows that is too short for the filter: whether it fell, and against what its motors worked."""
+def _short(log: Log, head: dict[str, Any]) -> PostMortem | None:
+    """What a short log shows without any filter: that it did not fall, or against what its motors worked."""
     if len(log) < FEWEST_POSES:
         raise InvalidLog(f"the log has {len(log)} samples", expected=f"at least {FEWEST_POSES} to see a fall")
     fall = last_fall(log)
     causes = reversed_causes(against(log, fall), fall.start) if fall else ()
+    if fall and not causes:
+        return None
     return PostMortem(
-        verdict=causes[0].name if causes else CANNOT_TELL if fall else NO_FALL, causes=causes,
-        fell_at=fall.stop if fall else math.nan, onset=fall.start if fall else math.nan,
-        missing=(f"{FEWEST} rows",) if fall else (),
-        notes=(f"{len(log)} rows show poses only; other causes need {FEWEST}",), series=Series.none(), **head,
+        verdict=causes[0].name if causes else NO_FALL, causes=causes, fell_at=fall.stop if fall else math.nan,
+        onset=fall.start if fall else math.nan, missing=(), notes=(f"the log has only {len(log)} rows",),
+        series=Series.none(), **head,
     )  # fmt: skip
 
 

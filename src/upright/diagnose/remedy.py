@@ -4,21 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.diagnose.changes import MOTORS, lost_command, scaled_sensors
 from upright.diagnose.fall import without
-from upright.diagnose.fault_fits import FaultFit, remaining_bias, with_pushes
-from upright.diagnose.innovations import FilterRun, driven, follow
-from upright.diagnose.signatures import YOUNGEST, Bank, bank
+from upright.diagnose.fault_fits import FaultFit, remaining, with_pushes
+from upright.diagnose.innovations import FilterRun, follow
+from upright.diagnose.signatures import YOUNGEST, Bank, bank, finer
 from upright.signals import Log
 
 Array = NDArray[np.float64]
 GYRO = "sensor/gyro"
 
-COMMAND_FAULTS = ("weak", "delay")
+READING_FAULTS = ("bias", "scale")
+COMMAND_FAULTS = ("weak", "delay", "motor")
 """Faults of the commands, which are not small where the robot falls: the filter itself searches for them."""
 
 CHARGES = (0.05, 0.15, 0.3, 0.5, 0.7)  # fractions of the battery's voltage that are tried first
@@ -28,31 +30,52 @@ WARM_UP = 2.0  # [s] that the filter has to find the robot before the part of th
 HALVINGS = 4  # of the steps in size and onset, round the best
 BIAS_ROUNDS = 2  # most times that a gyro's offset is estimated again on the log freed of it
 BEHIND = 150.0  # nats behind the likeliest, from which a gyro's offset is not examined again
-MOST_BIASES = 4  # that are examined again
+MOST_BIASES, MOST_SCALES, MOST_MOTORS = 4, 2, 2  # that are examined again
 SHORT = 0.1  # [s] before the window's end: a filter that stops earlier has lost the robot
 
 
-def remedied(run: FilterRun, fit: FaultFit) -> FilterRun | None:
-    """The run of the log without the fault; None for a fault that no log can be freed of."""
-    log, kit, robot = run.log, run.kit, run.robot
-    if fit.fault in COMMAND_FAULTS:
-        return follow(log, robot, kit, _sent(run, fit))
-    if fit.fault == "bias":
-        elapsed = log.t - fit.onset
-        shift = fit.size * np.where(elapsed >= 0, 1.0 if fit.way == "step" else elapsed, 0.0)
-        return follow(Log(log.t, {**log.channels, GYRO: log[GYRO] - shift}, log.units, log.origin), robot, kit)
-    return None
+def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
+    """The run of the log without these faults; None where a log cannot be freed of one of them."""
+    if any(fit.fault not in READING_FAULTS + COMMAND_FAULTS for fit in fits):
+        return None
+    channels, sent = dict(run.log.channels), None
+    for fit in fits:
+        if fit.fault == "bias":
+            elapsed = run.log.t - fit.onset
+            channels[GYRO] = channels[GYRO] - fit.size * np.where(elapsed >= 0, elapsed if fit.way == "ramp" else 1, 0)
+        elif fit.fault == "scale":
+            names = scaled_sensors(run)[fit.way]
+            channels |= {name: _rescaled(run.log.t, name, channels[name], fit) for name in names}
+        else:
+            sent = _sent(run, fit, sent)
+    return follow(Log(run.log.t, channels, run.log.units, run.log.origin), run.robot, run.kit, sent)
 
 
-def _sent(run: FilterRun, fit: FaultFit) -> Array:
-    """The commands at the motors (samples, 2) with a fault of them from its onset on."""
-    kit, unit = run.kit, run.robot.command_unit
-    usual = driven(run.asked, kit, unit)
-    faulty = (
-        _delayed(usual, fit.size)
-        if fit.fault == "delay"
-        else driven(run.asked, kit, unit, fit.size, pwm=fit.way == "pwm")
-    )
+def _rescaled(t: Array, name: str, values: Array, fit: FaultFit) -> Array:
+    """A sensor's readings without the fraction `fit.size` of them since the onset; of an angle, of what it grew by."""
+    on = t >= fit.onset
+    first = 0.0 if "encoder" not in name or "rate" in name else float(values[max(0, int(np.argmax(on)) - 1)])
+    return np.where(on, first + (1 - fit.size) * (values - first), values)
+
+
+def _sent(run: FilterRun, fit: FaultFit, before: Array | None = None) -> Array:
+    """The commands at the motors (samples, 2) with a fault of them from its onset on, after another one that made them
+    those `before`."""
+    usual = run.driven() if before is None else before
+    if fit.fault == "motor":
+        return _without_motor(run, fit, usual)
+    faulty = _delayed(usual, fit.size) if fit.fault == "delay" else run.driven(fit.size, pwm=fit.way == "pwm")
+    return np.where((run.log.t >= fit.onset)[:, None], faulty, usual)
+
+
+def _without_motor(run: FilterRun, fit: FaultFit, usual: Array) -> Array:
+    """The commands that dead motors act as: none where they are braked, else the voltage that they turn at."""
+    lost = lost_command(run, fit.way)
+    rows = run.row < 0
+    faulty = usual.copy()
+    for side in range(2):
+        change = np.interp(run.log.t, run.t[rows], (run.command + lost)[rows, side])
+        faulty[:, side] = np.where(MOTORS[fit.way][side], change, usual[:, side])
     return np.where((run.log.t >= fit.onset)[:, None], faulty, usual)
 
 
@@ -72,6 +95,7 @@ class Window:
     end: float
     seconds: float
     usual: float
+    banks: dict[int, Bank] = field(default_factory=dict, repr=False)
 
     def of(self, run: FilterRun) -> FilterRun:
         """This part of a run."""
@@ -79,15 +103,26 @@ class Window:
 
     def bank(self, run: FilterRun, *, pushes_only: bool = True) -> Bank:
         """The bank of hypotheses on this part of a run."""
-        return bank(self.of(run), self.usual, pushes_only=pushes_only)
+        part = self.of(run)
+        found = bank(part, self.usual, pushes_only=pushes_only)
+        return finer(part, found, [(push.start, push.stop) for push in with_pushes(found).pushes])
+
+    def beside(self, fit: FaultFit, usual: Bank) -> Bank:
+        """The bank of all hypotheses on the run without the fault of `fit`; the `usual` one where there is none."""
+        if fit.run is None:
+            return usual
+        key = id(fit.run)
+        self.banks[key] = self.banks.get(key) or self.bank(fit.run, pushes_only=False)
+        return self.banks[key]
 
 
 def searched(run: FilterRun, window: Window) -> list[FaultFit]:
     """A weak battery of either kind and a longer delay, each of the size and onset with the smallest innovations; their
     scores are not yet exact."""
     recent = follow(run.log.between(window.end - window.seconds - WARM_UP, math.inf), run.robot, run.kit)
-    faults = ((FaultFit(fault="weak", way="pwm"), CHARGES), (FaultFit(fault="weak", way="limit"), CHARGES))
-    return [_searched(recent, window, *fault) for fault in (*faults, (FaultFit(fault="delay"), DELAYS))]
+    faults = [(FaultFit(fault="weak", way="pwm"), CHARGES), (FaultFit(fault="weak", way="limit"), CHARGES)]
+    faults += [(FaultFit(fault="delay"), DELAYS), *((FaultFit(fault="motor", way=way), (1.0,)) for way in MOTORS)]
+    return [_searched(recent, window, *fault) for fault in faults]
 
 
 def _searched(recent: FilterRun, window: Window, fault: FaultFit, sizes: tuple[float, ...]) -> FaultFit:
@@ -102,29 +137,65 @@ def _searched(recent: FilterRun, window: Window, fault: FaultFit, sizes: tuple[f
 
     onsets = np.arange(window.end - window.seconds, window.end - YOUNGEST, ONSET_STEP).tolist()
     least, onset, size = min((squares(t, x), t, x) for t in onsets for x in sizes)
-    step, factor = ONSET_STEP / 2, math.sqrt(sizes[1] / sizes[0])
+    step, factor = ONSET_STEP / 2, math.sqrt(sizes[1] / sizes[0]) if len(sizes) > 1 else 1.0
     for _ in range(HALVINGS):
-        near = [(onset + i * step, size * factor**j) for i, j in ((-1, 0), (1, 0), (0, -1), (0, 1))]
-        tried = min((squares(t, x), t, x) for t, x in near if fault.fault == "delay" or x < 1)
+        moves = ((-1, 0), (1, 0), (0, -1), (0, 1)) if len(sizes) > 1 else ((-1, 0), (1, 0))
+        near = [(onset + i * step, size * factor**j) for i, j in moves]
+        tried = min((squares(t, x), t, x) for t, x in near if fault.fault != "weak" or x < 1)
         least, onset, size = min(tried, (least, onset, size))
         step, factor = step / 2, math.sqrt(factor)
     return replace(fault, onset=onset, size=size)
 
 
+def both(run: FilterRun, fits: Sequence[FaultFit], window: Window) -> list[FaultFit]:
+    """Two faults that a log can be freed of, with the onsets and sizes that leave the smallest innovations near those
+    given."""
+    recent = follow(run.log.between(window.end - window.seconds - WARM_UP, math.inf), run.robot, run.kit)
+
+    def squares(tried: Sequence[FaultFit]) -> float:
+        freed = remedied(recent, *tried)
+        if freed is None or freed.t[-1] < recent.t[-1] - SHORT:
+            return math.inf
+        return float((window.of(freed).whitened ** 2).sum())
+
+    best, least = list(fits), squares(fits)
+    for halving in range(HALVINGS):
+        for i in range(len(best)):
+            for other in _near(best[i], 0.5**halving, window.end - YOUNGEST):
+                tried = [*best[:i], other, *best[i + 1 :]]
+                left = squares(tried)
+                if left < least:
+                    best, least = tried, left
+    return best
+
+
+def _near(fit: FaultFit, step: float, latest: float) -> list[FaultFit]:
+    """The same fault a little earlier or later, and of a smaller or larger size."""
+    times = [fit.onset - step * ONSET_STEP / 2, min(fit.onset + step * ONSET_STEP / 2, latest)]
+    near = [replace(fit, onset=t) for t in times]
+    if fit.fault == "motor":
+        return near
+    if fit.fault == "scale":
+        return near + [replace(fit, size=fit.size + change * step) for change in (-0.2, 0.2)]
+    sizes = [fit.size * 1.6**change for change in (-step, step)]
+    return near + [replace(fit, size=min(size, 0.97) if fit.fault == "weak" else size) for size in sizes]
+
+
 def exact(run: FilterRun, fit: FaultFit, window: Window, against: Bank) -> FaultFit:
     """The fit's score where its fault is taken out of the log; the size of a gyro's offset is estimated again."""
     best = fit
-    for _ in range(BIAS_ROUNDS if fit.fault == "bias" else 1):
+    for _ in range(BIAS_ROUNDS if fit.fault in READING_FAULTS else 1):
         freed = remedied(run, fit)
         if freed is None or freed.t[-1] < window.end - SHORT:
             return best
         again = with_pushes(window.bank(freed), against=against)
-        now = replace(again, fault=fit.fault, way=fit.way, onset=fit.onset, size=fit.size)
+        now = replace(again, fault=fit.fault, way=fit.way, onset=fit.onset, size=fit.size, run=freed)
         if now.score <= best.score and best is not fit:
             return best
         best = now if now.score > best.score else best
-        if fit.fault == "bias":
-            fit = replace(fit, size=fit.size + remaining_bias(window.of(freed), fit))
+        if fit.fault in READING_FAULTS:
+            more = remaining(window.of(freed), fit)
+            fit = replace(fit, size=fit.size + (more if fit.fault == "bias" else more * (1 - fit.size)))
     return best
 
 
@@ -134,13 +205,23 @@ def dropped(run: FilterRun, frozen: NDArray[np.bool_], window: Window, against: 
     again = with_pushes(window.bank(freed), against=against)
     first = int(np.argmax(frozen & (run.log.t > window.end - window.seconds)))
     return replace(
-        again, fault="dropped", way="frozen", onset=float(run.log.t[first]), size=float(frozen[first:].mean())
+        again,
+        fault="dropped",
+        way="frozen",
+        onset=float(run.log.t[first]),
+        size=float(frozen[first:].mean()),
+        run=freed,
     )
 
 
 def sharpened(run: FilterRun, fits: Sequence[FaultFit], window: Window, against: Bank) -> list[FaultFit]:
     """All fits, the likeliest of each fault that a log can be freed of by their exact score, the likeliest first."""
-    biases = [fit for fit in fits if fit.fault == "bias" and fit.score > fits[0].score - BEHIND][:MOST_BIASES]
-    exact_ones = [*biases, *(fit for fit in fits if fit.fault in COMMAND_FAULTS)]
+    near = [fit for fit in fits if fit.score > fits[0].score - BEHIND]
+    exact_ones = [fit for fit in near if fit.fault == "bias"][:MOST_BIASES]
+    exact_ones += [fit for fit in near if fit.fault == "scale"][:MOST_SCALES]
+    exact_ones += [fit for fit in fits if fit.fault in ("weak", "delay")]
+    alone = sorted((fit for fit in fits if fit.fault == "motor" and not len(fit.rest)), key=lambda fit: fit.nis)
+    exact_ones += alone[:MOST_MOTORS] + [fit for fit in fits if fit.fault == "motor" and len(fit.rest)][:1]
     rest = [fit for fit in fits if not any(fit is one for one in exact_ones)]
-    return sorted([*(exact(run, fit, window, against) for fit in exact_ones), *rest], key=lambda f: -f.score)
+    found = [exact(run, fit, window, against) for fit in exact_ones]
+    return sorted([fit for fit in (*found, *rest) if len(fit.rest)], key=lambda fit: -fit.score)

@@ -7,13 +7,14 @@ wrong proves no fault by that, and with a penalty for each free number (Schwarz 
 
 from __future__ import annotations
 
-import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.diagnose.innovations import FilterRun, answer, misfits, propagated
+from upright.diagnose.changes import commands, free_steps, motors, payloads, placed, scales
+from upright.diagnose.innovations import FilterRun, Signature, answer, misfits, propagated
 from upright.diagnose.slip import slipping
 from upright.robots import Robot
 from upright.robots.uncertainty import deviations
@@ -26,7 +27,9 @@ PUSH_LENGTHS = (1, 2, 3, 5, 7, 10)  # of pushes, in steps of `PUSH_STEP`
 YOUNGEST = 0.12  # [s] before the lean passes `LEANING`: what comes later is too late to be a cause
 GRIPS = (0.003, 0.006, 0.01, 0.015, 0.02, 0.025, 0.03, 0.04, 0.05, 0.06, 0.08, 0.1, 0.15, 0.2)  # friction coefficients
 HEIGHTS = (0.0, 1.0, 2.0)  # of a push above the axle, over that of the centre of mass
-RISES = (0.1, 1.0)  # [s] in which a steady load grows to its size
+FINE_STEP, FINE_STEPS = 0.006, 4  # [s] between the edges of pushes near one that was found, and how many to both sides
+FINE_HEIGHTS = (0.0, 0.5, 1.0, 1.5, 2.0)
+RISES = (0.1, 0.3, 1.0)  # [s] in which a steady load grows to its size
 VISIBLE = (
     "wheel_mass", "wheel_radius", "wheel_inertia", "body_mass", "com_height", "pitch_inertia", "rotor_inertia",
     "motor_resistance", "back_emf", "motor_friction", "coulomb_friction",
@@ -40,23 +43,11 @@ LARGEST_SPREAD = 0.08
 """Most that a parameter may be off, as a fraction of its value; settled likewise."""
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class Signature:
-    """What one fault adds to the whitened innovations, `values` (readings,), `free` in amplitude or of fixed `size`."""
-
-    fault: str
-    onset: float
-    values: Array
-    way: str = ""
-    size: float = 0.0
-    free: bool = True
-    stop: float = math.inf
-
-
 @dataclass(frozen=True, eq=False)
 class Bank:
     """The window's whitened innovations `y` at the times `then`, the `scale` of ordinary ones, the signatures of all
-    faults, those of `pushes`, and the latter's values as a `matrix` (readings, pushes) with its column `squares`."""
+    faults, those of `pushes`, and the latter's values as a `matrix` (readings, pushes) with its column `squares`.
+    `free` are steps at all onsets by the channel that they enter by: together a disturbance of any shape."""
 
     y: Array
     then: Array
@@ -65,6 +56,8 @@ class Bank:
     pushes: list[Signature]
     matrix: Array
     squares: Array
+    free: Mapping[str, Array]
+    steps: Array
 
 
 def bank(run: FilterRun, scale: float, *, pushes_only: bool = False) -> Bank:
@@ -72,14 +65,23 @@ def bank(run: FilterRun, scale: float, *, pushes_only: bool = False) -> Bank:
     basis, use = unknown_parameters(run), run.readings
     start, last = float(run.t[0]), float(run.t[-1]) - YOUNGEST
     onsets = np.arange(start, last, ONSET_STEP)
-    faults: list[Signature] = []
+    faults, free = list[Signature](), dict[str, Array]()
     if not pushes_only:
-        faults = [*biases(run, np.arange(start, last, run.log.period)), *_loads(run, onsets), *_slips(run, onsets)]
-        faults = [replace(one, values=beside(basis, one.values)) for one in faults]
-    pushes = _pushes(run, np.arange(start, last, PUSH_STEP))
+        faults = [
+            *biases(run, np.arange(start, last, run.log.period)), *_loads(run, onsets), *_slips(run, onsets),
+            *scales(run, onsets), *motors(run, onsets), *payloads(run, onsets), *commands(run, onsets),
+        ]  # fmt: skip
+        left = beside(basis, np.array([one.values for one in faults]).reshape(len(faults), int(use.sum())).T).T
+        faults = [replace(one, values=values) for one, values in zip(faults, left, strict=True)]
+        free = {channel: beside(basis, values) for channel, values in free_steps(run, onsets).items()}
+    pushes = _pushes(run, np.arange(start, float(run.t[-1]), PUSH_STEP), last)
     matrix = beside(basis, np.array([one.values for one in pushes]).reshape(len(pushes), int(use.sum())).T)
     squares = np.maximum((matrix**2).sum(axis=0), 1e-12)
-    return Bank(beside(basis, run.whitened), run.t[use], scale, faults, pushes, matrix, squares)
+    y = beside(basis, run.whitened)
+    if faults:
+        loads = [one for one in faults if one.fault == "payload"]
+        faults = [one for one in faults if one.fault != "payload"] + placed(loads, y, free["moment"], onsets)
+    return Bank(y, run.t[use], scale, faults, pushes, matrix, squares, free, onsets)
 
 
 def unknown_parameters(run: FilterRun) -> Array:
@@ -110,13 +112,43 @@ def beside(basis: Array, values: Array) -> Array:
     return whole - basis @ (basis.T @ whole)
 
 
-def _pushes(run: FilterRun, onsets: Array) -> list[Signature]:
-    """Forces of some time at some heights, free in size; none where the window is shorter than the shortest."""
-    edges = [(i, i + d) for i in range(len(onsets)) for d in PUSH_LENGTHS if i + d < len(onsets)]
+def _pushes(run: FilterRun, onsets: Array, latest: float) -> list[Signature]:
+    """Forces of some time at some heights, free in size, that begin before the `latest` [s]; none where the window is
+    shorter than the shortest."""
+    starts = int((onsets < latest).sum())
+    edges = [(i, i + d) for i in range(starts) for d in PUSH_LENGTHS if i + d < len(onsets)]
+    return _forces(run, onsets, edges, HEIGHTS)
+
+
+def finer(run: FilterRun, known: Bank, pushes: Sequence[tuple[float, float]]) -> Bank:
+    """The bank with more pushes whose edges lie near those of some, by (start, stop) [s]."""
+    if not pushes:
+        return known
+    near: Array = np.arange(-FINE_STEPS, FINE_STEPS + 1, dtype=np.float64) * FINE_STEP
+    onsets: Array = np.unique(np.concatenate([edge + near for push in pushes for edge in push]).round(6))
+    place = {float(t): i for i, t in enumerate(onsets)}
+    edges = [
+        (place[float(i)], place[float(j)])
+        for start, stop in pushes
+        for i in (start + near).round(6)
+        for j in (stop + near).round(6)
+        if j >= i + FINE_STEP
+    ]
+    more = _forces(run, onsets, list(dict.fromkeys(edges)), FINE_HEIGHTS)
+    matrix = beside(unknown_parameters(run), np.array([one.values for one in more]).T)
+    whole = np.concatenate([known.matrix, matrix], axis=1)
+    squares = np.concatenate([known.squares, np.maximum((matrix**2).sum(axis=0), 1e-12)])
+    return replace(known, pushes=[*known.pushes, *more], matrix=whole, squares=squares)
+
+
+def _forces(
+    run: FilterRun, onsets: Array, edges: Sequence[tuple[int, int]], heights: Sequence[float]
+) -> list[Signature]:
+    """Forces between two of the `onsets` each, at heights over that of the centre of mass."""
     if not edges:
         return []
-    n, middle = len(onsets), run.t - run.spans / 2
-    on = middle[:, None] >= onsets
+    n = len(onsets)
+    on = np.clip((run.t[:, None] - onsets) / np.maximum(run.spans, 1e-9)[:, None], 0.0, 1.0)
     entered = np.zeros((len(run.t), 4, 2 * n))
     entered[:, 2, :n], entered[:, 3, n:] = on, on
     steps = answer(run, entered)[run.readings]
@@ -124,23 +156,26 @@ def _pushes(run: FilterRun, onsets: Array) -> list[Signature]:
     force, moment = steps[:, first] - steps[:, last], steps[:, n + first] - steps[:, n + last]
     return [
         Signature(fault="push", onset=float(onsets[i]), stop=float(onsets[j]), size=h, values=one)
-        for h in (height * run.robot.com_height for height in HEIGHTS)
+        for h in (height * run.robot.com_height for height in heights)
         for i, j, one in zip(first, last, (force + h * moment).T, strict=True)
     ]
 
 
 def _loads(run: FilterRun, onsets: Array) -> list[Signature]:
-    """A force at the axle that grows from the onset on, and stays."""
-    middle = (run.t - run.spans / 2)[:, None]
+    """A force at the axle, and a slope by its sine, that grow from the onset on and stay."""
+    middle, p = (run.t - run.spans / 2)[:, None], run.robot
+    slope = (-(p.body_mass + 2 * p.wheel_mass) * p.gravity, -p.body_mass * p.com_height * p.gravity)
     loads: list[Signature] = []
     for rise in RISES:
-        entered = np.zeros((len(run.t), 4, len(onsets)))
-        entered[:, 2] = np.clip((middle - onsets) / rise, 0.0, 1.0)
-        response = answer(run, entered)[run.readings].T
-        loads += [
-            Signature(fault="load", way=f"within {rise:g} s", onset=float(t), values=one)
-            for t, one in zip(onsets, response, strict=True)
-        ]
+        for fault, force, moment in (("load", 1.0, 0.0), ("ramp", *slope)):
+            entered = np.zeros((len(run.t), 4, len(onsets)))
+            entered[:, 2] = force * np.clip((middle - onsets) / rise, 0.0, 1.0)
+            entered[:, 3] = moment * np.clip((middle - onsets) / rise, 0.0, 1.0)
+            response = answer(run, entered)[run.readings].T
+            loads += [
+                Signature(fault=fault, way=f"within {rise:g} s", onset=float(t), values=one)
+                for t, one in zip(onsets, response, strict=True)
+            ]
     return loads
 
 

@@ -13,17 +13,58 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from upright.diagnose.evidence import EXCURSION, FOREIGN, Demand, Evidence
-from upright.diagnose.fall import LEANING, stuck_sensor
-from upright.diagnose.fault_fits import FaultFit, PushEstimate
-
-NO_FALL, CANNOT_TELL = "it did not fall", "cannot tell"
-SATURATION, BIAS, DROPPED, SLIP, BATTERY = "saturation", "gyro bias", "dropped samples", "wheel slip", "weak battery"
-PUSH, DELAY, LOW, HIGH = "push too large", "delay grown", "gain too low", "gain too high"
-STUCK, REVERSED = "sensor stuck", "motor or sensor reversed"
-CAUSES = (SATURATION, BIAS, DROPPED, SLIP, BATTERY, PUSH, DELAY, LOW, HIGH, STUCK, REVERSED)
-
-NAMES = {"bias": BIAS, "weak": BATTERY, "delay": DELAY, "slip": SLIP, "dropped": DROPPED}
+from upright.diagnose.causes import (
+    CANNOT_TELL,
+    DROPPED,
+    HIGH,
+    JAMMED,
+    LOW,
+    NAMES,
+    NONE,
+    PUSH,
+    REPAIRS,
+    REVERSED,
+    SATURATION,
+    STUCK,
+    WALL,
+    Cause,
+)
+from upright.diagnose.chances import (
+    EXPLAINED,
+    EXPLAINED_WIDTH,
+    LIMIT_WIDTH,
+    PUSH_SCORE,
+    PUSH_SCORE_WIDTH,
+    TOPPLES,
+    TOPPLES_OF_LARGEST,
+    best_of,
+    enough,
+    holds,
+    name_of,
+    possible,
+    step,
+    surer,
+    toppled,
+    worth,
+)
+from upright.diagnose.evidence import EXCURSION, FOREIGN, Evidence
+from upright.diagnose.fall import blocked
+from upright.diagnose.fault_fits import FaultFit
+from upright.diagnose.words import (
+    at_limit,
+    began,
+    most,
+    nothing,
+    of_demand,
+    of_fault,
+    of_high,
+    of_leftover,
+    of_low,
+    of_pegged,
+    of_push,
+    percent,
+    sound,
+)
 
 FACT = 0.98  # probability of what the commands themselves show
 LIKELY = 0.95  # most probability of a demand or a steady load, PUSHED of a push: a fault may look like either
@@ -32,61 +73,43 @@ PEGGED = 0.95  # fraction of the last second at the limit, where a constant comm
 GAIN_STEP = 0.03  # |ln| of a gain from which it is another one
 EXACT = 0.9999  # fraction of the difference between commands and file that a changed gain explains
 
-SURE, SURE_WIDTH = 15.0, 3.0
-"""Nats by which a fault must explain more than pushes alone to be as likely as not, and the width of that step."""
+TWO, TWO_WIDTH, TWO_LEAVE = 25.0, 5.0, 0.6
+"""Nats by which two faults must explain more than one, the width of that step, and the most NIS that they may leave
+over what one leaves."""
 
-EXPLAINED, LIKE_A_PUSH, EXPLAINED_WIDTH = 0.55, 0.47, 0.04
-"""Most NIS that a fault may leave over what pushes alone leave, that a slip may leave beside a push that topples, and
-the width of both steps."""
+UNKNOWN, UNKNOWN_LEAVES = (-5.0, 20.0), (0.65, 0.8)
+UNKNOWN_WIDTH, UNKNOWN_LEAVES_WIDTH = 3.0, 0.03
+"""The same of a disturbance of any shape: it explains far more for nearly as many nats, or more for many nats."""
 
+FITS_BADLY, FITS_WIDTH, OF_ITS_SIZE, DOUBT = 1.7, 0.1, 0.03, 0.14
+"""NIS over the calm one beyond which a fault leaves something, how much more it has to be of the NIS without any fault,
+since errors of the model grow with it, and the probability that something else keeps then."""
+
+WALL_HEIGHT, WALL_HOLDS = 0.6, 2.0
+"""Where a wall holds a robot, over the height of its centre of mass, and what it takes, over the robot's momentum: the
+motors go on driving."""
+
+UNSOUND, UNSOUND_WIDTH, UNSOUND_LEAVES = 6.0, 0.2, 0.3
+"""NIS that the likeliest fault may leave over that of calmer seconds, the width of that step in its logarithm, and what
+it may leave besides, over the NIS without any fault: beyond both, nothing explains the fall."""
+
+FITS_TWO = 2.7  # NIS over the calm one, that two faults may leave
+HALF = 0.8  # of the lean that topples, from which a push beside a fault is a cause of its own
 TEMPER = 6.0  # nats that count as one between two faults: neighbouring rows share what is wrong with the model
-LARGEST_OFFSET = {"step": 4.0, "ramp": 5.0}  # of a gyro [rad/s, rad/s²]: more is a filter that is lost
-
 LOST_ROWS, LOST_WIDTH = 0.14, 0.02  # fraction of periods without a row that these robots' loops hardly survive
 FEW_LOST = 0.05  # below which lost rows are no cause
 LOST_BEFORE = 1.2  # times the fraction before: a loop that always loses so many rows has survived them
 
-TOPPLES = 0.3  # [rad] lean that a push must be worth to topple, or
-TOPPLES_OF_LARGEST = 0.4  # of the largest lean that the motors bring back
 JUMP = 0.22  # [m/s] sudden change of the reference speed that asks too much, or
 JUMP_OF_TOP = 0.6  # of the speed at which the motors have no torque left
-LIMIT_WIDTH = 0.1  # of these limits: the width of their steps
-PUSH_SCORE, PUSH_SCORE_WIDTH = 8.0, 2.0  # nats that a push must add to be one
-
+PUSH_BESIDE = 30.0  # nats that a push must add beside a fault to be a cause of its own
 SATURATED = 0.3  # fraction of the last excursion at the limit from which it counts as saturated
 FOREIGN_PEGGED, FOREIGN_WIDTH, FOREIGN_MOST = 0.4, 0.04, 0.7  # fraction of the last second, for another robot
 SWINGS = 7.0  # changes of the command's sign a second from which a robot falls by swinging
 SAME_GAIN = 0.1  # of one: a gain that the file confirms
 GAIN_WITHOUT_FILE, GAIN_WITH_FILE, AT_LIMIT = 0.8, 0.9, 0.5  # probability that is left to the gain, or to saturation
 CLEAR = 0.9  # of it for the gain that the fall's shape shows
-SOUND = 4.0  # NIS over the ordinary one, below which robot and sensors are sound
 LEAST = 1e-4  # of a likelihood, below which a cause is left out
-
-REPAIRS = {
-    SATURATION: "reduce the demand (slower changes of speed, less slope), or fit stronger motors or a higher voltage",
-    BIAS: "calibrate the gyro at rest before every start; use a controller that estimates the offset (lqg, lqi)",
-    DROPPED: "take logging and sockets out of the loop, relieve the bus, and count missed periods with a watchdog",
-    SLIP: "clean tyres and floor, use softer tyres, or limit the command to the grip of the floor",
-    BATTERY: "charge or change the battery; scale the duty by the measured voltage",
-    PUSH: "nothing is broken: push less, or design for larger pushes (see `upright certify`)",
-    DELAY: "find the cause of the delay (bus, filter, sensor mode), or design for it",
-    LOW: "raise the gain again, or design a new controller (`upright design`)",
-    HIGH: "lower the gain again, or design a new controller (`upright design`)",
-    STUCK: "check the plug and the cable of the sensor, and whether its wheel is jammed",
-    REVERSED: "turn the motor or the sensor round, or its sign in the program's first constants",
-    CANNOT_TELL: "",
-}
-
-
-@dataclass(frozen=True)
-class Cause:
-    """A possible cause: its `likelihood`, since when [s] (NaN: unknown), evidence in words and numbers, the repair."""
-
-    name: str
-    likelihood: float
-    onset: float
-    evidence: str
-    repair: str
 
 
 @dataclass(frozen=True)
@@ -109,12 +132,19 @@ def ranked(evidence: Evidence) -> tuple[Cause, ...]:
             if left * answer.probability > before or answer.name not in best:
                 best[answer.name] = answer
         left *= 1 - min(sum(answer.probability for answer in answers), 1.0)
-    odds[CANNOT_TELL], best[CANNOT_TELL] = left, _Answer(left, CANNOT_TELL, math.nan, _nothing(evidence))
+    odds[CANNOT_TELL], best[CANNOT_TELL] = left, _Answer(left, CANNOT_TELL, math.nan, nothing(evidence))
     order = sorted((name for name in odds if odds[name] > LEAST), key=lambda name: -odds[name])
     total = sum(odds[name] for name in order)
     return tuple(
-        Cause(name, odds[name] / total, min(best[name].onset, evidence.fell_at), best[name].evidence, REPAIRS[name])
+        Cause(name, odds[name] / total, min(best[name].onset, evidence.fell_at), best[name].evidence, _repair(name))
         for name in order
+    )
+
+
+def _repair(name: str) -> str:
+    """The repair of a cause, or of both of two."""
+    return (
+        "; ".join(dict.fromkeys(REPAIRS[one] for one in name.split(" and "))) if name not in REPAIRS else REPAIRS[name]
     )
 
 
@@ -127,11 +157,6 @@ def reversed_causes(notes: Sequence[str], onset: float) -> tuple[Cause, ...]:
     return first, Cause(CANNOT_TELL, rest, onset, "too few rows to tell it from a push", REPAIRS[CANNOT_TELL])
 
 
-def _step(x: float, width: float) -> float:
-    """From 0 to 1 round x = 0 over some `width`s (logistic)."""
-    return 1 / (1 + math.exp(-min(max(x / width, -50.0), 50.0)))
-
-
 def _stuck(evidence: Evidence) -> list[_Answer]:
     """Whether the motors got one and the same command all through the fall."""
     if not evidence.motors.stuck:
@@ -139,18 +164,27 @@ def _stuck(evidence: Evidence) -> list[_Answer]:
     pegged = evidence.motors.pegged > PEGGED
     name, why = (SATURATION, "the motors were at their limit") if pegged else (DROPPED, "the loop did not run")
     text = f"no command changed in the last {EXCURSION:g} s, while the robot fell: {why}"
-    return [_Answer(FACT, name, _since(evidence), text)]
+    return [_Answer(FACT, name, began(evidence), text)]
 
 
 def _stuck_sensor(evidence: Evidence) -> list[_Answer]:
     """Whether a sensor gave one and the same reading up to the fall, while another moved."""
-    stuck = stuck_sensor(evidence.run.log, evidence.run.kit, evidence.fell_at)
+    stuck = evidence.stuck
     if stuck is None:
         return []
-    name, since = stuck.channel.removeprefix("sensor/").replace("_", " "), evidence.fell_at - stuck.start
-    text = f"the {name} reads {stuck.reading:.3g} in every row of the last {since:.2g} s, while the wheels turn"
-    jam = "; a jammed wheel looks alike" if "encoder" in stuck.channel else ""
-    return [_Answer(FACT, STUCK, stuck.start, text + jam)]
+    name, seconds = stuck.channel.removeprefix("sensor/").replace("_", " "), evidence.fell_at - stuck.start
+    text = f"the {name} reads {stuck.reading:.3g} in every row of the last {seconds:.2g} s, while "
+    if evidence.jam is None:
+        return [_Answer(FACT, STUCK, stuck.start, text + "the wheels turn")]
+    held, blind = evidence.jam
+    side = "left" if stuck.channel.endswith("left") else "right"
+    held = max([held, *(fit.score for fit in evidence.fits if fit.fault == "motor" and side in fit.way)])
+    jam = step(held - blind, TEMPER)
+    why = f"a wheel that is held explains the motion {{}} than a dumb encoder ({held - blind:+.0f} nats)"
+    return [
+        _Answer(FACT * (1 - jam), STUCK, stuck.start, text + "the other one turns; " + why.format("less well")),
+        _Answer(FACT * jam, JAMMED, stuck.start, text + "the other one turns; " + why.format("better")),
+    ]
 
 
 def _changed_gain(evidence: Evidence) -> list[_Answer]:
@@ -160,10 +194,10 @@ def _changed_gain(evidence: Evidence) -> list[_Answer]:
         return []
     text = (
         f"the commands are {match.gain:.2f} times those of the controller's file on the same readings; this explains "
-        f"{_most(match.explained)} of their difference"
+        f"{most(match.explained)} of their difference"
     )
-    text += f"; before, they agreed to {_percent(match.misfit)}" if match.known else ""
-    return [_Answer(FACT, LOW if match.gain < 1 else HIGH, _since(evidence), text)]
+    text += f"; before, they agreed to {percent(match.misfit)}" if match.known else ""
+    return [_Answer(FACT, LOW if match.gain < 1 else HIGH, began(evidence), text)]
 
 
 def _lost(evidence: Evidence) -> list[_Answer]:
@@ -173,71 +207,98 @@ def _lost(evidence: Evidence) -> list[_Answer]:
         lost = min(lost, LOST_ROWS)
     if lost <= FEW_LOST:
         return []
-    text = f"{_percent(lost)} of the periods in the last second have no row ({_percent(before)} before): the loop "
+    text = f"{percent(lost)} of the periods in the last second have no row ({percent(before)} before): the loop "
     text += "did not run"
-    return [_Answer(_step(lost - LOST_ROWS, LOST_WIDTH), DROPPED, evidence.fell_at - 1.0, text)]
+    return [_Answer(step(lost - LOST_ROWS, LOST_WIDTH), DROPPED, evidence.fell_at - 1.0, text)]
 
 
 def _changed_robot(evidence: Evidence) -> list[_Answer]:
     """Whether a fault of robot, sensors or floor explains the innovations better than pushes alone."""
     best: dict[str, FaultFit] = {}
     for fit in evidence.fits:
-        if fit.fault in NAMES and _possible(fit) and fit.score > best.get(fit.fault, fit).score - 1e-9:
+        if fit.fault in NAMES and possible(fit) and fit.score > best.get(fit.fault, fit).score - 1e-9:
             best[fit.fault] = fit
     top = max((fit.score for fit in best.values()), default=0.0)
     weights = {name: math.exp(max((fit.score - top) / TEMPER, -50.0)) for name, fit in best.items()}
     total = sum(weights.values())
     return [
-        _Answer(weights[name] / total * _holds(evidence, fit), NAMES[name], fit.onset, _of_fault(evidence, fit))
+        _Answer(weights[name] / total * holds(evidence, fit), name_of(fit), fit.onset, of_fault(evidence, fit))
         for name, fit in best.items()
     ]
 
 
-def _holds(evidence: Evidence, fit: FaultFit) -> float:
-    """How likely a fault is a cause at all: it explains much more than pushes alone, and most of what those leave; a
-    slip, which looks like a push, has to leave less where a push would topple by itself."""
-    sure = _surer(evidence, fit) * _enough(evidence, fit, EXPLAINED)
-    if fit.fault != "slip":
-        return sure
-    return sure * (1 - _toppled(evidence)[0] * (1 - _enough(evidence, fit, LIKE_A_PUSH)))
+def _two(evidence: Evidence) -> list[_Answer]:
+    """Whether two faults at once explain the innovations, and neither alone; a push that goes far to topple is one."""
+    best = best_of(evidence)
+    answers: list[_Answer] = []
+    for pair in evidence.pairs[:1]:
+        names = [name_of(fit) for fit in (pair.first, pair.second)]
+        if names[0] == names[1] or not (possible(pair.first) and possible(pair.second)):
+            continue
+        chance = step(pair.score - best.score - TWO, TWO_WIDTH) * step(
+            TWO_LEAVE - pair.second.nis / max(best.nis, 1e-9), EXPLAINED_WIDTH
+        )
+        if evidence.left is not None:  # one unknown cause rather than two that are known
+            chance *= step(pair.score - evidence.left.score, TWO_WIDTH)
+        chance *= step(FITS_TWO - pair.second.nis / evidence.calm, FITS_WIDTH)
+        text = f"{of_fault(evidence, pair.first)}; with it, {of_fault(evidence, pair.second)}"
+        answers.append(_Answer(FACT * chance, " and ".join(names), min(pair.first.onset, pair.second.onset), text))
+    if best.fault not in NAMES or best.fault == "slip":  # a slip and a push look alike
+        return answers
+    lean, push = worth(evidence, best.pushes)
+    if push is None:
+        return answers
+    limit = min(TOPPLES, TOPPLES_OF_LARGEST * evidence.toppling.largest)
+    chance = step(lean / limit - HALF, LIMIT_WIDTH) * holds(evidence, best)
+    chance *= step(push.score - PUSH_BESIDE, PUSH_SCORE_WIDTH)
+    text = f"{of_fault(evidence, best)}; and {of_push(evidence, push, lean)}"
+    name = f"{name_of(best)} and {PUSH}"
+    left = 1 - sum(one.probability for one in answers)
+    return [*answers, _Answer(left * FACT * chance, name, min(best.onset, push.start), text)]
 
 
-def _gained(evidence: Evidence, fit: FaultFit) -> float:
-    """Nats by which a fit explains more than pushes alone."""
-    return fit.score - max(evidence.pushes_only.score, 0.0)
+def _none(evidence: Evidence) -> list[_Answer]:
+    """Whether what the likeliest leaves follows a disturbance of some other shape, or is far too much; where it is a
+    little too much, something else keeps a small part of the probability."""
+    left, best = evidence.left, best_of(evidence)
+    if left is None or evidence.ordinary > FOREIGN:
+        return []
+    leaves, gained = left.nis / max(best.nis, 1e-9), left.score - best.score
+    shaped = max(
+        step(gained - nats, UNKNOWN_WIDTH) * step(fraction - leaves, UNKNOWN_LEAVES_WIDTH)
+        for nats, fraction in zip(UNKNOWN, UNKNOWN_LEAVES, strict=True)
+    )
+    badly = step(best.nis / evidence.calm - FITS_BADLY, FITS_WIDTH)
+    shaped *= badly * step((best.nis - evidence.calm) / evidence.nis - OF_ITS_SIZE, OF_ITS_SIZE / 6)
+    wild = step(math.log(max(best.nis, 1e-9) / (UNSOUND * evidence.calm)), UNSOUND_WIDTH)
+    wild *= step(best.nis / evidence.nis - UNSOUND_LEAVES, EXPLAINED_WIDTH)
+    return [_Answer(FACT * max(shaped, wild, DOUBT * badly), NONE, left.onset, of_leftover(evidence, left))]
 
 
-def _surer(evidence: Evidence, fit: FaultFit) -> float:
-    return _step(_gained(evidence, fit) - SURE, SURE_WIDTH)
-
-
-def _enough(evidence: Evidence, fit: FaultFit, most: float) -> float:
-    """Whether it leaves at most such a fraction of the NIS that pushes alone leave."""
-    return _step(most - fit.nis / evidence.pushes_only.nis, EXPLAINED_WIDTH)
-
-
-def _possible(fit: FaultFit) -> bool:
-    """Whether a gyro can be off by so much: larger offsets are what pushes look like to a filter that is lost."""
-    return fit.fault != "bias" or abs(fit.size) < LARGEST_OFFSET[fit.way]
+def _driven_into(evidence: Evidence) -> list[_Answer]:
+    """Whether a push that shows was something that the robot drove into."""
+    log, robot = evidence.run.log, evidence.run.robot
+    mass = robot.body_mass + 2 * robot.wheel_mass
+    for push in sorted(evidence.pushes_only.pushes, key=lambda push: push.start):
+        wall = blocked(log, robot, push.start, push.impulse)
+        low = push.height < WALL_HEIGHT * robot.com_height  # the wheels touch first
+        if wall is not None and low and abs(push.impulse) > WALL_HOLDS * mass * abs(wall.speed):
+            sure = step(push.score - PUSH_SCORE, PUSH_SCORE_WIDTH)
+            free = 1 - max((holds(evidence, fit) for fit in evidence.fits if fit.fault in NAMES), default=0.0)
+            text = (
+                f"the robot drove at {wall.speed:.2g} m/s and its wheels were held from t = {wall.start:.2f} s on, "
+                f"within {1e3 * max(wall.further, 0.0):.0f} mm, by {abs(push.impulse):.2g} N s"
+            )
+            return [_Answer(LIKELY * sure * free, WALL, wall.start, text)]
+    return []
 
 
 def _pushed(evidence: Evidence) -> list[_Answer]:
     """Whether a push in the last excursion is worth a lean that topples."""
-    chance, lean, push = _toppled(evidence)
-    return [_Answer(PUSHED * chance, PUSH, push.start, _of_push(evidence, push, lean))] if push else []
-
-
-def _toppled(evidence: Evidence) -> tuple[float, float, PushEstimate | None]:
-    """How likely pushes topple in the last excursion, the lean [rad] that they are worth, and the largest."""
-    toppling, start = evidence.toppling, evidence.fell_at - EXCURSION
-    pushes: Sequence[PushEstimate] = [push for push in evidence.pushes_only.pushes if push.start > start]
-    if not pushes:
-        return 0.0, 0.0, None
-    largest = max(pushes, key=lambda push: abs(toppling.lean(push)))
-    lean = abs(sum(one for push in pushes if (one := toppling.lean(push)) * toppling.lean(largest) > 0))
-    limit = min(TOPPLES, TOPPLES_OF_LARGEST * toppling.largest)
-    chance = _step(lean / limit - 1, LIMIT_WIDTH) * _step(largest.score - PUSH_SCORE, PUSH_SCORE_WIDTH)
-    return chance, lean, largest
+    chance, lean, push = toppled(evidence)
+    if push is None:
+        return []
+    return [_Answer(PUSHED * chance, PUSH, push.start, of_push(evidence, push, lean))]
 
 
 def _steady_load(evidence: Evidence) -> list[_Answer]:
@@ -248,10 +309,10 @@ def _steady_load(evidence: Evidence) -> list[_Answer]:
     fit = max(loads, key=lambda f: f.score)
     text = (
         f"a steady force of {fit.size:+.2g} N at the axle since t = {fit.onset:.2f} s explains "
-        f"{_percent(fit.explained)} of the innovations (a slope or a rope?); {_at_limit(evidence)}"
+        f"{percent(fit.explained)} of the innovations (a slope or a rope?); {at_limit(evidence)}"
     )
     name = SATURATION if evidence.motors.saturated > SATURATED else PUSH
-    chance = LIKELY * _surer(evidence, fit) * _enough(evidence, fit, EXPLAINED)
+    chance = LIKELY * surer(evidence, fit) * enough(evidence, fit, EXPLAINED)
     return [_Answer(chance, name, fit.onset, text)]
 
 
@@ -261,131 +322,28 @@ def _demanded(evidence: Evidence) -> list[_Answer]:
     if demand is None:
         return []
     limit = min(JUMP, JUMP_OF_TOP * demand.top_speed)
-    chance = LIKELY * _step(demand.jump / limit - 1, LIMIT_WIDTH)
-    return [_Answer(chance, SATURATION, demand.at, _of_demand(evidence, demand))]
+    chance = LIKELY * step(demand.jump / limit - 1, LIMIT_WIDTH)
+    return [_Answer(chance, SATURATION, demand.at, of_demand(evidence, demand))]
 
 
 def _weak_or_wild(evidence: Evidence) -> list[_Answer]:
     """What is left: the gain, by how the robot fell, unless the file shows that it is right."""
-    motors, match, since = evidence.motors, evidence.match, _since(evidence)
+    motors, match, since = evidence.motors, evidence.match, began(evidence)
     if evidence.ordinary > FOREIGN:
-        chance = FOREIGN_MOST * _step(motors.pegged - FOREIGN_PEGGED, FOREIGN_WIDTH)
-        return [_Answer(chance, SATURATION, since, _of_pegged(evidence))]
+        chance = FOREIGN_MOST * step(motors.pegged - FOREIGN_PEGGED, FOREIGN_WIDTH)
+        return [_Answer(chance, SATURATION, since, of_pegged(evidence))]
     if match is not None and match.known and abs(match.gain - 1) < SAME_GAIN and evidence.stable is not False:
-        text = f"{_sound(evidence)}, the commands are the file's, and {_at_limit(evidence)}"
+        text = f"{sound(evidence)}, the commands are the file's, and {at_limit(evidence)}"
         return [_Answer(AT_LIMIT, SATURATION, since, text)] if motors.saturated > SATURATED else []
     low = CLEAR if motors.swings < SWINGS and 0.0 < motors.help < 1.0 else 1 - CLEAR
     gain = GAIN_WITHOUT_FILE if match is None else GAIN_WITH_FILE
     return [
-        _Answer(gain * low, LOW, since, _of_low(evidence)),
-        _Answer(gain * (1 - low), HIGH, since, _of_high(evidence)),
+        _Answer(gain * low, LOW, since, of_low(evidence)),
+        _Answer(gain * (1 - low), HIGH, since, of_high(evidence)),
     ]
 
 
 QUESTIONS: tuple[Callable[[Evidence], list[_Answer]], ...] = (
-    _stuck, _stuck_sensor, _changed_gain, _lost, _changed_robot, _pushed, _steady_load, _demanded, _weak_or_wild,
+    _stuck, _stuck_sensor, _changed_gain, _lost, _two, _driven_into, _none, _changed_robot, _pushed, _steady_load,
+    _demanded, _weak_or_wild,
 )  # fmt: skip
-
-
-def _since(evidence: Evidence) -> float:
-    return evidence.fell_at - EXCURSION
-
-
-def _of_fault(evidence: Evidence, fit: FaultFit) -> str:
-    """A fault of the robot in words: what it is, since when, and how much of the innovations it explains."""
-    return (
-        f"{_FAULT_TEXTS[fit.fault](evidence, fit)} since t = {fit.onset:.2f} s explains {_most(fit.explained)} of the "
-        f"innovations: NIS falls from {evidence.nis:.3g} to {fit.nis:.3g} ({_gained(evidence, fit):+.0f} nats)"
-    )
-
-
-def _bias_text(_: Evidence, fit: FaultFit) -> str:
-    return f"a gyro offset of {fit.size:+.2g} rad/s" + ("" if fit.way == "step" else " that grows by this each second")
-
-
-def _weak_text(evidence: Evidence, fit: FaultFit) -> str:
-    part = "of every command" if fit.way == "pwm" else "as the largest command"
-    before, last = evidence.battery
-    volts = f" (the battery shows {last:.2f} V after {before:.2f} V)" if math.isfinite(last + before) else ""
-    return f"motors that get {_percent(fit.size)} {part}{volts}"
-
-
-def _delay_text(evidence: Evidence, fit: FaultFit) -> str:
-    milliseconds = 1e3 * fit.size * evidence.run.log.period
-    return f"{fit.size:.2g} periods ({milliseconds:.0f} ms) more from command to reading"
-
-
-def _slip_text(_: Evidence, fit: FaultFit) -> str:
-    return f"wheels that slip and spin, as on a floor with a friction coefficient of {fit.size:.2g},"
-
-
-def _dropped_text(_: Evidence, fit: FaultFit) -> str:
-    return f"readings that repeat exactly in {_percent(fit.size)} of the rows while the wheels turn,"
-
-
-_FAULT_TEXTS = {
-    "bias": _bias_text, "weak": _weak_text, "delay": _delay_text, "slip": _slip_text, "dropped": _dropped_text,
-}  # fmt: skip
-
-
-def _of_push(evidence: Evidence, push: PushEstimate, lean: float) -> str:
-    way = "forward" if push.impulse > 0 else "backward"
-    return (
-        f"a push {way} of {abs(push.impulse):.2g} N s within {push.stop - push.start:.2g} s at t = {push.start:.2f} s "
-        f"explains {_most(evidence.pushes_only.explained)} of the innovations. With later pushes it causes {lean:.2g} "
-        f"rad of lean; the motors bring back {min(evidence.toppling.largest, LEANING):.2g} rad at most"
-    )
-
-
-def _of_demand(evidence: Evidence, demand: Demand) -> str:
-    top = f", and these motors reach {demand.top_speed:.2f} m/s" if math.isfinite(demand.top_speed) else ""
-    return (
-        f"the reference speed changed by {demand.jump:.2f} m/s at once at t = {demand.at:.2f} s{top}; "
-        f"{_at_limit(evidence)}; robot and commands are sound"
-    )
-
-
-def _of_low(evidence: Evidence) -> str:
-    gave = "the motors had torque left"
-    if math.isfinite(evidence.motors.help):
-        gave = f"the motors gave {evidence.motors.help:.2g} of the torque that stops the fall, and had more"
-    return f"{_sound(evidence)}, no push is seen, and the fall grew without swings: {gave}"
-
-
-def _of_high(evidence: Evidence) -> str:
-    return (
-        f"{_sound(evidence)}, no push is seen, and the commands changed sign {evidence.motors.swings:.0f} times a "
-        "second with growing swings"
-    )
-
-
-def _of_pegged(evidence: Evidence) -> str:
-    pegged = _percent(evidence.motors.pegged)
-    return (
-        f"the motors were at their limit for {pegged} of the last second; to judge other causes, name the right robot"
-    )
-
-
-def _at_limit(evidence: Evidence) -> str:
-    return f"the motors were at their limit for {_percent(evidence.motors.saturated)} of the last excursion"
-
-
-def _nothing(evidence: Evidence) -> str:
-    return f"{_sound(evidence)}; no push, demand or change is large enough"
-
-
-def _sound(evidence: Evidence) -> str:
-    """Whether anything is left that no hypothesis explains."""
-    nis = evidence.pushes_only.nis
-    if nis < SOUND * evidence.ordinary < SOUND * FOREIGN:
-        return f"robot and sensors are sound (NIS {nis:.2g})"
-    return f"no single fault explains the innovations (NIS {nis:.2g})"
-
-
-def _percent(fraction: float) -> str:
-    return f"{100 * fraction:.0f} %" if fraction >= 0.005 or fraction == 0 else f"{100 * fraction:.1g} %"
-
-
-def _most(fraction: float) -> str:
-    """A fraction near one without rounding it to all."""
-    return f"{100 * min(fraction, 0.999):.3g} %"

@@ -74,10 +74,13 @@ class Figure:
         )
 
     def key(self) -> list[Key]:
-        """What stands for what, where a drawing has more than one name."""
+        """What stands for what, where a drawing has more than one name; a panel's label names its only line."""
         entries: dict[str, str] = {}
         for ax in self.drawing.axes:
-            for handle, name in zip(*ax.get_legend_handles_labels(), strict=True):
+            handles, names = ax.get_legend_handles_labels()
+            if len(names) == 1 and ax.get_ylabel().startswith(f"{names[0]} "):
+                continue
+            for handle, name in zip(handles, names, strict=True):
                 entries.setdefault(str(name), _sample(handle))
         return [Key(name, sample) for name, sample in entries.items()] if len(entries) > 1 else []
 

@@ -1,0 +1,54 @@
+"""The causes of a fall by name, and what repairs each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+NO_FALL, CANNOT_TELL = "it did not fall", "cannot tell"
+SATURATION, BIAS, DROPPED, SLIP, BATTERY = "saturation", "gyro bias", "dropped samples", "wheel slip", "weak battery"
+PUSH, DELAY, LOW, HIGH = "push too large", "delay grown", "gain too low", "gain too high"
+STUCK, REVERSED = "sensor stuck", "motor or sensor reversed"
+SCALED, DEAD, JAMMED, WALL = "sensor mis-scaled", "motor dead", "wheel jammed", "wall"
+RAMP, LOAD, NONE = "ramp", "load changed", "none of these"
+CAUSES = (
+    SATURATION, BIAS, DROPPED, SLIP, BATTERY, PUSH, DELAY, LOW, HIGH, STUCK, REVERSED, SCALED, DEAD, JAMMED, WALL, RAMP,
+    LOAD,
+)  # fmt: skip
+
+NAMES = {
+    "bias": BIAS, "weak": BATTERY, "delay": DELAY, "slip": SLIP, "dropped": DROPPED, "scale": SCALED, "motor": DEAD,
+    "ramp": RAMP, "payload": LOAD,
+}  # fmt: skip
+
+REPAIRS = {
+    SATURATION: "reduce the demand (slower changes of speed, less slope), or fit stronger motors or a higher voltage",
+    BIAS: "calibrate the gyro at rest before every start; use a controller that estimates the offset (lqg, lqi)",
+    DROPPED: "take logging and sockets out of the loop, relieve the bus, and count missed periods with a watchdog",
+    SLIP: "clean tyres and floor, use softer tyres, or limit the command to the grip of the floor",
+    BATTERY: "charge or change the battery; scale the duty by the measured voltage",
+    PUSH: "nothing is broken: push less, or design for larger pushes (see `upright certify`)",
+    DELAY: "find the cause of the delay (bus, filter, sensor mode), or design for it",
+    LOW: "raise the gain again, or design a new controller (`upright design`)",
+    HIGH: "lower the gain again, or design a new controller (`upright design`)",
+    STUCK: "check the plug and the cable of the sensor, and whether its wheel is jammed",
+    SCALED: "check the sensor's unit, range and gear in the program's constants, and its supply",
+    DEAD: "check the motor's plug and cable, its driver's output and fuse",
+    JAMMED: "free the wheel and its gear: hair, thread, a stone, a bent axle",
+    WALL: "leave more room, drive slower near walls, or stop when the wheels are held",
+    RAMP: "drive slower on slopes, or design for them (lqi, slope in `upright certify`)",
+    LOAD: "fix the load, or calibrate again with it and design anew",
+    NONE: "look at the robot where the evidence points; send the log to the authors if it is nothing of the kind",
+    REVERSED: "turn the motor or the sensor round, or its sign in the program's first constants",
+    CANNOT_TELL: "",
+}
+
+
+@dataclass(frozen=True)
+class Cause:
+    """A possible cause: its `likelihood`, since when [s] (NaN: unknown), evidence in words and numbers, the repair."""
+
+    name: str
+    likelihood: float
+    onset: float
+    evidence: str
+    repair: str

@@ -1,0 +1,101 @@
+"""How likely a fault, or a push, is a cause at all."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from upright.diagnose.causes import NAMES, PUSH, REVERSED
+from upright.diagnose.evidence import EXCURSION, Evidence
+from upright.diagnose.fault_fits import FaultFit, PushEstimate
+from upright.diagnose.words import gained
+
+SURE, SURE_WIDTH = 15.0, 3.0
+"""Nats by which a fault must explain more than pushes alone to be as likely as not, and the width of that step."""
+
+EXPLAINED, LIKE_A_PUSH, EXPLAINED_WIDTH = 0.55, 0.47, 0.04
+"""Most NIS that a fault may leave over what pushes alone leave, that a slip may leave beside a push that topples, and
+the width of both steps."""
+
+LARGEST_OFFSET = {"step": 4.0, "ramp": 5.0}  # of a gyro [rad/s, rad/s²]: more is a filter that is lost
+
+ALL = 0.97  # most of a reading that is too much where its sensor has another scale
+REVERSE, REVERSE_WIDTH = 2.0, 0.3  # the same of a sensor that has another sign
+LIGHTEST, LARGEST_PAYLOAD = -1.1, 4.0  # over the body's mass: what it can lose, within the fit's errors, and gain
+STEEPEST = 0.6  # sine of a slope that robots meet
+
+TOPPLES = 0.3  # [rad] lean that a push must be worth to topple, or
+TOPPLES_OF_LARGEST = 0.4  # of the largest lean that the motors bring back
+LIMIT_WIDTH = 0.1  # of these limits: the width of their steps
+PUSH_SCORE, PUSH_SCORE_WIDTH = 8.0, 2.0  # nats that a push must add to be one
+
+
+def step(x: float, width: float) -> float:
+    """From 0 to 1 round x = 0 over some `width`s (logistic)."""
+    return 1 / (1 + math.exp(-min(max(x / width, -50.0), 50.0)))
+
+
+def best_of(evidence: Evidence) -> FaultFit:
+    """The likeliest of single faults that hold, and of pushes alone."""
+    held = (fit for fit in evidence.fits if fit.fault in NAMES and possible(fit) and holds(evidence, fit) > 0.5)
+    return max([evidence.pushes_only, *held], key=lambda fit: fit.score)
+
+
+def holds(evidence: Evidence, fit: FaultFit) -> float:
+    """How likely a fault is a cause at all: it explains much more than pushes alone, and most of what those leave; a
+    slip, which looks like a push, has to leave less where a push would topple by itself."""
+    sure = surer(evidence, fit) * enough(evidence, fit, EXPLAINED)
+    if fit.fault != "slip":
+        return sure
+    return sure * (1 - toppled(evidence)[0] * (1 - enough(evidence, fit, LIKE_A_PUSH)))
+
+
+def surer(evidence: Evidence, fit: FaultFit) -> float:
+    """Whether it explains much more than pushes alone."""
+    return step(gained(evidence, fit) - SURE, SURE_WIDTH)
+
+
+def enough(evidence: Evidence, fit: FaultFit, most: float) -> float:
+    """Whether it leaves at most such a fraction of the NIS that pushes alone leave."""
+    return step(most - fit.nis / evidence.pushes_only.nis, EXPLAINED_WIDTH)
+
+
+def possible(fit: FaultFit) -> bool:
+    """Whether a robot meets a fault of this size: larger ones are what others look like to a filter that is lost."""
+    if fit.fault == "scale":
+        return fit.size < ALL or turned(fit)
+    if fit.fault == "payload":
+        return LIGHTEST < fit.size < LARGEST_PAYLOAD
+    if fit.fault == "ramp":
+        return abs(fit.size) < STEEPEST
+    return fit.fault != "bias" or abs(fit.size) < LARGEST_OFFSET[fit.way]
+
+
+def turned(fit: FaultFit) -> bool:
+    """Whether a sensor's scale is wrong by its sign."""
+    return fit.fault == "scale" and abs(fit.size - REVERSE) < REVERSE_WIDTH
+
+
+def name_of(fit: FaultFit) -> str:
+    """The cause that a fit stands for."""
+    return REVERSED if turned(fit) else NAMES.get(fit.fault, PUSH)
+
+
+def toppled(evidence: Evidence) -> tuple[float, float, PushEstimate | None]:
+    """How likely pushes topple in the last excursion, the lean [rad] that they are worth, and the largest."""
+    lean, largest = worth(evidence, evidence.pushes_only.pushes)
+    if largest is None:
+        return 0.0, 0.0, None
+    limit = min(TOPPLES, TOPPLES_OF_LARGEST * evidence.toppling.largest)
+    chance = step(lean / limit - 1, LIMIT_WIDTH) * step(largest.score - PUSH_SCORE, PUSH_SCORE_WIDTH)
+    return chance, lean, largest
+
+
+def worth(evidence: Evidence, several: Sequence[PushEstimate]) -> tuple[float, PushEstimate | None]:
+    """The lean [rad] that pushes in the last excursion are worth, and the largest of them."""
+    toppling, start = evidence.toppling, evidence.fell_at - EXCURSION
+    pushes = [push for push in several if push.start > start]
+    if not pushes:
+        return 0.0, None
+    largest = max(pushes, key=lambda push: abs(toppling.lean(push)))
+    return abs(sum(one for push in pushes if (one := toppling.lean(push)) * toppling.lean(largest) > 0)), largest

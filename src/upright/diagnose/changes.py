@@ -1,0 +1,186 @@
+"""What changed parts add to the innovations: sensors of another scale, motors that are dead, loads that come or go,
+and disturbances of any shape by the channel that they enter by."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.diagnose.fall import limit
+from upright.diagnose.innovations import FilterRun, Signature, answer, entering, propagated
+
+Array = NDArray[np.float64]
+
+GYRO = "sensor/gyro"
+RATE_TIME = 0.02  # [s] before and after, over which a wheel's rate follows from its angle
+PAYLOADS = (0.3, 1.0, 2.0, -0.3, -0.7)  # over the body's mass, that come or go in a signature
+LEAST_PART = 0.2  # of a signature's payload, from which a torque beside it is its weight
+PAYLOAD_HEIGHTS = (0.8, 1.5)  # above the axle, over that of the centre of mass
+PART = "part"  # the way of what is only looked for beside another fault: alone, the filter itself searches for it
+LIMITS = (0.05, 0.15, 0.3, 0.5)  # of the largest command, that a weak battery still gives
+DELAYS = (1.0, 2.0, 3.5, 5.0, 7.0, 10.0)  # periods
+
+FREE = ("left motor", "right motor", "both motors", "force", "moment")
+"""Channels of torque or force by which a disturbance of any shape may enter; readings are the others."""
+
+MOTORS = {
+    "left": (True, False, False), "right": (False, True, False), "both": (True, True, False),
+    "left braked": (True, False, True), "right braked": (False, True, True),
+}  # fmt: skip
+"""Dead motors: which of both, and whether a short circuit brakes them. Both braked are a battery without charge."""
+
+
+def scaled_sensors(run: FilterRun) -> dict[str, tuple[str, ...]]:
+    """The sensors that a wrong scale may concern, each and both encoders, by name."""
+    encoders = tuple(name for name in run.rows if "encoder" in name)
+    several = {"encoders": encoders} if len(encoders) == 2 else {}
+    names = (GYRO, *encoders)
+    return {n.removeprefix("sensor/").replace("_rate", ""): (n,) for n in names if n in run.rows} | several
+
+
+def scales(run: FilterRun, onsets: Array) -> list[Signature]:
+    """Readings of the wrong scale from an onset on: the amplitude is the fraction of the reading that is too much."""
+    several = scaled_sensors(run)
+    shifts = [sum(_grown(run, name, onsets) for name in names) for names in several.values()]
+    nothing = np.zeros((len(run.t), 4, len(several) * len(onsets)))
+    response = answer(run, nothing, np.concatenate(shifts, axis=1))[run.readings]
+    return _several("scale", dict.fromkeys(several), onsets, response)
+
+
+def _grown(run: FilterRun, name: str, onsets: Array) -> Array:
+    """A sensor's readings from each onset on (events, onsets); of an angle, what it grew by since."""
+    values = run.log[name]
+    first = np.zeros(len(onsets))
+    if "encoder" in name and "rate" not in name:
+        rows = np.clip(np.searchsorted(run.log.t, onsets) - 1, 0, len(run.log) - 1)
+        first = np.nan_to_num(values[rows])
+    mine = (run.row == run.rows.index(name))[:, None] & (run.log.t[run.sample][:, None] >= onsets)
+    return np.where(mine, np.nan_to_num(values[run.sample])[:, None] - first, 0.0)
+
+
+def lost_command(run: FilterRun, way: str) -> Array:
+    """What a dead motor takes from the commands over each span (events, 2)."""
+    left, right, braked = MOTORS[way]
+    lost = -run.command * np.array([left, right])
+    if braked:
+        return lost
+    return lost + run.robot.back_emf * turning(run) * np.array([left, right])
+
+
+def turning(run: FilterRun) -> Array:
+    """How fast both wheels turn against the body at each event [rad/s], (events, 2), as the encoders show it: a filter
+    that does not know of a fault is not to be asked."""
+    log, near = run.log, run.log.t
+    rates: list[Array] = []
+    for side in ("left", "right"):
+        if f"sensor/encoder_rate_{side}" in run.rows:
+            rates.append(np.nan_to_num(log[f"sensor/encoder_rate_{side}"]))
+            continue
+        name = f"sensor/encoder_{side}" if f"sensor/encoder_{side}" in run.rows else "sensor/encoder_left"
+        angle = log[name]
+        there = np.isfinite(angle)
+        ends = [np.interp(near + shift, near[there], angle[there]) for shift in (-RATE_TIME, RATE_TIME)]
+        rates.append((ends[1] - ends[0]) / (2 * RATE_TIME))
+    return np.column_stack([np.interp(run.t, near, rate) for rate in rates])
+
+
+def motors(run: FilterRun, onsets: Array) -> list[Signature]:
+    """Motors that give nothing from an onset on."""
+    lost = [lost_command(run, way) for way in MOTORS]
+    return _several("motor", dict.fromkeys(MOTORS, 1.0), onsets, _commanded(run, onsets, lost))
+
+
+def commands(run: FilterRun, onsets: Array) -> list[Signature]:
+    """Both motors weaker by a free fraction, or later by some periods: small enough to stand beside another fault."""
+    changes = [-run.command]
+    for periods in DELAYS:
+        before = np.clip(np.searchsorted(run.t, run.t - periods * run.log.period, side="right") - 1, 0, None)
+        changes.append(run.command[before] - run.command)
+    most = limit(run.robot, run.kit, run.asked)
+    changes += [np.clip(run.command, -part * most, part * most) - run.command for part in LIMITS]
+    response, n = _commanded(run, onsets, changes), len(onsets)
+    found = _several("weak", {PART: None}, onsets, response[:, :n])
+    sizes = [("delay", PART, periods) for periods in DELAYS] + [("weak", "limit", part) for part in LIMITS]
+    for i, (fault, way, size) in enumerate(sizes, 1):
+        found += _several(fault, {way: size}, onsets, response[:, i * n : (i + 1) * n])
+    return found
+
+
+def _commanded(run: FilterRun, onsets: Array, changes: Sequence[Array]) -> Array:
+    """What changes of both commands (events, 2) from each onset on do to the readings (readings, changes × onsets)."""
+    on = (run.t - run.spans / 2)[:, None] >= onsets
+    entered = np.zeros((len(run.t), 4, len(changes) * len(onsets)))
+    entered[:, :2] = np.concatenate([one[:, :, None] * on[:, None, :] for one in changes], axis=2)
+    return answer(run, entered)[run.readings]
+
+
+def payloads(run: FilterRun, onsets: Array) -> list[Signature]:
+    """A mass that comes or goes above the axle, of a free part of each of `PAYLOADS`."""
+    p, when = run.robot, onsets[::2]
+    on = ((run.t - run.spans / 2)[:, None] >= when)[:, None, :]
+    kinds = [(mass, height) for mass in PAYLOADS for height in PAYLOAD_HEIGHTS]
+    changes = entering(run, [_with_mass(p, mass * p.body_mass, height * p.com_height) for mass, height in kinds])
+    pushed = np.concatenate([changes[:, :, i, None] * on for i in range(len(kinds))], axis=2)
+    response, n = propagated(run, pushed)[run.readings], len(when)
+    return [
+        replace(one, size=mass)
+        for i, (mass, _) in enumerate(kinds)
+        for one in _several(
+            "payload", {"added" if mass > 0 else "dropped": None}, when, response[:, i * n : (i + 1) * n]
+        )
+    ]
+
+
+def placed(payloads: Sequence[Signature], y: Array, moments: Array, onsets: Array) -> list[Signature]:
+    """The same with the mass in front of the axle or behind it by what explains the innovations `y` best; `moments`
+    (readings, onsets) are steps of a torque on the body."""
+    index = {float(t): i for i, t in enumerate(onsets)}
+    found: list[Signature] = []
+    for one in payloads:
+        m, v = moments[:, index[one.onset]], one.values
+        vv, mm, vm, vy, my = v @ v, m @ m, v @ m, v @ y, m @ y
+        whole = vv * mm - vm**2
+        mass = (vy * mm - my * vm) / max(whole, 1e-12)
+        moment = (my * vv - vy * vm) / max(whole, 1e-12)
+        sound = whole > 1e-9 * vv * mm and -mass > LEAST_PART
+        found.append(replace(one, values=v + moment / mass * m) if sound else one)
+    return found
+
+
+def _with_mass(p: Any, mass: float, height: float) -> dict[str, float]:
+    """How a point mass at a height changes mass, centre of mass and inertia about it."""
+    total = p.body_mass + mass
+    lower = mass * (height - p.com_height) / total
+    inertia = p.body_mass * mass / total * (height - p.com_height) ** 2
+    return {"body_mass": mass, "com_height": lower, "pitch_inertia": max(inertia, -0.9 * p.pitch_inertia)}
+
+
+def free_steps(run: FilterRun, onsets: Array) -> dict[str, Array]:
+    """Steps of what may enter by each channel: (readings, onsets) by its name."""
+    n, use = len(onsets), run.readings
+    on = (run.t - run.spans / 2)[:, None] >= onsets
+    entered = np.zeros((len(run.t), 4, 5 * n))
+    for place, inputs in enumerate(((0,), (1,), (0, 1), (2,), (3,))):
+        for i in inputs:
+            entered[:, i, place * n : (place + 1) * n] = on
+    response = answer(run, entered)[use]
+    free = {name: response[:, i * n : (i + 1) * n] for i, name in enumerate(FREE)}
+    later = run.log.t[run.sample][:, None] >= onsets
+    rows = [i for i, name in enumerate(run.rows) if name != "sensor/compass"]
+    shift = np.concatenate([later * (run.row == i)[:, None] for i in rows], axis=1)
+    response = answer(run, np.zeros((len(run.t), 4, shift.shape[1])), shift)[use]
+    names = [run.rows[i].removeprefix("sensor/").replace("_", " ") for i in rows]
+    return free | {name: response[:, i * n : (i + 1) * n] for i, name in enumerate(names)}
+
+
+def _several(fault: str, ways: Mapping[str, float | None], onsets: Array, response: Array) -> list[Signature]:
+    """One signature for each way and onset; of the way's size, or free where that is None."""
+    places = [(way, size, float(t)) for way, size in ways.items() for t in onsets]
+    return [
+        Signature(fault=fault, way=way, onset=t, values=one, size=size or 0.0, free=size is None)
+        for (way, size, t), one in zip(places, response.T, strict=True)
+    ]

@@ -1,0 +1,188 @@
+"""What speaks for a cause, in words and numbers."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.diagnose.beyond import Leftover
+from upright.diagnose.changes import PART
+from upright.diagnose.evidence import EXCURSION, FOREIGN, Demand, Evidence
+from upright.diagnose.fall import LEANING
+from upright.diagnose.fault_fits import FaultFit, PushEstimate
+from upright.physics.dynamics import motor_gain
+
+Array = NDArray[np.float64]
+
+_PLACES = {
+    "left motor": ("a torque on the left wheel", "N m"), "right motor": ("a torque on the right wheel", "N m"),
+    "both motors": ("a torque on both wheels", "N m"), "force": ("a force on the robot", "N"),
+    "moment": ("a torque on the body", "N m"),
+}  # fmt: skip
+FEWEST_STEPS = 4  # of a disturbance, from which its shape is described
+SOUND = 4.0  # NIS over the ordinary one, below which robot and sensors are sound
+
+
+def gained(evidence: Evidence, fit: FaultFit) -> float:
+    """Nats by which a fit explains more than pushes alone."""
+    return fit.score - max(evidence.pushes_only.score, 0.0)
+
+
+def began(evidence: Evidence) -> float:
+    return evidence.fell_at - EXCURSION
+
+
+def of_fault(evidence: Evidence, fit: FaultFit) -> str:
+    """A fault of the robot in words: what it is, since when, and how much of the innovations it explains."""
+    return (
+        f"{_FAULT_TEXTS[fit.fault](evidence, fit)} since t = {fit.onset:.2f} s explains {most(fit.explained)} of the "
+        f"innovations: NIS falls from {evidence.nis:.3g} to {fit.nis:.3g} ({gained(evidence, fit):+.0f} nats)"
+    )
+
+
+def _bias_text(_: Evidence, fit: FaultFit) -> str:
+    return f"a gyro offset of {fit.size:+.2g} rad/s" + ("" if fit.way == "step" else " that grows by this each second")
+
+
+def _weak_text(evidence: Evidence, fit: FaultFit) -> str:
+    fit = replace(fit, size=1 - fit.size) if fit.way == PART else fit
+    part = "as the largest command" if fit.way == "limit" else "of every command"
+    before, last = evidence.battery
+    volts = f" (the battery shows {last:.2f} V after {before:.2f} V)" if math.isfinite(last + before) else ""
+    return f"motors that get {percent(fit.size)} {part}{volts}"
+
+
+def _delay_text(evidence: Evidence, fit: FaultFit) -> str:
+    milliseconds = 1e3 * fit.size * evidence.run.log.period
+    return f"{fit.size:.2g} periods ({milliseconds:.0f} ms) more from command to reading"
+
+
+def _slip_text(_: Evidence, fit: FaultFit) -> str:
+    return f"wheels that slip and spin, as on a floor with a friction coefficient of {fit.size:.2g},"
+
+
+def _dropped_text(_: Evidence, fit: FaultFit) -> str:
+    return f"readings that repeat exactly in {percent(fit.size)} of the rows while the wheels turn,"
+
+
+def _scale_text(_: Evidence, fit: FaultFit) -> str:
+    several = fit.way == "encoders"
+    name = "both encoders" if several else "the " + fit.way.replace("_", " ")
+    return f"{name} that show{'' if several else 's'} {1 / max(1 - fit.size, 1e-3):.2g} times the motion"
+
+
+def _motor_text(_: Evidence, fit: FaultFit) -> str:
+    side, _space, braked = fit.way.partition(" ")
+    if side == "both":
+        return "two motors that give no torque"
+    return f"a {side} motor that gives no torque" + (" and is braked" if braked else "")
+
+
+def _ramp_text(_: Evidence, fit: FaultFit) -> str:
+    way = "climbs" if fit.size > 0 else "falls"
+    return f"a floor that {way} by {math.degrees(math.asin(min(abs(fit.size), 1.0))):.2g}°"
+
+
+def _payload_text(evidence: Evidence, fit: FaultFit) -> str:
+    way = "added" if fit.size > 0 else "lost"
+    return f"a load of about {abs(fit.size) * evidence.run.robot.body_mass:.1g} kg that was {way}"
+
+
+def _load_text(_: Evidence, fit: FaultFit) -> str:
+    return f"a steady force of {fit.size:+.2g} N at the axle"
+
+
+_FAULT_TEXTS = {
+    "scale": _scale_text, "motor": _motor_text, "ramp": _ramp_text, "payload": _payload_text, "load": _load_text,
+    "bias": _bias_text, "weak": _weak_text, "delay": _delay_text, "slip": _slip_text, "dropped": _dropped_text,
+}  # fmt: skip
+
+
+def of_push(evidence: Evidence, push: PushEstimate, lean: float) -> str:
+    way = "forward" if push.impulse > 0 else "backward"
+    return (
+        f"a push {way} of {abs(push.impulse):.2g} N s within {push.stop - push.start:.2g} s at t = {push.start:.2f} s "
+        f"explains {most(evidence.pushes_only.explained)} of the innovations. With later pushes it causes {lean:.2g} "
+        f"rad of lean; the motors bring back {min(evidence.toppling.largest, LEANING):.2g} rad at most"
+    )
+
+
+def of_demand(evidence: Evidence, demand: Demand) -> str:
+    top = f", and these motors reach {demand.top_speed:.2f} m/s" if math.isfinite(demand.top_speed) else ""
+    return (
+        f"the reference speed changed by {demand.jump:.2f} m/s at once at t = {demand.at:.2f} s{top}; "
+        f"{at_limit(evidence)}; robot and commands are sound"
+    )
+
+
+def of_low(evidence: Evidence) -> str:
+    gave = "the motors had torque left"
+    if math.isfinite(evidence.motors.help):
+        gave = f"the motors gave {evidence.motors.help:.2g} of the torque that stops the fall, and had more"
+    return f"{sound(evidence)}, no push is seen, and the fall grew without swings: {gave}"
+
+
+def of_high(evidence: Evidence) -> str:
+    return (
+        f"{sound(evidence)}, no push is seen, and the commands changed sign {evidence.motors.swings:.0f} times a "
+        "second with growing swings"
+    )
+
+
+def of_pegged(evidence: Evidence) -> str:
+    pegged = percent(evidence.motors.pegged)
+    return (
+        f"the motors were at their limit for {pegged} of the last second; to judge other causes, name the right robot"
+    )
+
+
+def at_limit(evidence: Evidence) -> str:
+    return f"the motors were at their limit for {percent(evidence.motors.saturated)} of the last excursion"
+
+
+def nothing(evidence: Evidence) -> str:
+    return f"{sound(evidence)}; no push, demand or change is large enough"
+
+
+def sound(evidence: Evidence) -> str:
+    """Whether anything is left that no hypothesis explains."""
+    nis = evidence.pushes_only.nis
+    if nis < SOUND * evidence.ordinary < SOUND * FOREIGN:
+        return f"robot and sensors are sound (NIS {nis:.2g})"
+    return f"no single fault explains the innovations (NIS {nis:.2g})"
+
+
+def of_leftover(evidence: Evidence, left: Leftover) -> str:
+    """What is left where no known cause explains a fall: by which channel it enters, since when, and in which shape."""
+    place, unit = _PLACES.get(left.channel, (f"a wrong reading of the {left.channel}", "rad"))
+    if "gyro" in left.channel or "rate" in left.channel:
+        unit = "rad/s"
+    size = motor_gain(evidence.run.robot) if "motor" in left.channel else 1.0
+    values = size * left.values
+    text = f"what is left looks like {place} from t = {left.onset:.2f} s on, {_shape(values)}"
+    return f"{text}, up to {np.abs(values).max():.2g} {unit}"
+
+
+def _shape(values: Array) -> str:
+    """How a disturbance goes on, in words."""
+    turns = int((np.diff(np.sign(values)) != 0).sum())
+    if len(values) >= FEWEST_STEPS and turns > len(values) / 3:
+        return "to and fro"
+    if len(values) < FEWEST_STEPS:
+        return "short"
+    ends = np.abs(values[-3:]).mean(), np.abs(values[:3]).mean()
+    if ends[0] > 2 * ends[1]:
+        return "growing"
+    return "fading" if ends[1] > 2 * ends[0] else "steady"
+
+
+def percent(fraction: float) -> str:
+    return f"{100 * fraction:.0f} %" if fraction >= 0.005 or fraction == 0 else f"{100 * fraction:.1g} %"
+
+
+def most(fraction: float) -> str:
+    """A fraction near one without rounding it to all."""
+    return f"{100 * min(fraction, 0.999):.3g} %"
