@@ -3,9 +3,9 @@
     python benchmarks/postmortem_open.py                                       # 6 falls of each fault, 24 pairs
     python benchmarks/postmortem_open.py --first-seed 7300 --runs 10 --results told.jsonl    # again resumes
 
-`LISTED` are causes that the post-mortem knows, planted in the twin by MuJoCo's own means: actuators without gain, locked
-joints, a box in the way, tilted gravity, another mass. `UNLISTED` are in no list of the code: right is "none of these",
-or a cause that says the same. Of a pair neither fault fells the robot alone. As in `postmortem.py`, a run
+`LISTED` are causes that the post-mortem knows, planted in the twin by MuJoCo's own means: actuators without gain,
+locked joints, a box in the way, tilted gravity, another mass. `UNLISTED` are in no list of the code: right is "none of
+these", or a cause that says the same. Of a pair neither fault fells the robot alone. As in `postmortem.py`, a run
 counts where it falls after the onset and does not fall without the fault, and nothing of the truth is shown.
 """
 
@@ -434,6 +434,12 @@ def main() -> None:
     report(list(found.values()))
 
 
+def one_alone(told: Told) -> bool:
+    """Whether one cause stands at 0.9 or more where two were planted."""
+    name, _, odds = told.odds.partition(",")[0].rpartition(" ")
+    return not told.right and " and " not in name and not name.startswith(NONE) and bool(name) and float(odds) >= 0.9
+
+
 def report(told: Sequence[Told]) -> None:
     """Figures against the bars."""
     runs = [t for t in told if t.robot]
@@ -446,19 +452,8 @@ def report(told: Sequence[Told]) -> None:
                 f"  {cause:<18}{sum(t.right for t in mine):>3} of {len(mine)}  {dict(Counter(t.verdict for t in mine))}"
             )
     pairs = [t for t in runs if "+" in t.causes]
-    alone = [
-        t
-        for t in pairs
-        if not t.right
-        and any(
-            float(o.rsplit(" ", 1)[1]) >= 0.9
-            for o in t.odds.split(", ")
-            if o[-1].isdigit() and " and " not in o and not o.startswith(NONE)
-        )
-    ]
-    print(
-        f"\npairs: both named in {sum(t.right for t in pairs)} of {len(pairs)}; one alone at 0.9 or more in {len(alone)}"
-    )
+    alone = sum(one_alone(t) for t in pairs)
+    print(f"\npairs: both named in {sum(t.right for t in pairs)} of {len(pairs)}; one alone at 0.9 or more in {alone}")
     for t in pairs:
         print(f"  {'right' if t.right else 'WRONG'} {t}")
     if runs:

@@ -19,6 +19,8 @@ Array = NDArray[np.float64]
 
 MOST_PAIRS = 3  # that are examined by the filter itself, of those whose signatures explain most
 SECONDS = 2  # kinds of a second fault that are tried with pushes beside them
+RAPID = 0.75  # of the NIS, that slow steps leave where a disturbance is too rapid for them
+LOUD, BLOCK = 0.5, 0.2  # squared innovations over their mean, in blocks of so many seconds, from which they show
 STEP_COST = 0.5  # of a step of a disturbance of any shape, over that of a number that is chosen among many onsets
 
 
@@ -38,7 +40,8 @@ class Pair:
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Leftover:
     """The disturbance of any shape that explains best what a hypothesis leaves: it enters by the `channel` from `onset`
-    [s] on with the `values` at the times `t`; together they have the `score` and leave `nis`."""
+    [s] on with the `values` at the times `t`, or with none where it is too rapid for steps; together they have the
+    `score` and leave `nis`."""
 
     channel: str
     onset: float
@@ -141,8 +144,12 @@ def _beyond(fit: FaultFit, window: Window, bank: Bank) -> Leftover | None:
     here = window.beside(fit, bank)
     if not len(here.steps):
         return None
-    found = [_of_channel(channel, fit, here, bank) for channel in here.free]
-    return max(found, key=lambda one: one.score, default=None)
+    best = max((_of_channel(channel, fit, here, bank) for channel in here.free), key=lambda one: one.score)
+    if best.nis < RAPID * fit.nis:
+        return best
+    squares, blocks = fit.rest[: len(here.then)] ** 2, np.floor((here.then - here.then[0]) / BLOCK)
+    loud = next(k for k in np.unique(blocks) if squares[blocks == k].mean() >= LOUD * squares.mean())
+    return replace(best, onset=float(here.then[0] + BLOCK * loud), t=np.zeros(0), values=np.zeros(0))
 
 
 def _of_channel(channel: str, fit: FaultFit, here: Bank, bank: Bank, since: float | None = None) -> Leftover:

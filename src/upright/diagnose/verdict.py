@@ -81,7 +81,7 @@ UNKNOWN, UNKNOWN_LEAVES = (-5.0, 20.0), (0.65, 0.8)
 UNKNOWN_WIDTH, UNKNOWN_LEAVES_WIDTH = 3.0, 0.03
 """The same of a disturbance of any shape: it explains far more for nearly as many nats, or more for many nats."""
 
-FITS_BADLY, FITS_WIDTH, OF_ITS_SIZE, DOUBT = 1.7, 0.1, 0.03, 0.14
+FITS_BADLY, FITS_WIDTH, OF_ITS_SIZE, DOUBT = 1.45, 0.05, 0.03, 0.16
 """NIS over the calm one beyond which a fault leaves something, how much more it has to be of the NIS without any fault,
 since errors of the model grow with it, and the probability that something else keeps then."""
 

@@ -160,6 +160,8 @@ def of_leftover(evidence: Evidence, left: Leftover) -> str:
     place, unit = _PLACES.get(left.channel, (f"a wrong reading of the {left.channel}", "rad"))
     if "gyro" in left.channel or "rate" in left.channel:
         unit = "rad/s"
+    if not len(left.values):
+        return f"what is left looks like something rapid, most like {place}, from t = {left.onset:.2f} s on"
     size = motor_gain(evidence.run.robot) if "motor" in left.channel else 1.0
     values = size * left.values
     text = f"what is left looks like {place} from t = {left.onset:.2f} s on, {_shape(values)}"

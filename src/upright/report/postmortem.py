@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from upright.diagnose import PostMortem
-from upright.diagnose.fall import LEANING
 from upright.diagnose.causes import NO_FALL
+from upright.diagnose.fall import LEANING
 from upright.plotting import line, numbered, panels, span
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict
@@ -41,8 +41,8 @@ def page_of(result: PostMortem) -> Page:
 _READ = (
     "Shaded: from the onset to the fall. Dashed in the first panel: 0.7 rad, which counts as the fall. The third panel "
     "divides the lean by the largest one that the motors can recover from; dashed: the point of no return. NIS is the "
-    "mean normalised innovation squared over a tenth of a second. Without faults it stays between the dashed lines in 95 of "
-    "100 cases."
+    "mean normalised innovation squared over a tenth of a second. Without faults it stays between the dashed lines in "
+    "95 of 100 cases."
 )
 
 
