@@ -106,8 +106,8 @@ def test_planted_cause_is_named_from_the_data_alone(cause: str) -> None:
 BROKEN = {
     "motor dead": ("motor dead", "left", 1.0),
     "sensor mis-scaled": ("sensor mis-scaled", "gyro", 0.3),
-    "ramp": ("ramp", "slope", 0.4),  # [rad] beyond what its motors climb
-    "none of these": ("ripple", "both", 1.0),  # a torque to and fro that is in no list
+    "ramp": ("ramp", "slope", 0.25),  # [rad] fells it within a second; a steeper one is a push while it falls
+    "none of these": ("ripple", "both", 0.7),  # a torque to and fro that is in no list
 }
 
 
@@ -123,19 +123,6 @@ def test_a_twin_that_mujoco_breaks_is_named_or_none_of_these(name: str) -> None:
     assert found.verdict == name, str(found)
     assert not found.check()
     assert found.causes[0].repair
-
-
-@pytest.mark.slow
-def test_two_faults_at_once_are_both_named() -> None:
-    # a drift that the controller holds for a while, and a push that it would hold without the drift
-    bias = bench.Fault("gyro bias", "ramp", ONSET, 0.2)
-    push = Push(force=0.4 * MASS / 0.1, start=ONSET + 0.6, duration=0.1)
-    law = designed()
-    log = run(bench.FaultyBody(Twin(NXT), KIT, bias, 1), law, push, seconds=7.0, seed=2)
-    assert log.origin["outcome"]["fell"]
-    names = [n for n in log.channels if n.startswith(("sensor/", "command/"))]
-    found = post_mortem(Log(log.t, {n: log[n] for n in names}), NXT, KIT)
-    assert found.verdict == "gyro bias and push too large", str(found)
 
 
 def test_a_sensor_that_stands_still_while_another_moves_is_stuck() -> None:

@@ -136,8 +136,8 @@ def leftover(fits: Sequence[FaultFit], window: Window, bank: Bank) -> Leftover |
     """What the likeliest hypothesis leaves, or pushes alone, as a disturbance of any shape by the one channel that
     explains most of it."""
     bases = {fits[0].fault: fits[0], "none": next(fit for fit in fits if fit.fault == "none")}
-    found = [one for fit in bases.values() if (one := _beyond(fit, window, bank)) is not None]
-    return max(found, key=lambda one: one.score, default=None)
+    left = [one for fit in bases.values() if (one := _beyond(fit, window, bank)) is not None]
+    return max(left, key=lambda one: one.score, default=None)
 
 
 def _beyond(fit: FaultFit, window: Window, bank: Bank) -> Leftover | None:

@@ -13,7 +13,7 @@ from upright.diagnose.words import gained
 SURE, SURE_WIDTH = 15.0, 3.0
 """Nats by which a fault must explain more than pushes alone to be as likely as not, and the width of that step."""
 
-EXPLAINED, LIKE_A_PUSH, EXPLAINED_WIDTH = 0.55, 0.47, 0.04
+EXPLAINED, LIKE_A_PUSH, EXPLAINED_WIDTH = 0.55, 0.74, 0.03
 """Most NIS that a fault may leave over what pushes alone leave, that a slip may leave beside a push that topples, and
 the width of both steps."""
 
@@ -44,10 +44,11 @@ def best_of(evidence: Evidence) -> FaultFit:
 def holds(evidence: Evidence, fit: FaultFit) -> float:
     """How likely a fault is a cause at all: it explains much more than pushes alone, and most of what those leave; a
     slip, which looks like a push, has to leave less where a push would topple by itself."""
-    sure = surer(evidence, fit) * enough(evidence, fit, EXPLAINED)
+    sure = surer(evidence, fit)
     if fit.fault != "slip":
-        return sure
-    return sure * (1 - toppled(evidence)[0] * (1 - enough(evidence, fit, LIKE_A_PUSH)))
+        return sure * enough(evidence, fit, EXPLAINED)
+    like = enough(evidence, fit, LIKE_A_PUSH)
+    return sure * like * (1 - toppled(evidence)[0] * (1 - like))
 
 
 def surer(evidence: Evidence, fit: FaultFit) -> float:

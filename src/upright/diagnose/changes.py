@@ -103,11 +103,11 @@ def commands(run: FilterRun, onsets: Array) -> list[Signature]:
     most = limit(run.robot, run.kit, run.asked)
     changes += [np.clip(run.command, -part * most, part * most) - run.command for part in LIMITS]
     response, n = _commanded(run, onsets, changes), len(onsets)
-    found = _several("weak", {PART: None}, onsets, response[:, :n])
+    signatures = _several("weak", {PART: None}, onsets, response[:, :n])
     sizes = [("delay", PART, periods) for periods in DELAYS] + [("weak", "limit", part) for part in LIMITS]
     for i, (fault, way, size) in enumerate(sizes, 1):
-        found += _several(fault, {way: size}, onsets, response[:, i * n : (i + 1) * n])
-    return found
+        signatures += _several(fault, {way: size}, onsets, response[:, i * n : (i + 1) * n])
+    return signatures
 
 
 def _commanded(run: FilterRun, onsets: Array, changes: Sequence[Array]) -> Array:
@@ -139,7 +139,7 @@ def placed(payloads: Sequence[Signature], y: Array, moments: Array, onsets: Arra
     """The same with the mass in front of the axle or behind it by what explains the innovations `y` best; `moments`
     (readings, onsets) are steps of a torque on the body."""
     index = {float(t): i for i, t in enumerate(onsets)}
-    found: list[Signature] = []
+    signatures: list[Signature] = []
     for one in payloads:
         m, v = moments[:, index[one.onset]], one.values
         vv, mm, vm, vy, my = v @ v, m @ m, v @ m, v @ y, m @ y
@@ -147,8 +147,8 @@ def placed(payloads: Sequence[Signature], y: Array, moments: Array, onsets: Arra
         mass = (vy * mm - my * vm) / max(whole, 1e-12)
         moment = (my * vv - vy * vm) / max(whole, 1e-12)
         sound = whole > 1e-9 * vv * mm and -mass > LEAST_PART
-        found.append(replace(one, values=v + moment / mass * m) if sound else one)
-    return found
+        signatures.append(replace(one, values=v + moment / mass * m) if sound else one)
+    return signatures
 
 
 def _with_mass(p: Any, mass: float, height: float) -> dict[str, float]:
@@ -169,9 +169,9 @@ def free_steps(run: FilterRun, onsets: Array) -> dict[str, Array]:
             entered[:, i, place * n : (place + 1) * n] = on
     response = answer(run, entered)[use]
     free = {name: response[:, i * n : (i + 1) * n] for i, name in enumerate(FREE)}
-    later = run.log.t[run.sample][:, None] >= onsets
+    after = run.log.t[run.sample][:, None] >= onsets
     rows = [i for i, name in enumerate(run.rows) if name != "sensor/compass"]
-    shift = np.concatenate([later * (run.row == i)[:, None] for i in rows], axis=1)
+    shift = np.concatenate([after * (run.row == i)[:, None] for i in rows], axis=1)
     response = answer(run, np.zeros((len(run.t), 4, shift.shape[1])), shift)[use]
     names = [run.rows[i].removeprefix("sensor/").replace("_", " ") for i in rows]
     return free | {name: response[:, i * n : (i + 1) * n] for i, name in enumerate(names)}

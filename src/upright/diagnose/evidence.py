@@ -369,8 +369,8 @@ def series_of(run: FilterRun, end: float) -> Series:
     states = motors.states[keep].copy()
     fallen = falling_lean(run)
     if fallen is not None:  # the same lean as the time of the fall
-        later = motors.t[keep] >= fallen[0][0]
-        states[later, 0] = np.interp(motors.t[keep][later], *fallen)
+        falling_rows = motors.t[keep] >= fallen[0][0]
+        states[falling_rows, 0] = np.interp(motors.t[keep][falling_rows], *fallen)
     return Series(
         t=motors.t[keep], pitch=states[:, 0], pitch_rate=states[:, 1], command=motors.command[keep],
         reserve=motors.reserve[keep], nis=nis, low=low, high=high,

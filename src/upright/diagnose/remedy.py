@@ -104,8 +104,8 @@ class Window:
     def bank(self, run: FilterRun, *, pushes_only: bool = True) -> Bank:
         """The bank of hypotheses on this part of a run."""
         part = self.of(run)
-        found = bank(part, self.usual, pushes_only=pushes_only)
-        return finer(part, found, [(push.start, push.stop) for push in with_pushes(found).pushes])
+        coarse = bank(part, self.usual, pushes_only=pushes_only)
+        return finer(part, coarse, [(push.start, push.stop) for push in with_pushes(coarse).pushes])
 
     def beside(self, fit: FaultFit, usual: Bank) -> Bank:
         """The bank of all hypotheses on the run without the fault of `fit`; the `usual` one where there is none."""
@@ -223,5 +223,5 @@ def sharpened(run: FilterRun, fits: Sequence[FaultFit], window: Window, against:
     alone = sorted((fit for fit in fits if fit.fault == "motor" and not len(fit.rest)), key=lambda fit: fit.nis)
     exact_ones += alone[:MOST_MOTORS] + [fit for fit in fits if fit.fault == "motor" and len(fit.rest)][:1]
     rest = [fit for fit in fits if not any(fit is one for one in exact_ones)]
-    found = [exact(run, fit, window, against) for fit in exact_ones]
-    return sorted([fit for fit in (*found, *rest) if len(fit.rest)], key=lambda fit: -fit.score)
+    exactly = [exact(run, fit, window, against) for fit in exact_ones]
+    return sorted([fit for fit in (*exactly, *rest) if len(fit.rest)], key=lambda fit: -fit.score)

@@ -43,7 +43,7 @@ LARGEST_SPREAD = 0.08
 """Most that a parameter may be off, as a fraction of its value; settled likewise."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Bank:
     """The window's whitened innovations `y` at the times `then`, the `scale` of ordinary ones, the signatures of all
     faults, those of `pushes`, and the latter's values as a `matrix` (readings, pushes) with its column `squares`.
@@ -81,7 +81,10 @@ def bank(run: FilterRun, scale: float, *, pushes_only: bool = False) -> Bank:
     if faults:
         loads = [one for one in faults if one.fault == "payload"]
         faults = [one for one in faults if one.fault != "payload"] + placed(loads, y, free["moment"], onsets)
-    return Bank(y, run.t[use], scale, faults, pushes, matrix, squares, free, onsets)
+    return Bank(
+        y=y, then=run.t[use], scale=scale, faults=faults, pushes=pushes, matrix=matrix, squares=squares, free=free,
+        steps=onsets,
+    )  # fmt: skip
 
 
 def unknown_parameters(run: FilterRun) -> Array:

@@ -77,7 +77,7 @@ TWO, TWO_WIDTH, TWO_LEAVE = 25.0, 5.0, 0.6
 """Nats by which two faults must explain more than one, the width of that step, and the most NIS that they may leave
 over what one leaves."""
 
-UNKNOWN, UNKNOWN_LEAVES = (-5.0, 20.0), (0.65, 0.8)
+UNKNOWN, UNKNOWN_LEAVES = (-5.0, 29.0), (0.65, 0.8)
 UNKNOWN_WIDTH, UNKNOWN_LEAVES_WIDTH = 3.0, 0.03
 """The same of a disturbance of any shape: it explains far more for nearly as many nats, or more for many nats."""
 
@@ -93,6 +93,8 @@ UNSOUND, UNSOUND_WIDTH, UNSOUND_LEAVES = 6.0, 0.2, 0.3
 """NIS that the likeliest fault may leave over that of calmer seconds, the width of that step in its logarithm, and what
 it may leave besides, over the NIS without any fault: beyond both, nothing explains the fall."""
 
+SLIPPERY = 0.3  # of the probability of something unknown that is left where a slip explains most
+PUSH_LEAVES = 0.065  # of the NIS without any fault, that a fault and a push beside it may leave
 FITS_TWO = 2.7  # NIS over the calm one, that two faults may leave
 HALF = 0.8  # of the lean that topples, from which a push beside a fault is a cause of its own
 TEMPER = 6.0  # nats that count as one between two faults: neighbouring rows share what is wrong with the model
@@ -251,6 +253,7 @@ def _two(evidence: Evidence) -> list[_Answer]:
     limit = min(TOPPLES, TOPPLES_OF_LARGEST * evidence.toppling.largest)
     chance = step(lean / limit - HALF, LIMIT_WIDTH) * holds(evidence, best)
     chance *= step(push.score - PUSH_BESIDE, PUSH_SCORE_WIDTH)
+    chance *= step(PUSH_LEAVES - (best.nis - evidence.calm) / evidence.nis, PUSH_LEAVES / 6)
     text = f"{of_fault(evidence, best)}; and {of_push(evidence, push, lean)}"
     name = f"{name_of(best)} and {PUSH}"
     left = 1 - sum(one.probability for one in answers)
@@ -269,6 +272,8 @@ def _none(evidence: Evidence) -> list[_Answer]:
         for nats, fraction in zip(UNKNOWN, UNKNOWN_LEAVES, strict=True)
     )
     badly = step(best.nis / evidence.calm - FITS_BADLY, FITS_WIDTH)
+    if best.fault == "slip":  # of a coarse grid of floors
+        shaped *= SLIPPERY
     shaped *= badly * step((best.nis - evidence.calm) / evidence.nis - OF_ITS_SIZE, OF_ITS_SIZE / 6)
     wild = step(math.log(max(best.nis, 1e-9) / (UNSOUND * evidence.calm)), UNSOUND_WIDTH)
     wild *= step(best.nis / evidence.nis - UNSOUND_LEAVES, EXPLAINED_WIDTH)
