@@ -140,9 +140,15 @@ def post_mortem(
             verdict=CANNOT_TELL, causes=(), fell_at=math.nan, onset=math.nan, missing=missing, notes=notes,
             series=Series.none(), **head,
         )  # fmt: skip
-    if len(log) < FEWEST and (short := _short(log, head)) is not None:
+    short = _short(log, head) if len(log) < FEWEST else None
+    if short is not None and short.verdict != CANNOT_TELL:
         return short
-    run, evidence = gather(log, nominal, parts, controller, progress or (lambda _: None))
+    try:
+        run, evidence = gather(log, nominal, parts, controller, progress or (lambda _: None))
+    except InvalidLog:
+        if short is None:
+            raise
+        return short  # too few of its readings are within their ranges for a filter
     if evidence is None:
         return PostMortem(
             verdict=NO_FALL, causes=(), fell_at=math.nan, onset=math.nan, missing=(), notes=(),
@@ -157,17 +163,16 @@ def post_mortem(
     )  # fmt: skip
 
 
-def _short(log: Log, head: dict[str, Any]) -> PostMortem | None:
-    """What a short log shows without any filter: that it did not fall, or against what its motors worked."""
+def _short(log: Log, head: dict[str, Any]) -> PostMortem:
+    """What a short log shows without any filter: whether it fell, and against what its motors worked."""
     if len(log) < FEWEST_POSES:
         raise InvalidLog(f"the log has {len(log)} samples", expected=f"at least {FEWEST_POSES} to see a fall")
     fall = last_fall(log)
     causes = reversed_causes(against(log, fall), fall.start) if fall else ()
-    if fall and not causes:
-        return None
     return PostMortem(
-        verdict=causes[0].name if causes else NO_FALL, causes=causes, fell_at=fall.stop if fall else math.nan,
-        onset=fall.start if fall else math.nan, missing=(), notes=(f"the log has only {len(log)} rows",),
+        verdict=causes[0].name if causes else CANNOT_TELL if fall else NO_FALL, causes=causes,
+        fell_at=fall.stop if fall else math.nan, onset=fall.start if fall else math.nan,
+        missing=(f"{FEWEST} rows",) if fall and not causes else (), notes=(f"the log has only {len(log)} rows",),
         series=Series.none(), **head,
     )  # fmt: skip
 
