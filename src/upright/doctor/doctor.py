@@ -11,12 +11,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from upright.doctor import columns, delays, motion, poses, rates, segments, sensors, time, units
-from upright.doctor.finding import FEWEST, SEVERITIES, Finding, Record, Segment, note
+from upright.doctor.finding import BALANCING, FEWEST, GYRO, LEFT, RIGHT, SEVERITIES, Finding, Record, Segment, note
 from upright.doctor.fixes import repaired
 from upright.errors import InvalidLog
 from upright.logs.mapping import Mapping, Source, channels_of, find_mapping, propose
@@ -24,6 +24,9 @@ from upright.logs.readers import RawTable, read_table, table_of
 from upright.robots import Robot, find_robot
 from upright.signals import Log
 from upright.tables import Shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Check = Callable[[Record], list[Finding]]
 
@@ -63,6 +66,26 @@ class Diagnosis(Shown):
         record = _repaired(self._raw, in_order)
         repairs = [f"{finding.code} {finding.channel}: {finding.repair}" for finding in self.findings if finding.fixes]
         return Log(record.t, record.channels, record.units, {**self._origin, "repaired": repairs})
+
+    def plot(self) -> Figure | None:
+        """Gyro, encoders and commands as they were read, with the poses other than balancing; None without any."""
+        from upright.plotting import legend, line, panels, span
+
+        record = self._raw
+        groups = {"gyro": (GYRO,), "encoders": (LEFT, RIGHT), "commands": record.commands or ()}
+        several = {title: [n for n in names if n in record] for title, names in groups.items()}
+        several = {title: names for title, names in several.items() if names}
+        if not several:
+            return None
+        figure, axes = panels([f"{title} [{record.units.get(names[0], '1')}]" for title, names in several.items()])
+        for ax, (title, names) in zip(axes, several.items(), strict=True):
+            for style, name in enumerate(names):
+                side = name.rpartition("_")[2] if "_" in name else name.rpartition("/")[2]
+                line(ax, side, record.t, record[name], step=title == "commands", style=style, solid=True)
+        for segment in self.segments:
+            if segment.kind != BALANCING:
+                span(axes, segment.start, segment.stop, "not balancing")
+        return legend(figure)
 
     def to_json(self) -> dict[str, Any]:
         """As plain data for programs."""

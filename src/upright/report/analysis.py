@@ -30,28 +30,47 @@ def page_of(result: Analysis | Designed) -> Page:
         sections += [Section("Closed-loop poles", [_poles(analysis)])]
     facts = {"controller": analysis.hash[:12], "period": f"{analysis.period * 1e3:g} ms"}
     return Page(
-        f"{analysis.controller} on {analysis.robot}", sections, _lead(analysis, first), facts, False,
-        verdict=Verdict("stable", "good") if analysis.stable else Verdict("unstable", "warn"),
+        _title(analysis), sections, _lead(analysis, first), facts, False, verdict=_verdict(analysis),
         picture=_nyquist(analysis) if analysis.stable else _poles(analysis), numbers=_numbers(analysis),
     )  # fmt: skip
+
+
+CLOSE = 0.5
+"""Distance of the Nyquist curve from −1 below which margins are small: the usual rule, Ms at most 2."""
+
+
+def _title(analysis: Analysis) -> str:
+    who = f"{analysis.controller} on {analysis.robot}"
+    return f"{who}: stable, up to {_delay(analysis)} more delay" if analysis.stable else f"{who}: unstable"
+
+
+def _verdict(analysis: Analysis) -> Verdict:
+    if not analysis.stable:
+        return Verdict("unstable", "warn")
+    near = 1 / analysis.both().Ms < CLOSE
+    return Verdict("stable, small margins", "info") if near else Verdict("stable", "good")
+
+
+def _delay(analysis: Analysis) -> str:
+    delay = min(analysis.delay, *(m.delay for m in (*analysis.inputs, *analysis.outputs)))
+    return f"{cell_text(delay * 1e3, 3)} ms"
 
 
 def _lead(analysis: Analysis, first: str) -> str:
     """The first sentence, and the loop that a delay makes unstable first."""
     if not analysis.stable:
         return sentence(first, "")
-    return f"{sentence(first, '')} {analysis.words()[1]}"
+    return f"{analysis.words()[1]} {sentence(first, '')}"
 
 
 def _numbers(analysis: Analysis) -> list[tuple[str, str]]:
     if not analysis.stable:
         return []
-    both, every = analysis.both(), (*analysis.inputs, *analysis.outputs)
-    delay = min(analysis.delay, *(m.delay for m in every))
+    both = analysis.both()
     return [
         (f"{cell_text(both.gain_low, 2)} to {cell_text(both.gain_high, 2)}", "gain margins of both motors (factors)"),
         (f"{cell_text(math.degrees(both.phase), 2)}°", "phase margin"),
-        (f"{cell_text(delay * 1e3, 3)} ms", "smallest delay margin of all loops"),
+        (_delay(analysis), "smallest delay margin of all loops"),
     ]
 
 
@@ -81,7 +100,11 @@ def _row(m: Margins) -> list[Cell]:
 
 def _nyquist(analysis: Analysis) -> Figure:
     title = f"Nyquist diagram: least distance from −1 is {1 / analysis.both().Ms:.2f}"
-    return Figure(title, analysis.plot_nyquist(), "The loop is broken at both motors at once.")
+    return Figure(
+        title,
+        analysis.plot_nyquist(),
+        "The loop is broken at both motors at once. The curve goes on outwards at lower frequencies.",
+    )
 
 
 def _poles(analysis: Analysis) -> Figure:

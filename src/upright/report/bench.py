@@ -17,16 +17,21 @@ def page_of(bench: Bench) -> Page:
     verdict = Verdict(f"{len(held)} of {len(ranked)} hold the robot", "good" if held else "warn")
     knocked = not math.isnan(largest)
     title = f"Largest knock that each controller survives: {best} {cell_text(largest, 3)} N s"
-    numbers = [(f"{cell_text(size, 3)} N s", f"largest knock survived by {name}") for name, size in ranked.items()]
+    last, least = list(ranked.items())[-1] if ranked else ("", math.nan)
+    numbers = [
+        (f"{cell_text(size, 3)} N s", f"largest knock survived by {name}")
+        for name, size in ((best, largest), (last, least))
+    ]
     facts = {"robot": bench.robot, "kit": bench.kit, "body": bench.body, "seed": str(bench.seed)}
     sections = [Section("Tables", tables(bench))]
     if knocked:
         sections = [Section("Responses", [responses(bench)]), *sections]
     heading = f"{best} survives the largest knock on {bench.robot}" if knocked else f"Controllers of {bench.robot}"
+    lead = f"{len(ranked)} controllers on a {bench.body} of {bench.robot} with kit {bench.kit}, under the same pushes."
     return Page(
-        heading, sections, "All controllers under the same pushes.", facts,
+        heading, sections, lead, facts,
         bench.body == "twin", verdict=verdict, picture=Figure(title, bench.plot()) if knocked else responses(bench),
-        numbers=numbers[:3] if knocked else (),
+        numbers=numbers if knocked else (),
     )  # fmt: skip
 
 

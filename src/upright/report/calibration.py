@@ -18,7 +18,7 @@ STRONG = 0.9
 def page_of(calibration: Calibration) -> Page:
     """The calibration's page, not yet written."""
     wrong = calibration.check()
-    verdict = Verdict("passes its checks", "good") if not wrong else Verdict(f"{len(wrong)} reservations", "warn")
+    verdict = Verdict("predicts the log", "good") if not wrong else Verdict(f"{len(wrong)} reservations", "warn")
     others = (*calibration.delays, *calibration.electronics)
     sections = [
         *([Section("Reservations", [_sentence(text) for text in wrong])] if wrong else []),
@@ -105,8 +105,11 @@ _INNOVATIONS = (
 
 def _lead(c: Calibration) -> str:
     visible = [e for e in c.parameters if e.verdict == VISIBLE]
-    known = (f"{e.name.replace('_', ' ')} {cell_text(e.value, 3)} {e.unit}".removesuffix(" 1") for e in visible)
-    return f"{c.samples} samples determine {', '.join(known) or 'no parameter'}."
+    away = {e.name.replace("_", " "): (e.high - e.low) / abs(e.low + e.high) for e in visible if e.low * e.high > 0}
+    known = [f"{name} to ±{cell_text(100 * part, 2)} %" for name, part in sorted(away.items(), key=lambda x: x[1])]
+    zero = [e.name.replace("_", " ") for e in visible if e.low * e.high <= 0]
+    text = f"{c.samples} samples determine {', '.join(known) or 'no parameter'}."
+    return text + (f" Near zero: {', '.join(zero)}." if zero else "")
 
 
 def _estimates(estimates: Sequence[Estimate]) -> Table:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from upright.certify.certificate import GREEN, RED, Certificate, LinearMargins
+from upright.certify.certificate import GREEN, MOST_FALLS, RED, Certificate, LinearMargins
 from upright.certify.checks import Swept
 from upright.plotting import line, number, panels
 from upright.report.figure import Figure
@@ -12,6 +12,8 @@ from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_
 from upright.tables import sentence
 
 LEVEL = {GREEN: "good", RED: "warn"}
+HEADINGS = {GREEN: "{0} may drive {1}", RED: "{0} must not drive {1}"}
+"""What a light means; amber: it may, if somebody has read the reasons."""
 
 
 def page_of(certificate: Certificate) -> Page:
@@ -29,15 +31,19 @@ def page_of(certificate: Certificate) -> Page:
         sections.append(Section("What the log shows", [_support(certificate)]))
     facts = {"controller": certificate.hash[:12], "seed": str(certificate.seed), "kit": certificate.kit}
     c = certificate
-    lead = f"{c.fell} of {c.samples} robots drawn from the uncertainty of {c.robot} fell in at least one trial."
+    lead = (
+        f"{c.fell} of {c.samples} robots drawn from the uncertainty of {c.robot} fell in at least one trial: with 95 % "
+    )
+    lead += f"confidence at most {number(100 * c.bound, 2)} % of such robots fall. The limit is {100 * MOST_FALLS:g} %."
+    title = HEADINGS.get(c.light, "{0} may drive {1}, with reservations").format(c.controller, c.robot)
     return Page(
-        f"{c.controller} on {c.robot}: {c.light}", sections, lead, facts, False, verdict=verdict,
+        title, sections, lead, facts, False, verdict=verdict,
         picture=_falls(c), numbers=_numbers(c),
     )  # fmt: skip
 
 
 def _numbers(c: Certificate) -> list[tuple[str, str]]:
-    numbers = [(f"{number(100 * c.bound, 2)} %", "probability of a fall, at most (95 % confidence)")]
+    numbers = [(f"{number(100 * c.bound, 2)} %", "of such robots fall, at most")]
     if c.linear:
         numbers += [(f"{cell_text(c.linear.delay * 1e3, 3)} ms", "smallest delay margin of all loops")]
     stood = [t.travel for t in c.trials if t.fell < t.runs]

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+import numpy as np
+
 from upright.doctor.doctor import Diagnosis
 from upright.parity.parity import Parity
-from upright.physics.linear import LinearModel
-from upright.plotting import bars, plane, points
+from upright.physics.linear import Complex, LinearModel
+from upright.plotting import AXIS, bars, plane, points
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
 def page_of(result: Diagnosis | Parity | LinearModel) -> Page:
@@ -24,16 +31,19 @@ def _diagnosis(result: Diagnosis) -> Page:
         [f.severity, f.channel.replace("_", " "), sentence(f.evidence), f.repair] for f in result.findings
     ]
     columns: list[list[Cell]] = [[name, source.column] for name, source in result.mapping.channels.items()]
-    first = next(iter(result.findings), None)
+    first, drawn = next(iter(result.findings), None), result.plot()
+    poses = ", ".join(dict.fromkeys(segment.kind for segment in result.segments))
+    found = "no fault found" if not faults else "1 fault" if faults == 1 else f"{faults} faults"
     return Page(
-        f"{result.source or 'Log'}: {f'{faults} faults' if faults else 'no fault found'}",
+        f"{result.source or 'Log'}: {found}",
         [
             Section("Findings", [Table(["severity", "channel", "evidence", "repair"], rows)]),
             Section("Columns of the log", [Table(["channel", "column"], columns)], folded=True),
         ],
-        sentence(f"{first.channel}: {first.evidence}") if first and not result.healthy else "",
+        f"{first.channel}: {first.evidence}." if first and not result.healthy else "",
         {"mapping": result.mapping.name, "rows": str(result.rows)}, False,
         verdict=Verdict("healthy", "good") if result.healthy else Verdict("to repair", "warn"),
+        picture=Figure(": ".join(filter(None, ("The log as it was read", poses))), drawn) if drawn else None,
         numbers=[
             (f"{result.seconds:.4g} s", "length of the log"), (f"{result.period * 1e3:.4g} ms", "median period"),
             (str(result.rows), "rows"),
@@ -60,10 +70,21 @@ def _parity(result: Parity) -> Page:
     )  # fmt: skip
 
 
+def _spread_out(ax: Axes, poles: Complex) -> None:
+    """Both axes logarithmic away from zero, so that fast poles do not hide the slow ones; a line at zero."""
+    ax.set_aspect("auto")
+    for axis, part in (("x", poles.real), ("y", poles.imag)):
+        reach = max(10.0, 3 * float(np.abs(part).max()))
+        ax.set(**{f"{axis}scale": ("symlog"), f"{axis}lim": (-reach, reach)})
+    ax.axvline(0, color=AXIS, linewidth=1)
+
+
 def _linear(model: LinearModel) -> Page:
     poles = model.poles()
     unit = "1/s" if model.continuous else "1"
     figure, ax = plane(f"real part [{unit}]", f"imaginary part [{unit}]", circle=not model.continuous)
+    if model.continuous:
+        _spread_out(ax, poles)
     points(ax, "poles", poles.tolist())
     unstable = [p for p in poles if (p.real > 1e-9 if model.continuous else abs(p) > 1 + 1e-9)]
     rows: list[list[Cell]] = [[p.real, p.imag] for p in poles.tolist()]
@@ -71,11 +92,15 @@ def _linear(model: LinearModel) -> Page:
         Table(["", *names], [[state, *row] for state, row in zip(model.states, matrix.tolist(), strict=True)], letter)
         for letter, names, matrix in (("A", model.states, model.A), ("B", model.inputs, model.B))
     ]
-    title = f"{len(unstable)} of {len(poles)} poles are unstable"
+    title = f"{len(unstable)} of {len(poles)} poles {'is' if len(unstable) == 1 else 'are'} unstable"
+    fastest = max((float(p.real) for p in unstable), default=0.0)
+    falls = model.continuous and unstable
+    heading = f"{title}: a fall grows with {cell_text(fastest, 3)} {unit}" if falls else title
+    figure_title = f"{title}: right of the line" if falls else title
     return Page(
-        "Linear model of a robot",
+        heading,
         [Section("Matrices", matrices), Section("Poles", [Table(["real part", "imaginary part"], rows)])],
         "ẋ = A x + B u" if model.continuous else f"x⁺ = A x + B u, every {model.dt:g} s", {}, False,
-        verdict=Verdict("unstable" if unstable else "stable", "info"), picture=Figure(title, figure),
+        verdict=Verdict("unstable" if unstable else "stable", "info"), picture=Figure(figure_title, figure),
         numbers=[(f"{cell_text(float(p.real), 3)} {unit}", "unstable pole, real part") for p in unstable[:1]],
     )  # fmt: skip

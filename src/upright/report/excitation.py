@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -51,10 +53,12 @@ _TRIED = (
 
 
 def _lead(plan: ExcitationPlan) -> str:
-    halved = [p.name.replace("_", " ") for p in plan.predicted if p.after < VISIBLE * p.before and "/" not in p.name]
+    halved = sorted((p for p in plan.predicted if p.after < VISIBLE * p.before), key=lambda p: p.after / p.before)
+    names = [re.sub(r"(\w+)/(\w+)", r"\1 of \2", p.name).replace("_", " ") for p in halved]
+    more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
     return (
-        f"{plan.seconds:g} s under {plan.controller} with {plan.way} at least halve the intervals of "
-        f"{', '.join(halved) or 'no parameter'}. The probability of a fall is below {100 * plan.checked.bound:.2g} %."
+        f"{plan.way} under {plan.controller} tells most of {', '.join(names[:MOST_NAMED]) or 'no parameter'}{more}. "
+        f"The probability of a fall is below {100 * plan.checked.bound:.2g} %."
     )
 
 
@@ -104,6 +108,7 @@ def _energy(plan: ExcitationPlan) -> str:
     return f"Energy: {plan.energy:.3g} {unit} at the motors in closed loop, {plan.added:.3g} of the excitation"
 
 
+MOST_NAMED = 5
 DRAWN = 0.95  # of the width before: parameters whose intervals shrink less are not drawn
 
 
@@ -118,16 +123,15 @@ def _halved(plan: ExcitationPlan) -> int:
 def _widths(plan: ExcitationPlan) -> Figure:
     """Widths over those before, a row for each parameter that the run tells something of, the most certain last."""
     shown = sorted((p for p in plan.predicted if p.after < DRAWN * p.before), key=lambda p: -p.after / p.before)
-    across = "width of the 95 % interval after the run over that before [1]"
+    across = "width of the 95 % interval after the run over that before, less is better [1]"
     figure, ax = rows_of([p.name for p in shown], across, "parameter")
     ax.set_xscale("log")
     numbered(ax.xaxis)
     rows, after = np.arange(len(shown)), [p.after / p.before for p in shown]
-    ax.hlines(rows, after, 1.0, linewidth=2.5, color=COLOURS[0], label="what this run removes")
-    ax.plot(after, rows, "o", markersize=4.5, color=COLOURS[0], label="left after this run")
-    ax.plot([p.dither / p.before for p in shown], rows, "x", color=COLOURS[1], label="left after a random signal")
+    ax.plot(after, rows, "o", markersize=5, color=COLOURS[0], label="this run")
+    ax.plot([p.dither / p.before for p in shown], rows, "x", color=COLOURS[1], label="a random signal")
     ax.axvline(VISIBLE, linestyle="--", linewidth=0.8, color=AXIS, label="half of the width")
-    title = f"What each run leaves of a parameter's interval: {_halved(plan)} of {len(plan.predicted)} at most half"
+    title = f"What is left of each interval: at most half for {_halved(plan)} of {len(plan.predicted)} parameters"
     return Figure(title, legend(figure), "The random signal has the same energy and changes in every period.")
 
 

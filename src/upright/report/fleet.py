@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -42,9 +43,8 @@ def _map(part: Any, direction: str) -> Figure:
     low, high = float(np.nanmin(impulse)), float(np.nanquantile(impulse, 0.98))
     row, column = np.unravel_index(int(np.nanargmin(impulse)), impulse.shape)
     height, duration = float(part["height"].values[row]), float(part["duration"].values[column])
-    weakest = f"a push of {duration:.2g} s, {height:.3g} m above the axle"
-    title = f"Pushed {direction}, the robot survives at least {low:.3g} N s: {weakest}"
-    note = "The cross marks where it survives least."
+    title = f"Pushed {direction}, it survives {low:.3g} N s or more; least at the cross"
+    note = f"The cross: a push of {duration:.2g} s, {height:.3g} m above the axle."
     note += " The lightest colour includes all larger impulses." if float(np.nanmax(impulse)) > high else ""
     apart = float(part["island"].values.mean())
     if apart:
@@ -89,7 +89,7 @@ def basin_figure(data: Dataset) -> Figure:
     across, up = (str(name) for name in data["recovered"].dims)
     names = [f"{name.replace('_', ' ')} [{data[name].attrs['unit']}]" for name in (across, up)]
     family = len(np.unique(recovered)) > 2
-    title = f"The robot recovers from {100 * float(recovered.mean()):.3g} % of these states"
+    title = "States from which the robot recovers"
     drawing = colour_map(
         data[across].values, data[up].values, recovered, x_label=names[0], y_label=names[1],
         label="recovers [1]" if family else "", names=() if family else ("falls", "recovers"),
@@ -146,7 +146,8 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
     few = np.linspace(0, len(x) - 1, min(len(x), DOTS)).astype(int)
     ax.plot(x[few], y[few], ".", markersize=3)
     how = "grows" if size > 0 else "shrinks"
-    return Figure(f"{_words(data, outcome)} {how} with {name.replace('_', ' ')}: each dot is a robot", figure)
+    dots = "each dot is a robot" if len(few) == len(x) else f"{len(few)} of the {len(x)} robots that stood"
+    return Figure(f"{_words(data, outcome)} {how} with {name.replace('_', ' ')}: {dots}", figure)
 
 
 def _words(data: Dataset, outcome: str) -> str:
@@ -207,8 +208,9 @@ def _basin_page(data: Dataset) -> Page:
     name, percent = origin["robot"]["name"], f"{100 * float(data['recovered'].values.mean()):.3g} %"
     known = math.isfinite(low)
     title = f"{name} recovers from {across} of {held}" if known else f"{name} recovers from {percent} of these states"
-    lead = f"Recovered: the robot stands {origin['scenario']['seconds']:g} s later."
-    numbers = [(percent, "of the states in the picture"), *([(held, f"{across}, where {up} is zero")] if known else [])]
+    kind = (origin.get("controller") or {}).get("kind", "")
+    lead = f"{f'Under {kind}. ' if kind else ''}Recovered: the robot stands {origin['scenario']['seconds']:g} s later."
+    numbers = [(held, f"{across}, where {up} is zero")] if known else [(percent, "of the states in the picture")]
     return Page(title, [], lead, provenance(data), False, picture=basin_figure(data), numbers=numbers)
 
 
@@ -236,7 +238,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     chance = summary.chance
     pushes = origin_of(data).get("scenario", {}).get("push")
     robot = origin_of(data)["robot"]["name"]
-    lead = f"Robots that differ from {robot}{'' if pushes else ', without a push'}."
+    lead = f"{_differ(data, robot)}, {_done(pushes)}."
     numbers = [
         (f"{number(100 * chance.value, 3)} %", "of the robots fell"),
         (f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %", "95 % interval of that"),
@@ -249,6 +251,21 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
         f"{summary.fell} of {summary.n} robots fell", sections, lead, provenance(data), False, picture=picture,
         numbers=numbers, verdict=Verdict("some fell", "warn") if summary.fell else Verdict("none fell", "good"),
     )  # fmt: skip
+
+
+def _differ(data: Dataset, robot: str) -> str:
+    """Whose relatives, in what they differ, and what holds them."""
+    varied = [s["name"].replace("_", " ") for s in (origin_of(data).get("vary") or {}).get("spreads", [])]
+    what = f" in {', '.join(varied[:4])}{', …' if len(varied) > 4 else ''}" if varied else ""
+    kind = (origin_of(data).get("controller") or {}).get("kind", "")
+    return f"Robots that differ from {robot}{what}{f', under {kind}' if kind else ''}"
+
+
+def _done(pushes: Sequence[Mapping[str, Any]] | None) -> str:
+    """What was done to them."""
+    sizes = {"impulse": "pushed by {:g} N s", "force": "pushed by {:g} N", "pitch": "held at {:g} rad and released"}
+    said = [text.format(push[name]) for push in pushes or () for name, text in sizes.items() if push.get(name)]
+    return " and ".join(said[:3]) or ("pushed" if pushes else "without a push")
 
 
 def provenance(data: Dataset) -> dict[str, str]:

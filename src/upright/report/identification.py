@@ -50,7 +50,14 @@ def _title(compared: MethodComparison) -> str:
     name, ranked = compared.samples.robot.name, _ranked(compared)
     if len(compared.models) < 2 or not compared.trials:
         return f"{name}: unstable pole {_between(compared)}"
-    return f"{name} is held best with the {ranked[0]} model" if ranked else f"No model's regulator holds {name}"
+    if not ranked:
+        return f"No model's regulator holds {name}"
+    least = compared.trials[ranked[0]].largest or 0.0
+    alike = [method for method in ranked if (compared.trials[method].largest or 0.0) <= ALIKE * least]
+    return f"{name} is held best by a regulator from {' or '.join(alike)}"
+
+
+ALIKE = 1.05  # times the least lean: the same to within what another seed changes
 
 
 def _ranked(compared: MethodComparison) -> list[str]:
@@ -69,7 +76,7 @@ def _numbers(compared: MethodComparison) -> list[tuple[str, str]]:
     ranked = _ranked(compared)[:3]
     if len(compared.models) < 2 or not ranked:
         return [(f"{cell_text(m.pole.value, 3)} 1/s", f"unstable pole by {n}") for n, m in compared.models.items()][:3]
-    return [(f"{cell_text(compared.trials[n].largest, 3)} rad", f"largest pitch with the {n} model") for n in ranked]
+    return [(f"{cell_text(compared.trials[n].largest, 3)} rad", f"largest pitch, model by {n}") for n in ranked]
 
 
 _POLES = (
@@ -86,11 +93,11 @@ _PREDICTIONS = (
 def _lead(compared: MethodComparison) -> str:
     holding = [name for name, trial in compared.trials.items() if trial.holds]
     result = (
-        f"A regulator designed on the model of {', '.join(holding)} holds the robot"
+        f"Regulators designed on the models of {', '.join(holding)} hold the robot"
         if holding
         else "No model's regulator holds the robot"
     )
-    true = "" if math.isnan(compared.true_pole) else f", which falls at {compared.true_pole:.3g} 1/s"
+    true = "" if math.isnan(compared.true_pole) else f"; without one it falls at {compared.true_pole:.3g} 1/s"
     return f"{result}{true}. All methods used the same samples."
 
 
