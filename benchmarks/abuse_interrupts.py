@@ -32,8 +32,8 @@ vary = ["spread"]
 
 COMMANDS = {
     "certify lqg": "certify lqg -n 20000 -o c.json --report r.html",
-    "certify mpc": "certify mpc -n 500 -o c.json --report r.html",
-    "certify sliding": "certify sliding -n 500 -o c.json --report r.html",
+    "certify mpc": "certify mpc -n 10000 -o c.json --report r.html",
+    "certify sliding": "certify sliding -n 20000 -o c.json --report r.html",
     "calibrate": "calibrate {log} -o r.toml --save s.json --report r.html",
     "identify": "identify {log} -o m.json --report r.html",
     "fleet": "fleet -n 500000 -o f.parquet --report r.html",
