@@ -9,7 +9,7 @@ import numpy as np
 from upright.doctor.doctor import Diagnosis
 from upright.parity.parity import Parity
 from upright.physics.linear import Complex, LinearModel
-from upright.plotting import AXIS, bars, plane, points
+from upright.plotting import AXIS, bars, numbered, plane, points
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
@@ -33,9 +33,9 @@ def _diagnosis(result: Diagnosis) -> Page:
     columns: list[list[Cell]] = [[name, source.column] for name, source in result.mapping.channels.items()]
     first, drawn = next(iter(result.findings), None), result.plot()
     poses = ", ".join(dict.fromkeys(segment.kind for segment in result.segments))
-    found = "no fault found" if not faults else "1 fault" if faults == 1 else f"{faults} faults"
+    verdict = "no fault found" if not faults else "1 fault" if faults == 1 else f"{faults} faults"
     return Page(
-        f"{result.source or 'Log'}: {found}",
+        f"{result.source or 'Log'}: {verdict}",
         [
             Section("Findings", [Table(["severity", "channel", "evidence", "repair"], rows)]),
             Section("Columns of the log", [Table(["channel", "column"], columns)], folded=True),
@@ -71,11 +71,11 @@ def _parity(result: Parity) -> Page:
 
 
 def _spread_out(ax: Axes, poles: Complex) -> None:
-    """Both axes logarithmic away from zero, so that fast poles do not hide the slow ones; a line at zero."""
+    """A real axis that is logarithmic away from zero, so that fast poles do not hide the slow ones; a line at zero."""
+    reach, high = max(10.0, 3 * float(np.abs(poles.real).max())), float(np.abs(poles.imag).max())
     ax.set_aspect("auto")
-    for axis, part in (("x", poles.real), ("y", poles.imag)):
-        reach = max(10.0, 3 * float(np.abs(part).max()))
-        ax.set(**{f"{axis}scale": ("symlog"), f"{axis}lim": (-reach, reach)})
+    ax.set(xscale="symlog", xlim=(-reach, reach), ylim=(-1.5 * (high or 1.0), 1.5 * (high or 1.0)))
+    numbered(ax.xaxis)
     ax.axvline(0, color=AXIS, linewidth=1)
 
 

@@ -11,6 +11,7 @@ from upright.excite.plan import VISIBLE, ExcitationPlan, Predicted
 from upright.plotting import AXIS, COLOURS, legend, line, number, numbered, panels, rows_of
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
+from upright.tables import sentence
 
 Array = NDArray[np.float64]
 
@@ -57,7 +58,8 @@ def _lead(plan: ExcitationPlan) -> str:
     names = [re.sub(r"(\w+)/(\w+)", r"\1 of \2", p.name).replace("_", " ") for p in halved]
     more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
     return (
-        f"{plan.way} under {plan.controller} tells most of {', '.join(names[:MOST_NAMED]) or 'no parameter'}{more}. "
+        f"{sentence(plan.way, '')} under {plan.controller} tells most of "
+        f"{', '.join(names[:MOST_NAMED]) or 'no parameter'}{more}. "
         f"The probability of a fall is below {100 * plan.checked.bound:.2g} %."
     )
 

@@ -264,8 +264,8 @@ def _differ(data: Dataset, robot: str) -> str:
 def _done(pushes: Sequence[Mapping[str, Any]] | None) -> str:
     """What was done to them."""
     sizes = {"impulse": "pushed by {:g} N s", "force": "pushed by {:g} N", "pitch": "held at {:g} rad and released"}
-    said = [text.format(push[name]) for push in pushes or () for name, text in sizes.items() if push.get(name)]
-    return " and ".join(said[:3]) or ("pushed" if pushes else "without a push")
+    words = [text.format(push[name]) for push in pushes or () for name, text in sizes.items() if push.get(name)]
+    return " and ".join(words[:3]) or ("pushed" if pushes else "without a push")
 
 
 def provenance(data: Dataset) -> dict[str, str]:

@@ -22,7 +22,8 @@ _HALF = (
     "prediction misses against what the reading varies. Fit is 100 (1 − rms error / standard deviation)."
 )
 _LOOP = (
-    "The closed loop starts from the first state of the log. It gets the law, and what was added to it, and no reading."
+    "The closed loop starts from the first state of the log. It gets the law, and what was added to it, and no reading. "
+    "A push that the log does not hold makes it leave the log at that time, whatever the robot."
 )
 _SHIFTS = (
     "Each parameter is moved alone by one Gauss–Newton step. Listed are those after which half seconds are predicted "
@@ -51,7 +52,10 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
     loops = [c for log in result.logs if not log.caution for c in log.loop]
     if loops:
         least = min(loops, key=lambda c: c.r2)
-        numbers.append((cell_text(least.r2, 3), f"R² of the free closed loop, {short(least.name)}"))
+        if least.r2 < 0 and least.breaks is not None:  # what the log does not hold, such as a push, ends the agreement
+            numbers.append((f"{least.breaks:.3g} s", f"when the free closed loop leaves the log: {short(least.name)}"))
+        else:
+            numbers.append((cell_text(least.r2, 3), f"R² of the free closed loop, {short(least.name)}"))
     shifts = [s for log in result.logs for s in log.shifts]
     if shifts:
         first = max(shifts, key=lambda s: s.explains)
