@@ -193,7 +193,8 @@ def test_too_few_robots_prove_nothing() -> None:
 def test_page_and_table_say_the_light() -> None:
     page = page_of(green()).html()
     assert green().hash[:12] in page
-    assert "green" in page.partition("</h1>")[0]
+    assert "may drive" in page.partition("</h1>")[0]
+    assert "green" in page.partition("</header>")[0]
     pushes = page.partition("<h2>Pushes</h2>")[2].partition("</table>")[0]
     assert pushes.count("</tr>") == 1 + len(green().trials)
     assert str(green()).startswith("GREEN: pid on nxtway-gs")

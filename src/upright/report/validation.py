@@ -22,7 +22,7 @@ _HALF = (
     "prediction misses against what the reading varies. Fit is 100 (1 − rms error / standard deviation)."
 )
 _LOOP = (
-    "The closed loop starts from the first state of the log. It gets the law, and what was added to it, and no reading. "
+    "The closed loop starts from the first state of the log. It gets the law, what was added to it, and no reading. "
     "A push that the log does not hold makes it leave the log at that time, whatever the robot."
 )
 _SHIFTS = (
