@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -180,3 +181,16 @@ def test_a_long_command_is_interrupted_at_a_random_moment(name: str, number: sig
     module, draw = abuse(), np.random.default_rng([number, len(name)])
     end = module.interrupted(module.COMMANDS[name].split(), number, draw.uniform(0.2, 3.0))
     assert end.early or module.held(end, number), end
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="only Linux tells which signals a process blocks")
+def test_workers_never_get_ctrl_c(tmp_path: Path) -> None:
+    """A terminal sends it to all processes: a worker that is importing then would print a traceback."""
+    from upright.fleet.workers import connected
+
+    with connected(workers=1) as client:
+        (process,) = client.run(os.getpid).values()
+        blocked = re.search(r"SigBlk:\s*(\w+)", Path(f"/proc/{process}/status").read_text("utf-8"))
+        assert blocked
+        assert int(blocked[1], 16) & 1 << (signal.SIGINT - 1)
+    assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, ())

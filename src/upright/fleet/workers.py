@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import logging
 import os
+import signal
 from collections.abc import Callable, Generator, Iterable
 from contextlib import contextmanager
+from multiprocessing import resource_tracker
 from typing import Any, TypeVar
 
 from upright.atomic import TemporaryFolder
@@ -67,13 +69,26 @@ def connected(workers: int | None = None, cluster: str | None = None) -> Generat
             return
         count = workers or os.cpu_count() or 1
         quiet: dict[str, Any] = {"dashboard_address": None, "silence_logs": logging.CRITICAL}
-        with (
-            TemporaryFolder() as folder,
-            dask.config.set({"temporary-directory": folder}),
-            distributed.LocalCluster(n_workers=count, threads_per_worker=1, processes=True, **quiet) as local,
-            distributed.Client(local) as client,
-        ):
-            yield client
+        with TemporaryFolder() as folder, dask.config.set({"temporary-directory": folder}):
+            with _not_interrupted():
+                started = distributed.LocalCluster(n_workers=count, threads_per_worker=1, processes=True, **quiet)
+            with started as local, distributed.Client(local) as client:
+                yield client
+
+
+@contextmanager
+def _not_interrupted() -> Generator[None]:
+    """Threads and processes that start here never get SIGINT: a terminal sends Ctrl-C to all, and a worker that is
+    just importing would print a traceback. This process gets it by another thread, and ends them."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    resource_tracker.ensure_running()  # the first process that is spawned starts it, and then unblocks signals
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _client_of(address: str) -> Any:
