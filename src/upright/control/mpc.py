@@ -258,7 +258,7 @@ def _split(
     H = np.kron(np.diag(lengths), W)
     soft = np.arange(len(G)) >= 2 * n
     rho = np.where(soft, BOUND_WEIGHT / SOFTNESS * np.tile(lengths, 4), limit**2 * np.trace(W))
-    projection = G @ np.linalg.solve(H + G.T @ (rho[:, None] * G), G.T * rho)
+    projection = np.asarray(G @ np.linalg.solve(H + G.T @ (rho[:, None] * G), G.T * rho), dtype=np.float64)
     shift = np.zeros_like(projection)
     shift[: 2 * n, : 2 * n] = np.kron(_shifted(starts, lengths[-1]), np.eye(2))
     for first in (2 * n, 3 * n):
