@@ -5,8 +5,10 @@ from __future__ import annotations
 import ast
 import inspect
 import itertools
+import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -113,3 +115,10 @@ def test_a_table_is_aligned_and_wraps_its_last_column() -> None:
     assert Listing(("<b>",), [("&",)]).html() == (
         "<table><caption></caption><tr><th>&lt;b&gt;</th></tr><tr><td>&amp;</td></tr></table>"
     )
+
+
+def test_the_citation_names_the_version_that_is_built() -> None:
+    root = Path(__file__).parents[1]
+    built = tomllib.loads((root / "pyproject.toml").read_text("utf-8"))["project"]
+    cited = dict(re.findall(r"^(\w[\w-]*): (.+)$", (root / "CITATION.cff").read_text("utf-8"), re.MULTILINE))
+    assert (cited["version"], cited["license"]) == (built["version"], built["license"])

@@ -21,11 +21,10 @@ from upright.tables import Shown
 
 LIGHT, HEAVY = "nxtway-gs", "herrera2015"
 
-TITLE = "The balancing robot of Herrera et al. (2015), reproduced"
+TITLE = "Herrera et al. (2015): {} of {} claims reproduced"
 LEAD = (
-    "Herrera, Chamorro, Gómez and Camacho (2015) model the LEGO NXT balancing robot twice, put robot and models under "
-    "one regulator, push them and compare the responses. This page repeats each step from the printed text. The "
-    "authors’ measurements are not available: a simulated twin stands in for their robot."
+    "Herrera, Chamorro, Gómez and Camacho model the LEGO NXT balancing robot twice, put robot and models under one "
+    "regulator, and push them. This page repeats each step. A simulated twin stands in for their robot."
 )
 
 
@@ -83,7 +82,9 @@ def _page(claims: Sequence[Claim]) -> Page:
         ]),
     ]  # fmt: skip
     sections = [*opening, *(claim.section() for claim in claims)]
-    return Page(TITLE, sections, LEAD, _versions(), picture=picture, numbers=numbers)
+    held = counted[REPRODUCED]
+    title = TITLE.format(held, held + counted[NOT_AS_PRINTED])
+    return Page(title, sections, LEAD, _versions(), picture=picture, numbers=numbers)
 
 
 def chapters(progress: Progress = silent) -> list[Claim]:
