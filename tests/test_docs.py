@@ -178,3 +178,8 @@ def test_links_lead_to_files_that_exist(page: Path) -> None:
     targets = re.findall(r"\]\(([^)#]+?)(?:#[^)]*)?\)", prose)
     missing = [t for t in targets if not t.startswith("http") and not (page.parent / t).exists()]
     assert not missing
+
+
+@pytest.mark.parametrize("page", PAGES[2:], ids=lambda page: page.name)
+def test_each_page_says_for_whom_it_is(page: Path) -> None:
+    assert re.match(r"# .+\n\n\*For .+\.\*\n", page.read_text("utf-8"))
