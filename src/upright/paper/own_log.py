@@ -221,7 +221,8 @@ def _start(push: PushProgramme) -> float:
 
 def _words(pushes: Sequence[PushProgramme], robot: Robot) -> str:
     parts = [f"{p.at(_start(p), robot).force:.3g} N from {_start(p):.3g} s" for p in pushes]
-    return f"pushed by {' and '.join(parts)}" if parts else "no push is known: the models start from the first state"
+    unknown = "no push is known: the models start from the first state; if there was one: --push impulse:0.06,start=3"
+    return f"pushed by {' and '.join(parts)}" if parts else unknown
 
 
 def _calibrated(log: Log, robot: Robot, kit: Kit) -> tuple[_Learnt, tuple[str, ...]]:
