@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from upright.diagnose.fall import StuckSensor
 from upright.diagnose.fault_fits import FAULT_NUMBERS, FaultFit, as_fit, least_squares, score_of, with_pushes
 from upright.diagnose.innovations import FilterRun, follow
-from upright.diagnose.remedy import COMMAND_FAULTS, READING_FAULTS, SHORT, Window, both, remedied
+from upright.diagnose.remedy import COMMAND_FAULTS, RARE, READING_FAULTS, SHORT, Window, both, remedied
 from upright.diagnose.signatures import Bank
 from upright.signals import Log
 
@@ -34,7 +34,8 @@ class Pair:
     @property
     def score(self) -> float:
         """Log likelihood ratio [nats] of both, less the penalty."""
-        return self.second.score
+        rare = sum(fit.fault == "scale" for fit in (self.first, self.second))
+        return self.second.score - RARE * rare
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

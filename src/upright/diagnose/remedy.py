@@ -30,6 +30,10 @@ WARM_UP = 2.0  # [s] that the filter has to find the robot before the part of th
 HALVINGS = 4  # of the steps in size and onset, round the best
 BIAS_ROUNDS = 2  # most times that a gyro's offset is estimated again on the log freed of it
 BEHIND = 150.0  # nats behind the likeliest, from which a gyro's offset is not examined again
+RARE = 80.0
+"""Nats that another scale of a sensor has to explain beyond another fault: it follows the motion, so it takes up a part
+of whatever else is wrong. Planted ones explain hundreds more than the next."""
+
 MOST_BIASES, MOST_SCALES, MOST_MOTORS = 4, 2, 2  # that are examined again
 SHORT = 0.1  # [s] before the window's end: a filter that stops earlier has lost the robot
 
@@ -216,12 +220,14 @@ def dropped(run: FilterRun, frozen: NDArray[np.bool_], window: Window, against: 
 
 def sharpened(run: FilterRun, fits: Sequence[FaultFit], window: Window, against: Bank) -> list[FaultFit]:
     """All fits, the likeliest of each fault that a log can be freed of by their exact score, the likeliest first."""
-    near = [fit for fit in fits if fit.score > fits[0].score - BEHIND]
-    exact_ones = [fit for fit in near if fit.fault == "bias"][:MOST_BIASES]
-    exact_ones += [fit for fit in near if fit.fault == "scale"][:MOST_SCALES]
+    plain = max((fit.score for fit in fits if fit.fault not in ("scale", "motor", "payload", "ramp")), default=0.0)
+    exact_ones = [fit for fit in fits if fit.fault == "bias" and fit.score > plain - BEHIND][:MOST_BIASES]
+    exact_ones += [fit for fit in fits if fit.fault == "scale" and fit.score > fits[0].score - BEHIND][:MOST_SCALES]
     exact_ones += [fit for fit in fits if fit.fault in ("weak", "delay")]
     alone = sorted((fit for fit in fits if fit.fault == "motor" and not len(fit.rest)), key=lambda fit: fit.nis)
     exact_ones += alone[:MOST_MOTORS] + [fit for fit in fits if fit.fault == "motor" and len(fit.rest)][:1]
     rest = [fit for fit in fits if not any(fit is one for one in exact_ones)]
     exactly = [exact(run, fit, window, against) for fit in exact_ones]
-    return sorted([fit for fit in (*exactly, *rest) if len(fit.rest)], key=lambda fit: -fit.score)
+    every = [fit for fit in (*exactly, *rest) if len(fit.rest)]
+    every = [replace(fit, score=fit.score - RARE) if fit.fault == "scale" else fit for fit in every]
+    return sorted(every, key=lambda fit: -fit.score)
