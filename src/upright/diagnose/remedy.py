@@ -30,9 +30,9 @@ WARM_UP = 2.0  # [s] that the filter has to find the robot before the part of th
 HALVINGS = 4  # of the steps in size and onset, round the best
 BIAS_ROUNDS = 2  # most times that a gyro's offset is estimated again on the log freed of it
 BEHIND = 150.0  # nats behind the likeliest, from which a gyro's offset is not examined again
-RARE = 80.0
-"""Nats that another scale of a sensor has to explain beyond another fault: it follows the motion, so it takes up a part
-of whatever else is wrong. Planted ones explain hundreds more than the next."""
+RARE = 50.0
+"""Nats that another scale of a sensor has to explain beyond another fault, and twice as many where it leaves more than
+noise: it follows the motion, so it takes up a part of whatever else is wrong."""
 
 MOST_BIASES, MOST_SCALES, MOST_MOTORS = 4, 2, 2  # that are examined again
 SHORT = 0.1  # [s] before the window's end: a filter that stops earlier has lost the robot
@@ -229,5 +229,10 @@ def sharpened(run: FilterRun, fits: Sequence[FaultFit], window: Window, against:
     rest = [fit for fit in fits if not any(fit is one for one in exact_ones)]
     exactly = [exact(run, fit, window, against) for fit in exact_ones]
     every = [fit for fit in (*exactly, *rest) if len(fit.rest)]
-    every = [replace(fit, score=fit.score - RARE) if fit.fault == "scale" else fit for fit in every]
+    every = [
+        replace(fit, score=fit.score - RARE * min(max(fit.nis / against.scale, 1.0), 2.0))
+        if fit.fault == "scale"
+        else fit
+        for fit in every
+    ]
     return sorted(every, key=lambda fit: -fit.score)
