@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 from upright.physics.dynamics import Disturbance, accelerations, derivative
 from upright.physics.integrate import rk4_step
@@ -20,9 +20,34 @@ from upright.robots import Robot
 Step = Callable[[Sequence[float], Sequence[float], Sequence[float]], tuple[float, ...]]
 
 
+class Statements(NamedTuple):
+    """One step of x0 … x5 under u0, u1, w0 … w2 as assignments `name = expression` in order, and the expressions of its
+    results: `moving` gives the six of `moved`; of the state it ends in, `reading` gives those of every ideal sensor.
+
+    Each expression is one operation on names and numbers, written alike in many languages but for the power `a ** 2`.
+    """
+
+    moving: list[str]
+    moved: list[str]
+    reading: list[str]
+    readings: list[str]
+
+
 @lru_cache(maxsize=64)
 def written(robot: Robot, model: str, period: float, substeps: int) -> Step:
     """(x, u, w) → the state after `period` [s], six numbers, and what every ideal sensor then reads."""
+    step = statements(robot, model, period / substeps)
+    once = [*step.moving, f"x0, x1, x2, x3, x4, x5 = {', '.join(step.moved)}"]
+    loop = once if substeps == 1 else [f"for _ in range({substeps}):", *(f" {line}" for line in once)]
+    result = ", ".join(["x0, x1, x2, x3, x4, x5", *step.readings])
+    lines = ["x0, x1, x2, x3, x4, x5 = x", "u0, u1 = u", "w0, w1, w2 = w", *loop, *step.reading, f"return {result}"]
+    words: dict[str, Any] = {"sin": math.sin, "cos": math.cos, "sqrt": math.sqrt}
+    exec("def step(x, u, w):\n " + "\n ".join(lines), words)  # our own dynamics; a test compares the numbers
+    return words["step"]
+
+
+def statements(robot: Robot, model: str, h: float) -> Statements:
+    """A step of `h` [s]."""
     step, after = _Book("t"), _Book("s")
 
     def inputs(book: _Book) -> tuple[list[_Name], list[_Name], Disturbance]:
@@ -30,16 +55,11 @@ def written(robot: Robot, model: str, period: float, substeps: int) -> Step:
                 Disturbance(*(_Name(f"w{i}", book) for i in range(3))))  # fmt: skip
 
     x, u, w = inputs(step)
-    moved = rk4_step(lambda state: derivative(state, u, robot, w, step, model), x, period / substeps)
+    moved = rk4_step(lambda state: derivative(state, u, robot, w, step, model), x, h)
     x, u, w = inputs(after)
     wheel_acc = accelerations(x, u, robot, w, after, model)[1]
-    result = ", ".join(map(_text, (*x, *readings(x, wheel_acc, robot, w.slope, after))))
-    once = [*step.lines(), f"x0, x1, x2, x3, x4, x5 = {', '.join(map(_text, moved))}"]
-    loop = once if substeps == 1 else [f"for _ in range({substeps}):", *(f" {line}" for line in once)]
-    lines = ["x0, x1, x2, x3, x4, x5 = x", "u0, u1 = u", "w0, w1, w2 = w", *loop, *after.lines(), f"return {result}"]
-    words: dict[str, Any] = {"sin": math.sin, "cos": math.cos, "sqrt": math.sqrt}
-    exec("def step(x, u, w):\n " + "\n ".join(lines), words)  # our own dynamics; a test compares the numbers
-    return words["step"]
+    sensed = readings(x, wheel_acc, robot, w.slope, after)
+    return Statements(step.lines(), [*map(_text, moved)], after.lines(), [*map(_text, sensed)])
 
 
 class _Book:

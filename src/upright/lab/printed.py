@@ -1,0 +1,79 @@
+"""A robot and its controllers as JavaScript and numbers, for a page that has no Python behind it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from upright.atomic import finite
+from upright.bodies import NonlinearBody
+from upright.bodies.models import CHANNELS
+from upright.compiled.print_javascript import JavaScriptPrinter, motion
+from upright.control import Controller
+from upright.control.law import as_law, program
+from upright.errors import InvalidController
+from upright.physics.dynamics import turn_ratio
+from upright.physics.linear import linearise
+from upright.robots import Kit, Robot
+from upright.signals.signal import TRUTH
+
+PERIOD = 0.001
+"""[s] of a body's step in the page, as that of `NonlinearBody`: a kit's times round to it."""
+
+_IDEAL = [signal.name for signal in CHANNELS[len(TRUTH) :]]
+
+
+def printed_robot(robot: Robot, kit: Kit, period: float = PERIOD) -> tuple[str, dict[str, Any]]:
+    """Its motion as JavaScript, and what `simulator.js` needs beside it; raises an `UprightError` for a robot that
+    cannot be simulated."""
+    text = motion(robot, "complete", period, NonlinearBody(robot, period=period).substeps)
+    model = linearise(robot).c2d(period)
+    linear = {name: getattr(model, name).tolist() for name in "ABE"}
+    linear |= {"turn": turn_ratio(robot), "radius": robot.wheel_radius, "gravity": robot.gravity, "period": period}
+    return text, {"period": period, "kit": kit_numbers(kit, robot, period), "linear": linear}
+
+
+def is_bare(kit: Kit) -> bool:
+    """Whether nothing stands between controller and motors."""
+    return kit.name == "ideal" and kit.delay == 0 and kit.motor.dead_zone == 0 and math.isinf(kit.battery.voltage)
+
+
+def kit_numbers(kit: Kit, robot: Robot, period: float) -> dict[str, Any] | None:
+    """The electronics as `simulator.js` takes them, times in steps of `period` [s]; None where there are none."""
+    if is_bare(kit):
+        return None
+    m = kit.motor
+    sensors = [
+        {
+            "from": _IDEAL.index(name) if name in _IDEAL else -1, "play": m.backlash / 2 if "encoder" in name else 0.0,
+            "delay": round(s.delay / period), "every": (every := max(1, round(s.period / period))),
+            "walk": s.bias_walk * math.sqrt(period * every), "quantum": s.quantum, "noise": s.noise, "bias": s.bias,
+            "range": finite(s.range),
+        }
+        for name, s in kit.sensors.items()
+    ]  # fmt: skip
+    return {
+        "limit": finite(m.limit), "dead_zone": m.dead_zone, "quantum": m.quantum, "left": m.left, "right": m.right,
+        "voltage": finite(kit.battery.voltage), "sag": kit.battery.sag, "volts": robot.command_unit == "V",
+        "delay": round(kit.delay / period), "jitter": round(kit.jitter / period), "sensors": sensors,
+    }  # fmt: skip
+
+
+def printed_law(controller: Controller, kit: Kit, period: float = PERIOD) -> tuple[str, dict[str, Any]]:
+    """Its program as JavaScript, and where it reads; raises `InvalidController` for one that is no fixed sum of
+    products."""
+    law = as_law(controller)
+    linear = law.linear
+    facts = reading(linear.reads, linear.period, kit, period)
+    opinion = {"S": linear.S.tolist(), "Sy": linear.Sy.tolist()} if linear.S.size else {}
+    return JavaScriptPrinter(program(law)).text(), {**facts, "kind": controller.spec.kind, **opinion}
+
+
+def reading(reads: tuple[str, ...], every: float, kit: Kit, period: float = PERIOD) -> Mapping[str, Any]:
+    """Where the channels stand among the true states and the kit's sensors, and the body's steps in a period."""
+    names = [*(s.name for s in TRUTH), *(_IDEAL if is_bare(kit) else kit.sensors)]
+    stride = round(every / period)
+    if stride < 1 or not math.isclose(stride * period, every, rel_tol=1e-9):
+        raise InvalidController(f"a period of {every:g} s", expected=f"a multiple of {period:g} s in a page")
+    return {"reads": [names.index(name) for name in reads], "stride": stride}
