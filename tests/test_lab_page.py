@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import math
 import re
@@ -639,6 +640,40 @@ def address() -> str:
     return next((text for text in of_here if not text.startswith("127.")), "") or pytest.skip("no network")
 
 
+def read_qr(dark: set[tuple[int, int]]) -> str:
+    """The text of a QR code of bytes, of version 2 to 5 and correction M (ISO/IEC 18004: 7.3 to 7.9, annex C)."""
+    size = max(x for x, _ in dark) + 1
+    version = (size - 17) // 4
+    bits = [int((x, 8) in dark) for x in (0, 1, 2, 3, 4)]  # of the format, masked by 101010000010010
+    format_bits = [bit ^ mask for bit, mask in zip(bits, (1, 0, 1, 0, 1), strict=True)]
+    assert format_bits[:2] == [0, 0]  # M
+    formula: Callable[[int, int], bool] = {
+        0: lambda i, j: (i + j) % 2 == 0, 1: lambda i, _: i % 2 == 0, 2: lambda _, j: j % 3 == 0,
+        3: lambda i, j: (i + j) % 3 == 0, 4: lambda i, j: (i // 2 + j // 3) % 2 == 0,
+        5: lambda i, j: i * j % 2 + i * j % 3 == 0, 6: lambda i, j: (i * j % 2 + i * j % 3) % 2 == 0,
+        7: lambda i, j: ((i + j) % 2 + i * j % 3) % 2 == 0,
+    }[format_bits[2] * 4 + format_bits[3] * 2 + format_bits[4]]  # fmt: skip
+
+    def patterned(x: int, y: int) -> bool:
+        corners = (x < 9 and y < 9) or (x > size - 9 and y < 9) or (x < 9 and y > size - 9)
+        return corners or 6 in (x, y) or (abs(x - size + 7) < 3 and abs(y - size + 7) < 3)
+
+    columns = [x for x in range(size - 1, 0, -2) if x > 6] + [5, 3, 1]
+    stream = [
+        ((x, y) in dark) ^ formula(y, x)
+        for turn, right in enumerate(columns)
+        for y in (range(size) if turn % 2 else range(size - 1, -1, -1))
+        for x in (right, right - 1)
+        if not patterned(x, y)
+    ]
+    words = [int("".join("01"[bit] for bit in stream[k : k + 8]), 2) for k in range(0, len(stream) - 7, 8)]
+    blocks, data = {2: (1, 28), 3: (1, 44), 4: (2, 32), 5: (2, 43)}[version]
+    words = [word for block in range(blocks) for word in words[block : blocks * data : blocks]]
+    text = "".join(f"{word:08b}" for word in words)
+    assert text[:4] == "0100"  # bytes
+    return bytes(int(text[12 + 8 * k : 20 + 8 * k], 2) for k in range(int(text[4:12], 2))).decode()
+
+
 def test_a_class_in_the_browser(chromium):
     lab = Lab("--class", "--host", address())
     try:
@@ -646,7 +681,7 @@ def test_a_class_in_the_browser(chromium):
         context = chromium.new_context(viewport={"width": 500, "height": 500})
         ana = context.new_page()
         ana.goto(students)
-        ana.fill("#name", "Ana")
+        ana.fill("#name", "=Ana")  # which a spreadsheet must not take for a formula
         ana.keyboard.press("Enter")
         ready(ana)
         assert ana.evaluate("upright.store.changed.bodies") == ["nonlinear", "linear"]
@@ -661,5 +696,130 @@ def test_a_class_in_the_browser(chromium):
         assert "on request" in until(front, "upright.store.lit?.reasons.join() ?? ''")
         front.click("[data-key=broadcast]")
         until(ana, "upright.store.changed.setup.controller === 'lqi'")
+        with front.expect_download() as fetched:
+            front.click("[data-key=results]")
+        rows = list(csv.DictReader(Path(fetched.value.path()).read_text("utf-8-sig").splitlines()))
+        assert [(row["name"], row["controller"], row["here"]) for row in rows] == [("'=Ana", "lqi", "true")]
+        path = front.locator(".qr path").get_attribute("d")
+        dark = {(int(x), int(y)) for x, y in re.findall(r"M(\d+) (\d+)", path)}
+        assert read_qr(dark) == students
     finally:
         lab.stop()
+
+
+SEEN_AT_ONCE = """[...document.querySelectorAll('.room, .strip:first-child, .tabs, .panel')].map(e => {
+    const box = e.getBoundingClientRect();
+    return box.top >= 0 && box.bottom <= innerHeight && box.width > 150 && box.height > 30;
+})"""
+
+
+@pytest.mark.parametrize("language", ["en", "es"])
+def test_a_laptop_shows_room_pitch_and_the_open_tab_at_once(page, language):
+    """1366 × 768, the commonest laptop: nothing scrolls but the inside of a tab."""
+    page.set_viewport_size({"width": 1366, "height": 768})
+    page.select_option("[data-key=language]", language)
+    for name in ("Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour"):
+        tab(page, name)
+        assert page.evaluate(SEEN_AT_ONCE) == [True] * 4, name
+        assert page.evaluate("document.documentElement.scrollHeight") <= 768, name
+    assert page.locator(".room").bounding_box()["height"] > 768 / 4  # and the robot is no stamp
+
+
+def test_nothing_of_the_controller_before_stays_under_the_new_name(page):
+    """Gains, margins and light go with the choice itself, and none of the old ones comes back."""
+    until(page, "upright.store.analysed && upright.store.lit?.light !== 'none'")
+    page.evaluate("""() => {
+        window.shown = [];
+        const note = () => shown.push([upright.store.analysed?.words, upright.store.lit?.light]);
+        upright.store.listen(note);
+        window.before = upright.store.analysed.words;
+        upright.store.change({controller: 'lqi'});
+        note();
+    }""")
+    assert page.evaluate("shown.at(-1)") == [None, "none"]
+    assert "computing" in page.inner_text(".headlight")
+    until(page, "upright.store.analysed && upright.store.lit?.light !== 'none'")
+    assert page.evaluate("shown.some(([words]) => words === before)") is False
+
+
+def test_a_slow_page_fills_its_traces_from_the_history(page):
+    page.evaluate("""() => {
+        const hear = upright.store.hear.bind(upright.store);
+        window.deaf = true;
+        upright.store.hear = (m) => { if (!(window.deaf && m.kind === 'Snapshot')) hear(m); };
+    }""")
+    page.click("[data-key=front]")
+    page.wait_for_timeout(1500)
+    page.evaluate("window.deaf = false")
+    gaps = "upright.store.traces.t.slice(1).map((t, i) => t - upright.store.traces.t[i])"
+    until(page, f"Math.max(...{gaps}) < 0.1")  # a row of the history each 0.04 s
+    assert page.evaluate(f"Math.min(...{gaps}) > 0")
+    assert page.evaluate("upright.store.traces.volts[0].every(Number.isFinite)")
+    lengths = "[upright.store.traces.estimate, ...upright.store.traces.x.flat()].map(t => t.length)"
+    assert len(set(page.evaluate(lengths))) == 1
+
+
+def test_gains_by_hand_begin_with_those_of_the_present_controller(page):
+    gain = until(page, "upright.store.analysed?.gain[0]")
+    page.select_option("[data-key=controller]", "gains")
+    until(page, "upright.store.changed.setup.controller === 'gains'")
+    assert setup(page)["gains"] == gain
+    page.select_option("[data-key=controller]", "pid")  # which has no such gains: the regulator's take their place
+    until(page, "upright.store.changed.setup.controller === 'pid' && upright.store.analysed?.gain.length === 0")
+    page.select_option("[data-key=controller]", "gains")
+    until(page, "upright.store.analysed?.gain[0]?.some(v => Math.abs(v) > 1)")
+    assert "Stand" not in page.inner_text(".fell")
+    assert page.locator("[data-key=gain-0]").get_attribute("aria-valuetext") != "0"
+
+
+def test_a_calibration_that_is_done_is_no_red_toast(page):
+    """Whatever it found: red is for what went wrong."""
+    page.evaluate("""upright.store.hear({kind: 'JobResult', job: 'calibrate', title: 'nxtway-gs from 900 samples',
+        text: '', header: [], rows: [], ok: false})""")
+    toast = page.locator(".toast").last
+    assert "900 samples" in toast.inner_text()
+    assert "error" not in toast.get_attribute("class")
+
+
+ENGLISH = (
+    r"\b(the|of|and|with|from|is|are|to|in|at|by|under|this|that|more|delay|gain|pitch|wheel|body|mass|survives)\b"
+)
+
+
+def test_spanish_is_spanish_to_the_last_decimal(page):
+    """No English word in any tab but in names of files and robots, and no decimal point."""
+    page.evaluate("document.querySelector('[data-key=language]').value = 'es'")
+    page.select_option("[data-key=language]", "es")
+    until(page, "upright.store.analysed && upright.store.lit?.light !== 'none'")
+    page.click("[data-key=impulse]")
+    until(page, "upright.store.snapshot.t > 2")
+    for name in ("Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour"):
+        tab(page, name)
+        for view in ("loop", "portrait", "voltages", "estimate", "equations") if name == "See" else ("",):
+            if view:
+                page.select_option("[data-key=view]", view)
+            if name == "Robot":
+                page.click("summary")
+            if name == "Identify":
+                page.click("[data-key=doctor]")
+                until(page, "upright.store.found?.job === 'doctor'")
+            text = page.evaluate(
+                "document.body.innerText + [...document.querySelectorAll('svg')].map(e => e.textContent)"
+            )
+            assert re.findall(ENGLISH, text) == [], (name, view)
+            assert re.findall(r"\d\.\d[^.]*", text) == [], (name, view)
+
+
+def test_compare_takes_the_opened_log(page, tmp_path):
+    page.click("[data-key=impulse]")
+    until(page, "upright.store.snapshot.t > 1.5")
+    tab(page, "Keep")
+    with page.expect_download() as fetched:
+        page.click("[data-key=keep-csv]")
+    fetched.value.save_as(tmp_path / "friday.csv")
+    tab(page, "Identify")
+    page.set_input_files("[data-key=open-log]", str(tmp_path / "friday.csv"))
+    until(page, "upright.store.found?.job === 'doctor'")
+    with page.expect_download() as fetched:
+        page.click("[data-key=compare]")
+    assert "friday" in Path(fetched.value.path()).read_text("utf-8")

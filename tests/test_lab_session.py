@@ -22,11 +22,13 @@ from upright.lab.messages import (
     Change,
     Changed,
     Drag,
+    History,
     JobResult,
     Light,
     Made,
     Notice,
     Play,
+    Recall,
     Recovered,
     Save,
     Scrub,
@@ -514,3 +516,54 @@ def test_a_job_in_a_process_reports_and_can_be_killed(tmp_path):
         assert "none.toml" in words[0][2]
     finally:
         desk.close()
+
+
+def test_a_light_of_the_controller_before_is_given_up(tmp_path):
+    """Its certificate is still being computed when another controller is chosen: nothing of it may be told."""
+    session, desk = a_session(tmp_path)
+    for (_, job), status, result in desk.poll():  # the design is done, and its light asked for
+        session.reported(job, status, result)
+    session.handle(Change(replace(MODEL, controller="lqi")))
+    assert [key[1] for key, _, _ in desk.poll()] == ["design"]
+
+
+def test_a_setup_that_is_refused_leaves_the_analysis_of_what_stands(tmp_path):
+    session, desk = a_session(tmp_path)
+    attended(session, desk)
+    session.handle(Change(replace(MODEL, controller="nonsense")))
+    events = attended(session, desk)
+    assert [event.level for event in only(Notice, events)] == ["error"]
+    assert only(Changed, events)[0].setup == MODEL
+    assert len(only(Analysed, events)) > 0
+    assert only(Light, events)[-1].light == "green"
+
+
+def test_the_history_is_sent_again_from_a_moment_on(tmp_path):
+    """Six states of each body, then ψ̂, both commands and the limits, as the snapshots show them."""
+    session, _ = a_session(tmp_path)
+    session.handle(Strike("front", 0.1))
+    session.advance(1.0)
+    session.events()
+    session.handle(Recall(0.5))
+    (history,) = only(History, session.events())
+    assert history.t[0] >= 0.5 - 1e-9
+    assert history.t[-1] == session.snapshot().t
+    last, shown = history.rows[-1], session.snapshot()
+    assert last == (*shown.x[0][:6], shown.e[0], *shown.x[0][6:8], shown.s)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("raw", [False, True])
+def test_an_opened_log_is_compared_with_the_run(tmp_path, raw):
+    """With its states, or with sensors alone as a brick writes them."""
+    session, desk = a_session(tmp_path)
+    session.handle(Strike("front", 0.1))
+    for _ in range(6):
+        session.advance(1.0)
+    log = session.logs()["nonlinear"]
+    kept = {n: x for n, x in log.channels.items() if not raw or n.startswith(("sensor/", "command/", "applied/"))}
+    Log(log.t + 1000.0, kept, {n: log.unit(n) for n in kept}, log.origin).save(tmp_path / "in-friday.csv")
+    session.handle(Save("report", "in-friday.csv"))
+    events = attended(session, desk)
+    assert only(Notice, events) == []
+    assert "friday" in (tmp_path / only(Made, events)[0].url).read_text("utf-8")

@@ -77,6 +77,8 @@ class ProcessDesk:
     def cancel(self, key: Key) -> None:
         self._waiting.pop(key, None)
         self._queue.pop(key, None)
+        if self._quick:
+            self._quick.forget(key)
         if key in self._alone:
             self._alone.pop(key).kill()
 
@@ -151,6 +153,10 @@ class _Clerk:
         if sys.platform == "linux":
             os.nice(MODEST)
         self._process.start()
+
+    def forget(self, key: Key) -> None:
+        """Say nothing more of the job of that key."""
+        self._key = ("", "") if key == self._key else self._key
 
     def give(self, key: Key, task: str, args: tuple[Any, ...]) -> None:
         self.idle, self._key, self._since, self._before = False, key, time.monotonic(), self._computed()

@@ -56,14 +56,15 @@ class Display:
         """How the rows are read."""
         return View(len(self._lanes), self._lanes[0].controller.spec.estimates)
 
-    def history(self) -> History:
-        """What was recorded, thinned out, for a page that connects later."""
-        rows = self.rows(SHOWN)
-        columns = [1 + 9 * i + k for i in range(len(self._lanes)) for k in range(6)]
-        states = np.column_stack(
-            [np.round(rows[:, c], digits) for c, digits in zip(columns, _STATE * len(self._lanes), strict=True)]
-        )
-        return History(tuple(np.round(rows[:, 0], 3).tolist()), tuple(map(tuple, states.tolist())))
+    def history(self, since: float = 0.0) -> History:
+        """What was recorded from `since` [s] on, thinned out: for a page that came later, or was too slow."""
+        rows, lanes = self.rows(SHOWN), len(self._lanes)
+        rows = rows[rows[:, 0] >= since]
+        end = 1 + 9 * lanes
+        states = [(1 + 9 * i + k, digits) for i in range(lanes) for k, digits in enumerate(_STATE)]
+        rest = [(end, _STATE[0]), (7, 2), (8, 2), (end + 12, 0)]
+        columns = np.column_stack([np.round(rows[:, c], digits) for c, digits in (*states, *rest)])
+        return History(tuple(np.round(rows[:, 0], 3).tolist()), tuple(map(tuple, columns.tolist())))
 
 
 @dataclass(frozen=True)

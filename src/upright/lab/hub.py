@@ -174,7 +174,8 @@ class Hub:
         if client.role == "student":
             self.scores.names[client.session] = hello.name.strip()[:40]
             self.scores.here.add(client.session)
-        client.box.event(encode(Welcome(VERSION, client.session, client.role, f"files/{client.session}/")))
+        invite = self.door.students if client.role == "teacher" else ""
+        client.box.event(encode(Welcome(VERSION, client.session, client.role, f"files/{client.session}/", invite)))
         self._stages[entry.stage].say("watch", client.session, client.key, len(entry.clients))
 
     def _open(self, role: Role, hello: Hello) -> str:

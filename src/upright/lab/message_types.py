@@ -1,4 +1,4 @@
-"""What the fields of a client's messages may hold, and what makes a class a message."""
+"""What the fields of messages may hold, and what makes a class a message."""
 
 from __future__ import annotations
 
@@ -30,3 +30,23 @@ def message(cls: type[T]) -> type[T]:
     cls.__annotations__["kind"] = Literal[name]
     cls.kind, cls.__pydantic_config__ = name, STRICT  # type: ignore[attr-defined]
     return dataclass(frozen=True)(cls)
+
+
+@dataclass(frozen=True)
+class FamilyInfo:
+    """A controller family: whether `largest` and `gains` mean anything to it."""
+
+    name: str
+    weights: bool
+    truth: bool
+
+
+@dataclass(frozen=True)
+class RobotInfo:
+    """A robot to choose: its numbers with unit and symbol, and its own kit."""
+
+    name: str
+    title: str
+    kit: str
+    drive: str
+    numbers: dict[str, float]

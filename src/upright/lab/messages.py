@@ -12,9 +12,19 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from annotated_types import Interval, MaxLen
 
-from upright.lab.message_types import MOST_ITEMS, STRICT, NamedNumbers, Numbers, Text, Whole, message
+from upright.lab.message_types import (
+    MOST_ITEMS,
+    STRICT,
+    FamilyInfo,
+    NamedNumbers,
+    Numbers,
+    RobotInfo,
+    Text,
+    Whole,
+    message,
+)  # fmt: skip
 
-VERSION = 4
+VERSION = 5
 """Raised whenever a message changes; a page of another version is refused with a sentence that says what to do."""
 
 BodyName = Literal["twin", "nonlinear", "linear", "published", "calibrated"]
@@ -149,9 +159,17 @@ class Cancel:
 
 @message
 class Save:
-    """Make a file of the run so far, to be downloaded."""
+    """Make a file of the run so far, to be downloaded; a report compares it with the uploaded log `file`, if any."""
 
     what: Keep
+    file: Text = ""
+
+
+@message
+class Recall:
+    """Send the history from `since` [s] on again: this page was too slow for some of it."""
+
+    since: Annotated[float, Interval(ge=0, le=1e9)]
 
 
 @message
@@ -171,28 +189,9 @@ class Uploaded:
 
 
 ClientMessage = (
-    Hello | Ack | Change | Drag | Strike | Steer | Play | Step | Scrub | StandUp | Start | Cancel | Save | Broadcast
-)
-
-
-@dataclass(frozen=True)
-class FamilyInfo:
-    """A controller family: whether `largest` and `gains` mean anything to it."""
-
-    name: str
-    weights: bool
-    truth: bool
-
-
-@dataclass(frozen=True)
-class RobotInfo:
-    """A robot to choose: its numbers with unit and symbol, and its own kit."""
-
-    name: str
-    title: str
-    kit: str
-    drive: str
-    numbers: dict[str, float]
+    Hello | Ack | Change | Drag | Strike | Steer | Play | Step | Scrub | StandUp | Start | Cancel | Save | Recall
+    | Broadcast
+)  # fmt: skip
 
 
 @message
@@ -210,12 +209,13 @@ class Catalogue:
 
 @message
 class Welcome:
-    """The answer to `Hello`. `files` is where the session's files are asked for."""
+    """The answer to `Hello`. `files` is where the session's files are asked for, `invite` the students' token."""
 
     version: int
     session: str
     role: Literal["alone", "student", "teacher"]
     files: str
+    invite: str = ""
 
 
 @message
@@ -349,7 +349,8 @@ class Recovered:
 
 @message
 class History:
-    """What was recorded before the page came: time, and ψ, ψ̇, θ, θ̇, φ, φ̇ of every body in turn."""
+    """What was recorded before: time, ψ, ψ̇, θ, θ̇, φ, φ̇ of every body in turn, then of the first its estimated ψ, both
+    applied commands, and which motors were at their limit."""
 
     t: tuple[float, ...]
     rows: tuple[tuple[float, ...], ...]

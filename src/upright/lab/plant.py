@@ -167,8 +167,16 @@ def _weights(setup: Setup) -> dict[str, Any]:
 
 
 def _by_hand(setup: Setup, robot: Robot, kit: Kit) -> Controller:
-    feedback = StateFeedback.symmetric(setup.gains or (0.0,) * 6, kit.period, command_unit=robot.command_unit)
+    feedback = StateFeedback.symmetric(setup.gains or _usual(robot, kit), kit.period, command_unit=robot.command_unit)
     return feedback if kit.name == "ideal" else observed(feedback, robot, kit)
+
+
+def _usual(robot: Robot, kit: Kit) -> tuple[float, ...]:
+    """The left motor's gains of the regulator, where gains by hand begin after a controller that has none."""
+    from upright.control import gain_of
+
+    K = gain_of(CONTROLLERS["lqr-state"](robot, kit, kit.period))
+    return tuple(K[0].tolist()) if K is not None else (0.0,) * 6
 
 
 class Pulled:

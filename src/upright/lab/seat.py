@@ -11,7 +11,7 @@ from dataclasses import KW_ONLY, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from upright.lab.messages import Broadcast, Change, Drag, Play, Scrub, Setup, StandUp, Steer, Step
+from upright.lab.messages import Broadcast, Change, Drag, Play, Recall, Scrub, Setup, StandUp, Steer, Step
 
 if TYPE_CHECKING:
     from upright.lab.session import Session
@@ -21,7 +21,7 @@ LARGEST_CREDIT = 0.2  # [s] of computing that a session saves up, so that a chan
 QUIET = 0.15  # [s] of credit that say that a session has used little of late
 BURDEN, AWHILE = 0.05, 60.0  # [s] of computing for its own wishes that halve a session's part, forgotten in this time
 LONGEST_STEP = 1000  # periods that wait at most
-LATEST = (Broadcast, Change, Drag, Play, Scrub, StandUp, Steer)
+LATEST = (Broadcast, Change, Drag, Play, Recall, Scrub, StandUp, Steer)
 """Of two such messages in a row, the first need not be done."""
 
 

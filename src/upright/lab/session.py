@@ -27,12 +27,12 @@ from upright.lab.messages import (
     Change,
     Changed,
     Drag,
-    Keep,
     Light,
     Made,
     Notice,
     Play,
     Progress,
+    Recall,
     Save,
     Scrub,
     Setup,
@@ -47,17 +47,13 @@ from upright.lab.messages import (
 )  # fmt: skip
 from upright.lab.plant import FINE, Off, Plant, behind, body_of, design, design_part, is_slow, plant_of
 from upright.lab.pushing import Pushing, Score
+from upright.lab.tasks import FILES
 from upright.physics.dynamics import CALM
 from upright.robots import Robot, kit_names
 from upright.signals import Log
 
 MOMENT = 0.02  # [s] between two pictures of a replay
 LONGEST = 1.0  # [s] of simulated time in one go
-
-FILES: dict[Keep, str] = {
-    "csv": "run.csv", "parquet": "run.parquet", "report": "report.html", "replay": "replay.html",
-    "controller": "controller.json", "robot": "robot.toml",
-}  # fmt: skip
 
 
 class Session:
@@ -148,8 +144,7 @@ class Session:
 
     def logs(self) -> dict[str, Log]:
         """The run of every body since the last change, at most the last minute; nothing before the first period."""
-        logs = {lane.name: lane.log() for lane in self.lanes}
-        return {name: log for name, log in logs.items() if log is not None}
+        return {lane.name: log for lane in self.lanes if (log := lane.log()) is not None}
 
     def close(self) -> None:
         """Free what the bodies hold."""
@@ -194,8 +189,7 @@ class Session:
         self._display.record(self.t, CALM, 0.0, self._target)
 
     def _names(self) -> tuple[str, ...]:
-        there = dict.fromkeys(self.setup.bodies)
-        names = tuple(name for name in there if name != "calibrated" or self.calibrated is not None)
+        names = tuple(n for n in dict.fromkeys(self.setup.bodies) if n != "calibrated" or self.calibrated is not None)
         if not names:
             raise InvalidScenario("the set-up names no body", expected="at least one of twin, nonlinear, linear")
         return names
@@ -210,6 +204,8 @@ class Session:
         """The controller at once, or nothing but gravity until the desk has it; its loop is analysed beside."""
         slow = is_slow(setup.controller)
         controller = None if slow else design(setup, plant.nominal, plant.kit)
+        for job in ("light", "certify"):  # of the controller before
+            self._desk.cancel((self.name, job))
         self._desk.submit((self.name, "design"), "design", (setup, slow), alone=slow)
         standing = getattr(self, "_designed", None)
         if controller is not None:
@@ -249,6 +245,7 @@ class Session:
             Broadcast: self._broadcast, Cancel: self._cancel, Change: self._change, Drag: self._drag,
             Play: self._play, Save: self._save, Scrub: self._scrub, StandUp: self._stand, Start: self._start,
             Steer: self._steer_to, Step: self._step, Strike: self._strike, Uploaded: self._uploaded,
+            Recall: lambda m: self._events.append(self._display.history(m.since)),
         }  # fmt: skip
 
     def _change(self, message: Change) -> None:
@@ -263,8 +260,8 @@ class Session:
         start = [0.0] * 6 if main.fallen else main.state()
         states = {lane.name: lane.state() for lane in self.lanes if not lane.fallen}
         same_robot = plant.nominal == self.plant.nominal
+        redesign = design_part(setup) != design_part(self.setup) or not same_robot or plant.kit != self.plant.kit
         try:
-            redesign = design_part(setup) != design_part(self.setup) or not same_robot or plant.kit != self.plant.kit
             if redesign:
                 self._designed, self._busy = self._begin_design(setup, plant)
             self.setup, self.plant = setup, plant
@@ -272,11 +269,13 @@ class Session:
             self._build(start if same_robot else [0.0] * 6, states if same_robot else {})
         except UprightError:
             self.setup, self.plant, self._designed, self._busy = before
-            self._events.append(self.changed())
+            if redesign:
+                self._begin_design(self.setup, self.plant)
+            self._events += [self.changed(), *self._known.values()]
             raise
         self._events += [self.changed(), views.equations(self.plant.robot)]
         if redesign:
-            self._events.append(Light("none", ()))
+            self._events += [Light("none", ()), Progress("certify", 1.0)]
             self._known.clear()
 
     def _stand(self, message: StandUp) -> None:
@@ -321,7 +320,7 @@ class Session:
         self._events += [Progress(message.job, 1.0), Notice("info", f"{message.job}: stopped")]
 
     def _save(self, message: Save) -> None:
-        task, args = self._keeping(message.what)
+        task, args = self._keeping(message)
         self._desk.submit((self.name, f"keep {message.what}"), task, args)
 
     def _uploaded(self, message: Uploaded) -> None:
@@ -345,8 +344,12 @@ class Session:
         kit = () if message.job == "doctor" else (self.plant.kit,)
         return message.job, (source, self.plant.nominal, *kit)
 
-    def _keeping(self, what: Keep) -> tuple[str, tuple[Any, ...]]:
+    def _keeping(self, message: Save) -> tuple[str, tuple[Any, ...]]:
         """The task and its arguments for a file to be downloaded."""
+        what = message.what
+        if what == "report" and message.file:
+            opened = (self.upload(message.file), self.plant.nominal, self.plant.kit)
+            return "keep comparison", (opened, self.logs(), self.folder / FILES[what])
         content: dict[str, Callable[[], Any]] = {
             "controller": lambda: self.setup,
             "robot": lambda: self.calibrated or self.plant.nominal,

@@ -11,7 +11,7 @@ from upright.control import Controller, gain_of
 from upright.errors import InvalidController, SpecMismatch
 from upright.lab.codec import encode
 from upright.lab.display import View
-from upright.lab.messages import Analysed, JobResult, Light, Setup
+from upright.lab.messages import Analysed, JobResult, Keep, Light, Setup
 from upright.lab.plant import design as design_of
 from upright.lab.plant import design_part, plant_of
 from upright.robots import Kit, Robot
@@ -24,8 +24,17 @@ QUICK = 300
 
 SHOWN_FREQUENCIES = 160
 
+DISTURBED = 0.03
+"""[1] Process noise of the filter that finds the states of an opened log, as a fraction of the commands."""
+
 REMEMBERED = 64
 """Loops whose analysis is kept: a class begins with thirty that are alike."""
+
+FILES: dict[Keep, str] = {
+    "csv": "run.csv", "parquet": "run.parquet", "report": "report.html", "replay": "replay.html",
+    "controller": "controller.json", "robot": "robot.toml",
+}  # fmt: skip
+"""What a file to be downloaded is called."""
 
 _KNOWN: dict[str, tuple[Controller, Analysed]] = {}
 
@@ -156,6 +165,40 @@ def keep_report(report: Report, logs: dict[str, Log], path: Path) -> Path:  # no
     return write_report(compare(logs), path, title="From the lab: runs compared")
 
 
+def keep_comparison(report: Report, opened: tuple[Path, Robot, Kit], logs: dict[str, Log], path: Path) -> Path:
+    """An opened log compared with the run of every body, as a page; times count from the first push of each."""
+    from upright.logs.raw import raw_log
+
+    source, robot, kit = opened
+    log = _with_states(raw_log(source), robot, kit)
+    report(0.5)
+    name = source.stem.removeprefix("in-")
+    return keep_report(report, {label: _from_push(one) for label, one in {name: log, **logs}.items()}, path)
+
+
+def _from_push(log: Log) -> Log:
+    """The log with its time counted from the beginning of its first push, or of itself."""
+    pushed = log["push/force"].nonzero()[0] if "push/force" in log else ()
+    start = log.t[pushed[0]] if len(pushed) else log.t[0]
+    return Log(log.t - start, log.channels, log.units, log.origin)
+
+
+def _with_states(log: Log, robot: Robot, kit: Kit) -> Log:
+    """The log with its robot's states: its own, or where it has none those of a Kalman filter along its readings."""
+    import numpy as np
+
+    from upright.calibrate.filter_log import filter_log
+    from upright.signals import STATE_NAMES
+
+    if any(all(f"{prefix}/{name}" in log for name in STATE_NAMES) for prefix in ("truth", "estimate")):
+        return log
+    filtered = filter_log(log, robot, kit, delay=kit.delay, disturbance=DISTURBED)
+    latest = np.searchsorted(filtered.sample, np.arange(len(log)), side="right") - 1
+    states = filtered.after[np.clip(latest, 0, None), : len(STATE_NAMES)]
+    rebuilt = {f"estimate/{name}": states[:, i] for i, name in enumerate(STATE_NAMES)}
+    return Log(log.t, {**log.channels, **rebuilt}, log.units, log.origin)
+
+
 def keep_controller(report: Report, setup: Setup, path: Path) -> Path:  # noqa: ARG001
     """The controller as a file for `upright simulate` and `upright certify`."""
     from upright.control import write_controller
@@ -179,7 +222,8 @@ def keep_replay(report: Report, recorded: tuple[list[Any], View, Any], path: Pat
 
 TASKS: dict[str, Callable[..., Any]] = {
     "design": design, "light": light, "certify": certify, "doctor": doctor, "calibrate": calibrate, "robot": robot,
-    "keep csv": keep_log, "keep parquet": keep_log, "keep report": keep_report, "keep controller": keep_controller,
+    "keep csv": keep_log, "keep parquet": keep_log, "keep report": keep_report, "keep comparison": keep_comparison,
+    "keep controller": keep_controller,
     "keep robot": keep_robot, "keep replay": keep_replay,
 }  # fmt: skip
 """By the name that a session submits them under."""

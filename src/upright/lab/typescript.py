@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 from upright.atomic import write_text
-from upright.lab import messages
+from upright.lab import message_types, messages
 from upright.lab.codec import plain
 
 TARGET = Path(__file__).parent / "web" / "src" / "messages.ts"
@@ -25,7 +25,8 @@ _SCALARS: dict[Any, str] = {str: "string", float: "number", int: "number", bool:
 def generate() -> str:
     """The whole of `messages.ts`."""
     names = vars(messages).values()
-    kinds = [k for k in names if isinstance(k, type) and is_dataclass(k) and k.__module__ == messages.__name__]
+    homes = (messages.__name__, message_types.__name__)
+    kinds = [k for k in names if isinstance(k, type) and is_dataclass(k) and k.__module__ in homes]
     parts = [
         "// Generated from src/upright/lab/messages.py by python -m upright.lab.typescript; do not edit.",
         f"export const VERSION = {messages.VERSION};",

@@ -1,23 +1,60 @@
-// The class: everybody's robot at a glance, and the board by largest recovered push.
-import { button, h } from "./dom";
+// The class: everybody's robot at a glance, the board by largest recovered push, and how to come in.
+import { button, h, replace } from "./dom";
 import type { Student } from "./messages";
-import type { Store } from "./store";
-import { named, t } from "./texts";
+import { qr } from "./qr";
+import { store } from "./store";
+import { fixed, named, t } from "./texts";
 
 const SVG = "http://www.w3.org/2000/svg";
 
-export function board(store: Store): Node[] {
-  const students = store.board?.students ?? [];
-  const parts: Node[] = [];
-  if (store.role === "teacher") {
-    parts.push(h("div", { className: "row" }, button(t("broadcast"), () => store.send({ kind: "Broadcast", setup: store.setup }), { className: "main", "data-key": "broadcast" })));
-    parts.push(h("div", { className: "wall" }, ...students.map(tile)));
+export class ClassPanel {
+  root = h("div", { className: "panel-body" });
+  private wall = h("div", { className: "wall" });
+  private scores = h("div", { className: "table" });
+
+  build(): void {
+    const column = h("div", { className: "column wide" });
+    if (store.role === "teacher") {
+      column.append(
+        h("div", { className: "row" },
+          button(t("broadcast"), () => store.send({ kind: "Broadcast", setup: store.setup }), { className: "main", "data-key": "broadcast" }),
+          button(t("results"), () => save(results()), { "data-key": "results" })),
+        invitation(), this.wall);
+    }
+    column.append(this.scores);
+    replace(this.root, column);
+    this.update();
   }
-  const head = h("thead", {}, h("tr", {}, ...["", t("name"), t("bestPush"), t("effort"), t("family")].map((text) => h("th", { scope: "col" }, text))));
-  const rows = students.map((s, i) =>
-    h("tr", { className: s.here ? "" : "away" }, h("td", {}, String(i + 1)), h("td", {}, s.name), h("td", {}, s.best.toFixed(3)), h("td", {}, s.effort.toFixed(0)), h("td", {}, named(s.controller).split(":")[0])));
-  parts.push(h("div", { className: "table" }, h("table", { className: "board", "aria-label": t("board") }, head, h("tbody", {}, ...rows))));
-  return [h("div", { className: "column wide" }, ...parts)];
+
+  /** What changes a few times a second; the buttons stay what they are. */
+  update(): void {
+    const students = store.board?.students ?? [];
+    replace(this.wall, ...students.map(tile));
+    const head = h("thead", {}, h("tr", {}, ...["", t("name"), t("bestPush"), t("effort"), t("family")].map((text) => h("th", { scope: "col" }, text))));
+    const rows = students.map((s, i) =>
+      h("tr", { className: s.here ? "" : "away" }, h("td", {}, String(i + 1)), h("td", {}, s.name), h("td", {}, fixed(s.best, 3)), h("td", {}, fixed(s.effort, 0)), h("td", {}, named(s.controller).split(":")[0])));
+    replace(this.scores, h("table", { className: "board", "aria-label": t("board") }, head, h("tbody", {}, ...rows)));
+  }
+}
+
+/** The students' address, for the blackboard and for their telephones. */
+function invitation(): HTMLElement {
+  const address = new URL(`#token=${store.invite}`, location.href.split("#")[0]).href;
+  return h("figure", { className: "invite" }, qr(address, t("invite")), h("figcaption", {}, h("b", {}, t("invite")), h("code", {}, address)));
+}
+
+/** The board as CSV (RFC 4180): names in quotes, and none that a spreadsheet takes for a formula. */
+function results(): string {
+  const quoted = (text: string) => `"${text.replace(/^[=+\-@\t]/, "'$&").replaceAll('"', '""')}"`;
+  const lines = (store.board?.students ?? []).map((s, i) =>
+    [i + 1, quoted(s.name), s.best.toFixed(4), s.effort.toFixed(1), quoted(s.controller), s.here].join(","));
+  return ["place,name,best_push_Ns,effort_u2s,controller,here", ...lines, ""].join("\r\n");
+}
+
+function save(text: string): void {
+  const url = URL.createObjectURL(new Blob(["\ufeff", text], { type: "text/csv" }));
+  h("a", { href: url, download: "results.csv" }).click();
+  window.setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
 function tile(student: Student): HTMLElement {

@@ -4,7 +4,7 @@ import "uplot/dist/uPlot.min.css";
 import { h, replace } from "./dom";
 import { ink, laneColour, laneDash } from "./palette";
 import { STATES, SYMBOLS, UNITS, store } from "./store";
-import { named, t } from "./texts";
+import { local, named, t } from "./texts";
 
 /** A chart of lines over time that follows its own width. */
 export class Strip {
@@ -16,7 +16,7 @@ export class Strip {
     const scale = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16; // larger on a wall
     const axis = { stroke: colours.soft, grid: { stroke: colours.grid, width: 1 }, ticks: { show: false }, font: `${11 * scale}px system-ui, sans-serif` };
     const box = h("div", { className: "plot", "aria-hidden": "true" });
-    box.style.minHeight = `${height / 16}rem`;
+    box.style.setProperty("--height", `${height / 16}rem`);
     this.root = h("figure", { className: "strip", role: "group", "aria-label": `${title} [${unit}]` }, h("figcaption", {}, h("b", {}, title), h("span", {}, unit)), box);
     this.plot = new uPlot(
       {
@@ -24,8 +24,8 @@ export class Strip {
         cursor: { show: false }, legend: { show: false },
         scales: { x: { time: false }, y: { range: (_u, low, high) => around(low, high, floor) } },
         axes: [
-          { ...axis, size: 20 * scale, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : `${+v.toFixed(1)} s`)), space: 70 * scale },
-          { ...axis, size: 46 * scale, space: 24 * scale, values: (_u, ticks) => ticks.map((v) => String(+v.toPrecision(4)).replace("-", "−")) },
+          { ...axis, size: 20 * scale, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : local(`${+v.toFixed(1)} s`))), space: 70 * scale },
+          { ...axis, size: 46 * scale, space: 24 * scale, values: (_u, ticks) => ticks.map((v) => local(String(+v.toPrecision(4)).replace("-", "−"))) },
         ],
         series: [{}, ...lines.map((l) => ({ label: l.label, stroke: l.colour, width: (l.width ?? 1.6) * scale, dash: l.dash, points: { show: false }, spanGaps: false }))],
       },

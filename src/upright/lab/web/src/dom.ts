@@ -1,4 +1,6 @@
 // Small helpers round the DOM; text goes in as text, never as markup.
+import { local } from "./texts";
+
 type Child = Node | string | null | undefined | false;
 type Props = Record<string, unknown>;
 
@@ -76,7 +78,7 @@ export function select(label: string, choices: [string, string][], value: string
 
 export function digits(value: number, count = 3): string {
   if (!Number.isFinite(value)) return "∞";
-  return String(Number(value.toPrecision(count))).replace("-", "−").replace("e", "·10^");
+  return local(String(Number(value.toPrecision(count))).replace("-", "−").replace("e", "·10^"));
 }
 
 export function table(header: string[], rows: string[][], className = ""): HTMLElement {

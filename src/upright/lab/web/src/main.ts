@@ -13,9 +13,9 @@ import type { Hand, Stage } from "./stage";
 import { See } from "./see";
 import { Steering } from "./steering";
 import { store } from "./store";
-import { board } from "./board";
+import { ClassPanel } from "./board";
 import "./style.css";
-import { LANGUAGES, choose, language, named, t, texts } from "./texts";
+import { LANGUAGES, choose, fixed, language, named, t, texts, told, translated } from "./texts";
 import { Tour } from "./tour";
 
 const TABS = ["Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour", "Class"] as const;
@@ -31,7 +31,7 @@ class Page {
   private identify = new IdentifyPanel();
   private keep = new KeepPanel(() => this.room.picture());
   private tour = new Tour();
-  private classRoot = h("div", { className: "panel-body" });
+  private classes = new ClassPanel();
   private tab: Tab = "Controller";
   private seconds = 10;
   private knock = 0.05;
@@ -143,7 +143,7 @@ class Page {
   private pushes(): HTMLElement {
     const strike = (what: "front" | "back" | "impulse" | "pull_left" | "pull_right", size: number) => () => store.send({ kind: "Strike", what, size });
     const weight = () => store.changed?.look.weight ?? 6;
-    const size = slider(t("size"), { low: 0.01, high: 0.5, log: true, show: (v) => t("newtons", { force: `${v.toFixed(2)}` }) + " s", key: "knock" }, (v) => (this.knock = v));
+    const size = slider(t("size"), { low: 0.01, high: 0.5, log: true, show: (v) => t("newtons", { force: fixed(v, 2) }) + " s", key: "knock" }, (v) => (this.knock = v));
     size.set(this.knock);
     return h("div", { className: "pushes", role: "group", "aria-label": t("pushes") },
       button(t("front"), strike("front", 0.1), { title: t("frontTip"), "data-key": "front" }),
@@ -193,10 +193,9 @@ class Page {
   /** Build the panel of the open tab. */
   private fill(): void {
     if (!store.catalogue || !store.changed) return;
-    if (this.tab === "Class") replace(this.classRoot, ...board(store));
-    const built = { Controller: this.controller, Robot: this.robot, Kit: this.kit, See: this.see, Identify: this.identify, Keep: this.keep, Tour: this.tour }[this.tab as Exclude<Tab, "Class">];
-    built?.build();
-    replace(this.panel, built?.root ?? this.classRoot);
+    const built = { Controller: this.controller, Robot: this.robot, Kit: this.kit, See: this.see, Identify: this.identify, Keep: this.keep, Tour: this.tour, Class: this.classes }[this.tab];
+    built.build();
+    replace(this.panel, built.root);
   }
 
   private rebuild(): void {
@@ -232,11 +231,11 @@ class Page {
       case "Equations": if (this.tab === "See") this.see.show(); break;
       case "Snapshot": this.transported(); break;
       case "Progress": this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.busy(message.fraction < 1); break;
-      case "JobResult": this.identify.found(); this.toast(message.title, message.ok ? "info" : "error"); if (latestLog && this.tab === "Identify") this.identify.build(); break;
+      case "JobResult": this.identify.found(); this.toast(told(message.title), message.ok ? "info" : message.job === "certify" ? "error" : "warn"); if (latestLog && this.tab === "Identify") this.identify.build(); break;
       case "Made": this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(t("made", { name: message.name }), "info"); break;
-      case "Notice": this.toast(message.key ? named(message.key) : message.text, message.level); break;
+      case "Notice": this.toast(message.key ? named(message.key) : noticed(message.text), message.level); break;
       case "Recovered": this.recovered(message.impulse, message.best, message.fell); break;
-      case "Board": if (this.tab === "Class") replace(this.classRoot, ...board(store)); break;
+      case "Board": if (this.tab === "Class") this.classes.update(); break;
     }
   }
 
@@ -266,13 +265,13 @@ class Page {
     const text = s.paused ? t("play") : t("pause");
     if (this.pauseButton.textContent !== text) this.pauseButton.textContent = text;
     if (document.activeElement !== this.scrub) this.scrub.value = String(-s.back);
-    this.clock.textContent = `${s.t.toFixed(1)} s`;
+    this.clock.textContent = `${fixed(s.t, 1)} s`;
     const fell = Boolean(s.x[0][8]);
     if (fell !== Boolean(this.fell.textContent)) {
       replace(this.fell, ...(fell ? [h("span", {}, t("fallen") + " "), button(t("standUp"), () => this.stand(), { className: "main" })] : []));
     }
     const force = s.f[0];
-    this.force.textContent = Math.abs(force) > 0.005 ? t("newtons", { force: force.toFixed(2).replace("-", "−") }) : "";
+    this.force.textContent = Math.abs(force) > 0.005 ? t("newtons", { force: fixed(force, 2) }) : "";
   }
 
   private stand(): void {
@@ -291,10 +290,10 @@ class Page {
     this.status.textContent = words[state];
     if (state !== "refused") return;
     sessionStorage.removeItem("name");
-    replace(this.app, h("main", { className: "refused", role: "alert" }, h("h1", {}, t("refused")), h("p", {}, reason), button("↻", () => location.reload())));
+    replace(this.app, h("main", { className: "refused", role: "alert" }, h("h1", {}, t("refused")), h("p", {}, told(reason)), button("↻", () => location.reload())));
   }
 
-  private toast(text: string, level: "info" | "error"): void {
+  private toast(text: string, level: "info" | "warn" | "error"): void {
     const toast = h("div", { className: `toast ${level}` }, h("span", {}, text), button("×", () => toast.remove(), { "aria-label": t("close") }));
     this.toasts.append(toast);
     while (this.toasts.children.length > 3) this.toasts.firstElementChild?.remove();
@@ -396,6 +395,11 @@ class Page {
   grasp(): { x: number; y: number } {
     return this.room.grasp();
   }
+}
+
+/** A notice in the chosen language, or as it is, with a word on that. */
+function noticed(text: string): string {
+  return translated(text) ? told(text) : t("original", { text });
 }
 
 const page = new Page(document.getElementById("app") as HTMLElement);

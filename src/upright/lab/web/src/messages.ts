@@ -1,6 +1,6 @@
 // Generated from src/upright/lab/messages.py by python -m upright.lab.typescript; do not edit.
 
-export const VERSION = 4;
+export const VERSION = 5;
 
 export type BodyName = "twin" | "nonlinear" | "linear" | "published" | "calibrated";
 
@@ -9,6 +9,20 @@ export type Job = "certify" | "doctor" | "calibrate" | "design";
 export type Keep = "csv" | "parquet" | "report" | "replay" | "controller" | "robot";
 
 export type PushName = "front" | "back" | "impulse" | "pull_left" | "pull_right";
+
+export interface FamilyInfo {
+  name: string;
+  weights: boolean;
+  truth: boolean;
+}
+
+export interface RobotInfo {
+  name: string;
+  title: string;
+  kit: string;
+  drive: string;
+  numbers: Record<string, number>;
+}
 
 export interface Setup {
   robot: string;
@@ -102,6 +116,12 @@ export interface Cancel {
 export interface Save {
   kind: "Save";
   what: "csv" | "parquet" | "report" | "replay" | "controller" | "robot";
+  file: string;
+}
+
+export interface Recall {
+  kind: "Recall";
+  since: number;
 }
 
 export interface Broadcast {
@@ -114,20 +134,6 @@ export interface Uploaded {
   what: "log" | "robot";
   path: string;
   name: string;
-}
-
-export interface FamilyInfo {
-  name: string;
-  weights: boolean;
-  truth: boolean;
-}
-
-export interface RobotInfo {
-  name: string;
-  title: string;
-  kit: string;
-  drive: string;
-  numbers: Record<string, number>;
 }
 
 export interface Catalogue {
@@ -147,6 +153,7 @@ export interface Welcome {
   session: string;
   role: "alone" | "student" | "teacher";
   files: string;
+  invite: string;
 }
 
 export interface Refused {
@@ -300,6 +307,7 @@ export type ClientMessage =
   | Start
   | Cancel
   | Save
+  | Recall
   | Broadcast;
 
 export type ServerMessage =

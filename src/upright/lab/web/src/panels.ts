@@ -4,7 +4,7 @@ import type { Slider } from "./dom";
 import { toLink } from "./link";
 import type { BodyName, Job, Keep, Setup } from "./messages";
 import { STATES, SYMBOLS, UNITS, store } from "./store";
-import { named, t } from "./texts";
+import { named, t, told, translated } from "./texts";
 import { legendEntry } from "./charts";
 import { sentence } from "./see";
 
@@ -13,7 +13,7 @@ let gathered: Partial<Setup> = {};
 /** Changes by sliders are gathered, so that none is lost between two messages. */
 function later(part: Partial<Setup>): void {
   gathered = { ...gathered, ...part };
-  store.setup = { ...store.setup, ...part };
+  store.expect(part);
   change(gathered);
 }
 
@@ -35,7 +35,7 @@ export class ControllerPanel extends Panel {
     this.shape = "";
     const families = (store.catalogue?.families ?? []).map((f): [string, string] => [f.name, named(f.name)]);
     const choice = select(t("family"), families, store.setup.controller, (v) => {
-      store.change({ controller: v, gains: v === "gains" && !store.setup.gains.length ? this.present() : store.setup.gains });
+      store.change({ controller: v, gains: v === "gains" ? this.present() : store.setup.gains });
     }, "controller");
     const certify = button(t("fullCertificate"), () => store.send({ kind: "Start", job: "certify", file: "" }), { "data-key": "certify" });
     replace(
@@ -47,18 +47,23 @@ export class ControllerPanel extends Panel {
     this.update();
   }
 
+  /** The gains of the present controller; none where it has none, and the session begins with the regulator's. */
   private present(): number[] {
-    return store.analysed?.gain[0]?.slice(0, 6) ?? [0, 0, 0, 0, 0, 0];
+    return store.analysed?.gain[0]?.slice(0, 6) ?? [];
   }
 
   override update(): void {
     const box = this.root.querySelector<HTMLSelectElement>("[data-key=controller]");
     if (box && document.activeElement !== box) box.value = store.setup.controller;
-    const shape = `${store.setup.controller} ${store.changed?.look.command_unit}`;
+    const shape = `${store.setup.controller} ${store.changed?.look.command_unit} ${this.byHand().length}`;
     if (shape !== this.shape) this.shapeWeights(shape);
-    this.sliders.forEach((s, i) => s.set(store.setup.controller === "gains" ? (store.setup.gains[i] ?? 0) : this.sizes()[i]));
+    this.sliders.forEach((s, i) => s.set(store.setup.controller === "gains" ? (this.byHand()[i] ?? 0) : this.sizes()[i]));
     replace(this.numbers, ...this.analysis());
     replace(this.light, ...certificate());
+  }
+
+  private byHand(): number[] {
+    return store.setup.gains.length ? store.setup.gains : this.present();
   }
 
   private sizes(): number[] {
@@ -72,8 +77,11 @@ export class ControllerPanel extends Panel {
     const info = store.catalogue?.families.find((f) => f.name === store.setup.controller);
     this.sliders = [];
     if (store.setup.controller === "gains") {
-      this.sliders = SYMBOLS.map((symbol, i) => slider(`${symbol} → u`, { low: -150, high: 150, step: 0.05, show: (v) => digits(v, 4), key: `gain-${i}` }, (v) => {
-        const gains = [...(store.setup.gains.length ? store.setup.gains : [0, 0, 0, 0, 0, 0])];
+      const present = this.byHand();
+      const largest = Math.max(...present.map(Math.abs), 0.1);
+      const reach = (i: number) => Math.max(4 * Math.abs(present[i] ?? 0), largest / 4); // there is room on both sides
+      this.sliders = SYMBOLS.map((symbol, i) => slider(`${symbol} → u`, { low: -reach(i), high: reach(i), step: reach(i) / 500, show: (v) => digits(v, 4), key: `gain-${i}` }, (v) => {
+        const gains = [...(this.byHand().length ? this.byHand() : [0, 0, 0, 0, 0, 0])];
         gains[i] = v;
         later({ gains });
       }));
@@ -110,7 +118,7 @@ export class ControllerPanel extends Panel {
       [t("delayMargin"), a.delay === null ? t("unlimited") : `${digits(a.delay * 1000, 3)} ms`],
     ];
     if (a.stable) parts.push(h("h4", {}, t("margins")), table([], rows, "margins"));
-    parts.push(h("p", { className: "note" }, sentence(a.words)));
+    parts.push(h("p", { className: "note" }, sentence(told(a.words))));
     return parts;
   }
 }
@@ -122,7 +130,7 @@ export function certificate(): Node[] {
   const lamp = h("span", { className: `lamp ${light}`, "aria-hidden": "true" });
   return [
     h("h4", {}, t("certificate")), h("p", { className: "lit" }, lamp, h("b", {}, words)),
-    ...(lit?.reasons ?? []).map((reason) => h("p", { className: "note" }, sentence(reason))),
+    ...(lit?.reasons ?? []).map((reason) => h("p", { className: "note" }, sentence(told(reason)))),
   ];
 }
 
@@ -146,7 +154,7 @@ export class RobotPanel extends Panel {
     const details = h("details", { open: this.opened, ontoggle: () => (this.opened = details.open) }, h("summary", {}, t("numbers")), h("p", { className: "note" }, t("numbersNote")), this.table);
     replace(
       this.root,
-      h("div", { className: "column" }, preset, h("p", { className: "note" }, this.title()), upload(t("openRobot"), ".toml", "robot")),
+      h("div", { className: "column" }, preset, h("p", { className: "note" }, told(this.title())), upload(t("openRobot"), ".toml", "robot")),
       h("div", { className: "column" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root))),
       h("div", { className: "column" }, this.bodies()),
       h("div", { className: "column full" }, details),
@@ -200,7 +208,7 @@ export class RobotPanel extends Panel {
         if (Number.isFinite(input.valueAsNumber)) store.change({ numbers: { ...store.setup.numbers, [name]: input.valueAsNumber } });
       } });
       const symbol = store.catalogue?.symbols[name] ?? "";
-      return h("div", { className: "parameter" }, h("label", { "for": id }, `${name.replaceAll("_", " ")} ${symbol}`), input, h("span", {}, (store.catalogue?.units[name] ?? "").replace(/^1$/, "")));
+      return h("div", { className: "parameter" }, h("label", { "for": id }, `${told(name.replaceAll("_", " "))} ${symbol}`), input, h("span", {}, (store.catalogue?.units[name] ?? "").replace(/^1$/, "")));
     });
     replace(this.table, ...rows, button(t("ownNumbers"), () => store.change({ numbers: {}, drive: "" }), { className: "quiet", "data-key": "own-numbers" }));
   }
@@ -274,7 +282,7 @@ export class IdentifyPanel extends Panel {
       "div", { className: "row" },
       button(t("doctor"), () => start("doctor"), { title: t("doctorTip"), "data-key": "doctor" }),
       button(t("calibrate"), () => start("calibrate"), { title: t("calibrateTip"), "data-key": "calibrate" }),
-      button(t("compare"), () => store.send({ kind: "Save", what: "report" }), { title: t("compareTip"), "data-key": "compare" }),
+      button(t("compare"), () => store.send({ kind: "Save", what: "report", file: this.source }), { title: t("compareTip"), "data-key": "compare" }),
     );
     const logs = ".csv,.txt,.log,.tsv,.dat,.json,.mat,.parquet,.mcap";
     replace(
@@ -297,8 +305,10 @@ export class IdentifyPanel extends Panel {
   found(): void {
     const f = store.found;
     if (!f) return;
-    const text = f.text.split("\n").map((line) => h("p", { className: "note" }, line));
-    replace(this.result, h("h4", {}, f.title), ...text, f.rows.length ? table(f.header, f.rows) : null);
+    const lines = f.text.split("\n").filter(Boolean);
+    const text = lines.map((line) => h("p", { className: "note", lang: translated(line) ? "" : "en" }, told(line)));
+    const words = (cells: string[]) => cells.map((cell) => told(f.job === "calibrate" ? cell.replaceAll("_", " ") : cell));
+    replace(this.result, h("h4", {}, told(f.title)), ...text, f.rows.length ? table(f.header.map(told), f.rows.map(words)) : null);
   }
 }
 
@@ -311,7 +321,7 @@ export class KeepPanel extends Panel {
 
   build(): void {
     const kinds: [Keep, string][] = [["csv", t("csv")], ["parquet", t("parquet")], ["report", t("report")], ["replay", t("replay")], ["controller", t("controllerFile")], ["robot", t("robotFile")]];
-    const buttons = kinds.map(([what, text]) => button(text, () => store.send({ kind: "Save", what }), { "data-key": `keep-${what}` }));
+    const buttons = kinds.map(([what, text]) => button(text, () => store.send({ kind: "Save", what, file: "" }), { "data-key": `keep-${what}` }));
     const picture = button(t("picture"), () => void this.photograph(), { "data-key": "picture" });
     const link = button(t("link"), () => void this.copy(), { "data-key": "link" });
     replace(this.root, h("div", { className: "column wide" }, h("p", { className: "note" }, t("keepNote")), h("div", { className: "row" }, ...buttons, picture, link), this.links));

@@ -1,5 +1,6 @@
 // Drawings that are no strip charts: Bode, Nyquist, poles and the phase portrait, as SVG.
 import { ink } from "./palette";
+import { local } from "./texts";
 
 const SVG = "http://www.w3.org/2000/svg";
 
@@ -110,5 +111,5 @@ function decades([low, high]: [number, number]): number[] {
 }
 
 function label(v: number): string {
-  return String(+v.toPrecision(6)).replace("-", "−");
+  return local(String(+v.toPrecision(6)).replace("-", "−"));
 }

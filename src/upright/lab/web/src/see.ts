@@ -4,7 +4,7 @@ import { digits, h, replace, select, table } from "./dom";
 import { ink, laneColour, laneDash } from "./palette";
 import { drawing } from "./plots";
 import { STATES, SYMBOLS, store } from "./store";
-import { named, t } from "./texts";
+import { named, t, told } from "./texts";
 
 type View = "loop" | "portrait" | "voltages" | "estimate" | "equations";
 const VIEWS: View[] = ["loop", "portrait", "voltages", "estimate", "equations"];
@@ -104,7 +104,7 @@ export class See {
   private loop(): Node[] {
     const found = store.analysed;
     if (!found) return [h("p", { className: "note" }, t("designing"))];
-    const words = h("p", { className: "note" }, sentence(found.words));
+    const words = h("p", { className: "note" }, sentence(told(found.words)));
     const colour = laneColour("twin");
     const drawings: Node[] = [words];
     if (found.L.length === 3) drawings.push(...frequency(found.L, colour));
@@ -169,7 +169,7 @@ function equations(): Node[] {
     `α = ${alpha}   β = ${beta}   M g L = ${weight} N m   M L R = ${lever} kg m²   W/2R = ${half}`,
   ];
   const matrix = (name: string, M: number[][]) => table([name, ...M[0].map((_, i) => (name === "A" ? SYMBOLS[i] : ["v_l", "v_r"][i]))], M.map((row, i) => [RATES[i], ...row.map((v) => digits(v, 4))]), "matrix");
-  const open = e.poles.map(([re, im]) => digits(re, 4) + (im ? ` ± ${digits(Math.abs(im), 3)}j` : "")).join(",  ");
+  const open = e.poles.map(([re, im]) => digits(re, 4) + (im ? ` ± ${digits(Math.abs(im), 3)}j` : "")).join(";  ");
   return [
     h("pre", { className: "equations", tabIndex: 0 }, lines.join("\n")),
     h("p", { className: "note" }, t("equationsNote")),

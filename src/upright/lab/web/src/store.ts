@@ -7,6 +7,15 @@ export const UNITS = ["rad", "rad/s", "rad", "rad/s", "rad", "rad/s"];
 export const SYMBOLS = ["ψ", "ψ̇", "θ", "θ̇", "φ", "φ̇"];
 
 const LONGEST = 3200; // a minute at 50 Hz and some
+const GAP = 0.15; // [s] without a sample: this page, or the way to it, is too slow for every one
+const AGAIN = 1000; // [ms] between two questions for what is missing
+const APART = 0.03; // [s] a sample of the history is taken where there is none so near before it
+const UNDESIGNED = ["bodies", "payload", "payload_height", "slope", "grip", "seed"]; // what no controller is designed for
+
+/** The part of a set-up that a controller is designed for. */
+function designed(setup: Setup): string {
+  return JSON.stringify(Object.entries(setup).filter(([name]) => !UNDESIGNED.includes(name)));
+}
 
 /** Time and, for every body, its six states; then what the other plots need. */
 export class Traces {
@@ -41,6 +50,29 @@ export class Traces {
     this.saturated.push(saturated);
   }
 
+  /** Put samples of the history where none of its own is: six states of each body, ψ̂, both commands and their limits. */
+  fill(times: number[], rows: number[][]): void {
+    if (!rows.length) return;
+    const bodies = Math.floor(rows[0].length / 6);
+    if (bodies !== this.x.length || (this.t.at(-1) ?? 0) > (times.at(-1) as number) + 1) this.reset(bodies); // begun anew
+    const whole = new Traces();
+    whole.reset(bodies);
+    let k = 0;
+    const history = (until: number) => {
+      for (; k < times.length && times[k] < until - 1e-3; k += 1) {
+        if (times[k] - (whole.t.at(-1) ?? -Infinity) < APART) continue;
+        const [row, rest] = [rows[k], rows[k].slice(6 * bodies)];
+        whole.push(times[k], Array.from({ length: bodies }, (_, i) => row.slice(6 * i, 6 * i + 6)), rest[0], rest[1], rest[2], rest[3]);
+      }
+    };
+    this.t.forEach((time, i) => {
+      history(time);
+      whole.push(time, this.x.map((body) => body.map((trace) => trace[i])), this.estimate[i], this.volts[0][i], this.volts[1][i], this.saturated[i]);
+    });
+    history(Infinity);
+    Object.assign(this, whole);
+  }
+
   /** Forget everything from time t on: the session went back. */
   until(t: number): void {
     let keep = this.t.length;
@@ -72,10 +104,13 @@ export class Store {
   role = "alone";
   session = "";
   files = "";
+  invite = "";
   setup: Setup = DEFAULT_SETUP;
   replaying = false;
   send: (message: ClientMessage) => void = () => undefined;
   private listeners: Listener[] = [];
+  private waiting = false; // for the session to have the set-up that was chosen here
+  private asked = -AGAIN;
 
   listen(listener: Listener): void {
     this.listeners.push(listener);
@@ -83,47 +118,75 @@ export class Store {
 
   /** Change the set-up and tell the session. */
   change(part: Partial<Setup>): void {
-    this.setup = { ...this.setup, ...part };
+    this.expect(part);
     this.send({ kind: "Change", setup: this.setup });
+  }
+
+  /** Change the set-up here; what is known of another controller goes at once. */
+  expect(part: Partial<Setup>): void {
+    const before = designed(this.setup);
+    this.setup = { ...this.setup, ...part };
+    if (designed(this.setup) === before) return;
+    this.waiting = true;
+    this.forget();
+  }
+
+  private forget(): void {
+    this.analysed = null;
+    this.lit = { kind: "Light", light: "none", reasons: [] };
+    for (const listener of this.listeners) listener(this.lit);
+  }
+
+  /** Ask for the samples that this page has missed. */
+  private recall(s: Snapshot): void {
+    const last = this.traces.t.at(-1);
+    if (last === undefined || s.t - last < GAP || performance.now() - this.asked < AGAIN) return;
+    this.asked = performance.now();
+    const hole = this.traces.t.findIndex((time, i) => i > 0 && time > s.t - 60 && time - this.traces.t[i - 1] >= GAP);
+    this.send({ kind: "Recall", since: hole < 0 ? last : this.traces.t[hole - 1] });
   }
 
   hear(message: ServerMessage): void {
     switch (message.kind) {
       case "Snapshot":
         this.snapshot = message;
-        if (!message.back) this.traces.add(message);
+        if (!message.back) {
+          this.recall(message);
+          this.traces.add(message);
+        }
         break;
       case "Welcome":
         this.role = message.role;
         this.session = message.session;
         this.files = message.files;
+        this.invite = message.invite;
         break;
       case "Catalogue": this.catalogue = message; break;
       case "Changed": this.changedTo(message); break;
-      case "Analysed": this.analysed = message; break;
+      case "Analysed":
+        if (this.waiting) return; // it is of the controller before
+        this.analysed = message;
+        break;
       case "Equations": this.equations = message; break;
-      case "Light": this.lit = message; break;
+      case "Light":
+        if (this.waiting) return;
+        this.lit = message;
+        break;
       case "Board": this.board = message; break;
       case "JobResult": this.found = message; break;
-      case "History": this.filled(message.t, message.rows); break;
+      case "History": this.traces.fill(message.t, message.rows); break;
     }
     for (const listener of this.listeners) listener(message);
   }
 
   private changedTo(message: Changed): void {
     const same = this.changed?.bodies.join() === message.bodies.join();
+    const other = this.changed !== null && designed(this.changed.setup) !== designed(message.setup);
     this.changed = message;
+    if (other && !this.waiting) this.forget();
+    this.waiting = false;
     this.setup = message.setup;
     if (!same) this.traces.reset(message.bodies.length);
-  }
-
-  private filled(t: number[], rows: number[][]): void {
-    const bodies = (rows[0]?.length ?? 0) / 6;
-    this.traces.reset(bodies);
-    t.forEach((time, k) => {
-      const x = Array.from({ length: bodies }, (_, i) => rows[k].slice(6 * i, 6 * i + 6));
-      this.traces.push(time, x, NaN, NaN, NaN, 0);
-    });
   }
 }
 

@@ -1,6 +1,7 @@
 // Every word of the page, from one file for each language.
 import en from "./texts/en.json";
 import es from "./texts/es.json";
+import phrases from "./texts/phrases.es.json";
 
 export type Texts = typeof en;
 type Plain = { [K in keyof Texts]: Texts[K] extends string ? K : never }[keyof Texts];
@@ -25,11 +26,44 @@ export function texts(): Texts {
 
 /** A text, with {names} replaced by values. */
 export function t(key: Plain, values: Record<string, string | number> = {}): string {
-  return chosen[key].replace(/\{(\w+)\}/g, (_, name: string) => String(values[name] ?? ""));
+  return chosen[key].replace(/\{(\w+)\}/g, (_, name: string) => numeral(String(values[name] ?? "")));
 }
 
 /** A text by a key that comes from the server, or the key itself. */
 export function named(key: string): string {
   const found = (chosen as unknown as Record<string, unknown>)[key];
   return typeof found === "string" ? found : key;
+}
+
+/** Numbers in a text as this language writes them: with its decimal mark. */
+export function local(text: string): string {
+  return chosen.decimal === "." ? text : text.replace(/(\d)\.(?=\d)/g, `$1${chosen.decimal}`);
+}
+
+/** A number of so many decimals. */
+export function fixed(value: number, decimals: number): string {
+  return local(value.toFixed(decimals).replace("-", "−"));
+}
+
+/** A value that is nothing but a number; names and files keep their dots. */
+function numeral(text: string): string {
+  return /^[−-]?\d+\.\d+$/.test(text) ? local(text) : text;
+}
+
+const escaped = (text: string) => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+const PHRASES = phrases.map(([english, spanish]): [RegExp, string] => [new RegExp(`^${escaped(english).replace(/\\\{\d\\\}/g, "(.+?)")}$`, "s"), spanish]);
+
+/** A sentence of the server in the chosen language, part by part; what has no translation stays as it is. */
+export function told(text: string): string {
+  if (chosen === en) return text;
+  for (const [pattern, words] of PHRASES) {
+    const parts = pattern.exec(text);
+    if (parts) return words.replace(/\{(\d)\}/g, (_, i: string) => told(parts[Number(i) + 1]));
+  }
+  return local(text);
+}
+
+/** Whether the chosen language has words for a sentence of the server. */
+export function translated(text: string): boolean {
+  return chosen === en || PHRASES.some(([pattern]) => pattern.test(text));
 }
