@@ -669,9 +669,30 @@ def read_qr(dark: set[tuple[int, int]]) -> str:
     words = [int("".join("01"[bit] for bit in stream[k : k + 8]), 2) for k in range(0, len(stream) - 7, 8)]
     blocks, data = {2: (1, 28), 3: (1, 44), 4: (2, 32), 5: (2, 43)}[version]
     words = [word for block in range(blocks) for word in words[block : blocks * data : blocks]]
-    text = "".join(f"{word:08b}" for word in words)
-    assert text[:4] == "0100"  # bytes
-    return bytes(int(text[12 + 8 * k : 20 + 8 * k], 2) for k in range(int(text[4:12], 2))).decode()
+    return "".join(qr_parts("".join(f"{word:08b}" for word in words)))
+
+
+ALPHANUMERIC = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ $%*+-./:"
+
+
+def qr_parts(bits: str) -> Iterator[str]:
+    """Segments of digits, capitals and bytes, of versions up to 9 (ISO/IEC 18004: 7.4.3 to 7.4.5, tables 2 and 3)."""
+
+    def take(count: int) -> int:
+        nonlocal bits
+        value, bits = int(bits[:count], 2), bits[count:]
+        return value
+
+    while bits[:4] not in ("0000", "") and (mode := take(4)):
+        count = take({1: 10, 2: 9, 4: 8}[mode])
+        if mode == 4:
+            yield bytes(take(8) for _ in range(count)).decode()
+        elif mode == 2:
+            pairs = "".join(ALPHANUMERIC[v // 45] + ALPHANUMERIC[v % 45] for v in (take(11) for _ in range(count // 2)))
+            yield pairs + (ALPHANUMERIC[take(6)] if count % 2 else "")
+        else:
+            groups = [3] * (count // 3) + [count % 3] * bool(count % 3)
+            yield "".join(f"{take((0, 4, 7, 10)[n]):0{n}d}" for n in groups)
 
 
 def test_a_class_in_the_browser(chromium):
@@ -696,6 +717,7 @@ def test_a_class_in_the_browser(chromium):
         assert "on request" in until(front, "upright.store.lit?.reasons.join() ?? ''")
         front.click("[data-key=broadcast]")
         until(ana, "upright.store.changed.setup.controller === 'lqi'")
+        until(front, "upright.store.board.students[0].controller === 'lqi'")
         with front.expect_download() as fetched:
             front.click("[data-key=results]")
         rows = list(csv.DictReader(Path(fetched.value.path()).read_text("utf-8-sig").splitlines()))
@@ -788,7 +810,6 @@ ENGLISH = (
 
 def test_spanish_is_spanish_to_the_last_decimal(page):
     """No English word in any tab but in names of files and robots, and no decimal point."""
-    page.evaluate("document.querySelector('[data-key=language]').value = 'es'")
     page.select_option("[data-key=language]", "es")
     until(page, "upright.store.analysed && upright.store.lit?.light !== 'none'")
     page.click("[data-key=impulse]")

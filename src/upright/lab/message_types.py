@@ -50,3 +50,16 @@ class RobotInfo:
     kit: str
     drive: str
     numbers: dict[str, float]
+
+
+@dataclass(frozen=True)
+class Student:
+    """One line of the board: lean of the robot [rad], largest recovered push [N s], effort of the whole run [u² s]."""
+
+    name: str
+    pitch: float
+    fallen: bool
+    best: float
+    effort: float
+    here: bool
+    controller: str

@@ -19,6 +19,7 @@ from upright.lab.message_types import (
     NamedNumbers,
     Numbers,
     RobotInfo,
+    Student,
     Text,
     Whole,
     message,
@@ -29,7 +30,7 @@ VERSION = 5
 
 BodyName = Literal["twin", "nonlinear", "linear", "published", "calibrated"]
 Job = Literal["certify", "doctor", "calibrate", "design"]
-Keep = Literal["csv", "parquet", "report", "replay", "controller", "robot"]
+Keep = Literal["csv", "parquet", "report", "replay", "controller", "robot", "handin"]
 PushName = Literal["front", "back", "impulse", "pull_left", "pull_right"]
 
 
@@ -159,10 +160,11 @@ class Cancel:
 
 @message
 class Save:
-    """Make a file of the run so far, to be downloaded; a report compares it with the uploaded log `file`, if any."""
+    """Make a file of the run, to be downloaded: `name` is of the uploaded log that a report also compares, or the
+    student's who hands in."""
 
     what: Keep
-    file: Text = ""
+    name: Text = ""
 
 
 @message
@@ -372,19 +374,6 @@ class Snapshot:
     s: int
     paused: bool
     back: float = 0.0
-
-
-@dataclass(frozen=True)
-class Student:
-    """One line of the board: lean of the robot [rad], largest recovered push [N s], effort of the whole run [u² s]."""
-
-    name: str
-    pitch: float
-    fallen: bool
-    best: float
-    effort: float
-    here: bool
-    controller: str
 
 
 @message

@@ -10,12 +10,12 @@ from typing import Any
 from upright.bodies import Body, Electronics, LinearBody, Sample
 from upright.bodies.body import REST
 from upright.control import CONTROLLERS, Controller, ControllerSpec, Method, StateFeedback, observed
-from upright.errors import InvalidController, InvalidPlugin, InvalidRobot, UnknownName
+from upright.errors import InvalidController, InvalidPlugin, InvalidRobot, UnknownName, UprightError
 from upright.lab.messages import FamilyInfo, Setup
 from upright.lab.straight import Straight
 from upright.physics.dynamics import CALM, Disturbance, motor_gain
 from upright.physics.linear import linearise
-from upright.robots import PARAMETERS, Kit, Robot
+from upright.robots import PARAMETERS, Kit, Robot, kit_names
 
 FINE, COARSE = 0.002, 0.01
 """[s] that one step of a body takes: alone, and in a class of thirty on one machine; a kit's times round to it."""
@@ -63,6 +63,13 @@ def _preset(name: str) -> Robot:
 @cache
 def _kit_preset(name: str) -> Kit:
     return Kit.preset(name)
+
+
+def setup_of(robot: Robot, setup: Setup) -> Setup:
+    """The set-up with this robot, of a file, in the place of its own."""
+    kit = robot.kit_name if robot.kit_name in kit_names() else setup.kit
+    changed = replace(setup, robot=robot.name, numbers=robot.numbers(), drive=robot.drive, kit=kit)
+    return replace(changed, largest=(), gains=())
 
 
 def loaded(robot: Robot, payload: float, height: float) -> Robot:
@@ -155,6 +162,14 @@ def design(setup: Setup, robot: Robot, kit: Kit) -> Controller:
         raise UnknownName("controller", family, [*CONTROLLERS, BY_HAND, OFF])
     method, weights = CONTROLLERS[family], _weights(setup)
     return method(robot, kit, kit.period, **(weights if method.weighted else {}))
+
+
+def stand_in(setup: Setup, plant: Plant) -> Controller:
+    """What stands in for a controller that is still being designed."""
+    try:
+        return design(replace(setup, controller="lqg", largest=()), plant.nominal, plant.kit)
+    except UprightError:
+        return Off(plant.kit.period, plant.nominal.command_unit)
 
 
 def _weights(setup: Setup) -> dict[str, Any]:

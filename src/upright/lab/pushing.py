@@ -55,11 +55,12 @@ class Pushing:
         self.force, self._active, self._pull = 0.0, [], (0.0, 0.0)
 
 
-@dataclass
+@dataclass(kw_only=True)
 class Score:
     """The largest push from which the robot came back. Pushes that last longer than `SHORT` do not count."""
 
     best: float = 0.0
+    run: float = 0.0  # [N s] the same of this run alone
     effort: float = 0.0  # [u² s] of the whole run
     _impulse: float = 0.0
     _lasted: float = 0.0
@@ -92,5 +93,6 @@ class Score:
         if self._lasted > SHORT and not fallen:
             return None
         if not fallen:
-            self.best = max(self.best, self._impulse)
+            self.run = max(self.run, self._impulse)
+            self.best = max(self.best, self.run)
         return Recovered(self._impulse, self.effort - self._before, self.best, fallen)

@@ -13,6 +13,15 @@ from upright.atomic import write_text
 from upright.errors import MissingTool
 from upright.lab.codec import plain
 
+FILES = {
+    "csv": "run.csv", "parquet": "run.parquet", "report": "report.html", "replay": "replay.html",
+    "controller": "controller.json", "robot": "robot.toml", "handin": "hand-in.json",
+}  # fmt: skip
+"""What is kept of a session, and under which name."""
+
+MOMENT = 0.02
+"""[s] between two pictures of a replay."""
+
 MARK = "<!-- recording -->"
 """Where the page takes a recording."""
 

@@ -18,6 +18,7 @@ from upright.errors import InvalidLog, InvalidScenario, UprightError
 from upright.lab import views
 from upright.lab.desk import Desk
 from upright.lab.display import KEPT, Display
+from upright.lab.handin import Recorder, RunResult, result_of
 from upright.lab.lane import Lane
 from upright.lab.messages import (
     VERSION,
@@ -45,14 +46,13 @@ from upright.lab.messages import (
     Uploaded,
     Welcome,
 )  # fmt: skip
-from upright.lab.plant import FINE, Off, Plant, behind, body_of, design, design_part, is_slow, plant_of
+from upright.lab.plant import FINE, Plant, behind, body_of, design, design_part, is_slow, plant_of, setup_of, stand_in
 from upright.lab.pushing import Pushing, Score
-from upright.lab.tasks import FILES
+from upright.lab.recording import FILES, MOMENT
 from upright.physics.dynamics import CALM
-from upright.robots import Robot, kit_names
+from upright.robots import Robot
 from upright.signals import Log
 
-MOMENT = 0.02  # [s] between two pictures of a replay
 LONGEST = 1.0  # [s] of simulated time in one go
 
 
@@ -71,7 +71,7 @@ class Session:
         self._events: list[Any] = []
         self.paused, self.speed, self._back, self._owed = False, 1.0, 0.0, 0.0
         self.calibrated: Robot | None = None
-        self._pushing, self.score, self._display = Pushing(), Score(), Display()
+        self._pushing, self.score, self._display, self._recorder = Pushing(), Score(), Display(), Recorder(fine)
         self._known: dict[type, Any] = {}
         self._built = 0
         self._n, self._periods, self._target, self._steer = 0, 0, np.zeros(6), (0.0, 0.0)
@@ -85,6 +85,7 @@ class Session:
         """Do what the message asks; what cannot be done becomes an error event."""
         try:
             self._handlers()[type(message)](message)
+            self._recorder.note(message, self.t)
         except UprightError as error:
             self._events.append(Notice("error", str(error)))
 
@@ -146,6 +147,11 @@ class Session:
         """The run of every body since the last change, at most the last minute; nothing before the first period."""
         return {lane.name: log for lane in self.lanes if (log := lane.log()) is not None}
 
+    def result(self) -> RunResult:
+        """How the first body's run went so far; raises `InvalidLog` before its first period."""
+        log, lane = next(iter(self._recorded().values())), self.lanes[0]
+        return result_of(log, self.plant.robot, fell=lane.fallen, best=self.score.run)
+
     def close(self) -> None:
         """Free what the bodies hold."""
         for lane in self.lanes:
@@ -186,6 +192,7 @@ class Session:
         self._display.show(lanes, self.plant.kit.period)
         self._target, self._owed, self._back = np.zeros(6), 0.0, 0.0
         self._built += 1
+        self._recorder.stop()
         self._display.record(self.t, CALM, 0.0, self._target)
 
     def _names(self) -> tuple[str, ...]:
@@ -211,14 +218,7 @@ class Session:
         if controller is not None:
             return controller, ""
         same = standing is not None and plant.nominal == self.plant.nominal
-        return standing if same and standing is not None else self._meanwhile(setup, plant), setup.controller
-
-    def _meanwhile(self, setup: Setup, plant: Plant) -> Controller:
-        """What stands in for a controller that is still being designed."""
-        try:
-            return design(replace(setup, controller="lqg", largest=()), plant.nominal, plant.kit)
-        except UprightError:
-            return Off(plant.kit.period, plant.nominal.command_unit)
+        return standing if same and standing is not None else stand_in(setup, plant), setup.controller
 
     def designed(self, controller: Controller) -> None:
         """Install what the desk has designed."""
@@ -252,6 +252,7 @@ class Session:
         setup = message.setup
         if replace(setup, slope=0.0) == replace(self.setup, slope=0.0):
             self.setup = setup
+            self._recorder.stop()
             self._events.append(self.changed())
             return
         plant = plant_of(setup)
@@ -280,8 +281,9 @@ class Session:
 
     def _stand(self, message: StandUp) -> None:
         self._pushing.clear()
-        self.score.effort = 0.0
+        self.score = Score(best=self.score.best)
         self._build((message.pitch, 0.0, 0.0, 0.0, 0.0, 0.0))
+        self._recorder.begin(self.t, message.pitch, *self._steer)
 
     def _broadcast(self, message: Broadcast) -> None:
         self._change(Change(message.setup))
@@ -330,8 +332,7 @@ class Session:
             self._start(Start("doctor", message.path))
 
     def _failed(self, job: str, reason: str) -> None:
-        if job == "design":
-            self._busy = ""
+        self._busy = "" if job == "design" else self._busy
         self._events += [Notice("error", reason), Progress(job, 1.0)]  # type: ignore[arg-type]
 
     # What the desk is given, and what comes of it
@@ -347,8 +348,8 @@ class Session:
     def _keeping(self, message: Save) -> tuple[str, tuple[Any, ...]]:
         """The task and its arguments for a file to be downloaded."""
         what = message.what
-        if what == "report" and message.file:
-            opened = (self.upload(message.file), self.plant.nominal, self.plant.kit)
+        if what == "report" and message.name:
+            opened = (self.upload(message.name), self.plant.nominal, self.plant.kit)
             return "keep comparison", (opened, self.logs(), self.folder / FILES[what])
         content: dict[str, Callable[[], Any]] = {
             "controller": lambda: self.setup,
@@ -356,6 +357,7 @@ class Session:
             "replay": lambda: ([Welcome(VERSION, "", "alone", ""), views.catalogue(), *self.standing_events()],
                                self._display.view(), self._display.rows(MOMENT)),
             "report": self._recorded,
+            "handin": lambda: self._recorder.hand_in(message.name, self.setup, self.t, self.result()),
         }  # fmt: skip
         given = content[what]() if what in content else next(iter(self._recorded().values()))
         return f"keep {what}", (given, self.folder / FILES[what])
@@ -394,7 +396,5 @@ class Session:
         return [analysis, self.changed(), *self.follow()]
 
     def _read(self, robot: Robot) -> list[Any]:
-        kit = robot.kit_name if robot.kit_name in kit_names() else self.setup.kit
-        setup = replace(self.setup, robot=robot.name, numbers=robot.numbers(), drive=robot.drive, kit=kit)
-        self.handle(Change(replace(setup, largest=(), gains=())))
+        self.handle(Change(setup_of(robot, self.setup)))
         return [Notice("info", f"{robot.name}: read")]

@@ -11,7 +11,8 @@ from upright.control import Controller, gain_of
 from upright.errors import InvalidController, SpecMismatch
 from upright.lab.codec import encode
 from upright.lab.display import View
-from upright.lab.messages import Analysed, JobResult, Keep, Light, Setup
+from upright.lab.handin import HandIn, write_hand_in
+from upright.lab.messages import Analysed, JobResult, Light, Setup
 from upright.lab.plant import design as design_of
 from upright.lab.plant import design_part, plant_of
 from upright.robots import Kit, Robot
@@ -29,12 +30,6 @@ DISTURBED = 0.03
 
 REMEMBERED = 64
 """Loops whose analysis is kept: a class begins with thirty that are alike."""
-
-FILES: dict[Keep, str] = {
-    "csv": "run.csv", "parquet": "run.parquet", "report": "report.html", "replay": "replay.html",
-    "controller": "controller.json", "robot": "robot.toml",
-}  # fmt: skip
-"""What a file to be downloaded is called."""
 
 _KNOWN: dict[str, tuple[Controller, Analysed]] = {}
 
@@ -178,8 +173,8 @@ def keep_comparison(report: Report, opened: tuple[Path, Robot, Kit], logs: dict[
 
 def _from_push(log: Log) -> Log:
     """The log with its time counted from the beginning of its first push, or of itself."""
-    pushed = log["push/force"].nonzero()[0] if "push/force" in log else ()
-    start = log.t[pushed[0]] if len(pushed) else log.t[0]
+    pushed = "push/force" in log and log["push/force"].any()
+    start = log.t[(log["push/force"] != 0).argmax()] if pushed else log.t[0]
     return Log(log.t - start, log.channels, log.units, log.origin)
 
 
@@ -220,9 +215,15 @@ def keep_replay(report: Report, recorded: tuple[list[Any], View, Any], path: Pat
     return replay_page([*begin, *(view.snapshot(row, i, 0.0, False) for i, row in enumerate(rows.tolist()))], path)
 
 
+def keep_hand_in(report: Report, done: HandIn, path: Path) -> Path:  # noqa: ARG001
+    """The run as seed and actions, for `upright grade`."""
+    return write_hand_in(done, path)
+
+
 TASKS: dict[str, Callable[..., Any]] = {
     "design": design, "light": light, "certify": certify, "doctor": doctor, "calibrate": calibrate, "robot": robot,
     "keep csv": keep_log, "keep parquet": keep_log, "keep report": keep_report, "keep comparison": keep_comparison,
+    "keep handin": keep_hand_in,
     "keep controller": keep_controller,
     "keep robot": keep_robot, "keep replay": keep_replay,
 }  # fmt: skip

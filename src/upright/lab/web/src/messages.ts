@@ -6,7 +6,7 @@ export type BodyName = "twin" | "nonlinear" | "linear" | "published" | "calibrat
 
 export type Job = "certify" | "doctor" | "calibrate" | "design";
 
-export type Keep = "csv" | "parquet" | "report" | "replay" | "controller" | "robot";
+export type Keep = "csv" | "parquet" | "report" | "replay" | "controller" | "robot" | "handin";
 
 export type PushName = "front" | "back" | "impulse" | "pull_left" | "pull_right";
 
@@ -22,6 +22,16 @@ export interface RobotInfo {
   kit: string;
   drive: string;
   numbers: Record<string, number>;
+}
+
+export interface Student {
+  name: string;
+  pitch: number;
+  fallen: boolean;
+  best: number;
+  effort: number;
+  here: boolean;
+  controller: string;
 }
 
 export interface Setup {
@@ -115,8 +125,8 @@ export interface Cancel {
 
 export interface Save {
   kind: "Save";
-  what: "csv" | "parquet" | "report" | "replay" | "controller" | "robot";
-  file: string;
+  what: "csv" | "parquet" | "report" | "replay" | "controller" | "robot" | "handin";
+  name: string;
 }
 
 export interface Recall {
@@ -274,16 +284,6 @@ export interface Snapshot {
   s: number;
   paused: boolean;
   back: number;
-}
-
-export interface Student {
-  name: string;
-  pitch: number;
-  fallen: boolean;
-  best: number;
-  effort: number;
-  here: boolean;
-  controller: string;
 }
 
 export interface Board {

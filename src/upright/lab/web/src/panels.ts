@@ -282,7 +282,7 @@ export class IdentifyPanel extends Panel {
       "div", { className: "row" },
       button(t("doctor"), () => start("doctor"), { title: t("doctorTip"), "data-key": "doctor" }),
       button(t("calibrate"), () => start("calibrate"), { title: t("calibrateTip"), "data-key": "calibrate" }),
-      button(t("compare"), () => store.send({ kind: "Save", what: "report", file: this.source }), { title: t("compareTip"), "data-key": "compare" }),
+      button(t("compare"), () => store.send({ kind: "Save", what: "report", name: this.source }), { title: t("compareTip"), "data-key": "compare" }),
     );
     const logs = ".csv,.txt,.log,.tsv,.dat,.json,.mat,.parquet,.mcap";
     replace(
@@ -321,10 +321,23 @@ export class KeepPanel extends Panel {
 
   build(): void {
     const kinds: [Keep, string][] = [["csv", t("csv")], ["parquet", t("parquet")], ["report", t("report")], ["replay", t("replay")], ["controller", t("controllerFile")], ["robot", t("robotFile")]];
-    const buttons = kinds.map(([what, text]) => button(text, () => store.send({ kind: "Save", what, file: "" }), { "data-key": `keep-${what}` }));
+    const buttons = kinds.map(([what, text]) => button(text, () => store.send({ kind: "Save", what, name: "" }), { "data-key": `keep-${what}` }));
     const picture = button(t("picture"), () => void this.photograph(), { "data-key": "picture" });
     const link = button(t("link"), () => void this.copy(), { "data-key": "link" });
-    replace(this.root, h("div", { className: "column wide" }, h("p", { className: "note" }, t("keepNote")), h("div", { className: "row" }, ...buttons, picture, link), this.links));
+    replace(this.root, h("div", { className: "column wide" },
+      h("p", { className: "note" }, t("keepNote")), h("div", { className: "row" }, ...buttons, picture, link),
+      h("p", { className: "note" }, t("handInNote")), this.handIn(), this.links));
+  }
+
+  /** The run as set-up and actions, under the student's name. */
+  private handIn(): HTMLElement {
+    const id = fresh("student");
+    const name = h("input", { type: "text", id, maxLength: 40, autocomplete: "name", value: sessionStorage.getItem("name") ?? "", "data-key": "student" });
+    const send = () => {
+      if (name.value.trim()) store.send({ kind: "Save", what: "handin", name: name.value.trim() });
+      else name.focus();
+    };
+    return h("div", { className: "row hand-in" }, h("label", { "for": id }, t("yourName")), name, button(t("handIn"), send, { "data-key": "keep-handin" }));
   }
 
   private async photograph(): Promise<void> {

@@ -1,0 +1,216 @@
+"""A hand-in: what a student did to the robot, as set-up and actions, so that anybody can run it again."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from dataclasses import asdict, dataclass, fields, replace
+from pathlib import Path
+from typing import Any
+
+from upright.atomic import write_json
+from upright.errors import InvalidScenario, UprightError
+from upright.lab.codec import InvalidMessage, decode, plain
+from upright.lab.messages import Change, Drag, Setup, Steer, Strike
+from upright.reading import parse_json, read_text
+from upright.robots import Robot
+from upright.signals import Log
+
+KIND, VERSION = "upright hand-in", 1
+LONGEST = 60.0
+"""[s] of a run that is handed in."""
+
+MOST_ACTIONS = 5000
+"""Of one run: a mouse that is dragged for a minute makes two thousand."""
+
+MOST_TEXT = 1 << 20
+"""Characters of a file."""
+
+LONGEST_NAME = 40
+
+STEPS = (0.002, 0.01)
+"""[s] of a body's step: alone, and in a class."""
+
+Action = Drag | Steer | Strike
+EXPECTED = "a hand-in, as the lab saves it under Keep"
+
+
+class InvalidHandIn(UprightError):
+    """A file that is no hand-in."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RunResult:
+    """How a run ended: whether the robot `fell`, after how many `seconds`, the largest |ψ| `peak` [rad], the largest
+    way `travel` [m] from its beginning, and the largest short push `best` [N s] from which it came back."""
+
+    fell: bool
+    seconds: float
+    peak: float
+    travel: float
+    best: float
+
+    def __str__(self) -> str:
+        how = f"fell at {self.seconds:.2f} s" if self.fell else f"stood for {self.seconds:.2f} s"
+        return f"{how}, peak {self.peak:.3f} rad, best {self.best:.3f} N s"
+
+
+def result_of(log: Log, robot: Robot, *, fell: bool, best: float) -> RunResult:
+    """What a log of the true states shows."""
+    wheel = log["truth/wheel"]
+    return RunResult(
+        fell=fell, seconds=round(float(log.t[-1] - log.t[0]), 6), peak=round(float(abs(log["truth/pitch"]).max()), 6),
+        travel=round(float(abs(wheel - wheel[0]).max()) * robot.wheel_radius, 6), best=round(best, 6),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, kw_only=True)
+class HandIn:
+    """A run of `seconds` of the first body of `setup`, stood up at the pitch `lean` [rad], its `actions` each with its
+    time [s]; `step` [s] is the body's. `claimed` is what the student's machine saw, `seal` a checksum of the rest."""
+
+    student: str
+    setup: Setup
+    step: float
+    lean: float
+    seconds: float
+    actions: tuple[tuple[float, Action], ...]
+    claimed: RunResult
+    seal: str = ""
+
+    @property
+    def sealed(self) -> bool:
+        """Whether nothing was changed in the file. It tells slips and edits, not whoever computes it anew."""
+        return self.seal == _seal(self.to_json())
+
+    @property
+    def run(self) -> str:
+        """What tells one run from another, whoever hands it in."""
+        data = self.to_json()
+        return _seal({name: data[name] for name in ("setup", "step", "lean", "seconds", "actions")})
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values."""
+        actions = [[t, plain(action)] for t, action in self.actions]
+        data = {f.name: plain(getattr(self, f.name)) for f in fields(self)}
+        return {"kind": KIND, "version": VERSION} | data | {"actions": actions, "claimed": asdict(self.claimed)}
+
+
+def _seal(data: dict[str, Any]) -> str:
+    rest = {name: value for name, value in data.items() if name != "seal"}
+    return hashlib.sha256(json.dumps(rest, sort_keys=True, ensure_ascii=False).encode()).hexdigest()
+
+
+def write_hand_in(done: HandIn, path: Path) -> Path:
+    """Write the hand-in with its seal."""
+    return write_json(path, replace(done, seal=_seal(done.to_json())).to_json())
+
+
+def read_hand_in(path: Path) -> HandIn:
+    """The hand-in in a file; raises `InvalidHandIn` for anything else."""
+    text = read_text(path, InvalidHandIn, EXPECTED)
+    if len(text) > MOST_TEXT:
+        raise InvalidHandIn(f"{path.name} has {len(text)} characters", expected=f"at most {MOST_TEXT}")
+    data = parse_json(text, path.name, InvalidHandIn, EXPECTED)
+    if not isinstance(data, dict) or data.get("kind") != KIND:
+        raise InvalidHandIn(f"{path.name} is no hand-in", expected=EXPECTED)
+    if data.get("version") != VERSION:
+        raise InvalidHandIn(f"{path.name} has version {str(data.get('version'))[:20]}", expected=f"version {VERSION}")
+    return _understood(data, path.name)
+
+
+def _understood(data: dict[str, Any], name: str) -> HandIn:
+    try:
+        raw = data["actions"]
+        if not isinstance(raw, list) or len(raw) > MOST_ACTIONS:
+            raise InvalidHandIn(f"{name}: its actions are no list of at most {MOST_ACTIONS}", expected=EXPECTED)
+        change = decode(json.dumps({"kind": "Change", "setup": data["setup"]}))
+        assert isinstance(change, Change)
+        claimed = {f.name: _number(data["claimed"], f.name) for f in fields(RunResult) if f.name != "fell"}
+        done = HandIn(
+            student=_student(data["student"]), setup=change.setup, step=_number(data, "step"),
+            lean=_number(data, "lean"), seconds=_number(data, "seconds"), seal=str(data.get("seal", ""))[:64],
+            actions=tuple(_action(pair) for pair in raw),
+            claimed=RunResult(fell=data["claimed"]["fell"] is True, **claimed),
+        )  # fmt: skip
+    except (LookupError, TypeError, ValueError, RecursionError, InvalidMessage) as error:
+        why = f"it lacks {error}" if isinstance(error, KeyError) else " ".join(str(error).split())[:160]
+        raise InvalidHandIn(f"{name} is broken: {why}", expected=EXPECTED) from None
+    _check(done, name)
+    return done
+
+
+def _action(pair: Any) -> tuple[float, Action]:
+    t, message = pair
+    action = decode(json.dumps(message))
+    if not isinstance(action, Action) or isinstance(t, bool) or not isinstance(t, int | float):
+        raise ValueError(f"{str(pair)[:80]} is no action")
+    return float(t), action
+
+
+def _number(data: Any, name: str) -> float:
+    value = data[name]
+    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+        raise ValueError(f"{name} is {str(value)[:40]}, no number")
+    return float(value)
+
+
+def _student(name: Any) -> str:
+    if not isinstance(name, str) or not name.strip() or len(name) > LONGEST_NAME or not name.isprintable():
+        raise ValueError(f"the student is {str(name)[:40]!r}, no name of 1 to {LONGEST_NAME} letters")
+    return name.strip()
+
+
+def _check(done: HandIn, name: str) -> None:
+    times = [t for t, _ in done.actions]
+    wrong = {
+        f"a run of {done.seconds:g} s": not 0 < done.seconds <= LONGEST + 1e-6,
+        f"a step of {done.step:g} s": done.step not in STEPS,
+        f"a lean of {done.lean:g} rad": not abs(done.lean) <= 1.2,
+        "actions out of order, or outside the run": times != sorted(times) or any(not 0 <= t <= LONGEST for t in times),
+        "no body": not done.setup.bodies or done.setup.bodies[0] == "calibrated",
+    }
+    for what, so in wrong.items():
+        if so:
+            raise InvalidHandIn(f"{name} is broken: {what}", expected=EXPECTED)
+
+
+class Recorder:
+    """Notes what is done to a session's robot since it was stood up; after any change of the set-up there is nothing to
+    hand in until it is stood up again."""
+
+    def __init__(self, step: float) -> None:
+        self._step, self._lean, self._since = step, 0.0, -1.0
+        self._actions: list[tuple[float, Action]] = []
+
+    def begin(self, t: float, lean: float, speed: float, rate: float) -> None:
+        """The robot stands up at the time `t` [s], and rolls and turns as it was asked to before."""
+        self._since, self._lean = t, lean
+        self._actions = [(0.0, Steer(speed, rate))] if speed or rate else []
+
+    def stop(self) -> None:
+        """The run so far cannot be run again."""
+        self._since = -1.0
+
+    def note(self, message: Any, t: float) -> None:
+        """What came in at the time `t` [s]."""
+        if isinstance(message, Action) and self._since >= 0 and len(self._actions) < MOST_ACTIONS:
+            self._actions.append((round(t - self._since, 6), message))
+
+    def hand_in(self, student: str, setup: Setup, t: float, claimed: RunResult) -> HandIn:
+        """The run up to the time `t` [s]; raises `InvalidScenario` where there is none to hand in."""
+        seconds = round(t - self._since, 6)
+        if self._since < 0 or not 0 < seconds <= LONGEST or setup.bodies[0] == "calibrated":
+            raise InvalidScenario(
+                "there is no run to hand in", expected=f"one of at most {LONGEST:g} s, with no change since Stand up",
+                hint="press Stand up, push the robot, then hand in",
+            )  # fmt: skip
+        try:
+            name = _student(student)
+        except ValueError as error:
+            raise InvalidScenario(str(error), hint="write your name") from None
+        return HandIn(
+            student=name, setup=setup, step=self._step, lean=self._lean, seconds=seconds,
+            actions=tuple(self._actions), claimed=claimed,
+        )  # fmt: skip
