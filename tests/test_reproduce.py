@@ -22,7 +22,7 @@ from upright.bodies.models import NonlinearBody
 from upright.comparison import compare
 from upright.control import lqr
 from upright.errors import UprightError
-from upright.paper import controllers, equations, printed, pushes, regulator, turning
+from upright.paper import as_built, controllers, equations, printed, pushes, regulator, turning
 from upright.paper.claim import BEYOND, NOT_AS_PRINTED, REPRODUCED, Claim
 from upright.paper.reproduce import Reproduction, reproduce
 from upright.robots import Robot
@@ -33,7 +33,7 @@ VERDICTS = {
     "3c": BEYOND,
     "4": NOT_AS_PRINTED, "5a": REPRODUCED, "5b": REPRODUCED, "5c": REPRODUCED, "5d": REPRODUCED,
 }  # fmt: skip
-"""What the paper's text allows: known before this program ran. 5e depends on the twin and has a test of its own."""
+"""What the paper's text allows: known before this program ran. 5e and 5f depend on the twin, and are tested below."""
 
 PUSHED = ("5a", "5b", "5c", "5d")
 
@@ -91,7 +91,7 @@ def test_results_are_json_without_nan(done: Reproduction) -> None:
         raise AssertionError(f"{constant} is not JSON")
 
     results = json.loads((done.folder / "results.json").read_text("utf-8"), parse_constant=refuse)
-    assert [f["part"] for f in results["findings"]] == [*VERDICTS, "5e", "6"]
+    assert [f["part"] for f in results["findings"]] == [*VERDICTS, "5e", "5f", "6"]
     assert results["versions"]["upright"]
 
 
@@ -115,7 +115,7 @@ def test_verdicts(parts: dict[str, Claim], part: str, verdict: str) -> None:
 def test_the_table_at_the_end_names_every_part(done: Reproduction) -> None:
     lines = str(done).splitlines()
     heads = [line for line in lines if line and line[0].isdigit()]
-    assert [line.split()[0] for line in heads] == [*VERDICTS, "5e", "6"]
+    assert [line.split()[0] for line in heads] == [*VERDICTS, "5e", "5f", "6"]
     assert all(line.endswith(f.verdict) for line, f in zip(heads, done.claims, strict=True))
     reasons = [line for line in lines if line.startswith("    ")]
     assert len(reasons) >= len(heads)  # every part says why, in a sentence below it
@@ -298,6 +298,24 @@ def planted(decay: float, yaw: float = 0.0, sign: float = 1.0) -> Log:
 def measured(**options: dict[str, float]) -> pushes.Measured:
     logs = {"twin": {"decay": 2.0}, "nonlinear": {"decay": 2.0}, "linear": {"decay": 2.0}} | options
     return pushes.measure(compare({name: planted(**given) for name, given in logs.items()}))
+
+
+def test_friction_keeps_a_robot_from_settling_as_fast_as_its_models(parts: dict[str, Claim]) -> None:
+    numbers = parts["5f"].numbers
+    assert parts["5f"].verdict == REPRODUCED
+    for side in pushes.PUSHES:
+        case, ideal = numbers["cases"][f"{side} push"], parts["5e"].numbers["cases"][f"herrera2015, {side} push"]
+        # statics: a stuck wheel stays stuck until the gains of pitch, 85 V/rad on two motors of 0.047 N m/V, exceed
+        # two dry frictions of 5 mN m, at 1.3 mrad; without friction and noise nothing keeps pitch off zero
+        assert min(case["rest"][as_built.AS_BUILT]) > 1.3e-3 > max(case["rest"]["nonlinear"])
+        for name in as_built.MODELS:
+            assert case["settling"]["5 %"][name] == [ideal["settling"][name]]
+
+
+@pytest.mark.parametrize(("times", "slower"), [([2.0, 3.0], True), ([2.0, 1.005], False), ([math.inf, 3.0], True)])
+def test_a_robot_is_slower_where_every_seed_is(times: list[float], slower: bool) -> None:
+    settling = {as_built.AS_BUILT: times, "nonlinear": [1.0], "linear": [0.9], "twin": [5.0]}
+    assert as_built.Settled({"5 %": settling}, {}).slower == slower  # a sample is 0.01 s
 
 
 def test_a_planted_decay_settles_when_it_must() -> None:

@@ -10,7 +10,7 @@ from typing import Any
 
 from upright.atomic import make_folder, write_json
 from upright.control import lqr
-from upright.paper import controllers, equations, linear_model, printed, pushes, regulator, sensors, turning
+from upright.paper import as_built, controllers, equations, linear_model, printed, pushes, regulator, sensors, turning
 from upright.paper.claim import BEYOND, NOT_AS_PRINTED, REPRODUCED, Claim, Progress, silent
 from upright.paper.pushes import RegulatedRobot
 from upright.report import Details, Figure, Page, Section, Table
@@ -105,8 +105,10 @@ def chapters(progress: Progress = silent) -> list[Claim]:
         RegulatedRobot(light, own, linear_model.identify(light, own)[1].model, why),
         RegulatedRobot(heavy, gains, linear_model.identify(heavy, gains)[1].model, "The gains are the printed ones."),
     ]  # fmt: skip
-    claims += pushes.chapter(robots, kit, lambda fraction: progress(0.5 + 0.25 * fraction))
-    claims.append(controllers.chapter(light, kit, lambda fraction: progress(0.75 + 0.25 * fraction)))
+    claims += pushes.chapter(robots, kit, lambda fraction: progress(0.5 + 0.15 * fraction))
+    logs = {name: log for claim in claims for name, log in claim.logs.items()}
+    claims.append(as_built.chapter(robots[-1], kit, logs, lambda fraction: progress(0.65 + 0.15 * fraction)))
+    claims.append(controllers.chapter(light, kit, lambda fraction: progress(0.8 + 0.2 * fraction)))
     return claims
 
 
