@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+import json
 import os
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the tests themselves run side by side; set before numpy loads
 
 import shutil
 import signal
-from collections.abc import Generator
+import subprocess
+from collections.abc import Generator, Iterator
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 SHARED = CHECKOUT.parent / "shared"
+LAB = CHECKOUT / "src" / "upright" / "lab" / "web"
 REQUIRE_ALL = os.environ.get("UPRIGHT_REQUIRE_ALL", "") not in ("", "0")
 
 
@@ -42,7 +46,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 TOGETHER = frozenset((
     "test_agreement", "test_campaign", "test_certificate", "test_excite", "test_hinf", "test_identify", "test_margins",
-    "test_permit", "test_postmortem", "test_reproduce",
+    "test_permit", "test_postmortem", "test_reproduce", "test_site",
 ))  # fmt: skip
 """Files whose tests share results that take seconds: one process runs the file and computes them once."""
 
@@ -90,3 +94,29 @@ def _refuse_skip(report: pytest.TestReport | pytest.CollectReport) -> None:
 def shared() -> Path:
     """The folder beside the checkout that holds measured logs; mark the test with `needs("shared/…")`."""
     return SHARED
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox"])
+        yield browser
+        browser.close()
+
+
+@pytest.fixture(scope="module")
+def axe(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """axe-core, as the lock of the lab's page pins it."""
+    if (LAB / "node_modules/axe-core").is_dir():
+        return LAB / "node_modules/axe-core/axe.min.js"
+    folder, name = tmp_path_factory.mktemp("axe"), "node_modules/axe-core"
+    entry = json.loads((LAB / "package-lock.json").read_text())["packages"][name]
+    asked = {"name": "axe", "dependencies": {"axe-core": entry["version"]}}
+    (folder / "package.json").write_text(json.dumps(asked))
+    lock = {"name": "axe", "lockfileVersion": 3, "packages": {"": asked, name: {**entry, "dev": False}}}
+    (folder / "package-lock.json").write_text(json.dumps(lock))
+    npm = shutil.which("npm") or "npm"
+    subprocess.run([npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=folder, check=True, timeout=300)
+    return folder / name / "axe.min.js"

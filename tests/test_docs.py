@@ -26,7 +26,10 @@ from upright.robots import Kit, Robot
 from upright.signals import Log
 
 ROOT = Path(__file__).parents[1]
-PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+PAGES = [
+    ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md")),
+    ROOT / "notebooks" / "README.md",
+]  # fmt: skip
 LANGUAGES = {"python", "sh", "toml", "text"}
 QUICK = {"doctor", "design", "compare", "linearise", "robots"}
 """Commands of at most a second or two, which are executed; the others have tests of their own, and are parsed here."""

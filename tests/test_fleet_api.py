@@ -375,3 +375,11 @@ def test_the_commands_write_what_they_say(tmp_path, capsys):
         fleet_command(kit="ideal", samples=1, output=tmp_path / "none" / "f.parquet")
     with pytest.raises(InvalidScenario, match="0 robots in a fleet"):
         fleet_command(kit="ideal", samples=0)
+
+
+def test_a_fleet_draws_every_outcome_of_those_that_stood():
+    result = fleet(bare(seconds=0.5), 200)
+    heights = [patch.get_path().vertices[:, 1].max() for patch in result.plot("travel").axes[0].patches]
+    assert max(heights) <= 1  # a fraction of the robots
+    with pytest.raises(UnknownName, match="peak_pitch"):
+        result.plot("pitch")

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import json
 import re
-import shutil
-import subprocess
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +23,6 @@ pytestmark = [
     pytest.mark.xdist_group("browser"),  # one at a time: two take more than two cores
 ]  # fmt: skip
 
-LAB = Path(__file__).parents[1] / "src" / "upright" / "lab" / "web"
 KINDS = ("comparison", "design", "fleet", "basin", "bench")
 WIDTHS = (1280, 390)  # [px] a laptop's window, a phone
 
@@ -62,32 +57,6 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
         "bench": bench(),
     }
     return {name: report(result, folder / f"{name}.html") for name, result in results.items()}
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as driver:
-        browser = driver.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox"])
-        yield browser
-        browser.close()
-
-
-@pytest.fixture(scope="module")
-def axe(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """axe-core, as the lock of the lab's page pins it."""
-    if (LAB / "node_modules/axe-core").is_dir():
-        return LAB / "node_modules/axe-core/axe.min.js"
-    folder, name = tmp_path_factory.mktemp("axe"), "node_modules/axe-core"
-    entry = json.loads((LAB / "package-lock.json").read_text())["packages"][name]
-    asked = {"name": "axe", "dependencies": {"axe-core": entry["version"]}}
-    (folder / "package.json").write_text(json.dumps(asked))
-    lock = {"name": "axe", "lockfileVersion": 3, "packages": {"": asked, name: {**entry, "dev": False}}}
-    (folder / "package-lock.json").write_text(json.dumps(lock))
-    npm = shutil.which("npm") or "npm"
-    subprocess.run([npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=folder, check=True, timeout=300)
-    return folder / name / "axe.min.js"
 
 
 @pytest.mark.needs("npm")

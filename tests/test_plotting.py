@@ -128,3 +128,11 @@ def test_the_labelled_robot_names_its_angles_and_lengths() -> None:
     side, top = labelled(NXT).axes
     words = " ".join(text.get_text() for text in (*side.texts, *top.texts))
     assert all(symbol in words for symbol in ("ψ", "θ", "φ", "L", "R", "W"))
+
+
+def test_a_notebook_shows_a_figure_by_itself() -> None:
+    """As a PNG with twice the dots of the size that it asks for, by the header of the file (ISO 15948, IHDR)."""
+    figure = run(0.1).plot("truth/pitch")
+    data, size = figure._repr_png_()  # type: ignore[attr-defined]
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    assert [int.from_bytes(data[k : k + 4], "big") for k in (16, 20)] == [2 * size["width"], 2 * size["height"]]

@@ -29,6 +29,7 @@ from .experiment import Push as Push
 from .experiment import Slope as Slope
 from .experiment import Turn as Turn
 from .experiment import run as run
+from .experiment.examples import example as example
 from .fleet.fleet import fleet as fleet
 from .fleet.push_map import push_map as push_map
 from .identify.identify import identify as identify

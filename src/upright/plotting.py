@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Sequence
+from io import BytesIO
 from itertools import pairwise
 from typing import Any, ParamSpec, TypeVar
 
@@ -335,8 +336,20 @@ class _Between(LogFormatter):
 
 
 @styled
+class _Picture(Figure):
+    """A figure that a notebook shows by itself: only figures of pyplot have a backend there."""
+
+    @styled
+    def _repr_png_(self) -> tuple[bytes, dict[str, int]]:
+        """The picture for screens of twice as many dots, and the size [px] to show it at."""
+        picture = BytesIO()
+        self.savefig(picture, format="png", dpi=2 * self.dpi)
+        width, height = self.get_size_inches() * self.dpi
+        return picture.getvalue(), {"width": round(width), "height": round(height)}
+
+
 def _figure(width: float, height: float) -> Figure:
-    return Figure(figsize=(width, height))
+    return _Picture(figsize=(width, height))
 
 
 @styled

@@ -8,11 +8,12 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from upright.control import Controller
-from upright.errors import check_within
+from upright.errors import UnknownName, check_within
 from upright.fleet.ensemble import Ensemble
-from upright.fleet.results import Summary, labelled, summarise
+from upright.fleet.results import OUTCOMES, Summary, labelled, summarise
 from upright.fleet.sweep import electronics, find_controller
 from upright.fleet.vary import Vary, varied
 from upright.robots import Kit, Robot, find_robot
@@ -20,6 +21,7 @@ from upright.robots.uncertainty import Family, Uncertainty, at_medians
 from upright.tables import Shown
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
     from xarray import Dataset
 
 MOST_ROBOTS = 10_000_000
@@ -35,12 +37,36 @@ class Fleet(Shown):
     data: Dataset
     summary: Summary
 
+    def plot(self, outcome: str = "peak_pitch") -> Figure:
+        """How an `outcome` is distributed over the robots that stood; `UnknownName` lists the outcomes."""
+        if outcome not in OUTCOMES:
+            raise UnknownName("outcome", outcome, OUTCOMES)
+        return distribution(self.data, outcome)
+
     def to_json(self) -> dict[str, Any]:
         """The summary as plain numbers."""
         return self.summary.to_json()
 
     def __str__(self) -> str:
         return str(self.summary)
+
+
+def distribution(data: Dataset, outcome: str, bins: int = 60) -> Figure:
+    """The fraction of the robots that stood over an outcome of theirs, as a histogram."""
+    from upright.plotting import panels
+
+    values = stood(data, outcome)
+    unit, words = str(data[outcome].attrs["unit"]), str(data[outcome].attrs["long_name"])
+    figure, (ax,) = panels(["fraction of robots [1]"], f"{words} [{unit}]", height=1.4)
+    if len(values):
+        ax.hist(values, bins, weights=np.full(len(values), 1 / len(values)), histtype="stepfilled", alpha=0.8)
+    return figure
+
+
+def stood(data: Dataset, outcome: str) -> NDArray[np.float64]:
+    """An outcome of the robots that stood, as far as they have one."""
+    values = data[outcome].values[data["fell"].values == 0]
+    return values[np.isfinite(values)]
 
 
 def ensemble_of(

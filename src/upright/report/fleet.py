@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.fleet.fleet import Fleet
+from upright.fleet.fleet import Fleet, distribution, stood
 from upright.fleet.results import OUTCOMES, Summary, origin_of, summarise
 from upright.plotting import bars, colour_map, legend, line, number, panels, round_levels
 from upright.report.figure import Figure
@@ -100,18 +100,14 @@ def basin_figure(data: Dataset) -> Figure:
     return Figure(title + (", mean over the robots drawn" if family else ""), drawing, note if apart else "")
 
 
-def histogram(data: Dataset, name: str, bins: int = 60) -> Figure:
+def histogram(data: Dataset, name: str) -> Figure:
     """How an outcome is distributed over the robots that stood."""
-    values: Array = data[name].values[data["fell"].values == 0]
-    values = values[np.isfinite(values)]
+    values = stood(data, name)
     unit, words = str(data[name].attrs["unit"]), str(data[name].attrs["long_name"])
     middle, high = np.quantile(values, (0.5, 0.95)).tolist() if len(values) else (math.nan, math.nan)
     after = "" if unit == "1" else f" {unit}"
     title = f"{sentence(words, ':')} half below {middle:.3g}{after}, 95 % below {high:.3g}{after}"
-    figure, (ax,) = panels(["fraction of robots [1]"], f"{words} [{unit}]", height=1.4)
-    if len(values):
-        ax.hist(values, bins, weights=np.full(len(values), 1 / len(values)), histtype="stepfilled", alpha=0.8)
-    return Figure(title, figure)
+    return Figure(title, distribution(data, name))
 
 
 def influence(data: Dataset, outcome: str) -> Figure | None:

@@ -1,0 +1,248 @@
+"""The documentation site, from the pages of this folder: `python docs/build.py [FOLDER]`, by default into `site/`.
+
+Pages stay plain Markdown that GitHub shows. What only a site can have is added to a copy of them: the order of pages,
+the reference of the code, the pictures of the gallery, and the notebooks, executed. A warning is an error.
+"""
+
+from __future__ import annotations
+
+import argparse
+import base64
+import re
+import shutil
+import sys
+import tempfile
+from collections.abc import Sequence
+from html import escape
+from pathlib import Path
+
+from nbformat import NotebookNode
+from sphinx.cmd.build import build_main
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent
+sys.path[:0] = [str(ROOT / "notebooks")]
+import build as notebooks  # noqa: E402
+
+PARTS = {
+    "Start": ("start", "first-robot", "lab"),
+    "Course": ("notebooks/index",),
+    "How to": ("how-to", "add-a-robot", "add-a-body", "add-a-controller", "examples/index"),
+    "Concepts": (
+        "model", "twin", "logs", "calibrate", "identify", "excite", "certificate", "post-mortem", "fleet", "firmware",
+    ),
+    "Reference": ("api", "conventions", "glossary", "gallery", "figures", "benchmarks/index", "scale"),
+    "The project": ("architecture", "contributing", "changes"),
+}  # fmt: skip
+"""The order of the site: every page is in one part."""
+
+OUTSIDE = {"contributing": "CONTRIBUTING.md", "changes": "CHANGELOG.md", "benchmarks/index": "benchmarks/README.md"}
+"""Pages of the site that stand elsewhere in the checkout."""
+
+REFERENCE = {
+    "From a robot to a run": (
+        "Robot", "Kit", "run", "Log", "Signal", "compare", "report", "example",
+    ),
+    "Bodies": ("NonlinearBody", "LinearBody", "Twin", "Electronics"),
+    "Pushes and references": ("Hold", "Impulse", "Push", "Slope", "Drive", "Turn"),
+    "Models": ("linearise", "LinearModel"),
+    "Controllers": (
+        "design", "lqr", "lqi", "lqg", "pid", "hinf", "mpc", "sliding", "robust", "kalman", "complementary",
+        "StateFeedback", "Estimated",
+    ),
+    "From a log": ("doctor", "calibrate", "identify", "validate", "excite", "post_mortem"),
+    "Before it drives": ("certify", "parity"),
+    "Many robots": ("fleet", "push_map"),
+    "The paper, and errors": ("reproduce", "UprightError"),
+}  # fmt: skip
+"""Everything that `import upright` offers, by what it is for."""
+
+
+def build(site: Path, *, draft: bool = False) -> int:
+    """Write the site into the folder `site`, and return Sphinx's exit status; a `draft` executes nothing."""
+    with tempfile.TemporaryDirectory() as scratch:
+        source = Path(scratch) / "source"
+        source.mkdir()
+        _pages(source)
+        _examples(source)
+        _reference(source)
+        _glossary(source)
+        _course(source, draft)
+        if not draft:
+            _gallery(source)
+        _order(source)
+        arguments = ["-b", "html", "-c", str(HERE), "-W", "--keep-going", "-q", "-d", str(Path(scratch) / "doctrees")]
+        shutil.rmtree(site, ignore_errors=True)
+        return build_main([*arguments, str(source), str(site)])
+
+
+def _pages(source: Path) -> None:
+    for page in HERE.glob("*.md"):
+        text = page.read_text("utf-8").replace("](../", "](")
+        _write(source / page.name, re.sub(r"\]\((notebooks|examples|benchmarks)/README\.md\)", r"](\1/index.md)", text))
+    for picture in HERE.glob("*.gif"):
+        shutil.copy(picture, source)
+    for name, path in OUTSIDE.items():
+        _write(source / f"{name}.md", (ROOT / path).read_text("utf-8").replace("](docs/", "]("))
+    for linked in re.findall(r"\]\(((?:src|benchmarks)/[^)#]+\.py)\)", "".join(_texts(source))):
+        (source / linked).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / linked, source / linked)
+
+
+def _texts(source: Path) -> list[str]:
+    return [page.read_text("utf-8") for page in sorted(source.glob("*.md"))]
+
+
+def _examples(source: Path) -> None:
+    """The scripts of `examples/` below their table, each as its text."""
+    page = (ROOT / "examples" / "README.md").read_text("utf-8")
+    scripts = [ROOT / "examples" / name for name in re.findall(r"\]\((\w+\.py)\)", page)]
+    page = re.sub(r"\]\((\w+)\.py\)", r"](#example-\1)", page)
+    parts = [f"(example-{s.stem})=\n## {s.name}\n\n```python\n{s.read_text('utf-8')}```\n" for s in scripts]
+    _write(source / "examples" / "index.md", "\n".join([page, *parts]))
+
+
+def _reference(source: Path) -> None:
+    whom = "*For everybody who writes Python; `import upright as up` offers everything on this page.*"
+    parts = [f"# Python reference\n\n{whom}\n"]
+    for title, names in REFERENCE.items():
+        parts += [f"## {title}\n", *(_entry(name) for name in names)]
+    _write(source / "api.md", "\n".join(parts))
+
+
+def _entry(name: str) -> str:
+    import upright
+
+    kind = "autoclass" if isinstance(getattr(upright, name), type) else "autofunction"
+    members = "   :members:\n" if kind == "autoclass" else ""
+    return f"```{{eval-rst}}\n.. {kind}:: upright.{name}\n{members}```\n"
+
+
+def _glossary(source: Path) -> None:
+    """The table of conventions.md as a page of its own."""
+    table = (HERE / "conventions.md").read_text("utf-8").partition("## Glossary\n")[2]
+    _write(source / "glossary.md", f"# Glossary\n\n*For everybody; English and Spanish.*\n{table}")
+
+
+FENCE = re.compile(r"^```python\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
+
+
+def _gallery(source: Path) -> None:
+    """Each example of the gallery is executed, and the `figure` that it makes stands below it."""
+    page = source / "gallery.md"
+    names: dict[str, object] = {"__name__": "gallery"}
+    count = iter(range(1000))
+
+    def drawn(fence: re.Match[str]) -> str:
+        names.pop("figure", None)
+        exec(compile(fence[1], "gallery.md", "exec"), names)
+        figure = names["figure"]
+        path = f"gallery-{next(count)}.svg"
+        figure.savefig(source / path)  # type: ignore[attr-defined]
+        return f"{fence[0]}\n![What this example draws]({path})\n"
+
+    _write(page, FENCE.sub(drawn, page.read_text("utf-8")))
+
+
+def _course(source: Path, draft: bool) -> None:
+    """The page of the course, and each notebook as a page in both languages, with the student's to take away."""
+    page = (ROOT / "notebooks" / "README.md").read_text("utf-8").replace("](../docs/", "](../")
+    folder = source / "notebooks"
+    names: list[str] = []
+    files = Path(tempfile.mkdtemp(dir=source.parent))
+    for text in notebooks.texts():
+        names.append(text.stem)
+        ran = [(c, _node(c)) for c in notebooks.cells_of(text)] if draft else notebooks.executed(text, files)
+        for lang in notebooks.LANGUAGES:
+            student = notebooks.notebook_of(ran, lang, teacher=False)
+            path = folder / lang / f"{text.stem}.md"
+            take = path.with_suffix(".ipynb")
+            _write(take, notebooks.nbformat.writes(student))
+            _write(path, _notebook_page(student, path, take.name, TAKE[lang]))
+    for lang, (title, whom) in LANGUAGE.items():
+        rows = "".join(f"- [{_title(folder / lang / f'{name}.md')}]({name}.md)\n" for name in names)
+        _write(folder / lang / "index.md", f"# {title}\n\n*{whom}*\n\n{rows}{_tree('', names)}")
+    _write(folder / "build.py", (ROOT / "notebooks" / "build.py").read_text("utf-8"))
+    _write(
+        folder / "index.md", re.sub(r"\]\((\d_\w+)\.py\)", r"](en/\1.md)", page) + _tree("", ["en/index", "es/index"])
+    )
+
+
+def _title(page: Path) -> str:
+    return page.read_text("utf-8").partition("\n")[0].lstrip("# ")
+
+
+LANGUAGE = {
+    "en": ("In English", "For students; take a notebook with you, or read it here."),
+    "es": ("En español", "Para estudiantes; lleve consigo un cuaderno, o léalo aquí."),
+}
+TAKE = {"en": "Take this notebook with you", "es": "Lleve consigo este cuaderno"}
+
+
+def _node(cell: notebooks.Cell) -> NotebookNode:
+    make = notebooks.nbformat.v4.new_markdown_cell if cell.prose else notebooks.nbformat.v4.new_code_cell
+    return make(cell.text)
+
+
+def _notebook_page(notebook: NotebookNode, page: Path, take: str, words: str) -> str:
+    """A notebook as Markdown: its title, the link to the notebook itself, and the other cells with their outputs."""
+    parts: list[str] = []
+    for number, cell in enumerate(notebook.cells):
+        if cell.cell_type == "markdown":
+            parts.append(re.sub(r"\]\((\d_\w+)\.ipynb\)", r"](\1.md)", cell.source) + "\n")
+        else:
+            parts.append(f"```python\n{cell.source}\n```\n")
+            parts += [_output(out, page, f"{page.stem}-{number}-{k}") for k, out in enumerate(cell.outputs)]
+    return "\n".join([parts[0], f"[{words}]({take})\n", *parts[1:]])
+
+
+def _output(output: NotebookNode, page: Path, name: str) -> str:
+    if output.output_type == "stream":
+        return _block(f"<pre>{escape(output.text)}</pre>") if output.name == "stdout" else ""
+    data = output.data
+    if "image/png" in data:
+        path = page.parent / f"{name}.png"
+        path.write_bytes(base64.b64decode(data["image/png"]))
+        width = output.metadata.get("image/png", {}).get("width")
+        return f"![A figure that this cell draws]({path.name})" + (f"{{width={width}px}}\n" if width else "\n")
+    return _block(data.get("text/html") or f"<pre>{escape(data.get('text/plain', ''))}</pre>")
+
+
+def _block(html: str) -> str:
+    fence = ":::::"
+    return f'{fence}{{raw}} html\n<div class="output" tabindex="0">{html}</div>\n{fence}\n'
+
+
+def _order(source: Path) -> None:
+    pages = {page.relative_to(source).with_suffix("").as_posix() for page in source.rglob("*.md")}
+    named = {name for names in PARTS.values() for name in names}
+    strays = {page for page in pages - named - {"index"} if not page.startswith("notebooks/")}
+    if strays:
+        sys.exit(f"docs/build.py: no part of the site has {', '.join(sorted(strays))}; add it to PARTS")
+    with (source / "index.md").open("a", encoding="utf-8") as index:
+        index.write("".join(_tree(title, names) for title, names in PARTS.items()))
+
+
+def _tree(title: str, names: Sequence[str]) -> str:
+    rows = "\n".join(names)
+    caption = f":caption: {title}\n" if title else ""
+    return f"\n```{{toctree}}\n{caption}:hidden:\n\n{rows}\n```\n"
+
+
+def _write(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, "utf-8")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("site", nargs="?", type=Path, default=ROOT / "site")
+    parser.add_argument("--draft", action="store_true", help="execute no notebook and draw no gallery")
+    given = parser.parse_args()
+    status = build(given.site.resolve(), draft=given.draft)
+    print(f"{given.site / 'index.html'}" if status == 0 else "the site was not built without warnings")
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,133 @@
+"""Notebooks from their texts: executed once, in two languages, for students and for teachers.
+
+    python notebooks/build.py [--out FOLDER] [NAME…]
+
+A text is a Python file of cells, as jupytext and most editors read it. Beside the code, which serves both languages, a
+cell of prose is marked `lang="en"` or `lang="es"`. A cell with `tags=["answer"]` is in the teacher's notebook only; in
+the student's there is an empty cell in place of code. Answers are executed with everything else.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import re
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import nbformat
+from nbclient import NotebookClient
+from nbformat import NotebookNode
+
+HERE = Path(__file__).parent
+LANGUAGES = ("en", "es")
+LIMIT = 120  # [s] of one cell: a guard against hanging, not the time that a notebook should take
+EMPTY = {"en": "# your answer", "es": "# su respuesta"}
+HEAD = re.compile(r"^# %%(?P<prose> \[markdown\])?(?P<options>.*)$", re.MULTILINE)
+OPTION = re.compile(r"""(\w+)=("[^"]*"|\[[^\]]*\])""")
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A cell of prose (`lang` is its language) or of code (`lang` is empty), and whether it is an answer."""
+
+    text: str
+    prose: bool
+    lang: str
+    answer: bool
+
+    @property
+    def heading(self) -> str:
+        """The heading that the prose begins with, or nothing."""
+        first = self.text.partition("\n")[0]
+        return first.lstrip("# ") if self.prose and first.startswith("#") else ""
+
+
+def texts() -> list[Path]:
+    """The texts of all notebooks, in the order of the course."""
+    return sorted(HERE.glob("[0-9]_*.py"))
+
+
+def cells_of(text: Path) -> list[Cell]:
+    """The cells of a text. Raises `ValueError` for an option or a language that does not exist."""
+    _, *parts = re.split(r"(?=^# %%)", text.read_text("utf-8"), flags=re.MULTILINE)
+    return [_cell(text.name, part) for part in parts]
+
+
+def _cell(where: str, part: str) -> Cell:
+    first, _, body = part.partition("\n")
+    head = HEAD.match(first)
+    if head is None:
+        raise ValueError(f"{where}: '{first}' is no head of a cell")
+    options = {name: ast.literal_eval(value) for name, value in OPTION.findall(head["options"])}
+    prose, lang, tags = bool(head["prose"]), options.pop("lang", ""), options.pop("tags", [])
+    if options or (prose and lang not in LANGUAGES) or not set(tags) <= {"answer"}:
+        raise ValueError(f"{where}: '{first}'; expected the lang of prose, {' or '.join(LANGUAGES)}, no tag but answer")
+    lines = [re.sub(r"^# ?", "", line) if prose else line for line in body.strip("\n").split("\n")]
+    return Cell("\n".join(lines), prose, lang, "answer" in tags)
+
+
+def executed(text: Path, folder: Path) -> list[tuple[Cell, NotebookNode]]:
+    """Every cell of a text with its executed node; files are written into `folder`. Raises what a cell raises."""
+    cells = cells_of(text)
+    make = {True: nbformat.v4.new_markdown_cell, False: nbformat.v4.new_code_cell}
+    notebook = nbformat.v4.new_notebook(cells=[make[cell.prose](cell.text) for cell in cells])
+    for number, node in enumerate(notebook.cells):
+        node["id"] = f"cell-{number}"  # else they are random, and no two builds are alike
+    NotebookClient(notebook, timeout=LIMIT, kernel_name="python3", resources={"metadata": {"path": folder}}).execute()
+    for node in notebook.cells:
+        node.metadata = {}  # when each cell ran
+    return list(zip(cells, notebook.cells, strict=True))
+
+
+def notebook_of(ran: Sequence[tuple[Cell, NotebookNode]], lang: str, *, teacher: bool) -> NotebookNode:
+    """The notebook of one language, with its outputs; without `teacher` the answers are taken out."""
+    nodes = list(_chosen(ran, lang, teacher))
+    kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
+    return nbformat.v4.new_notebook(cells=nodes, metadata=kernel | {"language_info": {"name": "python"}})
+
+
+def _chosen(ran: Sequence[tuple[Cell, NotebookNode]], lang: str, teacher: bool) -> Iterator[NotebookNode]:
+    for cell, node in ran:
+        if cell.lang not in ("", lang):
+            continue
+        if teacher or not cell.answer:
+            yield NotebookNode(node | {"metadata": {"tags": ["answer"]}}) if cell.answer else node
+        elif not cell.prose:
+            empty = nbformat.v4.new_code_cell(EMPTY[lang])
+            empty["id"] = node["id"]
+            yield empty
+
+
+def build(folder: Path, names: Sequence[str] = ()) -> list[Path]:
+    """Write every notebook below `folder`: student/en, student/es, teacher/en and teacher/es."""
+    written: list[Path] = []
+    for text in texts():
+        if names and text.stem not in names:
+            continue
+        scratch = folder / "files"
+        scratch.mkdir(parents=True, exist_ok=True)
+        ran = executed(text, scratch)
+        for reader in ("student", "teacher"):
+            for lang in LANGUAGES:
+                path = folder / reader / lang / f"{text.stem}.ipynb"
+                path.parent.mkdir(parents=True, exist_ok=True)
+                nbformat.write(notebook_of(ran, lang, teacher=reader == "teacher"), path)
+                written.append(path)
+    return written
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("names", nargs="*", choices=[*(text.stem for text in texts()), []], metavar="NAME")
+    parser.add_argument("--out", type=Path, default=Path("course"))
+    given = parser.parse_args()
+    for path in build(given.out, given.names):
+        print(path)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

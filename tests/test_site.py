@@ -1,0 +1,110 @@
+"""The documentation site: built without a warning, whole, and quiet: it asks no other host, from a folder too."""
+
+from __future__ import annotations
+
+import html
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote
+
+import pytest
+
+import upright
+
+pytestmark = [pytest.mark.needs("module:sphinx", "module:nbclient"), pytest.mark.slow]
+
+ROOT = Path(__file__).parents[1]
+LINK = re.compile(r'<(a|link|script|img|iframe|source|video)\b[^>]*?\b(href|src)="([^"]*)"')
+SHOWN = ("index.html", "start.html", "api.html", "gallery.html", "model.html", "notebooks/en/1_model.html")
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The whole site, with every notebook executed."""
+    folder = tmp_path_factory.mktemp("site") / "site"
+    command = [sys.executable, str(ROOT / "docs" / "build.py"), str(folder)]
+    ran = subprocess.run(command, capture_output=True, text=True, timeout=1500, check=False)
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    return folder
+
+
+def links(page: Path) -> list[tuple[str, str]]:
+    """Tag and target of every link of a page."""
+    return [(tag, html.unescape(target)) for tag, _, target in LINK.findall(page.read_text("utf-8"))]
+
+
+def test_every_link_leads_to_a_page_and_a_place_in_it(site: Path) -> None:
+    pages = {page: set(re.findall(r'\bid="([^"]+)"', page.read_text("utf-8"))) for page in site.rglob("*.html")}
+    assert len(pages) > 30
+    broken: list[str] = []
+    for page in pages:
+        for _, target in links(page):
+            path, _, place = target.partition("#")
+            if "://" in path or path.startswith(("mailto:", "data:")):
+                continue
+            to = (page.parent / unquote(path.partition("?")[0])).resolve() if path else page
+            if not to.is_file() or (place and to in pages and unquote(place) not in pages[to]):
+                broken.append(f"{page.relative_to(site)}: {target}")
+    assert not broken
+
+
+def test_no_page_and_no_style_asks_another_host(site: Path) -> None:
+    """Only what a reader clicks may lead elsewhere."""
+    tags = [(tag, target) for page in site.rglob("*.html") for tag, target in links(page)]
+    assert not [target for tag, target in tags if tag != "a" and re.match(r"(https?:)?//", target)]
+    styles = "".join(style.read_text("utf-8") for style in site.rglob("*.css"))
+    assert not re.findall(r"(?:url\(|@import )[\"']?((?:https?:)?//[^\"')]+)", styles)
+
+
+def test_the_reference_has_everything_that_the_package_offers(site: Path) -> None:
+    page = (site / "api.html").read_text("utf-8")
+    assert [name for name in upright.__all__ if f'id="upright.{name}"' not in page] == []
+
+
+def test_notebooks_are_there_in_both_languages_without_answers(site: Path) -> None:
+    for text in (ROOT / "notebooks").glob("[0-9]_*.py"):
+        for lang in ("en", "es"):
+            page = (site / "notebooks" / lang / f"{text.stem}.html").read_text("utf-8")
+            (taken,) = re.findall(r'href="([^"]*\.ipynb)"', page)
+            cells = json.loads((site / "notebooks" / lang / taken).read_text("utf-8"))["cells"]
+            assert not [cell for cell in cells if "answer" in cell["metadata"].get("tags", ())]
+            assert any("image/png" in out.get("data", {}) for cell in cells for out in cell.get("outputs", ()))
+            assert "<img" in page
+
+
+@pytest.mark.needs("chromium", "module:playwright")
+@pytest.mark.parametrize("width", [1280, 390])
+def test_in_a_browser_from_a_folder(site: Path, browser: Any, width: int) -> None:
+    page = browser.new_page(viewport={"width": width, "height": 900})
+    asked: list[str] = []
+    errors: list[str] = []
+    page.on("request", lambda request: asked.append(request.url))
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
+    for name in SHOWN:
+        page.goto((site / name).as_uri())
+        assert page.evaluate("document.documentElement.scrollWidth") == width, name  # what is wide scrolls by itself
+    page.goto((site / "search.html").as_uri() + "?q=kalman")
+    page.wait_for_selector("#search-results li a")
+    page.close()
+    assert not [url for url in asked if not url.startswith(("file:", "data:"))]
+    assert not errors
+
+
+@pytest.mark.needs("chromium", "module:playwright", "npm")
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_core_finds_nothing_serious_on_the_site(site: Path, browser: Any, axe: Path, scheme: str) -> None:
+    page = browser.new_page(color_scheme=scheme)
+    found: list[str] = []
+    for name in SHOWN:
+        page.goto((site / name).as_uri())
+        page.add_script_tag(path=str(axe))
+        for wrong in page.evaluate("axe.run().then((result) => result.violations)"):
+            if wrong["impact"] in ("serious", "critical"):
+                found += [f"{name}: {wrong['id']}: {node['html'][:200]}" for node in wrong["nodes"][:3]]
+    page.close()
+    assert not found
