@@ -21,8 +21,8 @@ SOURCE = CHECKOUT / "src" / "upright"
 ROOMS = (
     "errors", "interrupts", "atomic", "reading", "tables", "plotting", "plugins", "signals", "robots", "physics",
     "compiled", "links", "bodies", "control", "logs", "doctor", "experiment", "kernel", "calibrate", "fleet",
-    "firmware", "bricks", "parity", "excite", "identify", "validate", "certify", "diagnose", "flight", "comparison",
-    "report", "paper", "lab", "cli", "__main__",
+    "firmware", "bricks", "parity", "excite", "identify", "validate", "certify", "tune", "diagnose", "flight",
+    "comparison", "report", "paper", "lab", "cli", "__main__",
 )  # fmt: skip
 """From the ground up."""
 
@@ -30,8 +30,8 @@ STRANGERS = {("control", "bodies")}
 """Rooms that do not know each other although the order would allow it: a controller must not see inside a body."""
 
 HEAVY = {
-    "control", "cvxpy", "dask", "distributed", "fastapi", "jinja2", "matplotlib", "mcap", "mujoco", "numba", "pandas",
-    "pyarrow", "rich", "scipy.signal", "slycot", "sympy", "uvicorn", "xarray", "zarr",
+    "cma", "control", "cvxpy", "dask", "distributed", "fastapi", "jinja2", "matplotlib", "mcap", "mujoco", "numba",
+    "pandas", "pyarrow", "rich", "scipy.signal", "slycot", "sympy", "uvicorn", "xarray", "zarr",
 }  # fmt: skip
 AT_ONCE = {
     ("bodies/twin.py", "mujoco"), ("paper/derivation.py", "sympy"), ("paper/errata.py", "sympy"),

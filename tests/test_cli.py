@@ -195,7 +195,7 @@ def test_ctrl_c_ends_with_130(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Ca
 
 def test_every_command_has_a_help_page(capsys: pytest.CaptureFixture[str]) -> None:
     registered = get_command(app).commands  # type: ignore[attr-defined]
-    assert len(registered) == 25
+    assert len(registered) == 26
     for command in registered:
         assert main([command, "--help"]) == 0
         page = capsys.readouterr().out

@@ -42,4 +42,5 @@ from .robots import Kit as Kit
 from .robots import Robot as Robot
 from .signals import Log as Log
 from .signals import Signal as Signal
+from .tune.tune import tune as tune
 from .validate.validate import validate as validate

@@ -250,7 +250,7 @@ def delay_margin(robot: Robot, controller: Controller, kit: Kit, *, at: str = ""
     K = controller_of(linear, nominal.delay)
 
     def stable(more: float) -> bool:
-        delayed = sampled(robot, _slower_kit(kit, more, at), linear.period, linear.reads, longest=MOST_PERIODS)
+        delayed = sampled(robot, delayed_kit(kit, more, at), linear.period, linear.reads, longest=MOST_PERIODS)
         return Loop(commanded(delayed), K).stable
 
     high = low = 0.0
@@ -264,7 +264,7 @@ def delay_margin(robot: Robot, controller: Controller, kit: Kit, *, at: str = ""
     return low
 
 
-def _slower_kit(kit: Kit, more: float, at: str) -> Kit:
+def delayed_kit(kit: Kit, more: float, at: str) -> Kit:
     """The kit with so much more dead time [s], or with as much more delay of the sensor `at`."""
     if not at:
         return replace(kit, delay=kit.delay + more)

@@ -18,7 +18,7 @@ from upright.control.law import Law, as_law
 from upright.control.mpc import Splitting
 from upright.errors import InvalidController, SpecMismatch
 from upright.experiment.pushes import Hold, Impulse
-from upright.fleet.ensemble import tables
+from upright.fleet.ensemble import SETTLED, tables
 from upright.kernel.batch import NAMES, FleetBatch, FleetResult, parameters_of, silent
 from upright.kernel.pack import RESIDUAL
 from upright.kernel.simulate import simulate
@@ -31,6 +31,7 @@ RELEASE = 3.0  # [s] a hold of this length lets every preset come to rest agains
 TAIL = 2.0  # [s] at the end, over which the limit cycle is measured: several of its periods
 FRONT, BACK = 0.1, -0.12  # [rad] both holds of Herrera et al. (2015)
 KNOCK = 0.15  # [m/s] of the body's speed by the impulse: half of walking into it slowly
+KNOCK_DURATION = 0.02  # [s] of the impulse
 BATTERIES = {"low": 0.85, "full": 1.12}
 """Over the kit's voltage: six AA cells under load give 7 to 9 V for 8, two lithium cells 6.4 to 8.4 V for 7.5."""
 
@@ -47,6 +48,7 @@ CALLED = 128
 """Robots in one batch where the controller is called for each of them: about a second of work."""
 
 PITCH = ("truth/pitch",)
+BANDS = (SETTLED, math.inf, math.inf)
 _STEP = 0.001  # [s] of the body, as everywhere
 _MOST = 95  # per cent: what one run in twenty exceeds
 
@@ -110,7 +112,7 @@ def standard_pushes(robot: Robot) -> dict[str, Any]:
     return {
         f"hold at {FRONT:+.2f} rad": Hold(pitch=FRONT, until=RELEASE),
         f"hold at {BACK:+.2f} rad": Hold(pitch=BACK, until=RELEASE),
-        f"knock by {KNOCK:g} m/s": Impulse(impulse=KNOCK * robot.body_mass, start=1.0, duration=0.02),
+        f"knock by {KNOCK:g} m/s": Impulse(impulse=KNOCK * robot.body_mass, start=1.0, duration=KNOCK_DURATION),
     }
 
 
@@ -146,19 +148,39 @@ class Course:
         return pushes * (len(BATTERIES) * len(self.robots) + (len(_extra(self)) + len(_periods(self))) * some)
 
 
+class TriedPush(NamedTuple):
+    """A `trial`, the push of it, and the runs of all robots, batch by batch."""
+
+    trial: PushTrial
+    push: Any
+    rows: Sequence[FleetResult]
+
+    @property
+    def fell(self) -> NDArray[np.bool_]:
+        """Which robots (n,) fell."""
+        return np.concatenate([row.fell for row in self.rows])
+
+
 def trials(course: Course) -> tuple[tuple[PushTrial, ...], NDArray[np.bool_]]:
     """Every standard push at every battery on all robots, and which robots (n,) fell in any of them."""
-    fell = np.zeros(len(course.robots), dtype=np.bool_)
-    law, results = course.controller.law, list[PushTrial]()
+    fell, results = np.zeros(len(course.robots), dtype=np.bool_), list[PushTrial]()
+    for one in tried(course):
+        results.append(one.trial)
+        fell |= one.fell
+    return tuple(results), fell
+
+
+def tried(course: Course) -> Iterator[TriedPush]:
+    """Every standard push at every battery on all robots."""
+    law, number = course.controller.law, 0
     planned = law.nonlinear is not None and isinstance(law.nonlinear.part, Splitting)
     channels = (*PITCH, RESIDUAL) if planned else PITCH
     for name, push in standard_pushes(course.robot).items():
         for battery, fraction in BATTERIES.items():
             changes = _battery(course.kit, course.robot, fraction)
-            rows = list(_runs(course, course.robots, push, len(results), changes, course.controller, channels))
-            results.append(_trial(name, battery, rows, parameters_of(course.robots), law.period))
-            fell |= np.concatenate([row.fell for row in rows])
-    return tuple(results), fell
+            rows = list(_runs(course, course.robots, push, number, changes, course.controller, channels))
+            yield TriedPush(_trial(name, battery, rows, parameters_of(course.robots), law.period), push, rows)
+            number += 1
 
 
 def delayed(course: Course) -> tuple[Swept, ...]:
@@ -212,7 +234,9 @@ def _runs(
             pushes=tables([push], (), some).pushes, index=index, period=_STEP,
         )  # fmt: skip
         called, record = controller.called, int(bool(channels))
-        yield simulate(batch, SECONDS, record=record, channels=channels, threads=course.threads, called=called)
+        yield simulate(
+            batch, SECONDS, record=record, channels=channels, bands=BANDS, threads=course.threads, called=called
+        )
         if course.progress:
             course.progress.add(len(some))
 

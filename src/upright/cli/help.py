@@ -37,6 +37,7 @@ GROUPS = {
     },
     "Design": {
         "design": ("upright design lqg -o controller.json", "upright design hinf -r ev3way --report margins.html"),
+        "tune": ("upright tune lqg -o tuned.json", "upright tune lqr -r herrera2015 --report tune.html"),
         "bench-controllers": ("upright bench-controllers", "upright bench-controllers -r ev3way --json"),
     },
     "Prove": {

@@ -34,6 +34,7 @@ from upright.cli.post_mortem import post_mortem
 from upright.cli.reproduce import reproduce
 from upright.cli.robots import robots
 from upright.cli.simulate import simulate
+from upright.cli.tune import tune
 from upright.cli.validate import validate
 from upright.errors import UprightError
 
@@ -48,7 +49,7 @@ app = typer.Typer(
     name="upright", cls=Grouped, rich_markup_mode=None, context_settings={"help_option_names": ["-h", "--help"]}
 )
 COMMANDS = (
-    reproduce, simulate, compare, linearise, design, certify, bench_controllers, post_mortem, doctor, calibrate,
+    reproduce, simulate, compare, linearise, design, tune, certify, bench_controllers, post_mortem, doctor, calibrate,
     validate, example, excite, identify, fleet, push_map, basin, sweep, firmware, parity, fly, monitor, lab,
     film,
 )  # fmt: skip

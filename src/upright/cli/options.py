@@ -54,6 +54,12 @@ def controllers() -> Iterable[str]:
     return CONTROLLERS
 
 
+def _tunable() -> Iterable[str]:
+    from upright.control import CONTROLLERS
+
+    return [name for name, method in CONTROLLERS.items() if method.tunable]
+
+
 def _bodies() -> Iterable[str]:
     from upright.bodies import BODIES
 
@@ -92,6 +98,7 @@ complete_mapping = completed(_mappings, ".toml")
 complete_controller = completed(controllers, ".json")
 complete_body = completed(_bodies)
 complete_method = completed(controllers)
+complete_tunable = completed(_tunable)
 
 ROBOT_HELP = "Robot by name (see `upright robots`) or TOML file"
 KIT_HELP = "Electronics by name or TOML file"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from os import PathLike
 from typing import Any
@@ -23,6 +23,7 @@ from upright.control.observed import observed
 from upright.control.pid import pid
 from upright.control.robust import robust
 from upright.control.sliding import sliding
+from upright.control.tunable import TUNABLE, Tunable, sized
 from upright.errors import InvalidController
 from upright.plugins import Registry, made
 from upright.robots import Kit, Robot
@@ -38,6 +39,7 @@ class Method:
     A `weighted` method has two more keywords (Bryson's rule): `largest`, the largest accepted deviation of each state
     (6,) [rad, rad/s, …], and `command`, the largest usual command of a motor. A `slow` one takes more than a second to
     design. One with `reads_truth` needs the true state. `benched` ones are in the table of all controllers.
+    `tunable` says how its weights are tuned.
     """
 
     make: Callable[..., Controller]
@@ -46,6 +48,14 @@ class Method:
     slow: bool = False
     reads_truth: bool = False
     benched: bool = True
+    tunable: Tunable | None = None
+
+    def tuned(self, robot: Robot, kit: Kit, dt: float, weights: Mapping[str, float]) -> Controller:
+        """The controller under these weights by name, those of `tunable`."""
+        if self.tunable is None:
+            raise InvalidController(f"{self.name or 'this method'} has no weights to tune")
+        asked = request_hash(self.name, robot, kit, dt, weights=dict(weights))
+        return designed_from(self.tunable.make(robot, kit, dt, weights), asked)
 
     def __call__(
         self,
@@ -95,14 +105,15 @@ def _complementary(robot: Robot, kit: Kit, dt: float, Q: Array, R: Array) -> Con
 
 
 OURS = (
-    Method(name="lqr", make=_by_weights(_observed), weighted=True),  # the baseline of all others
+    # the baseline of all others
+    Method(name="lqr", make=_by_weights(_observed), weighted=True, tunable=TUNABLE["lqr"]),
     Method(name="lqr-complementary", make=_by_weights(_complementary), weighted=True, benched=False),
-    Method(name="lqi", make=_by_weights(lqi, (LARGEST_INTEGRAL,)), weighted=True),
-    Method(name="lqg", make=_by_weights(lqg), weighted=True),
-    Method(name="pid", make=pid, slow=True),
-    Method(name="hinf", make=hinf, slow=True),
-    Method(name="mpc", make=_by_weights(mpc), weighted=True),
-    Method(name="sliding", make=_by_weights(sliding), weighted=True),
+    Method(name="lqi", make=_by_weights(lqi, (LARGEST_INTEGRAL,)), weighted=True, tunable=TUNABLE["lqi"]),
+    Method(name="lqg", make=_by_weights(lqg), weighted=True, tunable=TUNABLE["lqg"]),
+    Method(name="pid", make=pid, slow=True, tunable=TUNABLE["pid"]),
+    Method(name="hinf", make=hinf, slow=True, tunable=TUNABLE["hinf"]),
+    Method(name="mpc", make=_by_weights(mpc), weighted=True, tunable=TUNABLE["mpc"]),
+    Method(name="sliding", make=_by_weights(sliding), weighted=True, tunable=TUNABLE["sliding"]),
     Method(name="robust", make=robust, weighted=True, slow=True),
     Method(name="lqr-state", make=_by_weights(_lqr), weighted=True, reads_truth=True, benched=False),
 )
@@ -116,7 +127,8 @@ def _plugin(name: str, thing: Any) -> Method:
     def checked(robot: Robot, kit: Kit, dt: float, **weights: Any) -> Controller:
         return made(f"controller {name}", Controller, lambda: make(robot, kit, dt, **weights))
 
-    return replace(given, name=name, make=checked)
+    by_sizes = sized(checked) if given.weighted and not given.slow else None
+    return replace(given, name=name, make=checked, tunable=given.tunable or by_sizes)
 
 
 CONTROLLERS: Registry[Method] = Registry("controller", "upright.controllers", {m.name: m for m in OURS}, _plugin)

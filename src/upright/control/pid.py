@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -85,14 +85,16 @@ def pid(
     *,
     heading: float = HEADING[0],
     unwinding: float = 2.0,
+    gains: Mapping[str, float] | None = None,
     reads: tuple[str, ...] = RAW,
     disturbed: Disturbed = DISTURBED,
 ) -> LinearController:
     """The cascade for `robot` on the sensors of `kit`, with a heading loop that crosses over at `heading` [rad/s].
 
     Of all cascades tried, in multiples of what gravity asks for, it is the stiffest against a held push that keeps the
-    modulus margin min |1 + L| at the motors above `MARGIN`. What saturation takes flows out of the integral within
-    `unwinding` [s]. Raises `DesignFailed` where no cascade stabilises the robot.
+    modulus margin min |1 + L| at the motors above `MARGIN`. With `gains`, fields of `PidGains` for pitch and position,
+    nothing is tried. What saturation takes flows out of the integral within `unwinding` [s]. Raises `DesignFailed`
+    where no cascade, or not this one, stabilises the robot.
     """
     robot, kit = find_robot(robot), find_kit(kit)
     if not (heading > 0 and unwinding > 0):
@@ -101,9 +103,10 @@ def pid(
     estimator = kalman_filter(model, disturbed)
     plane = _Plane(model)
     still = rolling(robot)
-    gains = _tuned(plane, motor_damping(still) / motor_gain(still), _heading(model, heading))
-    K, extra = _law(model, gains, unwinding)
-    return output_feedback(estimator, K, "pid", Pid(estimator, gains, plane.margin(gains)), extra)
+    motor, turning = motor_damping(still) / motor_gain(still), _heading(model, heading)
+    chosen = _tuned(plane, motor, turning) if gains is None else _given(plane, motor, turning, gains)
+    K, extra = _law(model, chosen, unwinding)
+    return output_feedback(estimator, K, "pid", Pid(estimator, chosen, plane.margin(chosen)), extra)
 
 
 class _Plane:
@@ -177,6 +180,14 @@ def _tuned(plane: _Plane, motor: float, heading: tuple[float, float]) -> PidGain
         raise _no_cascade(plane)
     enough = min(MARGIN, SHARE * max(margin for margin, _ in cascades))
     return max((gains.wheel, margin, i, gains) for i, (margin, gains) in enumerate(cascades) if margin >= enough)[3]
+
+
+def _given(plane: _Plane, motor: float, heading: tuple[float, float], gains: Mapping[str, float]) -> PidGains:
+    """The `gains` of pitch and position, which have to stabilise the robot."""
+    result = PidGains(motor=motor, yaw=heading[0], yaw_rate=heading[1], **gains)
+    if not plane.slowest(result) < 1:
+        raise DesignFailed(f"these gains do not stabilise '{plane.sampled.robot.name}'", expected=str(PidGains.__doc__))
+    return result
 
 
 def _pitches(plane: _Plane, motor: float) -> Iterator[PidGains]:

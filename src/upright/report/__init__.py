@@ -20,7 +20,7 @@ PAGES = {
     "Comparison": "comparing", "Calibration": "calibration", "MethodComparison": "identification",
     "ExcitationPlan": "excitation", "Analysis": "analysis", "Designed": "analysis", "Certificate": "certificate",
     "PostMortem": "postmortem", "Fleet": "fleet", "Dataset": "fleet", "Bench": "bench",
-    "Cases": "campaign", "Validation": "validation", "Diagnosis": "checked", "Parity": "checked",
+    "Cases": "campaign", "Tuned": "tuning", "Validation": "validation", "Diagnosis": "checked", "Parity": "checked",
     "LinearModel": "checked",
 }  # fmt: skip
 """Class of a result → the file of this room that has its page."""
@@ -30,9 +30,9 @@ def report(result: Any, path: str | Path, *, title: str = "") -> Path:
     """Write the page of a `result` as one self-contained HTML file, and return its path.
 
     `result` is what a verb returns: a comparison, a calibration, a validation, all identified models, an excitation
-    plan, a design or its analysis, a certificate, a post-mortem, a fleet, a push map, a basin, a campaign, a diagnosis,
-    a parity or a linear model. `title` replaces the page's own. Raises `UprightError` for a result without a page, or
-    where the file cannot be written.
+    plan, a design or its analysis, a tuning, a certificate, a post-mortem, a fleet, a push map, a basin, a campaign, a
+    diagnosis, a parity or a linear model. `title` replaces the page's own. Raises `UprightError` for a result without a
+    page, or where the file cannot be written.
     """
     page = page_of(result)
     return (replace(page, title=title) if title else page).write(path)

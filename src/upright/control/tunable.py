@@ -1,0 +1,160 @@
+"""The weights of a design that may be tuned: their names, their defaults for a robot, and the controller under others.
+
+The wheels' heading is left alone: by symmetry it is a loop of its own, which no fall depends on. Of Bryson's sizes only
+ratios matter, so that the command's is fixed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from upright.control.controller import Controller
+from upright.control.delay import sampled
+from upright.control.design import design_of
+from upright.control.hinf import Expected, hinf
+from upright.control.kalman import RECOVERED, Disturbed, offset_free
+from upright.control.lqg import lqg
+from upright.control.lqi import LARGEST_INTEGRAL, lqi
+from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, lqr
+from upright.control.mpc import mpc
+from upright.control.observed import observed
+from upright.control.pid import Pid, pid
+from upright.control.sliding import sliding
+from upright.robots import Kit, Robot
+from upright.signals import STATE_NAMES
+
+Weights = Mapping[str, float]
+
+PLANE = STATE_NAMES[:4]
+"""The states of the pitch plane, whose largest accepted deviations (Bryson's rule) are weights."""
+
+UNITS = dict(zip(PLANE, ("rad", "rad/s", "rad", "rad/s"), strict=True)) | {
+    "integral": "rad s", "motor_noise": "1", "push_walk": "N/√s", "time": "s", "reach": "1", "layer": "1",
+    "horizon": "1", "disturbance": "1", "encoder_error": "rad", "gyro_error": "rad/s", "p": "command/rad",
+    "i": "command/(rad s)", "d": "command s/rad", "filter_time": "s", "wheel_gain": "1", "wheel_rate_gain": "s",
+}  # fmt: skip
+"""Name of a weight → its unit."""
+
+WIDTH = 30.0
+"""A tuned weight is at most so many times its default, or its default so many times it."""
+NARROWER = {"horizon": 6.0}
+"""The same of some: a horizon is at most 200 periods."""
+
+
+@dataclass(frozen=True)
+class Tunable:
+    """`defaults(robot, kit, dt)` are positive weights by name; `make(robot, kit, dt, weights)` is the controller under
+    such weights, and under the defaults the controller of the method itself."""
+
+    defaults: Callable[[Robot, Kit, float], dict[str, float]]
+    make: Callable[[Robot, Kit, float, Weights], Controller]
+
+
+def _regulator() -> dict[str, float]:
+    """Bryson's sizes of the pitch plane, and the filter's noise where the command enters (`Disturbed.motor`)."""
+    return {**dict(zip(PLANE, LARGEST_STATE, strict=False)), "motor_noise": RECOVERED.motor}
+
+
+def largest_of(weights: Weights) -> tuple[float, ...]:
+    """Bryson's sizes (6,) with those of the pitch plane from `weights`."""
+    return (*(weights[name] for name in PLANE), *LARGEST_STATE[4:])
+
+
+def sized(make: Callable[..., Controller]) -> Tunable:
+    """Of a weighted method of a package, `make(robot, kit, dt, largest, command)`: the sizes of the pitch plane."""
+
+    def defaults(_robot: Robot, _kit: Kit, _dt: float) -> dict[str, float]:
+        return dict(zip(PLANE, LARGEST_STATE, strict=False))
+
+    def under(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
+        return make(robot, kit, dt, largest=largest_of(weights), command=LARGEST_COMMAND[robot.command_unit])
+
+    return Tunable(defaults, under)
+
+
+def _by_weights(method: Callable[..., Controller], integral: bool = False) -> Tunable:
+    """A method of Q and R behind a filter."""
+
+    def defaults(_robot: Robot, _kit: Kit, _dt: float) -> dict[str, float]:
+        return _regulator() | ({"integral": LARGEST_INTEGRAL} if integral else {})
+
+    def make(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
+        own = (weights["integral"],) if integral else ()
+        return method(robot, kit, dt, **_common(robot, weights, own))
+
+    return Tunable(defaults, make)
+
+
+def _common(robot: Robot, weights: Weights, integral: tuple[float, ...] = ()) -> dict[str, Any]:
+    """Q, R and the filter's noise."""
+    command = bryson([LARGEST_COMMAND[robot.command_unit]] * 2)
+    noise = replace(RECOVERED, motor=weights["motor_noise"])
+    return {"Q": bryson([*largest_of(weights), *integral]), "R": command, "disturbed": noise}
+
+
+def _lqr(robot: Robot, kit: Kit, dt: float, Q: Any, R: Any, disturbed: Disturbed) -> Controller:
+    return observed(lqr(robot, dt, Q, R), robot, kit, disturbed=disturbed)
+
+
+def _sliding_defaults(_robot: Robot, _kit: Kit, _dt: float) -> dict[str, float]:
+    return _regulator() | {"time": 0.05, "reach": 0.02, "layer": 0.1}
+
+
+def _sliding(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
+    time, reach, layer = (weights[name] for name in ("time", "reach", "layer"))
+    return sliding(robot, kit, dt, time=time, reach=reach, layer=layer, **_common(robot, weights))
+
+
+def _mpc_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
+    noise = offset_free(sampled(robot, kit, dt))
+    own = {"motor_noise": noise.motor, "push_walk": noise.push_walk, "horizon": 30.0}
+    return _regulator() | own
+
+
+def _mpc(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
+    noise = Disturbed(motor=weights["motor_noise"], push_walk=weights["push_walk"])
+    weighed = _common(robot, weights)
+    weighed["disturbed"] = noise
+    return mpc(robot, kit, dt, **weighed, horizon=round(weights["horizon"]))
+
+
+def _hinf_defaults(_robot: Robot, _kit: Kit, _dt: float) -> dict[str, float]:
+    expected = Expected()
+    own = {"encoder_error": expected.errors[0], "gyro_error": expected.errors[1], "disturbance": expected.disturbance}
+    return dict(zip(PLANE, expected.state, strict=False)) | own
+
+
+def _hinf(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
+    errors = (weights["encoder_error"], weights["gyro_error"])
+    expected = Expected(state=largest_of(weights), disturbance=weights["disturbance"], errors=errors)
+    return hinf(robot, kit, dt, expected=expected)
+
+
+PID_GAINS = {
+    "p": "p", "i": "i", "d": "d", "filter_time": "filter_time", "wheel_gain": "wheel", "wheel_rate_gain": "wheel_rate",
+}  # fmt: skip
+"""Name of a weight → field of `PidGains`."""
+
+
+def _pid_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
+    record = design_of(pid(robot, kit, dt))
+    assert isinstance(record, Pid)
+    return {name: float(getattr(record.gains, field)) for name, field in PID_GAINS.items()}
+
+
+def _pid(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
+    return pid(robot, kit, dt, gains={field: weights[name] for name, field in PID_GAINS.items()})
+
+
+TUNABLE: dict[str, Tunable] = {
+    "lqr": _by_weights(_lqr),
+    "lqi": _by_weights(lqi, integral=True),
+    "lqg": _by_weights(lqg),
+    "pid": Tunable(_pid_defaults, _pid),
+    "hinf": Tunable(_hinf_defaults, _hinf),
+    "mpc": Tunable(_mpc_defaults, _mpc),
+    "sliding": Tunable(_sliding_defaults, _sliding),
+}
+"""Of our methods."""

@@ -1,0 +1,1 @@
+"""The weights of a method, found on the verdict of a fleet."""

@@ -1,0 +1,200 @@
+"""The score of a candidate during the search: quick, on the same robots and noise for all, and margins by two tests."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.certify.analysis import INPUTS, LATEST, delayed_kit
+from upright.certify.certificate import MOST_CYCLE, MOST_SATURATED, MOST_TRAVEL, LinearMargins
+from upright.certify.checks import Course, kernel_controller
+from upright.certify.loop import Loop, commanded, robot_loop
+from upright.certify.margins import ScalarResponse, broken_at
+from upright.control.controller import Controller
+from upright.control.delay import MOST_PERIODS, sampled
+from upright.control.methods import Method
+from upright.errors import UprightError
+from upright.physics.linear import LinearModel
+from upright.robots import Kit, Robot
+from upright.tune.figures import knock, pushed, slack
+
+Array = NDArray[np.float64]
+
+GRID = 150  # frequencies of the modulus margin, from 0.1 rad/s to Nyquist's: a resonance is wider than a step of 6 %
+SLACK = 1.003
+"""A candidate has to keep margins so much larger than those of the default, since the test looks at their ends only."""
+LEAST = 1e-3  # [1] of what is compared as a ratio: a knock of zero has no logarithm
+
+
+@dataclass(frozen=True, kw_only=True)
+class CandidateScore:
+    """One candidate in the search: the fraction of robots that `fell` and of the time that is `down` [1], `knock`
+    [N s], `settling` [s], `effort`, how far `over` the amber limits of a certificate saturation, travel and sway are
+    [1], the `modulus` margin min |1 + L| [1], and the `excess` of the largest |pole| over one where every margin is
+    used up that the default has [1]."""
+
+    fell: float
+    down: float
+    knock: float
+    settling: float
+    effort: float
+    over: float
+    modulus: float
+    excess: float
+
+    @property
+    def stable(self) -> bool:
+        """Whether the nominal loop is."""
+        return self.modulus > 0
+
+
+NONE = CandidateScore(
+    fell=1.0, down=1.0, knock=0.0, settling=math.inf, effort=math.inf, over=math.inf, modulus=0.0, excess=math.inf
+)
+"""Of weights without a design."""
+
+
+class Scorer:
+    """Scores candidates of one `method` for `robot` on `kit`, all on the same `robots` and noise of `seed`.
+
+    `floor` are the margins that no candidate may have less of; None where nothing linear is known.
+    """
+
+    def __init__(
+        self, method: Method, robot: Robot, kit: Kit, robots: Sequence[Robot], *,
+        period: float, seed: int, threads: int | None, floor: LinearMargins | None,
+    ) -> None:  # fmt: skip
+        self.method, self.robot, self.kit, self.robots = method, robot, kit, robots
+        self.period, self.seed, self.threads, self.floor = period, seed, threads, floor
+        self._delayed: list[tuple[LinearModel, float]] = []
+
+    def __call__(self, weights: Mapping[str, float]) -> CandidateScore:
+        try:
+            controller = self.method.tuned(self.robot, self.kit, self.period, weights)
+            modulus, excess = self._margins(controller)
+        except UprightError:  # no design, or one that no linear loop is made of
+            return NONE
+        if not modulus > 0:
+            return replace(NONE, excess=excess)
+        kernel = kernel_controller(controller, self.robot, self.kit)
+        course = Course(kernel, self.robot, self.robots, self.kit, self.seed, self.threads)
+        runs = pushed(course)
+        over = 0.0
+        for trial in runs.trials:
+            used = (trial.saturated / MOST_SATURATED, trial.travel / MOST_TRAVEL, trial.cycle / MOST_CYCLE)
+            over = max(over, *(size - 1 for size in used))
+        return CandidateScore(
+            fell=runs.fell / len(self.robots), down=runs.down, knock=knock(course), settling=runs.settling,
+            effort=runs.effort, over=over, modulus=modulus, excess=excess,
+        )  # fmt: skip
+
+    def _margins(self, controller: Controller) -> tuple[float, float]:
+        """The modulus margin, and the excess where every margin of the floor is used up; 1 and 0 without a loop."""
+        if self.floor is None:
+            return 1.0, 0.0
+        loop = robot_loop(self.robot, controller, self.kit)
+        radius = float(np.abs(loop.closed.poles()).max())
+        if radius >= 1:
+            return 0.0, radius - 1
+        worst = max(_radius(changed) for changed in self._changed(loop, controller))
+        return modulus_margin(loop), max(0.0, worst - 1)
+
+    def _changed(self, loop: Loop, controller: Controller) -> list[Loop]:
+        """The loop with each gain and each delay of the floor, at each place where it can be broken."""
+        assert self.floor is not None
+        change = SLACK * slack(self.floor)
+        if self.floor.radius >= 1:
+            return [loop]
+        K, changed = loop.controller, list[Loop]()
+        for factor in (1 - change, 1 + change):
+            for direction in INPUTS.values():
+                gains = _gains(np.array(direction), factor)
+                changed.append(Loop(loop.plant, LinearModel(K.A, K.B, gains @ K.C, gains @ K.D, K.dt)))
+            for row in np.eye(len(loop.plant.C)):
+                gains = _gains(row, factor)
+                changed.append(Loop(loop.plant, LinearModel(K.A, K.B @ gains, K.C, K.D @ gains, K.dt)))
+        return changed + [Loop(plant, K) for plant in self._slowed(controller)]
+
+    def _slowed(self, controller: Controller) -> list[LinearModel]:
+        """The robot with the floor's delay in its commands, or in one sensor."""
+        assert self.floor is not None
+        if not self._delayed:
+            reads, more = controller.spec.reads, min(self.floor.delay * SLACK, LATEST)
+            for at in ("", *(name for name in reads if name in self.kit.sensors)):
+                kit = delayed_kit(self.kit, more, at)
+                model = sampled(self.robot, kit, self.period, reads, longest=MOST_PERIODS)
+                self._delayed.append((commanded(model), more))
+        return [plant for plant, _ in self._delayed]
+
+
+def modulus_margin(loop: Loop) -> float:
+    """min |1 + l| over frequencies, of the loop broken at both motors or at any reading (Åström and Hägglund 2006,
+    section 4.6)."""
+    grid = np.geomspace(0.1, math.pi / loop.plant.dt, GRID)
+    places = [(loop.at_input, np.array(INPUTS["both motors"]))]
+    places += [(loop.at_output, row) for row in np.eye(len(loop.plant.C))]
+    responses = [ScalarResponse(broken_at(model, v / np.linalg.norm(v)))(grid) for model, v in places]
+    return float(min(np.abs(1 + response).min() for response in responses))
+
+
+def _gains(v: Array, factor: float) -> Array:
+    unit = v / np.linalg.norm(v)
+    return np.eye(len(v)) + (factor - 1) * np.outer(unit, unit)
+
+
+def _radius(loop: Loop) -> float:
+    return float(np.abs(loop.closed.poles()).max())
+
+
+@dataclass(frozen=True)
+class Emphasis:
+    """Prices in the cost of a search: of a logarithm of the default's knock over the candidate's, of the modulus margin
+    likewise, and of the candidate's settling and effort over the default's."""
+
+    knock: float
+    modulus: float
+    settling: float = 0.05
+    effort: float = 0.03
+
+
+FALLS, KNOCK = Emphasis(0.3, 0.1), Emphasis(1.5, 0.3)
+"""What the search asks for: first that fewer fall, then that a larger knock is survived."""
+
+UNSTABLE = 100.0  # costs more than whatever a stable candidate does
+
+
+def cost(score: CandidateScore, default: CandidateScore, emphasis: Emphasis) -> float:
+    """What the search minimises: falls, margins below the default's, and by the `emphasis` the rest."""
+    if not score.stable:
+        return UNSTABLE * (1 + min(score.excess, 1.0))
+    lost = 4 * score.fell + 2 * score.down + 0.5 * min(score.over, 4.0)
+    missing = 0.2 * (score.excess > 0) + 30 * min(score.excess, 0.2)
+    better = emphasis.knock * _ratio(default.knock, score.knock) + emphasis.modulus * _ratio(
+        default.modulus, score.modulus
+    )
+    more = emphasis.settling * _ratio(score.settling, default.settling)
+    return lost + missing + better + more + emphasis.effort * _ratio(score.effort, default.effort)
+
+
+def _ratio(over: float, under: float) -> float:
+    """ln(over / under), at most ± 5."""
+    if math.isinf(over) or math.isinf(under):
+        return 0.0 if over == under else math.copysign(5.0, over - under)
+    return float(np.clip(math.log(max(over, LEAST) / max(under, LEAST)), -5.0, 5.0))
+
+
+def score_from(row: Sequence[float | None]) -> CandidateScore:
+    """The inverse of `row_of`."""
+    if len(row) != len(asdict(NONE)):
+        raise UprightError(f"a score of {len(row)} numbers", expected=f"{len(asdict(NONE))}")
+    numbers = [math.inf if value is None else float(value) for value in row]
+    return CandidateScore(**dict(zip(asdict(NONE), numbers, strict=True)))
+
+
+def row_of(score: CandidateScore) -> list[float | None]:
+    """Its numbers, None for what is infinite."""
+    return [None if math.isinf(value) else value for value in asdict(score).values()]
