@@ -18,6 +18,7 @@ from upright.calibrate import judge
 from upright.calibrate.calibrate import prepared
 from upright.calibrate.calibration import FOREIGN, REFUSED, VISIBLE, Calibration, Estimate, Segments
 from upright.calibrate.fitting import normal_equations, objective
+from upright.calibrate.informativity import student
 from upright.calibrate.judge import reasons, unpredicted
 from upright.certify import certify
 from upright.cli.main import app
@@ -151,3 +152,13 @@ def test_what_is_refused_is_not_used_elsewhere(tmp_path: Path, monkeypatch: pyte
     path.write_text(json.dumps({"names": ["body_mass"], "refused": ["the log is of another robot"]}))
     with pytest.raises(InvalidRobot, match="another robot"):
         read_posterior(path)
+
+
+@pytest.mark.parametrize(("seconds", "quantile"), [(2.0, 3.182), (10.0, 2.131), (20.0, 2.042)])
+def test_intervals_of_a_short_log_are_those_of_student(seconds: float, quantile: float) -> None:
+    """Tables of Student's distribution, 97.5 %, for 3, 15 and 30 degrees of freedom: 3T/2M with a window of 1 s."""
+    t = np.linspace(0.0, seconds, 50)
+    recording = SimpleNamespace(when=t, fitted=np.ones(50, bool))
+    coloured, white = (SimpleNamespace(temper=temper, recordings=(recording,)) for temper in (0.4, 1))
+    assert student(coloured) == pytest.approx(quantile / 1.96, abs=3e-4)  # type: ignore[arg-type]
+    assert student(white) == 1.0  # type: ignore[arg-type]

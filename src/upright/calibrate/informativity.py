@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import ndtri, stdtrit
 
 from upright.calibrate.fitting import Normal, Path, Problem, fitted_readings
 from upright.calibrate.parameters import ROLL_FRACTION, rows_of
@@ -89,13 +90,14 @@ def effective_fraction(problem: Problem, normal: Normal, paths: Sequence[Path]) 
 def posterior(problem: Problem, normal: Normal, paths: Sequence[Path]) -> Array:
     """Covariance of z (n, n): the larger of the one that takes innovations for white and the one that does not.
 
-    Held parameters keep their prior's unit variance, and its share in the others (Schmidt 1966).
+    Held parameters keep their prior's unit variance, and its share in the others (Schmidt 1966). A short log's scores
+    tell their own covariance badly: it is larger by what Student's distribution has beyond the normal one.
     """
     active = problem.active
     H = normal.hessian[np.ix_(rows_of(active), rows_of(active))]
     cross = normal.hessian[np.ix_(rows_of(active), rows_of(~active))]
     inverse = np.linalg.inv(H)
-    meat = problem.temper**2 * score_covariance(problem, normal, paths)[
+    meat = (student(problem) * problem.temper) ** 2 * score_covariance(problem, normal, paths)[
         np.ix_(rows_of(active), rows_of(active))
     ] + np.eye(len(H))
     robust = inverse @ meat @ inverse
@@ -106,6 +108,15 @@ def posterior(problem: Problem, normal: Normal, paths: Sequence[Path]) -> Array:
     total[np.ix_(rows_of(active), rows_of(~active))] = -known
     total[np.ix_(rows_of(~active), rows_of(active))] = -known.T
     return total
+
+
+def student(problem: Problem) -> float:
+    """By how much wider 95 % of Student's distribution is than of the normal one, for the degrees of freedom of a
+    covariance from Bartlett's window at frequency zero, 3T/2M (Jenkins and Watts 1968); 1 for white innovations."""
+    if problem.temper == 1:
+        return 1.0
+    seconds = sum(float(np.ptp(r.when[r.fitted])) for r in problem.recordings)
+    return float(stdtrit(1.5 * seconds / WINDOW, 0.975) / ndtri(0.975))
 
 
 def unseen_directions(problem: Problem, normal: Normal) -> list[str]:

@@ -204,9 +204,10 @@ def _robot_at(problem: Problem, z: Array) -> Robot:
 def _combined(c: _Combination, C: Array) -> Estimate:
     """A combination with its interval, for the covariance C (n, n) of the coordinates."""
     spread, before = float(np.sqrt(c.slopes @ C @ c.slopes)), max(float(np.linalg.norm(c.slopes)), 1e-300)
+    verdict = HELD if not c.slopes.any() else VISIBLE if spread < HALVED * before else PRIOR
     return Estimate(
         name=c.name, unit=c.unit, value=c.value, low=c.value - NORMAL * spread, high=c.value + NORMAL * spread,
-        prior=c.prior, prior_spread=before, verdict=VISIBLE if spread < HALVED * before else PRIOR,
+        prior=c.prior, prior_spread=before, verdict=verdict,
         shift=(c.value - c.prior) / before, shrink=spread / before, guess=True,
     )  # fmt: skip
 
