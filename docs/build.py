@@ -25,7 +25,7 @@ sys.path[:0] = [str(ROOT / "notebooks")]
 import build as notebooks  # noqa: E402
 
 PARTS = {
-    "Start": ("start", "first-robot", "lab"),
+    "Start": ("start", "first-robot", "lab", "worksheet.en", "worksheet.es"),
     "Course": ("notebooks/index",),
     "How to": ("how-to", "add-a-robot", "add-a-body", "add-a-controller", "examples/index"),
     "Concepts": (

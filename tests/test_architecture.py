@@ -22,7 +22,7 @@ ROOMS = (
     "errors", "interrupts", "atomic", "reading", "tables", "plotting", "plugins", "signals", "robots", "physics",
     "compiled", "links", "bodies", "control", "logs", "doctor", "experiment", "kernel", "calibrate", "fleet",
     "firmware", "bricks", "parity", "excite", "identify", "validate", "certify", "tune", "diagnose", "flight",
-    "comparison", "report", "paper", "lab", "cli", "__main__",
+    "comparison", "report", "paper", "lab", "classwork", "cli", "__main__",
 )  # fmt: skip
 """From the ground up."""
 

@@ -185,4 +185,4 @@ def test_links_lead_to_files_that_exist(page: Path) -> None:
 
 @pytest.mark.parametrize("page", PAGES[2:], ids=lambda page: page.name)
 def test_each_page_says_for_whom_it_is(page: Path) -> None:
-    assert re.match(r"# .+\n\n\*For .+\.\*\n", page.read_text("utf-8"))
+    assert re.match(r"# .+\n\n\*(For|Para) .+\.\*\n", page.read_text("utf-8"))

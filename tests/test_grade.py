@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from upright.classwork.grading import TOLERANCE, differs, grade, grade_file
+from upright.classwork.tasks import TASKS, task_of
+from upright.classwork.worksheet import LANGUAGES, fragment, worksheet
+from upright.control import lqr
+from upright.errors import UprightError
 from upright.lab.desk import InlineDesk
-from upright.lab.handin import read_hand_in
+from upright.lab.handin import HandIn, InvalidHandIn, RunResult, read_hand_in, write_hand_in
 from upright.lab.messages import Change, Drag, Made, Notice, Save, Setup, StandUp, Steer, Strike
 from upright.lab.plant import COARSE
 from upright.lab.rerun import rerun
 from upright.lab.session import Session
+from upright.robots import Robot
 
 MODEL = Setup(bodies=("nonlinear",), seed=7)
 
@@ -66,3 +74,142 @@ def test_after_a_change_there_is_nothing_to_hand_in(tmp_path):
     session.handle(Save("handin", "Ana"))
     (notice,) = [event for event in session.events() if isinstance(event, Notice)]
     assert "Stand up" in notice.text
+
+
+@pytest.fixture(scope="module")
+def genuine(tmp_path_factory: pytest.TempPathFactory) -> HandIn:
+    return read_hand_in(a_run(tmp_path_factory.mktemp("lab")))
+
+
+HOSTILE = {
+    "empty": "", "no-json": "{", "no-table": "[]", "deep": "[" * 100_000, "another-kind": '{"kind": "upright robot"}',
+    "old": '{"kind": "upright hand-in", "version": 0}', "bare": '{"kind": "upright hand-in", "version": 1}',
+    "long-number": '{"kind": "upright hand-in", "version": 1, "seconds": ' + "9" * 5000 + "}",
+}  # fmt: skip
+
+
+def broken(done: HandIn, folder: Path) -> list[str]:
+    """Files that are no hand-ins, and hand-ins with one thing in them that cannot be."""
+    for name, text in HOSTILE.items():
+        (folder / f"{name}.json").write_text(text)
+    data = done.to_json()
+    wrong = {
+        "no-name": {"student": ""}, "line-in-name": {"student": "A\nB"}, "nan": {"seconds": float("nan")},
+        "an-hour": {"seconds": 3600.0}, "no-step": {"step": 1e-9}, "no-body": {"setup": data["setup"] | {"bodies": []}},
+        "no-list": {"actions": {}}, "too-many": {"actions": data["actions"] * 3000},
+        "change-on-the-way": {"actions": [[0.0, {"kind": "Change", "setup": data["setup"]}]]},
+        "no-action": {"actions": [[0.0, {"kind": "__class__"}]]}, "disordered": {"actions": data["actions"][::-1]},
+        "strong": {"actions": [[0.0, {"kind": "Drag", "force": 1e9, "height": 0.0}]]},
+        "strange-field": {"setup": data["setup"] | {"path": "/etc/passwd"}},
+    }  # fmt: skip
+    for name, changes in wrong.items():
+        (folder / f"{name}.json").write_text(json.dumps(data | changes))
+    (folder / "bytes.json").write_bytes(bytes(range(256)))
+    return [*HOSTILE, *wrong, "bytes"]
+
+
+def test_genuine_forged_and_broken_hand_ins_are_told_apart(tmp_path, genuine):
+    folder = tmp_path / "class"
+    folder.mkdir()
+    write_hand_in(genuine, folder / "genuine.json")
+    claim = genuine.claimed
+    cheats: dict[str, dict[str, Any]] = {
+        "stronger": {"claimed": replace(claim, best=claim.best * 3)},
+        "never-fell": {"setup": replace(MODEL, controller="off")},
+        "faller": {"claimed": replace(claim, fell=True)},
+        "weightless": {"setup": replace(MODEL, numbers={"body_mass": -1.0})},
+    }
+    for name, changes in cheats.items():
+        write_hand_in(replace(genuine, student=name, **changes), folder / f"{name}.json")
+    text = (folder / "genuine.json").read_text()
+    (folder / "seed.json").write_text(text.replace('"seed": 7', '"seed": 8'))
+    assert (folder / "seed.json").read_text() != text
+    (folder / "loop.json").symlink_to(folder / "genuine.json")
+    (folder / "folder.json").mkdir()
+    none = broken(genuine, folder)
+    grades = {g.file.removesuffix(".json"): g for g in grade(folder, workers=1).rows}
+    assert {name: g.verdict for name, g in grades.items() if name not in none} == {
+        "genuine": "ok", "stronger": "differs", "never-fell": "differs", "faller": "differs", "weightless": "broken",
+        "seed": "edited",
+    }  # fmt: skip
+    assert {grades[name].verdict for name in none} == {"broken"}
+    for g in grades.values():
+        assert "\n" not in g.why
+        assert g.verdict == "ok" or g.why
+    assert "fell at" in grades["never-fell"].why
+
+
+def test_the_same_run_under_two_names_is_told(tmp_path, genuine):
+    for name in ("Ana", "Luis"):
+        write_hand_in(replace(genuine, student=name), tmp_path / f"{name}.json")
+    other = replace(genuine, student="Eva", actions=genuine.actions[:2])
+    write_hand_in(replace(other, claimed=rerun(other)), tmp_path / "Eva.json")
+    grades = grade(tmp_path, workers=1)
+    assert [(g.student, g.verdict) for g in grades.rows] == [("Ana", "copied"), ("Eva", "ok"), ("Luis", "copied")]
+    assert "Luis" in grades.rows[0].why
+
+
+def test_two_machines_agree_within_the_tolerance(genuine):
+    """A processor that rounds otherwise is like a start that is 1e-12 rad away: the run ends alike, though readings may
+    fall into other steps."""
+    moved = rerun(replace(genuine, lean=genuine.lean + 1e-12))
+    assert differs(genuine.claimed, moved) == ""
+    for name, (absolute, _) in TOLERANCE.items():
+        cheat = replace(genuine.claimed, **{name: getattr(genuine.claimed, name) * 1.1 + 2 * absolute})
+        assert name in differs(cheat, genuine.claimed)
+
+
+def verdict_on(task_name: str, changes: dict[str, Any], actions: Any, seconds: float, folder: Path) -> str:
+    """The verdict on a run of a task."""
+    task = next(task for task in TASKS if task.name == task_name)
+    nothing = RunResult(fell=False, seconds=0.0, peak=0.0, travel=0.0, best=0.0)
+    done = HandIn(
+        student="Ana", setup=replace(task.setup, **changes), step=COARSE, lean=0.0, seconds=seconds, actions=actions,
+        claimed=nothing,
+    )  # fmt: skip
+    folder.mkdir()
+    write_hand_in(replace(done, claimed=rerun(done)), folder / "a.json")
+    row = grade_file(folder / "a.json")
+    assert task_of(done) is task
+    assert row.task == task_name
+    return row.verdict
+
+
+HOLD = ((1.0, Strike("front", 0.1)),)
+
+
+def test_each_task_can_be_done_and_can_be_missed(tmp_path):
+    """By hand: with the regulator's gains, which the lab shows under LQR."""
+    robot = Robot.preset("nxtway-gs")
+    gains = tuple(lqr(robot, dt=0.01).gain[0].tolist())
+    assert verdict_on("push", {}, ((1.0, Strike("impulse", 0.25)),), 6.0, tmp_path / "a") == "ok"
+    assert verdict_on("push", {}, ((1.0, Strike("impulse", 0.05)),), 6.0, tmp_path / "b") == "not reached"
+    assert verdict_on("gains", {}, HOLD, 10.0, tmp_path / "c") == "not reached"
+    assert verdict_on("gains", {"gains": gains}, HOLD, 10.0, tmp_path / "d") == "ok"
+    assert verdict_on("payload", {"controller": "lqr"}, HOLD, 10.0, tmp_path / "e") == "ok"
+    assert verdict_on("payload", {"controller": "lqr", "payload": 0.0}, HOLD, 10.0, tmp_path / "f") == "other set-up"
+
+
+def test_a_table_for_a_spreadsheet_holds_no_formula(tmp_path, genuine):
+    write_hand_in(replace(genuine, student="=HYPERLINK(A1)"), tmp_path / "a.json")
+    grades = grade(tmp_path, workers=1)
+    lines = grades.save(tmp_path / "grades.csv").read_text("utf-8").splitlines()
+    assert "'=HYPERLINK(A1)" in lines[1].split(",")
+    assert "=HYPERLINK" in grades.page().html()
+
+
+def test_a_folder_without_hand_ins_is_one_line(tmp_path):
+    for folder in (tmp_path, tmp_path / "nowhere"):
+        with pytest.raises(UprightError, match="expected"):
+            grade(folder)
+    with pytest.raises(InvalidHandIn):
+        read_hand_in(tmp_path / "nothing.json")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_worksheet_of_the_documents_is_the_present_one(language):
+    """`upright grade --worksheet LANGUAGE -o docs/worksheet.LANGUAGE.md` after a change of the tasks."""
+    page = Path(__file__).resolve().parents[1] / "docs" / f"worksheet.{language}.md"
+    text = worksheet(language)
+    assert page.read_text("utf-8") == text
+    assert all(fragment(task) in text for task in TASKS)

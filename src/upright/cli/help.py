@@ -61,6 +61,7 @@ GROUPS = {
     },
     "Teach": {
         "lab": ("upright lab", "upright lab --class"),
+        "grade": ("upright grade handed-in -o grades.csv", "upright grade --worksheet es -o worksheet.md"),
         "film": ("upright film run.parquet", "upright film robot=run.csv model=model.parquet -o run.mp4 --speed 0.5"),
     },
 }

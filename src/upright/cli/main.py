@@ -24,6 +24,7 @@ from upright.cli.film import film
 from upright.cli.firmware import firmware
 from upright.cli.fleet import basin, fleet, push_map, sweep
 from upright.cli.fly import fly
+from upright.cli.grade import grade
 from upright.cli.help import Grouped, epilog
 from upright.cli.identify import identify
 from upright.cli.lab import lab
@@ -51,7 +52,7 @@ app = typer.Typer(
 COMMANDS = (
     reproduce, simulate, compare, linearise, design, tune, certify, bench_controllers, post_mortem, doctor, calibrate,
     validate, example, excite, identify, fleet, push_map, basin, sweep, firmware, parity, fly, monitor, lab,
-    film,
+    film, grade,
 )  # fmt: skip
 for command in COMMANDS:
     name = command.__name__.replace("_", "-")

@@ -1,7 +1,7 @@
 // The page: puts its parts together, follows the session, and takes keys, mouse and gamepad.
 import { Charts } from "./charts";
 import { button, h, replace, select, slider, throttled } from "./dom";
-import { tokenIn } from "./link";
+import { fromLink, tokenIn } from "./link";
 import type { ServerMessage } from "./messages";
 import { Line } from "./net";
 import type { State } from "./net";
@@ -62,6 +62,10 @@ class Page {
     this.scrub.addEventListener("input", () => store.send({ kind: "Scrub", back: -Number(this.scrub.value) }));
     this.room.element.addEventListener("keydown", (event) => this.look(event as KeyboardEvent));
     window.addEventListener("keydown", (event) => this.key(event));
+    window.addEventListener("hashchange", () => {
+      const linked = fromLink(location.hash); // pasted behind the address of a page that is open
+      if (linked) store.change(linked);
+    });
     this.begin();
   }
 

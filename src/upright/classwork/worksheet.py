@@ -1,0 +1,65 @@
+"""The worksheet of a class, as Markdown: what to do, what to ask oneself, and what to hand in."""
+
+from __future__ import annotations
+
+import base64
+import json
+
+from upright.classwork.tasks import TASKS, Task
+from upright.errors import UnknownName
+from upright.lab.codec import plain
+from upright.lab.messages import Setup
+
+LAB = "http://127.0.0.1:8765/"
+"""Where `upright lab` answers."""
+
+_WORDS = {
+    "es": (
+        "# Hoja de trabajo: un robot que se equilibra\n\n*Para estudiantes.*",
+        "Abra el laboratorio (`upright lab`, o la dirección que muestra su docente). Cada tarea empieza con su "
+        "enlace, que prepara el robot. En una clase, pegue la parte desde `#setup` tras la dirección.",
+        "Tarea", "Enlace", "Haga", "Piense", "Respuesta",
+        "## Qué se entrega",
+        "Para cada tarea: pulse *Poner de pie*, haga lo que se pide antes de un minuto y sin cambiar nada más, y luego "
+        "*Guardar* → *Entregar* con su nombre. El archivo contiene la configuración y sus acciones; con `upright "
+        "grade` otra máquina repite el ensayo. No lo modifique: se nota. Entregue los archivos y esta hoja.",
+    ),
+    "en": (
+        "# Worksheet: a robot that balances\n\n*For students.*",
+        "Open the lab (`upright lab`, or the address that your teacher shows). Each task begins with its link, which "
+        "sets the robot up. In a class, paste the part from `#setup` on behind the address.",
+        "Task", "Link", "Do", "Think", "Answer",
+        "## What to hand in",
+        "For each task: press *Stand up*, do what is asked within a minute and without any other change, then *Keep* → "
+        "*Hand in* under your name. The file holds the set-up and what you did; `upright grade` runs it again on "
+        "another machine. Do not change it: that is noticed. Hand in the files, and this sheet with your answers.",
+    ),
+}  # fmt: skip
+
+LANGUAGES = tuple(_WORDS)
+
+
+def worksheet(language: str) -> str:
+    """The worksheet in Spanish ("es") or English ("en")."""
+    if language not in _WORDS:
+        raise UnknownName("language", language, LANGUAGES)
+    title, start, task, link, do, think, answer, heading, ending = _WORDS[language]
+    parts = [title, start]
+    for number, one in enumerate(TASKS, 1):
+        name, what, question = one.texts[language]
+        lines = [
+            f"{link}: <{LAB}{fragment(one)}>",
+            f"**{do}.** {what}",
+            f"**{think}.** {question}",
+            f"{answer}: " + "_" * 60,
+        ]
+        parts += [f"## {task} {number}: {name}", *lines]
+    return "\n\n".join([*parts, heading, ending]) + "\n"
+
+
+def fragment(task: Task) -> str:
+    """The part of a link that sets the lab up for a task: what differs from the usual set-up."""
+    usual = plain(Setup())
+    part = {name: value for name, value in plain(task.setup).items() if value != usual[name]}
+    text = json.dumps(part, separators=(",", ":"))
+    return "#setup=" + base64.urlsafe_b64encode(text.encode()).decode().rstrip("=")
