@@ -183,9 +183,10 @@ class Certificate(Shown):
 
     def __str__(self) -> str:
         head = f"{self.light.upper()}: {self.controller} on {self.robot} with kit {self.kit}"
-        columns = f"{'push':<18}{'battery':>8}{'fell':>11}{'saturated':>10}{'travel':>9}{'peak':>11}{'sway':>11}"
+        wide = max(18, *(len(t.push) for t in self.trials))
+        columns = f"{'push':<{wide}}{'battery':>8}{'fell':>11}{'saturated':>10}{'travel':>9}{'peak':>11}{'sway':>11}"
         sweeps = [_sweep("dead time +", self.delayed), _sweep("period ", self.slower)]
-        lines = [head, *(f"  {reason}" for reason in self.reasons), "", columns, *(_row(t) for t in self.trials)]
+        lines = [head, *(f"  {reason}" for reason in self.reasons), "", columns, *(_row(t, wide) for t in self.trials)]
         worst = max((t.residual for t in self.trials), default=0.0)
         sweeps += [f"the last iteration moved a command by {worst:.2%} of its limit at most"] if worst else []
         sweeps += ["the log: " + "; ".join(map(str, self.agreement))] if self.agreement else []
@@ -390,10 +391,10 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
     return certificate
 
 
-def _row(t: PushTrial) -> str:
+def _row(t: PushTrial, wide: int) -> str:
     numbers = f"{t.saturated:>10.0%}{t.travel:>7.2f} m{t.peak:>7.3f} rad{t.cycle:>7.3f} rad"
     numbers = numbers if t.fell < t.runs else f"{'–':>10}{'–':>9}{'–':>11}{'–':>11}"
-    return f"{t.push:<18}{t.battery:>8}{f'{t.fell}/{t.runs}':>11}{numbers}"
+    return f"{t.push:<{wide}}{t.battery:>8}{f'{t.fell}/{t.runs}':>11}{numbers}"
 
 
 def _sweep(label: str, swept: Sequence[Swept]) -> str:

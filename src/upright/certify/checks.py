@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import KW_ONLY, dataclass
+from dataclasses import KW_ONLY, dataclass, replace
+from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -33,7 +34,8 @@ FRONT, BACK = 0.1, -0.12  # [rad] both holds of Herrera et al. (2015)
 KNOCK = 0.15  # [m/s] of the body's speed by the impulse: half of walking into it slowly
 KNOCK_DURATION = 0.02  # [s] of the impulse
 BATTERIES = {"low": 0.85, "full": 1.12}
-"""Over the kit's voltage: six AA cells under load give 7 to 9 V for 8, two lithium cells 6.4 to 8.4 V for 7.5."""
+"""Over the kit's voltage: six AA cells under load give 7 to 9 V for 8, two lithium cells 6.4 to 8.4 V for 7.5. The
+robot's file may state others (`Robot.conditions`)."""
 
 DELAYS = (0.25, 0.5, 1.0, 1.5, 2.0)
 """Additional dead times that are tried, in periods."""
@@ -131,7 +133,7 @@ class RunCounter:
 
 @dataclass(frozen=True, eq=False)
 class Course:
-    """A controller, the robots it drives, their kit and the seed of their noise."""
+    """A controller, the robots it drives, their kit, the seed of their noise, and the floor's slope [rad]."""
 
     controller: KernelController
     robot: Robot
@@ -140,12 +142,19 @@ class Course:
     seed: int = 0
     threads: int | None = None
     progress: RunCounter | None = None
+    slope: float = 0.0
 
     @property
     def runs(self) -> int:
         """Number of runs in all trials and sweeps."""
         pushes, some = len(standard_pushes(self.robot)), min(SWEPT, len(self.robots))
-        return pushes * (len(BATTERIES) * len(self.robots) + (len(_extra(self)) + len(_periods(self))) * some)
+        return self.runs_of_trials + pushes * (len(_extra(self)) + len(_periods(self))) * some
+
+    @property
+    def runs_of_trials(self) -> int:
+        """Number of runs in all trials."""
+        each = len(standard_pushes(self.robot)) * len(BATTERIES) * len(self.robot.conditions.slopes)
+        return each * len(self.robots)
 
 
 class TriedPush(NamedTuple):
@@ -171,15 +180,19 @@ def trials(course: Course) -> tuple[tuple[PushTrial, ...], NDArray[np.bool_]]:
 
 
 def tried(course: Course) -> Iterator[TriedPush]:
-    """Every standard push at every battery on all robots."""
+    """Every standard push at every battery, and on every slope, on all robots."""
     law, number = course.controller.law, 0
     planned = law.nonlinear is not None and isinstance(law.nonlinear.part, Splitting)
     channels = (*PITCH, RESIDUAL) if planned else PITCH
+    slopes, volts = course.robot.conditions.slopes, batteries(course.robot, course.kit)
+    changes = {} if volts is None else {"battery.voltage": volts}
     for name, push in standard_pushes(course.robot).items():
-        for battery, fraction in BATTERIES.items():
-            changes = _battery(course.kit, course.robot, fraction)
-            rows = list(_runs(course, course.robots, push, number, changes, course.controller, channels))
-            yield TriedPush(_trial(name, battery, rows, parameters_of(course.robots), law.period), push, rows)
+        for slope, (i, battery) in product(slopes, enumerate(BATTERIES)):
+            changed = {key: [values[i]] for key, values in changes.items()}
+            sloped = replace(course, slope=slope)
+            rows = list(_runs(sloped, course.robots, push, number, changed, course.controller, channels))
+            called = f"{name}, slope {math.degrees(slope):+.1f}°" if slope else name
+            yield TriedPush(_trial(called, battery, rows, parameters_of(course.robots), law.period), push, rows)
             number += 1
 
 
@@ -231,7 +244,7 @@ def _runs(
         index = np.arange(row * n + first, row * n + first + len(some), dtype=np.uint64)
         batch = FleetBatch(
             parameters=some, controller=controller.law, kit=course.kit, kit_changes=changes, seed=course.seed,
-            pushes=tables([push], (), some).pushes, index=index, period=_STEP,
+            pushes=tables([push], (), some).pushes, index=index, period=_STEP, slope=np.array([course.slope, 0.0]),
         )  # fmt: skip
         called, record = controller.called, int(bool(channels))
         yield simulate(
@@ -241,10 +254,13 @@ def _runs(
             course.progress.add(len(some))
 
 
-def _battery(kit: Kit, robot: Robot, fraction: float) -> dict[str, list[float]]:
-    """The change to the kit; none for a torque drive, which has no battery in its equations."""
-    known = robot.command_unit == "V" and math.isfinite(kit.battery.voltage)
-    return {"battery.voltage": [fraction * kit.battery.voltage]} if known else {}
+def batteries(robot: Robot, kit: Kit) -> tuple[float, float] | None:
+    """The lowest and the highest voltage [V] that are expected: those of the robot's file, else `BATTERIES` of the
+    kit's; None for a torque drive, which has no battery in its equations, or a kit without one."""
+    if robot.command_unit != "V" or not math.isfinite(kit.battery.voltage):
+        return None
+    low, full = (fraction * kit.battery.voltage for fraction in BATTERIES.values())
+    return robot.conditions.battery or (low, full)
 
 
 def _trial(push: str, battery: str, rows: Sequence[FleetResult], parameters: Array, period: float) -> PushTrial:

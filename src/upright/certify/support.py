@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from upright.bodies.electronics import drive
 from upright.certify.agreement import SETTLED, recorded
-from upright.certify.checks import BATTERIES, Course
+from upright.certify.checks import Course, batteries
 from upright.control.delay import MOST_PERIODS, RAW, SampledRobot, sampled
 from upright.control.kalman import Filter, filtered, kalman_filter
 from upright.logs.recording import commanded
@@ -100,7 +100,8 @@ def supported(log: Log, course: Course) -> tuple[Support, ...]:
 def _battery(log: Log, robot: Robot, kit: Kit) -> list[Support]:
     """The battery's open-circuit voltage and its sag, from its own readings."""
     nominal, prefix = kit.battery.voltage, commanded(log)
-    if "sensor/battery" not in log or robot.command_unit != "V" or not math.isfinite(nominal):
+    expected = batteries(robot, kit)
+    if "sensor/battery" not in log or expected is None:
         return []
     volts = log["sensor/battery"]
     there = np.isfinite(volts)
@@ -112,7 +113,7 @@ def _battery(log: Log, robot: Robot, kit: Kit) -> list[Support]:
         load = np.minimum(np.nan_to_num(sides), nominal).sum(axis=1)
     lag = max(0, round(kit.delay / log.period)) if prefix == "command" else 0
     load = np.concatenate([np.zeros(lag + 1), load])[: len(log)]  # a row's reading precedes its command
-    least, most = (fraction * nominal for fraction in BATTERIES.values())
+    least, most = expected
     if load[there].std() < LEAST_LOAD * nominal:
         middle, spread = float(np.median(volts[there])), float(volts[there].std())
         full = middle + kit.battery.sag * float(np.median(load[there]))
@@ -345,7 +346,8 @@ def _slope(path: _Path, period: float, robot: Robot) -> Support:
     weight = (robot.body_mass + 2 * robot.wheel_mass) * robot.gravity
     wide = NORMAL * math.sqrt(float(np.linalg.pinv(A.T @ A)[0, 0]) * variance) / weight
     angle = -float(values[0]) / weight
-    return Support("slope", "rad", angle, angle - wide, angle + wide, -LEVEL, LEVEL)
+    low, high = min(robot.conditions.slopes), max(robot.conditions.slopes)
+    return Support("slope", "rad", angle, angle - wide, angle + wide, low - LEVEL, high + LEVEL)
 
 
 def _noise(log: Log, kit: Kit) -> list[Support]:

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 VARY_HELP = (
     "Varied number, repeatable: com_height=±10%, com_height=0.06..0.08, com_height=normal:5%, com_height=normal (the "
-    "spread of the robot's file); also delay, motor.limit, sensors.gyro.noise; or 'spread': all parameters."
+    "spread of the robot's file); also delay, motor.limit, sensors.gyro.noise; 'spread': all parameters; 'conditions': the battery."
 )
 
 

@@ -24,13 +24,16 @@ def varied(vary: Vary, robot: Robot, kit: Kit | None = None, posterior: Uncertai
 
 def variation(text: str, robot: Robot, kit: Kit | None = None) -> Uncertainty:
     """The distribution of one `--vary`: `name=±10%`, `name=±0.005`, `name=0.06..0.08`, `name=normal:5%`,
-    `name=normal:0.002`, `name=normal` (spread of the robot's sources); or `spread`: all parameters so.
+    `name=normal:0.002`, `name=normal` (spread of the robot's sources); `spread`: all parameters so; or
+    `conditions`: the battery as the robot's file expects it.
 
     A name is a robot's parameter or a kit's number such as `delay` or `sensors.gyro.noise`. Raises `InvalidScenario`,
     `UnknownName`.
     """
     if text.strip() == "spread":
         return Uncertainty.of(robot)
+    if text.strip() == "conditions":
+        return _conditions(robot)
     name, equals, range_ = (part.strip() for part in text.partition("="))
     value = nominal(name, robot, kit)
     range_ = range_.replace("+-", "±").replace("+/-", "±").replace(" ", "")
@@ -52,6 +55,16 @@ def variation(text: str, robot: Robot, kit: Kit | None = None) -> Uncertainty:
         raise InvalidScenario(f"--vary '{text}'", expected="±10%, LOW..HIGH or normal:5%", hint=f"{name}=±10%")
     half = _size(range_[1:], value, text)
     return Uncertainty((Spread(name, "uniform", value - half, value + half),))
+
+
+def _conditions(robot: Robot) -> Uncertainty:
+    """The battery's voltage, uniform over what the robot's file expects."""
+    if robot.conditions.battery is None:
+        raise InvalidScenario(
+            f"--vary conditions, and '{robot.name}' states no battery", expected="[conditions.battery] in its file",
+            hint="--vary battery.voltage=6.8..9",
+        )  # fmt: skip
+    return Uncertainty((Spread("battery.voltage", "uniform", *robot.conditions.battery),))
 
 
 def nominal(name: str, robot: Robot, kit: Kit | None = None) -> float:

@@ -20,8 +20,9 @@ MOST_VALUES = 6
 
 
 def robot_facts(robot: Robot) -> Facts:
-    """Every physical parameter of a robot, and its drive; its name, sources and spreads decide nothing."""
-    return {"drive": robot.drive, **robot.numbers()}
+    """Every physical parameter of a robot, its drive, and the conditions that its file states; its name, sources and
+    spreads decide nothing."""
+    return {"drive": robot.drive, **robot.numbers(), **robot.conditions.facts()}
 
 
 def kit_facts(kit: Kit) -> Facts:

@@ -15,6 +15,7 @@ from upright.atomic import write_text
 from upright.errors import InvalidRobot
 from upright.reading import read_json, understood
 from upright.robots import toml
+from upright.robots.conditions import Conditions, conditions_of
 from upright.robots.kit import Kit, kit_of
 from upright.robots.toml import Provenance
 from upright.tables import Listing
@@ -36,7 +37,8 @@ class Robot:
     the command is each motor's torque [N m] on its wheel, and the electrical parameters are not used.
     `coulomb_friction` acts between body and wheel, smoothed over `stiction_rate`. `correlation` holds the correlation
     of the errors of pairs of parameters [−1 to 1], as a calibration estimates them. `kit` is the name of a kit or its
-    file, or the kit itself, with the delays and motors of this very robot.
+    file, or the kit itself, with the delays and motors of this very robot. `conditions` are the batteries and floors
+    that it is to meet.
 
     Raises `InvalidRobot` for a robot that cannot exist or that has nothing to balance.
     """
@@ -66,6 +68,7 @@ class Robot:
     title: str = field(default="", compare=False)
     drive: str = "voltage"
     kit: str | Kit = field(default="ideal", hash=False)
+    conditions: Conditions = field(default_factory=Conditions)
     provenance: Mapping[str, Provenance] = field(default_factory=dict, compare=False, repr=False)
     correlation: Mapping[tuple[str, str], float] = field(default_factory=dict, compare=False, repr=False)
 
@@ -100,7 +103,7 @@ class Robot:
         unused = set(_ELECTRICAL) - self.provenance.keys() if self.drive == "torque" else set[str]()
         tables = [_written(name, self) for name in PARAMETERS if name not in unused]
         kit = [] if isinstance(self.kit, str) else ["\n", self.kit.to_toml("kit")]
-        return "".join([*head, *tables, _written_correlation(self), *kit])
+        return "".join([*head, *tables, _written_correlation(self), self.conditions.to_toml(), *kit])
 
     @property
     def kit_name(self) -> str:
@@ -333,7 +336,7 @@ def _written_correlation(robot: Robot) -> str:
 
 
 def _read(table: toml.Table, where: str) -> Robot:
-    toml.check_keys(table, {"name", "title", "drive", "kit", "correlation", *PARAMETERS}, where)
+    toml.check_keys(table, {"name", "title", "drive", "kit", "correlation", "conditions", *PARAMETERS}, where)
     words: dict[str, Any] = {k: toml.word(table, k, where) for k in ("name", "drive", "title") if k in table}
     if "kit" in table:
         own = isinstance(table["kit"], dict)
@@ -349,7 +352,8 @@ def _read(table: toml.Table, where: str) -> Robot:
     sources = {name: toml.provenance(table[name], name, where) for name in given}
     provenance = {name: source for name, source in sources.items() if source is not None}
     pairs = _correlation(toml.subtable(table, "correlation", where), where)
-    return Robot(**words, **cast(dict[str, Any], numbers), provenance=provenance, correlation=pairs)
+    rest = {"correlation": pairs, "conditions": conditions_of(table, where)}
+    return Robot(**words, **cast(dict[str, Any], numbers), provenance=provenance, **cast(dict[str, Any], rest))
 
 
 def _correlation(table: toml.Table, where: str) -> dict[tuple[str, str], float]:

@@ -1,0 +1,115 @@
+"""The batteries and floors that a robot's file expects: read, tried, and compared with a log."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from upright.bodies import Electronics, NonlinearBody
+from upright.certify.checks import RELEASE, Course, batteries, kernel_controller, standard_pushes, trials
+from upright.certify.support import supported
+from upright.control import lqg
+from upright.errors import InvalidRobot, InvalidScenario
+from upright.experiment import Drive, Impulse, Slope, run
+from upright.fleet.ensemble import Ensemble
+from upright.fleet.vary import varied
+from upright.robots import Kit, Robot
+from upright.robots.conditions import Conditions
+from upright.robots.facts import differences, robot_facts
+from upright.robots.uncertainty import Family, Uncertainty, draw
+from upright.signals import Log
+
+ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+HILLS = Conditions(battery=(4.0, 9.0), slope=(0.0, math.radians(5)))
+BATTERY = '[conditions.battery]\nlow = 6.8\nhigh = 9\nunit = "V"\n'
+
+
+def expecting(conditions: Conditions) -> Robot:
+    return ROBOT.replace(conditions=conditions)
+
+
+def test_a_file_keeps_its_conditions(tmp_path: Path) -> None:
+    robot = expecting(HILLS)
+    assert Robot.load(robot.save(tmp_path / "robot.toml")) == robot
+    (tmp_path / "one.toml").write_text(ROBOT.to_toml() + "\n" + BATTERY, "utf-8")
+    assert Robot.load(tmp_path / "one.toml").conditions == Conditions(battery=(6.8, 9.0))
+    assert robot.replace(body_mass=0.7).conditions == HILLS
+
+
+@pytest.mark.parametrize(
+    ("text", "part"),
+    [
+        (BATTERY.replace('"V"', '"mV"'), "millivolts"),
+        (BATTERY.replace("6.8", "10"), "low not above high"),
+        (BATTERY.replace("low = 6.8\n", ""), "lacks low"),
+        (BATTERY.replace("battery", "batery"), "battery"),
+        (BATTERY.replace("6.8", '"low"'), "conditions.battery.low"),
+        ('[conditions.slope]\nlow = -5\nhigh = 5\nunit = "rad"\n', "degrees"),
+        ("[conditions]\nbattery = [6.8, 9]\n", "table"),
+        ('[conditions.battery]\nlow = nan\nhigh = 9\nunit = "V"\n', "conditions.battery.low"),
+    ],
+)
+def test_wrong_conditions_are_named(text: str, part: str, tmp_path: Path) -> None:
+    (tmp_path / "robot.toml").write_text(ROBOT.to_toml() + "\n" + text, "utf-8")
+    with pytest.raises(InvalidRobot, match=part):
+        Robot.load(tmp_path / "robot.toml")
+
+
+def test_batteries_are_the_files_or_the_kits() -> None:
+    assert batteries(ROBOT, KIT) == pytest.approx((0.85 * 8, 1.12 * 8))  # of six AA cells: 7 to 9 V under load
+    assert batteries(expecting(HILLS), KIT) == (4.0, 9.0)
+    assert batteries(Robot.preset("twipr"), Kit.preset("twipr")) is None
+
+
+def test_trials_on_a_slope_are_the_loop_of_run() -> None:
+    """As on level ground, peaks differ by noise alone, below some hundredths of a radian."""
+    robot, angle = expecting(Conditions(slope=(0.0, math.radians(3)))), math.radians(3)
+    course = Course(kernel_controller(lqg(robot, KIT), robot, KIT), robot, [robot] * 10, KIT)
+    runs, _ = trials(course)
+    assert len(runs) == course.runs_of_trials // 10 == 12
+    sloped = [t for t in runs if t.push.endswith(", slope +3.0°") and t.battery == "full"]
+    assert len(sloped) == 3
+    for trial in sloped:
+        push = standard_pushes(robot)[trial.push.partition(", slope")[0]]
+        body = Electronics(NonlinearBody(robot), KIT)
+        log = run(body, lqg(robot, KIT), [push, Slope(angle=angle)], seconds=RELEASE + 1, seed=3)
+        assert abs(np.abs(log["truth/pitch"]).max() - trial.peak) < 0.03
+
+
+def test_a_log_is_compared_with_what_the_file_expects() -> None:
+    weak = dataclasses.replace(KIT, battery=dataclasses.replace(KIT.battery, voltage=4.2))
+    pushes: list[Any] = [Impulse(impulse=0.03, start=2.0), Slope(angle=math.radians(4))]
+    log = run(Electronics(NonlinearBody(ROBOT), weak), lqg(ROBOT, KIT), pushes, reference=[Drive(speed=0.05, start=3.0)],
+              seconds=9.0, seed=5)  # fmt: skip
+    raw = Log(log.t, {n: log[n] for n in log.channels if n.startswith(("sensor/", "command/"))})
+
+    def outside(robot: Robot) -> set[str]:
+        drawn = draw(robot, 100, 3, Uncertainty.of(robot).scaled(0.2))
+        course = Course(kernel_controller(lqg(ROBOT, KIT), robot, KIT), robot, drawn, KIT)
+        return {s.name for s in supported(raw, course) if s.outside}
+
+    assert {"battery", "slope"} <= outside(ROBOT)
+    assert not {"battery", "slope"} & outside(expecting(HILLS))
+
+
+def test_a_certificate_of_other_conditions_is_another() -> None:
+    words = differences(robot_facts(expecting(HILLS)), robot_facts(ROBOT))
+    assert "conditions/battery" in words
+    assert "conditions/slope" in words
+    assert "conditions/battery" not in robot_facts(ROBOT)  # certificates of before stay valid
+
+
+def test_a_fleet_draws_the_batteries() -> None:
+    robot = expecting(HILLS)
+    ensemble = Ensemble(family=Family(robot, KIT, varied("conditions", robot, KIT)), controller=lqg(robot, KIT))
+    volts = ensemble.family.draw(0, range(4000))["battery.voltage"]
+    assert (volts.min(), volts.max()) == pytest.approx(
+        (4.0, 9.0), abs=0.02
+    )  # a thousandth of the range left at the ends
+    with pytest.raises(InvalidScenario, match="conditions.battery"):
+        varied("conditions", ROBOT, KIT)
