@@ -14,7 +14,7 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.certify.checks import RELEASE, Course, batteries, kernel_controller, standard_pushes, trials
 from upright.certify.support import supported
 from upright.control import lqg
-from upright.errors import InvalidRobot, InvalidScenario
+from upright.errors import InvalidRobot
 from upright.experiment import Drive, Impulse, Slope, run
 from upright.fleet.ensemble import Ensemble
 from upright.fleet.vary import varied
@@ -84,8 +84,8 @@ def test_trials_on_a_slope_are_the_loop_of_run() -> None:
 def test_a_log_is_compared_with_what_the_file_expects() -> None:
     weak = dataclasses.replace(KIT, battery=dataclasses.replace(KIT.battery, voltage=4.2))
     pushes: list[Any] = [Impulse(impulse=0.03, start=2.0), Slope(angle=math.radians(4))]
-    log = run(Electronics(NonlinearBody(ROBOT), weak), lqg(ROBOT, KIT), pushes, reference=[Drive(speed=0.05, start=3.0)],
-              seconds=9.0, seed=5)  # fmt: skip
+    drive = [Drive(speed=0.05, start=3.0)]
+    log = run(Electronics(NonlinearBody(ROBOT), weak), lqg(ROBOT, KIT), pushes, reference=drive, seconds=9.0, seed=5)
     raw = Log(log.t, {n: log[n] for n in log.channels if n.startswith(("sensor/", "command/"))})
 
     def outside(robot: Robot) -> set[str]:
@@ -108,8 +108,5 @@ def test_a_fleet_draws_the_batteries() -> None:
     robot = expecting(HILLS)
     ensemble = Ensemble(family=Family(robot, KIT, varied("conditions", robot, KIT)), controller=lqg(robot, KIT))
     volts = ensemble.family.draw(0, range(4000))["battery.voltage"]
-    assert (volts.min(), volts.max()) == pytest.approx(
-        (4.0, 9.0), abs=0.02
-    )  # a thousandth of the range left at the ends
-    with pytest.raises(InvalidScenario, match="conditions.battery"):
-        varied("conditions", ROBOT, KIT)
+    # of 4000 between 4 and 9 V the outermost lie 1 mV from the ends on average
+    assert (volts.min(), volts.max()) == pytest.approx((4.0, 9.0), abs=0.02)

@@ -29,7 +29,8 @@ if TYPE_CHECKING:
 
 VARY_HELP = (
     "Varied number, repeatable: com_height=±10%, com_height=0.06..0.08, com_height=normal:5%, com_height=normal (the "
-    "spread of the robot's file); also delay, motor.limit, sensors.gyro.noise; 'spread': all parameters; 'conditions': the battery."
+    "spread of the robot's file); also delay, motor.limit, sensors.gyro.noise; 'spread': all parameters; "
+    "'conditions': the battery."
 )
 
 
