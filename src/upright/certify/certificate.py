@@ -187,11 +187,11 @@ class Certificate(Shown):
         columns = f"{'push':<{wide}}{'battery':>8}{'fell':>11}{'saturated':>10}{'travel':>9}{'peak':>11}{'sway':>11}"
         sweeps = [_sweep("dead time +", self.delayed), _sweep("period ", self.slower)]
         lines = [head, *(f"  {reason}" for reason in self.reasons), "", columns, *(_row(t, wide) for t in self.trials)]
-        worst = max((t.residual for t in self.trials), default=0.0)
-        sweeps += [f"the last iteration moved a command by {worst:.2%} of its limit at most"] if worst else []
-        sweeps += ["the log: " + "; ".join(map(str, self.agreement))] if self.agreement else []
-        inside = [str(s) for s in self.support if not s.outside]
-        sweeps += ["the log supports: " + "; ".join(inside)] if inside else []
+        if worst := max((t.residual for t in self.trials), default=0.0):
+            sweeps.append(f"the last iteration moved a command by {worst:.2%} of its limit at most")
+        sweeps += [f"the log: {'; '.join(map(str, self.agreement))}"] if self.agreement else []
+        inside = "; ".join(str(s) for s in self.support if not s.outside)
+        sweeps += [f"the log supports: {inside}"] if inside else []
         return "\n".join([*lines, *(line for line in sweeps if line)])
 
 
@@ -241,8 +241,7 @@ def certify(
         course = replace(course, progress=RunCounter(course.runs, progress))
     runs, fell = trials(course)
     linear, count, period = linear_margins(design, nominal, parts), int(fell.sum()), design.spec.period
-    compared = agreement(recording, course) if recording else ()
-    shown = supported(recording, course) if recording else ()
+    compared, shown = (agreement(recording, course), supported(recording, course)) if recording else ((), ())
     light, reasons = judge(len(family), count, linear, runs, period, compared, shown)
     who = identity(design)
     swept = [f(course) if sweeps else () for f in (delayed, slower)]

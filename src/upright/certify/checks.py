@@ -142,6 +142,7 @@ class Course:
     seed: int = 0
     threads: int | None = None
     progress: RunCounter | None = None
+    _: KW_ONLY
     slope: float = 0.0
 
     @property
