@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import json
+import shlex
 import subprocess
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from typer.main import get_command
 
 from upright.bodies import Electronics, NonlinearBody
+from upright.cli.main import app, main
 from upright.compiled.print_javascript import JavaScriptPrinter
 from upright.control import CONTROLLERS, Controller, gain_of
 from upright.control.delay import RAW
-from upright.experiment import Push, run
+from upright.experiment import Impulse, Push, run
 from upright.lab.by_hand import gains_program
+from upright.lab.export import export
 from upright.lab.printed import printed_law, printed_robot, reading
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
@@ -157,3 +162,222 @@ def test_noise_is_normal(tmp_path):
     assert abs(numbers.var() - 1) < 5 * np.sqrt(2 / n)
     pairs = numbers.reshape(-1, 2)
     assert abs(np.mean(pairs[:, 0] * pairs[:, 1])) < 5 / np.sqrt(n / 2)  # both of a pair are independent
+
+
+# The page itself
+
+BROWSER = [
+    pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow, pytest.mark.xdist_group("browser"),
+]  # fmt: skip
+ROBOTS = ("nxtway-gs", "twipr")
+LINKED = "#robot=twipr&controller=sliding&noise=0&push=impulse:0.2"
+
+
+def marked(test: Any) -> Any:
+    """A test of the page in a browser."""
+    for mark in BROWSER:
+        test = mark(test)
+    return test
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The page of every preset with every usual controller, which takes 20 s of computing."""
+    return export(tmp_path_factory.mktemp("site"))
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as driver:
+        made = driver.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox", "--disable-3d-apis"])
+        yield made
+        made.close()
+
+
+@pytest.fixture
+def page(browser: Any, site: Path) -> Iterator[Any]:
+    """The page, opened from its folder by a browser without network; it asks for nothing but itself."""
+    context = browser.new_context(viewport={"width": 1366, "height": 768}, offline=True)
+    made = context.new_page()
+    asked: list[str] = []
+    wrong: list[str] = []
+    made.on("request", lambda request: asked.append(request.url))
+    made.on("pageerror", lambda error: wrong.append(str(error)))
+    made.goto(site.as_uri())
+    made.wait_for_function("window.upright?.page.drawnFirst")
+    yield made
+    context.close()
+    assert [url for url in asked if not url.startswith((site.as_uri(), "data:"))] == []
+    assert wrong == []
+
+
+def send(page: Any, **message: Any) -> None:
+    page.evaluate("(message) => upright.store.send(message)", message)
+
+
+@marked
+def test_the_page_is_small(site):
+    assert len(site.read_bytes()) < 1.5e6  # bar 1.5 MB, with every preset
+
+
+@marked
+def test_the_page_s_session_is_python_s_run(page):
+    """Without quanta and noise, at rest under a knock: what the page shows after 3 s is what `run` computes."""
+    robot = Robot.preset("nxtway-gs")
+    kit = quiet(Kit.preset("nxt"), exact=True)
+    kit = replace(kit, motor=Kit.preset("nxt").motor)  # the page's slider scales the sensors alone
+    send(page, kind="Play", paused=True, speed=1)
+    page.evaluate("upright.exported.facts.robots['nxtway-gs'].kit.sensors.forEach((s) => { s.walk = 0; })")
+    page.evaluate("upright.store.change({ noise: 0, controller: 'lqg' })")
+    send(page, kind="StandUp", pitch=0)
+    send(page, kind="Strike", what="impulse", size=0.05)
+    send(page, kind="Step", periods=300)
+    shown = page.evaluate("upright.store.snapshot.x[0].slice(0, 6)")
+    controller = CONTROLLERS["lqg"](robot, Kit.preset("nxt"), kit.period)
+    log = run(Electronics(NonlinearBody(robot), kit), controller, Impulse(impulse=0.05, start=0.0, duration=0.02),
+              seconds=3.01)  # fmt: skip
+    python = [log[f"truth/{name}"][-1] for name in STATE_NAMES]
+    assert log.t[-1] == pytest.approx(3.0)
+    assert np.abs(np.array(shown) - python).max() < 1e-6  # the driver's quantum is on: differences are not forgotten
+
+
+@marked
+def test_a_link_carries_robot_controller_and_push(page, site):
+    page.goto("about:blank")
+    page.goto(site.as_uri() + LINKED)
+    page.wait_for_function("window.upright?.page.drawnFirst")
+    setup = page.evaluate("upright.store.setup")
+    assert (setup["robot"], setup["controller"], setup["noise"]) == ("twipr", "sliding", 0)
+    page.wait_for_function("upright.store.snapshot.x[0][0] < -0.01")  # a second later it is pushed: it leans back
+    assert page.evaluate("upright.page.local.link()") == site.as_uri() + LINKED
+
+
+@pytest.mark.parametrize(
+    "part", ["robot=nobody", "controller=__proto__", "gains=1,2", "slope=9", "push=impulse:1e9", "%"]
+)
+@marked
+def test_a_link_that_makes_no_sense_is_the_usual_page(page, site, part):
+    page.goto("about:blank")
+    page.goto(f"{site.as_uri()}#{part}")
+    page.wait_for_function("window.upright?.page.drawnFirst")
+    assert page.evaluate("[upright.store.setup.robot, upright.store.setup.controller]") == ["nxtway-gs", "lqg"]
+
+
+@marked
+def test_gains_by_hand_begin_with_the_present_ones_and_act_at_once(page):
+    page.select_option("[data-key=controller]", "lqr")
+    present = page.evaluate("upright.store.analysed.gain[0]")
+    page.select_option("[data-key=controller]", "gains")
+    assert page.evaluate("upright.store.setup.gains") == present[:6]
+    page.wait_for_timeout(1000)
+    assert not page.evaluate("upright.store.snapshot.x[0][8]")
+    send(page, kind="StandUp", pitch=0.05)
+    page.evaluate("upright.store.change({ gains: [0, 0, 0, 0, 0, 0] })")
+    page.wait_for_function("upright.store.snapshot.x[0][8] === 1")  # nothing holds it: it falls
+
+
+@marked
+def test_every_controller_of_every_robot_stands_up_again_from_a_lean(page):
+    """A lean of 0.05 rad; the one of the true state alone cannot bear TWIPR's dead time of 53 ms, as in Python."""
+    fell: list[str] = []
+    send(page, kind="Play", paused=True, speed=1)
+    for robot in ROBOTS:
+        for name in page.evaluate(f"Object.keys(upright.exported.laws['{robot}'])"):
+            page.evaluate(f"upright.store.change({{ robot: '{robot}', controller: '{name}', gains: [] }})")
+            send(page, kind="StandUp", pitch=0.05)
+            send(page, kind="Step", periods=400)
+            fell += [f"{robot} {name}"] if page.evaluate("upright.store.snapshot.x[0][8]") else []
+    assert fell == ["twipr lqr-state"]
+
+
+@marked
+def test_it_is_pushed_by_mouse_key_and_button(page):
+    at = page.evaluate("upright.page.grasp()")
+    box = page.locator(".room").bounding_box()
+    page.mouse.move(box["x"] + at["x"], box["y"] + at["y"])
+    page.mouse.down()
+    page.mouse.move(box["x"] + at["x"] + 60, box["y"] + at["y"], steps=4)
+    page.wait_for_function("upright.store.snapshot.f[0] > 0.05")
+    page.mouse.up()
+    page.wait_for_function("upright.store.snapshot.f[0] === 0")
+    page.keyboard.down("b")
+    page.wait_for_function("upright.store.snapshot.f[0] > 0.05")
+    page.keyboard.up("b")
+    page.click("[data-key=stand]")
+    page.click("[data-key=impulse]")
+    page.wait_for_function("upright.store.snapshot.x[0][0] < -0.01")  # a knock forward at its middle: it leans back
+
+
+@marked
+def test_what_needs_python_says_so_with_its_command(page):
+    for language, tabs in (("en", "With Python"), ("es", "Con Python")):
+        page.select_option("[data-key=language]", language)
+        page.click("#tab-Python")
+        assert page.inner_text("#tab-Python") == tabs
+        commands = page.locator(".commands code").all_inner_texts()
+        assert "upright calibrate run.csv --robot nxtway-gs" in commands
+        for line in commands:
+            name, *arguments = shlex.split(line)[1:]
+            get_command(app).commands[name].make_context(name, arguments)  # raises where it is no such call
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@marked
+def test_axe_core_finds_nothing_serious_in_any_tab(browser, site, axe, scheme):
+    page = browser.new_page(color_scheme=scheme)
+    page.goto(site.as_uri())
+    page.wait_for_function("window.upright?.page.drawnFirst")
+    page.add_script_tag(path=str(axe))
+    serious: list[str] = []
+    for tab in ("Controller", "Robot", "See", "Python"):
+        page.click(f"#tab-{tab}")
+        for rule in page.evaluate("axe.run().then((result) => result.violations)"):
+            if rule["impact"] in ("serious", "critical"):
+                serious += [f"{tab}: {rule['id']}: {node['html'][:200]}" for node in rule["nodes"]]
+    page.close()
+    assert not serious
+
+
+# Bad input
+
+
+def refusal(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
+    assert main(["lab", *arguments]) == 2
+    (line,) = capsys.readouterr().err.strip().splitlines()
+    return line
+
+
+def test_another_page_is_never_written_over(tmp_path, capsys):
+    (tmp_path / "index.html").write_text("<h1>mine</h1>", "utf-8")
+    (tmp_path / "notes.txt").write_text("mine", "utf-8")
+    assert "is another page" in refusal(capsys, "--export", str(tmp_path))
+    assert (tmp_path / "index.html").read_text("utf-8") == "<h1>mine</h1>"
+
+
+def test_other_files_of_the_folder_stay(tmp_path):
+    (tmp_path / "notes.txt").write_text("mine", "utf-8")
+    for _ in range(2):  # an exported lab may be written again
+        export(tmp_path, ["nxtway-gs"], ["lqg"])
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["index.html", "notes.txt"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--export", "{}/page.html"), "names a page"),
+        (("--export", "{}/file"), "is no folder"),
+        (("--export", "{}/site", "-r", "nobody"), "nobody"),
+        (("--export", "{}/site", "-c", "nothing"), "nothing"),
+        (("--export", "{}/site", "-r", "twipr", "-r", "twipr"), "two robots are called twipr"),
+        (("--export", "{}/site", "-r", "twipr", "-c", "lqr-complementary"), "no controller"),
+        (("--export", "{}/site", "--class"), "--export with --class"),
+        (("-r", "twipr"), "--robot without --export"),
+    ],
+)
+def test_what_cannot_be_exported_is_refused_in_a_line(tmp_path, capsys, arguments, words):
+    (tmp_path / "file").write_text("", "utf-8")
+    assert main(["lab", *(a.format(tmp_path) for a in arguments)]) == 2
+    assert words in capsys.readouterr().err.strip().splitlines()[-1]
+    assert not (tmp_path / "site").exists()

@@ -60,7 +60,7 @@ GROUPS = {
         "monitor": ("upright monitor", "upright monitor -o run.csv"),
     },
     "Teach": {
-        "lab": ("upright lab", "upright lab --class"),
+        "lab": ("upright lab", "upright lab --class", "upright lab --export site -r herrera2015 -r mine.toml"),
         "grade": ("upright grade handed-in -o grades.csv", "upright grade --worksheet es -o worksheet.md"),
         "film": ("upright film run.parquet", "upright film robot=run.csv model=model.parquet -o run.mp4 --speed 0.5"),
     },

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from upright.cli.options import ROBOT_HELP, complete_method, complete_robot
 from upright.errors import UprightError
 
 
@@ -17,11 +19,45 @@ def lab(
         bool, typer.Option("--class", help="Serve up to 30 students, each with a robot, at the address of --host.")
     ] = False,
     host: Annotated[str, typer.Option(help="Address of this machine in the network (with --class).")] = "127.0.0.1",
+    export: Annotated[
+        Path | None, typer.Option(help="Write the page alone into this folder: it runs anywhere, without Python.")
+    ] = None,
+    robot: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--robot",
+            "-r",
+            metavar="ROBOT",
+            help=f"{ROBOT_HELP}, with --export (repeatable; default: every preset).",
+            autocompletion=complete_robot,
+        ),
+    ] = None,
+    controller: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--controller",
+            "-c",
+            metavar="METHOD",
+            help="Method of design, with --export (repeatable; default: all quick ones).",
+            autocompletion=complete_method,
+        ),
+    ] = None,
 ) -> None:
     """Open the lab: push a simulated robot with the mouse.
 
     The page works offline and is for this machine only; --class --host ADDRESS opens it to a class. Ctrl-C ends it.
+    --export FOLDER serves nothing: it writes one page with robots and controllers inside, for any web host.
     """
+    if export is not None:
+        if class_:
+            raise UprightError("--export with --class", expected="one of both", hint="leave out --class")
+        _export(export, robot or [], controller or [])
+        return
+    if robot or controller:
+        raise UprightError(
+            f"--{'robot' if robot else 'controller'} without --export", expected="--export FOLDER",
+            hint="choose it in the page",
+        )  # fmt: skip
     from upright.lab.classroom import Door
     from upright.lab.server import LOOPBACK, Lab, listening, reachable, serve
 
@@ -44,3 +80,12 @@ def lab(
             webbrowser.open(served.teacher_url if class_ else served.url)
 
     serve(served, socket, ready)
+
+
+def _export(folder: Path, robots: list[str], controllers: list[str]) -> None:
+    from upright.cli.output import progress
+    from upright.lab.export import export
+
+    with progress("designing and printing") as show:
+        page = export(folder, robots, controllers, say=lambda line: typer.echo(line, err=True), progress=show)
+    typer.echo(f"wrote {page}: open it in a browser, or put it on any web host")

@@ -247,5 +247,9 @@ def body_of(name: str, plant: Plant, setup: Setup, period: float, calibrated: Ro
 
 def behind(body: Pulled, kit: Kit) -> Body:
     """The body behind its kit's electronics, bare where the kit hides nothing."""
-    plain = kit.name == "ideal" and kit.delay == 0 and kit.motor.dead_zone == 0 and math.isinf(kit.battery.voltage)
-    return body if plain else Electronics(body, kit)
+    return body if is_bare(kit) else Electronics(body, kit)
+
+
+def is_bare(kit: Kit) -> bool:
+    """Whether nothing stands between controller and motors."""
+    return kit.name == "ideal" and kit.delay == 0 and kit.motor.dead_zone == 0 and math.isinf(kit.battery.voltage)

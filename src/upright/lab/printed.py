@@ -13,6 +13,7 @@ from upright.compiled.print_javascript import JavaScriptPrinter, motion
 from upright.control import Controller
 from upright.control.law import as_law, program
 from upright.errors import InvalidController
+from upright.lab.plant import is_bare
 from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import linearise
 from upright.robots import Kit, Robot
@@ -32,11 +33,6 @@ def printed_robot(robot: Robot, kit: Kit, period: float = PERIOD) -> tuple[str, 
     linear = {name: getattr(model, name).tolist() for name in "ABE"}
     linear |= {"turn": turn_ratio(robot), "radius": robot.wheel_radius, "gravity": robot.gravity, "period": period}
     return text, {"period": period, "kit": kit_numbers(kit, robot, period), "linear": linear}
-
-
-def is_bare(kit: Kit) -> bool:
-    """Whether nothing stands between controller and motors."""
-    return kit.name == "ideal" and kit.delay == 0 and kit.motor.dead_zone == 0 and math.isinf(kit.battery.voltage)
 
 
 def kit_numbers(kit: Kit, robot: Robot, period: float) -> dict[str, Any] | None:
@@ -66,7 +62,7 @@ def printed_law(controller: Controller, kit: Kit, period: float = PERIOD) -> tup
     law = as_law(controller)
     linear = law.linear
     facts = reading(linear.reads, linear.period, kit, period)
-    opinion = {"S": linear.S.tolist(), "Sy": linear.Sy.tolist()} if linear.S.size else {}
+    opinion = {name: _rounded(getattr(linear, name)) for name in ("S", "Sy")} if linear.S.size else {}
     return JavaScriptPrinter(program(law)).text(), {**facts, "kind": controller.spec.kind, **opinion}
 
 
@@ -77,3 +73,8 @@ def reading(reads: tuple[str, ...], every: float, kit: Kit, period: float = PERI
     if stride < 1 or not math.isclose(stride * period, every, rel_tol=1e-9):
         raise InvalidController(f"a period of {every:g} s", expected=f"a multiple of {period:g} s in a page")
     return {"reads": [names.index(name) for name in reads], "stride": stride}
+
+
+def _rounded(matrix: Any) -> list[list[float]]:
+    """To what a page draws."""
+    return [[float(f"{value:.6g}") for value in row] for row in matrix.tolist()]

@@ -20,30 +20,36 @@ def catalogue() -> Catalogue:
     """What there is to choose."""
     from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE
 
-    robots = tuple(_info(Robot.preset(name)) for name in preset_names())
+    robots = tuple(robot_info(Robot.preset(name)) for name in preset_names())
     units = {name: unit for name, (unit, _) in PARAMETERS.items()}
     symbols = {name: symbol for name, (_, symbol) in PARAMETERS.items()}
     return Catalogue(robots, kit_names(), families(), units, symbols, LARGEST_STATE, dict(LARGEST_COMMAND))
 
 
-def _info(robot: Robot) -> RobotInfo:
+def robot_info(robot: Robot) -> RobotInfo:
+    """A robot to choose."""
     return RobotInfo(robot.name, robot.title, robot.kit_name, robot.drive, robot.numbers())
 
 
 def changed(setup: Setup, plant: Plant, lanes: Sequence[Lane], busy: bool) -> Changed:
     """The set-up, what to draw and what the kit really is."""
     robot, kit, spec = plant.robot, plant.kit, lanes[0].controller.spec
-    look = Look(
-        wheel_radius=robot.wheel_radius, track=robot.track, body_height=robot.body_height, body_depth=robot.body_depth,
-        com_height=robot.com_height, payload=setup.payload, payload_height=setup.payload_height,
-        command_unit=robot.command_unit, limit=finite(lanes[0].body.spec.limit), weight=robot.body_mass * robot.gravity,
-    )  # fmt: skip
     voltage = kit.battery.voltage
     numbers = {"delay": kit.delay, "dead_zone": kit.motor.dead_zone, "voltage": voltage if voltage < 1e6 else -1.0}
     names = tuple(lane.name for lane in lanes)
+    look = look_of(robot, setup, lanes[0].body.spec.limit)
     return Changed(
         setup=setup, look=look, bodies=names, period=kit.period, controller=spec.kind, truth=spec.reads_truth,
         kit=numbers, busy=busy,
+    )  # fmt: skip
+
+
+def look_of(robot: Robot, setup: Setup, limit: float) -> Look:
+    """What the page draws the robot from; `limit` is the largest command."""
+    return Look(
+        wheel_radius=robot.wheel_radius, track=robot.track, body_height=robot.body_height, body_depth=robot.body_depth,
+        com_height=robot.com_height, payload=setup.payload, payload_height=setup.payload_height,
+        command_unit=robot.command_unit, limit=finite(limit), weight=robot.body_mass * robot.gravity,
     )  # fmt: skip
 
 

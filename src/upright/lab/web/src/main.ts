@@ -1,5 +1,7 @@
 // The page: puts its parts together, follows the session, and takes keys, mouse and gamepad.
 import { Charts } from "./charts";
+import { LocalSession, exported } from "./exported";
+import { ExportedRobotPanel, PythonPanel, linkButton } from "./exported_panels";
 import { button, h, replace, select, slider, throttled } from "./dom";
 import { fromLink, tokenIn } from "./link";
 import type { ServerMessage } from "./messages";
@@ -18,15 +20,18 @@ import "./style.css";
 import { LANGUAGES, choose, fixed, language, named, t, texts, told, translated } from "./texts";
 import { Tour } from "./tour";
 
-const TABS = ["Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour", "Class"] as const;
+const TABS = ["Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour", "Class", "Python"] as const;
 type Tab = (typeof TABS)[number];
+const EXPORTED: readonly Tab[] = ["Controller", "Robot", "See", "Python"]; // the tabs of a page without Python
 
 class Page {
   private room: Stage = this.furnish();
   private charts = new Charts(() => this.seconds);
   private see = new See();
   private controller = new ControllerPanel();
-  private robot = new RobotPanel();
+  private local: LocalSession | null = null;
+  private robot = exported ? new ExportedRobotPanel(() => this.local) : new RobotPanel();
+  private python = new PythonPanel();
   private kit = new KitPanel();
   private identify = new IdentifyPanel();
   private keep = new KeepPanel(() => this.room.picture());
@@ -75,7 +80,11 @@ class Page {
     if (token) sessionStorage.setItem("token", token);
     if (location.hash.includes("token=")) history.replaceState(null, "", location.pathname);
     this.build();
-    if (recording) {
+    if (exported) {
+      document.body.classList.add("exported");
+      this.local = new LocalSession(exported);
+      this.says("connected");
+    } else if (recording) {
       this.says("replaying");
       new Replay(recording);
       document.body.classList.add("replay");
@@ -114,6 +123,7 @@ class Page {
       h("a", { className: "skip", href: "#panel", onclick: () => this.panel.focus() }, t("skip")),
       h("h1", {}, h("span", { className: "mark", "aria-hidden": "true" }), t("title")),
       this.light, h("span", { className: "grow" }), this.clock, this.status,
+      exported ? linkButton(() => this.local, (text) => this.toast(text, "info")) : null,
       select("", languages, language(), (key) => this.speak(key), "language"),
       button("◐", () => this.theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"), { "aria-label": t("theme"), title: t("theme"), "data-key": "theme" }),
       button("?", () => this.help(), { "aria-label": t("help"), title: t("help"), "data-key": "help" }));
@@ -160,10 +170,10 @@ class Page {
   }
 
   private panels(): HTMLElement {
-    const there = TABS.filter((tab) => tab !== "Class" || store.role !== "alone");
+    const there = exported ? EXPORTED : TABS.filter((tab) => tab !== "Python" && (tab !== "Class" || store.role !== "alone"));
     const labels: Record<Tab, string> = {
       Controller: t("tabController"), Robot: t("tabRobot"), Kit: t("tabKit"), See: t("tabSee"), Identify: t("tabIdentify"),
-      Keep: t("tabKeep"), Tour: t("tabTour"), Class: t("tabClass"),
+      Keep: t("tabKeep"), Tour: t("tabTour"), Class: t("tabClass"), Python: t("tabPython"),
     };
     this.tabs.setAttribute("aria-label", t("tabs"));
     replace(this.tabs, ...there.map((tab) => button(labels[tab], () => this.open(tab), {
@@ -197,7 +207,7 @@ class Page {
   /** Build the panel of the open tab. */
   private fill(): void {
     if (!store.catalogue || !store.changed) return;
-    const built = { Controller: this.controller, Robot: this.robot, Kit: this.kit, See: this.see, Identify: this.identify, Keep: this.keep, Tour: this.tour, Class: this.classes }[this.tab];
+    const built = { Controller: this.controller, Robot: this.robot, Kit: this.kit, See: this.see, Identify: this.identify, Keep: this.keep, Tour: this.tour, Class: this.classes, Python: this.python }[this.tab];
     built.build();
     replace(this.panel, built.root);
   }
@@ -245,7 +255,7 @@ class Page {
 
   private update(): void {
     if (this.tab === "See") this.see.show();
-    const open = { Controller: this.controller, Robot: this.robot, Kit: this.kit }[this.tab as "Controller" | "Robot" | "Kit"];
+    const open = { Controller: this.controller, Robot: this.robot, Kit: this.kit, Python: this.python }[this.tab as "Controller" | "Robot" | "Kit" | "Python"];
     open?.update();
   }
 
@@ -340,11 +350,15 @@ class Page {
     else if (event.key === ".") store.send({ kind: "Step", periods: 1 });
     else if (event.key === "," || event.key === "/") store.send({ kind: "Scrub", back: Math.max(0, Math.min(60, (store.snapshot?.back ?? 0) + (event.key === "," ? 0.25 : -0.25))) });
     else if (event.key === "s") this.stand();
-    else if (event.key === "n" || event.key === "p") this.toured(event.key === "n" ? 1 : -1);
+    else if (!exported && (event.key === "n" || event.key === "p")) this.toured(event.key === "n" ? 1 : -1);
     else if (event.key === "k") store.send({ kind: "Strike", what: "impulse", size: this.knock });
-    else if (/^[1-8]$/.test(event.key) && document.getElementById(`tab-${TABS[Number(event.key) - 1]}`)) this.open(TABS[Number(event.key) - 1]);
+    else if (/^[1-8]$/.test(event.key) && document.getElementById(`tab-${this.tabAt(event.key)}`)) this.open(this.tabAt(event.key));
     else return;
     event.preventDefault();
+  }
+
+  private tabAt(key: string): Tab {
+    return (exported ? EXPORTED : TABS)[Number(key) - 1];
   }
 
   /** Open the tour, or go on or back in it. */
@@ -407,4 +421,4 @@ function noticed(text: string): string {
 }
 
 const page = new Page(document.getElementById("app") as HTMLElement);
-Object.assign(window, { upright: { store, page } });
+Object.assign(window, { upright: { store, page, exported } });

@@ -176,6 +176,7 @@ export class Loop {
     this.x = Float64Array.from(start);
     this.steps = 0;
     this.z = Float64Array.from(control.law?.start ?? []);
+    this.before = Float64Array.from(this.z); // the memory that the last command came from
     this.y = new Float64Array(control.reads.length);
     this.u = new Float64Array(8); // both commands, then what else a program gives out
     this.sent = new Float64Array(2);
@@ -222,6 +223,7 @@ export class Loop {
    */
   step(reference, disturb) {
     const { law, reads, stride, gains = [] } = this.control;
+    this.before.set(this.z);
     for (let i = 0; i < reads.length; i += 1) this.y[i] = this.values[reads[i]];
     law?.command(this.z, this.y, reference, this.u, gains);
     this.sent.set(this.u.subarray(0, 2));

@@ -1,0 +1,161 @@
+"""The lab as one page without Python: robots, electronics and designed controllers printed into it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from upright.atomic import make_folder, write_text
+from upright.compiled.print_javascript import JavaScriptPrinter
+from upright.control import CONTROLLERS, gain_of
+from upright.control.delay import RAW
+from upright.errors import InvalidRobot, UnknownName, UprightError, check_within
+from upright.lab.by_hand import gains_program
+from upright.lab.codec import plain
+from upright.lab.messages import VERSION, Analysed, Setup, Welcome
+from upright.lab.plant import BY_HAND, OFF, Plant, behind, body_of, families, is_bare
+from upright.lab.printed import printed_law, printed_robot, reading
+from upright.lab.recording import MARK, inlined, page_text
+from upright.lab.tasks import analysed
+from upright.lab.views import catalogue, equations, look_of, robot_info
+from upright.robots import Kit, Robot, find_kit, find_robot, preset_names
+
+PAGE = "index.html"
+NAME = "uprightExport"
+"""What the page's data is called in it; a page that has it is an exported lab."""
+
+NOT_USUAL = ("robust", "lqr-complementary")
+"""Made only where they are asked for: a design of a minute or more for each robot, and one that is no `Law`."""
+
+KEPT = 2
+"""Of the broken loop's frequencies, one in so many is kept: the page stays small."""
+
+MOST_ROBOTS = 12
+"""About 150 kB each: a page should stay below 2 MB."""
+
+UNKNOWN = Analysed(stable=False, words="Margins of gains by hand need Python: upright lab", gain=())
+
+
+def export(
+    folder: str | Path,
+    robots: Sequence[Robot | str] = (),
+    controllers: Sequence[str] = (),
+    *,
+    say: Callable[[str], None] = print,
+    progress: Callable[[float], None] = lambda fraction: None,  # noqa: ARG005
+) -> Path:
+    """Write the lab's page into `folder` and return its path: these `robots` (none: every preset), each behind its own
+    kit with every one of these `controllers` (none: all but `NOT_USUAL`) that it can have. `say` is told what was left
+    out, `progress` the fraction done.
+
+    Raises `UprightError` for a folder that holds another page, `UnknownName`, and whatever a robot is refused for.
+    """
+    path = _place(Path(folder))
+    chosen = [find_robot(robot) for robot in robots or preset_names()]
+    check_within("robots in a page", len(chosen), 1, MOST_ROBOTS)
+    names = [robot.name for robot in chosen]
+    for name in set(names):
+        if names.count(name) > 1:
+            raise InvalidRobot(f"two robots are called {name}", expected="a name for each", hint="rename one")
+    for name in controllers:
+        if name not in CONTROLLERS:
+            raise UnknownName("controller", name, CONTROLLERS)
+    methods = list(controllers) or [f.name for f in families() if f.name not in (BY_HAND, OFF, *NOT_USUAL)]
+    page, ready = inlined(page_text()), list[PrintedRobot]()
+    for robot in chosen:
+        progress(len(ready) / len(chosen))
+        ready.append(printed(robot, methods, say=say))
+    script = exported_script(ready)
+    make_folder(path.parent)
+    return write_text(path, page.replace(MARK, f"<script>{script}</script>"))
+
+
+def _place(folder: Path) -> Path:
+    """Where the page goes: never over somebody else's."""
+    if folder.suffix in (".html", ".htm"):
+        raise UprightError(f"{folder.name} names a page", expected="a folder", hint=f"--export {folder.stem}")
+    if folder.exists() and not folder.is_dir():
+        raise UprightError(f"{folder} is no folder", expected="a folder, or nothing there yet")
+    path = folder / PAGE
+    if path.is_file() and NAME not in path.read_text("utf-8", "replace"):
+        hint = "choose another folder"
+        raise UprightError(f"{path} is another page", expected="a folder without one, or an exported lab", hint=hint)
+    return path
+
+
+@dataclass(frozen=True)
+class PrintedRobot:
+    """A robot's `motion` and its controllers' `laws` as JavaScript, and the other `facts` as JSON has them."""
+
+    robot: Robot
+    motion: str
+    laws: Mapping[str, str]
+    facts: Mapping[str, Any]
+
+
+def printed(robot: Robot, methods: Sequence[str], *, say: Callable[[str], None]) -> PrintedRobot:
+    """The robot behind its own kit, with the controllers of these `methods`; raises `InvalidRobot` if none fits."""
+    kit = find_kit(robot.kit)
+    motion, numbers = printed_robot(robot, kit)
+    laws: dict[str, str] = {}
+    controllers: dict[str, Any] = {}
+    for name in methods:
+        try:
+            laws[name], controllers[name] = _designed(robot, kit, name)
+        except UprightError as error:
+            say(f"{robot.name} goes without {name}: {str(error).partition(';')[0]}")
+    if not laws:
+        raise InvalidRobot(f"no controller that was asked for fits {robot.name}", hint="leave out --controller")
+    if not is_bare(kit) and set(RAW) <= set(kit.sensors):
+        gains = next((c["gains"] for name in ("lqr", *laws) if (c := controllers.get(name)) and c["gains"]), [0.0] * 6)
+        laws[BY_HAND] = JavaScriptPrinter(gains_program(robot, kit)).text()
+        own = {"kind": "gains by hand", "truth": False, "gains": gains, "analysed": plain(UNKNOWN)}
+        controllers[BY_HAND] = {**reading(RAW, kit.period, kit), **own}
+    return PrintedRobot(robot, motion, laws, {**numbers, **_shown(robot, kit), "controllers": controllers})
+
+
+def _designed(robot: Robot, kit: Kit, name: str) -> tuple[str, dict[str, Any]]:
+    controller = CONTROLLERS[name](robot, kit, kit.period)
+    text, facts = printed_law(controller, kit)
+    analysis = analysed(controller, robot, kit)
+    analysis = replace(analysis, L=tuple(row[::KEPT] for row in analysis.L))
+    gain = gain_of(controller)
+    own = {"truth": controller.spec.reads_truth, "gains": [] if gain is None else gain[0, :6].tolist()}
+    return text, {**facts, **own, "analysed": plain(analysis)}
+
+
+def _shown(robot: Robot, kit: Kit) -> dict[str, Any]:
+    """What the page draws and says of the robot, and what a pull at a wheel [N] turns into as a command."""
+    setup = Setup(robot=robot.name)
+    body = body_of("linear", Plant(robot, robot, kit), setup, kit.period)
+    body.pull(1.0)
+    return {
+        "title": robot.title, "kit_name": kit.name, "every": kit.period, "delay_own": kit.delay, "pull": body.twist,
+        "look": plain(look_of(robot, setup, behind(body, kit).spec.limit)), "equations": plain(equations(robot)),
+    }  # fmt: skip
+
+
+def exported_script(robots: Sequence[PrintedRobot]) -> str:
+    """The data of the page, as a script."""
+    known = [f for f in families() if f.name == OFF or any(f.name in p.laws for p in robots)]
+    choice = replace(
+        catalogue(), robots=tuple(robot_info(p.robot) for p in robots), kits=(),
+        families=tuple(replace(f, weights=False) for f in known),
+    )  # fmt: skip
+    facts = {
+        "version": version("upright"), "catalogue": choice, "welcome": Welcome(VERSION, "", "alone", ""),
+        "robots": {p.robot.name: p.facts for p in robots},
+    }  # fmt: skip
+    text = json.dumps(plain(facts), separators=(",", ":"), ensure_ascii=False, allow_nan=False)
+    motions = _object({p.robot.name: p.motion for p in robots})
+    laws = _object({p.robot.name: _object(p.laws) for p in robots})
+    data = _object({"facts": text.replace("<", "\\u003c"), "motions": motions, "laws": laws})
+    return f'"use strict";\nconst {{ sin, cos, sqrt }} = Math;\nglobalThis.{NAME} = {data};\n'
+
+
+def _object(members: Mapping[str, str]) -> str:
+    return "{\n" + ",\n".join(f"{json.dumps(name)}: {text}" for name, text in members.items()) + "}"

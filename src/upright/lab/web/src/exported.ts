@@ -1,0 +1,390 @@
+// A session without a server: what lab/export.py printed into the page, stepped here. It answers the page's messages as
+// lab/session.py does, as far as that needs no Python.
+import type { Analysed, Catalogue, Changed, ClientMessage, Equations, Look, Setup, Snapshot, Welcome } from "./messages";
+import { DEFAULT_SETUP } from "./messages";
+import { Loop, combined, linearMotion } from "./simulator";
+import type { Kit, Law, Motion, Push } from "./simulator";
+import { store } from "./store";
+
+export interface Controller {
+  kind: string;
+  truth: boolean;
+  reads: number[];
+  stride: number;
+  gains: number[];
+  analysed: Analysed;
+  S?: number[][];
+  Sy?: number[][];
+}
+
+export interface Facts {
+  title: string;
+  kit_name: string;
+  period: number;
+  every: number;
+  delay_own: number;
+  pull: number;
+  kit: Kit | null;
+  look: Look;
+  equations: Equations;
+  linear: Parameters<typeof linearMotion>[0];
+  controllers: Record<string, Controller>;
+}
+
+export interface Exported {
+  facts: { version: string; catalogue: Catalogue; welcome: Welcome; robots: Record<string, Facts> };
+  motions: Record<string, Motion>;
+  laws: Record<string, Record<string, Law>>;
+}
+
+/** What was printed into this page; null in a live lab. */
+export const exported = (globalThis as { uprightExport?: Exported }).uprightExport ?? null;
+
+const BODIES = ["nonlinear", "linear"] as const;
+const OFF = "off";
+const KNOCK = 0.02; // [s] that an impulse takes, a pull, and a hold: as lab/pushing.py
+const PULL = 0.3;
+const HOLD = 3.0;
+const [UPRIGHT, STILL, CALM_FOR, SHORT] = [0.05, 0.4, 1.0, 0.5];
+const LYING = 1.5; // [rad] at which a fallen robot is shown
+const KEPT = 60; // [s] that can be scrubbed back through
+const MOMENT = 0.02; // [s] between two of its pictures
+const BEHIND = 0.25; // [s] of wall time made up in one go
+
+/** What a link says: robot, controller and numbers that differ from the usual ones, and the last push. */
+export interface Link {
+  setup: Partial<Setup>;
+  push: [string, number] | null;
+}
+
+const NUMBERS = ["slope", "noise", "delay"] as const;
+
+export function toHash(setup: Setup, push: Link["push"]): string {
+  const parts = new URLSearchParams({ robot: setup.robot, controller: setup.controller });
+  if (setup.controller === "gains" && setup.gains.length) parts.set("gains", setup.gains.map((v) => Number(v.toPrecision(6))).join(","));
+  for (const name of NUMBERS) if (setup[name] !== DEFAULT_SETUP[name]) parts.set(name, String(Number(setup[name].toPrecision(6))));
+  if (push) parts.set("push", `${push[0]}:${Number(push[1].toPrecision(4))}`);
+  return "#" + parts.toString().replaceAll("%2C", ",").replaceAll("%3A", ":");
+}
+
+const PUSHES: Record<string, [number, number]> = { front: [0, 0.5], back: [-0.5, 0], impulse: [-20, 20], pull_left: [-100, 100], pull_right: [-100, 100], tilt: [-1.2, 1.2] };
+
+/** What the address asks for; what cannot be is left out. */
+export function fromHash(hash: string, data: Exported): Link {
+  const parts = new URLSearchParams(hash.replace(/^#/, ""));
+  const setup: Partial<Setup> = {};
+  const robot = parts.get("robot") ?? "";
+  if (Object.hasOwn(data.facts.robots, robot)) setup.robot = robot;
+  const facts = data.facts.robots[setup.robot ?? first(data)];
+  const controller = parts.get("controller") ?? "";
+  if (Object.hasOwn(facts.controllers, controller) || controller === OFF) setup.controller = controller;
+  const gains = (parts.get("gains") ?? "").split(",").map(Number);
+  if (gains.length === 6 && gains.every(Number.isFinite)) setup.gains = gains;
+  const ranges: Record<(typeof NUMBERS)[number], [number, number]> = { slope: [-0.2, 0.2], noise: [0, 20], delay: [-1, 0.05] };
+  for (const name of NUMBERS) {
+    const value = Number(parts.get(name) ?? NaN);
+    if (value >= ranges[name][0] && value <= ranges[name][1]) setup[name] = value;
+  }
+  const [what, size] = (parts.get("push") ?? "").split(":");
+  const range = Object.hasOwn(PUSHES, what) ? PUSHES[what] : [0, -1];
+  const push: Link["push"] = Number(size) >= range[0] && Number(size) <= range[1] ? [what, Number(size)] : null;
+  return { setup, push };
+}
+
+function first(data: Exported): string {
+  const { robots, catalogue } = data.facts;
+  return DEFAULT_SETUP.robot in robots ? DEFAULT_SETUP.robot : catalogue.robots[0].name;
+}
+
+/** One body under a controller of its own; the wheel's angle starts from zero, as in lab/lane.py. */
+class Lane {
+  loop: Loop;
+  private offset: number[];
+
+  constructor(facts: Facts, motion: Motion, kit: Kit | null, control: ConstructorParameters<typeof Loop>[1], start: number[], seed: number) {
+    this.offset = [0, 0, start[2], 0, start[4], 0];
+    const from = [start[0], start[1], 0, start[3], 0, start[5]];
+    this.loop = new Loop({ motion, period: facts.period, kit }, control, from, seed);
+  }
+
+  state(): number[] {
+    const x = Array.from(this.loop.x, (v, i) => v + this.offset[i]);
+    if (this.loop.fallen) [x[0], x[1], x[3], x[5]] = [Math.sign(x[0]) * LYING, 0, 0, 0];
+    return x;
+  }
+
+  row(): number[] {
+    return [...this.state(), ...this.loop.applied, this.loop.fallen ? 1 : 0];
+  }
+
+  shifted(target: Float64Array): [number, number] {
+    return [target[2] + this.offset[2], target[4] + this.offset[4]];
+  }
+
+  estimate(c: Controller): number[] {
+    const { before: z, y } = this.loop;
+    const [S, Sy] = [c.S ?? [], c.Sy ?? []];
+    const dot = (row: number[], values: Float64Array) => row.reduce((sum, v, i) => sum + v * values[i], 0);
+    return S.map((row, i) => dot(row, z) + dot(Sy[i], y) + this.offset[i]);
+  }
+}
+
+export class LocalSession {
+  setup: Setup;
+  push: Link["push"] = null;
+  private lanes: Lane[] = [];
+  private periods = 0;
+  private owed = 0;
+  private paused = false;
+  private speed = 1;
+  private back = 0;
+  private n = 0;
+  private wall = performance.now();
+  private target = new Float64Array(6);
+  private steer = { speed: 0, rate: 0 };
+  private hand: Push = { force: 0, start: -1, duration: Infinity, height: 0 };
+  private active: Push[] = [];
+  private pulled = { until: -1, force: 0 };
+  private acting = new Float64Array(3); // force, height and slope of the last period, and the pull
+  private pulling = 0;
+  private kept: Snapshot[] = [];
+  private waiting = false; // for a pushed robot to be calm
+  private score = { best: 0, effort: 0, impulse: 0, lasted: 0, calm: 0, before: 0 };
+  private timer = 0;
+  spent = 0; // [ms] of computing, for benchmarks
+
+  constructor(private data: Exported) {
+    this.setup = { ...DEFAULT_SETUP, bodies: [...BODIES], robot: first(data) };
+    store.send = (message) => this.take(message);
+    store.hear(data.facts.welcome);
+    store.hear(data.facts.catalogue);
+    this.open(location.hash);
+    window.addEventListener("hashchange", () => this.open(location.hash));
+    window.setInterval(() => this.tick(), 16);
+  }
+
+  get facts(): Facts {
+    return this.data.facts.robots[this.setup.robot];
+  }
+
+  private get controller(): Controller | null {
+    return this.facts.controllers[this.setup.controller] ?? null;
+  }
+
+  get t(): number {
+    return this.periods * this.facts.every;
+  }
+
+  /** Do what a link says: its set-up, and a second later its push. */
+  open(hash: string): void {
+    const { setup, push } = fromHash(hash, this.data);
+    this.changeTo({ ...this.setup, gains: [], ...setup });
+    window.clearTimeout(this.timer);
+    this.push = push;
+    if (push) this.timer = window.setTimeout(() => this.pushed(...push), 1000);
+  }
+
+  link(): string {
+    return location.href.split("#")[0] + toHash(this.setup, this.push);
+  }
+
+  private pushed(what: string, size: number): void {
+    if (what === "tilt") this.take({ kind: "StandUp", pitch: size });
+    else this.take({ kind: "Strike", what: what as "impulse", size });
+  }
+
+  take(message: ClientMessage): void {
+    switch (message.kind) {
+      case "Change": this.changeTo(message.setup); break;
+      case "Drag": this.hand = { ...this.hand, force: message.force, height: message.height }; break;
+      case "Strike": this.strike(message.what, message.size); break;
+      case "Steer": this.steer = { speed: message.speed, rate: message.rate }; break;
+      case "Play": [this.paused, this.speed, this.back] = [message.paused, message.speed, message.paused ? this.back : 0]; break;
+      case "Step": this.stepped(message.periods); break;
+      case "Scrub": [this.paused, this.back] = [true, message.back]; break;
+      case "StandUp": this.stand(message.pitch); break;
+      default: return;
+    }
+    this.show();
+  }
+
+  private changeTo(wanted: Setup): void {
+    const robots = this.data.facts.robots;
+    const robot = Object.hasOwn(robots, wanted.robot) ? wanted.robot : this.setup.robot;
+    const there = robots[robot].controllers;
+    const known = Object.hasOwn(there, wanted.controller) || wanted.controller === OFF;
+    const controller = known ? wanted.controller : Object.keys(there)[0];
+    const gains = wanted.gains.length === 6 ? wanted.gains : (there.gains?.gains ?? []);
+    const [before, same] = [this.setup, this.lanes.length > 0 && robot === this.setup.robot];
+    this.setup = { ...wanted, robot, controller, gains, bodies: [...BODIES] };
+    const still = same && controller === before.controller && wanted.noise === before.noise && wanted.delay === before.delay;
+    if (still) for (const lane of this.lanes) lane.loop.control.gains = gains;
+    else this.build(this.lanes.map((lane) => (same && !lane.loop.fallen ? lane.state() : [0, 0, 0, 0, 0, 0])));
+    if (!same) this.traced();
+    this.said(!same);
+  }
+
+  /** Tell the page how it stands now. */
+  private said(another: boolean): void {
+    const { facts, controller, setup } = this;
+    const kit = { delay: this.delay(), dead_zone: facts.kit?.dead_zone ?? 0, voltage: facts.kit?.voltage ?? -1 };
+    const changed: Changed = {
+      kind: "Changed", setup, look: facts.look, bodies: [...BODIES], period: facts.every, controller: controller?.kind ?? OFF,
+      truth: controller?.truth ?? false, kit, busy: false,
+    };
+    store.hear(changed);
+    if (another) store.hear(facts.equations);
+    store.analysed = null;
+    if (!controller) return store.hear(store.lit ?? { kind: "Light", light: "none", reasons: [] });
+    const { analysed } = controller;
+    store.hear(analysed);
+  }
+
+  private traced(): void {
+    store.traces.reset(BODIES.length);
+    this.kept = [];
+    this.periods = 0;
+  }
+
+  private delay(): number {
+    return this.setup.delay < 0 ? this.facts.delay_own : this.setup.delay;
+  }
+
+  /** The kit with what the page has changed of it; the controller is still the one for the kit as it was. */
+  private kit(): Kit | null {
+    const { kit, period } = this.facts;
+    if (!kit) return null;
+    const scale = this.setup.noise;
+    const sensors = kit.sensors.map((s) => ({ ...s, quantum: s.quantum * scale, noise: s.noise * scale, bias: s.bias * scale }));
+    return { ...kit, sensors, delay: Math.round(this.delay() / period) };
+  }
+
+  private build(starts: number[][]): void {
+    const { facts, setup, controller } = this;
+    const law = controller ? this.data.laws[setup.robot][setup.controller] : null;
+    const stride = controller?.stride ?? Math.round(facts.every / facts.period);
+    const control = { law, reads: controller?.reads ?? [], stride, gains: setup.gains };
+    const motions = [this.data.motions[setup.robot], linearMotion(facts.linear)];
+    const kit = this.kit();
+    this.lanes = motions.map((motion, i) => new Lane(facts, motion, kit, { ...control }, starts[i] ?? [0, 0, 0, 0, 0, 0], setup.seed));
+    this.target.fill(0);
+    [this.owed, this.back] = [0, 0];
+  }
+
+  private stand(pitch: number): void {
+    [this.active, this.pulled] = [[], { until: -1, force: 0 }];
+    this.hand = { ...this.hand, force: 0 };
+    if (pitch) this.push = ["tilt", pitch];
+    this.build(BODIES.map(() => [pitch, 0, 0, 0, 0, 0]));
+  }
+
+  private strike(what: string, size: number): void {
+    const { look, equations } = this.facts;
+    const start = this.t;
+    this.push = [what, size];
+    if (what === "pull_left" || what === "pull_right") {
+      this.pulled = { until: start + PULL, force: what === "pull_left" ? size : -size };
+      this.active.push({ force: size, start, duration: PULL, height: 0 });
+    } else if (what === "impulse") {
+      this.active.push({ force: size / KNOCK, start, duration: KNOCK, height: look.com_height });
+    } else {
+      const force = (-equations.weight * Math.sin(size)) / (look.com_height * Math.cos(size) + look.wheel_radius);
+      this.active.push({ force, start, duration: HOLD, height: look.com_height });
+    }
+  }
+
+  /** Let so much wall time pass as has passed. */
+  tick(): void {
+    const now = performance.now();
+    const elapsed = Math.min((now - this.wall) / 1000, BEHIND);
+    this.wall = now;
+    if (this.paused) return;
+    this.advance(elapsed * this.speed);
+    this.spent += performance.now() - now;
+    this.show();
+  }
+
+  advance(seconds: number): void {
+    const { every } = this.facts;
+    this.owed += seconds;
+    while (this.owed >= every * (1 - 1e-9)) {
+      this.owed -= every;
+      this.period();
+    }
+  }
+
+  private stepped(periods: number): void {
+    [this.paused, this.back] = [true, 0];
+    for (let k = 0; k < periods; k += 1) this.period();
+  }
+
+  private period(): void {
+    const { every, look, pull } = this.facts;
+    const { t } = this;
+    this.active = this.active.filter((push) => t < push.start + push.duration - 1e-9);
+    const pushes = this.hand.force ? [...this.active, this.hand] : this.active;
+    const w = this.acting;
+    combined(pushes, t, this.setup.slope, w);
+    const pulled = t < this.pulled.until - 1e-9 ? this.pulled.force : 0;
+    this.pulling = pulled;
+    const rolling = this.steer.speed / look.wheel_radius;
+    this.target.set([0, 0, this.target[2] + rolling * every, rolling, this.target[4] + this.steer.rate * every, this.steer.rate]);
+    for (const { loop } of this.lanes) {
+      loop.twist = pulled * pull;
+      if (!loop.fallen) loop.step(this.target, (_t, into) => into.set(w));
+    }
+    this.periods += 1;
+    this.watch(w[0], every);
+    const last = this.kept.at(-1);
+    if (!last || this.t - last.t >= MOMENT - 1e-9) this.kept.push(this.snapshot());
+    if (this.kept.length > KEPT / MOMENT + 200) this.kept.splice(0, 200);
+  }
+
+  private snapshot(): Snapshot {
+    const main = this.lanes[0];
+    const limit = this.facts.look.limit ?? Infinity;
+    const saturated = (main.loop.sent[0] ** 2 >= limit ** 2 ? 1 : 0) + (main.loop.sent[1] ** 2 >= limit ** 2 ? 2 : 0);
+    this.n += 1;
+    return {
+      kind: "Snapshot", n: this.n, t: this.t, x: this.lanes.map((lane) => lane.row()), e: this.controller ? main.estimate(this.controller) : [],
+      f: [...this.acting, this.pulling], r: main.shifted(this.target), s: saturated, paused: false, back: 0,
+    };
+  }
+
+  /** Whether a push was recovered from, as lab/pushing.py says. */
+  private watch(force: number, dt: number): void {
+    const { score } = this;
+    const main = this.lanes[0];
+    const [left, right] = main.loop.applied;
+    score.effort += (left ** 2 + right ** 2) * dt;
+    if (force) {
+      if (!this.waiting) [score.impulse, score.lasted, score.before] = [0, 0, score.effort];
+      [this.waiting, score.calm] = [true, 0];
+      score.impulse += Math.abs(force) * dt;
+      score.lasted += dt;
+      return;
+    }
+    if (!this.waiting) return;
+    const calm = Math.abs(main.loop.x[0]) < UPRIGHT && Math.abs(main.loop.x[1]) < STILL;
+    score.calm = calm ? score.calm + dt : 0;
+    const fell = main.loop.fallen;
+    if (!fell && score.calm < CALM_FOR) return;
+    this.waiting = false;
+    if (score.lasted > SHORT && !fell) return;
+    if (!fell) score.best = Math.max(score.best, score.impulse);
+    store.hear({ kind: "Recovered", impulse: score.impulse, effort: score.effort - score.before, best: score.best, fell });
+  }
+
+  /** Show now, or while scrubbing the moment asked for; the page's traces get every moment in between. */
+  private show(): void {
+    const now = this.snapshot();
+    if (this.back) {
+      const then = this.kept.findLast((s) => s.t <= now.t - this.back) ?? this.kept[0] ?? now;
+      this.n += 1;
+      return store.hear({ ...then, n: this.n, paused: true, back: this.back });
+    }
+    const last = store.traces.t.at(-1) ?? -Infinity;
+    for (const moment of this.kept.slice(-20)) if (moment.t > last && moment.t < now.t) store.traces.add(moment);
+    store.hear({ ...now, paused: this.paused });
+  }
+}

@@ -1,0 +1,75 @@
+// What a page without Python has in place of the live lab's panels: robot and room, the link, and what needs Python.
+import { button, digits, h, replace, select, slider, throttled } from "./dom";
+import type { Slider } from "./dom";
+import type { LocalSession } from "./exported";
+import type { Setup } from "./messages";
+import { store } from "./store";
+import { t, texts } from "./texts";
+
+const change = throttled(60, (part: Partial<Setup>) => store.change(part));
+
+type Number = "slope" | "noise" | "delay";
+
+/** The robot, its floor and its electronics; the controller stays as it was designed. */
+export class ExportedRobotPanel {
+  root = h("div", { className: "panel-body" });
+  private sliders: [Number, Slider][] = [];
+  private title = h("p", { className: "note" });
+
+  constructor(private session: () => LocalSession | null) {}
+
+  build(): void {
+    const robots = (store.catalogue?.robots ?? []).map((r): [string, string] => [r.name, r.name]);
+    const choice = select(t("preset"), robots, store.setup.robot, (robot) => store.change({ robot, gains: [], delay: -1 }), "robot");
+    const numeric = (name: Number, label: string, low: number, high: number, step: number, show: (v: number) => string): [Number, Slider] =>
+      [name, slider(label, { low, high, step, show, key: name }, (v) => change({ [name]: v }))];
+    this.sliders = [
+      numeric("slope", t("slope"), -0.2, 0.2, 0.005, (v) => `${digits(v, 2)} rad`),
+      numeric("noise", t("noise"), 0, 10, 0.1, (v) => `× ${digits(v, 2)}`),
+      numeric("delay", t("delay"), 0, 0.05, 0.001, (v) => `${digits(v * 1000, 2)} ms`),
+    ];
+    const own = button(t("ownKit"), () => store.change({ slope: 0, noise: 1, delay: -1 }), { className: "quiet", "data-key": "own-kit" });
+    replace(
+      this.root,
+      h("div", { className: "column" }, choice, this.title),
+      h("div", { className: "column wide" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root), h("p", { className: "note" }, t("stays")), own)),
+    );
+    this.update();
+  }
+
+  update(): void {
+    const box = this.root.querySelector<HTMLSelectElement>("[data-key=robot]");
+    if (box && document.activeElement !== box) box.value = store.setup.robot;
+    const facts = this.session()?.facts;
+    this.title.textContent = facts ? `${facts.title} (${t("kit")}: ${facts.kit_name})` : "";
+    for (const [name, s] of this.sliders) s.set(name === "delay" ? (store.changed?.kit.delay ?? 0) : store.setup[name]);
+  }
+}
+
+/** What needs Python, each with its command. */
+export class PythonPanel {
+  root = h("div", { className: "panel-body" });
+
+  build(): void {
+    const { robot, controller } = store.setup;
+    const values: Record<string, string> = { robot, controller: ["off", "gains"].includes(controller) ? "lqg" : controller };
+    const rows = texts().python.map(([what, command]) =>
+      h("tr", {}, h("th", { scope: "row" }, what), h("td", {}, h("code", {}, command.replace(/\{(\w+)\}/g, (_, name: string) => values[name] ?? "")))));
+    replace(this.root, h("div", { className: "column full" },
+      h("p", { className: "note" }, t("pythonNote")), h("div", { className: "table", tabIndex: 0 }, h("table", { className: "commands" }, h("tbody", {}, ...rows)))));
+  }
+
+  update(): void {
+    this.build();
+  }
+}
+
+/** Copies the link to this robot, controller and push; where that is not allowed, shows it to be copied by hand. */
+export function linkButton(session: () => LocalSession | null, say: (text: string) => void): HTMLElement {
+  return button(t("lookAtThis"), () => {
+    const link = session()?.link() ?? location.href;
+    const shown = () => window.prompt(t("lookAtThis"), link);
+    if (navigator.clipboard) navigator.clipboard.writeText(link).then(() => say(t("lookCopied")), shown);
+    else shown();
+  }, { "data-key": "look", title: t("lookTip") });
+}
