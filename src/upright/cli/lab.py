@@ -1,4 +1,4 @@
-"""`upright lab`: the live page."""
+"""`upright lab`: the live page, or the page alone."""
 
 from __future__ import annotations
 
@@ -24,25 +24,15 @@ def lab(
     ] = None,
     robot: Annotated[
         list[str] | None,
-        typer.Option(
-            "--robot",
-            "-r",
-            metavar="ROBOT",
-            help=f"{ROBOT_HELP}, with --export (repeatable; default: every preset).",
-            autocompletion=complete_robot,
-        ),
+        typer.Option("--robot", "-r", metavar="ROBOT", autocompletion=complete_robot,
+                     help=f"{ROBOT_HELP}, with --export (repeatable; default: every preset)."),
     ] = None,
     controller: Annotated[
         list[str] | None,
-        typer.Option(
-            "--controller",
-            "-c",
-            metavar="METHOD",
-            help="Method of design, with --export (repeatable; default: all quick ones).",
-            autocompletion=complete_method,
-        ),
+        typer.Option("--controller", "-c", metavar="METHOD", autocompletion=complete_method,
+                     help="Method of design, with --export (repeatable; default: all quick ones)."),
     ] = None,
-) -> None:
+) -> None:  # fmt: skip
     """Open the lab: push a simulated robot with the mouse.
 
     The page works offline and is for this machine only; --class --host ADDRESS opens it to a class. Ctrl-C ends it.
@@ -52,12 +42,14 @@ def lab(
         if class_:
             raise UprightError("--export with --class", expected="one of both", hint="leave out --class")
         _export(export, robot or [], controller or [])
-        return
-    if robot or controller:
-        raise UprightError(
-            f"--{'robot' if robot else 'controller'} without --export", expected="--export FOLDER",
-            hint="choose it in the page",
-        )  # fmt: skip
+    elif robot or controller:
+        given = "--robot" if robot else "--controller"
+        raise UprightError(f"{given} without --export", expected="--export FOLDER", hint="choose it in the page")
+    else:
+        _serve(host, port, browser=browser, class_=class_)
+
+
+def _serve(host: str, port: int, *, browser: bool, class_: bool) -> None:
     from upright.lab.classroom import Door
     from upright.lab.server import LOOPBACK, Lab, listening, reachable, serve
 
