@@ -7,6 +7,7 @@ from typing import Any
 from typer.core import TyperGroup
 
 GROUPS = {
+    "Begin": {"start": ("upright start", "upright start study --robot ev3way")},
     "Model": {
         "simulate": ("upright simulate --push hold:0.1,until=1", "upright simulate -r ev3way -b twin -o run.parquet"),
         "compare": ("upright compare run.csv twin.parquet", "upright compare a=run1.csv b=run2.csv --report page.html"),

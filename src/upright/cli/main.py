@@ -25,6 +25,7 @@ from upright.cli.firmware import firmware
 from upright.cli.fleet import basin, fleet, push_map, sweep
 from upright.cli.fly import fly
 from upright.cli.grade import grade
+from upright.cli.guide import start as guide
 from upright.cli.help import Grouped, epilog
 from upright.cli.identify import identify
 from upright.cli.lab import lab
@@ -52,7 +53,7 @@ app = typer.Typer(
 COMMANDS = (
     reproduce, simulate, compare, linearise, design, tune, certify, bench_controllers, post_mortem, doctor, calibrate,
     validate, example, excite, identify, fleet, push_map, basin, sweep, firmware, parity, fly, monitor, lab,
-    film, grade,
+    film, grade, guide,
 )  # fmt: skip
 for command in COMMANDS:
     name = command.__name__.replace("_", "-")

@@ -1,0 +1,107 @@
+"""`upright start`: from nothing to a verdict with piped answers, interrupted and gone on with."""
+
+from __future__ import annotations
+
+import json
+import shlex
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from upright.cli.guide import STATE
+from upright.cli.main import main
+
+START = (sys.executable, "-m", "upright", "start", "--samples", "100")  # the fewest that bound a fall to a few per cent
+
+
+def started(folder: Path, answers: str, *options: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [*START, *options], cwd=folder, input=answers, capture_output=True, text=True, timeout=300, check=False
+    )
+
+
+def printed_commands(text: str) -> list[list[str]]:
+    return [shlex.split(line[2:].removesuffix("   (done before)")) for line in text.splitlines() if line[:2] == "$ "]
+
+
+@pytest.mark.slow
+def test_a_simulated_robot_comes_to_a_verdict_and_goes_on_where_it_stopped(tmp_path):
+    """Enter takes what is usual. The answers end at the simulation; the second call asks for the rest alone."""
+    first = started(tmp_path, "\n\nnonsense\nlqg\n")
+    assert first.returncode == 0, first.stderr
+    assert "no controller is called 'nonsense'" in first.stdout
+    assert "`upright start` goes on from here" in first.stdout
+    assert [line[1] for line in printed_commands(first.stdout)] == ["design"]
+    second = started(tmp_path, "nonlinear\n")
+    assert second.returncode == 0, second.stderr
+    commands = printed_commands(second.stdout)
+    assert [line[1] for line in commands] == ["design", "simulate", "certify"]
+    assert second.stdout.count("(done before)") == 1
+    assert json.loads((tmp_path / "certificate.json").read_text())["light"] == "green"
+    assert "Verdict: green" in second.stdout
+    assert (tmp_path / "run.html").exists()
+    third = started(tmp_path, "")  # all is answered and done
+    assert third.stdout.count("(done before)") == 3
+    assert "Verdict: green" in third.stdout
+
+
+@pytest.mark.slow
+def test_a_log_is_examined_calibrated_and_certified(tmp_path):
+    run = started(tmp_path, "nxtway-gs\nlog\nno-such.csv\nexample\nnone\nlqr\n", "study")
+    assert run.returncode == 0, run.stderr
+    assert "there is no file no-such.csv" in run.stdout
+    assert [line[1] for line in printed_commands(run.stdout)] == ["example", "doctor", "calibrate", "design", "certify"]
+    assert "Verdict: " in run.stdout
+    assert (tmp_path / "study" / "mine.toml").exists()
+
+
+@pytest.mark.slow
+def test_a_step_that_fails_asks_its_question_again(tmp_path):
+    """A file that is no log ends the doctor with exit code 2; the answer is forgotten, and the rest kept."""
+    (tmp_path / "bad.csv").write_bytes(b"\x00\x01")
+    run = started(tmp_path, "\nlog\nbad.csv\n")
+    assert run.returncode == 2
+    assert "asks again for log" in run.stderr
+    assert "Traceback" not in run.stderr
+    assert set(json.loads((tmp_path / STATE).read_text())["answers"]) == {"robot", "where"}
+
+
+def test_without_answers_it_stops_and_says_how_to_go_on(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("sys.stdin", (tmp_path / "none").open("w+"))
+    assert main(["start"]) == 0
+    assert "goes on from here" in capsys.readouterr().out
+
+
+def test_a_broken_state_is_one_line(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    for text in ("{", "[]", '{"kind": "upright start", "version": 1, "answers": 3, "done": []}'):
+        Path(STATE).write_text(text)
+        assert main(["start"]) == 2
+        assert "delete" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="a signal to another process")
+def test_ctrl_c_keeps_what_was_answered(tmp_path):
+    """While it waits for the third answer."""
+    process = subprocess.Popen(
+        START, cwd=tmp_path, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    assert process.stdin
+    process.stdin.write("ev3way\nsimulated\n")
+    process.stdin.flush()
+    end = time.monotonic() + 60
+    while (
+        time.monotonic() < end and "where" not in (tmp_path / STATE).read_text() if (tmp_path / STATE).exists() else 1
+    ):
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, wrong = process.communicate(timeout=30)
+    assert process.returncode == 130
+    assert "Traceback" not in wrong
+    assert json.loads((tmp_path / STATE).read_text())["answers"] == {"robot": "ev3way", "where": "simulated"}
