@@ -195,7 +195,7 @@ def test_ctrl_c_ends_with_130(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Ca
 
 def test_every_command_has_a_help_page(capsys: pytest.CaptureFixture[str]) -> None:
     registered = get_command(app).commands  # type: ignore[attr-defined]
-    assert len(registered) == 26
+    assert len(registered) == 28
     for command in registered:
         assert main([command, "--help"]) == 0
         page = capsys.readouterr().out
@@ -379,8 +379,8 @@ def test_no_help_shows_a_type_of_python_or_a_default_twice(name, capsys, monkeyp
 def test_help_names_every_command_once_under_a_heading_and_nothing_is_clipped(capsys):
     assert main(["--help"]) == 0
     text = capsys.readouterr().out
-    assert "..." not in text.split("Model:")[1]
-    listed = re.findall(r"^  ([a-z-]+)  ", text.split("Model:")[1], re.MULTILINE)
+    assert "..." not in text.split("Begin:")[1]
+    listed = re.findall(r"^  ([a-z-]+)  ", text.split("Begin:")[1], re.MULTILINE)
     assert sorted(listed) == sorted(get_command(app).commands)
 
 
