@@ -51,6 +51,13 @@ SYMPY = {
 }  # fmt: skip
 """Nothing else imports SymPy at all: it proves and traces, and is never needed at run time."""
 
+UNIX = {"fcntl", "grp", "pty", "pwd", "resource", "syslog", "termios", "tty"}
+"""Modules of Python that Windows lacks."""
+
+UNIX_NAMES = {"fork", "getpgid", "getuid", "killpg", "mkfifo", "nice", "setsid", "setitimer", "SIGALRM", "SIGHUP",
+              "SIGKILL", "SIGPIPE", "SIGVTALRM"}  # fmt: skip
+"""And names in modules that it has."""
+
 MOST_LINES_OF_A_MODULE = 400
 MOST_LINES_OF_A_FUNCTION = 60
 MOST_POSITIONAL = 7
@@ -165,6 +172,21 @@ def test_heavy_packages_are_imported_inside_functions() -> None:
 def test_sympy_stays_where_proofs_and_traces_are() -> None:
     wrong = [i for i in imports() if i.of("sympy") and i.file not in SYMPY]
     assert not wrong, "\n".join(map(str, wrong))
+
+
+def test_what_only_unix_has_is_no_import_of_a_module() -> None:
+    """So that everything loads on Windows; what needs such a module says so in one line where it is used."""
+    wrong = [i for i in imports() if i.at_once and any(i.of(name) for name in UNIX)]
+    assert not wrong, "\n".join(map(str, wrong))
+    named = [
+        f"{file}: {ast.unparse(node)}"
+        for file, tree in trees().items()
+        for top in tree.body
+        if not isinstance(top, ast.FunctionDef | ast.ClassDef)
+        for node in ast.walk(top)
+        if isinstance(node, ast.Attribute) and node.attr in UNIX_NAMES
+    ]
+    assert named == []
 
 
 def test_every_imported_package_is_a_declared_dependency() -> None:

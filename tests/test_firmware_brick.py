@@ -456,3 +456,26 @@ def goes_on(virtual: VirtualFlight) -> None:
     """Until the brick's program has ended by itself."""
     while virtual.brick.machine is not None:
         time.sleep(0.01)
+
+
+def test_without_pseudo_terminals_a_virtual_brick_says_so_in_one_line(monkeypatch):
+    """As on Windows, which lacks the modules."""
+    from upright.bricks.lcp import VirtualBrick
+    from upright.bricks.line import Line
+    from upright.errors import MissingTool
+
+    monkeypatch.setitem(sys.modules, "pty", None)  # which an import takes for a module that is not there
+    with pytest.raises(MissingTool, match=r"pseudo-terminal.*try: .*parity"):
+        Line(object.__new__(VirtualBrick))
+
+
+def test_a_limit_of_memory_that_the_system_refuses_is_no_error(monkeypatch):
+    import resource
+
+    from upright.reading import limit_memory
+
+    def refuse(*_: object) -> None:
+        raise ValueError("current limit exceeds maximum limit")  # what macOS says
+
+    monkeypatch.setattr(resource, "setrlimit", refuse)
+    limit_memory(1 << 30)

@@ -25,13 +25,14 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, BinaryIO
 
 from upright import interrupts
 from upright.errors import UprightError
 
-fcntl: Any = None if sys.platform == "win32" else import_module("fcntl")
+fcntl: Any = import_module("fcntl") if find_spec("fcntl") else None  # Windows has none
 
 MOST_LINKS = 40
 YOUNG = 60.0  # [s] in which a folder may have no lock yet

@@ -8,7 +8,7 @@ import math
 import re
 import tomllib
 from collections.abc import Generator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any, cast
 
@@ -107,6 +107,17 @@ def understood(where: str, refused: Refused, expected: str) -> Generator[None]:
     except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError, MemoryError) as error:
         why = f"{type(error).__name__}: {str(error)[:200]}"
         raise refused(f"{where} is broken ({why})", expected=expected) from None
+
+
+def limit_memory(size: int) -> None:
+    """Let this process take at most `size` [bytes] of addresses and leave no core file, where the system has such
+    limits: Windows has none, and macOS may refuse one below what is mapped already."""
+    with suppress(ImportError, OSError, ValueError):
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        hard = resource.getrlimit(resource.RLIMIT_AS)[1]
+        resource.setrlimit(resource.RLIMIT_AS, (size, hard))
 
 
 _PLAIN: dict[str, Any] = {"str": str, "float": (int, float), "int": int, "bool": bool}

@@ -11,6 +11,7 @@ import time
 from types import TracebackType
 
 from upright.bricks.lcp import VirtualBrick
+from upright.errors import MissingTool
 
 SLICE = 0.02  # [s] of the brick's time between two looks at the line
 IDLE = 0.02  # [s] to wait for a telegram while no program runs
@@ -24,8 +25,14 @@ class Line:
     """
 
     def __init__(self, brick: VirtualBrick, speed: float | None = None) -> None:
-        import pty
-        import tty
+        try:
+            import pty
+            import tty
+        except ImportError:
+            raise MissingTool(
+                "a virtual NXT needs a pseudo-terminal, which this system does not have",
+                hint="Linux, macOS or WSL; or upright parity, which needs none",
+            ) from None
 
         self.brick, self.until, self._speed = brick, math.inf, speed
         self._ours, self._theirs = pty.openpty()

@@ -18,6 +18,7 @@ from upright.errors import InvalidLog, UprightError
 from upright.lab.handin import HandIn, RunResult, read_hand_in
 from upright.lab.rerun import rerun
 from upright.lab.seat import TookTooLong, within
+from upright.reading import limit_memory
 from upright.tables import Listing, Shown
 
 if TYPE_CHECKING:
@@ -224,11 +225,7 @@ def _modest() -> None:
 
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     warnings.simplefilter("ignore")
-    try:
-        import resource
-    except ImportError:  # not on Windows
-        return
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, resource.getrlimit(resource.RLIMIT_AS)[1]))
+    limit_memory(MEMORY)
 
 
 def _without_copies(grades: Sequence[Grade]) -> list[Grade]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import shlex
 import subprocess
@@ -14,6 +13,7 @@ from typing import Annotated, Any
 
 import typer
 
+from upright.atomic import make_folder, write_json
 from upright.cli.options import MOST_ROBOTS, complete_robot
 from upright.errors import UnknownName, UprightError
 from upright.reading import expanded, read_json, understood
@@ -75,12 +75,7 @@ class GuidedStudy:
     def save(self) -> None:
         """Keep it at once: an interruption loses nothing."""
         data = {"kind": KIND, "version": VERSION, "answers": self.answers, "done": self.done}
-        unfinished = self.folder / f".{STATE}.{os.getpid()}"
-        try:
-            unfinished.write_text(json.dumps(data, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
-            unfinished.replace(self.folder / STATE)
-        finally:
-            unfinished.unlink(missing_ok=True)
+        write_json(self.folder / STATE, data, at_once=True)
 
 
 class _Ended(Exception):
@@ -103,7 +98,7 @@ def start(
     Prints every command that it runs. Enter takes the answer in brackets. Stop at any question or step: the next call
     goes on there. Answers may come from a file or a pipe.
     """
-    folder.mkdir(parents=True, exist_ok=True)
+    make_folder(folder)
     study = GuidedStudy.of(folder)
     if again:
         study.answers, study.done = {}, []

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from upright.errors import UprightError
+from upright.reading import limit_memory
 
 Key = tuple[str, str]
 Word = tuple[Key, str, Any]
@@ -223,11 +224,7 @@ def _work(pipe: Connection) -> None:
 def _be_modest() -> None:
     if hasattr(os, "nice") and sys.platform != "linux":
         os.nice(MODEST)
-    try:
-        import resource
-    except ImportError:  # not on Windows
-        return
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, resource.getrlimit(resource.RLIMIT_AS)[1]))
+    limit_memory(MEMORY)
 
 
 def _done(task: str, args: tuple[Any, ...], report: Callable[[float], None]) -> tuple[str, Any]:

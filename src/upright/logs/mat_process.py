@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.reading import limit_memory
+
 Array = NDArray[np.float64]
 
 ROOM = 2 << 30
@@ -44,11 +46,7 @@ def main(path: str) -> int:
     """Read `path`; exit code 1 with a line on stderr where that cannot be done."""
     from scipy.io import loadmat
 
-    if sys.platform != "win32":
-        import resource
-
-        resource.setrlimit(resource.RLIMIT_AS, (ROOM, ROOM))
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    limit_memory(ROOM)
     try:
         columns = columns_of(loadmat(path, squeeze_me=True, struct_as_record=True))
     except Exception as error:  # damaged bytes make the parser raise any exception
