@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from typer.main import get_command
 
-from upright.bodies import Electronics, NonlinearBody
+from upright.bodies import Electronics, LinearBody, NonlinearBody
 from upright.cli.main import app, main
 from upright.compiled.print_javascript import JavaScriptPrinter
 from upright.control import CONTROLLERS, Controller, gain_of
@@ -23,6 +23,7 @@ from upright.experiment import Impulse, Push, run
 from upright.lab.by_hand import gains_program
 from upright.lab.export import export
 from upright.lab.printed import printed_law, printed_robot, reading
+from upright.physics.linear import linearise
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
 
@@ -50,7 +51,8 @@ def node(folder: Path, code: str) -> Any:
     """What the code prints, as JSON."""
     script = folder / "test.mjs"
     script.write_text(
-        f"import {{ Loop, combined, normals, philox }} from {json.dumps(str(SIMULATOR))};\n{code}", "utf-8"
+        f"import {{ Loop, combined, linearMotion, normals, philox }} from {json.dumps(str(SIMULATOR))};\n{code}",
+        "utf-8",
     )
     done = subprocess.run(["node", str(script)], capture_output=True, text=True, check=False, timeout=120)
     assert done.returncode == 0, done.stderr
@@ -124,6 +126,24 @@ def test_every_fault_of_a_kit_is_in_the_page(tmp_path):
 
 
 @pytest.mark.needs("node")
+def test_the_ghost_is_the_linear_body(tmp_path):
+    """TWIPR's falls, here as in Python: it knows no dry friction but the slope of it at rest."""
+    for name, family, rows in (("nxtway-gs", "lqg", 100), ("twipr", "lqi", 50)):
+        robot = Robot.preset(name)
+        usual = Kit.preset(robot.kit_name)
+        kit, controller = quiet(usual, exact=True), CONTROLLERS[family](robot, usual, usual.period)
+        push = Push(force=0.2, start=0.2, duration=LASTS)
+        linear = json.dumps(printed_robot(robot, kit)[1]["linear"])
+        code = part(robot, kit, printed_law(controller, kit), push, rows * kit.period)
+        before, after = code.index("const motion"), code.index("const law")
+        page = pages_of(tmp_path, f"{code[:before]}const motion = linearMotion({linear});{code[after:]}")[0]
+        body = Electronics(LinearBody(linearise(robot), robot), kit)
+        log = run(body, controller, push, seconds=rows * kit.period, start=START)
+        python = np.column_stack([log[f"truth/{state}"] for state in STATE_NAMES])
+        assert np.abs(python - np.array(page)).max() < 1e-9
+
+
+@pytest.mark.needs("node")
 @pytest.mark.parametrize("name", ["nxtway-gs", "twipr"])
 def test_the_present_gains_by_hand_are_the_design(tmp_path, name):
     """An LQR's own six gains, given as inputs of the program, balance as the LQR does."""
@@ -170,7 +190,7 @@ BROWSER = [
     pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow, pytest.mark.xdist_group("browser"),
 ]  # fmt: skip
 ROBOTS = ("nxtway-gs", "twipr")
-LINKED = "#robot=twipr&controller=sliding&noise=0&push=impulse:0.2"
+LINKED = "#robot=twipr&controller=sliding&noise=0&ghost=0&push=impulse:0.2"
 
 
 def marked(test: Any) -> Any:

@@ -49,7 +49,7 @@ const [UPRIGHT, STILL, CALM_FOR, SHORT] = [0.05, 0.4, 1.0, 0.5];
 const LYING = 1.5; // [rad] at which a fallen robot is shown
 const KEPT = 60; // [s] that can be scrubbed back through
 const MOMENT = 0.02; // [s] between two of its pictures
-const BEHIND = 0.25; // [s] of wall time made up in one go
+const BEHIND = 2; // [s] of wall time made up in one go: a frame may take long, and a laptop that slept does not race
 
 /** What a link says: robot, controller and numbers that differ from the usual ones, and the last push. */
 export interface Link {
@@ -63,6 +63,7 @@ export function toHash(setup: Setup, push: Link["push"]): string {
   const parts = new URLSearchParams({ robot: setup.robot, controller: setup.controller });
   if (setup.controller === "gains" && setup.gains.length) parts.set("gains", setup.gains.map((v) => Number(v.toPrecision(6))).join(","));
   for (const name of NUMBERS) if (setup[name] !== DEFAULT_SETUP[name]) parts.set(name, String(Number(setup[name].toPrecision(6))));
+  if (setup.bodies.length === 1) parts.set("ghost", "0");
   if (push) parts.set("push", `${push[0]}:${Number(push[1].toPrecision(4))}`);
   return "#" + parts.toString().replaceAll("%2C", ",").replaceAll("%3A", ":");
 }
@@ -85,6 +86,7 @@ export function fromHash(hash: string, data: Exported): Link {
     const value = Number(parts.get(name) ?? NaN);
     if (value >= ranges[name][0] && value <= ranges[name][1]) setup[name] = value;
   }
+  setup.bodies = parts.get("ghost") === "0" ? [BODIES[0]] : [...BODIES];
   const [what, size] = (parts.get("push") ?? "").split(":");
   const range = Object.hasOwn(PUSHES, what) ? PUSHES[what] : [0, -1];
   const push: Link["push"] = Number(size) >= range[0] && Number(size) <= range[1] ? [what, Number(size)] : null;
@@ -215,11 +217,16 @@ export class LocalSession {
     const known = Object.hasOwn(there, wanted.controller) || wanted.controller === OFF;
     const controller = known ? wanted.controller : Object.keys(there)[0];
     const gains = wanted.gains.length === 6 ? wanted.gains : (there.gains?.gains ?? []);
+    const bodies = BODIES.filter((name, i) => i === 0 || wanted.bodies.includes(name));
     const [before, same] = [this.setup, this.lanes.length > 0 && robot === this.setup.robot];
-    this.setup = { ...wanted, robot, controller, gains, bodies: [...BODIES] };
-    const still = same && controller === before.controller && wanted.noise === before.noise && wanted.delay === before.delay;
+    this.setup = { ...wanted, robot, controller, gains, bodies };
+    const alike = same && bodies.length === this.lanes.length;
+    const still = alike && controller === before.controller && wanted.noise === before.noise && wanted.delay === before.delay;
+    const main = same && !this.lanes[0].loop.fallen ? this.lanes[0].state() : [0, 0, 0, 0, 0, 0];
+    const starts = bodies.map((_, i) => (alike && !this.lanes[i].loop.fallen ? this.lanes[i].state() : main));
     if (still) for (const lane of this.lanes) lane.loop.control.gains = gains;
-    else this.build(this.lanes.map((lane) => (same && !lane.loop.fallen ? lane.state() : [0, 0, 0, 0, 0, 0])));
+    else this.build(starts);
+    if (!alike) this.kept = [];
     if (!same) this.traced();
     this.said(!same);
   }
@@ -229,7 +236,7 @@ export class LocalSession {
     const { facts, controller, setup } = this;
     const kit = { delay: this.delay(), dead_zone: facts.kit?.dead_zone ?? 0, voltage: facts.kit?.voltage ?? -1 };
     const changed: Changed = {
-      kind: "Changed", setup, look: facts.look, bodies: [...BODIES], period: facts.every, controller: controller?.kind ?? OFF,
+      kind: "Changed", setup, look: facts.look, bodies: setup.bodies, period: facts.every, controller: controller?.kind ?? OFF,
       truth: controller?.truth ?? false, kit, busy: false,
     };
     store.hear(changed);
@@ -241,7 +248,7 @@ export class LocalSession {
   }
 
   private traced(): void {
-    store.traces.reset(BODIES.length);
+    store.traces.reset(this.setup.bodies.length);
     this.kept = [];
     this.periods = 0;
   }
@@ -264,7 +271,7 @@ export class LocalSession {
     const law = controller ? this.data.laws[setup.robot][setup.controller] : null;
     const stride = controller?.stride ?? Math.round(facts.every / facts.period);
     const control = { law, reads: controller?.reads ?? [], stride, gains: setup.gains };
-    const motions = [this.data.motions[setup.robot], linearMotion(facts.linear)];
+    const motions = setup.bodies.map((name) => (name === BODIES[0] ? this.data.motions[setup.robot] : linearMotion(facts.linear)));
     const kit = this.kit();
     this.lanes = motions.map((motion, i) => new Lane(facts, motion, kit, { ...control }, starts[i] ?? [0, 0, 0, 0, 0, 0], setup.seed));
     this.target.fill(0);
@@ -275,7 +282,7 @@ export class LocalSession {
     [this.active, this.pulled] = [[], { until: -1, force: 0 }];
     this.hand = { ...this.hand, force: 0 };
     if (pitch) this.push = ["tilt", pitch];
-    this.build(BODIES.map(() => [pitch, 0, 0, 0, 0, 0]));
+    this.build(this.lanes.map(() => [pitch, 0, 0, 0, 0, 0]));
   }
 
   private strike(what: string, size: number): void {

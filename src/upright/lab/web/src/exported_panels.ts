@@ -16,6 +16,8 @@ export class ExportedRobotPanel {
   private sliders: [Number, Slider][] = [];
   private title = h("p", { className: "note" });
 
+  private ghost: HTMLInputElement | null = null;
+
   constructor(private session: () => LocalSession | null) {}
 
   build(): void {
@@ -28,10 +30,12 @@ export class ExportedRobotPanel {
       numeric("noise", t("noise"), 0, 10, 0.1, (v) => `× ${digits(v, 2)}`),
       numeric("delay", t("delay"), 0, 0.05, 0.001, (v) => `${digits(v * 1000, 2)} ms`),
     ];
+    const ghost = h("input", { type: "checkbox", id: "ghost", "data-key": "ghost", onchange: () => store.change({ bodies: ghost.checked ? ["nonlinear", "linear"] : ["nonlinear"] }) });
+    this.ghost = ghost;
     const own = button(t("ownKit"), () => store.change({ slope: 0, noise: 1, delay: -1 }), { className: "quiet", "data-key": "own-kit" });
     replace(
       this.root,
-      h("div", { className: "column" }, choice, this.title),
+      h("div", { className: "column" }, choice, this.title, h("label", { "for": "ghost", className: "check" }, ghost, t("ghost"))),
       h("div", { className: "column wide" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root), h("p", { className: "note" }, t("stays")), own)),
     );
     this.update();
@@ -40,6 +44,7 @@ export class ExportedRobotPanel {
   update(): void {
     const box = this.root.querySelector<HTMLSelectElement>("[data-key=robot]");
     if (box && document.activeElement !== box) box.value = store.setup.robot;
+    if (this.ghost) this.ghost.checked = store.setup.bodies.length > 1;
     const facts = this.session()?.facts;
     this.title.textContent = facts ? `${facts.title} (${t("kit")}: ${facts.kit_name})` : "";
     for (const [name, s] of this.sliders) s.set(name === "delay" ? (store.changed?.kit.delay ?? 0) : store.setup[name]);
@@ -53,10 +58,11 @@ export class PythonPanel {
   build(): void {
     const { robot, controller } = store.setup;
     const values: Record<string, string> = { robot, controller: ["off", "gains"].includes(controller) ? "lqg" : controller };
-    const rows = texts().python.map(([what, command]) =>
-      h("tr", {}, h("th", { scope: "row" }, what), h("td", {}, h("code", {}, command.replace(/\{(\w+)\}/g, (_, name: string) => values[name] ?? "")))));
-    replace(this.root, h("div", { className: "column full" },
-      h("p", { className: "note" }, t("pythonNote")), h("div", { className: "table", tabIndex: 0 }, h("table", { className: "commands" }, h("tbody", {}, ...rows)))));
+    const rows = texts().python.flatMap(([what, command]) => [
+      h("dt", {}, what),
+      h("dd", {}, h("code", { tabIndex: 0 }, command.replace(/\{(\w+)\}/g, (_, name: string) => values[name] ?? ""))),
+    ]);
+    replace(this.root, h("div", { className: "column full" }, h("p", { className: "note" }, t("pythonNote")), h("dl", { className: "commands" }, ...rows)));
   }
 
   update(): void {
