@@ -1,8 +1,8 @@
 """What the exported lab costs: bytes, time to the first picture, a step, a frame, and whether it keeps real time.
 
-Run: python benchmarks/lab_export.py [--seconds N]. Needs Chromium and Playwright. The room is drawn in software, as on a
-machine without a GPU, then as the side view of a browser without 3-D. Each figure is taken with the processor as it is
-and throttled by 4, in Chromium's own way.
+Run: python benchmarks/lab_export.py [--seconds N]. Needs Chromium and Playwright. The room is drawn in software, as
+on a machine without a GPU, then as the side view of a browser without 3-D. Each figure is taken with the processor as
+it is and throttled by 4, in Chromium's own way.
 """
 
 from __future__ import annotations
