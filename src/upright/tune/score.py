@@ -18,15 +18,16 @@ from upright.control.controller import Controller
 from upright.control.delay import MOST_PERIODS, sampled
 from upright.control.methods import Method
 from upright.errors import UprightError
-from upright.physics.linear import LinearModel
+from upright.physics.linear import Complex, LinearModel
 from upright.robots import Kit, Robot
 from upright.tune.figures import knock, pushed, slack
 
 Array = NDArray[np.float64]
 
-GRID = 150  # frequencies of the modulus margin, from 0.1 rad/s to Nyquist's: a resonance is wider than a step of 6 %
-SLACK = 1.003
-"""A candidate has to keep margins so much larger than those of the default, since the test looks at their ends only."""
+GRID = 300  # frequencies of modulus and phase, from 0.1 rad/s to Nyquist's: a resonance is wider than a step of 3 %
+SLACK = 1.01
+"""A candidate has to keep margins so much larger than the default's: they are tested at their ends and on a grid."""
+SHORT = 0.05  # what a delay margin of zero counts as, in the excess
 LEAST = 1e-3  # [1] of what is compared as a ratio: a knock of zero has no logarithm
 
 
@@ -101,7 +102,9 @@ class Scorer:
         if radius >= 1:
             return 0.0, radius - 1
         worst = max(_radius(changed) for changed in self._changed(loop, controller))
-        return modulus_margin(loop), max(0.0, worst - 1)
+        modulus, delay = modulus_and_delay(loop)
+        short = 1 - delay / (SLACK * self.floor.delay) if 0 < self.floor.delay < math.inf else 0.0
+        return modulus, max(0.0, worst - 1) + SHORT * max(0.0, short)
 
     def _changed(self, loop: Loop, controller: Controller) -> list[Loop]:
         """The loop with each gain and each delay of the floor, at each place where it can be broken."""
@@ -131,14 +134,27 @@ class Scorer:
         return [plant for plant, _ in self._delayed]
 
 
-def modulus_margin(loop: Loop) -> float:
-    """min |1 + l| over frequencies, of the loop broken at both motors or at any reading (Åström and Hägglund 2006,
-    section 4.6)."""
+def modulus_and_delay(loop: Loop) -> tuple[float, float]:
+    """min |1 + l| over frequencies, and the least delay [s] that turns some |l| = 1 to −1 (infinite where |l| is never
+    1), of the loop broken at both motors or at any reading (Åström and Hägglund 2006, section 4.6)."""
     grid = np.geomspace(0.1, math.pi / loop.plant.dt, GRID)
     places = [(loop.at_input, np.array(INPUTS["both motors"]))]
     places += [(loop.at_output, row) for row in np.eye(len(loop.plant.C))]
     responses = [ScalarResponse(broken_at(model, v / np.linalg.norm(v)))(grid) for model, v in places]
-    return float(min(np.abs(1 + response).min() for response in responses))
+    delays = [_delay(grid, response) for response in responses]
+    return float(min(np.abs(1 + response).min() for response in responses)), min(delays)
+
+
+def _delay(grid: Array, response: Complex) -> float:
+    """The least delay [s] by the phase at each crossover, which is interpolated between two frequencies."""
+    size, lag = np.log(np.abs(response)), np.unwrap(np.angle(response))
+    at = np.flatnonzero(np.signbit(size[1:]) != np.signbit(size[:-1]))
+    if not len(at):
+        return math.inf
+    part = size[at] / (size[at] - size[at + 1])
+    omega = grid[at] * (grid[at + 1] / grid[at]) ** part
+    phase = lag[at] + part * (lag[at + 1] - lag[at])
+    return float((np.mod(phase + math.pi, 2 * math.pi) / omega).min())
 
 
 def _gains(v: Array, factor: float) -> Array:
