@@ -31,8 +31,8 @@ def page_of(tuned: Tuned) -> Page:
     ]
     sections = [
         Section("Beside the default", [Table(["", "default", "chosen"], rows, caption), *_reasons(now)]),
-        Section("Weights", [Table(["weight", "unit", "default", "chosen", "ratio"], weights, "Weights", 4)]),
-        Section("Front", [sentence(RULE, ""), _front(tuned)]),
+        Section("Weights", [Table(["weight", "unit", "default", "chosen", "ratio"], weights, "", 4)]),
+        Section("Front", [RULE, _front(tuned)]),
     ]
     return Page(
         title, sections, tuned.words(), facts, False, verdict=verdict, picture=_picture(tuned), numbers=_numbers(tuned)
@@ -64,13 +64,13 @@ def _picture(tuned: Tuned) -> Figure:
 def _numbers(tuned: Tuned) -> list[tuple[str, str]]:
     was, now = tuned.default, tuned.chosen
     numbers = [
-        (_per_cent(now), f"of the robots fall (default {_per_cent(was)})"),
-        (f"{cell_text(now.knock, 3)} N s", f"largest knock survived (default {cell_text(was.knock, 3)})"),
+        (_per_cent(now), "of the robots fall", _per_cent(was)),
+        (f"{cell_text(now.knock, 3)} N s", "largest knock survived", cell_text(was.knock, 3)),
     ]
     if math.isfinite(now.delay):
-        least = f"smallest delay margin (default {cell_text(1e3 * was.delay, 3)})"
-        numbers.append((f"{cell_text(1e3 * now.delay, 3)} ms", least))
-    return numbers
+        least = cell_text(1e3 * was.delay, 3)
+        numbers.append((f"{cell_text(1e3 * now.delay, 3)} ms", "smallest delay margin", least))
+    return [(value, what if tuned.kept else f"{what} (default {before})") for value, what, before in numbers]
 
 
 def _front(tuned: Tuned) -> Table:
@@ -80,6 +80,6 @@ def _front(tuned: Tuned) -> Table:
         name = "default" if i == 0 else "chosen" if i == tuned.picked else ""
         margins: list[Cell] = [100 * f.gain, 1e3 * f.delay] if f.linear else [None, None]
         rows.append([name, f.light, 100 * f.falls, f.knock, *margins, f.settling, f.effort])
-    header = ["", "light", "fell [%]", "knock [N s]", "gain margin [%]", "delay margin [ms]", "settling [s]", "effort"]
+    header = ["", "light", "fell [%]", "knock [N s]", "gain [%]", "delay [ms]", "settling [s]", "effort"]
     samples = tuned.front[0].figures.samples
-    return Table(header, rows, f"Candidates on the {samples} robots of the rule", 3)
+    return Table(header, rows, f"Candidates on the {samples} robots of the rule; gain and delay are margins", 3)

@@ -42,8 +42,8 @@ MOST_BUDGET, MOST_SAMPLES = 100_000, 100_000
 FINALISTS = 10  # whose margins and falls are measured as a certificate does, which takes a second or two each
 
 RULE = (
-    "Of the candidates with no more falls, no smaller knock (by over 2 %) and no smaller margin than the default: "
-    "the best light, then the fewest falls, then the largest knock, then the least effort."
+    "A candidate may have no more falls than the default, no knock smaller by over 2 %, and no smaller margin. "
+    "Of these the best light counts, then the fewest falls, then the largest knock, then the least effort."
 )
 LIGHTS = (GREEN, AMBER, RED)
 
@@ -94,17 +94,18 @@ class Tuned(Shown):
         )
 
     def plot(self) -> Figure:
-        """The front: falls [%] over the largest knock [N s], the default and the chosen one marked."""
+        """The front: falls and gain margin [%] over the largest knock [N s], the default and the chosen one marked."""
         from upright.plotting import legend, panels, points
 
-        figure, (ax,) = panels(["robots that fall [%]"], "largest knock survived [N s]", height=3.2)
-        places = [complex(point.figures.knock, 100 * point.figures.falls) for point in self.front]
+        figure, axes = panels(["robots that fall [%]", "gain margin [%]"], "largest knock survived [N s]")
         marked = {"default": 0} | ({} if self.kept else {"chosen": self.picked})
-        points(ax, "others of the front", [z for i, z in enumerate(places) if i not in marked.values()], 4, 4.0)
-        for style, (name, i) in enumerate(marked.items()):
-            points(ax, name, [places[i]], 1 + style, 9.0)
-        ax.margins(0.12)
-        ax.set_ylim(bottom=0.0)
+        every = [point.figures for point in self.front]
+        for ax, heights in zip(axes, ([f.falls for f in every], [f.gain for f in every]), strict=True):
+            places = [complex(f.knock, 100 * height) for f, height in zip(every, heights, strict=True)]
+            points(ax, "others of the front", [z for i, z in enumerate(places) if i not in marked.values()], 4, 4.0)
+            for style, (name, i) in enumerate(marked.items()):
+                points(ax, name, [places[i]], 1 + style, 9.0)
+            ax.set(xlim=(0, 1.1 * max(f.knock for f in every) or 1.0), ylim=(0, 115 * max(heights) or 1.0))
         return legend(figure)
 
     def to_json(self) -> dict[str, Any]:
