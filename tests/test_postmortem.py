@@ -24,13 +24,14 @@ from upright.cli.main import main
 from upright.control import LinearController, make_controller, write_controller
 from upright.control.delay import RAW
 from upright.diagnose import PostMortem, post_mortem
-from upright.diagnose.causes import CANNOT_TELL, CAUSES, NO_FALL, NONE
+from upright.diagnose.causes import CANNOT_TELL, CAUSES, NO_FALL, NONE, SATURATION, SCALED
 from upright.diagnose.fall import stuck_sensor
 from upright.diagnose.fault_fits import fits
 from upright.diagnose.innovations import follow
 from upright.diagnose.signatures import bank
 from upright.errors import InvalidLog, InvalidRobot
 from upright.experiment import Drive, Impulse, Push, run
+from upright.experiment.examples import example
 from upright.report.postmortem import page_of
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -276,3 +277,23 @@ def test_real_logs(request: pytest.FixtureRequest) -> None:
     fallen = post_mortem(data / "ev3way" / "tilt_000.csv", Robot.preset("ev3way"))
     assert fallen.fell
     assert any("calibrate" in note for note in fallen.notes)  # another body of another mass than the preset's
+
+
+@pytest.mark.needs("shared/data/ev3way")
+@pytest.mark.parametrize("name", ["tilt_000", "nn_v7_000", "nn_v17_005"])
+def test_no_fault_is_named_by_a_model_that_does_not_describe_the_robot(shared: Path, name: str) -> None:
+    """Nothing was broken in these runs (their authors); the model leaves ten deviations long before they fall."""
+    fallen = post_mortem(shared / f"data/ev3way/{name}.csv", Robot.preset("ev3way-large-wheels"))
+    assert fallen.fell
+    assert fallen.verdict in {CANNOT_TELL, SATURATION}
+    assert "nan" not in str(fallen)
+    assert any("no cause is named" in note for note in fallen.notes)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("robot", ["herrera2015", "ev3way"])
+def test_another_robot_is_no_sensor_of_another_scale(robot: str) -> None:
+    """Planted: a push at 5 s on nxtway-gs, nothing else; no robot stands for 4 s with a gyro that counts tenfold."""
+    fallen = post_mortem(example("fall"), robot)
+    assert SCALED not in fallen.verdict
+    assert fallen.onset == pytest.approx(5.0, abs=0.2)

@@ -20,6 +20,9 @@ the width of both steps."""
 LARGEST_OFFSET = {"step": 4.0, "ramp": 5.0}  # of a gyro [rad/s, rad/s²]: more is a filter that is lost
 
 ALL = 0.97  # most of a reading that is too much where its sensor has another scale
+SURVIVED, SURVIVED_FOR = 4.0, 1.5
+"""A factor on the scale of a sensor with which no robot stands for longer than so many seconds: these loops bear a
+factor of two or three in a reading's gain."""
 REVERSE, REVERSE_WIDTH = 2.0, 0.3  # the same of a sensor that has another sign
 LIGHTEST, LARGEST_PAYLOAD = -1.1, 4.0  # over the body's mass: what it can lose, within the fit's errors, and gain
 STEEPEST = 0.6  # sine of a slope that robots meet
@@ -37,7 +40,9 @@ def step(x: float, width: float) -> float:
 
 def best_of(evidence: Evidence) -> FaultFit:
     """The likeliest of single faults that hold, and of pushes alone."""
-    held = (fit for fit in evidence.fits if fit.fault in NAMES and possible(fit) and holds(evidence, fit) > 0.5)
+    held = (
+        fit for fit in evidence.fits if fit.fault in NAMES and possible(evidence, fit) and holds(evidence, fit) > 0.5
+    )
     return max([evidence.pushes_only, *held], key=lambda fit: fit.score)
 
 
@@ -61,10 +66,12 @@ def enough(evidence: Evidence, fit: FaultFit, most: float) -> float:
     return step(most - fit.nis / evidence.pushes_only.nis, EXPLAINED_WIDTH)
 
 
-def possible(fit: FaultFit) -> bool:
+def possible(evidence: Evidence, fit: FaultFit) -> bool:
     """Whether a robot meets a fault of this size: larger ones are what others look like to a filter that is lost."""
     if fit.fault == "scale":
-        return fit.size < ALL or turned(fit)
+        stood = evidence.fell_at - fit.onset > SURVIVED_FOR
+        wild = not 1 - SURVIVED < fit.size < 1 - 1 / SURVIVED
+        return (turned(fit) or fit.size < ALL) and not (stood and wild)
     if fit.fault == "payload":
         return LIGHTEST < fit.size < LARGEST_PAYLOAD
     if fit.fault == "ramp":

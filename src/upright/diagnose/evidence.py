@@ -260,7 +260,7 @@ def _evidence(
     open_ = not stuck and several[0].nis > EXPLAINED * window.usual  # something is left to explain
     pairs = paired(run, several, window, bank) if open_ else []
     if window.usual > FOREIGN:
-        notes = (*notes, _foreign(window.usual))
+        notes = (*notes, _foreign(window.usual, robot))
     return Evidence(
         run=run, fell_at=end, ordinary=window.usual, calm=_calm(run, window),
         nis=float(np.mean(bank.y**2)), fits=tuple(several),
@@ -272,12 +272,14 @@ def _evidence(
     )  # fmt: skip
 
 
-def _foreign(ordinary: float) -> str:
-    return (
-        "the given robot does not fit this log, even before the fall: innovations are "
-        f"{math.sqrt(ordinary):.0f} times the expected size. Calibrate it first (`upright calibrate`), or name another "
-        "robot"
+def _foreign(ordinary: float, robot: Robot) -> str:
+    text = (
+        f"the given robot does not fit this log, even before the fall: innovations are {math.sqrt(ordinary):.0f} times "
+        "the expected size, so no cause is named that rests on them"
     )
+    if any(origin.source.startswith("calibrated from ") for origin in robot.provenance.values()):
+        return f"{text}. The robot is calibrated, so its model leaves something out: `upright validate` shows what"
+    return f"{text}. Calibrate it first (`upright calibrate`), or name another robot"
 
 
 def _match(

@@ -127,7 +127,10 @@ class _Answer:
 def ranked(evidence: Evidence) -> tuple[Cause, ...]:
     """All causes that have some likelihood, the likeliest first."""
     left, odds, best = 1.0, dict[str, float](), dict[str, _Answer]()
+    foreign = evidence.ordinary > FOREIGN
     for question in QUESTIONS:
+        if foreign and question in OF_THE_MODEL:
+            continue
         answers = question(evidence)
         for answer in answers:
             odds[answer.name] = (before := odds.get(answer.name, 0.0)) + left * answer.probability
@@ -218,7 +221,7 @@ def _changed_robot(evidence: Evidence) -> list[_Answer]:
     """Whether a fault of robot, sensors or floor explains the innovations better than pushes alone."""
     best: dict[str, FaultFit] = {}
     for fit in evidence.fits:
-        if fit.fault in NAMES and possible(fit) and fit.score > best.get(fit.fault, fit).score - 1e-9:
+        if fit.fault in NAMES and possible(evidence, fit) and fit.score > best.get(fit.fault, fit).score - 1e-9:
             best[fit.fault] = fit
     top = max((fit.score for fit in best.values()), default=0.0)
     weights = {name: math.exp(max((fit.score - top) / TEMPER, -50.0)) for name, fit in best.items()}
@@ -235,7 +238,7 @@ def _two(evidence: Evidence) -> list[_Answer]:
     answers: list[_Answer] = []
     for pair in evidence.pairs[:1]:
         names = [name_of(fit) for fit in (pair.first, pair.second)]
-        if names[0] == names[1] or not (possible(pair.first) and possible(pair.second)):
+        if names[0] == names[1] or not (possible(evidence, pair.first) and possible(evidence, pair.second)):
             continue
         chance = step(pair.score - best.score - TWO, TWO_WIDTH) * step(
             TWO_LEAVE - pair.second.nis / max(best.nis, 1e-9), EXPLAINED_WIDTH
@@ -264,7 +267,7 @@ def _none(evidence: Evidence) -> list[_Answer]:
     """Whether what the likeliest leaves follows a disturbance of some other shape, or is far too much; where it is a
     little too much, something else keeps a small part of the probability."""
     left, best = evidence.left, best_of(evidence)
-    if left is None or evidence.ordinary > FOREIGN:
+    if left is None:
         return []
     leaves, gained = left.nis / max(best.nis, 1e-9), left.score - best.score
     shaped = max(
@@ -352,3 +355,7 @@ QUESTIONS: tuple[Callable[[Evidence], list[_Answer]], ...] = (
     _stuck, _stuck_sensor, _changed_gain, _lost, _two, _driven_into, _none, _changed_robot, _pushed, _steady_load,
     _demanded, _weak_or_wild,
 )  # fmt: skip
+
+OF_THE_MODEL = frozenset((_two, _driven_into, _none, _changed_robot, _pushed, _steady_load))
+"""Questions to the innovations of a model that describes the robot. Those of another robot's model are largest where
+the robot moves most, so in the fall, and look like whatever grows with the motion."""

@@ -36,10 +36,14 @@ def began(evidence: Evidence) -> float:
 
 
 def of_fault(evidence: Evidence, fit: FaultFit) -> str:
-    """A fault of the robot in words: what it is, since when, and how much of the innovations it explains."""
+    """A fault of the robot in words: what it is, since when, and how much of the innovations it explains, where that
+    was examined apart from another fault."""
+    text = f"{_FAULT_TEXTS[fit.fault](evidence, fit)} since t = {fit.onset:.2f} s"
+    if not math.isfinite(fit.nis):
+        return text
     return (
-        f"{_FAULT_TEXTS[fit.fault](evidence, fit)} since t = {fit.onset:.2f} s explains {most(fit.explained)} of the "
-        f"innovations: NIS falls from {evidence.nis:.3g} to {fit.nis:.3g} ({gained(evidence, fit):+.0f} nats)"
+        f"{text} explains {most(fit.explained)} of the innovations: NIS falls from {evidence.nis:.3g} to {fit.nis:.3g} "
+        f"({gained(evidence, fit):+.0f} nats)"
     )
 
 

@@ -42,7 +42,7 @@ class Segment:
 
     def __str__(self) -> str:
         leaning = f" at {self.lean:+.2f} rad" if self.kind in LEANING else ""
-        return f"{self.start:.4g} to {self.stop:.4g} s {self.kind}{leaning}"
+        return f"{self.start:.2f} to {self.stop:.2f} s {self.kind}{leaning}"
 
     def to_json(self) -> dict[str, Any]:
         """As plain data."""
