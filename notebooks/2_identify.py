@@ -332,8 +332,8 @@ except up.UprightError as error:
 # %% [markdown] lang="en"
 # ## What comes next
 #
-# We have a model. The next notebook makes a controller of it.
+# We have a model. [The next notebook](3_lqg.ipynb) makes a controller of it.
 # %% [markdown] lang="es"
 # ## Lo que sigue
 #
-# Tenemos un modelo. El siguiente cuaderno hace de él un controlador.
+# Tenemos un modelo. [El siguiente cuaderno](3_lqg.ipynb) hace de él un controlador.
