@@ -12,7 +12,7 @@ import re
 import shutil
 import sys
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from pathlib import Path
 
@@ -34,7 +34,7 @@ PARTS = {
     "Reference": ("api", "conventions", "glossary", "gallery", "figures", "benchmarks/index", "scale"),
     "The project": ("architecture", "contributing", "changes"),
 }  # fmt: skip
-"""The order of the site: every page is in one part."""
+"""The order of the site; a page that no part has comes last."""
 
 OUTSIDE = {"contributing": "CONTRIBUTING.md", "changes": "CHANGELOG.md", "benchmarks/index": "benchmarks/README.md"}
 """Pages of the site that stand elsewhere in the checkout."""
@@ -55,7 +55,7 @@ REFERENCE = {
     "Many robots": ("fleet", "push_map"),
     "The paper, and errors": ("reproduce", "UprightError"),
 }  # fmt: skip
-"""Everything that `import upright` offers, by what it is for."""
+"""What `import upright` offers, by what it is for; the rest comes last."""
 
 
 def build(site: Path, *, draft: bool = False) -> int:
@@ -102,10 +102,18 @@ def _examples(source: Path) -> None:
     _write(source / "examples" / "index.md", "\n".join([page, *parts]))
 
 
+def _with_the_rest(parts: Mapping[str, Sequence[str]], names: Iterable[str]) -> dict[str, Sequence[str]]:
+    """The parts, and what none of them has as the last one."""
+    rest = sorted(set(names) - {name for part in parts.values() for name in part})
+    return dict(parts) | ({"More": rest} if rest else {})
+
+
 def _reference(source: Path) -> None:
+    import upright
+
     whom = "*For everybody who writes Python; `import upright as up` offers everything on this page.*"
     parts = [f"# Python reference\n\n{whom}\n"]
-    for title, names in REFERENCE.items():
+    for title, names in _with_the_rest(REFERENCE, upright.__all__).items():
         parts += [f"## {title}\n", *(_entry(name) for name in names)]
     _write(source / "api.md", "\n".join(parts))
 
@@ -215,12 +223,9 @@ def _block(html: str) -> str:
 
 def _order(source: Path) -> None:
     pages = {page.relative_to(source).with_suffix("").as_posix() for page in source.rglob("*.md")}
-    named = {name for names in PARTS.values() for name in names}
-    strays = {page for page in pages - named - {"index"} if not page.startswith("notebooks/")}
-    if strays:
-        sys.exit(f"docs/build.py: no part of the site has {', '.join(sorted(strays))}; add it to PARTS")
+    own = {page for page in pages - {"index"} if not page.startswith("notebooks/")}
     with (source / "index.md").open("a", encoding="utf-8") as index:
-        index.write("".join(_tree(title, names) for title, names in PARTS.items()))
+        index.write("".join(_tree(title, names) for title, names in _with_the_rest(PARTS, own).items()))
 
 
 def _tree(title: str, names: Sequence[str]) -> str:

@@ -51,7 +51,7 @@ stays = up.StateFeedback.symmetric([-25.0, -2.3, -0.45, -1.0, 0.0, 0.0], period)
 up.compare({"stays": pushed(stays), "runs away": pushed(runs_away)}).plot("pitch", "wheel")
 
 # %% [markdown] lang="en"
-# Both stand. But nobody told the first one to come back: its pole at 1 is still there. A gain on the wheel angle brings it home. Look closely at the
+# Both stand. But nobody told the second one to come back: its pole at 1 is still there. A gain on the wheel angle brings it home. Look closely at the
 # pitch: to come back the robot must lean back, and to lean back it first drives on.
 #
 # ## Let mathematics choose: LQR
@@ -160,9 +160,9 @@ log.plot("truth/pitch", "estimate/pitch")
 # Put regulator and filter together. With the error $e = x - \hat x^-$ one finds
 #
 # $$
-# \begin{bmatrix} x \\ e \end{bmatrix}_{k+1} =
+# \begin{bmatrix} x_{k+1} \\ e_{k+1} \end{bmatrix} =
 # \begin{bmatrix} A - B K & \ast \\ 0 & A (I - L C) \end{bmatrix}
-# \begin{bmatrix} x \\ e \end{bmatrix}_k .
+# \begin{bmatrix} x_k \\ e_k \end{bmatrix} .
 # $$
 #
 # The zero is the *separation principle*: the poles of the whole are those of the regulator and those of the filter. We check it with the
@@ -183,9 +183,9 @@ log.plot("truth/pitch", "estimate/pitch")
 # Junte el regulador y el filtro. Con el error $e = x - \hat x^-$ resulta
 #
 # $$
-# \begin{bmatrix} x \\ e \end{bmatrix}_{k+1} =
+# \begin{bmatrix} x_{k+1} \\ e_{k+1} \end{bmatrix} =
 # \begin{bmatrix} A - B K & \ast \\ 0 & A (I - L C) \end{bmatrix}
-# \begin{bmatrix} x \\ e \end{bmatrix}_k .
+# \begin{bmatrix} x_k \\ e_k \end{bmatrix} .
 # $$
 #
 # El cero es el *principio de separación*: los polos del conjunto son los del regulador y los del filtro. Lo comprobamos con las
@@ -217,14 +217,16 @@ true_state = up.run(up.Twin(robot), up.lqr(robot, period), push, seconds=6.0)
 up.compare({"LQR, true state": true_state, "LQG, sensors": on_sensors}).plot("pitch", "wheel")
 
 # %% [markdown] lang="en"
-# The robot with sensors shivers, since its encoders have steps and its motors a dead zone. But it survives, with nothing that a LEGO robot does not have.
+# The robot with sensors shivers, since its encoders have steps and its motors a dead zone. It also wanders, until the filter knows the bias of its gyro. But it
+# survives, with nothing that a LEGO robot does not have.
 #
 # ## Exercises
 #
 # **1.** Make voltage dearer and dearer (`1e2 * R`, `1e4 * R`, `1e6 * R`). To which value does the largest pole of the pitch go? Compare with
 # $e^{-\lambda T}$, where $\lambda$ is the falling pole.
 # %% [markdown] lang="es"
-# El robot con sensores tiembla, porque sus codificadores tienen pasos y sus motores una zona muerta. Pero sobrevive, sin nada que un robot LEGO no tenga.
+# El robot con sensores tiembla, porque sus codificadores tienen pasos y sus motores una zona muerta. También deambula, hasta que el filtro conoce el sesgo del
+# giróscopo. Pero sobrevive, sin nada que un robot LEGO no tenga.
 #
 # ## Ejercicios
 #

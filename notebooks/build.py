@@ -76,7 +76,8 @@ def executed(text: Path, folder: Path) -> list[tuple[Cell, NotebookNode]]:
     notebook = nbformat.v4.new_notebook(cells=[make[cell.prose](cell.text) for cell in cells])
     for number, node in enumerate(notebook.cells):
         node["id"] = f"cell-{number}"  # else they are random, and no two builds are alike
-    NotebookClient(notebook, timeout=LIMIT, kernel_name="python3", resources={"metadata": {"path": folder}}).execute()
+    where = {"metadata": {"path": folder}}
+    NotebookClient(notebook, timeout=LIMIT, kernel_name="python3", resources=where, coalesce_streams=True).execute()
     for node in notebook.cells:
         node.metadata = {}  # when each cell ran
     return list(zip(cells, notebook.cells, strict=True))
