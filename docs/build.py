@@ -1,4 +1,4 @@
-"""The documentation site, from the pages of this folder: `python docs/build.py [FOLDER]`, by default into `site/`.
+"""The documentation site, from the pages of this folder: `python docs/build.py [FOLDER]`, by default into `build/site`.
 
 Pages stay plain Markdown that GitHub shows. What only a site can have is added to a copy of them: the order of pages,
 the reference of the code, the pictures of the gallery, and the notebooks, executed. A warning is an error.
@@ -26,10 +26,11 @@ import build as notebooks  # noqa: E402
 
 PARTS = {
     "Start": ("start", "first-robot", "lab", "worksheet.en", "worksheet.es"),
-    "Course": ("notebooks/index",),
+    "Course": ("notebooks/index", "worksheet.en", "worksheet.es"),
     "How to": ("how-to", "add-a-robot", "add-a-body", "add-a-controller", "examples/index"),
     "Concepts": (
-        "model", "twin", "logs", "calibrate", "identify", "excite", "certificate", "post-mortem", "fleet", "firmware",
+        "model", "twin", "logs", "calibrate", "identify", "excite", "tune", "certificate", "post-mortem", "fleet",
+        "firmware",
     ),
     "Reference": ("api", "conventions", "glossary", "gallery", "figures", "benchmarks/index", "scale"),
     "The project": ("architecture", "contributing", "changes"),
@@ -48,7 +49,7 @@ REFERENCE = {
     "Models": ("linearise", "LinearModel"),
     "Controllers": (
         "design", "lqr", "lqi", "lqg", "pid", "hinf", "mpc", "sliding", "robust", "kalman", "complementary",
-        "StateFeedback", "Estimated",
+        "StateFeedback", "Estimated", "tune",
     ),
     "From a log": ("doctor", "calibrate", "identify", "validate", "excite", "post_mortem"),
     "Before it drives": ("certify", "parity"),
@@ -70,10 +71,27 @@ def build(site: Path, *, draft: bool = False) -> int:
         _course(source, draft)
         if not draft:
             _gallery(source)
+            index = source / "index.md"
+            _write(index, index.read_text("utf-8").replace(AFTER, f"{TRY}\n\n{AFTER}"))
         _order(source)
         arguments = ["-b", "html", "-c", str(HERE), "-W", "--keep-going", "-q", "-d", str(Path(scratch) / "doctrees")]
+        if site.is_dir() and any(site.iterdir()) and not (site / "objects.inv").exists():
+            sys.exit(f"docs/build.py: {site} holds files that are no such site; try: another folder")
         shutil.rmtree(site, ignore_errors=True)
-        return build_main([*arguments, str(source), str(site)])
+        status = build_main([*arguments, str(source), str(site)])
+    if not draft and status == 0:
+        _lab(site)
+    return status
+
+
+TRIED = ("nxtway-gs", "herrera2015", "twipr")
+
+
+def _lab(site: Path) -> None:
+    """The lab of some robots, as a page that runs by itself; the first page leads to it."""
+    from upright.lab.export import export
+
+    export(site / "try", TRIED, say=lambda _: None)
 
 
 def _pages(source: Path) -> None:
@@ -131,6 +149,9 @@ def _glossary(source: Path) -> None:
     table = (HERE / "conventions.md").read_text("utf-8").partition("## Glossary\n")[2]
     _write(source / "glossary.md", f"# Glossary\n\n*For everybody; English and Spanish.*\n{table}")
 
+
+AFTER = "| you want | go to |"
+TRY = '<p><a href="try/index.html">Push a robot now, in this browser</a></p>'
 
 FENCE = re.compile(r"^```python\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
 
@@ -241,7 +262,7 @@ def _write(path: Path, text: str) -> None:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
-    parser.add_argument("site", nargs="?", type=Path, default=ROOT / "site")
+    parser.add_argument("site", nargs="?", type=Path, default=ROOT / "build" / "site")
     parser.add_argument("--draft", action="store_true", help="execute no notebook and draw no gallery")
     given = parser.parse_args()
     status = build(given.site.resolve(), draft=given.draft)

@@ -40,6 +40,7 @@ def links(page: Path) -> list[tuple[str, str]]:
 def test_every_link_leads_to_a_page_and_a_place_in_it(site: Path) -> None:
     pages = {page: set(re.findall(r'\bid="([^"]+)"', page.read_text("utf-8"))) for page in site.rglob("*.html")}
     assert len(pages) > 30
+    assert site / "try" / "index.html" in pages
     broken: list[str] = []
     for page in pages:
         for _, target in links(page):
