@@ -13,6 +13,7 @@ import argparse
 import ast
 import re
 import sys
+import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -108,9 +109,8 @@ def build(folder: Path, names: Sequence[str] = ()) -> list[Path]:
     for text in texts():
         if names and text.stem not in names:
             continue
-        scratch = folder / "files"
-        scratch.mkdir(parents=True, exist_ok=True)
-        ran = executed(text, scratch)
+        with tempfile.TemporaryDirectory() as scratch:
+            ran = executed(text, Path(scratch))
         for reader in ("student", "teacher"):
             for lang in LANGUAGES:
                 path = folder / reader / lang / f"{text.stem}.ipynb"
