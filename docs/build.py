@@ -25,8 +25,8 @@ sys.path[:0] = [str(ROOT / "notebooks")]
 import build as notebooks  # noqa: E402
 
 PARTS = {
-    "Start": ("start", "first-robot", "lab", "worksheet.en", "worksheet.es"),
-    "Course": ("notebooks/index", "worksheet.en", "worksheet.es"),
+    "Start": ("start", "first-robot", "lab"),
+    "Course": ("notebooks/index", "lesson.es", "lesson.en", "worksheet.es", "worksheet.en"),
     "How to": ("how-to", "add-a-robot", "add-a-body", "add-a-controller", "examples/index"),
     "Concepts": (
         "model", "twin", "logs", "calibrate", "identify", "excite", "tune", "certificate", "post-mortem", "fleet",
