@@ -844,3 +844,23 @@ def test_compare_takes_the_opened_log(page, tmp_path):
     with page.expect_download() as fetched:
         page.click("[data-key=compare]")
     assert "friday" in Path(fetched.value.path()).read_text("utf-8")
+
+
+def test_a_hand_in_of_the_page_is_graded(page, tmp_path):
+    """From the link of a task on the worksheet to a verdict."""
+    from upright.classwork.grading import grade_file
+    from upright.classwork.tasks import TASKS
+    from upright.classwork.worksheet import fragment
+
+    page.evaluate(f"location.hash = {fragment(TASKS[0])!r}")  # pasted behind the address of the open page
+    until(page, f"upright.store.changed.setup.seed === {TASKS[0].setup.seed}")
+    page.click("[data-key=stand]")
+    page.evaluate("upright.store.send({kind: 'Strike', what: 'impulse', size: 0.22})")
+    until(page, "document.querySelector('.toasts').textContent.includes('0.22')")  # it came back from it
+    tab(page, "Keep")
+    page.fill("[data-key=student]", "Ana")
+    with page.expect_download() as fetched:
+        page.click("[data-key=keep-handin]")
+    fetched.value.save_as(tmp_path / "ana.json")
+    graded = grade_file(tmp_path / "ana.json")
+    assert (graded.student, graded.task, graded.verdict) == ("Ana", "push", "ok"), graded.why

@@ -67,9 +67,7 @@ class Grades(Shown):
 
     def listing(self) -> Listing:
         """Student, task, outcome claimed and replayed, verdict and why."""
-        cells = [
-            (g.student or g.file, g.task, _shown(g.claimed), _shown(g.replayed), g.verdict, g.why) for g in self.rows
-        ]
+        cells = [(g.student or g.file, g.task, _shown(g.claimed), _replayed(g), g.verdict, g.why) for g in self.rows]
         return Listing(("student", "task", "claimed", "replayed", "verdict", "why"), cells)
 
     def count(self, *verdicts: str) -> int:
@@ -108,13 +106,15 @@ class Grades(Shown):
         """The table as a page, not yet written."""
         from upright.report import Page, Section, Table, Verdict
 
-        table = self.listing()
-        forged, broken = self.count(*FORGED), self.count(BROKEN)
+        table, forged, broken = self.listing(), self.count(*FORGED), self.count(BROKEN)
+        rows = dict(zip(self.rows, table.rows, strict=True))
+        wrong = [g for g in self.rows if g.verdict in (*FORGED, BROKEN)]
+        parts = {"To look at": wrong, "As claimed": [g for g in self.rows if g not in wrong]}
         return Page(
-            f"Hand-ins: {self.count(OK)} of {len(self.rows)} reach their goal",
-            [Section("Hand-ins", [Table(list(table.header), [list(row) for row in table.rows])])],
-            f"{self.summary}.", {"folder": self.folder}, False,
-            verdict=Verdict("to look at", "warn") if forged + broken else Verdict("all genuine", "good"),
+            f"Hand-ins: {self.summary}",
+            [Section(head, [Table(table.header, [rows[g] for g in some])]) for head, some in parts.items() if some],
+            f"{wrong[0].student or wrong[0].file}: {wrong[0].why}." if wrong else "", {"folder": self.folder}, False,
+            verdict=Verdict("to look at", "warn") if wrong else Verdict("all genuine", "good"),
             numbers=[(str(len(self.rows)), "hand-ins"), (str(forged), "not genuine"), (str(broken), "cannot be read")],
         )  # fmt: skip
 
@@ -248,6 +248,10 @@ def _harmless(text: str) -> str:
 
 def _shown(result: RunResult | None) -> str:
     return str(result) if result else ""
+
+
+def _replayed(g: Grade) -> str:
+    return "as claimed" if g.replayed and g.verdict != DIFFERS else _shown(g.replayed)
 
 
 def _line(error: BaseException) -> str:
