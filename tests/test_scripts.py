@@ -24,7 +24,7 @@ SAYS = {
     "python_control": r"7\.437",
     "read_log": r"motion/flipped(.|\n)*degrees instead of radians in gyro and encoders",
     "simulate": r"largest lean 0\.0\d+ rad",
-    "tune": r"lqg (tuned for nxtway-gs|.*stay)(.|\n)*\d+ mm of travel instead of \d+ mm",
+    "tune": r"(lqg tuned for nxtway-gs|weights of lqg stay)(.|\n)*\d+ mm of travel instead of \d+ mm",
     "sweep": r"of 10000 robots fell",
 }
 """What each one must print. The pole of nxtway-gs, 7.437 1/s, and e-fold in 1/7.437 s are its linear model's

@@ -9,7 +9,7 @@ from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
 from upright.tune.figures import Figures
-from upright.tune.tune import RULE, Tuned, compared
+from upright.tune.tune import RULE, Tuned, compared, gains
 
 LEVEL = {"green": "good", "red": "warn"}
 
@@ -19,7 +19,7 @@ def page_of(tuned: Tuned) -> Page:
     was, now = tuned.default, tuned.chosen
     verdict = Verdict(now.light if tuned.kept else f"{was.light} → {now.light}", LEVEL.get(now.light, "info"))
     heading = f"{tuned.method} keeps its weights on {tuned.robot}" if tuned.kept else f"{tuned.method} on {tuned.robot}"
-    title = heading if tuned.kept else f"{heading}: {_gained(was, now)}"
+    title = heading if tuned.kept else f"{heading}: {gains(was, now)[0]}"
     facts = {
         "robot": tuned.robot, "kit": tuned.kit, "seed": str(tuned.seed), "candidates": str(tuned.evaluated),
     }  # fmt: skip
@@ -37,13 +37,6 @@ def page_of(tuned: Tuned) -> Page:
     return Page(
         title, sections, tuned.words(), facts, False, verdict=verdict, picture=_picture(tuned), numbers=_numbers(tuned)
     )
-
-
-def _gained(was: Figures, now: Figures) -> str:
-    """What the tuning changed most, as part of a heading."""
-    if now.fell < was.fell:
-        return f"{_per_cent(now)} fall instead of {_per_cent(was)}"
-    return f"survives a knock of {cell_text(now.knock, 3)} instead of {cell_text(was.knock, 3)} N s"
 
 
 def _per_cent(f: Figures) -> str:

@@ -123,11 +123,8 @@ class Tuned(Shown):
         """The result in one sentence."""
         if self.kept:
             return f"The default weights of {self.method} stay: {self.kept}."
-        was, now = self.default, self.chosen
-        return (
-            f"{self.method} tuned for {self.robot}: {_per_cent(now)} of the robots fall instead of {_per_cent(was)}, "
-            f"and a knock of {now.knock:.3g} N s is survived instead of {was.knock:.3g} N s."
-        )
+        gained = " and ".join(gains(self.default, self.chosen))
+        return f"{self.method} tuned for {self.robot}: {gained}. Falls, knock and margins are nowhere worse."
 
     def listing(self) -> Listing:
         """Default and chosen one side by side."""
@@ -143,6 +140,16 @@ class Tuned(Shown):
             f"{self.evaluated} candidates, seed {self.seed}; figures on {self.chosen.samples} robots that no search saw"
         )
         return "\n".join([self.words(), head, "", str(self.listing()), "", f"rule: {RULE}"])
+
+
+def gains(default: Figures, chosen: Figures) -> list[str]:
+    """What is better by the rule, each as part of a sentence: falls and the largest knock, or else the effort."""
+    gained: list[str] = []
+    if chosen.fell < default.fell:
+        gained.append(f"{_per_cent(chosen)} of the robots fall instead of {_per_cent(default)}")
+    if chosen.knock > (1 + ALIKE) * default.knock:
+        gained.append(f"a knock of {chosen.knock:.3g} N s is survived instead of {default.knock:.3g}")
+    return gained or [f"the effort is {chosen.effort:.3g} instead of {default.effort:.3g}"]
 
 
 def compared(default: Figures, chosen: Figures) -> list[tuple[str, str, str]]:
