@@ -4,7 +4,7 @@ import upright as up
 
 robot, kit = up.Robot.preset("nxtway-gs"), up.Kit.preset("nxt")
 
-tuned = up.tune("lqg", robot, kit, budget=60)  # 400 candidates by default
+tuned = up.tune("lqg", robot, kit, budget=40)  # 400 candidates by default
 print(tuned)  # figures on 1000 robots that neither the search nor its rule has used
 
 for point in tuned.front:  # another choice is yours: none of these is beaten in everything

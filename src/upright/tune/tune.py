@@ -292,8 +292,8 @@ class _Task:
 
 
 def _finalists(candidates: Sequence[Candidate]) -> list[Candidate]:
-    """The default, and at most `FINALISTS` that keep what the rule asks for in the search: the best by the rule's
-    order, then by knock, by margin and by effort in turn."""
+    """The default, and at most `FINALISTS`, or one of twenty candidates, that keep what the rule asks for in the search:
+    the best by the rule's order, then by knock, by margin and by effort in turn."""
     default, *others = candidates
     least = (1 - ALIKE) * default.score.knock
     kept = [
@@ -305,11 +305,11 @@ def _finalists(candidates: Sequence[Candidate]) -> list[Candidate]:
         lambda s: (s.over > 0, s.fell, -_level(s.knock), s.effort), lambda s: -s.modulus, lambda s: s.effort,
     ]  # fmt: skip
     queues = [sorted(kept, key=lambda c, order=order: order(c.score)) for order in orders]
-    best_first = list[Candidate]()
+    best_first, most = list[Candidate](), max(1, min(FINALISTS, len(candidates) // 20))
     for turn in range(len(queues) * len(kept)):
         queue = queues[turn % len(queues)]
         best = next((c for c in queue if c not in best_first), None)
-        if best is None or len(best_first) == FINALISTS:
+        if best is None or len(best_first) == most:
             break
         best_first.append(best)
     return [default, *best_first]
