@@ -292,7 +292,7 @@ class _Task:
 
 
 def _finalists(candidates: Sequence[Candidate]) -> list[Candidate]:
-    """The default, and at most `FINALISTS`, or one of twenty candidates, that keep what the rule asks for in the search:
+    """The default, and at most `FINALISTS`, or one of twenty candidates, that keep what the rule asks for:
     the best by the rule's order, then by knock, by margin and by effort in turn."""
     default, *others = candidates
     least = (1 - ALIKE) * default.score.knock
