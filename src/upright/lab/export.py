@@ -18,7 +18,7 @@ from upright.lab.by_hand import gains_program
 from upright.lab.codec import plain
 from upright.lab.messages import VERSION, Analysed, Setup, Welcome
 from upright.lab.plant import BY_HAND, OFF, Plant, behind, body_of, families, is_bare
-from upright.lab.printed import printed_law, printed_robot, reading
+from upright.lab.printed import PERIOD, printed_law, printed_robot, reading
 from upright.lab.recording import MARK, inlined, page_text
 from upright.lab.tasks import analysed
 from upright.lab.views import catalogue, equations, look_of, robot_info
@@ -131,7 +131,7 @@ def _designed(robot: Robot, kit: Kit, name: str) -> tuple[str, dict[str, Any]]:
 def _shown(robot: Robot, kit: Kit) -> dict[str, Any]:
     """What the page draws and says of the robot, and what a pull at a wheel [N] turns into as a command."""
     setup = Setup(robot=robot.name)
-    body = body_of("linear", Plant(robot, robot, kit), setup, kit.period)
+    body = body_of("nonlinear", Plant(robot, robot, kit), setup, PERIOD)
     body.pull(1.0)
     return {
         "title": robot.title, "kit_name": kit.name, "every": kit.period, "delay_own": kit.delay, "pull": body.twist,
