@@ -50,7 +50,8 @@ LIVE = """(seconds) => new Promise((done) => {
     frames += 1;
     if (now - began < 1000 * seconds) return requestAnimationFrame(frame);
     const wall = (performance.now() - began) / 1000;
-    return done({ kept: (session.t - t) / ((session.wall - at) / 1000), frames: frames / wall, share: (session.spent - spent) / 1000 / wall });
+    const kept = (session.t - t) / ((session.wall - at) / 1000);
+    return done({ kept, frames: frames / wall, share: (session.spent - spent) / 1000 / wall });
   };
   requestAnimationFrame(frame);
 })"""

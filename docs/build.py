@@ -98,7 +98,7 @@ def _pages(source: Path) -> None:
     for page in HERE.glob("*.md"):
         text = page.read_text("utf-8").replace("](../", "](")
         _write(source / page.name, re.sub(r"\]\((notebooks|examples|benchmarks)/README\.md\)", r"](\1/index.md)", text))
-    for picture in HERE.glob("*.gif"):
+    for picture in [*HERE.glob("*.gif"), *HERE.glob("*.webp")]:
         shutil.copy(picture, source)
     for name, path in OUTSIDE.items():
         _write(source / f"{name}.md", (ROOT / path).read_text("utf-8").replace("](docs/", "]("))

@@ -391,7 +391,8 @@ export class LocalSession {
       return store.hear({ ...then, n: this.n, paused: true, back: this.back });
     }
     const last = store.traces.t.at(-1) ?? -Infinity;
-    for (const moment of this.kept.slice(-20)) if (moment.t > last && moment.t < now.t) store.traces.add(moment);
+    const shown = this.kept.findLastIndex((moment) => moment.t <= last);
+    for (const moment of this.kept.slice(shown + 1)) if (moment.t < now.t) store.traces.add(moment);
     store.hear({ ...now, paused: this.paused });
   }
 }
