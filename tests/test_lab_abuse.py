@@ -319,10 +319,13 @@ class FakeClerk:
     done: ClassVar[list[tuple[str, str]]] = []
 
     def __init__(self) -> None:
-        self.idle, self.dead = True, False
+        self.idle, self.dead, self._key = True, False, ("", "")
 
     def give(self, key: Any, task: str, args: Any) -> None:
         self.idle, self._key = False, key
+
+    def forget(self, key: Any) -> None:
+        self._key = ("", "") if key == self._key else self._key
 
     def poll(self, patience: float) -> list[Any]:
         self.idle = True
@@ -331,6 +334,17 @@ class FakeClerk:
 
     def kill(self) -> None:
         """It is gone."""
+
+
+def test_what_a_job_finds_for_a_controller_that_is_gone_is_told_to_nobody(monkeypatch):
+    """It is being analysed when another is chosen, and its process cannot be stopped: what it finds has no receiver."""
+    monkeypatch.setattr(desk_module, "_Clerk", FakeClerk)
+    desk = ProcessDesk()
+    desk.submit(("a", "design"), "design", ("old",))
+    desk.poll()  # it has begun
+    desk.submit(("a", "design"), "design", ("new",))
+    keys = [key for _ in range(2) for key, _, _ in desk.poll()]
+    assert keys == [("", ""), ("a", "design")]  # the first is of no session, the second of the new controller
 
 
 @pytest.mark.parametrize("alone", [False, True])
