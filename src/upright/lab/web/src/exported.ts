@@ -81,7 +81,7 @@ export function fromHash(hash: string, data: Exported): Link {
   if (Object.hasOwn(facts.controllers, controller) || controller === OFF) setup.controller = controller;
   const gains = (parts.get("gains") ?? "").split(",").map(Number);
   if (gains.length === 6 && gains.every(Number.isFinite)) setup.gains = gains;
-  const ranges: Record<(typeof NUMBERS)[number], [number, number]> = { slope: [-0.2, 0.2], noise: [0, 20], delay: [-1, 0.05] };
+  const ranges: Record<(typeof NUMBERS)[number], [number, number]> = { slope: [-0.2, 0.2], noise: [0, 20], delay: [-1, 0.1] };
   for (const name of NUMBERS) {
     const value = Number(parts.get(name) ?? NaN);
     if (value >= ranges[name][0] && value <= ranges[name][1]) setup[name] = value;
