@@ -134,9 +134,9 @@ def test_every_drawing_is_xml_with_a_title_a_description_and_units_on_both_axes(
 
 
 def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(comparison):
-    html = page_of(comparison).html()
+    html = page_of(comparison).html().replace("\u00a0", " ")
     assert sum(root.get("role") == "img" for root in drawings(html)) == len(STATE_NAMES) + 1
-    assert "After the push, pitch settles to 5 % in: twin " in html
+    assert "Time after the release until pitch stays within 5 % of its peak: twin " in html
     assert ">robot<" not in html
     assert "not results of a real robot" in html  # the note on twins
 
@@ -335,7 +335,7 @@ def test_a_campaign_is_ranked_by_falls_and_what_nobody_survived_has_a_dash():
     ))  # fmt: skip
     (ax,) = cases.plot().axes
     assert [label.get_text() for label in ax.get_yticklabels()] == ["b", "a"]
-    html = page_of(cases).html()
+    html = page_of(cases).html().replace("\u00a0", " ")
     assert "b falls most: 100 % of the robots" in html
     assert "96 to 100 %" in html  # 1 − 0.025^(1/100) = 3.6 % below
     rows = [re.findall(r"<td[^>]*>([^<]*)</td>", row) for row in html.split("<tr>")]

@@ -41,7 +41,9 @@ CLOSE = 0.5
 
 def _title(analysis: Analysis) -> str:
     who = f"{analysis.controller} on {analysis.robot}"
-    return f"{who}: stable, up to {_delay(analysis)} more delay" if analysis.stable else f"{who}: unstable"
+    if not analysis.stable:
+        return f"{who}: unstable"
+    return f"{who}: stable, with up to {_delay(analysis)} more delay at the {_weakest(analysis)}"
 
 
 def _verdict(analysis: Analysis) -> Verdict:
@@ -49,6 +51,12 @@ def _verdict(analysis: Analysis) -> Verdict:
         return Verdict("unstable", "warn")
     near = 1 / analysis.both().Ms < CLOSE
     return Verdict("stable, small margins", "info") if near else Verdict("stable", "good")
+
+
+def _weakest(analysis: Analysis) -> str:
+    """The loop that a delay makes unstable first; all loops at once are those of the motors."""
+    first = min((*analysis.inputs, *analysis.outputs), key=lambda m: m.delay)
+    return first.channel if first.delay <= analysis.delay else "motors"
 
 
 def _delay(analysis: Analysis) -> str:
@@ -68,9 +76,12 @@ def _numbers(analysis: Analysis) -> list[tuple[str, str]]:
         return []
     both = analysis.both()
     return [
-        (f"{cell_text(both.gain_low, 2)} to {cell_text(both.gain_high, 2)}", "gain margins of both motors (factors)"),
+        (
+            f"{cell_text(both.gain_low, 2)} to {cell_text(both.gain_high, 2)}",
+            "gain of both motors, as a factor, that stays stable",
+        ),
         (f"{cell_text(math.degrees(both.phase), 2)}°", "phase margin"),
-        (_delay(analysis), "smallest delay margin of all loops"),
+        (_delay(analysis), f"more delay at the {_weakest(analysis)} alone stays stable"),
     ]
 
 
@@ -99,7 +110,7 @@ def _row(m: Margins) -> list[Cell]:
 
 
 def _nyquist(analysis: Analysis) -> Figure:
-    title = f"Nyquist diagram: least distance from −1 is {1 / analysis.both().Ms:.2f}"
+    title = f"Nyquist diagram, both motors: least distance from −1 is {1 / analysis.both().Ms:.2f}"
     return Figure(
         title,
         analysis.plot_nyquist(),

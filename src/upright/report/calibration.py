@@ -11,6 +11,7 @@ from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
 
+ROUGH = 0.5  # of a value: a wider interval on either side is called rough
 STRONG = 0.9
 """Correlations from this size up are listed: only the prior separates such pairs."""
 
@@ -45,7 +46,8 @@ def _title(c: Calibration) -> str:
     if c.refused:
         return f"The log does not describe {c.robot.name}"
     visible = sum(e.verdict == VISIBLE for e in c.parameters)
-    return f"{c.robot.name}: the log determines {visible} of {len(c.parameters)} parameters"
+    known = f"the log shows {visible} of {len(c.parameters)} parameters"
+    return f"{c.robot.name} predicts its log; {known}" if not c.check() else f"{c.robot.name}: {known}"
 
 
 def _sentence(text: str) -> str:
@@ -57,7 +59,10 @@ def _numbers(c: Calibration) -> list[tuple[str, str]]:
     worst = [(n, v) for n, v in c.segments.items() if n.startswith("sensor/")]
     name, value = min(worst, key=lambda pair: pair[1]) if worst else ("", math.nan)
     return [
-        (f"{pole.value:.3g} 1/s", f"unstable pole, 95 %: {pole.low:.3g} to {pole.high:.3g}"),
+        (
+            f"{pole.value:.3g} 1/s",
+            f"unstable pole ({pole.low:.3g} to {pole.high:.3g}): a lean doubles in {math.log(2) / pole.value:.2g} s",
+        ),
         (
             cell_text(value, 3),
             f"R² of half seconds, smallest of all sensors ({name.removeprefix('sensor/').replace('_', ' ')})",
@@ -69,7 +74,7 @@ def _measured(c: Calibration) -> Figure | None:
     if not c.free:
         return None
     lowest = min((v for n, v in c.segments.items() if n.startswith("sensor/")), default=math.nan)
-    title = f"Measured and simulated for half a second at a time: R² is {cell_text(lowest, 3)} or more"
+    title = f"Measured and predicted for half a second at a time: R² is {cell_text(lowest, 3)} or more"
     return Figure(title, c.plot_prediction(), "Each half second starts from a fitted state and gets only the commands.")
 
 
@@ -106,10 +111,15 @@ _INNOVATIONS = (
 def _lead(c: Calibration) -> str:
     visible = [e for e in c.parameters if e.verdict == VISIBLE]
     away = {e.name.replace("_", " "): (e.high - e.low) / abs(e.low + e.high) for e in visible if e.low * e.high > 0}
-    known = [f"{name} to ±{cell_text(100 * part, 2)} %" for name, part in sorted(away.items(), key=lambda x: x[1])]
+    ranked = sorted(away.items(), key=lambda x: x[1])
+    known = [f"{name} to ±{cell_text(100 * part, 2)} %" for name, part in ranked if part <= ROUGH]
+    rough = [name for name, part in ranked if part > ROUGH]
     zero = [e.name.replace("_", " ") for e in visible if e.low * e.high <= 0]
-    text = f"{c.samples} samples determine {', '.join(known) or 'no parameter'}."
-    return text + (f" Near zero: {', '.join(zero)}." if zero else "")
+    parts = {"Known": known, "Known roughly": rough, "Zero or little": zero}
+    told = [f"{how}: {', '.join(names)}." for how, names in parts.items() if names]
+    return " ".join([*told, "Of the others the log says less than the robot's file."]) if told else (
+        f"{c.samples} samples say less of every parameter than the robot's file."
+    )  # fmt: skip
 
 
 def _estimates(estimates: Sequence[Estimate]) -> Table:

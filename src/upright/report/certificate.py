@@ -18,7 +18,7 @@ HEADINGS = {GREEN: "{0} may drive {1}", RED: "{0} must not drive {1}"}
 
 def page_of(certificate: Certificate) -> Page:
     """The certificate's page, not yet written."""
-    verdict = Verdict(certificate.light, LEVEL.get(certificate.light, "info"))
+    verdict = Verdict(f"{certificate.light} light", LEVEL.get(certificate.light, "info"))
     sections = [
         Section("Reasons", [sentence(reason) for reason in certificate.reasons]),
         Section("Pushes", [_intro(certificate), _trials(certificate)]),
@@ -43,7 +43,7 @@ def page_of(certificate: Certificate) -> Page:
 
 
 def _numbers(c: Certificate) -> list[tuple[str, str]]:
-    numbers = [(f"{number(100 * c.bound, 2)} %", "of such robots fall, at most")]
+    numbers = [(f"{number(100 * c.bound, 2)} %", f"of such robots fall, at most; the limit is {100 * MOST_FALLS:g} %")]
     if c.linear:
         numbers += [(f"{cell_text(c.linear.delay * 1e3, 3)} ms", "smallest delay margin of all loops")]
     stood = [t.travel for t in c.trials if t.fell < t.runs]
@@ -57,7 +57,8 @@ def _falls(c: Certificate) -> Figure:
     most = max(c.trials, key=lambda t: t.fell / t.runs)
     if most.fell:
         percent = number(100 * most.fell / most.runs, 3)
-        return Figure(f"Most falls: {most.push}, {most.battery} battery, {percent} % of the robots", c.plot())
+        note = f"The limit of {100 * MOST_FALLS:g} % is on all pushes together, at the end of its 95 % interval."
+        return Figure(f"Most falls: {most.push}, {most.battery} battery, {percent} % of the robots", c.plot(), note)
     return Figure(f"No robot fell in {sum(t.runs for t in c.trials)} trials: how far 95 % of them rolled", c.plot())
 
 

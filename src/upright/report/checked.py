@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import math
+from collections import Counter
 
 import numpy as np
 
 from upright.doctor.doctor import Diagnosis
 from upright.parity.parity import Parity
 from upright.physics.linear import Complex, LinearModel
-from upright.plotting import AXIS, bars, numbered, plane, points
+from upright.plotting import AXIS, bars, number, numbered, panels, plane, points
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 
 def page_of(result: Diagnosis | Parity | LinearModel) -> Page:
@@ -43,10 +41,10 @@ def _diagnosis(result: Diagnosis) -> Page:
         f"{first.channel}: {first.evidence}." if first and not result.healthy else "",
         {"mapping": result.mapping.name, "rows": str(result.rows)}, False,
         verdict=Verdict("healthy", "good") if result.healthy else Verdict("to repair", "warn"),
-        picture=Figure(": ".join(filter(None, ("The log as it was read", poses))), drawn) if drawn else None,
+        picture=Figure(f"The readings of the log{poses and f'; the robot is {poses}'}", drawn) if drawn else None,
         numbers=[
             (f"{result.seconds:.4g} s", "length of the log"), (f"{result.period * 1e3:.4g} ms", "median period"),
-            (str(result.rows), "rows"),
+            (str(len(result.findings) - faults), "notes, which are no faults"),
         ],
     )  # fmt: skip
 
@@ -70,37 +68,48 @@ def _parity(result: Parity) -> Page:
     )  # fmt: skip
 
 
-def _spread_out(ax: Axes, poles: Complex) -> None:
-    """A real axis that is logarithmic away from zero, so that fast poles do not hide the slow ones; a line at zero."""
-    reach, high = max(10.0, 3 * float(np.abs(poles.real).max())), float(np.abs(poles.imag).max())
-    ax.set_aspect("auto")
-    ax.set(xscale="symlog", xlim=(-reach, reach), ylim=(-1.5 * (high or 1.0), 1.5 * (high or 1.0)))
-    numbered(ax.xaxis)
-    ax.axvline(0, color=AXIS, linewidth=1)
-
-
 def _linear(model: LinearModel) -> Page:
     poles = model.poles()
     unit = "1/s" if model.continuous else "1"
-    figure, ax = plane(f"real part [{unit}]", f"imaginary part [{unit}]", circle=not model.continuous)
-    if model.continuous:
-        _spread_out(ax, poles)
-    points(ax, "poles", poles.tolist())
-    unstable = [p for p in poles if (p.real > 1e-9 if model.continuous else abs(p) > 1 + 1e-9)]
+    unstable = [p for p in poles.tolist() if (p.real > 1e-9 if model.continuous else abs(p) > 1 + 1e-9)]
     rows: list[list[Cell]] = [[p.real, p.imag] for p in poles.tolist()]
     matrices = [
         Table(["", *names], [[state, *row] for state, row in zip(model.states, matrix.tolist(), strict=True)], letter)
         for letter, names, matrix in (("A", model.states, model.A), ("B", model.inputs, model.B))
     ]
-    title = f"{len(unstable)} of {len(poles)} poles {'is' if len(unstable) == 1 else 'are'} unstable"
-    fastest = max((float(p.real) for p in unstable), default=0.0)
-    falls = model.continuous and unstable
-    heading = f"{title}: a fall grows with {cell_text(fastest, 3)} {unit}" if falls else title
-    figure_title = f"{title}: right of the line" if falls else title
+    count = f"{len(unstable)} of {len(poles)} poles {'is' if len(unstable) == 1 else 'are'} unstable"
+    fastest = max((p.real if model.continuous else math.log(abs(p)) / model.dt for p in unstable), default=0.0)
+    doubles = f"{cell_text(math.log(2) / fastest, 2)} s" if unstable else ""
+    equation = "ẋ = A x + B u" if model.continuous else f"x⁺ = A x + B u, every {model.dt:g} s"
+    numbers = [
+        *((f"{cell_text(p.real, 3)} {unit}", "unstable pole, real part") for p in unstable[:1]),
+        *([(doubles, "in which a small lean doubles")] if unstable else []),
+        (f"{model.A.shape[0]} and {model.B.shape[1]}", "states and inputs"),
+    ]
     return Page(
-        heading,
+        f"Without a controller a lean doubles every {doubles}" if unstable else "All poles are stable",
         [Section("Matrices", matrices), Section("Poles", [Table(["real part", "imaginary part"], rows)])],
-        "ẋ = A x + B u" if model.continuous else f"x⁺ = A x + B u, every {model.dt:g} s", {}, False,
-        verdict=Verdict("unstable" if unstable else "stable", "info"), picture=Figure(figure_title, figure),
-        numbers=[(f"{cell_text(float(p.real), 3)} {unit}", "unstable pole, real part") for p in unstable[:1]],
+        f"The linear model near the upright rest, {equation}. {count}.", {}, False,
+        verdict=Verdict("unstable without control" if unstable else "stable", "info"),
+        picture=_pole_figure(poles, model.continuous, count), numbers=numbers,
     )  # fmt: skip
+
+
+def _pole_figure(poles: Complex, continuous: bool, count: str) -> Figure:
+    """The poles; of a continuous model over a real axis that is logarithmic away from zero, so that fast poles do not
+    hide the slow ones, with a line at zero."""
+    if not continuous:
+        figure, ax = plane("real part [1]", "imaginary part [1]", circle=True)
+        points(ax, "poles", poles.tolist())
+        return Figure(f"{count}: outside the circle" if "0 of" not in count else count, figure)
+    figure, (ax,) = panels(["imaginary part [1/s]"], "real part [1/s], in powers of ten on both sides of zero")
+    high = 1.5 * (float(np.abs(poles.imag).max()) or 1.0)
+    reach = max(10.0, 3 * float(np.abs(poles.real).max()))
+    ax.set(xscale="symlog", xlim=(-reach, reach), ylim=(-high, high))
+    numbered(ax.xaxis)
+    ax.axvline(0, color=AXIS, linewidth=1)
+    points(ax, "poles", poles.tolist())
+    for pole, times in Counter(complex(round(p.real, 6), round(p.imag, 6)) for p in poles.tolist()).items():
+        text = number(pole.real, 3) + (f" ({times} poles)" if times > 1 else "")
+        ax.annotate(text, (pole.real, pole.imag), (0, 9), textcoords="offset points", ha="center")
+    return Figure(f"{count}: right of the line" if "0 of" not in count else count, figure)

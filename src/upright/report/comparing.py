@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from upright.comparison import Comparison
 from upright.comparison.comparison import METRICS, NEGLIGIBLE
+from upright.plotting import AXIS
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 BESIDE = 1.0  # [s] shown before a push and after it has settled
 SMALL = 0.6  # [1] of a run: less is shown alone
@@ -136,6 +141,8 @@ def fit_tables(comparison: Comparison) -> list[Table]:
 def state_figure(comparison: Comparison, name: str) -> Figure:
     """One state of all runs over time, under a title that says how they differ."""
     figure = comparison.plot(name)
+    if name == "pitch" and comparison.pushed and len(comparison.logs) == 1:
+        _band(comparison, figure.axes[0])
     limits, note = _limits(comparison, name)
     if limits:
         figure.axes[0].set_ylim(*limits)
@@ -144,6 +151,15 @@ def state_figure(comparison: Comparison, name: str) -> Figure:
         figure.axes[0].set_xlim(*around)
         note = f"{note} Shown round the push; before and after the robot is near rest.".strip()
     return Figure(_claim(comparison, name), figure, note)
+
+
+def _band(comparison: Comparison, ax: Axes) -> None:
+    """The 5 % about zero in which pitch has to stay after the release."""
+    ((label, log),) = comparison.logs.items()
+    late = log.between(comparison.releases[label], math.inf)
+    limit = 0.05 * float(np.abs(late[f"{comparison.sources[label]}/pitch"]).max())
+    for side in (-limit, limit):
+        ax.hlines(side, late.t[0], late.t[-1], linestyle=":", linewidth=1, color=AXIS)
 
 
 def _around(comparison: Comparison) -> tuple[float, float] | None:
@@ -163,8 +179,12 @@ def _claim(comparison: Comparison, name: str) -> str:
             peaks = (f"{label} {abs(m.pitch_peak):.3g} rad" for label, m in comparison.metrics.items())
             return "Largest pitch: " + ", ".join(peaks)
         times = {label: numbers.settling_5 for label, numbers in comparison.metrics.items()}
+        if len(times) == 1:
+            (seconds,) = times.values()
+            after = f"{_settles(seconds)} after the release" if math.isfinite(seconds) else "not within the run"
+            return f"Pitch stays within 5 % of its peak from {after}".replace("from not", "not")
         settled = (f"{label} {_settles(s)}" for label, s in times.items())
-        return "After the push, pitch settles to 5 % in: " + ", ".join(settled)
+        return "Time after the release until pitch stays within 5 % of its peak: " + ", ".join(settled)
     words = name.replace("_", " ").capitalize()
     fits = (f"{label} {_percent(fits[name])}" for label, fits in comparison.fits.items())
     return f"{words}, fit to {comparison.reference}: " + ", ".join(fits) if comparison.fits else f"{words} of the run"

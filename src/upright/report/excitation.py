@@ -115,7 +115,9 @@ DRAWN = 0.95  # of the width before: parameters whose intervals shrink less are 
 
 
 def _title(plan: ExcitationPlan) -> str:
-    return f"A run of {plan.seconds:.3g} s halves the intervals of {_halved(plan)} parameters of {plan.robot}"
+    return (
+        f"A run of {plan.seconds:.3g} s at least halves the uncertainty of {_halved(plan)} parameters of {plan.robot}"
+    )
 
 
 def _halved(plan: ExcitationPlan) -> int:
@@ -133,7 +135,7 @@ def _widths(plan: ExcitationPlan) -> Figure:
     ax.plot(after, rows, "o", markersize=5, color=COLOURS[0], label="this run")
     ax.plot([p.dither / p.before for p in shown], rows, "x", color=COLOURS[1], label="a random signal")
     ax.axvline(VISIBLE, linestyle="--", linewidth=0.8, color=AXIS, label="half of the width")
-    title = f"What is left of each interval: at most half for {_halved(plan)} of {len(plan.predicted)} parameters"
+    title = f"Uncertainty after the run over that before: at most half for {_halved(plan)} of {len(plan.predicted)}"
     return Figure(title, legend(figure), "The random signal has the same energy and changes in every period.")
 
 

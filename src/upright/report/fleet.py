@@ -44,7 +44,10 @@ def _map(part: Any, direction: str) -> Figure:
     row, column = np.unravel_index(int(np.nanargmin(impulse)), impulse.shape)
     height, duration = float(part["height"].values[row]), float(part["duration"].values[column])
     title = f"Pushed {direction}, it survives {low:.3g} N s or more; least at the cross"
-    note = f"The cross: a push of {duration:.2g} s, {height:.3g} m above the axle."
+    note = (
+        f"The cross: a push of {duration:.2g} s, {height:.3g} m above the axle: about {low / duration:.2g} N "
+        "all that time."
+    )
     note += " The lightest colour includes all larger impulses." if float(np.nanmax(impulse)) > high else ""
     apart = float(part["island"].values.mean())
     if apart:
@@ -89,12 +92,19 @@ def basin_figure(data: Dataset) -> Figure:
     across, up = (str(name) for name in data["recovered"].dims)
     names = [f"{name.replace('_', ' ')} [{data[name].attrs['unit']}]" for name in (across, up)]
     family = len(np.unique(recovered)) > 2
-    title = "States from which the robot recovers"
+    low, high = rest_range(data)
+    unit = data[across].attrs["unit"]
+    ends = f" from {cell_text(low, 2)} to {cell_text(high, 2)} {unit}"
+    ends += f" ({cell_text(math.degrees(low), 2)}° to {cell_text(math.degrees(high), 2)}°)" if unit == "rad" else ""
+    title = f"Released with {up.replace('_', ' ')} zero, it recovers{ends}"
+    title = title if math.isfinite(low) else "States from which the robot recovers"
     drawing = colour_map(
         data[across].values, data[up].values, recovered, x_label=names[0], y_label=names[1],
         label="recovers [1]" if family else "", names=() if family else ("falls", "recovers"),
         levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0],
     )  # fmt: skip
+    if math.isfinite(low):
+        drawing.axes[0].plot([low, high], [0, 0], "w|-", linewidth=1.5, markersize=10)
     apart = float(data["island"].values.mean())
     note = f"{100 * apart:.2g} % of these states are islands: from states between them and rest the robot falls."
     return Figure(title + (", mean over the robots drawn" if family else ""), drawing, note if apart else "")
@@ -142,7 +152,7 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
     few = np.linspace(0, len(x) - 1, min(len(x), DOTS)).astype(int)
     ax.plot(x[few], y[few], ".", markersize=3)
     how = "grows" if size > 0 else "shrinks"
-    dots = "each dot is a robot" if len(few) == len(x) else f"{len(few)} of the {len(x)} robots that stood"
+    dots = "each dot is a robot" if len(few) == len(x) else f"a dot is a robot, {len(few)} of {len(x)} are drawn"
     return Figure(f"{_words(data, outcome)} {how} with {name.replace('_', ' ')}: {dots}", figure)
 
 

@@ -51,10 +51,10 @@ def _title(compared: MethodComparison) -> str:
     if len(compared.models) < 2 or not compared.trials:
         return f"{name}: unstable pole {_between(compared)}"
     if not ranked:
-        return f"No model's regulator holds {name}"
+        return f"No identified model gives a regulator that holds {name}"
     least = compared.trials[ranked[0]].largest or 0.0
     alike = [method for method in ranked if (compared.trials[method].largest or 0.0) <= ALIKE * least]
-    return f"{name} is held best by a regulator from {' or '.join(alike)}"
+    return f"{name} is held best by the regulator designed on the model of {' or '.join(alike)}"
 
 
 ALIKE = 1.05  # times the least lean: the same to within what another seed changes
@@ -67,16 +67,22 @@ def _ranked(compared: MethodComparison) -> list[str]:
 
 
 def _pole_figure(compared: MethodComparison) -> Figure:
-    title = "The unstable pole by each method, with its 95 % interval"
-    true = "" if math.isnan(compared.true_pole) else "The dashed line is the pole of the robot itself."
-    return Figure(title, compared.plot(), true)
+    if math.isnan(compared.true_pole):
+        return Figure("The unstable pole by each method, with its 95 % interval", compared.plot())
+    inside = [n for n, m in compared.models.items() if m.pole.low <= compared.true_pole <= m.pole.high]
+    title = f"The robot's unstable pole lies in the interval of {' and '.join(inside) or 'no method'}"
+    return Figure(title, compared.plot(), "The dashed line is the pole of the robot itself.")
 
 
 def _numbers(compared: MethodComparison) -> list[tuple[str, str]]:
     ranked = _ranked(compared)[:3]
     if len(compared.models) < 2 or not ranked:
         return [(f"{cell_text(m.pole.value, 3)} 1/s", f"unstable pole by {n}") for n, m in compared.models.items()][:3]
-    return [(f"{cell_text(compared.trials[n].largest, 3)} rad", f"largest pitch, model by {n}") for n in ranked]
+    leans = {n: compared.trials[n].largest or 0.0 for n in ranked}
+    return [
+        (f"{cell_text(math.degrees(lean), 3)}°", f"largest pitch after a release, model by {n}")
+        for n, lean in leans.items()
+    ]
 
 
 _POLES = (

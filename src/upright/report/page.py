@@ -166,6 +166,14 @@ def cell_text(cell: Cell, digits: int = 4) -> str:
     return (f"{mantissa} · {power_of_ten(int(power))}" if e else mantissa).replace("-", "−").replace("inf", "∞")
 
 
+def bound(text: str) -> str:
+    """Text in which no line breaks between a number and its unit."""
+    return _UNIT.sub(lambda match: match[0].replace(" ", "\u00a0"), text)
+
+
+_UNIT = re.compile(r"(?<=\d) (?:N s|N m|rad/s|rad|1/s|m/s|mm|ms|Hz|[NVsm]|%)(?![\w/])")
+
+
 def symbols(text: str) -> str:
     """Text as HTML: a letter with an index, such as J_ψ, gets a subscript, and a name in backticks is code."""
     parts = _CODE.split(escape(text))  # prose and code by turns
@@ -194,4 +202,5 @@ def _template() -> Template:
         loader=loader, autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
     environment.filters["symbols"] = symbols
+    environment.filters["bound"] = bound
     return environment.get_template("page.html")

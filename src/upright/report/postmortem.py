@@ -14,6 +14,7 @@ from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict
 from upright.tables import sentence
 
+CUT = 1.2  # of the largest command: a law may ask for much more
 SHOWN = 0.02
 """Less likely causes are only in the JSON."""
 
@@ -33,23 +34,25 @@ def page_of(result: PostMortem) -> Page:
         title, sections, _lead(result), facts, False, verdict=Verdict(result.verdict, level),
         picture=_figure(result) if drawn else None,
         numbers=[
-            (f"{100 * c.likelihood:.0f} %", f"likely: {c.name}") for c in result.causes[:3] if c.likelihood >= SHOWN
+            (f"{100 * c.likelihood:.0f} %", f"probability of: {c.name}")
+            for c in result.causes[:3]
+            if c.likelihood >= SHOWN
         ],
     )  # fmt: skip
 
 
 _READ = (
-    "Shaded: from the onset to the fall. Dashed in the first panel: 0.7 rad, which counts as the fall. The third panel "
-    "divides the lean by the largest one that the motors can recover from; dashed: the point of no return. NIS is the "
-    "mean normalised innovation squared over a tenth of a second. Without faults it stays between the dashed lines in "
-    "95 of 100 cases."
+    "Shaded: from the onset to the fall. Dashed in the first panel: 0.7 rad, which counts as the fall. The second "
+    "panel divides the lean by the largest one that the motors can recover from; dashed: the point of no return. NIS "
+    "is the mean normalised innovation squared over a tenth of a second. Without faults it stays between the dashed "
+    "lines in 95 of 100 cases."
 )
 
 
 def _lead(result: PostMortem) -> str:
     if not result.fell:
         return "The robot did not fall in this log."
-    return f"The lean passed 0.7 rad and did not come back, at t = {result.fell_at:.2f} s in the log's time."
+    return f"It fell at t = {result.fell_at:.2f} s of the log: the lean passed 0.7 rad (40°) and did not come back."
 
 
 def _words(result: PostMortem) -> list[Item]:
@@ -69,16 +72,16 @@ def _causes(result: PostMortem) -> Table:
 def _figure(result: PostMortem) -> Figure:
     s = result.series
     labels = [
-        "pitch [rad]", "command / largest command [1]", "lean / largest lean to recover from [1]",
+        "pitch [rad]", "lean / largest lean to recover from [1]", f"command / largest command, cut at {CUT:g} [1]",
         "NIS = squared innovation / expected [1]",
     ]  # fmt: skip
     figure, axes = panels(labels, height=1.35)
-    pitch, command, reach, nis = axes
+    pitch, reach, command, nis = axes
     line(pitch, "pitch", s.t, s.pitch, style=0, solid=True)
     for level in (-LEANING, LEANING):
         if np.nanmin(s.pitch) < level < np.nanmax(s.pitch):
             line(pitch, "_fall", s.t[[0, -1]], [level] * 2, style=5)
-    line(command, "command", s.t, s.command, step=True, style=1, solid=True)
+    line(command, "command", s.t, np.clip(s.command, -CUT, CUT), step=True, style=1, solid=True)
     line(reach, "lean", s.t, s.reserve, style=2, solid=True)
     line(reach, "_no return", s.t[[0, -1]], [1.0] * 2, style=5)
     nis.set_yscale("log")
@@ -93,7 +96,7 @@ def _figure(result: PostMortem) -> Figure:
         span(axes, max(result.onset, float(s.t[0])), result.fell_at, "_trouble")
     known = result.fell and math.isfinite(result.onset)
     title = (
-        f"It begins at {result.onset:.2f} s, and the lean passes 0.7 rad at {result.fell_at:.2f} s (shaded)"
+        f"The trouble begins at {result.onset:.2f} s, and the lean passes 0.7 rad at {result.fell_at:.2f} s (shaded)"
         if known
         else "The last seconds"
     )

@@ -53,9 +53,14 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
     if loops:
         least = min(loops, key=lambda c: c.r2)
         if least.r2 < 0 and least.breaks is not None:  # what the log does not hold, such as a push, ends the agreement
-            numbers.append((f"{least.breaks:.3g} s", f"when the free closed loop leaves the log: {short(least.name)}"))
+            numbers.append(
+                (
+                    f"{least.breaks:.3g} s",
+                    f"is how long a simulation without any reading follows the {short(least.name)}",
+                )
+            )
         else:
-            numbers.append((cell_text(least.r2, 3), f"R² of the free closed loop, {short(least.name)}"))
+            numbers.append((cell_text(least.r2, 3), f"R² of a simulation without any reading, {short(least.name)}"))
     shifts = [s for log in result.logs for s in log.shifts]
     if shifts:
         first = max(shifts, key=lambda s: s.explains)
