@@ -81,7 +81,8 @@ class Diagnosis(Shown):
         for ax, (title, names) in zip(axes, several.items(), strict=True):
             for style, name in enumerate(names):
                 side = name.rpartition("_")[2] if "_" in name else name.rpartition("/")[2]
-                line(ax, side, record.t, record[name], step=title == "commands", style=style, solid=True)
+                colour = style if side in ("left", "right") else 4
+                line(ax, side, record.t, record[name], step=title == "commands", style=colour, solid=True)
         for segment in self.segments:
             if segment.kind != BALANCING:
                 span(axes, segment.start, segment.stop, "not balancing")

@@ -97,9 +97,14 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
             (_settles(m.settling_5), "after the release, until pitch stays within 5 %"),
             (f"{m.wheel_travel:.3g} rad", "largest turn of the wheels"),
         ]
-    return [
-        ("fell" if m.fell else f"{abs(m.pitch_peak):.3g} rad", label if m.fell else f"{label}: largest pitch")
-        for label, m in list(comparison.metrics.items())[:3]
+    fits = [
+        (_percent(fit["pitch"]), f"fit of {label} to {comparison.reference}: pitch")
+        for label, fit in list(comparison.fits.items())[:1]
+        if math.isfinite(fit.get("pitch", math.nan))
+    ]
+    return fits + [
+        ("fell" if m.fell else f"{math.degrees(abs(m.pitch_peak)):.3g}°", label if m.fell else f"{label}: largest pitch")
+        for label, m in list(comparison.metrics.items())[: 3 - len(fits)]
     ]  # fmt: skip
 
 
