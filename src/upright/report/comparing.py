@@ -103,7 +103,7 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
         if math.isfinite(fit.get("pitch", math.nan))
     ]
     return fits + [
-        ("fell" if m.fell else f"{math.degrees(abs(m.pitch_peak)):.3g}°", label if m.fell else f"{label}: largest pitch")
+        (f"{math.degrees(abs(m.pitch_peak)):.3g}°", f"{label}: largest pitch") if not m.fell else ("fell", label)
         for label, m in list(comparison.metrics.items())[: 3 - len(fits)]
     ]  # fmt: skip
 
