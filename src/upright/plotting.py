@@ -178,16 +178,16 @@ def nyquist(response: ArrayLike, distance: float, reach: float = 3.0) -> Figure:
 
 
 @styled
-def bars(names: Sequence[str], values: ArrayLike, x_label: str, y_label: str) -> Figure:
-    """One bar for each name, with its number beside it; NaN has a dash and no bar."""
+def bars(names: Sequence[str], values: ArrayLike, x_label: str, y_label: str, *, limit: float = np.nan) -> Figure:
+    """One bar for each name, with its number beside it; NaN has a dash and no bar. A `limit` is a dashed line."""
     lengths = np.asarray(values, dtype=np.float64)
     figure, ax = rows_of(names, x_label, y_label)
     ax.barh(np.arange(len(names)), np.nan_to_num(lengths), height=0.6, color=COLOURS[0])
     for row, value in enumerate(lengths.tolist()):
         text = number(value, 3) if np.isfinite(value) else "–"
         ax.annotate(text, (value if np.isfinite(value) else 0.0, row), (4, 0), textcoords="offset points", va="center")
-    ax.set_xlim(0, 1.12 * (float(np.nanmax(lengths, initial=0.0)) or 1.0))
-    numbered(ax.xaxis)
+    ax.set_xlim(0, 1.12 * (float(np.nanmax([*lengths, limit, 0.0])) or 1.0))
+    ax.axvline(limit, linestyle="--", linewidth=1, color=AXIS)
     return figure
 
 
@@ -215,6 +215,7 @@ def rows_of(names: Sequence[str], x_label: str, y_label: str) -> tuple[Figure, A
     ax.set_xlabel(x_label, loc="right")
     ax.grid(visible=False, axis="y")
     ax.tick_params(axis="y", length=0)
+    numbered(ax.xaxis)
     _label_above(ax, -left + 0.02)
     return figure, ax
 
@@ -300,13 +301,9 @@ def numbered(*axes: Axis) -> None:
     """Numbers at the ticks in one style: 0.25, 1000, 2 · 10⁻⁷, and 0.1, 1, 10 on a logarithmic axis."""
     for axis in axes:
         logarithmic = axis.get_scale() == "log"
-        axis.set_major_formatter(FuncFormatter(_plain) if logarithmic else _Numbers())
+        axis.set_major_formatter(FuncFormatter(lambda value, _: number(value)) if logarithmic else _Numbers())
         if logarithmic:
             axis.set_minor_formatter(_Between(labelOnlyBase=False, minor_thresholds=(1.5, 0.5)))
-
-
-def _plain(value: float, _: object) -> str:
-    return number(value)
 
 
 class _Numbers(Formatter):

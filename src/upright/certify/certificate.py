@@ -155,20 +155,13 @@ class Certificate(Shown):
     def plot(self) -> Figure:
         """How many robots fell [%], or the travel [m] of 95 % of them where none did: a bar for every push at every
         battery, the worst first."""
-        from upright.plotting import AXIS, bars
+        from upright.plotting import bars
 
         fell = any(t.fell for t in self.trials)
-        sizes = {t: 100 * t.fell / t.runs if fell else t.travel for t in self.trials}
-        worst = sorted(sizes, key=lambda t: -sizes[t])
-        names = [f"{t.push}, {t.battery} battery" for t in worst]
-        figure = bars(names, [sizes[t] for t in worst], "robots that fell [%]" if fell else "travel [m]", "push")
-        if fell:
-            (ax,) = figure.axes
-            ax.set_xlim(0, max(ax.get_xlim()[1], 1.2 * 100 * MOST_FALLS))
-            ax.axvline(100 * MOST_FALLS, linestyle="--", linewidth=1, color=AXIS)
-            ax.annotate(f"limit {100 * MOST_FALLS:g} %", (100 * MOST_FALLS, len(names) - 0.5), (4, 0),
-                        textcoords="offset points", va="bottom")  # fmt: skip
-        return figure
+        each = {f"{t.push}, {t.battery} battery": 100 * t.fell / t.runs if fell else t.travel for t in self.trials}
+        worst = sorted(each, key=lambda name: -each[name])
+        label, limit = ("robots that fell [%]", 100 * MOST_FALLS) if fell else ("travel [m]", math.nan)
+        return bars(worst, [each[name] for name in worst], label, "push", limit=limit)
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is unlimited."""

@@ -109,7 +109,9 @@ def _pole_figure(poles: Complex, continuous: bool, count: str) -> Figure:
     numbered(ax.xaxis)
     ax.axvline(0, color=AXIS, linewidth=1)
     points(ax, "poles", poles.tolist())
-    for pole, times in Counter(complex(round(p.real, 6), round(p.imag, 6)) for p in poles.tolist()).items():
-        text = number(pole.real, 3) + (f" ({times} poles)" if times > 1 else "")
-        ax.annotate(text, (pole.real, pole.imag), (0, 9), textcoords="offset points", ha="center")
+    several = Counter(complex(round(p.real, 6), round(p.imag, 6)) for p in poles.tolist())
+    for place, pole in enumerate(sorted(several, key=lambda p: p.real)):
+        text = number(pole.real, 3) + (f" ({several[pole]} poles)" if several[pole] > 1 else "")
+        above = (0, -18) if place % 2 else (0, 9)  # neighbours do not overlap
+        ax.annotate(text, (pole.real, pole.imag), above, textcoords="offset points", ha="center")
     return Figure(f"{count}: right of the line" if "0 of" not in count else count, figure)
