@@ -206,12 +206,11 @@ def intervals(names: Sequence[str], values: ArrayLike, ends: ArrayLike, x_label:
 def rows_of(names: Sequence[str], x_label: str, y_label: str) -> tuple[Figure, Axes]:
     """An empty figure with one row for each name, the first on top."""
     left = min(2.6, 0.4 + 0.075 * max((len(name) for name in names), default=0))
-    height = 0.24 * max(len(names), 2)
-    total = HEAD + height + FOOT
+    total = HEAD + (height := 0.24 * max(len(names), 2)) + FOOT
     figure = _figure(WIDTH, total)
     ax = _axes(figure, (left / WIDTH, FOOT / total, (WIDTH - left - RIGHT) / WIDTH, height / total))
-    ax.set(yticks=range(len(names)), yticklabels=[name.replace("_", " ") for name in names], ylabel=y_label)
-    ax.set_ylim(len(names) - 0.4, -0.6)
+    ax.set(yticks=range(len(names)), yticklabels=[n.replace("_", " ") for n in names], ylabel=y_label)
+    ax.set(ylim=(len(names) - 0.4, -0.6))
     ax.set_xlabel(x_label, loc="right")
     ax.grid(visible=False, axis="y")
     ax.tick_params(axis="y", length=0)
@@ -301,9 +300,13 @@ def numbered(*axes: Axis) -> None:
     """Numbers at the ticks in one style: 0.25, 1000, 2 · 10⁻⁷, and 0.1, 1, 10 on a logarithmic axis."""
     for axis in axes:
         logarithmic = axis.get_scale() == "log"
-        axis.set_major_formatter(FuncFormatter(lambda value, _: number(value)) if logarithmic else _Numbers())
+        axis.set_major_formatter(FuncFormatter(_plain) if logarithmic else _Numbers())
         if logarithmic:
             axis.set_minor_formatter(_Between(labelOnlyBase=False, minor_thresholds=(1.5, 0.5)))
+
+
+def _plain(value: float, _: object) -> str:
+    return number(value)
 
 
 class _Numbers(Formatter):

@@ -161,10 +161,10 @@ def state_figure(comparison: Comparison, name: str) -> Figure:
 def _band(comparison: Comparison, ax: Axes) -> None:
     """The 5 % about zero in which pitch has to stay after the release."""
     ((label, log),) = comparison.logs.items()
-    late = log.between(comparison.releases[label], math.inf)
-    limit = 0.05 * float(np.abs(late[f"{comparison.sources[label]}/pitch"]).max())
+    released = log.between(comparison.releases[label], math.inf)
+    limit = 0.05 * float(np.abs(released[f"{comparison.sources[label]}/pitch"]).max())
     for side in (-limit, limit):
-        ax.hlines(side, late.t[0], late.t[-1], linestyle=":", linewidth=1, color=AXIS)
+        ax.hlines(side, released.t[0], released.t[-1], linestyle=":", linewidth=1, color=AXIS)
 
 
 def _around(comparison: Comparison) -> tuple[float, float] | None:
