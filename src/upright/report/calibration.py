@@ -116,8 +116,8 @@ def _lead(c: Calibration) -> str:
     rough = [name for name, part in ranked if part > ROUGH]
     zero = [e.name.replace("_", " ") for e in visible if e.low * e.high <= 0]
     parts = {"Known": known, "Known roughly": rough, "Zero or little": zero}
-    told = [f"{how}: {', '.join(names)}." for how, names in parts.items() if names]
-    return " ".join([*told, "Of the others the log says less than the robot's file."]) if told else (
+    sentences = [f"{how}: {', '.join(names)}." for how, names in parts.items() if names]
+    return " ".join([*sentences, "Of the others the log says less than the robot's file."]) if sentences else (
         f"{c.samples} samples say less of every parameter than the robot's file."
     )  # fmt: skip
 
