@@ -24,7 +24,7 @@ from upright.cli.main import main
 from upright.control import LinearController, make_controller, write_controller
 from upright.control.delay import RAW
 from upright.diagnose import PostMortem, post_mortem
-from upright.diagnose.causes import CANNOT_TELL, CAUSES, NO_FALL, NONE, SATURATION, SCALED
+from upright.diagnose.causes import CANNOT_TELL, CAUSES, DEAD, NO_FALL, NONE, SATURATION, SCALED
 from upright.diagnose.fall import stuck_sensor
 from upright.diagnose.fault_fits import fits
 from upright.diagnose.innovations import follow
@@ -297,3 +297,11 @@ def test_another_robot_is_no_sensor_of_another_scale(robot: str) -> None:
     fallen = post_mortem(example("fall"), robot)
     assert SCALED not in fallen.verdict
     assert fallen.onset == pytest.approx(5.0, abs=0.2)
+
+
+@pytest.mark.slow
+def test_a_robot_that_stands_for_seconds_has_motors() -> None:
+    """Planted: commands logged in another unit, three times as large in every row; the robot stood for 5 s."""
+    log = example("fall")
+    commands = {n: 3 * log[n] if n.startswith(("applied/", "command/")) else log[n] for n in log.channels}
+    assert DEAD not in post_mortem(Log(log.t, commands, log.units, log.origin)).verdict

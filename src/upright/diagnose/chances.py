@@ -21,8 +21,8 @@ LARGEST_OFFSET = {"step": 4.0, "ramp": 5.0}  # of a gyro [rad/s, rad/s²]: more 
 
 ALL = 0.97  # most of a reading that is too much where its sensor has another scale
 SURVIVED, SURVIVED_FOR = 4.0, 1.5
-"""A factor on the scale of a sensor with which no robot stands for longer than so many seconds: these loops bear a
-factor of two or three in a reading's gain."""
+"""A factor on the scale of a sensor with which no robot stands for longer than so many seconds, and as little without
+any torque: these loops bear a factor of two or three in a reading's gain."""
 REVERSE, REVERSE_WIDTH = 2.0, 0.3  # the same of a sensor that has another sign
 LIGHTEST, LARGEST_PAYLOAD = -1.1, 4.0  # over the body's mass: what it can lose, within the fit's errors, and gain
 STEEPEST = 0.6  # sine of a slope that robots meet
@@ -68,8 +68,10 @@ def enough(evidence: Evidence, fit: FaultFit, most: float) -> float:
 
 def possible(evidence: Evidence, fit: FaultFit) -> bool:
     """Whether a robot meets a fault of this size: larger ones are what others look like to a filter that is lost."""
+    stood = evidence.fell_at - fit.onset > SURVIVED_FOR
+    if fit.fault == "motor":
+        return not (stood and fit.way == "both")
     if fit.fault == "scale":
-        stood = evidence.fell_at - fit.onset > SURVIVED_FOR
         wild = not 1 - SURVIVED < fit.size < 1 - 1 / SURVIVED
         return (turned(fit) or fit.size < ALL) and not (stood and wild)
     if fit.fault == "payload":
