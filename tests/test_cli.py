@@ -425,7 +425,7 @@ def literal(node: ast.expr) -> str:
     return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else ""
 
 
-FILES_OF_THEIR_OWN = {"reproduce", "firmware", "fly", "monitor", "lab", "robots", "example", "film"}
+FILES_OF_THEIR_OWN = {"reproduce", "firmware", "fly", "monitor", "start", "lab", "robots", "example", "film"}
 """A folder with its page, a program, a log, a film, nothing."""
 
 
