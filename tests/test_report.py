@@ -136,7 +136,7 @@ def test_every_drawing_is_xml_with_a_title_a_description_and_units_on_both_axes(
 def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(comparison):
     html = page_of(comparison).html().replace("\u00a0", " ")
     assert sum(root.get("role") == "img" for root in drawings(html)) == len(STATE_NAMES) + 1
-    assert "Time after the release until pitch stays within 5 % of its peak: twin " in html
+    assert "Pitch settles to 5 % of its largest value in: twin " in html
     assert ">robot<" not in html
     assert "not results of a real robot" in html  # the note on twins
 

@@ -209,8 +209,8 @@ def rows_of(names: Sequence[str], x_label: str, y_label: str) -> tuple[Figure, A
     total = HEAD + (height := 0.24 * max(len(names), 2)) + FOOT
     figure = _figure(WIDTH, total)
     ax = _axes(figure, (left / WIDTH, FOOT / total, (WIDTH - left - RIGHT) / WIDTH, height / total))
-    ax.set(yticks=range(len(names)), yticklabels=[n.replace("_", " ") for n in names], ylabel=y_label)
-    ax.set(ylim=(len(names) - 0.4, -0.6))
+    texts = [name.replace("_", " ").replace("-0", "−0") for name in names]
+    ax.set(yticks=range(len(names)), yticklabels=texts, ylabel=y_label, ylim=(len(names) - 0.4, -0.6))
     ax.set_xlabel(x_label, loc="right")
     ax.grid(visible=False, axis="y")
     ax.tick_params(axis="y", length=0)

@@ -87,7 +87,7 @@ class Analysis(Shown):
         weakest = min((*self.inputs, *self.outputs), key=lambda m: m.delay)
         sentences = [
             self.both().words(),
-            f"A delay at {weakest.channel} alone may be {1e3 * weakest.delay:.3g} ms.",
+            f"With {1e3 * weakest.delay:.3g} ms more delay at the {weakest.channel} alone it becomes unstable.",
             f"Both motors, varied independently: gains between {low * 100:.0f} and {high * 100:.0f} %, "
             f"or phases up to {math.degrees(disk_phase(self.disk)):.0f}°.",
             f"Of {len(self.radii)} robots drawn from the spreads, {fell} are unstable.",

@@ -50,7 +50,7 @@ def _verdict(analysis: Analysis) -> Verdict:
     if not analysis.stable:
         return Verdict("unstable", "warn")
     near = 1 / analysis.both().Ms < CLOSE
-    return Verdict("stable, small margins", "info") if near else Verdict("stable", "good")
+    return Verdict("stable, small margins", "warn") if near else Verdict("stable", "good")
 
 
 def _weakest(analysis: Analysis) -> str:

@@ -46,8 +46,9 @@ def _title(c: Calibration) -> str:
     if c.refused:
         return f"The log does not describe {c.robot.name}"
     visible = sum(e.verdict == VISIBLE for e in c.parameters)
-    known = f"the log shows {visible} of {len(c.parameters)} parameters"
-    return f"{c.robot.name} predicts its log; {known}" if not c.check() else f"{c.robot.name}: {known}"
+    known = f"{visible} of {len(c.parameters)} parameters are known from it"
+    does = "follows its log only in part" if c.check() else "predicts its log"
+    return f"{c.robot.name} {does}; {known}"
 
 
 def _sentence(text: str) -> str:
@@ -117,9 +118,7 @@ def _lead(c: Calibration) -> str:
     zero = [e.name.replace("_", " ") for e in visible if e.low * e.high <= 0]
     parts = {"Known": known, "Known roughly": rough, "Zero or little": zero}
     sentences = [f"{how}: {', '.join(names)}." for how, names in parts.items() if names]
-    return " ".join([*sentences, "Of the others the log says less than the robot's file."]) if sentences else (
-        f"{c.samples} samples say less of every parameter than the robot's file."
-    )  # fmt: skip
+    return " ".join(sentences) or f"{c.samples} samples say less of every parameter than the robot's file."
 
 
 def _estimates(estimates: Sequence[Estimate]) -> Table:

@@ -10,7 +10,7 @@ import numpy as np
 from upright.doctor.doctor import Diagnosis
 from upright.parity.parity import Parity
 from upright.physics.linear import Complex, LinearModel
-from upright.plotting import AXIS, bars, number, numbered, panels, plane, points
+from upright.plotting import AXIS, bars, legend, number, numbered, panels, plane, points
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
@@ -38,7 +38,7 @@ def _diagnosis(result: Diagnosis) -> Page:
             Section("Findings", [Table(["severity", "channel", "evidence", "repair"], rows)]),
             Section("Columns of the log", [Table(["channel", "column"], columns)], folded=True),
         ],
-        f"{first.channel}: {first.evidence}." if first and not result.healthy else "",
+        f"{'' if faults else 'A note, which is no fault: '}{first.channel}: {first.evidence}." if first else "",
         {"mapping": result.mapping.name, "rows": str(result.rows)}, False,
         verdict=Verdict("healthy", "good") if result.healthy else Verdict("to repair", "warn"),
         picture=Figure(f"The readings of the log{poses and f'; the robot is {poses}'}", drawn) if drawn else None,
@@ -101,17 +101,18 @@ def _pole_figure(poles: Complex, continuous: bool, count: str) -> Figure:
     if not continuous:
         figure, ax = plane("real part [1]", "imaginary part [1]", circle=True)
         points(ax, "poles", poles.tolist())
-        return Figure(f"{count}: outside the circle" if "0 of" not in count else count, figure)
+        return Figure(f"{count}: outside the circle" if not count.startswith("0 ") else count, figure)
     figure, (ax,) = panels(["imaginary part [1/s]"], "real part [1/s], in powers of ten on both sides of zero")
     high = 1.5 * (float(np.abs(poles.imag).max()) or 1.0)
     reach = max(10.0, 3 * float(np.abs(poles.real).max()))
     ax.set(xscale="symlog", xlim=(-reach, reach), ylim=(-high, high))
     numbered(ax.xaxis)
     ax.axvline(0, color=AXIS, linewidth=1)
-    points(ax, "poles", poles.tolist())
+    points(ax, "stable", [p for p in poles.tolist() if p.real <= 1e-9], style=0)
+    points(ax, "unstable", [p for p in poles.tolist() if p.real > 1e-9], style=1)
     several = Counter(complex(round(p.real, 6), round(p.imag, 6)) for p in poles.tolist())
     for place, pole in enumerate(sorted(several, key=lambda p: p.real)):
         text = number(pole.real, 3) + (f" ({several[pole]} poles)" if several[pole] > 1 else "")
         above = (0, -18) if place % 2 else (0, 9)  # neighbours do not overlap
         ax.annotate(text, (pole.real, pole.imag), above, textcoords="offset points", ha="center")
-    return Figure(f"{count}: right of the line" if "0 of" not in count else count, figure)
+    return Figure(f"{count}: right of the line" if not count.startswith("0 ") else count, legend(figure))

@@ -94,7 +94,7 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
         (m,) = comparison.metrics.values()
         return [
             (f"{abs(m.pitch_peak):.3g} rad", f"largest pitch: {math.degrees(abs(m.pitch_peak)):.2g}°"),
-            (_settles(m.settling_5), "after the release, until pitch stays within 5 %"),
+            (_settles(m.settling_5), "after the release, until pitch stays within 5 % of its largest value"),
             (f"{m.wheel_travel:.3g} rad", "largest turn of the wheels"),
         ]
     fits = [
@@ -186,10 +186,10 @@ def _claim(comparison: Comparison, name: str) -> str:
         times = {label: numbers.settling_5 for label, numbers in comparison.metrics.items()}
         if len(times) == 1:
             (seconds,) = times.values()
-            after = f"{_settles(seconds)} after the release" if math.isfinite(seconds) else "not within the run"
-            return f"Pitch stays within 5 % of its peak from {after}".replace("from not", "not")
+            when = f"{_settles(seconds)} after the release" if math.isfinite(seconds) else "not within the run"
+            return f"Pitch settles to 5 % of its largest value (dotted) {when}"
         settled = (f"{label} {_settles(s)}" for label, s in times.items())
-        return "Time after the release until pitch stays within 5 % of its peak: " + ", ".join(settled)
+        return "Pitch settles to 5 % of its largest value in: " + ", ".join(settled)
     words = name.replace("_", " ").capitalize()
     fits = (f"{label} {_percent(fits[name])}" for label, fits in comparison.fits.items())
     return f"{words}, fit to {comparison.reference}: " + ", ".join(fits) if comparison.fits else f"{words} of the run"

@@ -55,13 +55,9 @@ _TRIED = (
 
 def _lead(plan: ExcitationPlan) -> str:
     halved = sorted((p for p in plan.predicted if p.after < VISIBLE * p.before), key=lambda p: p.after / p.before)
-    names = [re.sub(r"(\w+)/(\w+)", r"\1 of \2", p.name).replace("_", " ") for p in halved]
-    more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
-    return (
-        f"{sentence(plan.way, '')} under {plan.controller} tells most of "
-        f"{', '.join(names[:MOST_NAMED]) or 'no parameter'}{more}. "
-        f"The probability of a fall is below {100 * plan.checked.bound:.2g} %."
-    )
+    name = re.sub(r"(\w+)/(\w+)", r"\1 of \2", halved[0].name).replace("_", " ") if halved else ""
+    best = f"{sentence(plan.way, '')}, added under {plan.controller}, shows most of {name}. " if halved else ""
+    return f"{best}The probability of a fall is below {100 * plan.checked.bound:.2g} %."
 
 
 def _over_time(plan: ExcitationPlan) -> Figure:
@@ -110,7 +106,6 @@ def _energy(plan: ExcitationPlan) -> str:
     return f"Energy: {plan.energy:.3g} {unit} at the motors in closed loop, {plan.added:.3g} of the excitation"
 
 
-MOST_NAMED = 5
 DRAWN = 0.95  # of the width before: parameters whose intervals shrink less are not drawn
 
 

@@ -56,7 +56,8 @@ def _map(part: Any, direction: str) -> Figure:
         part["duration"].values, part["height"].values, impulse.T, x_label="duration of the push [s]",
         y_label="height above the axle [m]", label="impulse [N s]", levels=_levels(low, high), smooth=True,
     )  # fmt: skip
-    drawing.axes[0].plot(duration, height, "x", color="white", markersize=9, markeredgewidth=2, clip_on=False)
+    for colour, width in (("black", 4), ("white", 2)):  # seen on every colour, and beyond the edge
+        drawing.axes[0].plot(duration, height, "x", color=colour, markersize=9, markeredgewidth=width, clip_on=False)
     return Figure(title, drawing, note)
 
 
@@ -104,7 +105,8 @@ def basin_figure(data: Dataset) -> Figure:
         levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0],
     )  # fmt: skip
     if math.isfinite(low):
-        drawing.axes[0].plot([low, high], [0, 0], "w|-", linewidth=1.5, markersize=10)
+        drawing.axes[0].plot([low, high], [0, 0], "k|-", linewidth=2, markersize=12)
+    drawing.axes[0].locator_params(axis="x", nbins=5)
     apart = float(data["island"].values.mean())
     note = f"{100 * apart:.2g} % of these states are islands: from states between them and rest the robot falls."
     return Figure(title + (", mean over the robots drawn" if family else ""), drawing, note if apart else "")
@@ -247,7 +249,10 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     lead = f"{_differ(data, robot)}, {_done(pushes)}."
     numbers = [
         (f"{number(100 * chance.value, 3)} %", "of the robots fell"),
-        (f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %", "95 % interval of that"),
+        (
+            f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %",
+            "fall among all such robots, with 95 % confidence",
+        ),
     ]
     outcomes = [*(["fell"] if some else []), *names[:1]]
     causes = [figure for name in outcomes for figure in (over_strongest(data, name), influence(data, name)) if figure]

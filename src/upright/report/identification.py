@@ -54,7 +54,9 @@ def _title(compared: MethodComparison) -> str:
         return f"No identified model gives a regulator that holds {name}"
     least = compared.trials[ranked[0]].largest or 0.0
     alike = [method for method in ranked if (compared.trials[method].largest or 0.0) <= ALIKE * least]
-    return f"{name} is held best by the regulator designed on the model of {' or '.join(alike)}"
+    failing = len(compared.trials) - len(ranked)
+    lost = f"; {failing} of {len(compared.trials)} do not hold it" if failing else ""
+    return f"Best models for a regulator of {name}: {', '.join(alike)}{lost}"
 
 
 ALIKE = 1.05  # times the least lean: the same to within what another seed changes
@@ -70,8 +72,9 @@ def _pole_figure(compared: MethodComparison) -> Figure:
     if math.isnan(compared.true_pole):
         return Figure("The unstable pole by each method, with its 95 % interval", compared.plot())
     inside = [n for n, m in compared.models.items() if m.pole.low <= compared.true_pole <= m.pole.high]
-    title = f"The robot's unstable pole lies in the interval of {' and '.join(inside) or 'no method'}"
-    return Figure(title, compared.plot(), "The dashed line is the pole of the robot itself.")
+    missed = [n for n in compared.models if n not in inside]
+    title = f"The unstable pole is found by {', '.join(inside) or 'no method'}"
+    return Figure(title + (f", and missed by {', '.join(missed)}" if missed else ""), compared.plot())
 
 
 def _numbers(compared: MethodComparison) -> list[tuple[str, str]]:
@@ -103,8 +106,7 @@ def _lead(compared: MethodComparison) -> str:
         if holding
         else "No model's regulator holds the robot"
     )
-    true = "" if math.isnan(compared.true_pole) else f"; without one it falls at {compared.true_pole:.3g} 1/s"
-    return f"{result}{true}. All methods used the same samples."
+    return f"{result}. All methods used the same samples."
 
 
 def _lead_of_loop(compared: MethodComparison) -> str:

@@ -52,7 +52,9 @@ _READ = (
 def _lead(result: PostMortem) -> str:
     if not result.fell:
         return "The robot did not fall in this log."
-    return f"It fell at t = {result.fell_at:.2f} s of the log: the lean passed 0.7 rad (40°) and did not come back."
+    text = f"It fell at t = {result.fell_at:.2f} s of the log: the lean passed 0.7 rad (40°)."
+    best = result.causes[0].evidence if result.causes else ""
+    return f"{text} {sentence(best.split('; ')[0].split('. ')[0])}" if best else text
 
 
 def _words(result: PostMortem) -> list[Item]:

@@ -38,10 +38,11 @@ def page_of(result: Validation) -> Page:
     sections = [section for log in result.logs for section in _sections(log, len(result.logs) > 1)]
     of = " of" if result.verdict == JUDGED else ""
     title = f"{result.robot} {result.verdict}{of} {'a log' if len(result.logs) == 1 else f'{len(result.logs)} logs'}"
-    title += f" of {sum(log.samples for log in result.logs)} samples"
+    title += f" of {sum(log.samples for log in result.logs)} samples: R² {cell_text(worst.worst.r2, 3)} or more"
     lowest = f"Measured and predicted for half a second at a time: R² is {cell_text(worst.worst.r2, 3)} or more"
+    lead = "" if result.verdict == PREDICTS else f"{result.sentence}."
     return Page(
-        title, sections, result.sentence + ".", {"kit": result.kit, "logs": ", ".join(x.source for x in result.logs)},
+        title, sections, lead, {"kit": result.kit, "logs": ", ".join(x.source for x in result.logs)},
         False, verdict=verdict, picture=Figure(lowest, half_second_figure(worst)), numbers=_numbers(result),
     )  # fmt: skip
 
@@ -56,7 +57,7 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
             numbers.append(
                 (
                     f"{least.breaks:.3g} s",
-                    f"is how long a simulation without any reading follows the {short(least.name)}",
+                    f"of the log are followed by a simulation without any reading ({short(least.name)})",
                 )
             )
         else:
