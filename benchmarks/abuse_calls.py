@@ -66,10 +66,11 @@ BASES = {
     "bench-controllers": "", "calibrate": "run.csv", "excite": "-n 100 -s 2", "parity": "program.py controller.json",
     "fly": "program.py controller.json -y -s 5", "reproduce": "", "lab": "--no-browser",
     "validate": "nxtway-gs run.csv", "example": "standing", "film": "run.csv -r nxtway-gs -o f.gif --width 160",
+    "grade": "folder --workers 1", "tune": "lqr --budget 8 -n 20 -s 1", "start": "study -n 100",
 }  # fmt: skip
 """What is right in a call of each command, and quick."""
 
-SLOW = {"bench-controllers", "calibrate", "excite", "parity", "fly", "reproduce", "lab"}
+SLOW = {"bench-controllers", "calibrate", "excite", "parity", "fly", "reproduce", "lab", "tune", "start"}
 """Commands that take long by themselves: they get only values that can be nowhere right."""
 
 WRONG = (
@@ -176,7 +177,7 @@ def named(path: str, call: Call) -> bool:
         Path(path).stem in stems
         or Path(path).name in stems
         or folder in stems
-        or call.command in ("sweep", "reproduce")
+        or call.command in ("sweep", "reproduce", "start")
     )
 
 
