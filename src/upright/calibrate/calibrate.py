@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 import os
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from functools import partial
@@ -35,11 +35,11 @@ from upright.logs.pace import pace_of
 from upright.logs.raw import LogSource, raw_log
 from upright.logs.recording import SENSOR, Recording, commanded, first_noise, head, record
 from upright.physics.dynamics import motor_gain
+from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
 
 Array = NDArray[np.float64]
-Progress = Callable[[float], None]
 
 
 class Fitted(NamedTuple):
@@ -113,7 +113,7 @@ def calibrate(
     from upright.calibrate.summary import summarised
 
     began = time.perf_counter()
-    show = progress or _unwatched
+    show = progress or unwatched
     several = [raw_log(log, mapping) for log in ([logs] if isinstance(logs, Log | str | os.PathLike) else logs)]
     nominal = find_robot(robot)
     parts = find_kit(kit or nominal.kit)
@@ -133,10 +133,6 @@ def calibrate(
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
     notes = [str(pace) + "." for pace in map(pace_of, several) if pace and not pace.kept]
     return replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
-
-
-def _unwatched(fraction: float) -> None:
-    """Show nothing of the `fraction` done."""
 
 
 def prepared(

@@ -8,7 +8,7 @@ of a fall is bounded from above by Clopper and Pearson (1934).
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -30,6 +30,7 @@ from upright.errors import InvalidController, InvalidLog, InvalidScenario, SpecM
 from upright.fleet.binomial import upper_bound
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
+from upright.progress import Progress
 from upright.reading import check_types, read_json, understood
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.facts import Facts, differences, kit_facts, robot_facts
@@ -208,7 +209,7 @@ def certify(
     log: LogSource | None = None,
     mapping: Columns | str | None = None,
     posterior: Uncertainty | str | Path | None = None,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress | None = None,
 ) -> Certificate:
     """The certificate of `controller` for `robot` with `kit`, over `robots` or `samples` draws.
 
@@ -244,12 +245,11 @@ def certify(
     compared, shown = (agreement(recording, course), supported(recording, course)) if recording else ((), ())
     light, reasons = judge(len(family), count, linear, runs, period, compared, shown)
     who = identity(design)
-    swept = [f(course) if sweeps else () for f in (delayed, slower)]
     return Certificate(
         light=light, reasons=reasons, bound=upper_bound(count, len(family), CONFIDENCE), robot=nominal.name,
-        kit=parts.name, controller=design.spec.kind, hash=who.hash, period=period, seed=seed,
-        samples=len(family), fell=count, linear=linear, trials=runs, delayed=swept[0], slower=swept[1],
-        agreement=compared, support=shown, subject=subject, asked=who.asked, response=who.response,
+        kit=parts.name, controller=design.spec.kind, hash=who.hash, period=period, seed=seed, samples=len(family),
+        fell=count, linear=linear, trials=runs, agreement=compared, support=shown, subject=subject, asked=who.asked,
+        delayed=delayed(course) if sweeps else (), slower=slower(course) if sweeps else (), response=who.response,
     )  # fmt: skip
 
 

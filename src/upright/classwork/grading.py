@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import asdict, dataclass, replace
@@ -18,6 +18,7 @@ from upright.errors import InvalidLog, UprightError
 from upright.lab.handin import HandIn, RunResult, read_hand_in
 from upright.lab.rerun import rerun
 from upright.lab.seat import TookTooLong, within
+from upright.progress import Progress, unwatched
 from upright.reading import limit_memory
 from upright.tables import Listing, Shown
 
@@ -40,8 +41,6 @@ MOST_FILES = 5000
 TOLERANCE = {"seconds": (0.25, 0.0), "peak": (0.01, 0.05), "travel": (0.02, 0.05), "best": (0.003, 0.02)}
 """Largest difference between two machines: absolute [s, rad, m, N s], and as a fraction. They differ in the last bit of
 a reading, and a reading in one step of an encoder (0.017 rad of a wheel); a fall is passed through within 0.25 s."""
-
-Progress = Callable[[float], None]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -119,7 +118,7 @@ class Grades(Shown):
         )  # fmt: skip
 
 
-def grade(folder: str | Path, *, workers: int = 0, progress: Progress = lambda fraction: None) -> Grades:  # noqa: ARG005
+def grade(folder: str | Path, *, workers: int = 0, progress: Progress = unwatched) -> Grades:
     """Run every hand-in (.json) of a folder again, in `workers` processes (0: one for each processor).
 
     A hand-in is ok where its run comes out as claimed, by outcome and `TOLERANCE`, and reaches its task's goal. Nothing

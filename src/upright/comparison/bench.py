@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +17,7 @@ from upright.control import CONTROLLERS, Controller, make_controller
 from upright.errors import UprightError
 from upright.experiment import Hold, Impulse, outcome_of, run
 from upright.fleet.push_map import CEILING, FLOOR, largest
+from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import draw
 from upright.signals import Log
@@ -139,7 +140,7 @@ def bench_controllers(
     *,
     seed: int = 1,
     methods: Sequence[str] = (),
-    progress: Callable[[float], None] = lambda _fraction: None,
+    progress: Progress = unwatched,
     knocks: bool = True,
 ) -> Bench:
     """Each of `methods` (none: all registered ones that are `benched`) on the sensors of `kit` through both pushes of

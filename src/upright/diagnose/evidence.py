@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any
@@ -35,6 +35,7 @@ from upright.errors import SpecMismatch, UprightError
 from upright.logs.recording import FEWEST
 from upright.physics.dynamics import motor_damping, motor_gain
 from upright.physics.linear import linearise
+from upright.progress import Progress
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -176,7 +177,7 @@ def _pushes_only(several: Sequence[FaultFit]) -> FaultFit:
 
 
 def gather(
-    log: Log, robot: Robot, kit: Kit, controller: Controller | None, show: Callable[[float], None]
+    log: Log, robot: Robot, kit: Kit, controller: Controller | None, show: Progress
 ) -> tuple[FilterRun, Evidence | None]:
     """The filter along a log, and all evidence of its fall; None where it did not fall."""
     run = follow(log, robot, kit)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
@@ -29,6 +29,7 @@ from upright.errors import InvalidLog, InvalidRobot
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import RATES, LogSource, raw_log
 from upright.logs.recording import FEWEST
+from upright.progress import Progress, unwatched
 from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot, kit_names, preset_names
 from upright.signals import Log
 from upright.tables import Shown
@@ -118,7 +119,7 @@ def post_mortem(
     controller: Controller | str | Path | None = None,
     *,
     mapping: Columns | str | None = None,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress | None = None,
 ) -> PostMortem:
     """Why the robot of this log fell.
 
@@ -144,7 +145,7 @@ def post_mortem(
     if short is not None and short.verdict != CANNOT_TELL:
         return short
     try:
-        run, evidence = gather(log, nominal, parts, controller, progress or (lambda _: None))
+        run, evidence = gather(log, nominal, parts, controller, progress or unwatched)
     except InvalidLog:
         if short is None:
             raise

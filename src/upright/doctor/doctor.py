@@ -21,6 +21,7 @@ from upright.doctor.fixes import repaired
 from upright.errors import InvalidLog
 from upright.logs.mapping import Mapping, Source, channels_of, find_mapping, propose
 from upright.logs.readers import RawTable, read_table, table_of
+from upright.progress import Progress, unwatched
 from upright.robots import Robot, find_robot
 from upright.signals import Log
 from upright.tables import Shown
@@ -142,16 +143,12 @@ def _poses(several: Sequence[Segment]) -> str:
     return "poses: " + "; ".join(map(str, several[:MOST_POSES])) + more if several else ""
 
 
-def _silent(fraction: float) -> None:
-    """Progress that is not shown."""
-
-
 def doctor(
     source: str | Path | RawTable | Log,
     robot: Robot | str | Path | None = None,
     *,
     mapping: Mapping | str | Path | None = None,
-    progress: Callable[[float], None] = _silent,
+    progress: Progress = unwatched,
 ) -> Diagnosis:
     """Examine a log, a table or the file of any program: units, signs, sides, time, delays, saturation, bias, falls.
 
@@ -244,7 +241,7 @@ _STAGE_OF = {
 """Order of the repairs. Those that change the rows come last, so that the times in the others stay valid."""
 
 
-def _examine(raw: Record, robot: Robot | None, progress: Callable[[float], None]) -> tuple[list[Finding], Record]:
+def _examine(raw: Record, robot: Robot | None, progress: Progress) -> tuple[list[Finding], Record]:
     """All findings, and the record with its repairs and poses, before anything is cut from it.
 
     The poses are read again after every repair, since those before it are of a gyro that may be in another unit.

@@ -17,7 +17,8 @@ from upright.control import Controller, find_controller
 from upright.errors import InvalidScenario, check_within
 from upright.excite.loop import ExcitedLoop
 from upright.excite.plan import ExcitationPlan, Limits
-from upright.excite.search import Progress, Search
+from upright.excite.search import Search
+from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Family, Uncertainty, at_medians
 
@@ -55,7 +56,7 @@ def excite(
     """
     if not 1 <= enough < math.inf:
         raise InvalidScenario(f"enough is {enough:g}", expected="1 or a little more")
-    show = progress or _unwatched
+    show = progress or unwatched
     nominal, unknown = at_medians(find_robot(robot), posterior)
     parts = find_kit(kit or nominal.kit)
     holding = find_controller(controller or "lqg", nominal, parts, parts.period)
@@ -71,7 +72,3 @@ def excite(
     excitation, checked = design.settled(way)
     show(0.95)
     return design.plan(way, tried, excitation, checked)
-
-
-def _unwatched(fraction: float) -> None:
-    """Show nothing of the `fraction` done."""

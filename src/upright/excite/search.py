@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -17,12 +17,12 @@ from upright.excite.loop import APPLIED, ExcitedLoop, stacked
 from upright.excite.plan import Checked, ExcitationPlan, Limits, Predicted, Tried
 from upright.excite.signals import mixture, signals
 from upright.kernel.batch import NAMES, FleetResult, parameters_of
+from upright.progress import Progress
 from upright.robots import PARAMETERS
 from upright.robots.uncertainty import Family
 from upright.signals import Log
 
 Array = NDArray[np.float64]
-Progress = Callable[[float], None]
 
 MARGIN = 1.1
 """The plan is checked so much larger than it is: a real motor may be stronger, a floor smoother than the model's."""

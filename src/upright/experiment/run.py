@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
@@ -15,6 +15,7 @@ from upright.experiment.loop import Stepper
 from upright.experiment.pushes import PushProgramme, combined
 from upright.experiment.references import Reference, total
 from upright.physics.dynamics import Disturbance
+from upright.progress import Progress
 from upright.signals import Log
 
 MAX_SECONDS = 24 * 3600.0
@@ -29,7 +30,7 @@ def run(
     seconds: float = 10.0,
     seed: int = 0,
     start: Sequence[float] = REST,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress | None = None,
     certificate: Permit | None = None,
     anyway: bool = False,
 ) -> Log:

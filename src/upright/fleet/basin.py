@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 
 from upright.errors import InvalidScenario, UnknownName, check_within
 from upright.fleet.ensemble import Ensemble
+from upright.progress import Progress
 from upright.signals import STATE_NAMES
 from upright.signals.signal import STATE
 
@@ -55,7 +55,7 @@ def basin(
     *,
     samples: int = 1,
     threads: int | None = None,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress | None = None,
 ) -> Dataset:
     """The fraction of `samples` robots that stand `ensemble.seconds` after a start at each point of the two axes.
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from os import PathLike
 from typing import TYPE_CHECKING, Any
@@ -16,6 +15,7 @@ from upright.fleet.ensemble import Ensemble
 from upright.fleet.results import OUTCOMES, Summary, labelled, summarise
 from upright.fleet.sweep import electronics, find_controller
 from upright.fleet.vary import Vary, varied
+from upright.progress import Progress
 from upright.robots import Kit, Robot, find_robot
 from upright.robots.uncertainty import Family, Uncertainty, at_medians
 from upright.tables import Shown
@@ -95,7 +95,7 @@ def fleet(
     n: int = 10000,
     *,
     threads: int | None = None,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress | None = None,
     **choices: Any,
 ) -> Fleet:
     """Simulate `n` robots of an ensemble, or of the one that `ensemble_of` makes of a robot and `choices`.

@@ -24,6 +24,7 @@ from upright.experiment.run import MAX_SECONDS
 from upright.fleet.ensemble import Ensemble
 from upright.fleet.fleet import ensemble_of
 from upright.kernel.batch import FleetBatch
+from upright.progress import Progress, unwatched
 from upright.robots import Robot
 
 if TYPE_CHECKING:
@@ -143,7 +144,7 @@ def push_map(
     watch: float = 5.0,
     glance: float = 1.0,
     threads: int | None = None,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress | None = None,
     **choices: Any,
 ) -> Dataset:
     """The nominal robot's largest survived impulse [N s] at every point of `grid` (None: 64 heights up to the body's,
@@ -166,7 +167,7 @@ def push_map(
     if grid is None:
         heights = np.linspace(0.0, ensemble.family.robot.body_height, 64)
         grid = PushGrid(heights=heights, durations=np.linspace(0.01, 0.5, 64))
-    show = progress or _silent
+    show = progress or unwatched
     search = _Search(ensemble, tolerance, watch, glance, threads)
     last, capped = search.nominal(grid)
     first = search.first(grid, last)
@@ -214,7 +215,7 @@ class _Search:
 
         return first_border(stands, last.reshape(-1), self.floor, self.tolerance).reshape(grid.shape)
 
-    def sampled(self, grid: PushGrid, nominal: Array, samples: int, show: Callable[[float], None]) -> Array:
+    def sampled(self, grid: PushGrid, nominal: Array, samples: int, show: Progress) -> Array:
         """Impulses (samples, *grid.shape) of robots 0 to `samples` − 1 of the family."""
         count = math.prod(grid.shape)
         impulses = np.empty((samples, count))
@@ -325,7 +326,3 @@ def _labelled(
     settings |= {"nodes": {"height": small.heights.tolist(), "duration": small.durations.tolist()}}
     origin = ensemble.origin() | {"push_map": settings}
     return xr.Dataset(variables, coords, {"origin": json.dumps(origin, ensure_ascii=False)})
-
-
-def _silent(fraction: float) -> None:
-    """Show nothing of the `fraction` done."""

@@ -14,11 +14,12 @@ from upright.experiment.pushes import PushProgramme
 from upright.firmware.generate import head
 from upright.firmware.program_file import ProgramFile, read_program, read_text
 from upright.firmware.wiring import nxt_wiring
-from upright.flight.flight import Flight, Progress
+from upright.flight.flight import Flight
 from upright.flight.fly_hub import fetch_hub, fly_hub
 from upright.flight.fly_nxt import fetch_nxt, fly_nxt
 from upright.flight.follow import VIRTUAL
 from upright.links.hub import AIR
+from upright.progress import Progress
 from upright.robots import Kit, Robot, find_kit, find_robot
 
 MOST_SECONDS = 600.0  # [s] of a flight

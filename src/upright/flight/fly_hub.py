@@ -13,10 +13,11 @@ from typing import Any
 
 from upright.compiled.program import Program
 from upright.errors import InvalidLog
-from upright.flight.flight import INTERRUPTED, STOPS, Clock, Flight, FlightRefused, MotorsMayRun, Progress, may_run
+from upright.flight.flight import INTERRUPTED, STOPS, Clock, Flight, FlightRefused, MotorsMayRun, may_run
 from upright.flight.program_logs import HUB, is_signed, read_lines, read_telemetry
 from upright.interrupts import SIGNALS
 from upright.links.hub import PATIENCE, HubLink, HubLost, HubRefused, Peripheral, linked
+from upright.progress import Progress
 
 POLL = 0.05  # [s] between two looks at the hub
 DUMP = 60.0  # [s] for the log to come: 500 lines of 70 bytes over Bluetooth take 10 to 20 s

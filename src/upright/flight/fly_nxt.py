@@ -11,10 +11,11 @@ from upright.compiled.program import Program
 from upright.errors import InvalidLog, UprightError
 from upright.firmware.generate import NXT_LOG
 from upright.firmware.wiring import nxt_wiring
-from upright.flight.flight import INTERRUPTED, STOPS, Clock, Flight, FlightRefused, MotorsMayRun, Progress, may_run
+from upright.flight.flight import INTERRUPTED, STOPS, Clock, Flight, FlightRefused, MotorsMayRun, may_run
 from upright.flight.program_logs import BRICK, BRICK_ROW, read_brick_log
 from upright.links.brick import GYRO_KIND, PATIENCE, REST, BrickLost, BrickRefused, Connection
 from upright.parity.execute_nxc import compile_nxc
+from upright.progress import Progress
 
 FIRMWARE = ([1, 28], [1, 29], [1, 31], [1, 32])
 """Versions that run what nbc makes for 1.28."""

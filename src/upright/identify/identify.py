@@ -18,10 +18,11 @@ from upright.identify.methods import IDENTIFIERS, find_identifier
 from upright.identify.order import OrderChoice
 from upright.identify.prediction import prediction_fits
 from upright.identify.samples import Samples, samples
-from upright.identify.study import Progress, Study
+from upright.identify.study import Study
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
 from upright.physics.linear import unstable_pole
+from upright.progress import Progress
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
 from upright.tables import Shown

@@ -25,7 +25,6 @@ from upright.identify.samples import Part, Samples
 from upright.physics.linear import LinearModel
 
 Array = NDArray[np.float64]
-Progress = Callable[[float], None]
 PartFit = Callable[[Part, "Study"], LinearModel]
 
 NORMAL = 1.96  # deviations either side that hold 95 % of a normal distribution

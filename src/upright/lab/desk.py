@@ -13,12 +13,12 @@ import sys
 import threading
 import time
 import warnings
-from collections.abc import Callable
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, Protocol
 
 from upright.errors import UprightError
+from upright.progress import Progress, unwatched
 from upright.reading import limit_memory
 
 Key = tuple[str, str]
@@ -57,7 +57,7 @@ class InlineDesk:
     def poll(self) -> list[Word]:
         """Do all that was submitted, and say what came of it."""
         asked, self._asked = self._asked, []
-        return [(key, *_done(task, args, _unwatched)) for key, task, args in asked]
+        return [(key, *_done(task, args, unwatched)) for key, task, args in asked]
 
 
 class ProcessDesk:
@@ -199,10 +199,6 @@ class _Clerk:
         self._pipe.close()
 
 
-def _unwatched(fraction: float) -> None:
-    """Nobody watches the `fraction` done."""
-
-
 def _work(pipe: Connection) -> None:
     """The clerk's own loop: it ends when the pipe does."""
 
@@ -227,7 +223,7 @@ def _be_modest() -> None:
     limit_memory(MEMORY)
 
 
-def _done(task: str, args: tuple[Any, ...], report: Callable[[float], None]) -> tuple[str, Any]:
+def _done(task: str, args: tuple[Any, ...], report: Progress) -> tuple[str, Any]:
     from upright.lab.tasks import TASKS
 
     try:

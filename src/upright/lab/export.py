@@ -22,6 +22,7 @@ from upright.lab.printed import PERIOD, printed_law, printed_robot, reading
 from upright.lab.recording import MARK, inlined, page_text
 from upright.lab.tasks import analysed
 from upright.lab.views import catalogue, equations, look_of, robot_info
+from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot, preset_names
 
 PAGE = "index.html"
@@ -46,7 +47,7 @@ def export(
     controllers: Sequence[str] = (),
     *,
     say: Callable[[str], None] = print,
-    progress: Callable[[float], None] = lambda fraction: None,  # noqa: ARG005
+    progress: Progress = unwatched,
 ) -> Path:
     """Write the lab's page into `folder` and return its path: these `robots` (none: every preset), each behind its own
     kit with every one of these `controllers` (none: all but `NOT_USUAL`) that it can have. `say` is told what was left

@@ -17,8 +17,9 @@ from upright.control import Estimated, StateFeedback, kalman
 from upright.control.excited import Excited, random_binary
 from upright.experiment import Hold, run
 from upright.paper import printed
-from upright.paper.claim import NOT_AS_PRINTED, REPRODUCED, Claim, Progress, silent
+from upright.paper.claim import NOT_AS_PRINTED, REPRODUCED, Claim
 from upright.paper.pushes import PUSHES, RELEASE, SECONDS, RegulatedRobot
+from upright.progress import Progress, unwatched
 from upright.report import Figure, Table
 from upright.report.comparing import state_figure
 from upright.report.page import Cell, cell_text
@@ -93,7 +94,7 @@ def _never(value: float) -> float:
     return math.inf if math.isnan(value) else value
 
 
-def chapter(trial: RegulatedRobot, kit: Kit, logs: Mapping[str, Log], progress: Progress = silent) -> Claim:
+def chapter(trial: RegulatedRobot, kit: Kit, logs: Mapping[str, Log], progress: Progress = unwatched) -> Claim:
     """The paper's finding, that its models settle faster than its robot, on a robot with losses.
 
     `logs` are the runs of 5a to 5d, by robot, push and run.

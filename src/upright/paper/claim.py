@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import textwrap
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -17,12 +17,6 @@ NOT_AS_PRINTED = "not reproducible as printed"
 BEYOND = "beyond the paper"
 
 _LEVEL = {REPRODUCED: "good", NOT_AS_PRINTED: "warn", BEYOND: "info"}
-
-Progress = Callable[[float], None]
-
-
-def silent(_fraction: float) -> None:
-    """Progress that is not shown."""
 
 
 @dataclass(frozen=True, eq=False)

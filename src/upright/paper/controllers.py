@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from upright.comparison.bench import bench_controllers
-from upright.paper.claim import BEYOND, Claim, Progress, silent
+from upright.paper.claim import BEYOND, Claim
+from upright.progress import Progress, unwatched
 from upright.report.bench import responses, tables
 from upright.robots import Kit, Robot
 
 METHODS = ("lqr", "lqi", "lqg", "pid", "hinf", "mpc", "sliding")
 
 
-def chapter(robot: Robot, kit: Kit, progress: Progress = silent) -> Claim:
+def chapter(robot: Robot, kit: Kit, progress: Progress = unwatched) -> Claim:
     """Seven kinds of controllers on the twin of `robot` with its kit's sensors, held and released as in chapter 5."""
     bench = bench_controllers(robot, kit, methods=METHODS, progress=progress, knocks=False)
     rows = bench.rows

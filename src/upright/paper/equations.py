@@ -9,10 +9,11 @@ from dataclasses import asdict, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.paper.claim import NOT_AS_PRINTED, REPRODUCED, Claim, Progress, silent
+from upright.paper.claim import NOT_AS_PRINTED, REPRODUCED, Claim
 from upright.paper.derivation import Derivation, Model, derive
 from upright.paper.errata import WITNESS, Erratum, Proof, errata, prove
 from upright.physics.dynamics import accelerations
+from upright.progress import Progress, unwatched
 from upright.report import Formula, Table
 from upright.report.page import Cell, Item
 from upright.robots import Robot
@@ -26,7 +27,7 @@ VOLTS = 9.0  # [V] six full batteries of the NXT brick
 ROUNDING = 1e-12  # some 20 terms in float64 and a 2×2 solve that loses a factor of 10: 4e-14, and room for cancelling
 
 
-def chapter(progress: Progress = silent) -> list[Claim]:
+def chapter(progress: Progress = unwatched) -> list[Claim]:
     """Whether the corrected equations are the derived ones, and every misprint with its proof."""
     progress(0.0)
     model = _model()

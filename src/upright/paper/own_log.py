@@ -28,9 +28,9 @@ from upright.experiment import Push
 from upright.experiment.pushes import PushProgramme
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
-from upright.paper.claim import Progress, silent
 from upright.paper.own_trial import MEASURED, NONLINEAR, WIDEST, Trial, trial_of
 from upright.physics.linear import linearise
+from upright.progress import Progress, unwatched
 from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import GUESS, stated
 from upright.signals import STATE_NAMES, Log
@@ -144,7 +144,7 @@ def compare_own(
     push: Sequence[PushProgramme] = (),
     learnt: Robot | str | Path | None = None,
     mapping: Columns | str | None = None,
-    progress: Progress = silent,
+    progress: Progress = unwatched,
 ) -> OwnRobot:
     """The log of a robot beside its nonlinear and linear model, under the log's push and law.
 

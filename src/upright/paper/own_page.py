@@ -16,9 +16,9 @@ from upright.control import Controller
 from upright.experiment.pushes import PushProgramme
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource
-from upright.paper.claim import Progress, silent
 from upright.paper.own_log import OwnRobot, compare_own
 from upright.paper.pushes import FIGURES, NAMED
+from upright.progress import Progress, unwatched
 from upright.report import Details, Figure, Page, Section, Table
 from upright.report.comparing import fit_tables, metrics_table, state_figure
 from upright.report.page import Cell, Item, cell_text
@@ -68,7 +68,7 @@ def reproduce_log(
     push: Sequence[PushProgramme] = (),
     learnt: Robot | str | Path | None = None,
     mapping: Columns | str | None = None,
-    progress: Progress = silent,
+    progress: Progress = unwatched,
 ) -> OwnReproduction:
     """`compare_own` with its page report.html, results.json and the logs, written into `folder`, which is created if
     missing. Raises `UprightError` where that cannot be written."""

@@ -15,9 +15,10 @@ from upright.comparison.comparison import NEGLIGIBLE
 from upright.control import Controller, Estimated, StateFeedback, kalman
 from upright.experiment import Hold, run
 from upright.paper import printed
-from upright.paper.claim import NOT_AS_PRINTED, REPRODUCED, Claim, Progress, silent
+from upright.paper.claim import NOT_AS_PRINTED, REPRODUCED, Claim
 from upright.physics.linear import LinearModel
 from upright.plotting import legend, line, panels
+from upright.progress import Progress, unwatched
 from upright.report import Figure, Table
 from upright.report.comparing import fit_tables, metrics_table, state_figure
 from upright.report.page import Cell, cell_text
@@ -78,7 +79,7 @@ class Measured:
         return self.settling["linear"] < others - printed.PERIOD / 2  # closer than half a sample is a tie
 
 
-def chapter(trials: Sequence[RegulatedRobot], kit: Kit, progress: Progress = silent) -> list[Claim]:
+def chapter(trials: Sequence[RegulatedRobot], kit: Kit, progress: Progress = unwatched) -> list[Claim]:
     """One result for each robot and push, and one for the paper's claims over all of them."""
     claims: list[Claim] = []
     measured: dict[str, Measured] = {}

@@ -11,8 +11,9 @@ from typing import Any
 from upright.atomic import make_folder, write_json
 from upright.control import lqr
 from upright.paper import as_built, controllers, equations, linear_model, printed, pushes, regulator, sensors, turning
-from upright.paper.claim import BEYOND, NOT_AS_PRINTED, REPRODUCED, Claim, Progress, silent
+from upright.paper.claim import BEYOND, NOT_AS_PRINTED, REPRODUCED, Claim
 from upright.paper.pushes import RegulatedRobot
+from upright.progress import Progress, unwatched
 from upright.report import Details, Figure, Page, Section, Table
 from upright.report.page import Cell
 from upright.report.robot import labelled
@@ -45,7 +46,7 @@ class Reproduction(Shown):
         return {"versions": _versions(), "findings": [claim.to_json() for claim in self.claims]}
 
 
-def reproduce(folder: str | Path = "herrera2015", progress: Progress = silent) -> Reproduction:
+def reproduce(folder: str | Path = "herrera2015", progress: Progress = unwatched) -> Reproduction:
     """Run every chapter and write report.html, results.json and the logs into `folder`, which is created if missing.
 
     `progress` is called with the fraction done. Raises `UprightError` where the folder cannot be written.
@@ -87,7 +88,7 @@ def _page(claims: Sequence[Claim]) -> Page:
     return Page(title, sections, LEAD, _versions(), picture=picture, numbers=numbers)
 
 
-def chapters(progress: Progress = silent) -> list[Claim]:
+def chapters(progress: Progress = unwatched) -> list[Claim]:
     """The claims of every chapter, in the paper's order."""
     light, heavy, kit = Robot.preset(LIGHT), Robot.preset(HEAVY), Kit.preset("nxt")
     gains = regulator.printed_feedback()

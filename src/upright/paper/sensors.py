@@ -7,8 +7,9 @@ import math
 from upright.control.delay import rolling
 from upright.errors import UprightError
 from upright.identify.identify import MethodComparison, identify_all, study_of
-from upright.paper.claim import BEYOND, Claim, Progress, silent
+from upright.paper.claim import BEYOND, Claim
 from upright.physics.linear import unstable_pole
+from upright.progress import Progress, unwatched
 from upright.report.identification import pole_table, trial_table
 from upright.report.page import Item, Table, cell_text
 from upright.robots import Kit, Robot
@@ -18,7 +19,7 @@ REPEATS = 20
 """Simulated repetitions behind each interval and bias: 20 give a standard deviation to 16 % (1/√(2·19))."""
 
 
-def chapter(robot: Robot, kit: Kit, log: Log, progress: Progress = silent) -> Claim:
+def chapter(robot: Robot, kit: Kit, log: Log, progress: Progress = unwatched) -> Claim:
     """All identifiers on the twin's `log` of 3b, beside the truth, and the regulators designed on their models."""
     try:
         compared = identify_all(study_of(log, robot, kit, runs=REPEATS), progress=progress)

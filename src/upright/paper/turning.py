@@ -17,9 +17,10 @@ from upright.bodies import Body, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.control import StateFeedback, lqr
 from upright.experiment import Drive, Turn, run
-from upright.paper.claim import BEYOND, Claim, Progress, silent
+from upright.paper.claim import BEYOND, Claim
 from upright.physics.dynamics import accelerations, mass_matrix, motor_damping, motor_gain, turn_ratio
 from upright.plotting import legend, line, panels
+from upright.progress import Progress, unwatched
 from upright.report import Figure, Table
 from upright.report.page import Cell, cell_text
 from upright.robots import Robot
@@ -64,7 +65,7 @@ class Deviation:
     largest: float
 
 
-def chapter(progress: Progress = silent) -> list[Claim]:
+def chapter(progress: Progress = unwatched) -> list[Claim]:
     """The size of the terms left out at each yaw rate, and both models against the twin."""
     robot = Robot.preset("nxtway-gs")
     feedback = lqr(robot, PERIOD)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -20,6 +20,7 @@ from upright.firmware.setup import STATUS
 from upright.parity.execute import execute
 from upright.parity.executed import TOLERANCE, Executed
 from upright.parity.executor import Executor
+from upright.progress import Progress
 from upright.robots import Kit, Robot
 from upright.signals import Log
 from upright.tables import Shown
@@ -93,7 +94,7 @@ def parity(
     kit: Kit | str | Path | None = None,
     chip: str = "",
     body: str = "twin",
-    progress: Callable[[float], None] | None = None,
+    progress: Progress | None = None,
 ) -> Parity:
     """Execute a program by `upright firmware` and compare every command with that of its `controller`.
 
@@ -126,7 +127,7 @@ def executed_parity(
     *,
     body: str = "twin",
     reference: Reference | Sequence[Reference] = (),
-    progress: Callable[[float], None] | None = None,
+    progress: Progress | None = None,
 ) -> Parity:
     """The parity of a program that `executor` runs; raises `ExecutionFailed` for one that does not answer."""
     program = firmware.program

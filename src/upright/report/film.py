@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import io
 import math
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Generator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -27,6 +27,7 @@ from upright.diagnose.post_mortem import robot_of
 from upright.errors import InvalidLog, MissingTool, UprightError
 from upright.logs.raw import GYRO, RATES
 from upright.plotting import COLOURS, FOOT, HEAD, INK, LEFT, RIGHT, line, numbered, span, styled
+from upright.progress import Progress
 from upright.report.robot import FLOOR, height_of, outline
 from upright.robots import Robot
 from upright.signals import Log
@@ -77,7 +78,7 @@ def film(
     speed: float = 1.0,
     frames: float = FRAMES,
     width: int = 960,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress | None = None,
 ) -> Path:
     """Write a film of `logs` to `path` (.gif, .webp or .mp4): `frames` a second, `width` pixels wide (16:9).
 
@@ -289,7 +290,7 @@ def _pushed(run: _Run) -> list[tuple[float, float]]:
 
 
 def _shown(
-    pictures: Generator[Frame], count: int, progress: Callable[[float], None] | None
+    pictures: Generator[Frame], count: int, progress: Progress | None
 ) -> Generator[Frame]:  # fmt: skip
     for k, picture in enumerate(pictures):
         yield picture

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from upright.atomic import write_json
 from upright.control.tunable import NARROWER, WIDTH
 from upright.errors import InvalidScenario
+from upright.progress import Progress
 from upright.reading import read_json, understood
 from upright.tune.score import FALLS, KNOCK, CandidateScore, Emphasis, cost, row_of, score_from
 
@@ -82,7 +83,7 @@ class SearchRecord:
 
 def search(
     defaults: Mapping[str, float], score: Callable[[Mapping[str, float]], CandidateScore], budget: int, seed: int,
-    record: SearchRecord, *, seconds: float = math.inf, progress: Callable[[float], None] | None = None,
+    record: SearchRecord, *, seconds: float = math.inf, progress: Progress | None = None,
 ) -> list[Candidate]:  # fmt: skip
     """At most `budget` candidates, the default first, or as many as `seconds` allow; each new score goes into `record`.
 

@@ -22,6 +22,7 @@ from upright.control.identity import request_hash
 from upright.control.methods import Method
 from upright.control.tunable import UNITS
 from upright.errors import InvalidController, InvalidScenario, check_within
+from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import draw
 from upright.tables import Listing, Shown
@@ -189,7 +190,7 @@ def tune(
     state: str | Path | None = None,
     resume: bool = False,
     threads: int | None = None,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress | None = None,
 ) -> Tuned:
     """The weights of `method` for `robot` with `kit` (None: its own) that `RULE` picks of `budget` candidates.
 
@@ -208,7 +209,7 @@ def tune(
     limit = math.inf if seconds is None else seconds
     if not limit > 0:
         raise InvalidScenario(f"a search of {limit:g} s", expected="more than zero")
-    show = progress or _silent
+    show = progress or unwatched
     task = _Task(chosen, nominal, parts, seed, threads)
     record = SearchRecord(task.request(budget), Path(state) if state else None)
     if record.path:
@@ -349,7 +350,3 @@ def _beats(one: Point, other: Point) -> bool:
     """Whether `one` is nowhere worse than `other` in falls, knock, effort and margins, and somewhere better."""
     rows = [(f.falls, -f.knock, f.effort, -f.gain, -f.delay) for f in (one.figures, other.figures)]
     return all(a <= b for a, b in zip(*rows, strict=True)) and rows[0] != rows[1]
-
-
-def _silent(fraction: float) -> None:
-    """Show nothing of the `fraction` done."""

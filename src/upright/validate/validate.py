@@ -9,7 +9,7 @@ commands, and the whole log under its law. Then one step of Gauss–Newton says 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -27,6 +27,7 @@ from upright.errors import InvalidLog, SpecMismatch
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
 from upright.logs.recording import SENSOR
+from upright.progress import Progress
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
 from upright.validate.law import CommandLaw, LinearLaw, law_by, law_of, recorded
@@ -51,7 +52,7 @@ def validate(
     controller: Controller | str | Path | None = None,
     *,
     mapping: Columns | str | None = None,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress | None = None,
 ) -> Validation:
     """How well `robot` with `kit` (default: its own) predicts `logs` that it was not calibrated from.
 
