@@ -104,7 +104,7 @@ for noise in (0.0, 0.2, 0.5, 1.0):
 # \hat a \to a \left( 1 - \frac{\sigma^2}{\mathrm E[y^2]} \right), \qquad \hat b \to b .
 # $$
 #
-# The share of noise in the reading is missing from the pole. No number of rows is in this formula, so more rows do not mend it.
+# The share of noise in the reading is missing from the pole. No number of rows is in this formula, so more rows do not correct it.
 # %% [markdown] lang="es"
 # Sin ruido es exacto. Con ruido $a$ sale demasiado pequeño, y 20 000 filas no ayudan. Desde $\sigma = 0.5$ los mínimos
 # cuadrados hasta dicen $a < 1$: **un robot que no se cae.**

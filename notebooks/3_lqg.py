@@ -51,7 +51,7 @@ stays = up.StateFeedback.symmetric([-25.0, -2.3, -0.45, -1.0, 0.0, 0.0], period)
 up.compare({"stays": pushed(stays), "runs away": pushed(runs_away)}).plot("pitch", "wheel")
 
 # %% [markdown] lang="en"
-# Both stand. But nobody told the second one to come back: its pole at 1 is still there. A gain on the wheel angle brings it home. Look closely at the
+# Both stand. But nothing asks the second one to come back: its pole at 1 is still there. A gain on the wheel angle brings it home. Look closely at the
 # pitch: to come back the robot must lean back, and to lean back it first drives on.
 #
 # ## Let mathematics choose: LQR

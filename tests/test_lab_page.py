@@ -336,13 +336,18 @@ def test_sliders_and_choices_reach_the_session(page):
     until(page, "upright.store.changed.setup.kit === 'ideal' && upright.store.changed.look.limit === null")
 
 
-def test_a_log_is_uploaded_and_a_report_downloaded(page, tmp_path):
-    page.click("[data-key=front]")
-    until(page, "upright.store.snapshot.t > 1.5")
+def keep_csv(page, path):
+    """The run so far as CSV, as the page saves it."""
     tab(page, "Keep")
     with page.expect_download() as fetched:
         page.click("[data-key=keep-csv]")
-    fetched.value.save_as(tmp_path / "mine.csv")
+    fetched.value.save_as(path)
+
+
+def test_a_log_is_uploaded_and_a_report_downloaded(page, tmp_path):
+    page.click("[data-key=front]")
+    until(page, "upright.store.snapshot.t > 1.5")
+    keep_csv(page, tmp_path / "mine.csv")
     log = Log.load(tmp_path / "mine.csv")
     assert log.origin["body"]["kind"].startswith("twin")
     tab(page, "Identify")
@@ -834,10 +839,7 @@ def test_spanish_is_spanish_to_the_last_decimal(page):
 def test_compare_takes_the_opened_log(page, tmp_path):
     page.click("[data-key=impulse]")
     until(page, "upright.store.snapshot.t > 1.5")
-    tab(page, "Keep")
-    with page.expect_download() as fetched:
-        page.click("[data-key=keep-csv]")
-    fetched.value.save_as(tmp_path / "friday.csv")
+    keep_csv(page, tmp_path / "friday.csv")
     tab(page, "Identify")
     page.set_input_files("[data-key=open-log]", str(tmp_path / "friday.csv"))
     until(page, "upright.store.found?.job === 'doctor'")

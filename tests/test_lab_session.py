@@ -519,7 +519,7 @@ def test_a_job_in_a_process_reports_and_can_be_killed(tmp_path):
 
 
 def test_a_light_of_the_controller_before_is_given_up(tmp_path):
-    """Its certificate is still being computed when another controller is chosen: nothing of it may be told."""
+    """Its certificate is still being computed when another controller is chosen: nothing of it may be shown."""
     session, desk = a_session(tmp_path)
     for (_, job), status, result in desk.poll():  # the design is done, and its light asked for
         session.reported(job, status, result)

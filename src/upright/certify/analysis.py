@@ -74,6 +74,11 @@ class Analysis(Shown):
         """The largest |pole| of each drawn robot."""
         return np.abs(self.drawn).max(axis=1) if len(self.drawn) else np.empty(0)
 
+    @property
+    def weakest(self) -> Margins:
+        """The loop that the smallest delay makes unstable, when it is broken alone."""
+        return min((*self.inputs, *self.outputs), key=lambda m: m.delay)
+
     def both(self) -> Margins:
         """The margins of both motors together, which describe the pitch loop best."""
         return next(m for m in self.inputs if m.channel == "both motors")
@@ -83,11 +88,10 @@ class Analysis(Shown):
         if not self.stable:
             return [f"The loop is unstable: its largest pole is at |z| = {np.abs(self.poles).max():.4f}."]
         low, high = disk_gain(self.disk)
-        fell = int((self.radii >= 1).sum())
-        weakest = min((*self.inputs, *self.outputs), key=lambda m: m.delay)
+        fell, first = int((self.radii >= 1).sum()), self.weakest
         sentences = [
             self.both().words(),
-            f"With {1e3 * weakest.delay:.3g} ms more delay at the {weakest.channel} alone it becomes unstable.",
+            f"With {1e3 * first.delay:.3g} ms more delay at the {first.channel} alone it becomes unstable.",
             f"Both motors, varied independently: gains between {low * 100:.0f} and {high * 100:.0f} %, "
             f"or phases up to {math.degrees(disk_phase(self.disk)):.0f}°.",
             f"Of {len(self.radii)} robots drawn from the spreads, {fell} are unstable.",

@@ -228,7 +228,7 @@ def _modest() -> None:
 
 
 def _without_copies(grades: Sequence[Grade]) -> list[Grade]:
-    """The same run under another name is a copy: nobody knows which was first, so that all are told."""
+    """The same run under another name is a copy: nobody knows which was first, so that all are reported."""
     genuine = [g for g in grades if g.verdict in (OK, MISSED, CHANGED)]
     owners: dict[str, set[str]] = {}
     for g in genuine:

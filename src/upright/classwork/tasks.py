@@ -17,8 +17,8 @@ Goal = Callable[[HandIn, RunResult], str]
 
 @dataclass(frozen=True)
 class Task:
-    """A task `name`, told from others by the seed of its `setup`. The fields in `given` may not be changed; `goal`
-    judges the run that was replayed. `texts`: title, what to do, what to ask oneself, by language."""
+    """A task `name`, which the seed of its `setup` identifies. The fields in `given` may not be changed; `goal` judges
+    the run that was replayed. `texts`: title, what to do, what to ask oneself, by language."""
 
     name: str
     setup: Setup

@@ -39,6 +39,7 @@ from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
 
+HORIZON = 30  # periods
 UNLIMITED = 1e9  # [V or N m] in place of no limit: more than any driver gives
 SOFTNESS = 3e-3  # breaking a bound by all of it costs 1/(2 · SOFTNESS) a period
 BOUND_WEIGHT = 0.2  # weight of a bound in the splitting, over that of breaking it
@@ -183,7 +184,7 @@ def mpc(
     Q: ArrayLike | None = None,
     R: ArrayLike | None = None,
     *,
-    horizon: int = 30,
+    horizon: int = HORIZON,
     limit: float | None = None,
     pitch: float = 0.3,
     travel: float = 1.0,

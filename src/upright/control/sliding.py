@@ -22,6 +22,9 @@ from upright.robots import Kit, Robot, find_kit, find_robot
 
 Array = NDArray[np.float64]
 
+TIME, REACH, LAYER = 0.05, 0.02, 0.1
+"""[s] in which the distance to the surface decays, and step and half width of the layer, of the usual command."""
+
 
 @dataclass(frozen=True, eq=False)
 class Sliding(Design):
@@ -106,9 +109,9 @@ def sliding(
     Q: ArrayLike | None = None,
     R: ArrayLike | None = None,
     *,
-    time: float = 0.05,
-    reach: float = 0.02,
-    layer: float = 0.1,
+    time: float = TIME,
+    reach: float = REACH,
+    layer: float = LAYER,
     reads: tuple[str, ...] = RAW,
     disturbed: Disturbed = RECOVERED,
 ) -> SlidingMode:

@@ -18,10 +18,10 @@ from upright.control.kalman import RECOVERED, Disturbed, offset_free
 from upright.control.lqg import lqg
 from upright.control.lqi import LARGEST_INTEGRAL, lqi
 from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, lqr
-from upright.control.mpc import mpc
+from upright.control.mpc import HORIZON, mpc
 from upright.control.observed import observed
 from upright.control.pid import Pid, pid
-from upright.control.sliding import sliding
+from upright.control.sliding import LAYER, REACH, TIME, sliding
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES
 
@@ -99,7 +99,7 @@ def _lqr(robot: Robot, kit: Kit, dt: float, Q: Any, R: Any, disturbed: Disturbed
 
 
 def _sliding_defaults(_robot: Robot, _kit: Kit, _dt: float) -> dict[str, float]:
-    return _regulator() | {"time": 0.05, "reach": 0.02, "layer": 0.1}
+    return _regulator() | {"time": TIME, "reach": REACH, "layer": LAYER}
 
 
 def _sliding(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
@@ -109,7 +109,7 @@ def _sliding(robot: Robot, kit: Kit, dt: float, weights: Weights) -> Controller:
 
 def _mpc_defaults(robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
     noise = offset_free(sampled(robot, kit, dt))
-    own = {"motor_noise": noise.motor, "push_walk": noise.push_walk, "horizon": 30.0}
+    own = {"motor_noise": noise.motor, "push_walk": noise.push_walk, "horizon": float(HORIZON)}
     return _regulator() | own
 
 

@@ -50,8 +50,8 @@ def export(
     progress: Progress = unwatched,
 ) -> Path:
     """Write the lab's page into `folder` and return its path: these `robots` (none: every preset), each behind its own
-    kit with every one of these `controllers` (none: all but `NOT_USUAL`) that it can have. `say` is told what was left
-    out, `progress` the fraction done.
+    kit with every one of these `controllers` (none: all but `NOT_USUAL`) that it can have. `say` receives what was
+    left out, `progress` the fraction done.
 
     Raises `UprightError` for a folder that holds another page, `UnknownName`, and whatever a robot is refused for.
     """

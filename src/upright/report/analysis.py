@@ -55,13 +55,11 @@ def _verdict(analysis: Analysis) -> Verdict:
 
 def _weakest(analysis: Analysis) -> str:
     """The loop that a delay makes unstable first; all loops at once are those of the motors."""
-    first = min((*analysis.inputs, *analysis.outputs), key=lambda m: m.delay)
-    return first.channel if first.delay <= analysis.delay else "motors"
+    return analysis.weakest.channel if analysis.weakest.delay <= analysis.delay else "motors"
 
 
 def _delay(analysis: Analysis) -> str:
-    delay = min(analysis.delay, *(m.delay for m in (*analysis.inputs, *analysis.outputs)))
-    return f"{cell_text(delay * 1e3, 3)} ms"
+    return f"{cell_text(min(analysis.delay, analysis.weakest.delay) * 1e3, 3)} ms"
 
 
 def _lead(analysis: Analysis, first: str) -> str:

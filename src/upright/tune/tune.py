@@ -302,9 +302,12 @@ def _finalists(candidates: Sequence[Candidate]) -> list[Candidate]:
         if c.score.stable and not c.score.excess and c.score.fell <= default.score.fell and c.score.knock >= least
     ]  # fmt: skip
     orders: list[Callable[[CandidateScore], Any]] = [
-        lambda s: (s.over > 0, s.fell, -_level(s.knock), s.effort), lambda s: -s.knock,
-        lambda s: (s.over > 0, s.fell, -_level(s.knock), s.effort), lambda s: -s.modulus, lambda s: s.effort,
-    ]  # fmt: skip
+        _rank,
+        lambda s: -s.knock,
+        _rank,
+        lambda s: -s.modulus,
+        lambda s: s.effort,
+    ]
     queues = [sorted(kept, key=lambda c, order=order: order(c.score)) for order in orders]
     best_first, most = list[Candidate](), max(1, min(FINALISTS, len(candidates) // 20))
     for turn in range(len(queues) * len(kept)):
@@ -319,6 +322,11 @@ def _finalists(candidates: Sequence[Candidate]) -> list[Candidate]:
 def _level(knock: float) -> int:
     """Which step of `ALIKE` a knock is on."""
     return round(math.log(max(knock, 1e-9)) / ALIKE)
+
+
+def _rank(s: CandidateScore) -> tuple[bool, float, int, float]:
+    """As `_order`, of what the search knows of a candidate."""
+    return s.over > 0, s.fell, -_level(s.knock), s.effort
 
 
 def _order(f: Figures) -> tuple[int, int, int, float]:

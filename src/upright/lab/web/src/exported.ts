@@ -210,18 +210,18 @@ export class LocalSession {
     this.show();
   }
 
-  private changeTo(wanted: Setup): void {
+  private changeTo(asked: Setup): void {
     const robots = this.data.facts.robots;
-    const robot = Object.hasOwn(robots, wanted.robot) ? wanted.robot : this.setup.robot;
+    const robot = Object.hasOwn(robots, asked.robot) ? asked.robot : this.setup.robot;
     const there = robots[robot].controllers;
-    const known = Object.hasOwn(there, wanted.controller) || wanted.controller === OFF;
-    const controller = known ? wanted.controller : Object.keys(there)[0];
-    const gains = wanted.gains.length === 6 ? wanted.gains : (there.gains?.gains ?? []);
-    const bodies = BODIES.filter((name, i) => i === 0 || wanted.bodies.includes(name));
+    const known = Object.hasOwn(there, asked.controller) || asked.controller === OFF;
+    const controller = known ? asked.controller : Object.keys(there)[0];
+    const gains = asked.gains.length === 6 ? asked.gains : (there.gains?.gains ?? []);
+    const bodies = BODIES.filter((name, i) => i === 0 || asked.bodies.includes(name));
     const [before, same] = [this.setup, this.lanes.length > 0 && robot === this.setup.robot];
-    this.setup = { ...wanted, robot, controller, gains, bodies };
+    this.setup = { ...asked, robot, controller, gains, bodies };
     const alike = same && bodies.length === this.lanes.length;
-    const still = alike && controller === before.controller && wanted.noise === before.noise && wanted.delay === before.delay;
+    const still = alike && controller === before.controller && asked.noise === before.noise && asked.delay === before.delay;
     const main = same && !this.lanes[0].loop.fallen ? this.lanes[0].state() : [0, 0, 0, 0, 0, 0];
     const starts = bodies.map((_, i) => (alike && !this.lanes[i].loop.fallen ? this.lanes[i].state() : main));
     if (still) for (const lane of this.lanes) lane.loop.control.gains = gains;

@@ -4,7 +4,7 @@ import type { Slider } from "./dom";
 import type { LocalSession } from "./exported";
 import type { Setup } from "./messages";
 import { store } from "./store";
-import { t, told, texts } from "./texts";
+import { t, translate, texts } from "./texts";
 
 const change = throttled(60, (part: Partial<Setup>) => store.change(part));
 
@@ -46,7 +46,7 @@ export class ExportedRobotPanel {
     if (box && document.activeElement !== box) box.value = store.setup.robot;
     if (this.ghost) this.ghost.checked = store.setup.bodies.length > 1;
     const facts = this.session()?.facts;
-    this.title.textContent = facts ? `${told(facts.title)} (${t("kit")}: ${facts.kit_name})` : "";
+    this.title.textContent = facts ? `${translate(facts.title)} (${t("kit")}: ${facts.kit_name})` : "";
     for (const [name, s] of this.sliders) s.set(name === "delay" ? (store.changed?.kit.delay ?? 0) : store.setup[name]);
   }
 }

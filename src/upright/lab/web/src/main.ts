@@ -17,7 +17,7 @@ import { Steering } from "./steering";
 import { store } from "./store";
 import { ClassPanel } from "./board";
 import "./style.css";
-import { LANGUAGES, choose, fixed, language, named, t, texts, told, translated } from "./texts";
+import { LANGUAGES, choose, fixed, language, named, t, texts, translate, translated } from "./texts";
 import { Tour } from "./tour";
 
 const TABS = ["Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour", "Class", "Python"] as const;
@@ -245,7 +245,7 @@ class Page {
       case "Equations": if (this.tab === "See") this.see.show(); break;
       case "Snapshot": this.transported(); break;
       case "Progress": this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.busy(message.fraction < 1); break;
-      case "JobResult": this.identify.found(); this.toast(told(message.title), message.ok ? "info" : message.job === "certify" ? "error" : "warn"); if (latestLog && this.tab === "Identify") this.identify.build(); break;
+      case "JobResult": this.identify.found(); this.toast(translate(message.title), message.ok ? "info" : message.job === "certify" ? "error" : "warn"); if (latestLog && this.tab === "Identify") this.identify.build(); break;
       case "Made": this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(t("made", { name: message.name }), "info"); break;
       case "Notice": this.toast(message.key ? named(message.key) : noticed(message.text), message.level); break;
       case "Recovered": this.recovered(message.impulse, message.best, message.fell); break;
@@ -304,7 +304,7 @@ class Page {
     this.status.textContent = words[state];
     if (state !== "refused") return;
     sessionStorage.removeItem("name");
-    replace(this.app, h("main", { className: "refused", role: "alert" }, h("h1", {}, t("refused")), h("p", {}, told(reason)), button("↻", () => location.reload())));
+    replace(this.app, h("main", { className: "refused", role: "alert" }, h("h1", {}, t("refused")), h("p", {}, translate(reason)), button("↻", () => location.reload())));
   }
 
   private toast(text: string, level: "info" | "warn" | "error"): void {
@@ -417,7 +417,7 @@ class Page {
 
 /** A notice in the chosen language, or as it is, with a word on that. */
 function noticed(text: string): string {
-  return translated(text) ? told(text) : t("original", { text });
+  return translated(text) ? translate(text) : t("original", { text });
 }
 
 const page = new Page(document.getElementById("app") as HTMLElement);

@@ -4,7 +4,7 @@ import type { Slider } from "./dom";
 import { toLink } from "./link";
 import type { BodyName, Job, Keep, Setup } from "./messages";
 import { STATES, SYMBOLS, UNITS, store } from "./store";
-import { named, t, told, translated } from "./texts";
+import { named, t, translate, translated } from "./texts";
 import { legendEntry } from "./charts";
 import { sentence } from "./see";
 
@@ -118,7 +118,7 @@ export class ControllerPanel extends Panel {
       [t("delayMargin"), a.delay === null ? t("unlimited") : `${digits(a.delay * 1000, 3)} ms`],
     ];
     if (a.stable) parts.push(h("h4", {}, t("margins")), table([], rows, "margins"));
-    parts.push(h("p", { className: "note" }, sentence(told(a.words))));
+    parts.push(h("p", { className: "note" }, sentence(translate(a.words))));
     return parts;
   }
 }
@@ -130,7 +130,7 @@ export function certificate(): Node[] {
   const lamp = h("span", { className: `lamp ${light}`, "aria-hidden": "true" });
   return [
     h("h4", {}, t("certificate")), h("p", { className: "lit" }, lamp, h("b", {}, words)),
-    ...(lit?.reasons ?? []).map((reason) => h("p", { className: "note" }, sentence(told(reason)))),
+    ...(lit?.reasons ?? []).map((reason) => h("p", { className: "note" }, sentence(translate(reason)))),
   ];
 }
 
@@ -154,7 +154,7 @@ export class RobotPanel extends Panel {
     const details = h("details", { open: this.opened, ontoggle: () => (this.opened = details.open) }, h("summary", {}, t("numbers")), h("p", { className: "note" }, t("numbersNote")), this.table);
     replace(
       this.root,
-      h("div", { className: "column" }, preset, h("p", { className: "note" }, told(this.title())), upload(t("openRobot"), ".toml", "robot")),
+      h("div", { className: "column" }, preset, h("p", { className: "note" }, translate(this.title())), upload(t("openRobot"), ".toml", "robot")),
       h("div", { className: "column" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root))),
       h("div", { className: "column" }, this.bodies()),
       h("div", { className: "column full" }, details),
@@ -208,7 +208,7 @@ export class RobotPanel extends Panel {
         if (Number.isFinite(input.valueAsNumber)) store.change({ numbers: { ...store.setup.numbers, [name]: input.valueAsNumber } });
       } });
       const symbol = store.catalogue?.symbols[name] ?? "";
-      return h("div", { className: "parameter" }, h("label", { "for": id }, `${told(name.replaceAll("_", " "))} ${symbol}`), input, h("span", {}, (store.catalogue?.units[name] ?? "").replace(/^1$/, "")));
+      return h("div", { className: "parameter" }, h("label", { "for": id }, `${translate(name.replaceAll("_", " "))} ${symbol}`), input, h("span", {}, (store.catalogue?.units[name] ?? "").replace(/^1$/, "")));
     });
     replace(this.table, ...rows, button(t("ownNumbers"), () => store.change({ numbers: {}, drive: "" }), { className: "quiet", "data-key": "own-numbers" }));
   }
@@ -306,9 +306,9 @@ export class IdentifyPanel extends Panel {
     const f = store.found;
     if (!f) return;
     const lines = f.text.split("\n").filter(Boolean);
-    const text = lines.map((line) => h("p", { className: "note", lang: translated(line) ? "" : "en" }, told(line)));
-    const words = (cells: string[]) => cells.map((cell) => told(f.job === "calibrate" ? cell.replaceAll("_", " ") : cell));
-    replace(this.result, h("h4", {}, told(f.title)), ...text, f.rows.length ? table(f.header.map(told), f.rows.map(words)) : null);
+    const text = lines.map((line) => h("p", { className: "note", lang: translated(line) ? "" : "en" }, translate(line)));
+    const words = (cells: string[]) => cells.map((cell) => translate(f.job === "calibrate" ? cell.replaceAll("_", " ") : cell));
+    replace(this.result, h("h4", {}, translate(f.title)), ...text, f.rows.length ? table(f.header.map(translate), f.rows.map(words)) : null);
   }
 }
 

@@ -4,7 +4,7 @@ import { digits, h, replace, select, table } from "./dom";
 import { ink, laneColour, laneDash } from "./palette";
 import { drawing } from "./plots";
 import { STATES, SYMBOLS, store } from "./store";
-import { named, t, told } from "./texts";
+import { named, t, translate } from "./texts";
 
 type View = "loop" | "portrait" | "voltages" | "estimate" | "equations";
 const VIEWS: View[] = ["loop", "portrait", "voltages", "estimate", "equations"];
@@ -104,7 +104,7 @@ export class See {
   private loop(): Node[] {
     const found = store.analysed;
     if (!found) return [h("p", { className: "note" }, t("designing"))];
-    const words = h("p", { className: "note" }, sentence(told(found.words)));
+    const words = h("p", { className: "note" }, sentence(translate(found.words)));
     const colour = laneColour("twin");
     const drawings: Node[] = [words];
     if (found.L.length === 3) drawings.push(...frequency(found.L, colour));

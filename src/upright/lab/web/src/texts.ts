@@ -54,11 +54,11 @@ const escaped = (text: string) => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
 const PHRASES = phrases.map(([english, spanish]): [RegExp, string] => [new RegExp(`^${escaped(english).replace(/\\\{\d\\\}/g, "(.+?)")}$`, "s"), spanish]);
 
 /** A sentence of the server in the chosen language, part by part; what has no translation stays as it is. */
-export function told(text: string): string {
+export function translate(text: string): string {
   if (chosen === en) return text;
   for (const [pattern, words] of PHRASES) {
     const parts = pattern.exec(text);
-    if (parts) return words.replace(/\{(\d)\}/g, (_, i: string) => told(parts[Number(i) + 1]));
+    if (parts) return words.replace(/\{(\d)\}/g, (_, i: string) => translate(parts[Number(i) + 1]));
   }
   return local(text);
 }
