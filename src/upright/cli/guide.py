@@ -308,7 +308,7 @@ BODY = Question(
     "body", "Which simulation? twin (MuJoCo, stands in for hardware) or nonlinear (the equations)", "twin",
     _one_of("body", ("twin", "nonlinear")),
 )  # fmt: skip
-LOG = Question("log", "Where is its log? A file, or `example` for one to try", "example", _check_log)
+LOG = Question("log", "Where is its log? A file, or `example` for one of nxtway-gs to try", "example", _check_log)
 SECOND = Question(
     "second", "Another log of the same robot, to judge what was learnt? A file, or `none`", "none", _check_second
 )
