@@ -200,8 +200,8 @@ def test_predictive_control_survives_more_delay_than_a_quarter_of_its_period():
         assert delay_margin(robot, controller, kit) > kit.period / 4
 
 
-def test_rolling_brakes_like_coulomb_friction_at_its_rate():
-    robot = Robot.preset("twipr")
+def test_rolling_brakes_like_dry_friction_at_its_rate():
+    robot = Robot.preset("twipr").replace(rolling_friction=0.005)
     exact = accelerations((0, 0, 0, 3.0, 0, 0), (0, 0), robot)
     assert np.allclose(accelerations((0, 0, 0, 3.0, 0, 0), (0, 0), rolling(robot, 3.0)), exact, rtol=1e-12)
 

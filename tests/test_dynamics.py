@@ -21,7 +21,7 @@ def random_cases(n, seed):
     """States, commands, robots (half NXTway-GS, half every parameter off by up to a factor of 3) and disturbances."""
     rng = np.random.default_rng(seed)
     x, u = SIZES[:, None] * rng.uniform(-1, 1, (6, n)), rng.uniform(-9, 9, (2, n))
-    nominal = {**NXT.numbers(), "wheel_friction": 2e-3, "coulomb_friction": 0.01}
+    nominal = {**NXT.numbers(), "wheel_friction": 2e-3, "coulomb_friction": 0.01, "rolling_friction": 0.005}
     spread = np.where(np.arange(n) % 2, 1.0, 0.0)
     numbers = {name: nominal[name] * 3.0 ** (spread * rng.uniform(-1, 1, n)) for name in PARAMETERS}
     w = Disturbance(rng.uniform(-3, 3, n), rng.uniform(0, 0.2, n), rng.uniform(-0.3, 0.3, n))
@@ -75,6 +75,7 @@ def test_complete_model_solves_the_constrained_system_with_its_multipliers():
         values = {getattr(s, n): v for n, v in zip(names, (*x, *u, *w), strict=True)}
         values |= {getattr(s, n): v for n, v in vars(p).items()}
         known = {symbol: float(e.subs(values)) for symbol, e in torques.items()}
+        values |= known
         turn = p.track / (2 * p.wheel_radius) * x[5]
         for side, command, rate, sign in (("l", u[0], x[3] - turn, s.sign_l), ("r", u[1], x[3] + turn, s.sign_r)):
             torque = known[s.alpha] * command - known[s.beta] * (rate - x[1]) - p.coulomb_friction * known[sign]

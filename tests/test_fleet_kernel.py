@@ -64,10 +64,10 @@ def test_models_pushes_and_references_equal_the_obvious_loop():
     assert difference(NXT, lqr(NXT, 0.01), reference=arc, ramps=[[0.2, 0, 1, 4], [0, 1, 2, math.inf]]) < EQUAL
 
 
-@pytest.mark.parametrize("friction", [0.0, 0.005])
+@pytest.mark.parametrize("friction", [{}, {"coulomb_friction": 0.005}, {"rolling_friction": 0.005}])
 @pytest.mark.parametrize("angle", [0.0, 0.03])
 def test_friction_and_slope_equal_the_obvious_loop(friction, angle):
-    robot = NXT.replace(coulomb_friction=friction)
+    robot = NXT.replace(**friction)
     push = [Slope(angle=angle, start=1.0)] if angle else []
     turn = Turn(rate=1.0, start=2.0)  # a heading that changes meets the slope from all sides
     ramps = [[0, 1, 2, math.inf]]
@@ -192,8 +192,9 @@ def test_a_robot_is_the_same_bits_in_any_batch_order_and_number_of_threads(dtype
 
 
 def test_a_robot_does_not_get_what_only_its_company_needs():
-    robots = [NXT, NXT.replace(coulomb_friction=0.005), NXT, NXT.replace(coulomb_friction=0.005)]
-    slope = np.array([[0.0, 0.0], [0.0, 0.0], [0.03, 0.5], [0.03, 0.5]])
+    dry, rolling = NXT.replace(coulomb_friction=0.005), NXT.replace(rolling_friction=0.005)
+    robots = [NXT, dry, rolling, NXT, dry, rolling]
+    slope = np.array([[0.0, 0.0]] * 3 + [[0.03, 0.5]] * 3)
     given = {"controller": lqr(NXT, 0.01), "start": START, "substeps": 1}
     together = simulate(FleetBatch(parameters=parameters_of(robots), slope=slope, **given), 1.0, record=10)
     for i, robot in enumerate(robots):

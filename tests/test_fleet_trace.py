@@ -17,9 +17,11 @@ from upright.errors import InvalidModel
 from upright.physics.dynamics import CALM, Disturbance, accelerations
 from upright.robots import Robot
 
-ROUGH = Robot.preset("nxtway-gs").replace(coulomb_friction=0.004, wheel_friction=0.001)  # no parameter without effect
+# no parameter without effect
+ROUGH = Robot.preset("nxtway-gs").replace(coulomb_friction=0.004, rolling_friction=0.003, wheel_friction=0.001)
 X, U = np.array([0.3, 1.2, 0.5, 4.0, 0.7, 2.0]), np.array([1.0, -2.0])  # leaning, driving and turning
 FORCE, MOMENT, SLOPE = 0.5, 0.03, 0.1
+DRY = ("coulomb_friction", "rolling_friction")
 ROUNDING = 1e-13  # a few hundred operations on doubles
 
 
@@ -31,24 +33,32 @@ def test_the_generated_files_are_current():
 
 
 VARIANTS = {
-    "smooth": (0.0, 0.0), "coulomb": (ROUGH.coulomb_friction, 0.0), "slope": (0.0, SLOPE),
-    "coulomb_slope": (ROUGH.coulomb_friction, SLOPE), "free": (0.0, 0.0),
+    "smooth": ((), 0.0), "coulomb": (("coulomb_friction",), 0.0), "rolling": (DRY, 0.0), "slope": ((), SLOPE),
+    "coulomb_slope": (("coulomb_friction",), SLOPE), "rolling_slope": (DRY, SLOPE),
+    "free": (("rolling_friction",), 0.0),
 }  # fmt: skip
-"""The generated accelerations, and the dry friction [N m] and the slope [rad] that each may have."""
+"""The generated accelerations, and the dry frictions and the slope [rad] that each may have."""
+
+
+def signs_over_the_floor():
+    """The smoothed signs of both wheels' rates at `X`, which the predictor gives its accelerations."""
+    rates = np.array([X[3] - ROUGH.track / (2 * ROUGH.wheel_radius) * X[5] * side for side in (1, -1)])
+    return rates / np.hypot(rates, ROUGH.stiction_rate)
 
 
 @pytest.mark.parametrize("model", ["complete", "published"])
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_the_generated_accelerations_equal_the_definition(variant, model):
     """With the friction, slope and push that a variant has."""
-    friction, slope = VARIANTS[variant]
-    p = {**ROUGH.numbers(), "coulomb_friction": friction}
+    dry, slope = VARIANTS[variant]
+    p = {**ROUGH.numbers(), **dict.fromkeys(set(DRY) - set(dry), 0.0)}
     push = CALM if variant == "free" else Disturbance(FORCE, MOMENT / FORCE, slope)
     true = accelerations(X, U, SimpleNamespace(**p), push, math, model)
     c = generated.constants(list(p.values()), float(model == "complete"))
     values = {
         **dict(zip(("pitch", "pitch_rate", "wheel", "wheel_rate", "yaw", "yaw_rate"), X, strict=True)),
         **dict(zip(("left", "right"), U, strict=True)), "force": FORCE, "moment": MOMENT,
+        **dict(zip(("roll_left", "roll_right"), signs_over_the_floor(), strict=True)),
         "sin_slope": math.sin(slope), "cos_slope": math.cos(slope), **c._asdict(),
     }  # fmt: skip
     compiled = getattr(generated_motion, f"accelerations_{variant}")

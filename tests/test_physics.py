@@ -1,5 +1,6 @@
 """Linearisation, discretisation, integration and energy against closed forms and independent routes."""
 
+import cmath
 import math
 import re
 from dataclasses import replace
@@ -186,6 +187,20 @@ def test_energy_is_conserved_to_the_order_of_the_integrator(model):
         drifts.append(abs(after - before))
     assert np.log2(drifts[0] / drifts[1]) > 3.8
     assert drifts[2] < 1e-7  # joules, of 0.4 J
+
+
+@pytest.mark.parametrize("model", ["complete", "published"])
+def test_dry_frictions_take_the_power_of_their_torques(model):
+    # dE/dt, by a complex step along the motion: each wheel loses τ_w ω σ(ω) to the floor at its rate ω over it, and
+    # τ_c ω' σ(ω') at its rate against the body
+    p = LOSSLESS.replace(rolling_friction=0.02, coulomb_friction=0.01)
+    for x in np.random.default_rng(2).normal(size=(20, 6)) * (0.6, 4.0, 6.0, 15.0, 3.0, 6.0):
+        rate = derivative(x, (0, 0), p, model=model)
+        gained = energy.total([a + 1e-30j * b for a, b in zip(x, rate, strict=True)], p, cmath, model).imag / 1e-30
+        floor = x[3] + turn_ratio(p) * x[5] * np.array([-1, 1])
+        lost = [t * w**2 / np.hypot(w, p.stiction_rate) for t, w in ((0.02, floor), (0.01, floor - x[1]))]
+        # powers of up to 1e3 W (weights and inertias times rates) cancel to these of 0.1 W: 1e3 · 2e-16, several times
+        assert gained == pytest.approx(-np.sum(lost), abs=1e-11)
 
 
 def test_mirrored_robot_does_the_mirrored_thing():

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm, solve_discrete_are
 
-from upright.calibrate.fitting import LEVEL
+from upright.calibrate.fitting import LEVEL, ROLLING_DRY
 from upright.calibrate.predictor import WIDE, Events, Noise, RobotLanes, innovations, kalman_path
 from upright.compiled.generated import Constants, constants
 from upright.compiled.generated_motion import rk4_free
@@ -117,7 +117,7 @@ def test_what_is_estimated_is_what_a_level_floor_shows() -> None:
     """The constants with an error of their own are those that the generated step takes, the track that tells the wheels
     apart, and the dry friction that the predictor makes sharp."""
     taken = set(inspect.signature(rk4_free.py_func).parameters) & set(Constants._fields)
-    assert {Constants._fields[i] for i in LEVEL} == taken | {"half_track", "coulomb_torque"}
+    assert {Constants._fields[i] for i in (*LEVEL, *ROLLING_DRY)} == taken | {"half_track", "coulomb_torque"}
 
 
 def test_innovations_at_the_filter_s_gains_are_the_filter_s() -> None:

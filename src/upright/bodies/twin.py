@@ -14,7 +14,7 @@ from typing import Any
 from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, checked_period, sample
 from upright.bodies.mjcf import mjcf
 from upright.errors import InvalidScenario, UprightError
-from upright.physics.dynamics import CALM, Disturbance, motor_gain
+from upright.physics.dynamics import CALM, Disturbance, motor_gain, rolling_friction
 from upright.physics.sensing import wheel_angles
 from upright.robots import Robot
 from upright.signals.signal import SENSORS, TRUTH
@@ -91,7 +91,7 @@ class Twin:
             raise _unstable(self._steps * self.spec.period, u)
         self._data.ctrl[:] = u
         self._slope_is(slope)
-        if force or self.spec.robot.wheel_friction:
+        if force or self.spec.robot.wheel_friction or self.spec.robot.rolling_friction:
             for _ in range(self._count):
                 self._load(force, height)
                 mujoco.mj_step(self._model, self._data)
@@ -128,12 +128,17 @@ class Twin:
         The free joint takes forces in the world's axes and torques in the body's. Drag is a torque on the wheel from
         outside, so it works on the wheel's own angle, which is the hinge's plus the pitch.
         """
-        robot, data = self.spec.robot, self._data
+        data = self._data
         pitch, yaw = _attitude(data.qpos.tolist())
         rates = data.qvel.tolist()
-        left, right = (-robot.wheel_friction * (rate + rates[4]) for rate in rates[6:8])
+        left, right = (self._drag(rate + rates[4]) for rate in rates[6:8])
         moment = force * height * math.cos(pitch) + left + right
         data.qfrc_applied[:] = force * math.cos(yaw), force * math.sin(yaw), 0.0, 0.0, moment, 0.0, left, right
+
+    def _drag(self, rate: float) -> float:
+        """Torque of the floor on a wheel [N m] that turns at `rate` [rad/s]."""
+        robot = self.spec.robot
+        return -robot.wheel_friction * rate - rolling_friction(rate, robot)
 
     def _sample(self, u: Sequence[float]) -> Sample:
         data = self._data

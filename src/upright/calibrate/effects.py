@@ -22,7 +22,8 @@ Array = NDArray[np.float64]
 RUN = "run "
 """How the names of deviations begin: "run 0/motor_friction"."""
 
-SHARES = {"motor_friction": 0.3, "wheel_friction": 0.3, "coulomb_friction": 0.3, "motor_resistance": 0.025}
+SHARES = {"motor_friction": 0.3, "wheel_friction": 0.3, "coulomb_friction": 0.3, "rolling_friction": 0.3,
+          "motor_resistance": 0.025}  # fmt: skip
 """Standard deviation between runs, over the number. Where one run is 6 K warmer than another, grease has lost a quarter
 of its viscosity (half in 15 K) and copper is 2.4 % more resistive; dry friction differs by floor and load."""
 FIRMWARE = 0.005

@@ -45,6 +45,7 @@ AT = Constants(*range(len(Constants._fields)))
 DRIVEN, DELAYS = len(AT), len(AT) + 4
 """Where among the coefficients begins what drives the robot, and where the delays."""
 ZONE = DRIVEN + 2
+_NOT_NEGATIVE = [AT.coulomb_torque, AT.rolling_torque, AT.yaw_rolling_torque, ZONE]
 LEVEL = (
     AT.half_track, AT.motor_damping, AT.centrifugal, AT.weight, AT.coulomb_torque, AT.motor_torque, AT.lever,
     AT.rolling_damping, AT.turning_lever, AT.yaw_coriolis, AT.yaw_lever, AT.yaw_damping, AT.yaw_motor_torque,
@@ -52,6 +53,8 @@ LEVEL = (
 )  # fmt: skip
 """The constants that a robot on a level floor shows; the rest belong to slopes and pushes."""
 _LEVEL = list(LEVEL)
+ROLLING_DRY = (AT.rolling_torque, AT.yaw_rolling_torque)
+"""Those of rolling friction, which have no error of their own: it is far less certain than the equations."""
 EXACT = 7e-4
 """How right the equations are (root mean square): with the same numbers they and MuJoCo, whose contacts yield a little,
 differ by 0.04 % in pitch and 0.07 % in the wheel rate (docs/twin.md), and no real robot is nearer to either."""
@@ -78,7 +81,7 @@ class Path:
 def _linear(robot: Robot) -> tuple[float, tuple[Array, Array]]:
     """The size of the fastest pole without dry friction [1/s], and how noise of motors and pushes enters the states."""
     model = linearise(robot)
-    poles = linearise(robot.replace(coulomb_friction=0.0)).poles()
+    poles = linearise(robot.without_dry_friction()).poles()
     push = model.E[:, 0] + robot.com_height * model.E[:, 1]
     return float(np.abs(poles).max()), (model.B @ model.B.T, np.outer(push, push))
 
@@ -225,7 +228,7 @@ class Problem:
 
         events = events_of(recording, recording.order(dict(zip(self.delays, q[DELAYS:].tolist(), strict=True))))
         low = q - NUDGE * unit
-        low[[AT.coulomb_torque, ZONE]] = np.maximum(low[[AT.coulomb_torque, ZONE]], 0.0)
+        low[_NOT_NEGATIVE] = np.maximum(low[_NOT_NEGATIVE], 0.0)
 
         def of(part: NDArray[np.int64]) -> Array:
             count = len(part)
@@ -272,7 +275,7 @@ def units(C: Array) -> tuple[Array, list[int]]:
     """How far the prior lets each coefficient be off (coefficients,), from its slopes C (coefficients, parameters), and
     the rows of those that move and that a level floor shows."""
     unit = np.sqrt((C**2).sum(axis=1))
-    return unit, [i for i in (*LEVEL, *range(DRIVEN, len(C))) if unit[i] > 0]
+    return unit, [i for i in (*LEVEL, *ROLLING_DRY, *range(DRIVEN, len(C))) if unit[i] > 0]
 
 
 class Linear(NamedTuple):

@@ -1,8 +1,8 @@
-"""Robots moved side by side, one in each lane of a block, with sharp dry friction at both wheels.
+"""Robots moved side by side, one in each lane of a block, with sharp dry friction between body and wheels.
 
 A block is that of the fleet's kernel, with rows of its own after the kernel's. On a level floor that pushes nothing the
 generated step moves all lanes; where a wheel would turn back within it, the step is taken again with the friction that
-holds the wheel.
+holds the wheel. Rolling friction against the floor is smooth, as in the equations, and held over a step.
 """
 
 from __future__ import annotations
@@ -24,14 +24,16 @@ from upright.compiled.generated import (
     PITCH,
     PITCH_INERTIA,
     RIGHT,
+    ROLLING_TORQUE,
     ROTOR_COUPLING,
     ROW,
+    STICTION_RATE_SQUARED,
     WORK,
     YAW_MOTOR_TORQUE,
     YAW_SWING,
     Constants,
 )
-from upright.compiled.generated_motion import constants_free, rk4_free
+from upright.compiled.generated_motion import accelerations_free, constants_free, rk4_free
 from upright.compiled.jit import get, numba, put
 
 inlined: Any = partial(numba.njit, error_model="numpy", forceinline=True, no_cpython_wrapper=True)
@@ -40,12 +42,12 @@ inlined: Any = partial(numba.njit, error_model="numpy", forceinline=True, no_cpy
 STATES = 6
 
 
-DRIVE_LEFT, DRIVE_RIGHT, DEAD_ZONE, CONSTANT, SPAN, FRICTION, REVERSAL, STUCK, START, ROWS = (
-    WORK + row for row in (0, 1, 2, 3, 4, 5, 6, 7, 8, 8 + STATES)
+DRIVE_LEFT, DRIVE_RIGHT, DEAD_ZONE, CONSTANT, SPAN, FRICTION, REVERSAL, STUCK, ROLL_LEFT, ROLL_RIGHT, START, ROWS = (
+    WORK + row for row in (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 10 + STATES)
 )
 """Rows of a block after those of the kernel's, one number for each lane: factors of both motors, their dead zone, and
 what is added to both commands; the time to move [s]; dry friction as a command; negative where a wheel turned back;
-whether one has since the row was cleared; the state before the step."""
+whether one has since the row was cleared; the smoothed signs of rolling friction; the state before the step."""
 
 SWEEPS = 20  # of Gauss and Seidel over both wheels, at most, from where both would stand still
 PASSES = 3  # in which the response to friction, known to a few hundredths, is corrected, at most
@@ -84,8 +86,36 @@ def _wheel_rates(x: Any, half: Any) -> Any:
 @inlined
 def _stepped(w: Any, i: Any, x: Any, d: Any, left: Any, right: Any) -> Any:
     """The state x of lane i one step of d [s] on, under the friction `left` and `right` of its wheels, as commands."""
-    new = rk4_free(*x, d, get(w, LEFT, i) - left, get(w, RIGHT, i) - right, *constants_free(w, i))
+    new = rk4_free(
+        *x, d, get(w, LEFT, i) - left, get(w, RIGHT, i) - right, get(w, ROLL_LEFT, i), get(w, ROLL_RIGHT, i),
+        *constants_free(w, i),
+    )  # fmt: skip
     return (new[0] if abs(new[0]) < TOPPLED else np.nan, new[1], new[2], new[3], new[4], new[5])
+
+
+@inlined
+def _rolling_signs(w: Any, i: Any, mean: Any, yaw_rate: Any) -> Any:
+    """ω / √(ω² + ω_c²) of both wheels' rates ω over the floor, for their `mean` rate and the yaw rate [rad/s]."""
+    turn, smooth = get(w, HALF_TRACK, i) * yaw_rate, get(w, STICTION_RATE_SQUARED, i)
+    left, right = mean - turn, mean + turn
+    return left / math.sqrt(left * left + smooth), right / math.sqrt(right * right + smooth)
+
+
+@njit
+def _roll(w: Any, count: Any, steps: Any) -> None:
+    """The signs of rolling friction in the middle of the step of span/steps [s] that begins."""
+    for i in range(count):
+        x, dry = _state(w, PITCH, i), get(w, FRICTION, i)
+        left, right = _wheel_rates(x, get(w, HALF_TRACK, i))
+        _, wheel_acc, yaw_acc = accelerations_free(
+            x[0], x[1], x[3], x[5],
+            get(w, LEFT, i) - (dry if left >= 0 else -dry), get(w, RIGHT, i) - (dry if right >= 0 else -dry),
+            *_rolling_signs(w, i, x[3], x[5]), *constants_free(w, i),
+        )  # fmt: skip
+        half = get(w, SPAN, i) / steps / 2
+        left, right = _rolling_signs(w, i, x[3] + half * wheel_acc, x[5] + half * yaw_acc)
+        put(w, ROLL_LEFT, i, left)
+        put(w, ROLL_RIGHT, i, right)
 
 
 @njit
@@ -202,8 +232,12 @@ def move(w: Any, count: Any, u: Any, start: Any, stop: Any, longest: Any) -> Non
             left, right = driven(w, i, u)
             put(w, LEFT, i, left)
             put(w, RIGHT, i, right)
-        steps = max(1, math.ceil(span / longest))
+        steps, rolls = max(1, math.ceil(span / longest)), False
+        for i in range(count):
+            rolls |= get(w, ROLLING_TORQUE, i) > 0
         for _ in range(steps):
+            if rolls:
+                _roll(w, count, steps)
             _advance(w, count, steps)
 
 

@@ -29,12 +29,16 @@ NEVER = ("gear_ratio", "stiction_rate", "body_depth", "body_height", "roll_inert
 """What no log is asked: a convention, a smoothing (the predictor's friction is dry), two measures for drawing,
 and the roll inertia, in whose place stands `ROLL_FRACTION`."""
 
+ROLLING = "rolling_friction"
+"""Asked only where the robot's file has some: few logs tell it from the other frictions (docs/calibrate.md)."""
+
 ROLL_FRACTION = "roll_fraction"
 """Where the roll inertia lies between |J_ψ − J_φ| and J_ψ + J_φ, its least and its largest in a rigid body."""
 ANYWHERE = 1 / math.sqrt(12)
 """Deviation of a share that may be anything from 0 to 1."""
 
 ROUNDING = 1e-12  # of a spread: a parameter that close to its bound is at it, as zero is zero and not 1.7e-21
+SOFT = 0.03  # [1] rolling resistance over load: rubber on a hard floor has 0.01 to 0.02, on a carpet up to 0.1
 DELAY_SPREAD = 0.02  # [s] one standard deviation of a dead time, about two periods: kits say little of theirs
 SENSORS = ("encoder", "gyro", "compass")
 
@@ -104,7 +108,10 @@ def parameters_of(
 
     `known` names what is taken for exact. Raises `UnknownName` for a name that is none of these.
     """
-    names = [n for n in PARAMETERS if n not in NEVER and not (robot.drive == "torque" and n in ELECTRICAL)]
+    never = {*NEVER, *(ELECTRICAL if robot.drive == "torque" else ())}
+    if not (robot.rolling_friction or ROLLING in robot.provenance):
+        never.add(ROLLING)
+    names = [n for n in PARAMETERS if n not in never]
     physical = [_physical(robot, name) for name in names]
     delay_parameters = [
         Parameter(f"delay/{name}", "s", d, DELAY_SPREAD, "linear", -DELAY_SPREAD) for name, d in delays.items()
@@ -140,11 +147,13 @@ def _scale(robot: Robot, name: str) -> float:
     That is wider than a guess (`robots.uncertainty`), which leaves a zero at zero: a log is to find what no source
     names, and the prior is only to keep the fit finite.
     """
-    mass = (2 * robot.wheel_mass + robot.body_mass) * robot.wheel_radius**2 + 2 * robot.wheel_inertia
+    total = 2 * robot.wheel_mass + robot.body_mass
+    mass = total * robot.wheel_radius**2 + 2 * robot.wheel_inertia
     stall = motor_gain(robot) * 0.3 if robot.drive == "voltage" else 0.0  # [N m] what 0.3 V give, a motor's dead zone
     scale = {
         "rotor_inertia": mass / (2 * robot.gear_ratio**2),  # as much as all else that rolls
         "coulomb_friction": max(stall, 0.3 * robot.wheel_radius * robot.wheel_mass * robot.gravity),
+        "rolling_friction": SOFT * robot.wheel_radius * total / 2 * robot.gravity,
         "back_emf": robot.back_emf,
     }
     drag = max(motor_damping(robot) / 5, mass / 2)  # a fifth of what is there, or what halts the robot within seconds

@@ -193,8 +193,8 @@ def _correct(x: Any, P: Any, C: Any, error: Any, variance: Any, gain: Any) -> An
 def _response_to_delay(w: Any, x: Any, old: Any, new: Any) -> Any:
     """By how much ψ̇, θ̇ and φ̇ lag for each second that the command `new` arrives late after `old`."""
     constants = constants_free(w, 0)
-    before = accelerations_free(x[0], x[1], x[3], x[5], *driven(w, 0, old), *constants)
-    after = accelerations_free(x[0], x[1], x[3], x[5], *driven(w, 0, new), *constants)
+    before = accelerations_free(x[0], x[1], x[3], x[5], *driven(w, 0, old), 0.0, 0.0, *constants)
+    after = accelerations_free(x[0], x[1], x[3], x[5], *driven(w, 0, new), 0.0, 0.0, *constants)
     return after[0] - before[0], after[1] - before[1], after[2] - before[2]
 
 

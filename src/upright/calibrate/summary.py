@@ -193,7 +193,7 @@ def _combinations(problem: Problem, z: Array) -> list[_Combination]:
 def rolling_pole(robot: Robot) -> float:
     """The rate [1/s] at which the robot falls while its wheels roll: dry friction, which at rest would hold them, is a
     steady force then and moves no pole."""
-    return unstable_pole(robot.replace(coulomb_friction=0.0))
+    return unstable_pole(robot.without_dry_friction())
 
 
 def _robot_at(problem: Problem, z: Array) -> Robot:

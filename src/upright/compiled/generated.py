@@ -5,7 +5,7 @@
 
 from typing import Any, NamedTuple
 
-LANES, ROW, SIZE = 64, 80, 59 * 80
+LANES, ROW, SIZE = 64, 80, 61 * 80
 PITCH = 0
 PITCH_RATE = 1
 WHEEL = 2
@@ -39,12 +39,14 @@ YAW_LEVER = 29
 YAW_DAMPING = 30
 YAW_WEIGHT = 31
 YAW_COULOMB_TORQUE = 32
-YAW_MOTOR_TORQUE = 33
-ROTOR_COUPLING = 34
-PITCH_INERTIA = 35
-YAW_SWING = 36
-STICTION_RATE_SQUARED = 37
-WORK, WORK_ROWS = 38, 21
+ROLLING_TORQUE = 33
+YAW_ROLLING_TORQUE = 34
+YAW_MOTOR_TORQUE = 35
+ROTOR_COUPLING = 36
+PITCH_INERTIA = 37
+YAW_SWING = 38
+STICTION_RATE_SQUARED = 39
+WORK, WORK_ROWS = 40, 21
 
 
 class Constants(NamedTuple):
@@ -69,6 +71,8 @@ class Constants(NamedTuple):
     yaw_damping: Any            # 2(W/2R)²(β + f_w)/a33 [1/s]: motors' and wheels' damping of yaw
     yaw_weight: Any             # MgL/a33 [1/s²]: gravity's moment about the vertical on a slope
     yaw_coulomb_torque: Any     # (W/2R)τ_c/a33 [1/s²]: dry friction of one motor, in yaw
+    rolling_torque: Any         # τ_w/a11 [1/s²]: dry friction of one wheel on the floor
+    yaw_rolling_torque: Any     # (W/2R)τ_w/a33 [1/s²]: that of one wheel, in yaw
     yaw_motor_torque: Any       # (W/2R)α/a33 [1/(V s²)]: the torque of a volt, in yaw
     rotor_coupling: Any         # 2n²J_m/a11: the rotors' part of a12
     pitch_inertia: Any          # a22/a11: inertia in pitch over that of all that rolls
@@ -78,7 +82,7 @@ class Constants(NamedTuple):
 
 
 def constants(p, complete):
-    wheel_mass, wheel_radius, wheel_inertia, body_mass, track, com_height, pitch_inertia, yaw_inertia, roll_inertia, rotor_inertia, gear_ratio, motor_resistance, back_emf, torque_constant, motor_friction, wheel_friction, coulomb_friction, stiction_rate, gravity, body_depth, body_height = p
+    wheel_mass, wheel_radius, wheel_inertia, body_mass, track, com_height, pitch_inertia, yaw_inertia, roll_inertia, rotor_inertia, gear_ratio, motor_resistance, back_emf, torque_constant, motor_friction, wheel_friction, coulomb_friction, rolling_friction, stiction_rate, gravity, body_depth, body_height = p
     t0 = (1/2)*track/wheel_radius
     t1 = gear_ratio*torque_constant/motor_resistance
     t2 = back_emf*t1 + motor_friction
@@ -100,4 +104,4 @@ def constants(p, complete):
     t18 = 1/(t17*(t16*(t3 + wheel_inertia) + wheel_mass) + yaw_inertia)
     t19 = t10*t18
     t20 = t0*t18
-    return Constants(t0, wheel_radius, gravity, t2*t8, t10*t7, t12*t7, t7, coulomb_friction*t7, t1*t7, t14, t15*t8, complete*t14, gravity*t13*t6, t13, 2*t19, complete*t11*t18*wheel_radius, t15*t16*t17*t18, t12*t18, coulomb_friction*t20, t1*t20, t4*t7, t7*(pitch_inertia + t4 + t9), t19, (stiction_rate * stiction_rate))
+    return Constants(t0, wheel_radius, gravity, t2*t8, t10*t7, t12*t7, t7, coulomb_friction*t7, t1*t7, t14, t15*t8, complete*t14, gravity*t13*t6, t13, 2*t19, complete*t11*t18*wheel_radius, t15*t16*t17*t18, t12*t18, coulomb_friction*t20, rolling_friction*t7, rolling_friction*t20, t1*t20, t4*t7, t7*(pitch_inertia + t4 + t9), t19, (stiction_rate * stiction_rate))

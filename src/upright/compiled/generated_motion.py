@@ -66,7 +66,7 @@ def accelerations_smooth(pitch, pitch_rate, wheel_rate, yaw_rate, left, right, f
 
 @inlined
 def constants_smooth(w, i):
-    return get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i)
+    return get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i)
 
 
 
@@ -125,7 +125,7 @@ def step_smooth(w, count, fallen, now):
 def advance_smooth(w, count, fallen, now):
     align_stack()
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw_rate, left, right, force, moment, motor_damping, centrifugal, weight, moment_response, motor_torque, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i)
+        pitch, pitch_rate, wheel_rate, yaw_rate, left, right, force, moment, motor_damping, centrifugal, weight, moment_response, motor_torque, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i)
         held_pitch, held_wheel, held_yaw, t10 = held_smooth(left, right, force, moment, moment_response, motor_torque, force_response, yaw_motor_torque)
         pitch_acc1, wheel_acc1, yaw_acc1 = moved_smooth(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, held_yaw, t10, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
         put(w, WORK + 0, i, pitch_acc1)
@@ -136,7 +136,7 @@ def advance_smooth(w, count, fallen, now):
         put(w, WORK + 13, i, held_yaw)
         put(w, WORK + 14, i, t10)
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw_rate, h, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t10 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
+        pitch, pitch_rate, wheel_rate, yaw_rate, h, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t10 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
         half = mul(h, 0.5)
         pitch2 = fma(half, pitch_rate, pitch)
         pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
@@ -148,7 +148,7 @@ def advance_smooth(w, count, fallen, now):
         put(w, WORK + 5, i, yaw_acc2)
         put(w, WORK + 9, i, pitch_rate2)
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw_rate, h, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, held_pitch, held_wheel, held_yaw, t10 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
+        pitch, pitch_rate, wheel_rate, yaw_rate, h, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, held_pitch, held_wheel, held_yaw, t10 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
         half = mul(h, 0.5)
         pitch3 = fma(half, pitch_rate2, pitch)
         pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
@@ -160,7 +160,7 @@ def advance_smooth(w, count, fallen, now):
         put(w, WORK + 8, i, yaw_acc3)
         put(w, WORK + 10, i, pitch_rate3)
     for i in range(count):
-        pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc1, wheel_acc1, yaw_acc1, pitch_acc2, wheel_acc2, yaw_acc2, pitch_acc3, wheel_acc3, yaw_acc3, pitch_rate3, held_pitch, held_wheel, held_yaw, t10 = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 6, i), get(w, WORK + 7, i), get(w, WORK + 8, i), get(w, WORK + 10, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
+        pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc1, wheel_acc1, yaw_acc1, pitch_acc2, wheel_acc2, yaw_acc2, pitch_acc3, wheel_acc3, yaw_acc3, pitch_rate3, held_pitch, held_wheel, held_yaw, t10 = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 6, i), get(w, WORK + 7, i), get(w, WORK + 8, i), get(w, WORK + 10, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
         pitch4 = fma(h, pitch_rate3, pitch)
         pitch_rate4 = fma(h, pitch_acc3, pitch_rate)
         wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
@@ -192,7 +192,7 @@ def advance_smooth(w, count, fallen, now):
 
 def specific_force_smooth(w, count, out):
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw_rate, left, right, force, moment, wheel_radius, gravity, motor_damping, centrifugal, weight, moment_response, motor_torque, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 15, i), get(w, 16, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i)
+        pitch, pitch_rate, wheel_rate, yaw_rate, left, right, force, moment, wheel_radius, gravity, motor_damping, centrifugal, weight, moment_response, motor_torque, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 15, i), get(w, 16, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i)
         held_pitch, held_wheel, held_yaw, t10 = held_smooth(left, right, force, moment, moment_response, motor_torque, force_response, yaw_motor_torque)
         _, wheel_acc, _ = moved_smooth(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, held_yaw, t10, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
         s, c = sincos(pitch)
@@ -234,23 +234,23 @@ def moved_coulomb(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_whee
     a33 = t2
     determinant = fma(-a12, a12, a22)
     t3 = fma(-half_track, yaw_rate, -pitch_rate + wheel_rate)
-    rate_left = t3
-    root_left = sqrt(fma(rate_left, rate_left, stiction_rate_squared))
+    rate_slip_left = t3
+    root_slip_left = sqrt(fma(rate_slip_left, rate_slip_left, stiction_rate_squared))
     t4 = fma(half_track, yaw_rate, -pitch_rate + wheel_rate)
-    rate_right = t4
-    root_right = sqrt(fma(rate_right, rate_right, stiction_rate_squared))
+    rate_slip_right = t4
+    root_slip_right = sqrt(fma(rate_slip_right, rate_slip_right, stiction_rate_squared))
     before_0 = determinant * a33
-    before_1 = before_0 * root_left
-    before_2 = before_1 * root_right
+    before_1 = before_0 * root_slip_left
+    before_2 = before_1 * root_slip_right
     over = reciprocal(before_2)
     over_3 = over * before_1
-    rest_3 = over * root_right
+    rest_3 = over * root_slip_right
     over_2 = rest_3 * before_0
-    rest_2 = rest_3 * root_left
+    rest_2 = rest_3 * root_slip_left
     over_1 = rest_2 * determinant
     rest_1 = rest_2 * a33
-    slip_left = rate_left * over_2
-    slip_right = rate_right * over_3
+    slip_left = rate_slip_left * over_2
+    slip_right = rate_slip_right * over_3
     t13 = slip_left + slip_right
     t14 = -pitch_rate + wheel_rate
     t15 = centrifugal * c
@@ -282,7 +282,7 @@ def accelerations_coulomb(pitch, pitch_rate, wheel_rate, yaw_rate, left, right, 
 
 @inlined
 def constants_coulomb(w, i):
-    return get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i)
+    return get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i)
 
 
 
@@ -341,7 +341,7 @@ def step_coulomb(w, count, fallen, now):
 def advance_coulomb(w, count, fallen, now):
     align_stack()
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw_rate, left, right, force, moment, half_track, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i)
+        pitch, pitch_rate, wheel_rate, yaw_rate, left, right, force, moment, half_track, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i)
         held_pitch, held_wheel, held_yaw, t12 = held_coulomb(left, right, force, moment, moment_response, motor_torque, force_response, yaw_motor_torque)
         pitch_acc1, wheel_acc1, yaw_acc1 = moved_coulomb(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, held_yaw, t12, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
         put(w, WORK + 0, i, pitch_acc1)
@@ -352,7 +352,7 @@ def advance_coulomb(w, count, fallen, now):
         put(w, WORK + 13, i, held_yaw)
         put(w, WORK + 14, i, t12)
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw_rate, h, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t12 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
+        pitch, pitch_rate, wheel_rate, yaw_rate, h, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t12 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
         half = mul(h, 0.5)
         pitch2 = fma(half, pitch_rate, pitch)
         pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
@@ -364,7 +364,7 @@ def advance_coulomb(w, count, fallen, now):
         put(w, WORK + 5, i, yaw_acc2)
         put(w, WORK + 9, i, pitch_rate2)
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw_rate, h, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, held_pitch, held_wheel, held_yaw, t12 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
+        pitch, pitch_rate, wheel_rate, yaw_rate, h, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, held_pitch, held_wheel, held_yaw, t12 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
         half = mul(h, 0.5)
         pitch3 = fma(half, pitch_rate2, pitch)
         pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
@@ -376,7 +376,7 @@ def advance_coulomb(w, count, fallen, now):
         put(w, WORK + 8, i, yaw_acc3)
         put(w, WORK + 10, i, pitch_rate3)
     for i in range(count):
-        pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, pitch_acc2, wheel_acc2, yaw_acc2, pitch_acc3, wheel_acc3, yaw_acc3, pitch_rate3, held_pitch, held_wheel, held_yaw, t12 = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 6, i), get(w, WORK + 7, i), get(w, WORK + 8, i), get(w, WORK + 10, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
+        pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, pitch_acc2, wheel_acc2, yaw_acc2, pitch_acc3, wheel_acc3, yaw_acc3, pitch_rate3, held_pitch, held_wheel, held_yaw, t12 = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 6, i), get(w, WORK + 7, i), get(w, WORK + 8, i), get(w, WORK + 10, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
         pitch4 = fma(h, pitch_rate3, pitch)
         pitch_rate4 = fma(h, pitch_acc3, pitch_rate)
         wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
@@ -408,9 +408,241 @@ def advance_coulomb(w, count, fallen, now):
 
 def specific_force_coulomb(w, count, out):
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw_rate, left, right, force, moment, half_track, wheel_radius, gravity, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 14, i), get(w, 15, i), get(w, 16, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i)
+        pitch, pitch_rate, wheel_rate, yaw_rate, left, right, force, moment, half_track, wheel_radius, gravity, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 14, i), get(w, 15, i), get(w, 16, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i)
         held_pitch, held_wheel, held_yaw, t12 = held_coulomb(left, right, force, moment, moment_response, motor_torque, force_response, yaw_motor_torque)
         _, wheel_acc, _ = moved_coulomb(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, held_yaw, t12, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+        s, c = sincos(pitch)
+        t0 = wheel_acc * wheel_radius
+        t1 = t0 * c
+        t2 = fma(-gravity, s, t1)
+        t3 = gravity * c
+        t4 = fma(t0, s, t3)
+        put(w, out + 0, i, t2)
+        put(w, out + 1, i, t4)
+
+
+
+@inlined
+def held_rolling(left, right, force, moment, moment_response, motor_torque, force_response, yaw_motor_torque):
+    t7 = -left - right
+    t8 = motor_torque * t7
+    held_pitch = t8
+    t9 = force_response * force
+    t10 = left + right
+    t11 = fma(motor_torque, t10, t9)
+    held_wheel = t11
+    t12 = -left + right
+    t13 = yaw_motor_torque * t12
+    held_yaw = t13
+    t14 = moment_response * moment
+    return held_pitch, held_wheel, held_yaw, t14
+
+
+
+@inlined
+def moved_rolling(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared):
+    s, c = sincos(pitch)
+    t0 = fma(lever, c, -rotor_coupling)
+    a12 = t0
+    a22 = pitch_inertia
+    t1 = s * s
+    t2 = fma(yaw_swing, t1, 1.0)
+    a33 = t2
+    determinant = fma(-a12, a12, a22)
+    t3 = fma(-half_track, yaw_rate, -pitch_rate + wheel_rate)
+    rate_slip_left = t3
+    root_slip_left = sqrt(fma(rate_slip_left, rate_slip_left, stiction_rate_squared))
+    t4 = fma(half_track, yaw_rate, -pitch_rate + wheel_rate)
+    rate_slip_right = t4
+    root_slip_right = sqrt(fma(rate_slip_right, rate_slip_right, stiction_rate_squared))
+    t5 = fma(-half_track, yaw_rate, wheel_rate)
+    rate_roll_left = t5
+    root_roll_left = sqrt(fma(rate_roll_left, rate_roll_left, stiction_rate_squared))
+    t6 = fma(half_track, yaw_rate, wheel_rate)
+    rate_roll_right = t6
+    root_roll_right = sqrt(fma(rate_roll_right, rate_roll_right, stiction_rate_squared))
+    before_0 = determinant * a33
+    before_1 = before_0 * root_slip_left
+    before_2 = before_1 * root_slip_right
+    before_3 = before_2 * root_roll_left
+    before_4 = before_3 * root_roll_right
+    over = reciprocal(before_4)
+    over_5 = over * before_3
+    rest_5 = over * root_roll_right
+    over_4 = rest_5 * before_2
+    rest_4 = rest_5 * root_roll_left
+    over_3 = rest_4 * before_1
+    rest_3 = rest_4 * root_slip_right
+    over_2 = rest_3 * before_0
+    rest_2 = rest_3 * root_slip_left
+    over_1 = rest_2 * determinant
+    rest_1 = rest_2 * a33
+    slip_left = rate_slip_left * over_2
+    slip_right = rate_slip_right * over_3
+    roll_left = rate_roll_left * over_4
+    roll_right = rate_roll_right * over_5
+    t15 = slip_left + slip_right
+    t16 = -pitch_rate + wheel_rate
+    t17 = centrifugal * c
+    t18 = yaw_rate * yaw_rate
+    t19 = fma(t17, t18, weight)
+    t20 = fma(t19, s, fma(motor_damping, t16, fma(coulomb_torque, t15, fma(t14, c, held_pitch))))
+    t21 = -roll_left - roll_right
+    t22 = -slip_left - slip_right
+    t23 = pitch_rate * pitch_rate
+    t24 = lever * t23
+    t25 = fma(turning_lever, t18, t24)
+    t26 = fma(t25, s, fma(-rolling_damping, wheel_rate, fma(coulomb_torque, t22, fma(rolling_torque, t21, fma(motor_damping, pitch_rate, held_wheel)))))
+    t27 = roll_left - roll_right
+    t28 = slip_left - slip_right
+    t29 = yaw_coriolis * c
+    t30 = t29 * pitch_rate
+    t31 = fma(-yaw_lever, wheel_rate, -t30)
+    t32 = fma(t31, s, -yaw_damping)
+    t33 = fma(t32, yaw_rate, fma(yaw_coulomb_torque, t28, fma(yaw_rolling_torque, t27, held_yaw)))
+    pitch_acc = fma(-a12, t26, t20) * rest_1
+    return pitch_acc, fma(-a12, pitch_acc, t26), t33 * over_1
+
+
+
+@inlined
+def accelerations_rolling(pitch, pitch_rate, wheel_rate, yaw_rate, left, right, force, moment, half_track, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared):
+    held_pitch, held_wheel, held_yaw, t14 = held_rolling(left, right, force, moment, moment_response, motor_torque, force_response, yaw_motor_torque)
+    return moved_rolling(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+
+
+
+@inlined
+def constants_rolling(w, i):
+    return get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i)
+
+
+
+@inlined
+def rk4_rolling(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, half_track, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared):
+    held_pitch, held_wheel, held_yaw, t14 = held_rolling(left, right, force, moment, moment_response, motor_torque, force_response, yaw_motor_torque)
+    pitch_acc1, wheel_acc1, yaw_acc1 = moved_rolling(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+    half = mul(h, 0.5)
+    pitch2 = fma(half, pitch_rate, pitch)
+    pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
+    wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
+    yaw_rate2 = fma(half, yaw_acc1, yaw_rate)
+    pitch_acc2, wheel_acc2, yaw_acc2 = moved_rolling(pitch2, pitch_rate2, wheel_rate2, yaw_rate2, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+    pitch3 = fma(half, pitch_rate2, pitch)
+    pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
+    wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
+    yaw_rate3 = fma(half, yaw_acc2, yaw_rate)
+    pitch_acc3, wheel_acc3, yaw_acc3 = moved_rolling(pitch3, pitch_rate3, wheel_rate3, yaw_rate3, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+    pitch4 = fma(h, pitch_rate3, pitch)
+    pitch_rate4 = fma(h, pitch_acc3, pitch_rate)
+    wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
+    yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
+    pitch_acc4, wheel_acc4, yaw_acc4 = moved_rolling(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+    sixth = mul(h, 1 / 6)
+    pitch_middle = pitch_acc2 + pitch_acc3
+    pitch_sum = pitch_acc1 + pitch_middle
+    new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
+    new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
+    wheel_middle = wheel_acc2 + wheel_acc3
+    wheel_sum = wheel_acc1 + wheel_middle
+    new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
+    new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
+    yaw_middle = yaw_acc2 + yaw_acc3
+    yaw_sum = yaw_acc1 + yaw_middle
+    new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
+    new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+    return new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate
+
+
+
+def step_rolling(w, count, fallen, now):
+    i = 0
+    pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, left, right, force, moment = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i)
+    new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate = rk4_rolling(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, *constants_rolling(w, i))
+    put(w, 0, i, new_pitch)
+    put(w, 1, i, new_pitch_rate)
+    put(w, 2, i, new_wheel)
+    put(w, 3, i, new_wheel_rate)
+    put(w, 4, i, new_yaw)
+    put(w, 5, i, new_yaw_rate)
+    put(w, 7, i, now if positive(h) else lived)
+    put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+
+
+
+def advance_rolling(w, count, fallen, now):
+    align_stack()
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw_rate, left, right, force, moment, half_track, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i)
+        held_pitch, held_wheel, held_yaw, t14 = held_rolling(left, right, force, moment, moment_response, motor_torque, force_response, yaw_motor_torque)
+        pitch_acc1, wheel_acc1, yaw_acc1 = moved_rolling(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+        put(w, WORK + 0, i, pitch_acc1)
+        put(w, WORK + 1, i, wheel_acc1)
+        put(w, WORK + 2, i, yaw_acc1)
+        put(w, WORK + 11, i, held_pitch)
+        put(w, WORK + 12, i, held_wheel)
+        put(w, WORK + 13, i, held_yaw)
+        put(w, WORK + 14, i, t14)
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw_rate, h, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t14 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
+        half = mul(h, 0.5)
+        pitch2 = fma(half, pitch_rate, pitch)
+        pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
+        wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
+        yaw_rate2 = fma(half, yaw_acc1, yaw_rate)
+        pitch_acc2, wheel_acc2, yaw_acc2 = moved_rolling(pitch2, pitch_rate2, wheel_rate2, yaw_rate2, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+        put(w, WORK + 3, i, pitch_acc2)
+        put(w, WORK + 4, i, wheel_acc2)
+        put(w, WORK + 5, i, yaw_acc2)
+        put(w, WORK + 9, i, pitch_rate2)
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw_rate, h, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, held_pitch, held_wheel, held_yaw, t14 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
+        half = mul(h, 0.5)
+        pitch3 = fma(half, pitch_rate2, pitch)
+        pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
+        wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
+        yaw_rate3 = fma(half, yaw_acc2, yaw_rate)
+        pitch_acc3, wheel_acc3, yaw_acc3 = moved_rolling(pitch3, pitch_rate3, wheel_rate3, yaw_rate3, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+        put(w, WORK + 6, i, pitch_acc3)
+        put(w, WORK + 7, i, wheel_acc3)
+        put(w, WORK + 8, i, yaw_acc3)
+        put(w, WORK + 10, i, pitch_rate3)
+    for i in range(count):
+        pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, pitch_acc2, wheel_acc2, yaw_acc2, pitch_acc3, wheel_acc3, yaw_acc3, pitch_rate3, held_pitch, held_wheel, held_yaw, t14 = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 6, i), get(w, WORK + 7, i), get(w, WORK + 8, i), get(w, WORK + 10, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i)
+        pitch4 = fma(h, pitch_rate3, pitch)
+        pitch_rate4 = fma(h, pitch_acc3, pitch_rate)
+        wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
+        yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
+        pitch_acc4, wheel_acc4, yaw_acc4 = moved_rolling(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+        sixth = mul(h, 1 / 6)
+        pitch_middle = pitch_acc2 + pitch_acc3
+        pitch_sum = pitch_acc1 + pitch_middle
+        new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
+        new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
+        wheel_middle = wheel_acc2 + wheel_acc3
+        wheel_sum = wheel_acc1 + wheel_middle
+        new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
+        new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
+        yaw_middle = yaw_acc2 + yaw_acc3
+        yaw_sum = yaw_acc1 + yaw_middle
+        new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
+        new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+        put(w, 0, i, new_pitch)
+        put(w, 1, i, new_pitch_rate)
+        put(w, 2, i, new_wheel)
+        put(w, 3, i, new_wheel_rate)
+        put(w, 4, i, new_yaw)
+        put(w, 5, i, new_yaw_rate)
+        put(w, 7, i, now if positive(h) else lived)
+        put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+
+
+
+def specific_force_rolling(w, count, out):
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw_rate, left, right, force, moment, half_track, wheel_radius, gravity, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 14, i), get(w, 15, i), get(w, 16, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i)
+        held_pitch, held_wheel, held_yaw, t14 = held_rolling(left, right, force, moment, moment_response, motor_torque, force_response, yaw_motor_torque)
+        _, wheel_acc, _ = moved_rolling(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
         s, c = sincos(pitch)
         t0 = wheel_acc * wheel_radius
         t1 = t0 * c
@@ -487,7 +719,7 @@ def accelerations_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, left, righ
 
 @inlined
 def constants_slope(w, i):
-    return get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i)
+    return get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i)
 
 
 
@@ -549,7 +781,7 @@ def step_slope(w, count, fallen, now):
 def advance_slope(w, count, fallen, now):
     align_stack()
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, left, right, force, moment, sin_slope, cos_slope, motor_damping, centrifugal, weight, moment_response, motor_torque, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 12, i), get(w, 13, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i)
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, left, right, force, moment, sin_slope, cos_slope, motor_damping, centrifugal, weight, moment_response, motor_torque, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 12, i), get(w, 13, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i)
         held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23 = held_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, motor_torque, slope_weight, force_response, yaw_weight, yaw_motor_torque)
         pitch_acc1, wheel_acc1, yaw_acc1 = moved_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
         put(w, WORK + 0, i, pitch_acc1)
@@ -564,7 +796,7 @@ def advance_slope(w, count, fallen, now):
         put(w, WORK + 19, i, t18)
         put(w, WORK + 20, i, t23)
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 17, i), get(w, 18, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 17, i), get(w, 18, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
         half = mul(h, 0.5)
         pitch2 = fma(half, pitch_rate, pitch)
         pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
@@ -578,7 +810,7 @@ def advance_slope(w, count, fallen, now):
         put(w, WORK + 9, i, pitch_rate2)
         put(w, WORK + 10, i, yaw_rate2)
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, yaw_rate2, held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 17, i), get(w, 18, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 10, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, yaw_rate2, held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 17, i), get(w, 18, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 10, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
         half = mul(h, 0.5)
         pitch3 = fma(half, pitch_rate2, pitch)
         pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
@@ -592,7 +824,7 @@ def advance_slope(w, count, fallen, now):
         put(w, WORK + 11, i, pitch_rate3)
         put(w, WORK + 12, i, yaw_rate3)
     for i in range(count):
-        pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc1, wheel_acc1, yaw_acc1, pitch_acc2, wheel_acc2, yaw_acc2, pitch_acc3, wheel_acc3, yaw_acc3, pitch_rate3, yaw_rate3, held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23 = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 17, i), get(w, 18, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 6, i), get(w, WORK + 7, i), get(w, WORK + 8, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
+        pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing, pitch_acc1, wheel_acc1, yaw_acc1, pitch_acc2, wheel_acc2, yaw_acc2, pitch_acc3, wheel_acc3, yaw_acc3, pitch_rate3, yaw_rate3, held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23 = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 17, i), get(w, 18, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 6, i), get(w, WORK + 7, i), get(w, WORK + 8, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
         pitch4 = fma(h, pitch_rate3, pitch)
         pitch_rate4 = fma(h, pitch_acc3, pitch_rate)
         wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
@@ -625,7 +857,7 @@ def advance_slope(w, count, fallen, now):
 
 def specific_force_slope(w, count, out):
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, left, right, force, moment, sin_slope, cos_slope, wheel_radius, gravity, motor_damping, centrifugal, weight, moment_response, motor_torque, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 12, i), get(w, 13, i), get(w, 15, i), get(w, 16, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i)
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, left, right, force, moment, sin_slope, cos_slope, wheel_radius, gravity, motor_damping, centrifugal, weight, moment_response, motor_torque, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 12, i), get(w, 13, i), get(w, 15, i), get(w, 16, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i)
         held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23 = held_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, motor_torque, slope_weight, force_response, yaw_weight, yaw_motor_torque)
         _, wheel_acc, _ = moved_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
         s, c = sincos(pitch)
@@ -676,23 +908,23 @@ def moved_coulomb_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch
     a33 = t2
     determinant = fma(-a12, a12, a22)
     t3 = fma(-half_track, yaw_rate, -pitch_rate + wheel_rate)
-    rate_left = t3
-    root_left = sqrt(fma(rate_left, rate_left, stiction_rate_squared))
+    rate_slip_left = t3
+    root_slip_left = sqrt(fma(rate_slip_left, rate_slip_left, stiction_rate_squared))
     t4 = fma(half_track, yaw_rate, -pitch_rate + wheel_rate)
-    rate_right = t4
-    root_right = sqrt(fma(rate_right, rate_right, stiction_rate_squared))
+    rate_slip_right = t4
+    root_slip_right = sqrt(fma(rate_slip_right, rate_slip_right, stiction_rate_squared))
     before_0 = determinant * a33
-    before_1 = before_0 * root_left
-    before_2 = before_1 * root_right
+    before_1 = before_0 * root_slip_left
+    before_2 = before_1 * root_slip_right
     over = reciprocal(before_2)
     over_3 = over * before_1
-    rest_3 = over * root_right
+    rest_3 = over * root_slip_right
     over_2 = rest_3 * before_0
-    rest_2 = rest_3 * root_left
+    rest_2 = rest_3 * root_slip_left
     over_1 = rest_2 * determinant
     rest_1 = rest_2 * a33
-    slip_left = rate_left * over_2
-    slip_right = rate_right * over_3
+    slip_left = rate_slip_left * over_2
+    slip_right = rate_slip_right * over_3
     t13 = slip_left + slip_right
     t14 = -pitch_rate + wheel_rate
     t17 = centrifugal * s
@@ -725,7 +957,7 @@ def accelerations_coulomb_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, le
 
 @inlined
 def constants_coulomb_slope(w, i):
-    return get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i)
+    return get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 32, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i)
 
 
 
@@ -787,7 +1019,7 @@ def step_coulomb_slope(w, count, fallen, now):
 def advance_coulomb_slope(w, count, fallen, now):
     align_stack()
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, left, right, force, moment, sin_slope, cos_slope, half_track, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, yaw_coulomb_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 12, i), get(w, 13, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i)
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, left, right, force, moment, sin_slope, cos_slope, half_track, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, yaw_coulomb_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 12, i), get(w, 13, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 32, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i)
         held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28 = held_coulomb_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, motor_torque, slope_weight, force_response, yaw_weight, yaw_motor_torque)
         pitch_acc1, wheel_acc1, yaw_acc1 = moved_coulomb_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
         put(w, WORK + 0, i, pitch_acc1)
@@ -802,7 +1034,7 @@ def advance_coulomb_slope(w, count, fallen, now):
         put(w, WORK + 19, i, t21)
         put(w, WORK + 20, i, t28)
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
         half = mul(h, 0.5)
         pitch2 = fma(half, pitch_rate, pitch)
         pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
@@ -816,7 +1048,7 @@ def advance_coulomb_slope(w, count, fallen, now):
         put(w, WORK + 9, i, pitch_rate2)
         put(w, WORK + 10, i, yaw_rate2)
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, yaw_rate2, held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 10, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, yaw_rate2, held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 10, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
         half = mul(h, 0.5)
         pitch3 = fma(half, pitch_rate2, pitch)
         pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
@@ -830,7 +1062,7 @@ def advance_coulomb_slope(w, count, fallen, now):
         put(w, WORK + 11, i, pitch_rate3)
         put(w, WORK + 12, i, yaw_rate3)
     for i in range(count):
-        pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, pitch_acc2, wheel_acc2, yaw_acc2, pitch_acc3, wheel_acc3, yaw_acc3, pitch_rate3, yaw_rate3, held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28 = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 6, i), get(w, WORK + 7, i), get(w, WORK + 8, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
+        pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, pitch_acc2, wheel_acc2, yaw_acc2, pitch_acc3, wheel_acc3, yaw_acc3, pitch_rate3, yaw_rate3, held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28 = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 6, i), get(w, WORK + 7, i), get(w, WORK + 8, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
         pitch4 = fma(h, pitch_rate3, pitch)
         pitch_rate4 = fma(h, pitch_acc3, pitch_rate)
         wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
@@ -863,7 +1095,7 @@ def advance_coulomb_slope(w, count, fallen, now):
 
 def specific_force_coulomb_slope(w, count, out):
     for i in range(count):
-        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, left, right, force, moment, sin_slope, cos_slope, half_track, wheel_radius, gravity, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, yaw_coulomb_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 12, i), get(w, 13, i), get(w, 14, i), get(w, 15, i), get(w, 16, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i)
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, left, right, force, moment, sin_slope, cos_slope, half_track, wheel_radius, gravity, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, yaw_coulomb_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 12, i), get(w, 13, i), get(w, 14, i), get(w, 15, i), get(w, 16, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 32, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i)
         held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28 = held_coulomb_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, motor_torque, slope_weight, force_response, yaw_weight, yaw_motor_torque)
         _, wheel_acc, _ = moved_coulomb_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
         s, c = sincos(pitch)
@@ -882,16 +1114,274 @@ def specific_force_coulomb_slope(w, count, out):
 
 
 @inlined
-def held_free(left, right, motor_torque, yaw_motor_torque):
+def held_rolling_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, motor_torque, slope_weight, force_response, yaw_weight, yaw_motor_torque):
+    t7 = -left - right
+    t8 = motor_torque * t7
+    held_pitch = t8
+    t9 = force_response * force
+    t10 = left + right
+    t11 = fma(motor_torque, t10, t9)
+    held_wheel = t11
+    t12 = -left + right
+    t13 = yaw_motor_torque * t12
+    held_yaw = t13
+    t14 = weight * cos_slope
+    t17 = moment_response * moment
+    t18 = weight * sin_slope
+    t23 = slope_weight * sin_slope
+    t32 = yaw_weight * sin_slope
+    return held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32
+
+
+
+@inlined
+def moved_rolling_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared):
+    s, c = sincos(pitch)
+    sin_yaw, cos_yaw = sincos_any(yaw)
+    t0 = fma(lever, c, -rotor_coupling)
+    a12 = t0
+    a22 = pitch_inertia
+    t1 = s * s
+    t2 = fma(yaw_swing, t1, 1.0)
+    a33 = t2
+    determinant = fma(-a12, a12, a22)
+    t3 = fma(-half_track, yaw_rate, -pitch_rate + wheel_rate)
+    rate_slip_left = t3
+    root_slip_left = sqrt(fma(rate_slip_left, rate_slip_left, stiction_rate_squared))
+    t4 = fma(half_track, yaw_rate, -pitch_rate + wheel_rate)
+    rate_slip_right = t4
+    root_slip_right = sqrt(fma(rate_slip_right, rate_slip_right, stiction_rate_squared))
+    t5 = fma(-half_track, yaw_rate, wheel_rate)
+    rate_roll_left = t5
+    root_roll_left = sqrt(fma(rate_roll_left, rate_roll_left, stiction_rate_squared))
+    t6 = fma(half_track, yaw_rate, wheel_rate)
+    rate_roll_right = t6
+    root_roll_right = sqrt(fma(rate_roll_right, rate_roll_right, stiction_rate_squared))
+    before_0 = determinant * a33
+    before_1 = before_0 * root_slip_left
+    before_2 = before_1 * root_slip_right
+    before_3 = before_2 * root_roll_left
+    before_4 = before_3 * root_roll_right
+    over = reciprocal(before_4)
+    over_5 = over * before_3
+    rest_5 = over * root_roll_right
+    over_4 = rest_5 * before_2
+    rest_4 = rest_5 * root_roll_left
+    over_3 = rest_4 * before_1
+    rest_3 = rest_4 * root_slip_right
+    over_2 = rest_3 * before_0
+    rest_2 = rest_3 * root_slip_left
+    over_1 = rest_2 * determinant
+    rest_1 = rest_2 * a33
+    slip_left = rate_slip_left * over_2
+    slip_right = rate_slip_right * over_3
+    roll_left = rate_roll_left * over_4
+    roll_right = rate_roll_right * over_5
+    t15 = slip_left + slip_right
+    t16 = -pitch_rate + wheel_rate
+    t19 = centrifugal * s
+    t20 = yaw_rate * yaw_rate
+    t21 = fma(t19, t20, fma(-t18, cos_yaw, t17))
+    t22 = fma(c, t21, fma(motor_damping, t16, fma(coulomb_torque, t15, fma(t14, s, held_pitch))))
+    t24 = -roll_left - roll_right
+    t25 = -slip_left - slip_right
+    t26 = pitch_rate * pitch_rate
+    t27 = lever * t26
+    t28 = fma(turning_lever, t20, t27)
+    t29 = fma(t28, s, fma(-rolling_damping, wheel_rate, fma(coulomb_torque, t25, fma(rolling_torque, t24, fma(motor_damping, pitch_rate, fma(-t23, cos_yaw, held_wheel))))))
+    t30 = roll_left - roll_right
+    t31 = slip_left - slip_right
+    t33 = t32 * sin_yaw
+    t34 = yaw_coriolis * c
+    t35 = t34 * pitch_rate
+    t36 = fma(-yaw_lever, wheel_rate, -t35)
+    t37 = fma(t36, yaw_rate, t33)
+    t38 = fma(-yaw_damping, yaw_rate, fma(s, t37, fma(yaw_coulomb_torque, t31, fma(yaw_rolling_torque, t30, held_yaw))))
+    pitch_acc = fma(-a12, t29, t22) * rest_1
+    return pitch_acc, fma(-a12, pitch_acc, t29), t38 * over_1
+
+
+
+@inlined
+def accelerations_rolling_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, left, right, force, moment, sin_slope, cos_slope, half_track, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared):
+    held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32 = held_rolling_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, motor_torque, slope_weight, force_response, yaw_weight, yaw_motor_torque)
+    return moved_rolling_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+
+
+
+@inlined
+def constants_rolling_slope(w, i):
+    return get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i)
+
+
+
+@inlined
+def rk4_rolling_slope(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, sin_slope, cos_slope, half_track, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared):
+    held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32 = held_rolling_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, motor_torque, slope_weight, force_response, yaw_weight, yaw_motor_torque)
+    pitch_acc1, wheel_acc1, yaw_acc1 = moved_rolling_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+    half = mul(h, 0.5)
+    pitch2 = fma(half, pitch_rate, pitch)
+    pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
+    wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
+    yaw2 = fma(half, yaw_rate, yaw)
+    yaw_rate2 = fma(half, yaw_acc1, yaw_rate)
+    pitch_acc2, wheel_acc2, yaw_acc2 = moved_rolling_slope(pitch2, pitch_rate2, wheel_rate2, yaw2, yaw_rate2, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+    pitch3 = fma(half, pitch_rate2, pitch)
+    pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
+    wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
+    yaw3 = fma(half, yaw_rate2, yaw)
+    yaw_rate3 = fma(half, yaw_acc2, yaw_rate)
+    pitch_acc3, wheel_acc3, yaw_acc3 = moved_rolling_slope(pitch3, pitch_rate3, wheel_rate3, yaw3, yaw_rate3, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+    pitch4 = fma(h, pitch_rate3, pitch)
+    pitch_rate4 = fma(h, pitch_acc3, pitch_rate)
+    wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
+    yaw4 = fma(h, yaw_rate3, yaw)
+    yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
+    pitch_acc4, wheel_acc4, yaw_acc4 = moved_rolling_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+    sixth = mul(h, 1 / 6)
+    pitch_middle = pitch_acc2 + pitch_acc3
+    pitch_sum = pitch_acc1 + pitch_middle
+    new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
+    new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
+    wheel_middle = wheel_acc2 + wheel_acc3
+    wheel_sum = wheel_acc1 + wheel_middle
+    new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
+    new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
+    yaw_middle = yaw_acc2 + yaw_acc3
+    yaw_sum = yaw_acc1 + yaw_middle
+    new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
+    new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+    return new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate
+
+
+
+def step_rolling_slope(w, count, fallen, now):
+    i = 0
+    pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, left, right, force, moment, sin_slope, cos_slope = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 12, i), get(w, 13, i)
+    new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate = rk4_rolling_slope(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, force, moment, sin_slope, cos_slope, *constants_rolling_slope(w, i))
+    put(w, 0, i, new_pitch)
+    put(w, 1, i, new_pitch_rate)
+    put(w, 2, i, new_wheel)
+    put(w, 3, i, new_wheel_rate)
+    put(w, 4, i, new_yaw)
+    put(w, 5, i, new_yaw_rate)
+    put(w, 7, i, now if positive(h) else lived)
+    put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+
+
+
+def advance_rolling_slope(w, count, fallen, now):
+    align_stack()
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, left, right, force, moment, sin_slope, cos_slope, half_track, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 12, i), get(w, 13, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i)
+        held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32 = held_rolling_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, motor_torque, slope_weight, force_response, yaw_weight, yaw_motor_torque)
+        pitch_acc1, wheel_acc1, yaw_acc1 = moved_rolling_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+        put(w, WORK + 0, i, pitch_acc1)
+        put(w, WORK + 1, i, wheel_acc1)
+        put(w, WORK + 2, i, yaw_acc1)
+        put(w, WORK + 13, i, held_pitch)
+        put(w, WORK + 14, i, held_wheel)
+        put(w, WORK + 15, i, held_yaw)
+        put(w, WORK + 16, i, t14)
+        put(w, WORK + 17, i, t17)
+        put(w, WORK + 18, i, t18)
+        put(w, WORK + 19, i, t23)
+        put(w, WORK + 20, i, t32)
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
+        half = mul(h, 0.5)
+        pitch2 = fma(half, pitch_rate, pitch)
+        pitch_rate2 = fma(half, pitch_acc1, pitch_rate)
+        wheel_rate2 = fma(half, wheel_acc1, wheel_rate)
+        yaw2 = fma(half, yaw_rate, yaw)
+        yaw_rate2 = fma(half, yaw_acc1, yaw_rate)
+        pitch_acc2, wheel_acc2, yaw_acc2 = moved_rolling_slope(pitch2, pitch_rate2, wheel_rate2, yaw2, yaw_rate2, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+        put(w, WORK + 3, i, pitch_acc2)
+        put(w, WORK + 4, i, wheel_acc2)
+        put(w, WORK + 5, i, yaw_acc2)
+        put(w, WORK + 9, i, pitch_rate2)
+        put(w, WORK + 10, i, yaw_rate2)
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, h, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc2, wheel_acc2, yaw_acc2, pitch_rate2, yaw_rate2, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32 = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 9, i), get(w, WORK + 10, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
+        half = mul(h, 0.5)
+        pitch3 = fma(half, pitch_rate2, pitch)
+        pitch_rate3 = fma(half, pitch_acc2, pitch_rate)
+        wheel_rate3 = fma(half, wheel_acc2, wheel_rate)
+        yaw3 = fma(half, yaw_rate2, yaw)
+        yaw_rate3 = fma(half, yaw_acc2, yaw_rate)
+        pitch_acc3, wheel_acc3, yaw_acc3 = moved_rolling_slope(pitch3, pitch_rate3, wheel_rate3, yaw3, yaw_rate3, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+        put(w, WORK + 6, i, pitch_acc3)
+        put(w, WORK + 7, i, wheel_acc3)
+        put(w, WORK + 8, i, yaw_acc3)
+        put(w, WORK + 11, i, pitch_rate3)
+        put(w, WORK + 12, i, yaw_rate3)
+    for i in range(count):
+        pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, lived, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared, pitch_acc1, wheel_acc1, yaw_acc1, pitch_acc2, wheel_acc2, yaw_acc2, pitch_acc3, wheel_acc3, yaw_acc3, pitch_rate3, yaw_rate3, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32 = get(w, 0, i), get(w, 1, i), get(w, 2, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 6, i), get(w, 7, i), get(w, 14, i), get(w, 17, i), get(w, 18, i), get(w, 21, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i), get(w, WORK + 0, i), get(w, WORK + 1, i), get(w, WORK + 2, i), get(w, WORK + 3, i), get(w, WORK + 4, i), get(w, WORK + 5, i), get(w, WORK + 6, i), get(w, WORK + 7, i), get(w, WORK + 8, i), get(w, WORK + 11, i), get(w, WORK + 12, i), get(w, WORK + 13, i), get(w, WORK + 14, i), get(w, WORK + 15, i), get(w, WORK + 16, i), get(w, WORK + 17, i), get(w, WORK + 18, i), get(w, WORK + 19, i), get(w, WORK + 20, i)
+        pitch4 = fma(h, pitch_rate3, pitch)
+        pitch_rate4 = fma(h, pitch_acc3, pitch_rate)
+        wheel_rate4 = fma(h, wheel_acc3, wheel_rate)
+        yaw4 = fma(h, yaw_rate3, yaw)
+        yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
+        pitch_acc4, wheel_acc4, yaw_acc4 = moved_rolling_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+        sixth = mul(h, 1 / 6)
+        pitch_middle = pitch_acc2 + pitch_acc3
+        pitch_sum = pitch_acc1 + pitch_middle
+        new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
+        new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
+        wheel_middle = wheel_acc2 + wheel_acc3
+        wheel_sum = wheel_acc1 + wheel_middle
+        new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
+        new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
+        yaw_middle = yaw_acc2 + yaw_acc3
+        yaw_sum = yaw_acc1 + yaw_middle
+        new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
+        new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+        put(w, 0, i, new_pitch)
+        put(w, 1, i, new_pitch_rate)
+        put(w, 2, i, new_wheel)
+        put(w, 3, i, new_wheel_rate)
+        put(w, 4, i, new_yaw)
+        put(w, 5, i, new_yaw_rate)
+        put(w, 7, i, now if positive(h) else lived)
+        put(w, 6, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))
+
+
+
+def specific_force_rolling_slope(w, count, out):
+    for i in range(count):
+        pitch, pitch_rate, wheel_rate, yaw, yaw_rate, left, right, force, moment, sin_slope, cos_slope, half_track, wheel_radius, gravity, motor_damping, centrifugal, weight, moment_response, coulomb_torque, motor_torque, lever, rolling_damping, turning_lever, slope_weight, force_response, yaw_coriolis, yaw_lever, yaw_damping, yaw_weight, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared = get(w, 0, i), get(w, 1, i), get(w, 3, i), get(w, 4, i), get(w, 5, i), get(w, 8, i), get(w, 9, i), get(w, 10, i), get(w, 11, i), get(w, 12, i), get(w, 13, i), get(w, 14, i), get(w, 15, i), get(w, 16, i), get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 20, i), get(w, 21, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 26, i), get(w, 27, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 31, i), get(w, 32, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i), get(w, 39, i)
+        held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32 = held_rolling_slope(left, right, force, moment, sin_slope, cos_slope, weight, moment_response, motor_torque, slope_weight, force_response, yaw_weight, yaw_motor_torque)
+        _, wheel_acc, _ = moved_rolling_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
+        s, c = sincos(pitch)
+        sin_yaw, cos_yaw = sincos_any(yaw)
+        t0 = wheel_acc * wheel_radius
+        t1 = gravity * sin_slope
+        t2 = fma(t1, cos_yaw, t0)
+        t3 = c * t2
+        t4 = gravity * cos_slope
+        t5 = fma(-t4, s, t3)
+        t6 = t4 * c
+        t7 = fma(t2, s, t6)
+        put(w, out + 0, i, t5)
+        put(w, out + 1, i, t7)
+
+
+
+@inlined
+def held_free(left, right, roll_left, roll_right, motor_torque, rolling_torque, yaw_rolling_torque, yaw_motor_torque):
     t3 = -left - right
     t4 = motor_torque * t3
     held_pitch = t4
     t5 = left + right
     t6 = motor_torque * t5
-    held_wheel = t6
-    t7 = -left + right
-    t8 = yaw_motor_torque * t7
-    held_yaw = t8
+    t7 = -roll_left - roll_right
+    t8 = fma(rolling_torque, t7, t6)
+    held_wheel = t8
+    t9 = -left + right
+    t10 = yaw_motor_torque * t9
+    t11 = roll_left - roll_right
+    t12 = fma(yaw_rolling_torque, t11, t10)
+    held_yaw = t12
     return held_pitch, held_wheel, held_yaw
 
 
@@ -910,41 +1400,41 @@ def moved_free(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, 
     over = reciprocal(before_0)
     over_1 = over * determinant
     rest_1 = over * a33
-    t9 = -pitch_rate + wheel_rate
-    t10 = centrifugal * c
-    t11 = yaw_rate * yaw_rate
-    t12 = fma(t10, t11, weight)
-    t13 = fma(t12, s, fma(motor_damping, t9, held_pitch))
-    t14 = pitch_rate * pitch_rate
-    t15 = lever * t14
-    t16 = fma(turning_lever, t11, t15)
-    t17 = fma(t16, s, fma(-rolling_damping, wheel_rate, fma(motor_damping, pitch_rate, held_wheel)))
-    t18 = yaw_coriolis * c
-    t19 = t18 * pitch_rate
-    t20 = fma(-yaw_lever, wheel_rate, -t19)
-    t21 = fma(t20, s, -yaw_damping)
-    t22 = fma(t21, yaw_rate, held_yaw)
-    pitch_acc = fma(-a12, t17, t13) * rest_1
-    return pitch_acc, fma(-a12, pitch_acc, t17), t22 * over_1
+    t13 = -pitch_rate + wheel_rate
+    t14 = centrifugal * c
+    t15 = yaw_rate * yaw_rate
+    t16 = fma(t14, t15, weight)
+    t17 = fma(t16, s, fma(motor_damping, t13, held_pitch))
+    t18 = pitch_rate * pitch_rate
+    t19 = lever * t18
+    t20 = fma(turning_lever, t15, t19)
+    t21 = fma(t20, s, fma(-rolling_damping, wheel_rate, fma(motor_damping, pitch_rate, held_wheel)))
+    t22 = yaw_coriolis * c
+    t23 = t22 * pitch_rate
+    t24 = fma(-yaw_lever, wheel_rate, -t23)
+    t25 = fma(t24, s, -yaw_damping)
+    t26 = fma(t25, yaw_rate, held_yaw)
+    pitch_acc = fma(-a12, t21, t17) * rest_1
+    return pitch_acc, fma(-a12, pitch_acc, t21), t26 * over_1
 
 
 
 @inlined
-def accelerations_free(pitch, pitch_rate, wheel_rate, yaw_rate, left, right, motor_damping, centrifugal, weight, motor_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing):
-    held_pitch, held_wheel, held_yaw = held_free(left, right, motor_torque, yaw_motor_torque)
+def accelerations_free(pitch, pitch_rate, wheel_rate, yaw_rate, left, right, roll_left, roll_right, motor_damping, centrifugal, weight, motor_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing):
+    held_pitch, held_wheel, held_yaw = held_free(left, right, roll_left, roll_right, motor_torque, rolling_torque, yaw_rolling_torque, yaw_motor_torque)
     return moved_free(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, held_yaw, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
 
 
 
 @inlined
 def constants_free(w, i):
-    return get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i)
+    return get(w, 17, i), get(w, 18, i), get(w, 19, i), get(w, 22, i), get(w, 23, i), get(w, 24, i), get(w, 25, i), get(w, 28, i), get(w, 29, i), get(w, 30, i), get(w, 33, i), get(w, 34, i), get(w, 35, i), get(w, 36, i), get(w, 37, i), get(w, 38, i)
 
 
 
 @inlined
-def rk4_free(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, motor_damping, centrifugal, weight, motor_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing):
-    held_pitch, held_wheel, held_yaw = held_free(left, right, motor_torque, yaw_motor_torque)
+def rk4_free(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right, roll_left, roll_right, motor_damping, centrifugal, weight, motor_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rolling_torque, yaw_rolling_torque, yaw_motor_torque, rotor_coupling, pitch_inertia, yaw_swing):
+    held_pitch, held_wheel, held_yaw = held_free(left, right, roll_left, roll_right, motor_torque, rolling_torque, yaw_rolling_torque, yaw_motor_torque)
     pitch_acc1, wheel_acc1, yaw_acc1 = moved_free(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, held_yaw, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
     half = mul(h, 0.5)
     pitch2 = fma(half, pitch_rate, pitch)

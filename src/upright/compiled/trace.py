@@ -30,11 +30,11 @@ from upright.compiled.trace_print import (
     PITCH,
     PITCH_RATE,
     RIGHT,
+    ROLL,
     SIN,
     SIN_SLOPE,
     SIN_YAW,
-    SLIP_LEFT,
-    SLIP_RIGHT,
+    SLIP,
     WHEEL_RATE,
     YAW,
     YAW_RATE,
@@ -46,7 +46,7 @@ from upright.physics.dynamics import Disturbance, accelerations, mass_matrix
 @dataclass(frozen=True)
 class Traced:
     """The equations in the names of `NAMED`, `STATE` and `HELD`: `forces` Q_ψ, Q_θ, Q_φ, inertias a12, a22, a33, and
-    the slip `rates` of left and right."""
+    the `rates` of `SLIP` and `ROLL`."""
 
     forces: tuple[Any, ...]
     inertias: tuple[Any, ...]
@@ -68,9 +68,9 @@ class Maths:
         return self._cos[angle]
 
     def sqrt(self, square: Any) -> Any:
-        """√(rate² + ω²), written as rate / slip so that the friction is linear in the slip."""
+        """√(rate² + ω²), written as rate / slip so that the friction is linear in `SLIP` and `ROLL`."""
         rate = next(part.base for part in square.args if part.has(WHEEL_RATE))
-        slip = (SLIP_LEFT, SLIP_RIGHT)[len(self.slips)]
+        slip = (*SLIP, *ROLL)[len(self.slips)]
         self.slips.append(rate)
         return rate / slip
 

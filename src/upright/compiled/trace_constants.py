@@ -48,6 +48,8 @@ NAMED: dict[str, tuple[Any, str]] = {
     "yaw_damping": (2 * _HALF**2 * _DRAG / A33, "2(W/2R)²(β + f_w)/a33 [1/s]: motors' and wheels' damping of yaw"),
     "yaw_weight": (_WEIGHT / A33, "MgL/a33 [1/s²]: gravity's moment about the vertical on a slope"),
     "yaw_coulomb_torque": (_HALF * P.coulomb_friction / A33, "(W/2R)τ_c/a33 [1/s²]: dry friction of one motor, in yaw"),
+    "rolling_torque": (P.rolling_friction / A11, "τ_w/a11 [1/s²]: dry friction of one wheel on the floor"),
+    "yaw_rolling_torque": (_HALF * P.rolling_friction / A33, "(W/2R)τ_w/a33 [1/s²]: that of one wheel, in yaw"),
     "yaw_motor_torque": (_HALF * motor_gain(P) / A33, "(W/2R)α/a33 [1/(V s²)]: the torque of a volt, in yaw"),
     "rotor_coupling": (2 * P.gear_ratio**2 * P.rotor_inertia / A11, "2n²J_m/a11: the rotors' part of a12"),
     "pitch_inertia": (A22 / A11, "a22/a11: inertia in pitch over that of all that rolls"),

@@ -23,9 +23,9 @@ from upright.compiled.trace_print import (
     MOMENT,
     PITCH,
     PITCH_RATE,
+    ROLL,
     SIN_SLOPE,
-    SLIP_LEFT,
-    SLIP_RIGHT,
+    SLIP,
     STATE,
     WHEEL_RATE,
     YAW,
@@ -39,12 +39,15 @@ from upright.errors import InvalidModel
 from upright.physics.integrate import rk4_step
 from upright.physics.sensing import accelerometer
 
-_SMOOTH, _LEVEL, _CALM = {SLIP_LEFT: 0, SLIP_RIGHT: 0}, {SIN_SLOPE: 0, COS_SLOPE: 1}, {FORCE: 0, MOMENT: 0}
+_SMOOTH, _EASY = dict.fromkeys(SLIP, 0), dict.fromkeys(ROLL, 0)
+_LEVEL, _CALM = {SIN_SLOPE: 0, COS_SLOPE: 1}, {FORCE: 0, MOMENT: 0}
 VARIANTS = {
-    "smooth": {**_SMOOTH, **_LEVEL}, "coulomb": _LEVEL, "slope": _SMOOTH, "coulomb_slope": {},
+    "smooth": {**_SMOOTH, **_EASY, **_LEVEL}, "coulomb": {**_EASY, **_LEVEL}, "rolling": _LEVEL,
+    "slope": {**_SMOOTH, **_EASY}, "coulomb_slope": _EASY, "rolling_slope": {},
     "free": {**_SMOOTH, **_LEVEL, **_CALM},
 }  # fmt: skip
-"""Name → what it leaves out: dry friction, a floor that slopes, and, for the predictor alone, pushes."""
+"""Name → what it leaves out: dry friction of motors and on the floor, a floor that slopes, and, for the predictor
+alone, pushes. The predictor holds the signs of rolling friction over a step, as it does the commands."""
 FOR_BLOCKS = tuple(name for name in VARIANTS if name != "free")
 
 IMPORTS = """from upright.compiled.generated import WORK
@@ -127,10 +130,11 @@ class _Work:
     def __init__(self, name: str) -> None:
         self.name, self.slope = name, SIN_SLOPE not in VARIANTS[name]
         self._moving = [n for n in STAGE if n != "yaw" or self.slope]
-        self._held_lines, self._lines, self._result = _parted(_acceleration_lines(VARIANTS[name]))
+        held = (*HELD, *ROLL) if name == "free" else HELD
+        self._held_lines, self._lines, self._result = _parted(_acceleration_lines(VARIANTS[name], held), held)
         lines = [*self._lines, self._result]
         self._constants, self._held_constants = _used(lines, CONSTANTS), _used(self._held_lines, CONSTANTS)
-        self._inputs = _used(self._held_lines, map(str, HELD))
+        self._inputs = _used(self._held_lines, map(str, held))
         self.held = _used(lines, [line.split(" = ")[0] for line in self._held_lines])
         self._all = _used([*self._held_lines, *lines], CONSTANTS)
         accelerations = [f"{angle}_acc{k}" for k in (1, 2, 3) for angle in _ANGLES]
@@ -250,9 +254,9 @@ def _used(lines: Iterable[str], names: Iterable[str]) -> list[str]:
     return [name for name in names if name in words]
 
 
-def _parted(lines: Sequence[str]) -> tuple[list[str], list[str], str]:
-    """Lines that need nothing but what is held and constants, the other lines, and the one that returns."""
-    known = {*map(str, HELD), *CONSTANTS, "fma"}
+def _parted(lines: Sequence[str], fixed: Sequence[Any]) -> tuple[list[str], list[str], str]:
+    """Lines that need nothing but what is `fixed` over a step and constants, the others, and the one that returns."""
+    known = {*map(str, fixed), *CONSTANTS, "fma"}
     held, rest = list[str](), list[str]()
     for line in lines[:-1]:
         name, _, text = line.partition(" = ")
@@ -263,17 +267,19 @@ def _parted(lines: Sequence[str]) -> tuple[list[str], list[str], str]:
     return held, rest, lines[-1]
 
 
-def _split(expression: Any) -> Any:
-    """Factored, with what is held over a step apart, so that it is computed once for all stages."""
+def _split(expression: Any, fixed: Sequence[Any]) -> Any:
+    """Factored, with what is `fixed` over a step apart, so that it is computed once for all stages."""
     terms = sp.Add.make_args(sp.expand(expression))
-    held = [term for term in terms if not term.free_symbols & set(STATE)]
+    held = [term for term in terms if not term.free_symbols & (set(STATE) - set(fixed))]
     return factored(sp.Add(*held)), factored(sp.Add(*[term for term in terms if term not in held]))
 
 
-def _acceleration_lines(absent: dict[Any, int]) -> list[str]:
+def _acceleration_lines(absent: dict[Any, int], fixed: Sequence[Any]) -> list[str]:
     """The body of a function that gives ψ̈, θ̈, φ̈ without what is `absent`, with one reciprocal for all its divisions."""
     traced, out = trace(), LanePrinter()
-    coulomb, slope = SLIP_LEFT not in absent, SIN_SLOPE not in absent
+    slope = SIN_SLOPE not in absent
+    signs = {str(sign): rate for sign, rate in zip((*SLIP, *ROLL), traced.rates, strict=True)
+             if sign not in absent and sign not in fixed}  # fmt: skip
     out.put("s, c", "sincos(pitch)")
     if slope:
         out.put("sin_yaw, cos_yaw", "sincos_any(yaw)")
@@ -281,15 +287,13 @@ def _acceleration_lines(absent: dict[Any, int]) -> list[str]:
         sp.Symbol(out.put(n, out.value(e))) for n, e in zip(("a12", "a22", "a33"), traced.inertias, strict=True)
     )
     below = [out.put("determinant", f"fma(-a12, a12, {a22})"), str(a33)]
-    if coulomb:
-        for side, rate in zip(("left", "right"), traced.rates, strict=True):
-            out.put(f"rate_{side}", out.value(rate))
-            below.append(out.put(f"root_{side}", f"sqrt(fma(rate_{side}, rate_{side}, stiction_rate_squared))"))
+    for sign, rate in signs.items():
+        out.put(f"rate_{sign}", out.value(rate))
+        below.append(out.put(f"root_{sign}", f"sqrt(fma(rate_{sign}, rate_{sign}, stiction_rate_squared))"))
     over = _reciprocals(out, below)
-    if coulomb:
-        out.put("slip_left", f"rate_left * {over[2]}")
-        out.put("slip_right", f"rate_right * {over[3]}")
-    force = [_split(f.subs(absent)) for f in traced.forces]
+    for sign, inverse in zip(signs, over[2:], strict=True):
+        out.put(sign, f"rate_{sign} * {inverse}")
+    force = [_split(f.subs(absent), fixed) for f in traced.forces]
     for name, (held, _) in zip(("held_pitch", "held_wheel", "held_yaw"), force, strict=True):
         out.put(name, out.value(held))
     pitch, wheel, yaw = (

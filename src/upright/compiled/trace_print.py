@@ -19,11 +19,13 @@ P = SimpleNamespace(**{name: sp.Symbol(name, positive=True) for name in PARAMETE
 SIN, COS, SIN_YAW, COS_YAW, SIN_SLOPE, COS_SLOPE = sp.symbols("s c sin_yaw cos_yaw sin_slope cos_slope", real=True)
 PITCH, PITCH_RATE, WHEEL_RATE, YAW, YAW_RATE = sp.symbols("pitch pitch_rate wheel_rate yaw yaw_rate", real=True)
 LEFT, RIGHT, FORCE, MOMENT = sp.symbols("left right force moment", real=True)
-SLIP_LEFT, SLIP_RIGHT = sp.symbols("slip_left slip_right", real=True)
+SLIP = SLIP_LEFT, SLIP_RIGHT = sp.symbols("slip_left slip_right", real=True)
 """rate / √(rate² + ω_c²) of each motor: the smoothed sign in Coulomb's friction."""
+ROLL = ROLL_LEFT, ROLL_RIGHT = sp.symbols("roll_left roll_right", real=True)
+"""The same of each wheel's rate over the floor, in rolling friction."""
 
 HELD = (LEFT, RIGHT, FORCE, MOMENT, SIN_SLOPE, COS_SLOPE)
-STATE = (PITCH_RATE, WHEEL_RATE, YAW_RATE, SIN, COS, SIN_YAW, COS_YAW, SLIP_LEFT, SLIP_RIGHT)
+STATE = (PITCH_RATE, WHEEL_RATE, YAW_RATE, SIN, COS, SIN_YAW, COS_YAW, *SLIP, *ROLL)
 DYNAMIC = (*STATE, *HELD)
 FACTOR_FIRST = (SIN, COS, YAW_RATE, PITCH_RATE, WHEEL_RATE)
 

@@ -130,14 +130,17 @@ class _Between:
 
 
 def rolling(robot: Robot, rate: float = 3.0) -> Robot:
-    """The robot with its Coulomb friction replaced by the damping that brakes alike at `rate` [rad/s].
+    """The robot with its dry friction replaced by the damping that brakes alike at `rate` [rad/s].
 
-    At rest a smoothed Coulomb friction has its steepest slope, which would pass for a brake that no moving robot has.
+    At rest a smoothed dry friction has its steepest slope, which would pass for a brake that no moving robot has.
     """
-    if not robot.coulomb_friction:
+    if not (robot.coulomb_friction or robot.rolling_friction):
         return robot
-    secant = robot.coulomb_friction / math.hypot(rate, robot.stiction_rate)
-    return robot.replace(coulomb_friction=0.0, motor_friction=robot.motor_friction + secant)
+    alike = math.hypot(rate, robot.stiction_rate)
+    return robot.without_dry_friction().replace(
+        motor_friction=robot.motor_friction + robot.coulomb_friction / alike,
+        wheel_friction=robot.wheel_friction + robot.rolling_friction / alike,
+    )
 
 
 def _assembled(

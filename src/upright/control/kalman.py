@@ -28,7 +28,7 @@ NXTWAY_WEIGHT = 6.0  # [N] of the body of NXTway-GS, to which pushes are scaled
 class Disturbed:
     """Standard deviations of the disturbances of a robot, each period.
 
-    `push` [N] is for a body of 6 N. `motor` is a fraction of the largest usual command [1]; Coulomb friction, whose
+    `push` [N] is for a body of 6 N. `motor` is a fraction of the largest usual command [1]; dry friction, whose
     sign no linear filter knows, is added to it. The steady push is a random walk of `push_walk` [N/√s]. The gyro's bias
     is one of `bias_walk` [rad/s/√s], or of the kit's figure where that is larger.
     """
@@ -45,7 +45,7 @@ class Disturbed:
     def motor_size(self, robot: Robot) -> float:
         """That of each command, in its unit."""
         usual = LARGEST_COMMAND[robot.command_unit]
-        return self.motor * usual + robot.coulomb_friction / motor_gain(robot)
+        return self.motor * usual + (robot.coulomb_friction + robot.rolling_friction) / motor_gain(robot)
 
     def noise(self, model: SampledRobot) -> Array:
         """W (n, n), the covariance of what enters the states of `model` in a period."""

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.diagnose.innovations import FilterRun
-from upright.physics.dynamics import motor_damping, motor_torque, turn_ratio
+from upright.physics.dynamics import motor_damping, motor_torque, rolling_friction, turn_ratio
 
 Array = NDArray[np.float64]
 
@@ -59,6 +59,7 @@ def _slip_acceleration(run: FilterRun) -> tuple[Array, Array, Array]:
     M[:, 1, 1], M[:, 1, 2], M[:, 2, 1] = 2 * p.wheel_inertia + rotors, -rotors, -rotors
     M[:, 2, 2] = lever * p.com_height + p.pitch_inertia + rotors
     drag = 2 * p.wheel_friction * x[:, 3]
+    drag += rolling_friction(x[:, 3] - turn, p, np) + rolling_friction(x[:, 3] + turn, p, np)
     forces = np.zeros((n, 3, 3))  # what acts without the floor, a newton of it, a newton metre of the motors
     forces[:, :, 0] = np.stack([lever * x[:, 1] ** 2 * sin, torque - drag, lever * p.gravity * sin - torque], axis=1)
     forces[:, :, 1], forces[:, :, 2] = (1.0, -p.wheel_radius, 0.0), (0.0, 1.0, -1.0)

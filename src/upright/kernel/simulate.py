@@ -36,7 +36,7 @@ PIECE = 8192
 
 _PARTS = 8  # pieces for each thread: where robots fall early, their thread takes another piece
 
-VARIANTS = ("smooth", "coulomb", "slope", "coulomb_slope")
+VARIANTS = ("smooth", "coulomb", "rolling", "slope", "coulomb_slope", "rolling_slope")
 
 
 def simulate(
@@ -89,8 +89,8 @@ def _pieces(batch: FleetBatch, workers: int) -> list[tuple[str, Selection]]:
     does not depend on the others."""
     even = max(PIECE // _PARTS, batch.n // (_PARTS * workers))
     size = batch.n if batch.n <= PIECE else min(PIECE, -(-even // LANES) * LANES)
-    rough = batch.parameters[:, NAMES.index("coulomb_friction")] != 0
-    kinds = rough + 2 * (batch.slope[:, 0] != 0)
+    slips, rolls = (batch.parameters[:, NAMES.index(f"{name}_friction")] != 0 for name in ("coulomb", "rolling"))
+    kinds = np.where(rolls, 2, slips) + 3 * (batch.slope[:, 0] != 0)
     if len(kinds) == 1 or (kinds == kinds[0]).all():
         starts = range(0, batch.n, size)
         return [(VARIANTS[int(kinds[0])], slice(start, min(batch.n, start + size))) for start in starts]

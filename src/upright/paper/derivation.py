@@ -30,7 +30,7 @@ RATES = ("wheel_rate", "pitch_rate", "yaw_rate")
 """ν = (θ̇, ψ̇, φ̇): the order of the paper's three equations, and of the rows of the mass matrix."""
 
 _INPUTS = {"left": "v_l", "right": "v_r", "force": "F", "height": "h", "slope": "γ", "alpha": "α", "beta": "β"}
-_SIGNS = {"sign_l": "σ_l", "sign_r": "σ_r"}
+_SIGNS = {"sign_l": "σ_l", "sign_r": "σ_r", "floor_l": "ρ_l", "floor_r": "ρ_r"}
 _UNREDUCED = {"x": "x", "y": "y", "vx": "ẋ", "vy": "ẏ", "wl": "θ̇_l", "wr": "θ̇_r", "torque_l": "τ_l", "torque_r": "τ_r"}
 
 
@@ -48,8 +48,8 @@ class Mechanics(NamedTuple):
 @dataclass(frozen=True, eq=False)
 class Derivation:
     """mass · (θ̈, ψ̈, φ̈) = force [N m], as SymPy expressions of `symbols`: one attribute for each state, command,
-    disturbance and parameter field of `Robot`. The motor's α and β and the smoothed signs σ_l, σ_r of the wheels'
-    rates against the body are symbols too; `definitions` writes them out."""
+    disturbance and parameter field of `Robot`. The motor's α and β and the smoothed signs of the wheels' rates,
+    σ_l, σ_r against the body and ρ_l, ρ_r against the floor, are symbols too; `definitions` writes them out."""
 
     model: Model
     symbols: SimpleNamespace
@@ -67,19 +67,30 @@ class Derivation:
 
     @property
     def definitions(self) -> dict[Any, Any]:
-        """α, β, σ_l and σ_r in the robot's own numbers and the state."""
+        """α, β, σ_l, σ_r, ρ_l and ρ_r in the robot's own numbers and the state."""
         import sympy as sp
 
         s = self.symbols
         alpha = s.gear_ratio * s.torque_constant / s.motor_resistance
-        left, right = (rate - s.pitch_rate for rate in _wheel_rates(s))
-        sign_l, sign_r = (rate / sp.sqrt(rate**2 + s.stiction_rate**2) for rate in (left, right))
+
+        def sign(rate: Any) -> Any:
+            return rate / sp.sqrt(rate**2 + s.stiction_rate**2)
+
+        left, right = _wheel_rates(s)
         return {
             s.alpha: alpha,
             s.beta: alpha * s.back_emf + s.motor_friction,
-            s.sign_l: sign_l,
-            s.sign_r: sign_r,
+            s.sign_l: sign(left - s.pitch_rate),
+            s.sign_r: sign(right - s.pitch_rate),
+            s.floor_l: sign(left),
+            s.floor_r: sign(right),
         }
+
+    @property
+    def loads(self) -> dict[Any, int]:
+        """Push, slope and dry friction, which the paper does not model: each to be zero."""
+        s = self.symbols
+        return dict.fromkeys((s.force, s.slope, s.coulomb_friction, s.rolling_friction), 0)
 
     @property
     def equations(self) -> tuple[str, str, str]:
@@ -164,8 +175,8 @@ def mechanics(s: SimpleNamespace, roll: Any) -> Mechanics:
     force[1] += s.force * sin
     # the pushed point stands h sin ψ ahead of the axle: turning moves it sideways only, which costs no work
     force[3] += s.force * s.height * sp.cos(s.pitch) - s.torque_l - s.torque_r
-    force[4] += s.torque_l - s.wheel_friction * s.wl
-    force[5] += s.torque_r - s.wheel_friction * s.wr
+    force[4] += s.torque_l - s.wheel_friction * s.wl - s.rolling_friction * s.floor_l
+    force[5] += s.torque_r - s.wheel_friction * s.wr - s.rolling_friction * s.floor_r
     forward, sideways, turn = v[0] * cos + v[1] * sin, v[1] * cos - v[0] * sin, s.track / 2 * s.yaw_rate
     gaps = [sideways, forward - turn - s.wheel_radius * s.wl, forward + turn - s.wheel_radius * s.wr]
     rolling = sp.Matrix(gaps).jacobian(v)

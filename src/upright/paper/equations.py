@@ -53,8 +53,7 @@ def disagreement(model: Model, robot: Robot, seed: int = 0) -> float:
 
 def without_loads(derivation: Derivation) -> Derivation:
     """The same without push, slope and dry friction, which the paper does not model."""
-    s = derivation.symbols
-    return replace(derivation, force=derivation.force.subs({s.force: 0, s.slope: 0, s.coulomb_friction: 0}))
+    return replace(derivation, force=derivation.force.subs(derivation.loads))
 
 
 def _model() -> Claim:

@@ -113,15 +113,14 @@ def _undefined(s: SimpleNamespace) -> Any:
 
 
 def _calm(d: Derivation) -> tuple[Any, Any, Any]:
-    """ψ̈, θ̈, φ̈ without push, slope and Coulomb friction, which the paper has not."""
-    s = d.symbols
-    return tuple(e.subs({s.force: 0, s.slope: 0, s.coulomb_friction: 0}) for e in d.accelerations)  # type: ignore[return-value]
+    """ψ̈, θ̈, φ̈ without push, slope and dry friction, which the paper has not."""
+    return tuple(e.subs(d.loads) for e in d.accelerations)  # type: ignore[return-value]
 
 
 def _side(d: Derivation, row: int) -> tuple[Any, Any]:
     """Equation `row` of `RATES`, split as the paper does: inertia and gravity (1) to (3), and motors (8) to (10)."""
     s = d.symbols
-    calm = d.force[row].subs({s.force: 0, s.slope: 0, s.coulomb_friction: 0})
+    calm = d.force[row].subs(d.loads)
     free = calm.subs({s.alpha: 0, s.beta: 0, s.wheel_friction: 0})
     return sum(a * acc for a, acc in zip(d.mass[row, :], _second(), strict=True)) - free, calm - free
 

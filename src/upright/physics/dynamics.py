@@ -51,6 +51,11 @@ def motor_torque(command: Any, rate: Any, p: Any, xp: Any = math) -> Any:
     return motor_gain(p) * command - motor_damping(p) * rate - coulomb
 
 
+def rolling_friction(rate: Any, p: Any, xp: Any = math) -> Any:
+    """Dry torque of the floor against a wheel [N m] that turns over it at `rate` [rad/s]."""
+    return p.rolling_friction * rate / xp.sqrt(rate**2 + p.stiction_rate**2)
+
+
 def mass_matrix(cos: Any, sin: Any, p: Any, model: str = "complete") -> tuple[Any, Any, Any, Any]:
     """The inertias (a11, a12, a22, a33) [kg m²] at the pitch whose cosine and sine are given."""
     rotors = p.gear_ratio**2 * p.rotor_inertia
@@ -104,6 +109,12 @@ def accelerations(
     if model == "complete":
         wheel_force = wheel_force + lever * yaw_rate**2 * sin
         yaw_force = yaw_force - lever * yaw_rate * wheel_rate * sin
+
+    if not isinstance(p.rolling_friction, float) or p.rolling_friction:
+        floor_left = rolling_friction(wheel_rate - half_track * yaw_rate, p, xp)
+        floor_right = rolling_friction(wheel_rate + half_track * yaw_rate, p, xp)
+        wheel_force = wheel_force - floor_left - floor_right
+        yaw_force = yaw_force - half_track * (floor_right - floor_left)
 
     determinant = a11 * a22 - a12**2
     pitch_acc = (a11 * pitch_force - a12 * wheel_force) / determinant

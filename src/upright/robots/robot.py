@@ -35,9 +35,10 @@ class Robot:
     `pitch_inertia`, `yaw_inertia` and `roll_inertia` are those of the body about its centre of mass. The yaw and
     roll inertias include the two wheels' small inertias about their own diameters. With `drive="torque"`
     the command is each motor's torque [N m] on its wheel, and the electrical parameters are not used.
-    `coulomb_friction` acts between body and wheel, smoothed over `stiction_rate`. `correlation` holds the correlation
-    of the errors of pairs of parameters [−1 to 1], as a calibration estimates them. `kit` is the name of a kit or its
-    file, or the kit itself, with the delays and motors of this very robot. `conditions` are the batteries and floors
+    `coulomb_friction` acts between body and wheel, `rolling_friction` between wheel and floor; both are those of one
+    wheel, smoothed over `stiction_rate`. `correlation` holds the correlation of the errors of pairs of parameters
+    [−1 to 1], as a calibration estimates them. `kit` is the name of a kit or its file, or the kit itself, with the
+    delays and motors of this very robot. `conditions` are the batteries and floors
     that it is to meet.
 
     Raises `InvalidRobot` for a robot that cannot exist or that has nothing to balance.
@@ -61,6 +62,7 @@ class Robot:
     motor_friction: float = _number("N m s/rad", "f_m", 0.0)
     wheel_friction: float = _number("N m s/rad", "f_w", 0.0)
     coulomb_friction: float = _number("N m", "τ_c", 0.0)
+    rolling_friction: float = _number("N m", "τ_w", 0.0)
     stiction_rate: float = _number("rad/s", "ω_c", 0.2)
     gravity: float = _number("m/s²", "g", 9.81)
     body_depth: float = _number("m", "D", 0.05)
@@ -116,6 +118,10 @@ class Robot:
         pairs = {pair: value for pair, value in self.correlation.items() if not changes.keys() & set(pair)}
         return dataclasses.replace(self, **({"provenance": kept, "correlation": pairs} | changes))
 
+    def without_dry_friction(self) -> Robot:
+        """The same robot as it moves while its wheels turn: its tangent at rest would take dry friction for a brake."""
+        return self.replace(coulomb_friction=0.0, rolling_friction=0.0)
+
     @property
     def command_unit(self) -> str:
         """Unit of the two commands: 'V', or 'N m' for a torque drive."""
@@ -159,7 +165,7 @@ PARAMETERS: dict[str, tuple[str, str]] = {
 """Field name → (unit, symbol) of every physical parameter, in order."""
 
 _ELECTRICAL = ("motor_resistance", "torque_constant", "back_emf")
-MAY_BE_ZERO = ("rotor_inertia", "back_emf", "motor_friction", "wheel_friction", "coulomb_friction")
+MAY_BE_ZERO = ("rotor_inertia", "back_emf", "motor_friction", "wheel_friction", "coulomb_friction", "rolling_friction")
 _LARGEST = 3.0  # [m] no balancing robot is larger
 _RANGE = (1e-12, 1e6)  # of every number that is not zero, in SI units: products of them neither vanish nor overflow
 _UNUSUAL = 30.0  # times beyond those of the shipped robots, a number is worth a look
