@@ -36,6 +36,7 @@ from upright.experiment import run
 from upright.logs.raw import raw_log
 from upright.robots import Robot, find_kit
 from upright.signals import Log
+from upright.validate.validate import validate
 
 DATA = Path(__file__).parents[1] / "../shared/data"
 CUTS = (0.0, 0.15, 0.4)  # [s] off the end of an EV3 run, which ends in a fall: the same answer is wanted for each
@@ -82,6 +83,12 @@ def crossed(found: Calibration, other: Run) -> dict[str, float]:
     z = np.array([p.coordinate(beside[p.name]) if p.name in beside else 0.0 for p in problem.parameters])
     parts = segments(problem, problem.recordings[0], z)
     return {name: parts.r_squared(name) for name in parts.rows}
+
+
+def own_effects(found: Calibration, other: Run) -> dict[str, float]:
+    """The same with what belongs to the other run fitted to it, as `upright validate` does."""
+    judged = validate(found.known_robot(), other.log).logs[0]
+    return {c.name: c.r2 for c in judged.own_run or judged.half_seconds}
 
 
 def line(scores: dict[str, float]) -> str:
@@ -213,7 +220,11 @@ def main() -> None:
         print(f"  cuts: {overlap(results, runs_apart=False)}")
         whole = [(one, found) for one, found in results if not one.cut]
         for (one, found), (other, _) in permutations(whole, 2):
-            print(f"  {one.name} predicts {other.name}: {line(crossed(found, other))}", flush=True)
+            own = line(own_effects(found, other))
+            print(
+                f"  {one.name} predicts {other.name}: {line(crossed(found, other))}; with its run's effects {own}",
+                flush=True,
+            )
         for one, found in whole if robot == "twipr" else ():
             loop(one, found)
         if not asked.alone:

@@ -107,6 +107,18 @@ def test_planted_faults_are_what_would_have_to_move() -> None:
     assert 0.004 < gyro.proposed - gyro.value < 0.02
 
 
+def test_what_belongs_to_a_run_is_told_apart_from_the_robot() -> None:
+    """A program that reads its gyro 12 ms late is of this run: fitted to it, the half seconds are those of a robot that
+    is known, and every effect but this one stays within the spread that runs usually have."""
+    log = judged("gyro")
+    assert min(c.r2 for c in log.own_run if "compass" not in c.name) > 0.97 > log.worst.r2
+    moved = {e.name: e.here - e.known for e in log.effects}
+    assert moved["delay/gyro"] == pytest.approx(0.012, abs=0.001)
+    assert abs(moved["motor_resistance"]) < 0.05 * ROBOT.motor_resistance
+    assert "of this run" in str(Validation(robot="", kit="", logs=(log,)))
+    assert judged().own_run == ()  # a log that is predicted asks for nothing
+
+
 def test_the_law_is_read_from_the_log_or_from_its_file(tmp_path: Path) -> None:
     controller = lqg(ROBOT, KIT, KIT.period)
     log = log_of()

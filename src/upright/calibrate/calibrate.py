@@ -264,7 +264,7 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
     if worst_correlation(*best) < WHITE:
         return _tempered(*_between_runs(best))
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        fits = [rough, *pool.map(partial(_segmented, problem, limits), (np.zeros_like(z), z, rough.z))]
+        fits = [rough, *pool.map(partial(segmented, problem, limits), (np.zeros_like(z), z, rough.z))]
         best, level = _best_simulated(fits, [*pool.map(_simulated, fits)], LEVEL)
         tries = [*pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)]
         best, _ = _best_simulated([best, *tries], [level, *pool.map(_simulated, tries)])
@@ -280,7 +280,7 @@ def _between_runs(fit: Fitted) -> Fitted:
     return fit
 
 
-def _segmented(problem: Problem, limits: Mapping[str, float], z: Array) -> Fitted:
+def segmented(problem: Problem, limits: Mapping[str, float], z: Array) -> Fitted:
     """From z, the fit of what free simulations of half a second leave."""
     problem = _with_process(replace(problem, restart=SEGMENT), SEGMENT_NOISE)
     bounds = _sensor_bounds(limits)

@@ -46,15 +46,19 @@ def spread_of(p: Parameter, value: float) -> float:
 
 def effects_of(parameters: Sequence[Parameter], runs: int) -> tuple[Parameter, ...]:
     """The deviations of each of several `runs`, by run; none where there is one."""
-    sizes = {p.name: spread_of(p, p.prior or p.spread) for p in parameters}
-    sizes |= {p.name: OWN[p.name] for p in parameters if p.name in OWN}
-    sizes |= {p.name: FIRMWARE / p.spread for p in parameters if p.name.startswith("delay/")}
     return tuple(
         Parameter(f"{RUN}{run}/{name}", "1", 0.0, size, "linear")
         for run in range(runs if runs > 1 else 0)
-        for name, size in sizes.items()
-        if size > 0
+        for name, size in run_spreads(parameters).items()
     )
+
+
+def run_spreads(parameters: Sequence[Parameter]) -> dict[str, float]:
+    """Standard deviation between runs of each number that differs, in deviations of its prior."""
+    sizes = {p.name: spread_of(p, p.prior or p.spread) for p in parameters}
+    sizes |= {p.name: OWN[p.name] for p in parameters if p.name in OWN}
+    sizes |= {p.name: FIRMWARE / p.spread for p in parameters if p.name.startswith("delay/")}
+    return {name: size for name, size in sizes.items() if size > 0}
 
 
 def maps_of(parameters: Sequence[Parameter], runs: int) -> Array:

@@ -21,6 +21,10 @@ _HALF = (
     "Each half second starts from a state that is fitted to it, and gets only the logged commands. R² counts what the "
     "prediction misses against what the reading varies. Fit is 100 (1 − rms error / standard deviation)."
 )
+_OWN = (
+    "Friction, winding, supply, floor and dead times differ from run to run of one robot. Here they are fitted to this "
+    "log, about what is known, with the spreads that runs usually have. The robot's other numbers stay."
+)
 _LOOP = (
     "The closed loop starts from the first state of the log. It gets the law, what was added to it, and no reading. "
     "A push that the log does not hold makes it leave the log at that time, whatever the robot."
@@ -80,8 +84,12 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
         [s.name.replace("_", " "), s.unit, s.value, s.proposed, s.deviations, s.explains] for s in log.shifts
     ]
     moves: list[Item] = [_SHIFTS, Table(["", "unit", "value", "proposed", "step", "removes"], rows, digits=3)]
+    half: list[Item] = [*log.notes, _HALF, _table(log.half_seconds)]
+    if log.own_run:
+        effects: list[list[Cell]] = [[e.name.replace("_", " "), e.unit, e.known, e.here] for e in log.effects]
+        half += [_OWN, _table(log.own_run), Table(["", "unit", "known", "this run"], effects, digits=3)]
     return [
-        Section(f"Half seconds{name}", [*log.notes, _HALF, _table(log.half_seconds)]),
+        Section(f"Half seconds{name}", half),
         Section(f"Free closed loop{name}", loop),
         Section(f"What would have to move{name}", moves if rows else ["No parameter alone."]),
     ]

@@ -3,7 +3,9 @@
     validate(robot, logs) → Validation
 
 Nothing is fitted but the state from which a prediction starts: half a second of free simulation under the logged
-commands, and the whole log under its law. Then one step of Gauss–Newton says which number would have to move.
+commands, and the whole log under its law. Where that predicts only in part, half seconds are told again with what
+belongs to the run (friction, winding, supply, floor, dead times) fitted to it. Then one step of Gauss–Newton says which
+number would have to move.
 """
 
 from __future__ import annotations
@@ -21,6 +23,7 @@ from upright.calibrate.calibration import PREDICTED
 from upright.calibrate.fitting import EQUATION, Problem, normal_equations, objective
 from upright.calibrate.informativity import effective_fraction
 from upright.calibrate.noise import learn_noise
+from upright.calibrate.own_run import of_this_run
 from upright.calibrate.validate import segments
 from upright.control import Controller, read_controller
 from upright.errors import InvalidLog, SpecMismatch
@@ -32,7 +35,16 @@ from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
 from upright.validate.law import CommandLaw, LinearLaw, law_by, law_of, recorded
 from upright.validate.loop import FreeLoop, closed_loop
-from upright.validate.validation import LogJudged, Shift, Validation, channels_of, loop_channels, short
+from upright.validate.validation import (
+    GOOD,
+    LogJudged,
+    Shift,
+    Validation,
+    channels_of,
+    least,
+    loop_channels,
+    short,
+)
 
 Array = NDArray[np.float64]
 
@@ -84,11 +96,15 @@ def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> 
     notes = ["The log was pushed, which no prediction here knows."] if pushed else []
     dead = tuple(n for n in log.channels if n in SENSOR and n not in recording.rows and _never_changes(log[n]))
     notes += [f"The {short(name)} never changes, and is not judged: look at its plug and its port." for name in dead]
+    half_seconds = channels_of(parts)
+    own = of_this_run(problem, limits) if least(half_seconds).r2 < GOOD else None
     return LogJudged(
         source=str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log"))),
         samples=len(log),
         seconds=float(log.t[-1] - log.t[0]),
-        half_seconds=channels_of(parts),
+        half_seconds=half_seconds,
+        own_run=channels_of(own[0]) if own else (),
+        effects=own[1] if own else (),
         law=words,
         estimates=law.estimates if isinstance(law, LinearLaw) else (),
         dead=dead,

@@ -12,6 +12,7 @@ import numpy as np
 
 from upright.atomic import finite
 from upright.calibrate.calibration import PREDICTED, Segments
+from upright.calibrate.own_run import RunEffect
 from upright.tables import Shown
 from upright.validate.loop import FreeLoop
 
@@ -54,14 +55,17 @@ class Shift:
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class LogJudged:
-    """One log: predictions over half seconds, each from a fitted state; the free closed loop where the law is known;
-    the shifts that would help, greatest first. `dead` are sensors that never change, which nothing is judged by;
+    """One log: predictions over half seconds, each from a fitted state; the same with the `effects` of its run, fitted
+    to this log, where that is better; the free closed loop where the law is known; the shifts that would help, greatest
+    first. `dead` are sensors that never change, which nothing is judged by;
     `estimates` are what the law reads of a filter in the program, in whose place the loop has the true states."""
 
     source: str
     samples: int
     seconds: float
     half_seconds: tuple[ChannelFit, ...]
+    own_run: tuple[ChannelFit, ...]
+    effects: tuple[RunEffect, ...]
     law: str
     estimates: tuple[str, ...]
     dead: tuple[str, ...]
@@ -74,7 +78,7 @@ class LogJudged:
     @property
     def worst(self) -> ChannelFit:
         """The gyro or encoder that is predicted worst; a compass turns with what no model here knows."""
-        return min((c for c in self.half_seconds if c.name in PREDICTED), key=lambda c: c.r2)
+        return least(self.half_seconds)
 
     @property
     def caution(self) -> str:
@@ -93,11 +97,11 @@ class LogJudged:
         def plain(items: Sequence[Any]) -> list[dict[str, Any]]:
             return [{k: finite(v) for k, v in asdict(item).items()} for item in items]
 
-        half, loop = ([{**c, "fit": finite(x.fit)} for c, x in zip(plain(xs), xs, strict=True)]
-                      for xs in (self.half_seconds, self.loop))  # fmt: skip
+        half, own, loop = ([{**c, "fit": finite(x.fit)} for c, x in zip(plain(xs), xs, strict=True)]
+                           for xs in (self.half_seconds, self.own_run, self.loop))  # fmt: skip
         return {
             "source": self.source, "samples": self.samples, "seconds": self.seconds, "half_seconds": half,
-            "dead": list(self.dead),
+            "own_run": {"half_seconds": own, "effects": plain(self.effects)}, "dead": list(self.dead),
             "closed_loop": {"law": self.law, "estimates": list(self.estimates), "channels": loop},
             "shifts": plain(self.shifts), "notes": list(self.notes),
         }  # fmt: skip
@@ -106,6 +110,13 @@ class LogJudged:
         """This log in words."""
         lines = [f"{self.source}: {self.samples} samples, {self.seconds:.4g} s", "  Half seconds, from a fitted state:"]
         lines += [_line(c) for c in self.half_seconds]
+        if self.own_run:
+            lines += [f"  The same with {len(self.effects)} numbers of this run, fitted to this log:"]
+            lines += [_line(c) for c in self.own_run]
+            moved = ", ".join(
+                f"{e.name} {e.known:.3g} → {e.here:.3g}{'' if e.unit == '1' else f' {e.unit}'}" for e in self.effects
+            )
+            lines += [f"    {line}" for line in textwrap.wrap(moved, 116)]
         lines += [f"  Closed loop, from the first state, {self.law}" + (":" if self.loop else "")]
         lines += [f"    {line}" for line in textwrap.wrap(self.caution, 116)] + [_line(c) for c in self.loop]
         for shift in self.shifts[:SHOWN]:
@@ -114,6 +125,11 @@ class LogJudged:
                 f"({shift.deviations:+.1f} deviations), which removes {shift.explains:.0%} of what half seconds leave"
             )
         return [*lines, *(f"  {note}" for note in self.notes)]
+
+
+def least(channels: Sequence[ChannelFit]) -> ChannelFit:
+    """The gyro or encoder with the smallest R²."""
+    return min((c for c in channels if c.name in PREDICTED), key=lambda c: c.r2)
 
 
 def _line(c: ChannelFit) -> str:
@@ -156,12 +172,14 @@ class Validation(Shown):
         """The verdict with the number that decides it, and what is not judged."""
         log = self.worst
         several = f" of {log.source}" if len(self.logs) > 1 else ""
+        r2 = f"{log.worst.r2:.3f}"
         dead = {short(name) for one in self.logs for name in one.dead}
         of = " of" if self.verdict == JUDGED else ""
+        r2 += f" ({least(log.own_run).r2:.3f} with what belongs to its run)" if log.own_run else ""
         never = f"; {_listed(sorted(dead))} never change{'s' if len(dead) == 1 else ''}" if dead else ""
         return (
             f"{self.robot} {self.verdict}{of} {'this log' if len(self.logs) == 1 else f'these {len(self.logs)} logs'}: "
-            f"over half seconds the {short(log.worst.name)}{several} has the smallest R², {log.worst.r2:.3f}{never}"
+            f"over half seconds the {short(log.worst.name)}{several} has the smallest R², {r2}{never}"
         )
 
     def to_json(self) -> dict[str, Any]:

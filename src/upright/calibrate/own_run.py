@@ -1,0 +1,55 @@
+"""A run of a robot that is known: what belongs to this run alone, from its log.
+
+The robot's numbers stay. Friction, winding, supply, floor and dead times move about those that are known, with the
+spreads between runs of `effects`. Readings count by their effective sample size: at full weight they would bend what a
+run may have into what the equations leave out, such as a winding colder by a hundred kelvin.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from upright.calibrate.calibrate import segmented
+from upright.calibrate.calibration import Segments
+from upright.calibrate.effects import run_spreads
+from upright.calibrate.fitting import Problem
+from upright.calibrate.gauss_newton import gauss_newton
+from upright.calibrate.informativity import effective_fraction
+from upright.calibrate.validate import score, segments
+
+ITERATIONS = 15  # of Gauss–Newton, at most
+
+
+@dataclass(frozen=True, kw_only=True)
+class RunEffect:
+    """A number as it is `known` of the robot, and as it is in this run."""
+
+    name: str
+    unit: str
+    known: float
+    here: float
+
+
+def of_this_run(problem: Problem, limits: Mapping[str, float]) -> tuple[Segments, tuple[RunEffect, ...]] | None:
+    """Half seconds of the one recording of `problem` with the numbers of its own run, and these; None where they
+    predict no better than those that are known. `limits` are the variances of the sensors by their kit."""
+    spreads = run_spreads(problem.asked)
+    own = tuple(replace(p, spread=spreads.get(p.name, 1.0) * p.spread) for p in problem.parameters)
+    free = replace(problem, parameters=own, held=frozenset(p.name for p in own if p.name not in spreads))
+    known, recording = np.zeros(len(own)), problem.recordings[0]
+    fit = segmented(free, limits, known)
+    if not np.isfinite(fit.normal.objective):
+        return None
+    tempered = replace(fit.problem, temper=effective_fraction(fit.problem, fit.normal, fit.paths))
+    z = gauss_newton(tempered, fit.z, iterations=ITERATIONS).z
+    if score(tempered, z) <= score(free, known):
+        return None
+    effects = tuple(
+        RunEffect(name=p.name, unit=p.unit, known=p.prior, here=float(p.value(at)))
+        for p, at in zip(own, z, strict=True)
+        if p.name in spreads
+    )
+    return segments(tempered, recording, z), effects
