@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from upright.compiled.program import (
     Absolute,
     Block,
     Choose,
+    Function,
     Kind,
     Limit,
     Operand,
@@ -69,7 +70,7 @@ def evaluate(statement: Step, values: Mapping[str, float]) -> float:  # noqa: PL
         case Product(_, first, second):
             return values[first] * values[second]
         case Quotient(_, number, below):
-            return number / values[below]
+            return _value(number, values) / values[below]
         case Limit(_, value, low, high):
             return min(max(values[value], low), high)
         case Absolute(_, value):
@@ -78,6 +79,13 @@ def evaluate(statement: Step, values: Mapping[str, float]) -> float:  # noqa: PL
             return float(math.trunc(values[value]))
         case Choose(_, left, right, then, other):
             return _value(then if values[left] < _value(right, values) else other, values)
+        case Function(_, name, value):
+            return _FUNCTIONS[name](values[value])
+
+
+_FUNCTIONS: Mapping[str, Callable[[float], float]] = {
+    "sin": math.sin, "cos": math.cos, "sqrt": math.sqrt, "square": lambda x: x * x, "nearest": lambda x: float(round(x)),
+}  # fmt: skip
 
 
 def _value(operand: Operand, values: Mapping[str, float]) -> float:

@@ -12,7 +12,7 @@ class CPrinter(Printer):
     """`number` is "float" or "double". States, inputs and outputs live in structures, temporaries on the stack."""
 
     def __init__(self, program: Program, number: str) -> None:
-        super().__init__(program)
+        self.program = program
         self.type, self._single = number, number == "float"
         self._carried = set(program.carried())
         loops = [s for block in program.blocks for s in block.statements if isinstance(s, Repeat)]
@@ -46,6 +46,9 @@ class CPrinter(Printer):
 
     def whole(self, value: str) -> str:
         return f"({self.type})(int32_t){value}"
+
+    def function(self, name: str, value: str) -> str:
+        return super().function("rint" if name == "nearest" else name, value)
 
     def fields(self, kind: Kind) -> list[str]:
         """The members of a structure, with units."""

@@ -9,6 +9,7 @@ from upright.compiled.print_c import CPrinter
 from upright.compiled.program import (
     Absolute,
     Choose,
+    Function,
     Kind,
     Limit,
     Operand,
@@ -65,6 +66,7 @@ class FixedPrinter(CPrinter):
                 product = f"(int64_t){self.read(first)} * {self.read(second)}"
                 return self._narrow(product, self.bits[first] + self.bits[second] - bits)
             case Quotient(_, number, below):
+                assert not isinstance(number, str), "programs divide numbers alone"
                 return f"(int32_t)((int64_t){round(number * 2.0 ** (bits + self.bits[below]))} / {self.read(below)})"
             case Limit(_, value, low, high):
                 return self.limit(self.moved(value, bits), self.word(low, bits), self.word(high, bits))
@@ -75,6 +77,8 @@ class FixedPrinter(CPrinter):
             case Choose(_, left, right, then, other):
                 test = self._test(left, right)
                 return f"{test} ? {self._at(then, bits)} : {self._at(other, bits)}"
+            case Function(_, name, _):
+                raise NotImplementedError(f"no controller in fixed point has {name}")
 
     def _sum(self, statement: Sum) -> str:
         form = scaled(statement, self.program, self.bits)

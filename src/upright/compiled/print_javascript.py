@@ -6,36 +6,20 @@ All of a program lives in arrays of doubles: `z` the memory, `y` the readings in
 
 from __future__ import annotations
 
-import re
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from upright.compiled.printer import Printer
 from upright.compiled.program import Kind, Program, Repeat
-from upright.compiled.straight_line import statements
+from upright.compiled.straight_line import blocks
 from upright.robots import Robot
 from upright.signals import STATE_NAMES
 
-_SQUARE, _PRODUCT = re.compile(r"(\w+) \*\* 2"), r"\1 * \1"
 
+class JavaScriptStatements(Printer):
+    """Every variable is a constant of its own, unless it has one of the `places`."""
 
-class JavaScriptPrinter(Printer):
-    """The blocks `command` and `update` of a program in SI units, as `control.law` writes them."""
-
-    def __init__(self, program: Program) -> None:
-        super().__init__(program)
-        memory = [*(v.name for v in program.of(Kind.STATE)), *program.carried()]
-        inputs = [v.name for v in program.of(Kind.INPUT)]
-        applied = [name for name in inputs if name.startswith("applied_")]
-        known = {*program.channels, *applied, *(f"reference_{name}" for name in STATE_NAMES)}
-        rows = {
-            "z": memory, "y": list(program.channels), "r": [f"reference_{name}" for name in STATE_NAMES], "a": applied,
-            "k": [name for name in inputs if name not in known], "u": program.results(),
-        }  # fmt: skip
-        rows["u"].sort(key=lambda name: not name.startswith("command_"))
-        self._places = {name: f"{row}[{i}]" for row, names in rows.items() for i, name in enumerate(names)}
-        loops = [s for block in program.blocks for s in block.statements if isinstance(s, Repeat)]
-        self._changing = {name for loop in loops for name, _ in loop.carry}
-        self.starts = [v.start for v in program.of(Kind.STATE)] + [0.0] * len(program.carried())
+    def __init__(self, places: Mapping[str, str], changing: Collection[str] = ()) -> None:
+        self._places, self._changing = places, changing
 
     def number(self, value: float) -> str:
         """The shortest text of the double, which JavaScript reads as Python does."""
@@ -60,6 +44,26 @@ class JavaScriptPrinter(Printer):
     def whole(self, value: str) -> str:
         return f"Math.trunc({value})"
 
+
+class JavaScriptPrinter(JavaScriptStatements):
+    """The blocks `command` and `update` of a program in SI units, as `control.law` writes them."""
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
+        memory = [*(v.name for v in program.of(Kind.STATE)), *program.carried()]
+        inputs = [v.name for v in program.of(Kind.INPUT)]
+        applied = [name for name in inputs if name.startswith("applied_")]
+        known = {*program.channels, *applied, *(f"reference_{name}" for name in STATE_NAMES)}
+        rows = {
+            "z": memory, "y": list(program.channels), "r": [f"reference_{name}" for name in STATE_NAMES], "a": applied,
+            "k": [name for name in inputs if name not in known], "u": program.results(),
+        }  # fmt: skip
+        rows["u"].sort(key=lambda name: not name.startswith("command_"))
+        places = {name: f"{row}[{i}]" for row, names in rows.items() for i, name in enumerate(names)}
+        loops = [s for block in program.blocks for s in block.statements if isinstance(s, Repeat)]
+        super().__init__(places, {name for loop in loops for name, _ in loop.carry})
+        self.starts = [v.start for v in program.of(Kind.STATE)] + [0.0] * len(program.carried())
+
     def text(self) -> str:
         """An object literal: `start`, the memory as it begins, and the functions of both blocks."""
         start = f"start: [{', '.join(map(self.number, self.starts))}]"
@@ -74,20 +78,15 @@ class JavaScriptPrinter(Printer):
 def motion(robot: Robot, model: str, period: float, substeps: int) -> str:
     """An object literal: `step(x, u, w, y)` moves the state x (6) by `period` [s] in place, under the command u (2) and
     the disturbance w (3); `read(x, u, w, y)` writes the ideal sensors into y (6), in the order of `readings`."""
-    step = statements(robot, model, period / substeps)
+    step, sensed = blocks(robot, model, period / substeps)
+    printer = JavaScriptStatements({f"y{i}": f"y[{i}]" for i in range(6)})
     given = [f"const {name}{i} = {name}[{i}];" for name, size in (("u", 2), ("w", 3)) for i in range(size)]
-    stage = [*map(_constant, step.moving), *(f"x{i} = {name};" for i, name in enumerate(step.moved))]
     head = f"for (let n = 0; n < {substeps}; n++) {{" if substeps > 1 else "{"
     stored = [f"x[{i}] = x{i};" for i in range(6)]
-    sensed = [f"y[{i}] = {name};" for i, name in enumerate(step.readings)]
     state = [f"x{i} = x[{i}];" for i in range(6)]
-    move = [*(f"let {s}" for s in state), *given, head, *stage, "}", *stored, "this.read(x, u, w, y);"]
-    read = [*(f"const {s}" for s in state), *given, *map(_constant, step.reading), *sensed]
+    move = [*(f"let {s}" for s in state), *given, head, *printer.lines(step), "}", *stored, "this.read(x, u, w, y);"]
+    read = [*(f"const {s}" for s in state), *given, *printer.lines(sensed)]
     return "{\n" + ",\n".join(_method(n, "x, u, w, y", lines) for n, lines in (("step", move), ("read", read))) + "}"
-
-
-def _constant(assignment: str) -> str:
-    return f"const {_SQUARE.sub(_PRODUCT, assignment)};"
 
 
 def _method(name: str, arguments: str, lines: Sequence[str]) -> str:

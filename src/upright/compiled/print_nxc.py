@@ -16,6 +16,7 @@ from upright.compiled.program import (
     INFINITY,
     Absolute,
     Choose,
+    Function,
     Kind,
     Limit,
     Operand,
@@ -36,7 +37,7 @@ class NxcPrinter(Printer):
     """Lines of assembler; constants are numbered in their order of appearance."""
 
     def __init__(self, program: Program) -> None:
-        super().__init__(program)
+        self.program = program
         self._constants: dict[float, str] = {}
         self._labels = 0
         self._texts = {block.name: self.lines(block) for block in program.blocks}
@@ -79,7 +80,7 @@ class NxcPrinter(Printer):
             case Product(target, first, second):
                 return [f"mul {target}, {first}, {second}"]
             case Quotient(target, number, below):
-                return [f"div {target}, {self.number(number)}, {below}"]
+                return [f"div {target}, {self._named(number)}, {below}"]
             case Limit(target, value, low, high):
                 return [f"mov {target}, {value}", *self._limited(target, low, high)]
             case Absolute(target, value):
@@ -97,6 +98,8 @@ class NxcPrinter(Printer):
                 skip, names = self._label(), [self._named(o) for o in (right, then, other)]
                 return [f"mov {target}, {names[1]}", f"brcmp LT, {skip}, {left}, {names[0]}",
                         f"mov {target}, {names[2]}", f"{skip}:"]  # fmt: skip
+            case Function(_, name, _):
+                raise NotImplementedError(f"no controller on a brick has {name}")
 
     def _named(self, operand: Operand) -> str:
         return operand if isinstance(operand, str) else self.number(operand)

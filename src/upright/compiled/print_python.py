@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from upright.compiled.printer import Printer
-from upright.compiled.program import Block, Kind, Repeat
+from upright.compiled.program import Block, Kind, Program, Repeat
 
 
-class PythonPrinter(Printer):
-    """All variables are locals of one function, which MicroPython reads quickest."""
+class PythonStatements(Printer):
+    """Every variable is a local of one function, which MicroPython reads quickest."""
 
     end = ""
 
@@ -25,6 +25,16 @@ class PythonPrinter(Printer):
 
     def choose(self, left: str, right: str, then: str, other: str) -> str:
         return f"{then} if {left} < {right} else {other}"
+
+    def function(self, name: str, value: str) -> str:
+        return f"{value} ** 2" if name == "square" else super().function(name, value)
+
+
+class PythonPrinter(PythonStatements):
+    """The blocks of a program."""
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
 
     def indented(self, block: Block, depth: int) -> str:
         """The lines of a block, the first without its indent, since a template has set it."""

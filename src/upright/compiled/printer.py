@@ -9,10 +9,10 @@ from upright.compiled.program import (
     Absolute,
     Block,
     Choose,
+    Function,
     Limit,
     Operand,
     Product,
-    Program,
     Quotient,
     Repeat,
     Statement,
@@ -23,12 +23,9 @@ from upright.compiled.program import (
 
 
 class Printer:
-    """Lines of one language for the blocks of a program; a language overrides what differs."""
+    """Lines of one language for blocks of statements; a language overrides what differs."""
 
     end = ";"
-
-    def __init__(self, program: Program) -> None:
-        self.program = program
 
     def number(self, value: float) -> str:
         """A constant, exactly."""
@@ -73,7 +70,7 @@ class Printer:
             case Product(_, first, second):
                 return f"{self.read(first)} * {self.read(second)}"
             case Quotient(_, number, below):
-                return f"{self.number(number)} / {self.read(below)}"
+                return f"{self.operand(number)} / {self.read(below)}"
             case Limit(_, value, low, high):
                 return self.limit(self.read(value), self.number(low), self.number(high))
             case Absolute(_, value):
@@ -82,6 +79,8 @@ class Printer:
                 return self.whole(self.read(value))
             case Choose(_, left, right, then, other):
                 return self.choose(self.read(left), *(self.operand(o) for o in (right, then, other)))
+            case Function(_, name, value):
+                return self.function(name, self.read(value))
 
     def operand(self, operand: Operand) -> str:
         return self.read(operand) if isinstance(operand, str) else self.number(operand)
@@ -107,3 +106,6 @@ class Printer:
 
     def choose(self, left: str, right: str, then: str, other: str) -> str:
         return f"{left} < {right} ? {then} : {other}"
+
+    def function(self, name: str, value: str) -> str:
+        return f"{value} * {value}" if name == "square" else f"{name}({value})"

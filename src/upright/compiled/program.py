@@ -73,7 +73,7 @@ class Quotient:
     """target = number / below, where `below` never comes near zero."""
 
     target: str
-    number: float
+    number: Operand
     below: str
 
 
@@ -114,7 +114,19 @@ class Choose:
     other: Operand
 
 
-Step = Sum | Product | Quotient | Limit | Absolute | Whole | Choose
+@dataclass(frozen=True)
+class Function:
+    """target = name(value): one of `sin`, `cos`, `sqrt`, `square`, and `nearest`, the whole number, halves to the even.
+
+    Formulas have them; no controller does, and no brick is asked for one.
+    """
+
+    target: str
+    name: str
+    value: str
+
+
+Step = Sum | Product | Quotient | Limit | Absolute | Whole | Choose | Function
 
 
 @dataclass(frozen=True)
@@ -133,7 +145,7 @@ def operands(statement: Step) -> tuple[str, ...]:
     """The variables a statement reads, in order."""
     if isinstance(statement, Sum):
         return tuple(name for _, name in statement.terms)
-    fields = {k: v for k, v in asdict(statement).items() if k != "target"}
+    fields = {k: v for k, v in vars(statement).items() if k not in ("target", "name")}
     return tuple(value for value in fields.values() if isinstance(value, str))
 
 
@@ -256,7 +268,7 @@ def expression(statement: Step) -> str:  # noqa: PLR0911 (one for each kind of s
         case Product(_, first, second):
             return f"{first} {second}"
         case Quotient(_, number, below):
-            return f"{number!r} / {below}"
+            return f"{number} / {below}"
         case Limit(_, value, low, high):
             return f"limit({value}, {low!r}, {high!r})"
         case Absolute(_, value):
@@ -265,6 +277,8 @@ def expression(statement: Step) -> str:  # noqa: PLR0911 (one for each kind of s
             return f"whole({value})"
         case Choose(_, left, right, then, other):
             return f"{then} where {left} < {right} else {other}"
+        case Function(_, name, value):
+            return f"{name}({value})"
 
 
 def _products(statement: Statement) -> int:
