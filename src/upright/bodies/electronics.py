@@ -10,12 +10,16 @@ from dataclasses import replace
 import numpy as np
 
 from upright.bodies.body import REST, Body, Sample, checked, sample
+from upright.compiled.electronics import formulas
 from upright.errors import SpecMismatch
 from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Kit, Sensor
 from upright.signals.signal import KNOWN, TRUTH
 
 BATTERY = "sensor/battery"
+
+_DRIVE = [formulas(volts=volts)["drive"].function() for volts in (False, True)]
+_TURN, _SLACKEN, _MEASURE = (formulas()[name].function() for name in ("turn", "slacken", "measure"))
 
 
 class Electronics:
@@ -65,12 +69,12 @@ class Electronics:
     def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
         arrived = self._line.step(checked(command, 2, "command"))
         applied, self._voltage = drive(arrived, self.kit, self.spec.command_unit)
-        inner = self.body.step(self._strengths(applied), disturbance)
+        inner = self.body.step(applied if self._alike else self._turned(applied), disturbance)
         return self._sample(inner if self._alike else replace(inner, applied=applied))
 
-    def _strengths(self, applied: tuple[float, float]) -> tuple[float, float]:
+    def _turned(self, applied: tuple[float, float]) -> tuple[float, ...]:
         """What each motor makes of what is applied to it."""
-        return applied if self._alike else (applied[0] * self.kit.motor.left, applied[1] * self.kit.motor.right)
+        return _TURN(*applied, self.kit.motor.left, self.kit.motor.right)
 
     def close(self) -> None:
         self.body.close()
@@ -83,22 +87,13 @@ class Electronics:
 
 
 def drive(command: Sequence[float], kit: Kit, unit: str = "V") -> tuple[tuple[float, float], float]:
-    """What reaches both motors, and the battery's voltage [V] while it does.
-
-    Order: dead zone, sag of the battery under both commands, saturation, quantum of the driver.
-    """
-    left, right = (0.0 if abs(u) <= kit.motor.dead_zone else u for u in command)
-    full = kit.battery.voltage
-    load = min(abs(left), full) + min(abs(right), full) if math.isfinite(full) else 0.0
-    voltage = kit.battery.loaded(load)
-    limit = min(kit.motor.limit, voltage if unit == "V" else math.inf)
-    quantum = kit.motor.quantum
-
-    def driven(u: float) -> float:
-        inside = min(max(u, -limit), limit)
-        return math.trunc(inside / quantum) * quantum if quantum else inside
-
-    return (driven(left), driven(right)), voltage
+    """What reaches both motors, and the battery's voltage [V] while it does."""
+    left, right = command
+    motor, battery = kit.motor, kit.battery
+    left, right, voltage, _ = _DRIVE[unit == "V"](
+        left, right, motor.limit, motor.dead_zone, motor.quantum, battery.voltage, battery.sag
+    )
+    return (left, right), voltage
 
 
 class _CommandLine:
@@ -131,7 +126,7 @@ class _Channel:
         self._play = kit.motor.backlash / 2 if "encoder" in name else 0.0
         self._delay = round(sensor.delay / period)
         self._every = max(1, round(sensor.period / period))
-        self._walk = sensor.bias_walk * math.sqrt(period * self._every)
+        self._root = math.sqrt(period * self._every)
 
     def reset(self, rng: np.random.Generator, first: float) -> None:
         self._rng, self._count = rng, 0
@@ -141,7 +136,8 @@ class _Channel:
 
     def read(self, value: float) -> float:
         if self._play:
-            self._touch = value = min(max(self._touch, value - self._play), value + self._play)
+            (value,) = _SLACKEN(self._touch, value, self._play)
+            self._touch = value
         self._line.append(value)
         if self._count % self._every == 0:
             self._held = self._fresh(self._line[0])
@@ -149,12 +145,8 @@ class _Channel:
         return self._held
 
     def _fresh(self, value: float) -> float:
-        sensor = self._sensor
-        if self._walk:
-            self._bias += self._walk * float(self._rng.standard_normal())
-        value += self._bias
-        if sensor.noise:
-            value += sensor.noise * float(self._rng.standard_normal())
-        if sensor.quantum and math.isfinite(value):
-            value = round(value / sensor.quantum) * sensor.quantum
-        return min(max(value, -sensor.range), sensor.range)
+        s, random = self._sensor, self._rng.standard_normal
+        step = self._root * float(random()) if s.bias_walk else 0.0
+        normal = float(random()) if s.noise else 0.0
+        reading, self._bias = _MEASURE(value, self._bias, normal, step, s.quantum, s.noise, s.bias_walk, s.range)
+        return reading

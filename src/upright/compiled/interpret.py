@@ -84,7 +84,8 @@ def evaluate(statement: Step, values: Mapping[str, float]) -> float:  # noqa: PL
 
 
 _FUNCTIONS: Mapping[str, Callable[[float], float]] = {
-    "sin": math.sin, "cos": math.cos, "sqrt": math.sqrt, "square": lambda x: x * x, "nearest": lambda x: float(round(x)),
+    "sin": math.sin, "cos": math.cos, "sqrt": math.sqrt, "square": lambda x: x * x,
+    "nearest": lambda x: float(round(x)),
 }  # fmt: skip
 
 

@@ -1,12 +1,14 @@
 """Statements as LLVM's own language, for the kernel: each operation is one on a whole vector of robots.
 
 Products and sums are rounded one by one in the order of the statement, as the C does it, so that a robot's numbers are
-the same bits as those of C in double precision, on any processor and in any company. Constants are no part of the text
-but stand in a table: controllers with the same places of zeros have one text, and each robot may have its own numbers.
+the same bits as those of C in double precision, on any processor and in any company. A controller's constants are no
+part of the text but stand in a table: controllers with the same places of zeros have one text, and each robot may have
+its own numbers. Formulas have the few constants that they are written with in their text.
 """
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -16,6 +18,7 @@ from upright.compiled.program import (
     Absolute,
     Block,
     Choose,
+    Function,
     Limit,
     Operand,
     Product,
@@ -26,6 +29,9 @@ from upright.compiled.program import (
     Sum,
     Whole,
 )
+
+_INTRINSICS = {"whole": "trunc", "nearest": "rint", "absolute": "fabs", "sqrt": "sqrt"}
+"""What LLVM computes of a number by itself, and its name for it."""
 
 WIDTHS = {"double": 8, "float": 16}
 """Numbers in one vector: 64 bytes, which the compiler cuts into what the processor has."""
@@ -39,19 +45,23 @@ class RowOf(NamedTuple):
 
 
 class LanesPrinter:
-    """One module of two functions, `command` and `update`: (block, robots, first own row, table of constants)."""
+    """One module with a function for each of `blocks`: (block, robots, first own row, table of constants)."""
 
-    def __init__(self, program: Program, number: str, places: Mapping[str, RowOf], *, own: bool = False) -> None:
-        """`number` is "double" or "float"; with `own` constants each one is a row of the block, else one number."""
-        self._program, self._places, self._own = program, places, own
+    def __init__(
+        self, blocks: Sequence[Block], number: str, places: Mapping[str, RowOf], *, table: bool, own: bool = False
+    ) -> None:
+        """`number` is "double" or "float". Without a `table` constants are in the text; with `own` constants each one
+        of the table is a row of the block, else one number."""
+        self._blocks, self._places, self._table, self._own = blocks, places, table, own
         self._number, self._width = number, WIDTHS[number]
         self._vector = f"<{self._width} x {number}>"
         self._lines, self._names, self._count, self._used = list[str](), dict[str, str](), 0, 0
 
     def text(self) -> str:
         """The module."""
-        functions = "\n".join(self._function(block) for block in (self._program.command, self._program.update))
-        return f"declare {self._vector} @llvm.trunc({self._vector})\n{functions}"
+        functions = "\n".join(map(self._function, self._blocks))
+        known = "\n".join(f"declare {self._vector} @llvm.{name}({self._vector})" for name in _INTRINSICS.values())
+        return f"{known}\n{functions}"
 
     def _function(self, block: Block) -> str:
         self._lines, self._names, label = [], {}, "loop"
@@ -112,35 +122,45 @@ end:
     def _right(self, statement: Step) -> str:  # noqa: PLR0911 (one for each kind of statement)
         """The name of the vector that holds the right side."""
         match statement:
-            case Sum(_, terms, constant, low, _):
+            case Sum(_, terms, constant, low, high):
                 value = self._sum(terms, constant)
-                return value if low == -INFINITY else self._limited(value)
+                return value if low == -INFINITY else self._limited(value, low, high)
             case Product(_, first, second):
                 return self._arithmetic("fmul", self._read(first), self._read(second))
-            case Quotient(_, _, below):
-                return self._arithmetic("fdiv", self._constant(), self._read(below))
-            case Limit(_, value, _, _):
-                return self._limited(self._read(value))
+            case Quotient(_, number, below):
+                return self._arithmetic("fdiv", self._operand(number), self._read(below))
+            case Limit(_, value, low, high):
+                return self._limited(self._read(value), low, high)
             case Absolute(_, value):
-                inside = self._read(value)
-                negative = self._let(f"fneg {self._vector} {inside}")
-                return self._select(inside, "zeroinitializer", negative, inside)
+                return self._intrinsic("absolute", value)
             case Whole(_, value):
-                return self._let(f"call {self._vector} @llvm.trunc({self._vector} {self._read(value)})")
+                return self._intrinsic("whole", value)
+            case Function(_, "square", value):
+                return self._arithmetic("fmul", self._read(value), self._read(value))
+            case Function(_, name, value):
+                return self._intrinsic(name, value)
             case Choose(_, left, right, then, other):
                 return self._select(self._read(left), *(self._operand(o) for o in (right, then, other)))
 
     def _sum(self, terms: Sequence[tuple[float, str]], constant: float) -> str:
-        parts = [self._arithmetic("fmul", self._constant(), self._read(name)) for _, name in terms]
-        parts += [self._constant()] if constant or not terms else []
+        parts = [self._times(coefficient, self._read(name)) for coefficient, name in terms]
+        parts += [self._constant(constant)] if constant or not terms else []
         total, *rest = parts
         for part in rest:
             total = self._arithmetic("fadd", total, part)
         return total
 
-    def _limited(self, value: str) -> str:
-        low, high = self._constant(), self._constant()
+    def _times(self, coefficient: float, value: str) -> str:
+        if not self._table and abs(coefficient) == 1:
+            return value if coefficient > 0 else self._let(f"fneg {self._vector} {value}")
+        return self._arithmetic("fmul", self._constant(coefficient), value)
+
+    def _limited(self, value: str, least: float, most: float) -> str:
+        low, high = self._constant(least), self._constant(most)
         return self._select(value, low, low, self._select(high, value, high, value))
+
+    def _intrinsic(self, name: str, value: str) -> str:
+        return self._let(f"call {self._vector} @llvm.{_INTRINSICS[name]}({self._vector} {self._read(value)})")
 
     def _select(self, left: str, right: str, then: str, other: str) -> str:
         less = self._let(f"fcmp olt {self._vector} {left}, {right}")
@@ -150,7 +170,7 @@ end:
         return self._let(f"{operation} {self._vector} {first}, {second}")
 
     def _operand(self, operand: Operand) -> str:
-        return self._read(operand) if isinstance(operand, str) else self._constant()
+        return self._read(operand) if isinstance(operand, str) else self._constant(operand)
 
     def _read(self, name: str) -> str:
         if name not in self._names:
@@ -162,15 +182,17 @@ end:
         start = "%own" if relative else "%here"
         return self._let(f"getelementptr {self._number}, ptr {start}, i64 {row * ROW}")
 
-    def _constant(self) -> str:
-        """The next constant in the order of `constants`."""
+    def _constant(self, value: float) -> str:
+        """A constant: of a table, the next one in the order of `constants`."""
+        if not self._table:
+            return f"<{', '.join([f'{self._number} {_hexadecimal(value)}'] * self._width)}>"
         place = self._used * (ROW if self._own else 1)
         self._used += 1
         address = self._let(f"getelementptr {self._number}, ptr %table, i64 {place}")
         if self._own:
             return self._let(f"load {self._vector}, ptr {address}, align 64")
-        value = self._let(f"load {self._number}, ptr {address}")
-        one = self._let(f"insertelement {self._vector} poison, {self._number} {value}, i64 0")
+        number = self._let(f"load {self._number}, ptr {address}")
+        one = self._let(f"insertelement {self._vector} poison, {self._number} {number}, i64 0")
         spread = f"<{self._width} x i32> zeroinitializer"
         return self._let(f"shufflevector {self._vector} {one}, {self._vector} poison, {spread}")
 
@@ -178,6 +200,12 @@ end:
         self._count += 1
         self._lines.append(f"%v{self._count} = {expression}")
         return f"%v{self._count}"
+
+
+def _hexadecimal(value: float) -> str:
+    """The bits of a number that a float holds too, as LLVM reads constants of both kinds."""
+    (nearest,) = struct.unpack("f", struct.pack("f", value))
+    return f"0x{struct.pack('>d', nearest).hex().upper()}"
 
 
 def constants(program: Program) -> list[float]:
@@ -192,7 +220,7 @@ def _constants(statement: Step) -> Iterator[float]:
             yield from [constant] if constant or not terms else []
             yield from [] if low == -INFINITY else [low, high]
         case Quotient(_, number, _):
-            yield number
+            yield from [] if isinstance(number, str) else [number]
         case Limit(_, _, low, high):
             yield from (low, high)
         case Choose(_, _, right, then, other):

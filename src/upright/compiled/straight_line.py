@@ -11,9 +11,9 @@ from collections.abc import Callable, Sequence
 from functools import lru_cache
 from typing import Any
 
+from upright.compiled.formula_tracer import FormulaTracer, Number
 from upright.compiled.print_python import PythonStatements
 from upright.compiled.program import Block
-from upright.compiled.recorder import Number, Recorder
 from upright.physics.dynamics import Disturbance, accelerations, derivative
 from upright.physics.integrate import rk4_step
 from upright.physics.sensing import readings
@@ -40,10 +40,10 @@ def written(robot: Robot, model: str, period: float, substeps: int) -> Step:
 def blocks(robot: Robot, model: str, h: float) -> tuple[Block, Block]:
     """A step of `h` [s] of the state x0 … x5 under u0, u1 and the disturbance w0 … w2, and of the state it ends in what
     every ideal sensor reads, y0 … y5."""
-    step, after = Recorder("t"), Recorder("s")
+    step, after = FormulaTracer("t"), FormulaTracer("s")
 
-    def inputs(recorder: Recorder) -> tuple[list[Number], list[Number], Disturbance]:
-        numbers = recorder.numbers
+    def inputs(tracer: FormulaTracer) -> tuple[list[Number], list[Number], Disturbance]:
+        numbers = tracer.numbers
         return numbers("x0 x1 x2 x3 x4 x5"), numbers("u0 u1"), Disturbance(*numbers("w0 w1 w2"))
 
     x, u, w = inputs(step)

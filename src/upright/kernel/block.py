@@ -11,12 +11,10 @@ from typing import Any, NamedTuple
 from upright.compiled.generated import (
     FORCE,
     HALF_TRACK,
-    LEFT,
     LIVED,
     MOMENT,
     PITCH,
     PITCH_RATE,
-    RIGHT,
     SIN_SLOPE,
     WHEEL,
     YAW,
@@ -27,27 +25,21 @@ from upright.compiled.jit import (
     absolute,
     fma,
     get,
-    inlined,
     item,
     like,
     mul,
     njit,
     positive,
     put,
-    rint,
     store,
-    trunc,
 )
 from upright.compiled.random import whole
 from upright.kernel.rows import (
     ACCEL_FORWARD,
     ALL_ROWS,
-    APPLIED,
-    COMMAND,
+    BEYOND,
     COMPASS,
     DEAD_TIME,
-    DEAD_ZONE,
-    DRIVEN,
     EFFORT,
     ENCODER_LEFT,
     ENCODER_RIGHT,
@@ -55,33 +47,17 @@ from upright.kernel.rows import (
     GYRO,
     HOLD,
     JITTER,
-    LIMIT,
     NEVER,
-    NOISE,
     OUTSIDE,
     PEAK_PITCH,
     PEAK_WHEEL,
     PEAK_YAW,
-    QUANTUM,
     REFERENCE,
     ROBOTS,
-    S_NOISE,
-    S_OFFSET,
-    S_PLAY,
-    S_QUANTUM,
-    S_RANGE,
-    S_TOUCH,
-    S_VALUE,
-    S_WALK,
-    S_WHEEL,
-    SAG,
     SATURATED,
     SPECIFIC_FORCE,
     SQUARE,
-    STRENGTH,
     VARIED,
-    VOLTAGE,
-    WALK,
 )
 
 
@@ -112,32 +88,6 @@ def copy(w: Any, out: int, source: int, count: int) -> None:
     """Row `source` into row `out`."""
     for i in range(count):
         put(w, out, i, get(w, source, i))
-
-
-@inlined
-def driven(u: Any, limit: Any, quantum: Any) -> Any:
-    """Saturation, then the driver's quantum, as in `bodies.electronics.drive`."""
-    inside = min(max(u, -limit), limit)
-    return trunc(inside / quantum) * quantum if positive(quantum) else inside
-
-
-@njit
-def drive(w: Any, count: int) -> None:
-    """The command after dead zone, battery sag, saturation and quantum; saturated periods are counted."""
-    for i in range(count):
-        left, right = get(w, COMMAND, i), get(w, COMMAND + 1, i)
-        dead, full = get(w, DEAD_ZONE, i), get(w, VOLTAGE, i)
-        left = mul(left, 0.0) if absolute(left) <= dead else left
-        right = mul(right, 0.0) if absolute(right) <= dead else right
-        load = min(absolute(left), full) + min(absolute(right), full)
-        sag = get(w, SAG, i)
-        limit = min(get(w, LIMIT, i), fma(-sag, load, full) if positive(sag) else full)
-        quantum = get(w, QUANTUM, i)
-        put(w, DRIVEN, i, driven(left, limit, quantum))
-        put(w, DRIVEN + 1, i, driven(right, limit, quantum))
-        n = get(w, SATURATED, i)
-        beyond = max(absolute(left), absolute(right)) > limit
-        put(w, SATURATED, i, fma(n, 1.0, 1.0) if beyond & positive(get(w, H, i)) else n)
 
 
 @njit
@@ -192,14 +142,6 @@ def hold(w: Any, count: int, row: int, step: float) -> None:
         next_left, next_right = next_left if before_third else last_left, next_right if before_third else last_right
         put(w, row, i, left if before_second else next_left)
         put(w, row + 1, i, right if before_second else next_right)
-
-
-@njit
-def turn(w: Any, count: int) -> None:
-    """What each motor makes of what is applied to it."""
-    for i in range(count):
-        put(w, LEFT, i, mul(get(w, APPLIED, i), get(w, STRENGTH, i)))
-        put(w, RIGHT, i, mul(get(w, APPLIED + 1, i), get(w, STRENGTH + 1, i)))
 
 
 @njit
@@ -272,31 +214,15 @@ def sense(w: Any, count: int, kind: int, out: int) -> None:
 
 
 @njit
-def slacken(w: Any, count: int, numbers: int) -> None:
-    """Backlash: the wheel moves its encoder only where it reaches the end of the play."""
+def multiply(w: Any, out: int, source: int, count: int, factor: float) -> None:
+    """Row `out`: that many times row `source`."""
     for i in range(count):
-        value, play = get(w, numbers + S_WHEEL, i), get(w, numbers + S_PLAY, i)
-        put(w, numbers + S_TOUCH, i, min(max(get(w, numbers + S_TOUCH, i), value - play), value + play))
-
-
-@njit
-def corrupt(w: Any, count: int, value: int, numbers: int, kind: int, root: float) -> None:
-    """The reading of a sensor with its ideal value in row `value`: noise, offset, quantum, range. The offset walks
-    for `root` [√s]."""
-    noise, step = NOISE + kind, WALK + kind
-    for i in range(count):
-        walk = mul(get(w, numbers + S_WALK, i), root)
-        offset = fma(walk, get(w, step, i), get(w, numbers + S_OFFSET, i))
-        reading = fma(get(w, numbers + S_NOISE, i), get(w, noise, i), get(w, value, i) + offset)
-        quantum, end = get(w, numbers + S_QUANTUM, i), get(w, numbers + S_RANGE, i)
-        reading = rint(reading / quantum) * quantum if positive(quantum) else reading
-        put(w, numbers + S_OFFSET, i, offset)
-        put(w, numbers + S_VALUE, i, min(max(reading, -end), end))
+        put(w, out, i, mul(get(w, source, i), factor))
 
 
 @njit
 def count_period(w: Any, count: int, bands: Any, t: Any) -> None:
-    """Peaks, settling and squared pitch of every robot that stands, at `t` [s], the start of a period."""
+    """Peaks, settling, squared pitch and saturation of every robot that stands, at `t` [s], the start of a period."""
     one, two, three, now = item(bands, 0), item(bands, 1), item(bands, 2), like(w, t)
     for i in range(count):
         standing = positive(get(w, H, i))
@@ -316,6 +242,8 @@ def count_period(w: Any, count: int, bands: Any, t: Any) -> None:
         put(w, OUTSIDE, i, now if outside & standing else before)
         square = get(w, SQUARE, i)
         put(w, SQUARE, i, fma(pitch, pitch, square) if standing else square)
+        saturated = get(w, SATURATED, i)
+        put(w, SATURATED, i, saturated + get(w, BEYOND, i) if standing else saturated)
 
 
 @njit

@@ -52,7 +52,7 @@ def compiled(laws: tuple[Law, ...], referred: int, dtype: str, applied: int = LE
         | {"applied_left": RowOf(applied), "applied_right": RowOf(applied + 1)}
         | {name: RowOf(i, relative=True) for i, name in enumerate(own)}
     )
-    module = LanesPrinter(text, NUMBERS[dtype], places, own=len(laws) > 1).text()
+    module = LanesPrinter((text.command, text.update), NUMBERS[dtype], places, table=True, own=len(laws) > 1).text()
     command, update = functions_of(module, "command", "update")
     residual = own.index("residual") if "residual" in own else 0
     return CompiledLaw(command, update if text.update.statements else 0, len(own), table, residual)

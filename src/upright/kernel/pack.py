@@ -85,7 +85,7 @@ def pack(batch: FleetBatch, kit: KitTables, h: float, dtype: Any) -> Packed:
     block.take(3, kit.dead_time.astype(np.float64))
     block.take(b.FLOOR - b.NOISE)
     block.take(3, _floor(batch))
-    block.take(2)
+    block.take(b.FIXED - b.APPLIED)
     assert block.end == b.FIXED, f"{block.end} rows are packed where the layout of `rows` has {b.FIXED}"
     pushes, ramps = pushes_of(batch), _ramps(batch)
     # a reference that is zero all the time takes no products

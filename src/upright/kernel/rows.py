@@ -13,9 +13,8 @@ FOR_NOISE, FOR_WALK, FOR_BIAS, JITTER = 0, 2, 4, 6  # purposes of random numbers
 NEVER = 1 << 60  # [steps] longer than any run
 
 S_QUANTUM, S_NOISE, S_BIAS, S_WALK, S_RANGE, S_PLAY, SENSOR_SIZE = range(7)  # numbers of a sensor, and after them:
-S_OFFSET, S_VALUE, S_TOUCH, S_WHEEL, S_LINE = range(
-    SENSOR_SIZE, SENSOR_SIZE + 5
-)  # offset, reading, encoder, wheel, delay line
+S_OFFSET, S_VALUE, S_TOUCH, S_WHEEL, S_IDEAL, S_NORMAL, S_STEP, S_LINE = range(SENSOR_SIZE, SENSOR_SIZE + 8)
+"""Offset, reading, encoder, wheel, delayed reading, normal numbers of noise and of the offset's walk, delay line."""
 ENCODER_LEFT, ENCODER_RIGHT, GYRO, COMPASS, ACCEL_FORWARD, ACCEL_UP = range(6)  # kinds of sensors
 S_KIND, S_DELAY, S_EVERY, S_ROW, S_PLACES, S_READING, S_SLACK, S_LOUD, SENSOR_COLUMNS = range(9)
 """Columns of the table of sensors: kind, delay and period [steps], first row, places in the delay line, row of the
@@ -36,7 +35,8 @@ WALK = NOISE + 6  # 6
 SPECIFIC_FORCE = WALK + 6  # 2: accelerometer
 FLOOR = SPECIFIC_FORCE + 2  # 3: see `block.tilt`
 APPLIED = FLOOR + 3  # 2: what is applied to motors that make more or less of it; else the motors' own rows have it
-FIXED = APPLIED + 2  # rows that every block has; those of `Rows` come after them
+BEYOND = APPLIED + 2  # 1 where a motor could not give what was commanded
+FIXED = BEYOND + 1  # rows that every block has; those of `Rows` come after them
 
 
 class Rows(NamedTuple):
@@ -67,6 +67,10 @@ class Plan(NamedTuple):
     advance: int  # address of `advance_…`
     accelerometer: int  # address of `specific_force_…`, 0 where no accelerometer is read
     applied_row: int  # of the two rows of what is applied the first: `APPLIED`, or where motors are alike their own
+    drive: int  # addresses of the functions of `electronics`
+    turn: int
+    slacken: int
+    measure: int
     called: int  # address of the controller that is called instead (see `lanes`), 0: none
     seed: int  # its 64 bits as a signed number
 
@@ -94,7 +98,8 @@ class Times(NamedTuple):
 
 PUSHES, PUSH_COUNT, RAMPS, RAMP_COUNT, READING, CONSTANTS, RING, SLOTS = range(8)
 PERIODS, STRIDE, SUBSTEPS, EVERY, DECIDE, UPDATE, OWN, SLOPE, ALIKE, ADVANCE, ACCELEROMETER = range(8, 19)
-APPLIED_ROW, CALLED, SEED, ROBOTS, ALL_ROWS, VARIED, HELD, TRUTHS, SENSORS, BEFORE, AFTER = range(19, 30)
+APPLIED_ROW, DRIVE, TURN, SLACKEN, MEASURE, CALLED, SEED = range(19, 26)
+ROBOTS, ALL_ROWS, VARIED, HELD, TRUTHS, SENSORS, BEFORE, AFTER = range(26, 34)
 """Places of the fields of `Rows`, `Plan` and `Sizes` in the one array that compiled functions get."""
 STEP, H_STEP, FALLEN_AT = range(3)
 """Places of the fields of `Times`."""

@@ -34,6 +34,7 @@ from upright.kernel.rows import (
     COUNTED,
     COUNTS,
     DECIDE,
+    DRIVE,
     DRIVEN,
     EVERY,
     FALLEN_AT,
@@ -45,6 +46,7 @@ from upright.kernel.rows import (
     LOUD_BIAS,
     LOUD_NOISE,
     LOUD_WALK,
+    MEASURE,
     NEVER,
     NOISE,
     OWN,
@@ -58,20 +60,24 @@ from upright.kernel.rows import (
     S_BIAS,
     S_DELAY,
     S_EVERY,
+    S_IDEAL,
     S_KIND,
     S_LINE,
     S_LOUD,
+    S_NORMAL,
     S_OFFSET,
     S_PLACES,
     S_READING,
     S_ROW,
     S_SLACK,
+    S_STEP,
     S_TOUCH,
     S_VALUE,
     S_WHEEL,
     SEED,
     SENSOR_COLUMNS,
     SENSORS,
+    SLACKEN,
     SLOPE,
     SLOTS,
     SPECIFIC_FORCE,
@@ -79,6 +85,7 @@ from upright.kernel.rows import (
     STRIDE,
     SUBSTEPS,
     TRUTHS,
+    TURN,
     UPDATE,
     WALK,
 )
@@ -133,7 +140,7 @@ def sense_all(w: Any, count: int, plan: Any, sensors: Any, now: int) -> int:
         slack = item(sensors, t + S_SLACK) != 0
         if slack and now > 0:
             b.sense(w, count, kind, row + S_WHEEL)
-            b.slacken(w, count, row)
+            call_program(item(plan, SLACKEN), w, count, row, w)
         elif sampled:
             b.sense(w, count, kind, row + S_TOUCH)
         if sampled:
@@ -157,14 +164,18 @@ def read(block: RobotBlock, plan: Any, times: Any, sensors: Any, k: int) -> None
         if k > 0 and now // every == (now - stride) // every:
             continue
         loud, pair = item(sensors, t + S_LOUD), kind // 2
+        passed = max(every, stride) if k > 0 else every
         for part, purpose in ((LOUD_NOISE, FOR_NOISE), (LOUD_WALK, FOR_WALK)):
             done = 1 << (2 * pair + (purpose == FOR_WALK))
             if loud & part and not drawn & done:
                 drawn |= done
                 draw(block, plan, k, purpose, pair)
-        passed = max(every, stride) if k > 0 else every
-        value = row + S_LINE + (now // every) % item(sensors, t + S_PLACES)
-        b.corrupt(w, count, value, row, kind, (passed * item(times, STEP)) ** 0.5)
+        if loud & LOUD_NOISE:
+            b.copy(w, row + S_NORMAL, NOISE + kind, count)
+        if loud & LOUD_WALK:
+            b.multiply(w, row + S_STEP, WALK + kind, count, (passed * item(times, STEP)) ** 0.5)
+        b.copy(w, row + S_IDEAL, row + S_LINE + (now // every) % item(sensors, t + S_PLACES), count)
+        call_program(item(plan, MEASURE), w, count, row, w)
         b.copy(w, item(sensors, t + S_READING), row + S_VALUE, count)
 
 
@@ -185,7 +196,7 @@ def decide(block: RobotBlock, plan: Any, times: Any, constants: Any, k: int) -> 
     control(item(plan, DECIDE), w, count, plan, constants)
     if item(plan, CALLED) != 0:
         call_on_block(item(plan, CALLED), w, count, k)
-    b.drive(w, count)
+    call_program(item(plan, DRIVE), w, count, 0 * k, w)
     slots = item(plan, SLOTS)
     slot = item(plan, RING) + 2 * (k % slots) if slots else item(plan, APPLIED_ROW)
     b.copy(w, slot, DRIVEN + 0 * k, count)
@@ -221,7 +232,7 @@ def move(block: RobotBlock, plan: Any, times: Any, sensors: Any, begin: int, las
         if s <= last or (s == 0 and item(plan, SLOTS) > 0):
             b.hold(w, count, item(plan, APPLIED_ROW), float(s))
         if item(plan, APPLIED_ROW) != LEFT:
-            b.turn(w, count)
+            call_program(item(plan, TURN), w, count, 0 * s, w)
         if now >= pushed:
             pushed = b.push(w, count, item(plan, PUSHES), item(plan, PUSH_COUNT), now)
         if now >= tilted:

@@ -15,6 +15,7 @@ from upright.compiled.generated import LANES, ROW
 from upright.control import Controller
 from upright.kernel import rows as b
 from upright.kernel.batch import FleetBatch, FleetResult, Selection
+from upright.kernel.electronics import functions
 from upright.kernel.kit import kit_tables
 from upright.kernel.lanes import Lanes
 from upright.kernel.pack import Packed, pack, recorded
@@ -108,7 +109,8 @@ def run_piece(batch: FleetBatch, rows: Selection, variant: str, order: Order, ou
         order.periods, order.stride, order.substeps, order.record, packed.program.command, packed.program.update,
         int(len(piece.laws) > 1), int("slope" in variant),
         int(len(kit.dead_time) == 1 and not kit.dead_time[0, 2]), *_motion(piece, variant, order.dtype),
-        packed.applied, lanes.address if lanes else 0, int(np.uint64(batch.seed).astype(np.int64)),
+        packed.applied, *functions(_name(order.dtype)), lanes.address if lanes else 0,
+        int(np.uint64(batch.seed).astype(np.int64)),
     )  # fmt: skip
     here = out if whole else out.part(rows)
     extra = (np.array(order.bands, order.dtype), before, after)

@@ -90,10 +90,6 @@ class Battery:
         if not self.voltage > 0:
             raise InvalidRobot(f"battery voltage is {self.voltage:g} V", expected="more than zero")
 
-    def loaded(self, load: float) -> float:
-        """Voltage [V] while `load` [V], the sum of both commands' magnitudes, is driven."""
-        return self.voltage - self.sag * load
-
     def volts(self, duties: Sequence[float]) -> tuple[float, float]:
         """Voltages [V] at two motors driven by duty (−1 to 1) of the loaded battery: V = voltage − sag V Σ|duty|."""
         left, right = duties

@@ -21,7 +21,7 @@ from upright.compiled.program import (
 )
 
 
-class Recorder:
+class FormulaTracer:
     """Statements in order, each once; as `xp` the formulas' namespace of mathematics.
 
     What depends on constants alone is a float, computed at once. Nothing is known of ranges.
@@ -75,11 +75,11 @@ class Recorder:
 class Number:
     """What stands for a number: arithmetic with it becomes a statement."""
 
-    def __init__(self, name: str, recorder: Recorder) -> None:
-        self.name, self._recorder = name, recorder
+    def __init__(self, name: str, tracer: FormulaTracer) -> None:
+        self.name, self._tracer = name, tracer
 
     def _sum(self, terms: tuple[tuple[float, str], ...], constant: float = 0.0) -> Number:
-        return self._recorder.record(Sum("", terms, constant))
+        return self._tracer.record(Sum("", terms, constant))
 
     def _with(self, sign: float, other: Any, other_sign: float) -> Number:
         if isinstance(other, Number):
@@ -102,20 +102,20 @@ class Number:
 
     def __mul__(self, other: Any) -> Number:
         if isinstance(other, Number):
-            return self._recorder.record(Product("", self.name, other.name))
+            return self._tracer.record(Product("", self.name, other.name))
         return self._sum(((float(other), self.name),))
 
     __rmul__ = __mul__
 
     def __truediv__(self, below: Any) -> Number:
-        return self._recorder.record(Quotient("", self.name, below.name))
+        return self._tracer.record(Quotient("", self.name, below.name))
 
     def __rtruediv__(self, number: float) -> Number:
-        return self._recorder.record(Quotient("", float(number), self.name))
+        return self._tracer.record(Quotient("", float(number), self.name))
 
     def __pow__(self, power: int) -> Number:
         assert power == 2, "no other power is written"
-        return self._recorder.record(Function("", "square", self.name))
+        return self._tracer.record(Function("", "square", self.name))
 
 
 def _operand(value: Any) -> Operand:

@@ -1,0 +1,81 @@
+"""The formulas of `physics.electronics`, recorded once: blocks for every printer, and functions of Python's floats."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from types import SimpleNamespace
+from typing import Any
+
+from upright.compiled.formula_tracer import FormulaTracer
+from upright.compiled.print_python import PythonStatements
+from upright.compiled.program import Block
+from upright.physics.electronics import awake, driven, largest, loaded, measured, slackened, turned, walked
+
+
+@dataclass(frozen=True)
+class TracedFormula:
+    """Statements over the variables `inputs`; the variables that the block commits are what it gives."""
+
+    inputs: tuple[str, ...]
+    block: Block
+
+    @property
+    def name(self) -> str:
+        return self.block.name
+
+    def function(self) -> Callable[..., tuple[float, ...]]:
+        """What it gives, in order, as a function of the inputs, in order."""
+        lines = [line for statement in self.block.statements for line in PythonStatements().statement(statement)]
+        results = ", ".join(value for _, value in self.block.commit)
+        words: dict[str, Any] = {"nearest": _nearest}
+        code = [f"def {self.name}({', '.join(self.inputs)}):", *lines, f"return {results},"]
+        exec("\n ".join(code), words)  # our own formulas
+        return words[self.name]
+
+
+def formulas(*, volts: bool = True) -> dict[str, TracedFormula]:
+    """By name: what reaches the motors (`drive`; commands in `volts` end at the battery's voltage) and 1 where that is
+    less than was commanded, what motors make of it (`turn`), a sensor's play (`slacken`), its reading (`measure`)."""
+
+    def drive(t: FormulaTracer, v: Any) -> dict[str, Any]:
+        command = v.command_left, v.command_right
+        left, right = driven(command, v, v, t, volts=volts)
+        supply = loaded(awake(command, v, t), v, t)
+        sizes = [t.absolute(u) for u in awake(command, v, t)]
+        beyond = t.choose(largest(supply, v, t, volts=volts), t.choose(*sizes, *reversed(sizes)), 1.0, 0.0)
+        return {"applied_left": left, "applied_right": right, "loaded": supply, "beyond": beyond}
+
+    return {
+        name: _recorded(name, inputs.split(), record)
+        for name, inputs, record in (
+            ("drive", "command_left command_right limit dead_zone quantum voltage sag", drive),
+            ("turn", "applied_left applied_right left right", _turn),
+            ("slacken", "touch wheel play", _slacken),
+            ("measure", "ideal offset normal step quantum noise bias_walk range", _measure),
+        )
+    }
+
+
+def _turn(_: FormulaTracer, v: Any) -> dict[str, Any]:
+    left, right = turned((v.applied_left, v.applied_right), v)
+    return {"motor_left": left, "motor_right": right}
+
+
+def _slacken(t: FormulaTracer, v: Any) -> dict[str, Any]:
+    return {"touch": slackened(v.touch, v.wheel, v.play, t)}
+
+
+def _measure(t: FormulaTracer, v: Any) -> dict[str, Any]:
+    offset = walked(v.offset, v.step, v)
+    return {"reading": measured(v.ideal, offset, v.normal, v, t), "offset": offset}
+
+
+def _recorded(name: str, inputs: list[str], record: Callable[[FormulaTracer, Any], dict[str, Any]]) -> TracedFormula:
+    t = FormulaTracer()
+    return TracedFormula(tuple(inputs), t.block(name, record(t, SimpleNamespace(**{n: t.number(n) for n in inputs}))))
+
+
+def _nearest(value: float) -> float:
+    return round(value) if math.isfinite(value) else value
