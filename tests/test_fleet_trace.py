@@ -27,7 +27,7 @@ ROUNDING = 1e-13  # a few hundred operations on doubles
 
 def test_the_generated_files_are_current():
     for name, text in sources().items():
-        assert Path(generated.__file__).with_name(name).read_text("utf-8") == text, (
+        assert (Path(generated.__file__).parent / name).read_text("utf-8") == text, (
             f"run python -m upright.compiled.generate: {name}"
         )
 

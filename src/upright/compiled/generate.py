@@ -9,10 +9,12 @@ from typing import Any
 import sympy as sp
 
 from upright.atomic import write_text
+from upright.compiled.electronics import formulas
+from upright.compiled.print_javascript import NEAREST, function
 from upright.compiled.trace import ROWS
 from upright.compiled.trace_constants import NAMED
 from upright.compiled.trace_motion import motions, work_rows
-from upright.compiled.trace_print import function
+from upright.compiled.trace_print import function as python_function
 from upright.robots.robot import PARAMETERS
 
 
@@ -30,9 +32,11 @@ def _constants_class() -> str:
 
 def _constants_function() -> str:
     """A robot's constants from its parameters, in the order of `PARAMETERS`."""
-    shared, formulas = sp.cse([sp.factor_terms(formula) for formula, _ in NAMED.values()], sp.numbered_symbols("t"))
+    shared, results = sp.cse([sp.factor_terms(formula) for formula, _ in NAMED.values()], sp.numbered_symbols("t"))
     lines = [f"{', '.join(PARAMETERS)} = p", *(f"{name} = {_code(formula)}" for name, formula in shared)]
-    return function("constants(p, complete)", [*lines, f"return Constants({', '.join(map(_code, formulas))})"], None)
+    return python_function(
+        "constants(p, complete)", [*lines, f"return Constants({', '.join(map(_code, results))})"], None
+    )
 
 
 def _code(formula: Any) -> str:
@@ -40,8 +44,18 @@ def _code(formula: Any) -> str:
     return re.sub(r"(\w+)\*\*2", r"(\1 * \1)", str(sp.pycode(formula)))
 
 
+def _page() -> str:
+    """The electronics for a page."""
+    known = formulas()
+    named = {"driveVolts": known.pop("drive"), "driveTorque": formulas(volts=False)["drive"], **known}
+    head = (
+        "// Generated from physics/electronics.py: do not edit. Written again by: python -m upright.compiled.generate"
+    )
+    return "\n".join([head, "", NEAREST, *(function(name, formula) for name, formula in named.items())])
+
+
 def sources() -> dict[str, str]:
-    """The text of each generated file, by name."""
+    """The text of each generated file, by its path from here."""
     rows = [*ROWS, *NAMED]
     layout = [
         f"LANES, ROW, SIZE = {LANES}, {ROW}, {len(rows) + work_rows()} * {ROW}",
@@ -53,6 +67,7 @@ def sources() -> dict[str, str]:
     return {
         "generated.py": "\n\n".join(parts).rstrip() + "\n",
         "generated_motion.py": "\n\n".join([HEADER, *motions()]).rstrip() + "\n",
+        "../lab/web/src/electronics.js": _page(),
     }
 
 
@@ -68,9 +83,9 @@ LANES, ROW = 64, 80
 
 
 def main() -> None:
-    """Writes the generated files beside this one."""
+    """Writes the generated files."""
     for name, text in sources().items():
-        write_text(Path(__file__).with_name(name), text)
+        write_text(Path(__file__).parent / name, text)
 
 
 if __name__ == "__main__":

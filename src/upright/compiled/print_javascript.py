@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 
+from upright.compiled.electronics import TracedFormula
 from upright.compiled.printer import Printer
 from upright.compiled.program import Kind, Program, Repeat
 from upright.compiled.straight_line import blocks
@@ -73,6 +74,28 @@ class JavaScriptPrinter(JavaScriptStatements):
         )
         methods = [_method(name, arguments, self.lines(block)) for name, arguments, block in blocks]
         return "{" + ",\n".join([start, *methods]) + "}"
+
+
+NEAREST = """/**
+ * The nearest whole number, halves to the even one.
+ * @param {number} v
+ */
+function nearest(v) {
+  const near = Math.round(v);
+  return Math.abs(v % 1) === 0.5 && near % 2 ? near - 1 : near;
+}
+"""
+
+
+def function(name: str, formula: TracedFormula) -> str:
+    """An exported function of the inputs, which writes what the formula gives into the array after them."""
+    printer = JavaScriptStatements({})
+    given = f"({', '.join(formula.inputs)}, out)"
+    kind = f"({', '.join(f'{name}: number' for name in formula.inputs)}, out: Float64Array) => void"
+    lines = [line for statement in formula.block.statements for line in printer.statement(statement)]
+    lines += [f"out[{i}] = {value};" for i, (_, value) in enumerate(formula.block.commit)]
+    body = "\n".join(f"  {line}" for line in lines)
+    return f"/** @type {{{kind}}} */\nexport const {name} = {given} => {{\n{body}\n}};\n"
 
 
 def motion(robot: Robot, model: str, period: float, substeps: int) -> str:

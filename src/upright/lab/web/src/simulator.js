@@ -1,6 +1,8 @@
-// A robot under a controller, in the page: the loop of experiment/loop.py and the electronics of bodies/electronics.py,
-// over the motion and the programs that compiled/print_javascript.py prints. Plain JavaScript, so that a test runs it
-// beside Python. Arrays are doubles: x the state, u a command, w force, height and slope, y readings.
+// A robot under a controller, in the page: the loop of experiment/loop.py and the times of bodies/electronics.py, over
+// the motion, the programs and the electronics that compiled/print_javascript.py prints. Plain JavaScript, so that a
+// test runs it beside Python. Arrays are doubles: x the state, u a command, w force, height and slope, y readings.
+
+import { driveTorque, driveVolts, measure, slacken, turn } from "./electronics.js";
 
 /**
  * @typedef {object} Motion what moves a state by one of the body's periods, and the six ideal sensors
@@ -67,15 +69,6 @@ export function combined(pushes, t, slope, w) {
 }
 
 /**
- * The nearest whole number, halves to the even one.
- * @param {number} v
- */
-function rint(v) {
-  const near = Math.round(v);
-  return Math.abs(v % 1) === 0.5 && near % 2 ? near - 1 : near;
-}
-
-/**
  * @param {number} a
  * @param {number} b
  */
@@ -134,12 +127,16 @@ class Channel {
     this.touch = first;
     this.line = new Float64Array(sensor.delay + 1).fill(first);
     this.bias = sensor.bias ? sensor.bias * normals(0, purpose + 64, seed)[0] : 0;
+    this.out = new Float64Array(2);
   }
 
   /** @param {number} value */
   read(value) {
     const { play, delay, every } = this.sensor;
-    if (play) this.touch = value = Math.min(Math.max(this.touch, value - play), value + play);
+    if (play) {
+      slacken(this.touch, value, play, this.out);
+      this.touch = value = this.out[0];
+    }
     this.line[this.count % (delay + 1)] = value;
     if (this.count % every === 0) this.held = this.fresh(this.line[(this.count + 1) % (delay + 1)]);
     this.count += 1;
@@ -149,15 +146,10 @@ class Channel {
   /** @param {number} value */
   fresh(value) {
     const { walk, noise, quantum, range } = this.sensor;
-    if (walk || noise) {
-      const [one, two] = normals(this.count, this.purpose, this.seed);
-      this.bias += walk * two;
-      value += this.bias + noise * one;
-    } else {
-      value += this.bias;
-    }
-    if (quantum && Number.isFinite(value)) value = rint(value / quantum) * quantum;
-    return range === null ? value : Math.min(Math.max(value, -range), range);
+    const [one, two] = walk || noise ? normals(this.count, this.purpose, this.seed) : [0, 0];
+    measure(value, this.bias, one, two, quantum, noise, walk, range ?? Infinity, this.out);
+    this.bias = this.out[1];
+    return this.out[0];
   }
 }
 
@@ -182,6 +174,7 @@ export class Loop {
     this.sent = new Float64Array(2);
     this.applied = new Float64Array(2);
     this.driven = new Float64Array(2);
+    this.out = new Float64Array(4);
     this.w = new Float64Array(3);
     this.ideal = new Float64Array(6);
     this.twist = 0; // of a pull at one wheel
@@ -238,25 +231,24 @@ export class Loop {
     const { motion, kit } = this.body;
     if (kit) this.drive(kit);
     else this.applied.set(this.sent);
-    this.driven[0] = this.applied[0] * (kit?.left ?? 1) + this.twist;
-    this.driven[1] = this.applied[1] * (kit?.right ?? 1) - this.twist;
+    turn(this.applied[0], this.applied[1], kit?.left ?? 1, kit?.right ?? 1, this.driven);
+    this.driven[0] += this.twist;
+    this.driven[1] -= this.twist;
     motion.step(this.x, this.driven, this.w, this.ideal);
     this.steps += 1;
     this.sense();
   }
 
   /**
-   * What reaches both motors: dead time, dead zone, sag of the battery, saturation, quantum of the driver.
+   * What reaches both motors, after their dead time.
    * @param {Kit} kit
    */
   drive(kit) {
-    const [left, right] = this.delayed(kit).map((u) => (Math.abs(u) <= kit.dead_zone ? 0 : u));
-    const full = kit.voltage;
-    const load = full === null ? 0 : Math.min(Math.abs(left), full) + Math.min(Math.abs(right), full);
-    this.voltage = (full ?? Infinity) - kit.sag * load;
-    const limit = Math.min(kit.limit ?? Infinity, kit.volts ? this.voltage : Infinity);
-    this.applied[0] = driven(left, limit, kit.quantum);
-    this.applied[1] = driven(right, limit, kit.quantum);
+    const [left, right] = this.delayed(kit);
+    const [limit, full] = [kit.limit ?? Infinity, kit.voltage ?? Infinity];
+    const drive = kit.volts ? driveVolts : driveTorque;
+    drive(left, right, limit, kit.dead_zone, kit.quantum, full, kit.sag, this.out);
+    [this.applied[0], this.applied[1], this.voltage] = this.out;
   }
 
   /**
@@ -273,16 +265,6 @@ export class Loop {
     while (this.waiting.length && this.waiting[0][0] <= this.steps) this.arrived = this.waiting.splice(0, 1)[0].slice(1);
     return this.arrived;
   }
-}
-
-/**
- * @param {number} u
- * @param {number} limit
- * @param {number} quantum
- */
-function driven(u, limit, quantum) {
-  const inside = Math.min(Math.max(u, -limit), limit);
-  return quantum ? Math.trunc(inside / quantum) * quantum : inside;
 }
 
 /**

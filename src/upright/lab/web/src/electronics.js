@@ -1,0 +1,120 @@
+// Generated from physics/electronics.py: do not edit. Written again by: python -m upright.compiled.generate
+
+/**
+ * The nearest whole number, halves to the even one.
+ * @param {number} v
+ */
+function nearest(v) {
+  const near = Math.round(v);
+  return Math.abs(v % 1) === 0.5 && near % 2 ? near - 1 : near;
+}
+
+/** @type {(command_left: number, command_right: number, limit: number, dead_zone: number, quantum: number, voltage: number, sag: number, out: Float64Array) => void} */
+export const driveVolts = (command_left, command_right, limit, dead_zone, quantum, voltage, sag, out) => {
+  const t0 = Math.abs(command_left);
+  const t1 = dead_zone < t0 ? command_left : 0;
+  const t2 = Math.abs(command_right);
+  const t3 = dead_zone < t2 ? command_right : 0;
+  const t4 = Math.abs(t1);
+  const t5 = t4 < voltage ? t4 : voltage;
+  const t6 = Math.abs(t3);
+  const t7 = t6 < voltage ? t6 : voltage;
+  const t8 = t5 + t7;
+  const t9 = sag * t8;
+  const t10 = voltage - t9;
+  const t11 = limit < t10 ? limit : t10;
+  const t12 = -t11;
+  const t13 = t11 < t1 ? t11 : t1;
+  const t14 = t1 < t12 ? t12 : t13;
+  const t15 = -quantum;
+  const t16 = t15 < 0 ? quantum : 1;
+  const t17 = t14 / t16;
+  const t18 = Math.trunc(t17);
+  const t19 = t18 * t16;
+  const t20 = t15 < 0 ? t19 : t14;
+  const t21 = t11 < t3 ? t11 : t3;
+  const t22 = t3 < t12 ? t12 : t21;
+  const t23 = t22 / t16;
+  const t24 = Math.trunc(t23);
+  const t25 = t24 * t16;
+  const t26 = t15 < 0 ? t25 : t22;
+  const t27 = t4 < t6 ? t6 : t4;
+  const t28 = t11 < t27 ? 1 : 0;
+  out[0] = t20;
+  out[1] = t26;
+  out[2] = t10;
+  out[3] = t28;
+};
+
+/** @type {(command_left: number, command_right: number, limit: number, dead_zone: number, quantum: number, voltage: number, sag: number, out: Float64Array) => void} */
+export const driveTorque = (command_left, command_right, limit, dead_zone, quantum, voltage, sag, out) => {
+  const t0 = Math.abs(command_left);
+  const t1 = dead_zone < t0 ? command_left : 0;
+  const t2 = Math.abs(command_right);
+  const t3 = dead_zone < t2 ? command_right : 0;
+  const t4 = Math.abs(t1);
+  const t5 = t4 < voltage ? t4 : voltage;
+  const t6 = Math.abs(t3);
+  const t7 = t6 < voltage ? t6 : voltage;
+  const t8 = t5 + t7;
+  const t9 = sag * t8;
+  const t10 = voltage - t9;
+  const t11 = -limit;
+  const t12 = limit < t1 ? limit : t1;
+  const t13 = t1 < t11 ? t11 : t12;
+  const t14 = -quantum;
+  const t15 = t14 < 0 ? quantum : 1;
+  const t16 = t13 / t15;
+  const t17 = Math.trunc(t16);
+  const t18 = t17 * t15;
+  const t19 = t14 < 0 ? t18 : t13;
+  const t20 = limit < t3 ? limit : t3;
+  const t21 = t3 < t11 ? t11 : t20;
+  const t22 = t21 / t15;
+  const t23 = Math.trunc(t22);
+  const t24 = t23 * t15;
+  const t25 = t14 < 0 ? t24 : t21;
+  const t26 = t4 < t6 ? t6 : t4;
+  const t27 = limit < t26 ? 1 : 0;
+  out[0] = t19;
+  out[1] = t25;
+  out[2] = t10;
+  out[3] = t27;
+};
+
+/** @type {(applied_left: number, applied_right: number, left: number, right: number, out: Float64Array) => void} */
+export const turn = (applied_left, applied_right, left, right, out) => {
+  const t0 = applied_left * left;
+  const t1 = applied_right * right;
+  out[0] = t0;
+  out[1] = t1;
+};
+
+/** @type {(touch: number, wheel: number, play: number, out: Float64Array) => void} */
+export const slacken = (touch, wheel, play, out) => {
+  const t0 = wheel - play;
+  const t1 = wheel + play;
+  const t2 = t1 < touch ? t1 : touch;
+  const t3 = touch < t0 ? t0 : t2;
+  out[0] = t3;
+};
+
+/** @type {(ideal: number, offset: number, normal: number, step: number, quantum: number, noise: number, bias_walk: number, range: number, out: Float64Array) => void} */
+export const measure = (ideal, offset, normal, step, quantum, noise, bias_walk, range, out) => {
+  const t0 = bias_walk * step;
+  const t1 = offset + t0;
+  const t2 = ideal + t1;
+  const t3 = noise * normal;
+  const t4 = t2 + t3;
+  const t5 = -quantum;
+  const t6 = t5 < 0 ? quantum : 1;
+  const t7 = t4 / t6;
+  const t8 = nearest(t7);
+  const t9 = t8 * t6;
+  const t10 = t5 < 0 ? t9 : t4;
+  const t11 = -range;
+  const t12 = range < t10 ? range : t10;
+  const t13 = t10 < t11 ? t11 : t12;
+  out[0] = t13;
+  out[1] = t1;
+};
