@@ -7,6 +7,8 @@ from collections.abc import Iterable
 
 LONGEST_SHOWN = 80
 """Letters of a name that a message repeats."""
+LONGEST_REASON = 200
+"""Letters of another library's message that ours repeats."""
 
 
 class UprightError(Exception):
@@ -79,6 +81,11 @@ class UnknownName(UprightError):
         super().__init__(
             f"no {kind} is called '{shown}'", expected="one of " + ", ".join(names), hint=meant(name, names)
         )
+
+
+def one_line(error: BaseException, longest: int = LONGEST_REASON) -> str:
+    """The message of any exception on one line of at most `longest` letters; its type where it has no message."""
+    return " ".join(str(error).split())[:longest] or type(error).__name__
 
 
 def meant(name: str, names: Iterable[str], text: str = "{}") -> str:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from upright.atomic import write_text
 from upright.classwork.tasks import task_of
-from upright.errors import InvalidLog, UprightError
+from upright.errors import InvalidLog, UprightError, one_line
 from upright.lab.handin import HandIn, RunResult, read_hand_in
 from upright.lab.rerun import rerun
 from upright.lab.seat import TookTooLong, within
@@ -138,7 +138,7 @@ def grade_file(path: Path) -> Grade:
     try:
         done = read_hand_in(path)
     except (UprightError, OSError, RecursionError, MemoryError) as error:
-        return Grade(file=path.name, why=_line(error))
+        return Grade(file=path.name, why=one_line(error))
     task = task_of(done)
     first = Grade(
         file=path.name, student=done.student, task=task.name if task else "", claimed=done.claimed, run=done.run
@@ -151,7 +151,7 @@ def grade_file(path: Path) -> Grade:
     except TookTooLong:
         return replace(first, why=f"it took longer than {LONGEST:g} s to run")
     except Exception as error:  # whatever a set-up does, the others are graded
-        return replace(first, why=f"it cannot be run: {_line(error)}")
+        return replace(first, why=f"it cannot be run: {one_line(error)}")
     return _judged(replace(first, replayed=replayed), done, replayed)
 
 
@@ -251,7 +251,3 @@ def _shown(result: RunResult | None) -> str:
 
 def _replayed(g: Grade) -> str:
     return "as claimed" if g.replayed and g.verdict != DIFFERS else _shown(g.replayed)
-
-
-def _line(error: BaseException) -> str:
-    return " ".join(str(error).split())[:200] or type(error).__name__

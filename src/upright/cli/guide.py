@@ -188,7 +188,7 @@ def _ask(question: Question, study: GuidedStudy) -> None:
         try:
             question.check(answer)
         except UprightError as error:
-            typer.echo(f"  {' '.join(str(error).split())}")
+            typer.echo(f"  {error}")
             continue
         study.answers[question.name] = _from_folder(answer, study.folder)
         study.save()

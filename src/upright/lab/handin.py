@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from upright.atomic import write_json
-from upright.errors import InvalidScenario, UprightError
+from upright.errors import InvalidScenario, UprightError, one_line
 from upright.lab.codec import InvalidMessage, decode, plain
 from upright.lab.messages import Change, Drag, Setup, Steer, Strike
 from upright.reading import parse_json, read_text
@@ -135,7 +135,7 @@ def _understood(data: dict[str, Any], name: str) -> HandIn:
             claimed=RunResult(fell=data["claimed"]["fell"] is True, **claimed),
         )  # fmt: skip
     except (LookupError, TypeError, ValueError, RecursionError, InvalidMessage) as error:
-        why = f"it lacks {error}" if isinstance(error, KeyError) else " ".join(str(error).split())[:160]
+        why = f"it lacks {error}" if isinstance(error, KeyError) else one_line(error)
         raise InvalidHandIn(f"{name} is broken: {why}", expected=EXPECTED) from None
     _check(done, name)
     return done

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.errors import one_line
 from upright.reading import limit_memory
 
 Array = NDArray[np.float64]
@@ -50,7 +51,7 @@ def main(path: str) -> int:
     try:
         columns = columns_of(loadmat(path, squeeze_me=True, struct_as_record=True))
     except Exception as error:  # damaged bytes make the parser raise any exception
-        print(" ".join(str(error).split()) or type(error).__name__, file=sys.stderr)
+        print(one_line(error), file=sys.stderr)
         return 1
     stored = io.BytesIO()
     numbered = {f"column{i}": values for i, values in enumerate(columns.values())}

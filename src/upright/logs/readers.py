@@ -15,7 +15,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.errors import InvalidLog
+from upright.errors import InvalidLog, one_line
 from upright.logs.layout import Layout, bare, cells_of, is_number, layout
 from upright.reading import expanded, parse_json, read_text
 from upright.signals import Log, parquet
@@ -154,9 +154,8 @@ def _parse(raw: bytes, form: Layout) -> tuple[dict[str, Array], dict[str, str]]:
     try:
         table = pc.read_csv(io.BytesIO(body), read_options=reading, convert_options=options, parse_options=parsing)
     except pa.ArrowInvalid as error:
-        reason = " ".join(str(error).split())[:160]
         raise InvalidLog(
-            f"the rows cannot be read ({reason})",
+            f"the rows cannot be read ({one_line(error)})",
             expected=f"{len(names)} values in each",
             likely="a row that was cut off",
         ) from None
