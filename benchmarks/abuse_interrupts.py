@@ -131,7 +131,7 @@ def interrupted(call: list[str], number: int, moment: float) -> End:
         else:
             return End(process.returncode, 0.0, [], True, "")
         family = psutil.Process(process.pid).children(recursive=True)
-        began = time.monotonic()
+        began, clock = time.monotonic(), time.time()
         if number == signal.SIGINT:
             os.killpg(process.pid, number)
         else:
@@ -140,8 +140,10 @@ def interrupted(call: list[str], number: int, moment: float) -> End:
         seconds = time.monotonic() - began
         _, alive = psutil.wait_procs(family, timeout=5)
         left = [f"process {p.pid}" for p in alive]
-        for folder in (place, temporary):
-            left += [str(p.relative_to(folder)) for p in Path(folder).rglob("*") if not _campaigns(p)]
+        files = {folder: [p for p in Path(folder).rglob("*") if not _campaigns(p)] for folder in (place, temporary)}
+        if process.returncode == 0 and files[place] and all(p.stat().st_ctime < clock for p in files[place]):
+            return End(0, seconds, [], True, error)  # the result stood before the signal came: Python was shutting down
+        left += [str(p.relative_to(folder)) for folder, paths in files.items() for p in paths]
         for p in alive:
             p.kill()
         code = process.returncode if process.returncode >= 0 else 128 - process.returncode  # as a shell says it
