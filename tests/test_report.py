@@ -135,7 +135,9 @@ def test_every_drawing_is_xml_with_a_title_a_description_and_units_on_both_axes(
 
 def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(comparison):
     html = page_of(comparison).html().replace("\u00a0", " ")
-    assert sum(root.get("role") == "img" for root in drawings(html)) == len(STATE_NAMES) + 1
+    assert sum(root.get("role") == "img" for root in drawings(html)) == 2 * (
+        len(STATE_NAMES) + 1
+    )  # for a screen and for a phone
     assert "Pitch settles to 5 % of its largest value in: twin " in html
     assert ">robot<" not in html
     assert "not results of a real robot" in html  # the note on twins
@@ -380,7 +382,7 @@ def test_a_name_in_backticks_is_set_as_code():
 def test_mistakes_in_a_page_are_told():
     with pytest.raises(UprightError, match="a row of table 'T' has 1 cells; expected 2"):
         Table(["a", "b"], [["x"]], "T")
-    with pytest.raises(UnknownName, match="one of good, info, warn"):
+    with pytest.raises(UnknownName, match="one of bad, good, info, warn"):
         Verdict("fine", "great")
     with pytest.raises(UprightError, match="MathML does not parse"):
         Formula("<math><mi>x</math>")

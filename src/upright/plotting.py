@@ -233,7 +233,6 @@ def colour_map(
     size = (LEFT + side + bar, HEAD + side + FOOT)
     figure = _figure(*size)
     ax = _axes(figure, (LEFT / size[0], FOOT / size[1], side / size[0], side / size[1]))
-    ax.set(ylabel=y_label)
     ax.set_xlabel(x_label, loc="right")
     finite = values[np.isfinite(values)]
     low, high = (float(finite.min()), float(finite.max())) if len(finite) else (0.0, 1.0)
@@ -244,8 +243,9 @@ def colour_map(
     picture = NonUniformImage(ax, interpolation=way, extent=extent, cmap="cividis", norm=norm)
     picture.set_data(x, y, shown)
     ax.add_image(picture)
-    ax.set(xlim=edges(x), ylim=edges(y))
+    ax.set(xlim=edges(x), ylim=edges(y), ylabel=y_label)
     ax.grid(visible=False)
+    ax.spines[:].set_visible(True)
     _label_above(ax)
     numbered(ax.xaxis, ax.yaxis)
     beside = _axes(figure, ((LEFT + side + 0.2) / size[0], FOOT / size[1], 0.18 / size[0], side / size[1]))

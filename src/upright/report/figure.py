@@ -1,7 +1,7 @@
 """A figure by matplotlib as inline SVG: its colours are those of the page, its letters stay text, its key wraps.
 
-The style sheet holds the colours for light, dark and paper. A phone shows a figure at half its size, with larger
-letters.
+The style sheet holds the colours for light, dark and paper. A phone gets a narrower
+drawing.
 """
 
 from __future__ import annotations
@@ -10,7 +10,8 @@ import hashlib
 import io
 import json
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Generator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from html import escape
 from typing import Any
@@ -25,6 +26,8 @@ from matplotlib.lines import Line2D
 from upright import plotting
 
 UNIT = 72  # a drawing has 72 units for an inch of matplotlib's
+NARROW = 4.0  # [inches] of a drawing for phones: its letters of 9 pt are 11 px high on a screen of 390 px
+SCALE, SQUARE = 0.5, 3.0  # [inches]: a scale of colours is narrower, a plane or a map higher
 
 _VARIABLES = {colour: f"var(--c{k})" for k, colour in enumerate(plotting.COLOURS)} | {
     plotting.INK: "var(--soft)", plotting.AXIS: "var(--axis)", plotting.GRID: "var(--grid)",
@@ -51,24 +54,37 @@ class Figure:
 
     def svg(self) -> str:
         """The drawing, with its title and a description for those who cannot see it."""
+        return self._svg("wide" if self._has_axes() else "any")
+
+    def narrow(self) -> str:
+        """The same for a phone, less wide, with letters of the same size; empty where it has no axes."""
+        if not self._has_axes():
+            return ""
+        with _narrowed(self.drawing):
+            return self._svg("narrow")
+
+    def _has_axes(self) -> bool:
+        return any(ax.axison for ax in self.drawing.axes)
+
+    def _svg(self, size: str) -> str:
         for ax in self.drawing.axes:
             legend = ax.get_legend()
             if legend:
                 legend.remove()
         curves = self._curves()
         stream = io.StringIO()
-        mark = hashlib.sha256(self.title.encode()).hexdigest()[:8]
+        mark = hashlib.sha256(f"{self.title} {size}".encode()).hexdigest()[:8]
         with matplotlib.rc_context({"svg.fonttype": "none", "svg.hashsalt": mark}):
             self.drawing.savefig(stream, format="svg", transparent=True, metadata={"Date": None})
         body = re.search(r"</metadata>(.*)</svg>", stream.getvalue(), re.DOTALL)
         assert body
         width, height = (UNIT * inches for inches in self.drawing.get_size_inches())
         described = f"{', '.join(axis_labels(self.drawing))}: {', '.join(k.name for k in self.key())}. {self.note}"
-        wide = f'style="max-width: {min(100 * width / UNIT / plotting.WIDTH, 100):.0f}%"'
-        kind = f'class="lines" data-curves="{escape(json.dumps(curves))}"' if curves else 'class="plane"'
+        part = f'style="max-width: {min(100 * width / UNIT / plotting.WIDTH, 100):.0f}%"' if size != "narrow" else ""
+        kind = f'class="{size} lines" data-curves="{escape(json.dumps(curves))}"' if curves else f'class="{size} plane"'
         return (
             f'<svg xmlns="http://www.w3.org/2000/svg" role="img" '
-            f'viewBox="0 0 {width:g} {height:g}" aria-labelledby="t{mark} d{mark}" {wide} {kind}>'
+            f'viewBox="0 0 {width:g} {height:g}" aria-labelledby="t{mark} d{mark}" {part} {kind}>'
             f'<title id="t{mark}">{escape(self.title)}</title><desc id="d{mark}">{escape(described.strip())}</desc>'
             f"{_themed(body[1], mark)}</svg>"
         )
@@ -106,6 +122,36 @@ class Figure:
         return panels
 
 
+@contextmanager
+def _narrowed(drawing: mpl.Figure) -> Generator[None]:
+    """The same drawing for a phone, `NARROW` inches wide: its letters keep their size, its panels lose width.
+
+    What is as high as wide loses height too, a scale of colours only moves.
+    """
+    width, height = drawing.get_size_inches()
+    less = max(width - NARROW, 0.0)
+    boxes = {ax: ax.get_position() for ax in drawing.axes}
+    labels = {ax: ax.yaxis.label.get_position() for ax in drawing.axes}
+    square = all(box.height * height > SQUARE for box in boxes.values())
+    lower = less if square else 0.0
+    drawing.set_size_inches(width - less, height - lower)
+    for ax, box in boxes.items():
+        across = less if box.width * width > SCALE else 0.0
+        left = box.x0 * width - (less - across)
+        inside = (box.width * width - across, box.height * height - lower)
+        ax.set_position((
+            left / (width - less), box.y0 * height / (height - lower), inside[0] / (width - less),
+            inside[1] / (height - lower),
+        ))  # fmt: skip
+        x, y = labels[ax]
+        ax.yaxis.set_label_coords(x * box.width * width / inside[0], 1 + (y - 1) * box.height * height / inside[1])
+    yield
+    drawing.set_size_inches(width, height)
+    for ax, box in boxes.items():
+        ax.set_position(box)
+        ax.yaxis.set_label_coords(*labels[ax])
+
+
 def axis_labels(drawing: mpl.Figure) -> list[str]:
     """What the axes say."""
     return [text for ax in drawing.axes for text in (ax.get_ylabel(), ax.get_xlabel()) if text]
@@ -141,7 +187,9 @@ def _sample(handle: Any) -> str:
         array = f' stroke-dasharray="{" ".join(f"{d:g}" for d in dashes)}"' if dashes else ""
         colour = _VARIABLES.get(str(handle.get_color()), str(handle.get_color()))
         inside = f'<path d="M0 7H34"{array}/>' if handle.get_linestyle() not in ("None", "") else ""
-        inside += _MARKS.get(str(handle.get_marker()), "")
+        filled = handle.get_fillstyle() != "none" and handle.get_marker() in FILLED
+        mark = _MARKS.get(str(handle.get_marker()), "")
+        inside += f'<g style="fill: {colour}">{mark}</g>' if filled and mark else mark
         content = f'<g style="stroke: {colour}; color: {colour}">{inside}</g>'
     elif isinstance(handle, LineCollection):
         colour = to_hex(np.atleast_2d(handle.get_edgecolor())[0])
@@ -153,6 +201,8 @@ def _sample(handle: Any) -> str:
         content = f'<path d="M4 1H30V13H4Z" style="fill: {shade}; fill-opacity: {alpha:g}; stroke: none"/>'
     return f'<svg viewBox="0 0 34 14" aria-hidden="true" class="sample">{content}</svg>'
 
+
+FILLED = ("o", "s", "^", "D")
 
 _MARKS = {
     "x": '<path d="M13 3L21 11M13 11L21 3"/>', "o": '<circle cx="17" cy="7" r="4"/>',

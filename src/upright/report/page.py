@@ -22,7 +22,7 @@ from upright.tables import power_of_ten
 if TYPE_CHECKING:
     from jinja2 import Template
 
-LEVELS = ("good", "warn", "info")
+LEVELS = ("good", "warn", "bad", "info")
 
 TWIN_NOTE = (
     "A twin stands in for hardware: a simulation by a physics engine whose equations are not those of the model "
@@ -34,7 +34,8 @@ Cell = str | float | bool | None
 
 @dataclass(frozen=True)
 class Verdict:
-    """A badge: a short `text` and its `level`: "good" (reproduced), "warn" (not reproducible as printed) or "info"."""
+    """A badge: a short `text` and its `level`: "good" (green: it holds), "warn" (amber: take care), "bad" (red: it does
+    not hold) or "info" (blue: neither)."""
 
     text: str
     level: str = "info"
