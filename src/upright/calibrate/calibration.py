@@ -158,7 +158,8 @@ class Calibration(Shown):
     is that of the parameters' names in `names`, in SI units. `fits` holds [%] h-step fits by horizon and sensor on the
     part kept back, `segments` R² of free simulation. `notes` are sentences for the reader. `refused` says why the fit
     is no description of this robot: then no number is called visible. `widening` is by how much the intervals of what
-    is visible are wider than those of a right model. `quiet` says why the logs can give no inertia."""
+    is visible are wider than those of a right model, `supported` how many numbers and combinations such a model would
+    have visible. `quiet` says why the logs can give no inertia."""
 
     robot: Robot
     prior: Robot
@@ -182,6 +183,7 @@ class Calibration(Shown):
     refused: tuple[str, ...] = ()
     kit: Kit | None = None
     widening: float = 1.0
+    supported: int = 0
     quiet: str = ""
 
     def __post_init__(self) -> None:
@@ -256,7 +258,7 @@ class Calibration(Shown):
             "whiteness": [{**d, "white": w.white} for d, w in zip(plain(self.whiteness), self.whiteness, strict=True)],
             "fits": {k: {n: finite(v) for n, v in row.items()} for k, row in self.fits.items()},
             "segments": {k: finite(v) for k, v in self.segments.items()},
-            "temper": self.temper, "widening": self.widening,
+            "temper": self.temper, "widening": self.widening, "supported": self.supported,
             "samples": self.samples, "seconds": self.seconds, "sources": list(self.sources),
             "notes": list(self.notes), "unseen": list(self.unseen), "refused": list(self.refused),
             "quiet": self.quiet, "wrong": list(self.check()), "file": self.known_robot().to_toml(),

@@ -22,10 +22,11 @@ Array = NDArray[np.float64]
 RUN = "run "
 """How the names of deviations begin: "run 0/motor_friction"."""
 
-SHARES = {"motor_friction": 0.3, "wheel_friction": 0.3, "coulomb_friction": 0.3, "rolling_friction": 0.3,
+SHARES = {"motor_friction": 0.3, "wheel_friction": 0.3, "coulomb_friction": 0.3, "rolling_friction": 0.5,
           "motor_resistance": 0.025}  # fmt: skip
 """Standard deviation between runs, over the number. Where one run is 6 K warmer than another, grease has lost a quarter
-of its viscosity (half in 15 K) and copper is 2.4 % more resistive; dry friction differs by floor and load."""
+of its viscosity (half in 15 K) and copper is 2.4 % more resistive; dry friction differs by load, and rolling friction
+by floor: 0.01 to 0.02 of the load for rubber on tiles or wood, several times that on a carpet."""
 FIRMWARE = 0.005
 """[s] Standard deviation of dead times between runs: half of a period of most programs, since another program reads its
 sensors at another moment."""

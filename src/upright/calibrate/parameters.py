@@ -30,7 +30,8 @@ NEVER = ("gear_ratio", "stiction_rate", "body_depth", "body_height", "roll_inert
 and the roll inertia, in whose place stands `ROLL_FRACTION`."""
 
 ROLLING = "rolling_friction"
-"""Asked only where the robot's file has some: few logs tell it from the other frictions (docs/calibrate.md)."""
+"""Asked only where the robot's file names it, if only as zero with a guess: of the robots with published logs one shows
+it beside its other frictions (docs/calibrate.md)."""
 
 ROLL_FRACTION = "roll_fraction"
 """Where the roll inertia lies between |J_ψ − J_φ| and J_ψ + J_φ, its least and its largest in a rigid body."""

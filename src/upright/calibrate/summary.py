@@ -77,6 +77,8 @@ def summarised(
     combinations = _combinations(problem, z)
     combined = tuple(_combined(c, C) for c in combinations)
     widening = _widening(C, right, every, combinations)
+    supported = sum(right[i, i] < HALVED**2 for i, p in enumerate(problem.asked) if p.name not in problem.held)
+    supported += sum(_combined(c, right).verdict == VISIBLE for c in combinations[1:])
     other = proposed(stated) if any(e.surprising for e in every) else ""
     refused = () if reason else reasons(problem, fitted, free, every, other)
     delays = _delays(problem, z, C, every)
@@ -107,6 +109,7 @@ def summarised(
         sources=sources,
         notes=tuple(_notes(problem, every, scores, reason, other, widening)),
         widening=widening,
+        supported=int(supported),
         quiet=reason,
         unseen=tuple(unseen_directions(problem, normal)),
         refused=refused,

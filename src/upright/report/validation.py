@@ -13,6 +13,7 @@ from upright.validate.validation import (
     LogJudged,
     Validation,
     half_second_figure,
+    least,
     loop_figure,
     short,
 )
@@ -54,18 +55,22 @@ def page_of(result: Validation) -> Page:
 def _numbers(result: Validation) -> list[tuple[str, str]]:
     worst = result.worst.worst
     numbers = [(cell_text(worst.r2, 3), f"R² of half seconds, {short(worst.name)}")]
+    if own := result.worst.own_run:
+        numbers.append((cell_text(least(own).r2, 3), "with what belongs to its run, fitted to this log"))
     loops = [c for log in result.logs if not log.caution for c in log.loop]
     if loops:
-        least = min(loops, key=lambda c: c.r2)
-        if least.r2 < 0 and least.breaks is not None:  # what the log does not hold, such as a push, ends the agreement
+        lowest = min(loops, key=lambda c: c.r2)
+        if (
+            lowest.r2 < 0 and lowest.breaks is not None
+        ):  # what the log does not hold, such as a push, ends the agreement
             numbers.append(
                 (
-                    f"{least.breaks:.3g} s",
-                    f"of the log are followed by a simulation without any reading ({short(least.name)})",
+                    f"{lowest.breaks:.3g} s",
+                    f"of the log are followed by a simulation without any reading ({short(lowest.name)})",
                 )
             )
         else:
-            numbers.append((cell_text(least.r2, 3), f"R² of a simulation without any reading, {short(least.name)}"))
+            numbers.append((cell_text(lowest.r2, 3), f"R² of a simulation without any reading, {short(lowest.name)}"))
     shifts = [s for log in result.logs for s in log.shifts]
     if shifts:
         first = max(shifts, key=lambda s: s.explains)
