@@ -7,6 +7,7 @@ All of a program lives in arrays of doubles: `z` the memory, `y` the readings in
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from importlib import resources
 
 from upright.compiled.electronics import TracedFormula
 from upright.compiled.printer import Printer
@@ -96,6 +97,11 @@ def function(name: str, formula: TracedFormula) -> str:
     lines += [f"out[{i}] = {value};" for i, (_, value) in enumerate(formula.block.commit)]
     body = "\n".join(f"  {line}" for line in lines)
     return f"/** @type {{{kind}}} */\nexport const {name} = {given} => {{\n{body}\n}};\n"
+
+
+def functions() -> str:
+    """The functions that a printed motion calls, for the head of its script."""
+    return (resources.files("upright.compiled") / "sines.js").read_text("utf-8")
 
 
 def motion(robot: Robot, model: str, period: float, substeps: int) -> str:

@@ -10,20 +10,20 @@ from pathlib import Path
 from typing import Any
 
 from upright.atomic import make_folder, write_text
-from upright.compiled.print_javascript import JavaScriptPrinter
+from upright.compiled.print_javascript import JavaScriptPrinter, functions
 from upright.control import CONTROLLERS, gain_of
 from upright.control.delay import RAW
 from upright.errors import InvalidRobot, UnknownName, UprightError, check_within
 from upright.lab.by_hand import gains_program
 from upright.lab.codec import plain
 from upright.lab.messages import VERSION, Analysed, Setup, Welcome
-from upright.lab.plant import BY_HAND, OFF, Plant, behind, body_of, families, is_bare
-from upright.lab.printed import PERIOD, printed_law, printed_robot, reading
+from upright.lab.plant import BY_HAND, EXPORTED, OFF, Plant, behind, body_of, families, is_bare
+from upright.lab.printed import printed_law, printed_robot, reading
 from upright.lab.recording import MARK, inlined, page_text
 from upright.lab.tasks import analysed
 from upright.lab.views import catalogue, equations, look_of, robot_info
 from upright.progress import Progress, unwatched
-from upright.robots import Kit, Robot, find_kit, find_robot, preset_names
+from upright.robots import Kit, Robot, find_kit, find_robot, kit_names, preset_names
 
 PAGE = "index.html"
 NAME = "uprightExport"
@@ -132,12 +132,21 @@ def _designed(robot: Robot, kit: Kit, name: str) -> tuple[str, dict[str, Any]]:
 def _shown(robot: Robot, kit: Kit) -> dict[str, Any]:
     """What the page draws and says of the robot, and what a pull at a wheel [N] turns into as a command."""
     setup = Setup(robot=robot.name)
-    body = body_of("nonlinear", Plant(robot, robot, kit), setup, PERIOD)
+    body = body_of("nonlinear", Plant(robot, robot, kit), setup, EXPORTED)
     body.pull(1.0)
     return {
-        "title": robot.title, "kit_name": kit.name, "every": kit.period, "delay_own": kit.delay, "pull": body.twist,
+        "title": robot.title, "kit_name": kit.name, "setup": _setup_part(robot, kit), "every": kit.period,
+        "delay_own": kit.delay, "pull": body.twist,
         "look": plain(look_of(robot, setup, behind(body, kit).spec.limit)), "equations": plain(equations(robot)),
     }  # fmt: skip
+
+
+def _setup_part(robot: Robot, kit: Kit) -> dict[str, Any] | None:
+    """What makes this robot in the live lab, where a hand-in is run again; None where its kit is a file."""
+    if kit.name not in kit_names() or kit != Kit.preset(kit.name):
+        return None
+    usual = robot.name in preset_names() and robot == Robot.preset(robot.name)
+    return {"kit": kit.name, "numbers": {} if usual else robot.numbers(), "drive": "" if usual else robot.drive}
 
 
 def exported_script(robots: Sequence[PrintedRobot]) -> str:
@@ -155,7 +164,7 @@ def exported_script(robots: Sequence[PrintedRobot]) -> str:
     motions = _object({p.robot.name: p.motion for p in robots})
     laws = _object({p.robot.name: _object(p.laws) for p in robots})
     data = _object({"facts": text.replace("<", "\\u003c"), "motions": motions, "laws": laws})
-    return f'"use strict";\nconst {{ sin, cos, sqrt }} = Math;\nglobalThis.{NAME} = {data};\n'
+    return f'"use strict";\n{functions()}globalThis.{NAME} = {data};\n'
 
 
 def _object(members: Mapping[str, str]) -> str:

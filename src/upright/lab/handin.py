@@ -13,6 +13,7 @@ from upright.atomic import write_json
 from upright.errors import InvalidScenario, UprightError, one_line
 from upright.lab.codec import InvalidMessage, decode, plain
 from upright.lab.messages import Change, Drag, Setup, Steer, Strike
+from upright.lab.plant import COARSE, EXPORTED, FINE
 from upright.reading import parse_json, read_text
 from upright.robots import Robot
 from upright.signals import Log
@@ -29,8 +30,8 @@ MOST_TEXT = 1 << 20
 
 LONGEST_NAME = 40
 
-STEPS = (0.002, 0.01)
-"""[s] of a body's step: alone, and in a class."""
+STEPS = (EXPORTED, FINE, COARSE)
+"""[s] of a body's step: in a page without Python, alone, and in a class."""
 
 Action = Drag | Steer | Strike
 EXPECTED = "a hand-in, as the lab saves it under Keep"

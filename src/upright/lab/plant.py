@@ -17,8 +17,9 @@ from upright.physics.dynamics import CALM, Disturbance, motor_gain
 from upright.physics.linear import linearise
 from upright.robots import PARAMETERS, Kit, Robot, kit_names
 
-FINE, COARSE = 0.002, 0.01
-"""[s] that one step of a body takes: alone, and in a class of thirty on one machine; a kit's times round to it."""
+EXPORTED, FINE, COARSE = 0.001, 0.002, 0.01
+"""[s] that one step of a body takes: in a page without Python as in `NonlinearBody`, alone, and in a class of thirty on
+one machine; a kit's times round to it."""
 
 QUICKEST = 20_000
 """Steps of RK4 a second, at 20 to 40 µs each, that one body may take; those of the presets take up to 1000."""

@@ -13,19 +13,16 @@ from upright.compiled.print_javascript import JavaScriptPrinter, motion
 from upright.control import Controller
 from upright.control.law import as_law, program
 from upright.errors import InvalidController
-from upright.lab.plant import is_bare
+from upright.lab.plant import EXPORTED, is_bare
 from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import linearise
 from upright.robots import Kit, Robot
 from upright.signals.signal import TRUTH
 
-PERIOD = 0.001
-"""[s] of a body's step in the page, as that of `NonlinearBody`: a kit's times round to it."""
-
 _IDEAL = [signal.name for signal in CHANNELS[len(TRUTH) :]]
 
 
-def printed_robot(robot: Robot, kit: Kit, period: float = PERIOD) -> tuple[str, dict[str, Any]]:
+def printed_robot(robot: Robot, kit: Kit, period: float = EXPORTED) -> tuple[str, dict[str, Any]]:
     """Its motion as JavaScript, and what `simulator.js` needs beside it; raises an `UprightError` for a robot that
     cannot be simulated."""
     text = motion(robot, "complete", period, NonlinearBody(robot, period=period).substeps)
@@ -56,7 +53,7 @@ def kit_numbers(kit: Kit, robot: Robot, period: float) -> dict[str, Any] | None:
     }  # fmt: skip
 
 
-def printed_law(controller: Controller, kit: Kit, period: float = PERIOD) -> tuple[str, dict[str, Any]]:
+def printed_law(controller: Controller, kit: Kit, period: float = EXPORTED) -> tuple[str, dict[str, Any]]:
     """Its program as JavaScript, and where it reads; raises `InvalidController` for one that is no fixed sum of
     products."""
     law = as_law(controller)
@@ -66,7 +63,7 @@ def printed_law(controller: Controller, kit: Kit, period: float = PERIOD) -> tup
     return JavaScriptPrinter(program(law)).text(), {**facts, "kind": controller.spec.kind, **opinion}
 
 
-def reading(reads: tuple[str, ...], every: float, kit: Kit, period: float = PERIOD) -> Mapping[str, Any]:
+def reading(reads: tuple[str, ...], every: float, kit: Kit, period: float = EXPORTED) -> Mapping[str, Any]:
     """Where the channels stand among the true states and the kit's sensors, and the body's steps in a period."""
     names = [*(s.name for s in TRUTH), *(_IDEAL if is_bare(kit) else kit.sensors)]
     stride = round(every / period)

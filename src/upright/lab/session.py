@@ -58,11 +58,12 @@ LONGEST = 1.0  # [s] of simulated time in one go
 
 class Session:
     """One robot, its bodies and their controllers, from the set-up on.
-
     `folder` is where files are made; `desk` does what takes longer than a frame, under `name`; `fine` [s] is a body's
     period; `certified` says that the light follows every change. Raises an `UprightError` where the first set-up cannot
     be.
     """
+
+    electronics: Any = staticmethod(behind)
 
     def __init__(
         self, setup: Setup, desk: Desk, folder: Path, *, name: str = "", fine: float = FINE, certified: bool = True
@@ -185,7 +186,7 @@ class Session:
         length, lanes = round(KEPT / self.plant.kit.period), list[Lane]()
         for name in self._names():
             inner = body_of(name, self.plant, self.setup, self._fine, self.calibrated)
-            body = behind(inner, self.plant.kit)
+            body = self.electronics(inner, self.plant.kit)
             at = (states or {}).get(name, start)
             lanes.append(Lane(name, inner, body, self._controller(), at, self.setup.seed, length))
         self.lanes = lanes

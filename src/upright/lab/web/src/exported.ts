@@ -1,5 +1,7 @@
 // A session without a server: what lab/export.py printed into the page, stepped here. It answers the page's messages as
 // lab/session.py does, as far as that needs no Python.
+import { Recorder, micro } from "./handin";
+import type { RunResult } from "./handin";
 import type { Analysed, Catalogue, Changed, ClientMessage, Equations, Look, Setup, Snapshot, Welcome } from "./messages";
 import { DEFAULT_SETUP } from "./messages";
 import { Loop, combined, linearMotion } from "./simulator";
@@ -24,6 +26,7 @@ export interface Facts {
   every: number;
   delay_own: number;
   pull: number;
+  setup: Partial<Setup> | null; // what makes this robot in the live lab; null where its kit is a file
   kit: Kit | null;
   look: Look;
   equations: Equations;
@@ -57,7 +60,7 @@ export interface Link {
   push: [string, number] | null;
 }
 
-const NUMBERS = ["slope", "noise", "delay"] as const;
+const NUMBERS = ["slope", "noise", "delay", "seed"] as const;
 
 export function toHash(setup: Setup, push: Link["push"]): string {
   const parts = new URLSearchParams({ robot: setup.robot, controller: setup.controller });
@@ -81,10 +84,10 @@ export function fromHash(hash: string, data: Exported): Link {
   if (Object.hasOwn(facts.controllers, controller) || controller === OFF) setup.controller = controller;
   const gains = (parts.get("gains") ?? "").split(",").map(Number);
   if (gains.length === 6 && gains.every(Number.isFinite)) setup.gains = gains;
-  const ranges: Record<(typeof NUMBERS)[number], [number, number]> = { slope: [-0.2, 0.2], noise: [0, 20], delay: [-1, 0.1] };
+  const ranges: Record<(typeof NUMBERS)[number], [number, number]> = { slope: [-0.2, 0.2], noise: [0, 20], delay: [-1, 0.05], seed: [0, 2 ** 31] };
   for (const name of NUMBERS) {
     const value = Number(parts.get(name) ?? NaN);
-    if (value >= ranges[name][0] && value <= ranges[name][1]) setup[name] = value;
+    if (value >= ranges[name][0] && value <= ranges[name][1]) setup[name] = name === "seed" ? Math.floor(value) : value;
   }
   setup.bodies = parts.get("ghost") === "0" ? [BODIES[0]] : [...BODIES];
   const [what, size] = (parts.get("push") ?? "").split(":");
@@ -151,7 +154,9 @@ export class LocalSession {
   private pulling = 0;
   private kept: Snapshot[] = [];
   private waiting = false; // for a pushed robot to be calm
-  private score = { best: 0, effort: 0, impulse: 0, lasted: 0, calm: 0, before: 0 };
+  private score = { best: 0, run: 0, effort: 0, impulse: 0, lasted: 0, calm: 0, before: 0 };
+  private recorder = new Recorder();
+  private run = { rows: 0, peak: 0, travel: 0, from: 0 }; // of the first body since it was built
   private timer = 0;
   spent = 0; // [ms] of computing, for benchmarks
 
@@ -205,8 +210,10 @@ export class LocalSession {
       case "Step": this.stepped(message.periods); break;
       case "Scrub": [this.paused, this.back] = [true, message.back]; break;
       case "StandUp": this.stand(message.pitch); break;
+      case "Save": this.handIn(message.name); break;
       default: return;
     }
+    if (message.kind === "Drag" || message.kind === "Strike" || message.kind === "Steer") this.recorder.note(message, this.t);
     this.show();
   }
 
@@ -220,6 +227,7 @@ export class LocalSession {
     const bodies = BODIES.filter((name, i) => i === 0 || asked.bodies.includes(name));
     const [before, same] = [this.setup, this.lanes.length > 0 && robot === this.setup.robot];
     this.setup = { ...asked, robot, controller, gains, bodies };
+    this.recorder.stop();
     const alike = same && bodies.length === this.lanes.length;
     const still = alike && controller === before.controller && asked.noise === before.noise && asked.delay === before.delay;
     const main = same && !this.lanes[0].loop.fallen ? this.lanes[0].state() : [0, 0, 0, 0, 0, 0];
@@ -276,13 +284,34 @@ export class LocalSession {
     this.lanes = motions.map((motion, i) => new Lane(facts, motion, kit, { ...control }, starts[i] ?? [0, 0, 0, 0, 0, 0], setup.seed));
     this.target.fill(0);
     [this.owed, this.back] = [0, 0];
+    this.run = { rows: 0, peak: 0, travel: 0, from: this.lanes[0].loop.x[2] };
   }
 
   private stand(pitch: number): void {
     [this.active, this.pulled] = [[], { until: -1, force: 0 }];
     this.hand = { ...this.hand, force: 0 };
     if (pitch) this.push = ["tilt", pitch];
+    this.score = { ...this.score, run: 0 };
+    this.waiting = false;
     this.build(this.lanes.map(() => [pitch, 0, 0, 0, 0, 0]));
+    this.recorder.begin(this.t, pitch, this.steer);
+  }
+
+  /** What the page saw, as lab/handin.py's result_of says. */
+  result(): RunResult {
+    const { rows, peak, travel } = this.run;
+    const { fallen } = this.lanes[0].loop;
+    return { fell: fallen, seconds: micro((rows - 1) * this.facts.every), peak: micro(peak), travel: micro(travel * this.facts.look.wheel_radius), best: micro(this.score.run) };
+  }
+
+  /** Save the run since the robot stood up under the student's name. */
+  private handIn(student: string): void {
+    const { facts } = this;
+    const setup = { ...this.setup, ...facts.setup, gains: this.setup.controller === "gains" ? this.setup.gains : [] };
+    const text = facts.setup && this.recorder.handIn(student, setup, facts.period, this.t, this.result());
+    if (!text) return store.hear({ kind: "Notice", level: "error", text: "", key: facts.setup ? "noRun" : "noReplay" });
+    const url = URL.createObjectURL(new Blob([text], { type: "application/json" }));
+    store.hear({ kind: "Made", what: "json", name: "hand-in.json", url });
   }
 
   private strike(what: string, size: number): void {
@@ -336,6 +365,7 @@ export class LocalSession {
     this.pulling = pulled;
     const rolling = this.steer.speed / look.wheel_radius;
     this.target.set([0, 0, this.target[2] + rolling * every, rolling, this.target[4] + this.steer.rate * every, this.steer.rate]);
+    this.noted();
     for (const { loop } of this.lanes) {
       loop.twist = pulled * pull;
       if (!loop.fallen) loop.step(this.target, (_t, into) => into.set(w));
@@ -345,6 +375,15 @@ export class LocalSession {
     const last = this.kept.at(-1);
     if (!last || this.t - last.t >= MOMENT - 1e-9) this.kept.push(this.snapshot());
     if (this.kept.length > KEPT / MOMENT + 200) this.kept.splice(0, 200);
+  }
+
+  /** A row of the first body's run, which ends where it falls. */
+  private noted(): void {
+    const { x, fallen } = this.lanes[0].loop;
+    if (fallen) return;
+    this.run.rows += 1;
+    this.run.peak = Math.max(this.run.peak, Math.abs(x[0]));
+    this.run.travel = Math.max(this.run.travel, Math.abs(x[2] - this.run.from));
   }
 
   private snapshot(): Snapshot {
@@ -378,7 +417,8 @@ export class LocalSession {
     if (!fell && score.calm < CALM_FOR) return;
     this.waiting = false;
     if (score.lasted > SHORT && !fell) return;
-    if (!fell) score.best = Math.max(score.best, score.impulse);
+    if (!fell) score.run = Math.max(score.run, score.impulse);
+    score.best = Math.max(score.best, score.run);
     store.hear({ kind: "Recovered", impulse: score.impulse, effort: score.effort - score.before, best: score.best, fell });
   }
 

@@ -28,7 +28,7 @@ export class ExportedRobotPanel {
     this.sliders = [
       numeric("slope", t("slope"), -0.2, 0.2, 0.005, (v) => `${digits(v, 2)} rad`),
       numeric("noise", t("noise"), 0, 10, 0.1, (v) => `× ${digits(v, 2)}`),
-      numeric("delay", t("delay"), 0, 0.1, 0.001, (v) => `${digits(v * 1000, 2)} ms`),
+      numeric("delay", t("delay"), 0, 0.05, 0.001, (v) => `${digits(v * 1000, 2)} ms`),
     ];
     const ghost = h("input", { type: "checkbox", id: "ghost", "data-key": "ghost", onchange: () => store.change({ bodies: ghost.checked ? ["nonlinear", "linear"] : ["nonlinear"] }) });
     this.ghost = ghost;

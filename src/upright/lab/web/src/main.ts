@@ -12,6 +12,7 @@ import { Replay } from "./replay";
 import { Room } from "./scene";
 import { Flat } from "./flat";
 import type { Hand, Stage } from "./stage";
+import { remembered, session } from "./remember";
 import { See } from "./see";
 import { Steering } from "./steering";
 import { store } from "./store";
@@ -22,9 +23,19 @@ import { Tour } from "./tour";
 
 const TABS = ["Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour", "Class", "Python"] as const;
 type Tab = (typeof TABS)[number];
-const EXPORTED: readonly Tab[] = ["Controller", "Robot", "See", "Python"]; // the tabs of a page without Python
+const EXPORTED: readonly Tab[] = ["Controller", "Robot", "See", "Keep", "Python"]; // the tabs of a page without Python
+
+const SEEN = 400; // [ms] from the first picture to the work on another one
+
+/** Whether the browser draws in three dimensions. */
+function able(asked: WebGLContextAttributes): boolean {
+  const context = document.createElement("canvas").getContext("webgl2", asked);
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return context !== null;
+}
 
 class Page {
+  private deeper: (() => Stage | null) | null = null; // the room that takes the side view's place
   private room: Stage = this.furnish();
   private charts = new Charts(() => this.seconds);
   private see = new See();
@@ -55,17 +66,18 @@ class Page {
   private state: State = "connecting";
   private drawn = 0;
   drawnFirst = false; // whether a robot has been seen
+  private seen = 0; // [ms] when
   private plotted = 0;
   private said = 0;
   private shape = "";
   private steering = new Steering();
 
   constructor(private app: HTMLElement) {
-    this.theme(localStorage.getItem("theme") ?? "");
-    choose(localStorage.getItem("language") ?? (navigator.language.startsWith("es") ? "es" : "en"));
+    this.theme(remembered.getItem("theme") ?? "");
+    choose(remembered.getItem("language") ?? (navigator.language.startsWith("es") ? "es" : "en"));
     store.listen((message) => this.hear(message));
     this.scrub.addEventListener("input", () => store.send({ kind: "Scrub", back: -Number(this.scrub.value) }));
-    this.room.element.addEventListener("keydown", (event) => this.look(event as KeyboardEvent));
+    this.equip();
     window.addEventListener("keydown", (event) => this.key(event));
     window.addEventListener("hashchange", () => {
       const linked = fromLink(location.hash); // pasted behind the address of a page that is open
@@ -76,8 +88,8 @@ class Page {
 
   private begin(): void {
     const recording = Replay.inPage();
-    const token = tokenIn(location.hash) || (sessionStorage.getItem("token") ?? "");
-    if (token) sessionStorage.setItem("token", token);
+    const token = tokenIn(location.hash) || (session.getItem("token") ?? "");
+    if (token) session.setItem("token", token);
     if (location.hash.includes("token=")) history.replaceState(null, "", location.pathname);
     this.build();
     if (exported) {
@@ -88,10 +100,10 @@ class Page {
       this.says("replaying");
       new Replay(recording);
       document.body.classList.add("replay");
-    } else if (token && !sessionStorage.getItem("name") && token.length < 12) {
+    } else if (token && !session.getItem("name") && token.length < 12) {
       this.join(token);
     } else {
-      this.connect(token, sessionStorage.getItem("name") ?? "");
+      this.connect(token, session.getItem("name") ?? "");
     }
     requestAnimationFrame((now) => this.frame(now));
   }
@@ -107,7 +119,7 @@ class Page {
       h("form", { method: "dialog", onsubmit: (event: Event) => {
         event.preventDefault();
         if (!name.value.trim()) return;
-        sessionStorage.setItem("name", name.value.trim());
+        session.setItem("name", name.value.trim());
         dialog.remove();
         this.connect(token, name.value.trim());
       } }, h("h2", {}, t("joinTitle")), h("label", { "for": "name" }, t("yourName")), name, h("button", { className: "main" }, t("enter"))));
@@ -116,7 +128,6 @@ class Page {
   }
 
   private build(): void {
-    this.room.element.setAttribute("aria-label", t("scene"));
     this.scrub.setAttribute("aria-label", t("back"));
     const languages = Object.entries(LANGUAGES).map(([key, text]): [string, string] => [key, text.language]);
     const header = h("header", {},
@@ -134,13 +145,33 @@ class Page {
     if (store.changed) this.rebuild();
   }
 
-  /** The room, or its side view in a browser without WebGL. */
+  /** The room, or its side view in a browser without WebGL; where a page without Python would have to draw the room
+   * without a GPU, which takes seconds to begin, the side view comes first. */
   private furnish(): Stage {
     const push = throttled(33, (hand: Hand) => store.send({ kind: "Drag", force: hand.force, height: hand.height }));
-    const canvas = h("canvas", { className: "room", tabIndex: 0, role: "img" });
-    const able = document.createElement("canvas").getContext("webgl2");
-    able?.getExtension("WEBGL_lose_context")?.loseContext();
-    return able ? new Room(canvas, push) : new Flat(push);
+    const room = () => new Room(h("canvas", { className: "room", tabIndex: 0, role: "img" }), push);
+    const quick = able(exported ? { failIfMajorPerformanceCaveat: true } : {});
+    if (quick) return room();
+    if (exported) this.deeper = () => (able({}) ? room() : null);
+    return new Flat(push);
+  }
+
+  private equip(): void {
+    this.room.element.setAttribute("aria-label", t("scene"));
+    this.room.element.addEventListener("keydown", (event) => this.look(event as KeyboardEvent));
+  }
+
+  /** The room takes the place of the side view, which somebody has seen and nobody holds now. */
+  private deepen(): void {
+    const [changed, before] = [store.changed, this.room.element];
+    if (!this.deeper || !changed || store.snapshot?.f[0]) return;
+    const room = this.deeper();
+    this.deeper = null;
+    if (!room) return;
+    this.room = room;
+    this.equip();
+    this.room.furnish(changed.look, changed.bodies);
+    before.replaceWith(this.room.element);
   }
 
   private transport(): HTMLElement {
@@ -208,7 +239,8 @@ class Page {
   private fill(): void {
     if (!store.catalogue || !store.changed) return;
     const built = { Controller: this.controller, Robot: this.robot, Kit: this.kit, See: this.see, Identify: this.identify, Keep: this.keep, Tour: this.tour, Class: this.classes, Python: this.python }[this.tab];
-    built.build();
+    if (exported && built === this.keep) this.keep.buildExported();
+    else built.build();
     replace(this.panel, built.root);
   }
 
@@ -303,7 +335,7 @@ class Page {
     this.status.className = `status ${state}`;
     this.status.textContent = words[state];
     if (state !== "refused") return;
-    sessionStorage.removeItem("name");
+    session.removeItem("name");
     replace(this.app, h("main", { className: "refused", role: "alert" }, h("h1", {}, t("refused")), h("p", {}, translate(reason)), button("↻", () => location.reload())));
   }
 
@@ -316,7 +348,7 @@ class Page {
 
   private speak(key: string): void {
     choose(key);
-    localStorage.setItem("language", key);
+    remembered.setItem("language", key);
     this.build();
     this.says(this.state);
     this.fell.replaceChildren();
@@ -326,7 +358,7 @@ class Page {
   private theme(wanted: string): void {
     const dark = wanted ? wanted === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
     document.documentElement.dataset.theme = dark ? "dark" : "light";
-    if (wanted) localStorage.setItem("theme", wanted);
+    if (wanted) remembered.setItem("theme", wanted);
     this.room.paint();
     if (store.changed) this.charts.build();
     if (this.panel.firstChild) this.fill();
@@ -379,7 +411,8 @@ class Page {
   private frame(now: number): void {
     if (store.snapshot) this.room.move(store.snapshot);
     this.room.draw(now - this.drawn);
-    this.drawnFirst ||= store.snapshot !== null;
+    if (this.drawnFirst && now > this.seen + SEEN) this.deepen();
+    else if (store.snapshot && !this.drawnFirst) [this.drawnFirst, this.seen] = [true, now];
     this.drawn = now;
     if (now - this.plotted > 45) {
       this.charts.draw();

@@ -2,6 +2,7 @@
 import { VERSION } from "./messages";
 import type { ClientMessage, ServerMessage } from "./messages";
 import { fromLink } from "./link";
+import { session } from "./remember";
 import { store } from "./store";
 
 export type State = "connecting" | "connected" | "lost" | "refused" | "replaying";
@@ -44,7 +45,7 @@ export class Line {
   private greet(): void {
     const linked = this.first ? fromLink(location.hash) : null;
     this.send({
-      kind: "Hello", version: VERSION, session: linked ? "" : (sessionStorage.getItem("session") ?? ""),
+      kind: "Hello", version: VERSION, session: linked ? "" : (session.getItem("session") ?? ""),
       token: this.credentials.token, name: this.credentials.name, setup: linked ?? (store.changed ? store.setup : null),
     });
   }
@@ -52,7 +53,7 @@ export class Line {
   private hear(message: ServerMessage): void {
     if (message.kind === "Snapshot") this.send({ kind: "Ack", n: message.n });
     if (message.kind === "Welcome") {
-      sessionStorage.setItem("session", message.session);
+      session.setItem("session", message.session);
       this.wait = 250;
       this.first = false;
       this.say("connected");

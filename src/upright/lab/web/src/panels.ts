@@ -3,6 +3,8 @@ import { button, digits, fresh, h, replace, select, slider, table, throttled } f
 import type { Slider } from "./dom";
 import { toLink } from "./link";
 import type { BodyName, Job, Keep, Setup } from "./messages";
+import { exported } from "./exported";
+import { session } from "./remember";
 import { STATES, SYMBOLS, UNITS, store } from "./store";
 import { named, t, translate, translated } from "./texts";
 import { legendEntry } from "./charts";
@@ -41,8 +43,8 @@ export class ControllerPanel extends Panel {
     replace(
       this.root,
       h("div", { className: "column" }, choice, this.weights),
-      h("div", { className: "column" }, this.numbers),
-      h("div", { className: "column" }, this.light, certify),
+      h("div", { className: exported ? "column full" : "column" }, this.numbers),
+      exported ? null : h("div", { className: "column" }, this.light, certify),
     );
     this.update();
   }
@@ -319,25 +321,33 @@ export class KeepPanel extends Panel {
     super();
   }
 
+  /** Without Python there is nothing to keep but the picture and the hand-in. */
+  buildExported(): void {
+    replace(this.root, h("div", { className: "column wide" }, h("p", { className: "note" }, t("handInNote")), this.handIn(), h("div", { className: "row" }, this.pictureButton()), this.links));
+  }
+
   build(): void {
     const kinds: [Keep, string][] = [["csv", t("csv")], ["parquet", t("parquet")], ["report", t("report")], ["replay", t("replay")], ["controller", t("controllerFile")], ["robot", t("robotFile")]];
     const buttons = kinds.map(([what, text]) => button(text, () => store.send({ kind: "Save", what, name: "" }), { "data-key": `keep-${what}` }));
-    const picture = button(t("picture"), () => void this.photograph(), { "data-key": "picture" });
     const link = button(t("link"), () => void this.copy(), { "data-key": "link" });
     replace(this.root, h("div", { className: "column wide" },
-      h("p", { className: "note" }, t("keepNote")), h("div", { className: "row" }, ...buttons, picture, link),
+      h("p", { className: "note" }, t("keepNote")), h("div", { className: "row" }, ...buttons, this.pictureButton(), link),
       h("p", { className: "note" }, t("handInNote")), this.handIn(), this.links));
   }
 
   /** The run as set-up and actions, under the student's name. */
   private handIn(): HTMLElement {
     const id = fresh("student");
-    const name = h("input", { type: "text", id, maxLength: 40, autocomplete: "name", value: sessionStorage.getItem("name") ?? "", "data-key": "student" });
+    const name = h("input", { type: "text", id, maxLength: 40, autocomplete: "name", value: session.getItem("name") ?? "", "data-key": "student" });
     const send = () => {
       if (name.value.trim()) store.send({ kind: "Save", what: "handin", name: name.value.trim() });
       else name.focus();
     };
     return h("div", { className: "row hand-in" }, h("label", { "for": id }, t("yourName")), name, button(t("handIn"), send, { "data-key": "keep-handin" }));
+  }
+
+  private pictureButton(): HTMLElement {
+    return button(t("picture"), () => void this.photograph(), { "data-key": "picture" });
   }
 
   private async photograph(): Promise<void> {
