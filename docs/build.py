@@ -54,6 +54,7 @@ REFERENCE = {
     "From a log": ("doctor", "calibrate", "identify", "validate", "excite", "post_mortem"),
     "Before it drives": ("certify", "parity"),
     "Many robots": ("fleet", "push_map"),
+    "For a notebook": ("lab_page",),
     "The paper, and errors": ("reproduce", "UprightError"),
 }  # fmt: skip
 """What `import upright` offers, by what it is for; the rest comes last."""
@@ -79,9 +80,14 @@ def build(site: Path, *, draft: bool = False) -> int:
             sys.exit(f"docs/build.py: {site} holds files that are no such site; try: another folder")
         shutil.rmtree(site, ignore_errors=True)
         status = build_main([*arguments, str(source), str(site)])
-    if not draft and status == 0:
-        _lab(site)
+        if not draft and status == 0:
+            _lab(site)
+            notebooks.labs_beside(site / "notebooks", Path(scratch) / LABS)
     return status
+
+
+LABS = "executed"
+"""Where notebooks are executed, and write labs."""
 
 
 TRIED = ("nxtway-gs", "herrera2015", "twipr")
@@ -178,7 +184,8 @@ def _course(source: Path, draft: bool) -> None:
     page = (ROOT / "notebooks" / "README.md").read_text("utf-8").replace("](../docs/", "](../")
     folder = source / "notebooks"
     names: list[str] = []
-    files = Path(tempfile.mkdtemp(dir=source.parent))
+    files = source.parent / LABS
+    files.mkdir()
     for text in notebooks.texts():
         names.append(text.stem)
         ran = [(c, _node(c)) for c in notebooks.cells_of(text)] if draft else notebooks.executed(text, files)
@@ -234,7 +241,9 @@ def _output(output: NotebookNode, page: Path, name: str) -> str:
         path.write_bytes(base64.b64decode(data["image/png"]))
         width = output.metadata.get("image/png", {}).get("width")
         return f"![A figure that this cell draws]({path.name})" + (f"{{width={width}px}}\n" if width else "\n")
-    return _block(data.get("text/html") or f"<pre>{escape(data.get('text/plain', ''))}</pre>")
+    if "<iframe" in (framed := data.get("text/html", "")):
+        return _block(re.sub(r'(src|href)="(lab-)', r'\1="../\2', framed))  # both languages show the same page
+    return _block(framed or f"<pre>{escape(data.get('text/plain', ''))}</pre>")
 
 
 def _block(html: str) -> str:

@@ -220,14 +220,26 @@ up.compare({"LQR, true state": true_state, "LQG, sensors": on_sensors}).plot("pi
 # The robot with sensors shivers, since its encoders have steps and its motors a dead zone. It also wanders, until the filter knows the bias of its gyro. But it
 # survives, with nothing that a LEGO robot does not have.
 #
+# ## With your own hand
+#
+# The same robot as a page: drag its body, or knock it. *Gains by hand* begins with the regulator's. Set the one of $\theta$ to zero: it runs away, as above.
+# %% [markdown] lang="es"
+# El robot con sensores tiembla, porque sus codificadores tienen pasos y sus motores una zona muerta. También deambula, hasta que el filtro conoce el sesgo del
+# giróscopo. Pero sobrevive, sin nada que un robot LEGO no tenga.
+#
+# ## Con su propia mano
+#
+# El mismo robot como página: arrastre su cuerpo o golpéelo. *Ganancias a mano* empieza con las del regulador. Ponga en cero la de $\theta$: se escapa, como antes.
+
+# %%
+up.lab_page(robot, ["lqg", "lqr"], push="impulse:0.1", folder="lab-lqg")
+
+# %% [markdown] lang="en"
 # ## Exercises
 #
 # **1.** Make voltage dearer and dearer (`1e2 * R`, `1e4 * R`, `1e6 * R`). To which value does the largest pole of the pitch go? Compare with
 # $e^{-\lambda T}$, where $\lambda$ is the falling pole.
 # %% [markdown] lang="es"
-# El robot con sensores tiembla, porque sus codificadores tienen pasos y sus motores una zona muerta. También deambula, hasta que el filtro conoce el sesgo del
-# giróscopo. Pero sobrevive, sin nada que un robot LEGO no tenga.
-#
 # ## Ejercicios
 #
 # **1.** Haga la tensión cada vez más cara (`1e2 * R`, `1e4 * R`, `1e6 * R`). ¿A qué valor va el polo del cabeceo? Compare con

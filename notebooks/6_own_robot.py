@@ -195,6 +195,18 @@ for name, each in {"guessed": certificate, "measured": better}.items():
     print(f"{name:<9} {each.light}: {each.reasons[0]}")
 
 # %% [markdown] lang="en"
+# ## 6. Push it
+#
+# Your robot as a page, which you can also give away: it runs in any browser, without Python.
+# %% [markdown] lang="es"
+# ## 6. Empújelo
+#
+# Su robot como página, que también puede regalar: funciona en cualquier navegador, sin Python.
+
+# %%
+up.lab_page(measured, ["lqg"], push="impulse:0.05", folder="lab-mine")
+
+# %% [markdown] lang="en"
 # ## Exercises
 #
 # **1.** Enter your own robot, or one that you would like to build. Which single number makes it fall faster if it is 20 % wrong?

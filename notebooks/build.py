@@ -12,6 +12,7 @@ from __future__ import annotations
 import argparse
 import ast
 import re
+import shutil
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
@@ -111,13 +112,20 @@ def build(folder: Path, names: Sequence[str] = ()) -> list[Path]:
             continue
         with tempfile.TemporaryDirectory() as scratch:
             ran = executed(text, Path(scratch))
-        for reader in ("student", "teacher"):
-            for lang in LANGUAGES:
-                path = folder / reader / lang / f"{text.stem}.ipynb"
-                path.parent.mkdir(parents=True, exist_ok=True)
-                nbformat.write(notebook_of(ran, lang, teacher=reader == "teacher"), path)
-                written.append(path)
+            for reader in ("student", "teacher"):
+                for lang in LANGUAGES:
+                    path = folder / reader / lang / f"{text.stem}.ipynb"
+                    path.parent.mkdir(parents=True, exist_ok=True)
+                    nbformat.write(notebook_of(ran, lang, teacher=reader == "teacher"), path)
+                    labs_beside(path.parent, Path(scratch))
+                    written.append(path)
     return written
+
+
+def labs_beside(folder: Path, scratch: Path) -> None:
+    """The labs that notebooks have written into `scratch` and show in a frame, beside the notebooks in `folder`."""
+    for lab in scratch.glob("lab-*"):
+        shutil.copytree(lab, folder / lab.name, dirs_exist_ok=True)
 
 
 def main() -> int:

@@ -10,6 +10,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the tests themselves run s
 import shutil
 import signal
 import subprocess
+import time
 from collections.abc import Generator, Iterator
 from importlib.util import find_spec
 from pathlib import Path
@@ -104,6 +105,26 @@ def browser() -> Iterator[Any]:
         browser = driver.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox"])
         yield browser
         browser.close()
+
+
+@pytest.fixture(scope="session")
+def exported_lab(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The page that `upright lab --export site` writes, with every preset: 20 s, once for all processes."""
+    from upright.cli.main import main
+
+    base = tmp_path_factory.getbasetemp()
+    folder = (base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base) / "exported-lab"
+    page, failed = folder / "site" / "index.html", folder / "failed"
+    try:
+        folder.mkdir()
+    except FileExistsError:  # another process makes it, and moves it there when it is whole
+        while not page.exists():
+            assert not failed.exists()
+            time.sleep(0.2)
+        return page
+    if main(["lab", "--export", str(page.parent)]) != 0:
+        failed.touch()
+    return page
 
 
 @pytest.fixture(scope="module")

@@ -248,9 +248,9 @@ def marked(test: Any) -> Any:
 
 
 @pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The page of every preset with every usual controller, which takes 20 s of computing."""
-    return export(tmp_path_factory.mktemp("site"))
+def site(exported_lab: Path) -> Path:
+    """The page of every preset with every usual controller."""
+    return exported_lab
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,4 @@
-"""`upright example`: logs to try every other command on."""
+"""`upright example`: logs and files to try every other command on."""
 
 from __future__ import annotations
 
@@ -10,11 +10,17 @@ import typer
 from upright.cli.options import JsonOption, completed
 from upright.cli.output import check_targets, print_json, print_table
 
+FILES = {
+    "handed-in": "hand-ins of a class of three, for `upright grade`",
+    "notebook": "a notebook to begin with, for Jupyter or VS Code",
+}
+"""Examples that are no logs, each a folder or file of that name."""
+
 
 def _names() -> list[str]:
     from upright.experiment.examples import EXAMPLES
 
-    return list(EXAMPLES)
+    return [*EXAMPLES, *FILES]
 
 
 def example(
@@ -23,22 +29,37 @@ def example(
     ] = None,
     *,
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Write the log: .csv, .parquet or .mcap (default: NAME.csv).")
+        Path | None,
+        typer.Option(
+            "--output", "-o", help="Write a log as .csv, .parquet or .mcap (default: NAME.csv), or another place."
+        ),
     ] = None,
     as_json: JsonOption = False,
 ) -> None:
     """Write an example log of the twin, or list them.
 
-    Logs as a robot writes them: standing, excited, pushed, falling, and with planted faults for the doctor.
+    Logs as a robot writes them: standing, excited, pushed, falling, and with planted faults for the doctor. Two are
+    files of another kind: `notebook`, and a class's hand-ins.
     """
+    from upright.errors import UnknownName
     from upright.experiment.examples import EXAMPLES
     from upright.experiment.examples import example as simulate
 
+    every = {key: one.about for key, one in EXAMPLES.items()} | FILES
     if name is None:
         if as_json:
-            print_json({key: one.about for key, one in EXAMPLES.items()})
+            print_json(every)
         else:
-            print_table(("example", "what it shows"), [(key, one.about) for key, one in EXAMPLES.items()])
+            print_table(("example", "what it shows"), list(every.items()))
+        return
+    if name not in every:
+        raise UnknownName("example", name, every)
+    if name in FILES:
+        written = _file(name, output)
+        if as_json:
+            print_json({"example": name, "file": str(written)})
+        else:
+            typer.echo(f"wrote {written}: {FILES[name]}")
         return
     target = output or Path(f"{name}.csv")
     check_targets(target)
@@ -47,3 +68,14 @@ def example(
         print_json({"example": name, "log": str(written)})
     else:
         typer.echo(f"wrote {written}: a twin, {EXAMPLES[name].about}")
+
+
+def _file(name: str, output: Path | None) -> Path:
+    if name == "notebook":
+        from upright.report.notebook import starting_notebook
+
+        check_targets(target := output or Path("notebook.ipynb"))
+        return starting_notebook(target)
+    from upright.classwork.examples import hand_ins
+
+    return hand_ins(output or Path(name))

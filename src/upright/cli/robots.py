@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from upright.cli.options import ROBOT_HELP, JsonOption, complete_robot
-from upright.cli.output import print_json, print_table
+from upright.cli.output import check_targets, print_json, print_table
 
 if TYPE_CHECKING:
     from upright.robots import Robot
@@ -39,17 +40,25 @@ def every(context: typer.Context, *, as_json: JsonOption = False) -> None:
 def show(
     name: Annotated[str, typer.Argument(help=f"{ROBOT_HELP}.", autocompletion=complete_robot)],
     *,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Write the robot as a file (.toml), to be changed.")
+    ] = None,
     as_json: JsonOption = False,
 ) -> None:
     """Print every parameter of a robot, with source and spread."""
     from upright.robots import find_robot
 
     robot = find_robot(name)
+    if output:
+        check_targets(output)
+        robot.replace(name=output.stem).save(output)
     if as_json:
         print_json({**_summary(robot), "parameters": robot.parameters()})
     else:
         title = f"{robot.title}\n" if robot.title else ""
         typer.echo(f"{title}{robot.name}: {robot.drive} drive, kit {robot.kit_name}\n\n{robot.listing()}")
+        if output:
+            typer.echo(f"wrote {output}: change its numbers, and use it as --robot {output}")
 
 
 def _summary(robot: Robot) -> dict[str, Any]:

@@ -1,0 +1,122 @@
+"""Ten tasks from the README alone: its commands as they are printed, in an empty folder."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shlex
+import signal
+import subprocess
+import sys
+import time
+import urllib.request
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from upright.cli.main import main
+from upright.signals import Log
+
+pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("readme")]
+
+README = Path(__file__).resolve().parents[1] / "README.md"
+TASKS = {
+    "push a robot": "simulate --robot nxtway-gs", "compare two logs": "compare", "own robot": "robots show",
+    "a run of it": "simulate --robot mine", "a log": "example excited", "its faults": "doctor",
+    "parameters": "calibrate", "design": "design", "certify": "certify", "program for a target": "firmware",
+    "its execution": "parity",
+    "hand-ins of three": "example handed-in", "grade": "grade", "film": "film", "notebook": "example notebook",
+}  # fmt: skip
+"""Task → how its command begins; the README has it whole."""
+
+LONGEST = 120.0
+"""[s] The bar of a task; a guard, and no measurement: the longest takes a tenth of it on two cores."""
+
+
+def printed() -> list[str]:
+    """Every line of the README's shell examples that calls this program, without its comment."""
+    blocks = re.findall(r"^```sh\n(.*?)^```", README.read_text("utf-8"), re.MULTILINE | re.DOTALL)
+    lines = [line for block in blocks for line in block.splitlines() if line.startswith("upright ")]
+    return [shlex.join(shlex.split(line, comments=True)) for line in lines]
+
+
+def lines_of(beginning: str) -> list[str]:
+    return [line for line in printed() if line.startswith(f"upright {beginning}")]
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder after every command of `TASKS` was given, in the README's order. Each ended well, in time, and wrote
+    what it names."""
+    place = tmp_path_factory.mktemp("empty")
+    before = Path.cwd()
+    os.chdir(place)
+    try:
+        for line in printed():
+            words = shlex.split(line)[1:]
+            if not any(" ".join(words).startswith(beginning) for beginning in TASKS.values()):
+                continue
+            began = time.monotonic()
+            assert main(words) == 0, line
+            assert time.monotonic() - began < LONGEST, line
+            if "-o" in words:
+                assert Path(words[words.index("-o") + 1]).stat().st_size > 0, line
+    finally:
+        os.chdir(before)
+    return place
+
+
+@pytest.mark.parametrize("task", TASKS)
+def test_the_readme_has_a_command_for_every_task(task: str) -> None:
+    assert lines_of(TASKS[task])
+
+
+def test_what_the_tasks_write_is_what_they_say(folder: Path) -> None:
+    assert len(Log.load(folder / "mine.parquet")) == len(Log.load(folder / "twin.parquet"))
+    assert json.loads((folder / "lqg.json").read_text())["kind"] == "lqg"
+    assert (folder / "run.gif").read_bytes().startswith(b"GIF8")
+    assert re.findall(r",(ok|not reached|differs),", (folder / "grades.csv").read_text()) == [
+        "ok", "differs", "not reached",
+    ]  # fmt: skip
+
+
+def test_the_site_is_the_exported_lab(exported_lab: Path) -> None:
+    """As `upright lab --export site` writes it, once for all tests of it."""
+    assert lines_of("lab --export") == ["upright lab --export site"]
+    assert exported_lab.parts[-2:] == ("site", "index.html")
+    assert "uprightExport" in exported_lab.read_text("utf-8")
+
+
+@pytest.mark.needs("module:nbclient", "module:ipykernel")
+def test_the_notebook_runs_and_shows_the_lab(folder: Path) -> None:
+    import nbformat
+    from nbclient import NotebookClient
+
+    notebook: Any = nbformat.read(folder / "notebook.ipynb", as_version=4)
+    nbformat.validate(notebook)
+    NotebookClient(notebook, timeout=LONGEST, resources={"metadata": {"path": folder}}).execute()
+    shown = [
+        out["data"].get("text/html", "") for cell in notebook.cells for out in cell.get("outputs", ()) if "data" in out
+    ]
+    assert any('<iframe src="lab/index.html#robot=nxtway-gs' in text for text in shown)
+    assert len(nbformat.writes(notebook)) < 500_000  # with its figures: the page itself is a file beside it
+    assert "uprightExport" in (folder / "lab" / "index.html").read_text("utf-8")
+
+
+def test_a_class_is_served_at_the_address_that_is_printed(tmp_path: Path) -> None:
+    """On any free port, since tests run side by side."""
+    (line,) = lines_of("lab --class")
+    command = [sys.executable, "-m", "upright", *shlex.split(line)[1:], "--port", "0", "--no-browser"]
+    lab = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, text=True)
+    try:
+        assert lab.stdout is not None
+        addresses = dict(lab.stdout.readline().split() for _ in range(2))
+        assert set(addresses) == {"students:", "teacher:"}
+        for _ in range(3):
+            with urllib.request.urlopen(addresses["students:"].partition("#")[0], timeout=20) as page:
+                assert page.status == 200
+    finally:
+        lab.send_signal(signal.SIGINT)
+        assert lab.wait(timeout=20) in (0, 130)
