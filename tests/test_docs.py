@@ -31,6 +31,7 @@ PAGES = [
     ROOT / "notebooks" / "README.md",
 ]  # fmt: skip
 LANGUAGES = {"python", "sh", "toml", "text"}
+READ_WHOLE = ROOT / "README.md"  # test_readme.py runs what it shows
 QUICK = {"doctor", "design", "compare", "linearise", "robots"}
 """Commands of at most a second or two, which are executed; the others have tests of their own, and are parsed here."""
 
@@ -125,7 +126,9 @@ def quick(page: Path) -> list[list[str]]:
     return [words for words in commands(page) if words[0] == "upright" and words[1] in QUICK]
 
 
-@pytest.mark.parametrize("page", [page for page in PAGES if quick(page)], ids=lambda page: page.name)
+@pytest.mark.parametrize(
+    "page", [page for page in PAGES if quick(page) and page != READ_WHOLE], ids=lambda page: page.name
+)
 def test_quick_commands_in_the_documents_run(page: Path, bench: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for words in quick(page):
         inputs = [word for option, word in pairwise(words) if option not in OUTPUTS]

@@ -17,6 +17,8 @@ from typer.main import get_command
 
 from upright.bodies import Electronics, LinearBody, NonlinearBody
 from upright.classwork.grading import grade_file
+from upright.classwork.tasks import TASKS
+from upright.classwork.worksheet import fragment
 from upright.cli.main import app, main
 from upright.compiled.interpret import Interpreter
 from upright.compiled.print_javascript import JavaScriptPrinter, functions
@@ -319,6 +321,16 @@ def test_a_link_carries_robot_controller_and_push(page, site):
     assert (setup["robot"], setup["controller"], setup["noise"]) == ("twipr", "sliding", 0)
     page.wait_for_function("upright.store.snapshot.x[0][0] < -0.01")  # a second later it is pushed: it leans back
     assert page.evaluate("upright.page.local.link()") == site.as_uri() + LINKED
+
+
+@marked
+def test_a_link_of_the_worksheet_sets_the_page_up_too(page, site):
+    page.goto("about:blank")
+    page.goto(site.as_uri() + fragment(TASKS[1]))
+    page.wait_for_function("window.upright?.page.drawnFirst")
+    given = TASKS[1].setup
+    setup = page.evaluate("upright.store.setup")
+    assert (setup["seed"], setup["controller"], tuple(setup["gains"])) == (given.seed, given.controller, given.gains)
 
 
 @pytest.mark.parametrize(

@@ -75,7 +75,7 @@ def test_the_readme_has_a_command_for_every_task(task: str) -> None:
 
 def test_what_the_tasks_write_is_what_they_say(folder: Path) -> None:
     assert len(Log.load(folder / "mine.parquet")) == len(Log.load(folder / "twin.parquet"))
-    assert json.loads((folder / "lqg.json").read_text())["kind"] == "lqg"
+    assert json.loads((folder / "lqg.json").read_text())["controller"]["kind"] == "lqg"
     assert (folder / "run.gif").read_bytes().startswith(b"GIF8")
     assert re.findall(r",(ok|not reached|differs),", (folder / "grades.csv").read_text()) == [
         "ok", "differs", "not reached",

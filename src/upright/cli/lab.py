@@ -18,7 +18,9 @@ def lab(
     class_: Annotated[
         bool, typer.Option("--class", help="Serve up to 30 students, each with a robot, at the address of --host.")
     ] = False,
-    host: Annotated[str, typer.Option(help="Address of this machine in the network (with --class).")] = "127.0.0.1",
+    host: Annotated[
+        str | None, typer.Option(help="Address of this machine, with --class (default: its own in the network).")
+    ] = None,
     export: Annotated[
         Path | None, typer.Option(help="Write the page alone into this folder: it runs anywhere, without Python.")
     ] = None,
@@ -35,7 +37,7 @@ def lab(
 ) -> None:  # fmt: skip
     """Open the lab: push a simulated robot with the mouse.
 
-    The page works offline and is for this machine only; --class --host ADDRESS opens it to a class. Ctrl-C ends it.
+    The page works offline and is for this machine only; --class opens it to the network. Ctrl-C ends it.
     --export FOLDER serves nothing: it writes one page with robots and controllers inside, for any web host.
     """
     if export is not None:
@@ -49,13 +51,15 @@ def lab(
         _serve(host, port, browser=browser, class_=class_)
 
 
-def _serve(host: str, port: int, *, browser: bool, class_: bool) -> None:
+def _serve(host: str | None, port: int, *, browser: bool, class_: bool) -> None:
     from upright.lab.classroom import Door
-    from upright.lab.server import LOOPBACK, Lab, listening, reachable, serve
+    from upright.lab.server import LOOPBACK, Lab, listening, own_address, reachable, serve
 
-    host = reachable(host) if class_ else host
-    if not class_ and host != LOOPBACK:
+    if class_:
+        host = own_address() if host is None else reachable(host)
+    elif host not in (None, LOOPBACK):
         raise UprightError(f"--host {host} without --class", expected=f"this machine, {LOOPBACK}", hint="add --class")
+    host = host or LOOPBACK
     if not 0 <= port < 65536:
         raise UprightError(f"--port {port}", expected="between 0 and 65535")
     served = Lab(host, port, Door.of_a_class() if class_ else Door())
@@ -63,7 +67,8 @@ def _serve(host: str, port: int, *, browser: bool, class_: bool) -> None:
 
     def ready() -> None:
         if class_:
-            typer.echo(f"students: {served.url}\nteacher:  {served.teacher_url}\nCtrl-C ends the class")
+            alone = "\nno network was found, so only this machine can open them: --host ADDRESS" * (host == LOOPBACK)
+            typer.echo(f"students: {served.url}\nteacher:  {served.teacher_url}{alone}\nCtrl-C ends the class")
         else:
             typer.echo(f"the lab is at {served.url}\nCtrl-C ends it")
         if browser:

@@ -71,6 +71,16 @@ def reachable(host: str) -> str:
     return host.strip().lower() if named else str(address)
 
 
+def own_address() -> str:
+    """The address that this machine has in its network; the loopback's where there is none. Nothing is sent."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.connect(("192.0.2.1", 9))  # an address kept for documents (RFC 5737): only the way there is looked up
+        except OSError:
+            return LOOPBACK
+        return str(probe.getsockname()[0])
+
+
 def listening(lab: Lab) -> socket.socket:
     """A socket on the lab's address; port 0 takes any that is free and notes it. Raises an `UprightError`."""
     made = socket.socket(socket.AF_INET, socket.SOCK_STREAM)

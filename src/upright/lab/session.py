@@ -59,8 +59,7 @@ LONGEST = 1.0  # [s] of simulated time in one go
 class Session:
     """One robot, its bodies and their controllers, from the set-up on.
     `folder` is where files are made; `desk` does what takes longer than a frame, under `name`; `fine` [s] is a body's
-    period; `certified` says that the light follows every change. Raises an `UprightError` where the first set-up cannot
-    be.
+    period; `certified`: the light follows every change. Raises an `UprightError` where the first set-up cannot be.
     """
 
     electronics: Any = staticmethod(behind)

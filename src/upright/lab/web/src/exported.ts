@@ -4,6 +4,7 @@ import { Recorder, micro } from "./handin";
 import type { RunResult } from "./handin";
 import type { Analysed, Catalogue, Changed, ClientMessage, Equations, Look, Setup, Snapshot, Welcome } from "./messages";
 import { DEFAULT_SETUP } from "./messages";
+import { fromLink } from "./link";
 import { Loop, combined, linearMotion } from "./simulator";
 import type { Kit, Law, Motion, Push } from "./simulator";
 import { store } from "./store";
@@ -73,9 +74,17 @@ export function toHash(setup: Setup, push: Link["push"]): string {
 
 const PUSHES: Record<string, [number, number]> = { front: [0, 0.5], back: [-0.5, 0], impulse: [-20, 20], pull_left: [-100, 100], pull_right: [-100, 100], tilt: [-1.2, 1.2] };
 
+/** The parts of the address; a link of the worksheet, which is the live lab's, gives those that this page has too. */
+function plainParts(hash: string): URLSearchParams {
+  const linked = fromLink(hash);
+  if (!linked) return new URLSearchParams(hash.replace(/^#/, ""));
+  const known = ["robot", "controller", "gains", ...NUMBERS].filter((name) => name in linked);
+  return new URLSearchParams(known.map((name) => [name, String(linked[name as keyof Setup])]));
+}
+
 /** What the address asks for; what cannot be is left out. */
 export function fromHash(hash: string, data: Exported): Link {
-  const parts = new URLSearchParams(hash.replace(/^#/, ""));
+  const parts = plainParts(hash);
   const setup: Partial<Setup> = {};
   const robot = parts.get("robot") ?? "";
   if (Object.hasOwn(data.facts.robots, robot)) setup.robot = robot;

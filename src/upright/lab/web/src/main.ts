@@ -81,7 +81,7 @@ class Page {
     window.addEventListener("keydown", (event) => this.key(event));
     window.addEventListener("hashchange", () => {
       const linked = fromLink(location.hash); // pasted behind the address of a page that is open
-      if (linked) store.change(linked);
+      if (linked && !exported) store.change(linked);
     });
     this.begin();
   }
