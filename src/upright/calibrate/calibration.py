@@ -301,14 +301,17 @@ class Calibration(Shown):
 
     def __str__(self) -> str:
         head = f"{self.robot.name} from {', '.join(self.sources) or 'a log'}: {self.samples} samples fitted"
-        lines = [
-            head,
-            *(_line(e) for e in (*self.parameters, *self.delays, *self.electronics)),
-            "Coefficients of the motion:",
-        ]
-        lines += [_line(e) for e in self.combinations]
         refused = [f"Refused as a description of this robot: {reason}" for reason in self.refused]
-        return "\n".join([*lines, *self.unseen, *self.notes, *refused])
+        scores = [f"{name.removeprefix('sensor/')} {self.segments[name]:.3f}" for name in self.channels]
+        followed = [f"R² of predictions over half a second: {', '.join(scores)}"] if scores else []
+        lines = [_line(e) for e in (*self.parameters, *self.delays, *self.electronics)]
+        lines += ["Coefficients of the motion:", *(_line(e) for e in self.combinations)]
+        return "\n".join([head, *refused, *followed, *lines, *self.unseen, *self.notes])
+
+    @property
+    def channels(self) -> list[str]:
+        """The sensors of which half a second was predicted."""
+        return [name for name in self.segments if name.startswith("sensor/")]
 
 
 def _line(e: Estimate) -> str:
