@@ -203,7 +203,7 @@ def falls(controller: Any, robot: Robot, kit: Kit, runs: int) -> tuple[NDArray[n
     """Falls of each trial of a certificate, the seconds that took, and the worst residual."""
     course = Course(kernel_controller(controller, robot, kit), robot, draw(robot, runs, 0, None), kit)
     start = time.perf_counter()
-    results, _ = trials(course)
+    results = trials(course).trials
     return np.array([t.fell for t in results]), time.perf_counter() - start, max(t.residual for t in results)
 
 

@@ -70,12 +70,13 @@ def test_trials_on_a_slope_are_the_loop_of_run() -> None:
     """As on level ground, peaks differ by noise alone, below some hundredths of a radian."""
     robot, angle = expecting(Conditions(slope=(0.0, math.radians(3)))), math.radians(3)
     course = Course(kernel_controller(lqg(robot, KIT), robot, KIT), robot, [robot] * 10, KIT)
-    runs, _ = trials(course)
+    runs = trials(course).trials
     assert len(runs) == course.runs_of_trials // 10 == 12
+    full = 1.12 * KIT.battery.voltage
     sloped = [t for t in runs if t.push.endswith(", slope +3.0°") and t.battery == "full"]
     assert len(sloped) == 3
     for trial in sloped:
-        push = standard_pushes(robot)[trial.push.partition(", slope")[0]]
+        push = standard_pushes(robot, KIT, full, angle)[trial.push.partition(", slope")[0]].push
         body = Electronics(NonlinearBody(robot), KIT)
         log = run(body, lqg(robot, KIT), [push, Slope(angle=angle)], seconds=RELEASE + 1, seed=3)
         assert abs(np.abs(log["truth/pitch"]).max() - trial.peak) < 0.03

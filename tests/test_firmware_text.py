@@ -17,8 +17,9 @@ import pytest
 
 from firmware_cases import EV3, GOLDEN, NXT, ROBOT, SPIKE, designed, frozen, written
 from upright.atomic import write_json
-from upright.certify.certificate import Certificate, LinearMargins, judge
+from upright.certify.certificate import Certificate
 from upright.certify.checks import PushTrial
+from upright.certify.verdict import LinearMargins, judge
 from upright.cli.main import USER_ERROR, main
 from upright.compiled.fixed import fractions, scaled
 from upright.compiled.interpret import Interpreter
@@ -321,7 +322,7 @@ def red_certificate() -> Certificate:
     return Certificate(
         light=light, reasons=reasons, bound=upper_bound(100, 100), robot=ROBOT.name, kit=NXT.name, controller="lqg",
         hash=controller_hash(frozen()), period=0.01, seed=0, samples=100, fell=100, linear=linear, trials=trials,
-        subject={"robot": robot_facts(ROBOT), "kit": kit_facts(NXT)},
+        beyond=0, subject={"robot": robot_facts(ROBOT), "kit": kit_facts(NXT)},
     )  # fmt: skip
 
 

@@ -10,10 +10,10 @@ import pytest
 from scipy.linalg import expm
 
 from upright.certify import Loop, analyse, delay_margin, disk_margin, margins, parameter_mu, robot_loop
-from upright.certify.certificate import linear_margins
 from upright.certify.margins import disk_gain, disk_phase
 from upright.certify.mu import upper_bound
 from upright.certify.scaling import balanced
+from upright.certify.verdict import linear_margins
 from upright.control import Controller, make_controller
 from upright.control.delay import RAW, rolling, sampled
 from upright.control.linear_controller import as_linear

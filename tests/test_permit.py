@@ -161,11 +161,11 @@ def test_what_nobody_survived_has_a_dash_and_no_number() -> None:
     """Quantiles of the robots that stand, of which there are none."""
     trial = PushTrial("hold", "low", 100, 100, saturated=0.0, travel=0.0, peak=0.0, cycle=0.0)
     shown = str(replace(certificate(), trials=(trial,))).splitlines()[-1]
-    assert shown.split() == ["hold", "low", "100/100", "–", "–", "–", "–"]
+    assert shown.split() == ["hold", "low", "–", "100/100", "–", "–", "–", "–"]
     page = page_of(replace(certificate(), trials=(trial,))).html()
     *_, row = page.partition("<h2>Pushes</h2>")[2].partition("</table>")[0].split("<tr>")
     cells = re.findall(r"<td[^>]*>([^<]*)</td>", row)
-    assert cells == ["hold", "low", "100", "100", "–", "–", "–", "–"]
+    assert cells == ["hold", "low", "100", "100", "0", "–", "–", "–", "–", "–"]
 
 
 def test_a_certificate_has_a_figure() -> None:

@@ -14,7 +14,8 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import Sample
-from upright.certify.certificate import AMBER, Certificate, certify
+from upright.certify.agreement import AMBER
+from upright.certify.certificate import Certificate, certify
 from upright.certify.checks import Course, kernel_controller
 from upright.certify.support import Support, supported
 from upright.control import Controller, make_controller

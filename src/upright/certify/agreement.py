@@ -8,9 +8,8 @@ so a single push or lost sample, which the model does not have, has no effect.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,11 +49,6 @@ class Agreement:
     measured: float
     expected: float
 
-    @classmethod
-    def from_json(cls, data: Mapping[str, Any]) -> Agreement:
-        """From a certificate's file; older ones say "seen" for `measured`."""
-        return cls(**{"measured" if name == "seen" else name: value for name, value in data.items()})
-
     @property
     def ratio(self) -> float:
         """The log's innovations over the largest of the drawn robots."""
@@ -89,9 +83,9 @@ def agreement(log: Log, course: Course) -> tuple[Agreement, ...]:
     reads = course.controller.law.linear.reads
     if not set(RAW) <= set(reads):
         raise SpecMismatch(f"the controller reads {', '.join(reads)}", expected="both encoders and the gyro")
-    for row, push in enumerate(standard_pushes(course.robot).values()):
+    for row, standard in enumerate(standard_pushes(course.robot, course.kit).values()):
         some = replace(course, robots=course.robots[:DRAWN], progress=None)
-        for result in watched(some, push, row, (*RAW, *APPLIED)):
+        for result in watched(some, standard.push, row, (*RAW, *APPLIED)):
             agreements.append(innovation_size(estimator, *np.split(result.trace[~result.fell], [3], axis=2)))
     standing = np.concatenate(agreements)
     largest = standing.max(axis=0) if len(standing) else np.ones(3)

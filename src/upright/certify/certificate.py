@@ -13,16 +13,14 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from upright.atomic import finite, write_json
 from upright.calibrate.calibrate import calibrate
-from upright.certify.agreement import AMBER, RED, Agreement, agreement, disagreements
-from upright.certify.analysis import loop_margins
+from upright.certify.agreement import RED, Agreement, agreement
 from upright.certify.checks import Course, PushTrial, RunCounter, Swept, delayed, kernel_controller, slower, trials
 from upright.certify.learnt import learnt
-from upright.certify.loop import robot_loop
-from upright.certify.support import Support, contradictions, supported
+from upright.certify.narrowing import Narrowing, NeededSpread, narrowing, red
+from upright.certify.support import Support, supported
+from upright.certify.verdict import CONFIDENCE, MOST_FALLS, LinearMargins, judge, linear_margins
 from upright.control import find_controller
 from upright.control.controller import Controller
 from upright.control.identity import Identity, identity
@@ -40,45 +38,12 @@ from upright.tables import Shown
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-GREEN = "green"
-
 FEWEST = 100
 """Number of robots below which no certificate is given: even without a fall the bound would exceed 3 %."""
 
-CONFIDENCE = 0.95
-MOST_FALLS = 0.05  # red above: with one such robot in twenty, a class of students breaks one
-LEAST_GAIN = 0.04  # amber below: copper that warms by 10 K takes 4 % of the motor's gain
-LEAST_DELAY = 0.25  # [periods] amber below: a loop that runs in time still jitters by a tenth or two of its period
-MOST_SATURATED = 0.25  # amber above: a motor at its end this often is no longer the one the design assumed
-MOST_TRAVEL = 1.0  # [m] amber above: it leaves the table
-MOST_CYCLE = 0.1  # [rad] amber above: at rest it sways as far as the paper's pushes lean it
-
 KIND = "upright certificate"
-VERSION = 2
-"""2: it names robot and kit by their numbers; without them it could be used for any."""
-
-
-@dataclass(frozen=True)
-class LinearMargins:
-    """The nominal loop: its largest |pole| `radius`, and the smallest margins of all places where it can be broken.
-
-    It stays stable for gain factors from `gain_low` to `gain_high` [1], and for up to `delay` [s] of further delay, at
-    any one motor or reading, or at both motors. The last three names say where each of these is the smallest; older
-    certificates, which looked at both motors only, leave them empty.
-    """
-
-    radius: float
-    gain_low: float
-    gain_high: float
-    delay: float
-    low_at: str = ""
-    high_at: str = ""
-    delay_at: str = ""
-
-    @property
-    def stable(self) -> bool:
-        """Whether the nominal loop is."""
-        return self.radius < 1
+VERSION = 3
+"""3: pushes are scaled to what any controller could survive; 2: robot and kit are named by their numbers."""
 
 
 @dataclass(frozen=True, repr=False, kw_only=True)
@@ -88,9 +53,10 @@ class Certificate(Shown):
     It belongs to that controller, by its `hash`, or by the request of its design, `asked`, and its `response` (see
     `control.identity`). Its `subject` is every number of robot and kit, by name; `robot` and `kit` are their names.
     Of `samples` robots `fell` fell in at least one of the `trials`. `bound` is the upper bound of that probability,
-    with 95 % confidence. `linear` is None for a controller that is not linear, even near rest. `delayed` and `slower`
-    count falls with additional dead time and with other periods. `agreement` compares the innovations of a log with
-    these assumptions, `support` what the log shows of each number that is taken as given.
+    with 95 % confidence. Of those that fell no controller could save `beyond`. `linear` is None for a controller that
+    is not linear, even near rest. `delayed` and `slower` count falls with additional dead time and with other periods.
+    `agreement` compares the innovations of a log with these assumptions, `support` what the log shows of each number
+    that is taken as given. `narrowing` says of a red light what would have to be known better (None: not examined).
     """
 
     light: str
@@ -104,6 +70,7 @@ class Certificate(Shown):
     seed: int
     samples: int
     fell: int
+    beyond: int
     linear: LinearMargins | None
     trials: tuple[PushTrial, ...]
     delayed: tuple[Swept, ...] = ()
@@ -113,20 +80,30 @@ class Certificate(Shown):
     subject: Mapping[str, Facts]
     asked: str = ""
     response: tuple[float, ...] = ()
+    narrowing: Narrowing | None = None
 
     def check(self) -> tuple[str, ...]:
         """Contradictions among this certificate's own numbers, as sentences; none where it is consistent."""
         bound = upper_bound(self.fell, self.samples, CONFIDENCE)
         light, reasons = judge(
-            self.samples, self.fell, self.linear, self.trials, self.period, self.agreement, self.support
+            self.samples,
+            self.fell,
+            self.linear,
+            self.trials,
+            self.period,
+            self.agreement,
+            self.support,
+            beyond=self.beyond,
         )
         wrong = (
             [f"the bound is {self.bound:g}; its numbers give {bound:g}"] if not math.isclose(bound, self.bound) else []
         )
         wrong += [f"the light is {self.light}; its numbers give {light}"] if light != self.light else []
         wrong += ["the reasons do not follow from its numbers"] if reasons != self.reasons else []
-        most, runs = max(t.fell for t in self.trials), {t.runs for t in self.trials}
-        fits = most <= self.fell <= sum(t.fell for t in self.trials) and runs == {self.samples}
+        most, hardest = (max(getattr(t, n) for t in self.trials) for n in ("fell", "beyond"))
+        fallen, hopeless = (sum(getattr(t, n) for t in self.trials) for n in ("fell", "beyond"))
+        fits = most <= self.fell <= fallen and hardest <= self.beyond <= min(self.fell, hopeless)
+        fits &= {t.runs for t in self.trials} == {self.samples}
         return (*wrong, *(() if fits else ("the trials and the number of falls disagree",)))
 
     def refuses(self, controller: Controller | None = None, robot: Robot | None = None, kit: Kit | None = None) -> str:
@@ -185,11 +162,16 @@ class Certificate(Shown):
     def __str__(self) -> str:
         head = f"{self.light.upper()}: {self.controller} on {self.robot} with kit {self.kit}"
         wide = max(18, *(len(t.push) for t in self.trials))
-        columns = f"{'push':<{wide}}{'battery':>8}{'fell':>11}{'saturated':>10}{'travel':>9}{'peak':>11}{'sway':>11}"
+        columns = f"{'push':<{wide}}{'battery':>8}{'of any':>8}{'fell':>11}"
+        columns += f"{'saturated':>10}{'travel':>9}{'peak':>11}{'sway':>11}"
         sweeps = [_sweep("dead time +", self.delayed), _sweep("period ", self.slower)]
         lines = [head, *(f"  {reason}" for reason in self.reasons), "", columns, *(_row(t, wide) for t in self.trials)]
         if worst := max((t.residual for t in self.trials), default=0.0):
             sweeps.append(f"the last iteration moved a command by {worst:.2%} of its limit at most")
+        if self.beyond:
+            sweeps.append(f"no controller could save {self.beyond} of the {self.fell} that fell")
+        if self.narrowing:
+            sweeps += [str(self.narrowing), *self.narrowing.ways(self.robot)]
         sweeps += [f"the log: {'; '.join(map(str, self.agreement))}"] if self.agreement else []
         inside = "; ".join(str(s) for s in self.support if not s.outside)
         sweeps += [f"the log supports: {inside}"] if inside else []
@@ -240,109 +222,29 @@ def certify(
     course = Course(kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads)
     if progress:
         course = replace(course, progress=RunCounter(course.runs, progress))
-    runs, fell = trials(course)
-    linear, count, period = linear_margins(design, nominal, parts), int(fell.sum()), design.spec.period
+    runs, fallen, beyond = trials(course)
+    linear, period = linear_margins(design, nominal, parts), design.spec.period
+    fell, hopeless = int(fallen.sum()), int(beyond.sum())
     compared, shown = (agreement(recording, course), supported(recording, course)) if recording else ((), ())
-    light, reasons = judge(len(family), count, linear, runs, period, compared, shown)
+    light, reasons = judge(len(family), fell, linear, runs, period, compared, shown, beyond=hopeless)
+    spreads = unknown or Uncertainty.of(nominal)
+    examined = sweeps and robots is None and not course.controller.called and red(fell, len(family))
+    if progress:
+        progress(1.0)
     who = identity(design)
     return Certificate(
-        light=light, reasons=reasons, bound=upper_bound(count, len(family), CONFIDENCE), robot=nominal.name,
+        light=light, reasons=reasons, bound=upper_bound(fell, len(family), CONFIDENCE), robot=nominal.name,
         kit=parts.name, controller=design.spec.kind, hash=who.hash, period=period, seed=seed, samples=len(family),
-        fell=count, linear=linear, trials=runs, agreement=compared, support=shown, subject=subject, asked=who.asked,
-        delayed=delayed(course) if sweeps else (), slower=slower(course) if sweeps else (), response=who.response,
+        fell=fell, beyond=hopeless, linear=linear, trials=runs, agreement=compared, support=shown, subject=subject,
+        asked=who.asked, response=who.response,
+        delayed=delayed(course) if sweeps else (), slower=slower(course) if sweeps else (),
+        narrowing=narrowing(course, spreads, fallen) if examined else None,
     )  # fmt: skip
 
 
 def read_certificate(path: str | Path) -> Certificate:
     """The certificate in a file by `upright certify -o`; raises `InvalidController` for what is none."""
     return Certificate.from_json(read_json(path, InvalidController, "a certificate, JSON by upright certify"))
-
-
-def linear_margins(controller: Controller, robot: Robot, kit: Kit) -> LinearMargins | None:
-    """The nominal loop's near rest, zero where it is unstable; None where nothing linear is known of the controller."""
-    try:
-        loop = robot_loop(robot, controller, kit)
-    except InvalidController:
-        return None
-    radius = float(np.abs(loop.closed.poles()).max())
-    if radius >= 1:
-        return LinearMargins(radius, 1.0, 1.0, 0.0)
-    every = loop_margins(robot, controller, kit, peaks=False)
-    low, high = max(every, key=lambda m: m.gain_low), min(every, key=lambda m: m.gain_high)
-    first = min(every, key=lambda m: m.delay)
-    at = (low.channel, high.channel, first.channel)
-    return LinearMargins(radius, low.gain_low, high.gain_high, first.delay, *at)
-
-
-def judge(
-    samples: int,
-    fell: int,
-    linear: LinearMargins | None,
-    runs: Sequence[PushTrial],
-    period: float,
-    compared: Sequence[Agreement] = (),
-    support: Sequence[Support] = (),
-) -> tuple[str, tuple[str, ...]]:
-    """The light and its one or two reasons, the gravest first."""
-    if red := _falls(samples, fell, runs) + (_unstable(linear) if linear else []) + disagreements(compared, RED):
-        return RED, tuple(red[:2])
-    thin = _thin(linear, period) if linear else []
-    if amber := disagreements(compared, AMBER) + contradictions(support) + thin + _laborious(runs):
-        return AMBER, tuple(amber[:2])
-    chance = _per_cent(upper_bound(fell, samples, CONFIDENCE))
-    message = f"{fell} of {samples} robots fell: the probability of a fall is below {chance}"
-    if linear is None:
-        return GREEN, (message, "no linear margins are known")
-    delay = "any delay" if math.isinf(linear.delay) else f"{linear.delay * 1e3:.1f} ms more delay"
-    return GREEN, (message, f"stable with {delay}{_place(linear.delay_at)}")
-
-
-def _falls(samples: int, fell: int, runs: Sequence[PushTrial]) -> list[str]:
-    bound = upper_bound(fell, samples, CONFIDENCE)
-    if bound <= MOST_FALLS:
-        return []
-    worst = max(runs, key=lambda t: t.fell)
-    where = f", {worst.fell} of them after a {worst.push} at {worst.battery} battery" if fell else ""
-    message = f"the probability of a fall may be {_per_cent(bound)}, more than {100 * MOST_FALLS:g} %"
-    return [f"{fell} of {samples} robots fell{where}: {message}"]
-
-
-def _unstable(linear: LinearMargins) -> list[str]:
-    return [] if linear.stable else [f"the nominal loop is unstable, with a pole at |z| = {linear.radius:.4f}"]
-
-
-def _thin(linear: LinearMargins, period: float) -> list[str]:
-    up, down = linear.gain_high - 1, 1 - linear.gain_low
-    slack, way, at = (up, "stronger", linear.high_at) if up < down else (down, "weaker", linear.low_at)
-    changed = (
-        f"a signal {100 * slack:.1f} % {way}{_place(at)} makes" if at else f"motors {100 * slack:.1f} % {way} make"
-    )
-    thin = [f"{changed} the loop unstable"] if slack < LEAST_GAIN else []
-    if linear.delay >= LEAST_DELAY * period:
-        return thin
-    more = f"{linear.delay * 1e3:.1f} ms more delay{_place(linear.delay_at)}"
-    return [*thin, f"{more} ({linear.delay / period:.2f} of a period) make the loop unstable"]
-
-
-def _place(channel: str) -> str:
-    return f" at {'' if channel in ('both motors', 'steering') else 'the '}{channel}" if channel else ""
-
-
-def _laborious(runs: Sequence[PushTrial]) -> list[str]:
-    limits = {"saturated": MOST_SATURATED, "travel": MOST_TRAVEL, "cycle": MOST_CYCLE}
-    words = {
-        "saturated": "a motor is at its limit for {:.0%} of the time",
-        "travel": "the robot rolls {:.2f} m away",
-        "cycle": "at rest the robot sways by ±{:.2f} rad",
-    }
-    reasons: list[str] = []
-    for name, limit in limits.items():
-        worst = max(runs, key=lambda t: getattr(t, name))
-        if getattr(worst, name) > limit:
-            reasons.append(
-                f"{words[name].format(getattr(worst, name))} after a {worst.push} at {worst.battery} battery"
-            )
-    return reasons
 
 
 def _check_family(family: Sequence[Robot], robot: Robot) -> None:
@@ -355,19 +257,12 @@ def _check_family(family: Sequence[Robot], robot: Robot) -> None:
                            expected=f"{robot.command_unit}, as '{robot.name}'")  # fmt: skip
 
 
-def _per_cent(probability: float) -> str:
-    """Two significant digits."""
-    return f"{100 * probability:.2g} %" if probability < 0.1 else f"{100 * probability:.0f} %"
-
-
 def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
-    given: dict[str, Any] = {"support": (), **data}  # which older files lack
-    if "later" in given:  # what older files call it
-        given["delayed"] = given.pop("later")
+    given = dict(data)
     kind, version = given.pop("file"), given.pop("version")
     if kind == KIND and version != VERSION:
         raise InvalidController(
-            f"a certificate of version {version}", expected=f"version {VERSION}, which names its robot and kit",
+            f"a certificate of version {version}", expected=f"version {VERSION}, whose pushes are scaled to the robot",
             hint="certify it again",
         )  # fmt: skip
     if kind != KIND:
@@ -377,13 +272,16 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
     parts: dict[str, Any] = {
         "reasons": tuple(given["reasons"]),
         "linear": LinearMargins(**near_rest) if linear else None,
-        "agreement": tuple(Agreement.from_json(row) for row in given["agreement"]),
+        "agreement": tuple(Agreement(**row) for row in given["agreement"]),
         "support": tuple(Support.from_json(row) for row in given["support"]),
         "trials": tuple(PushTrial(**row) for row in given["trials"]),
         "subject": {what: dict(given["subject"][what]) for what in ("robot", "kit")},
         "response": tuple(map(float, given["response"])),
     }
     swept: dict[str, Any] = {name: tuple(Swept(**row) for row in given[name]) for name in ("delayed", "slower")}
+    if needed := given.get("narrowing"):
+        spreads = tuple(NeededSpread(**row) for row in needed["spreads"])
+        parts["narrowing"] = Narrowing(spreads, needed["runs"], needed["fell"], needed["everything"])
     certificate = cls(**{**given, **parts, **swept})
     if wrong := certificate.check():
         raise ValueError(wrong[0])
@@ -393,7 +291,8 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
 def _row(t: PushTrial, wide: int) -> str:
     numbers = f"{t.saturated:>10.0%}{t.travel:>7.2f} m{t.peak:>7.3f} rad{t.cycle:>7.3f} rad"
     numbers = numbers if t.fell < t.runs else f"{'–':>10}{'–':>9}{'–':>11}{'–':>11}"
-    return f"{t.push:<{wide}}{t.battery:>8}{f'{t.fell}/{t.runs}':>11}{numbers}"
+    largest = f"{t.size / t.bound:.0%}" if t.bound else "–"
+    return f"{t.push:<{wide}}{t.battery:>8}{largest:>8}{f'{t.fell}/{t.runs}':>11}{numbers}"
 
 
 def _sweep(label: str, swept: Sequence[Swept]) -> str:

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.certify.recovery import KNOCK_DURATION, largest_hold, largest_knock, means, recoverable
 from upright.control.controller import Controller
 from upright.control.law import Law, as_law
 from upright.control.mpc import Splitting
@@ -30,9 +31,17 @@ Array = NDArray[np.float64]
 SECONDS = 8.0  # [s] a push, what follows it, and `TAIL` to see what the robot does at rest
 RELEASE = 3.0  # [s] a hold of this length lets every preset come to rest against it
 TAIL = 2.0  # [s] at the end, over which the limit cycle is measured: several of its periods
-FRONT, BACK = 0.1, -0.12  # [rad] both holds of Herrera et al. (2015)
-KNOCK = 0.15  # [m/s] of the body's speed by the impulse: half of walking into it slowly
-KNOCK_DURATION = 0.02  # [s] of the impulse
+HELD, KNOCKED = 0.4, 0.6
+"""Sizes of the standard pushes over the largest that any controller could survive on the nominal robot with that
+battery and slope.
+
+A controller is not told when a hold ends. Feedback that moves the falling pole from λ to −(g − 1) λ survives 1 − 1/g
+of the largest hold: half with the least effort (g = 2), which default controllers exceed by little. Of the largest
+knock it survives nearly all. So less is asked of holds."""
+MOST_HOLD, MOST_KNOCK = 0.4, 0.5
+"""[rad], and [m/s] of the body's speed: no standard push is larger, however strong the motors. They bound what is asked
+of kits without limits, and of twipr: from 0.6 of its largest knock a fifth of its spreads falls under any controller.
+"""
 BATTERIES = {"low": 0.85, "full": 1.12}
 """Over the kit's voltage: six AA cells under load give 7 to 9 V for 8, two lithium cells 6.4 to 8.4 V for 7.5. The
 robot's file may state others (`Robot.conditions`)."""
@@ -60,7 +69,9 @@ class PushTrial:
     """One push at one battery voltage: `fell` of `runs` fell. The others are 95 % quantiles over the robots that stand:
     `saturated` (fraction of periods), `travel` [m], `peak` pitch [rad], and `cycle`, half of pitch's range in the last
     seconds [rad]. They are zero where every robot fell. `residual` is the largest one of a predictive controller that
-    stands: by how much the last iteration of a period still moved a command, over its limit.
+    stands: by how much the last iteration of a period still moved a command, over its limit. `size` is that of the push
+    [rad or N s], `bound` the largest that any controller could survive on the nominal robot (None: unlimited), and
+    `beyond` counts the fallen robots that no controller could save.
     """
 
     push: str
@@ -73,6 +84,9 @@ class PushTrial:
     peak: float
     cycle: float
     residual: float = 0.0
+    size: float = 0.0
+    bound: float | None = None
+    beyond: int = 0
 
 
 @dataclass(frozen=True)
@@ -109,13 +123,43 @@ def kernel_controller(controller: Controller, robot: Robot, kit: Kit) -> KernelC
         return KernelController(as_law(silent(controller)), controller)
 
 
-def standard_pushes(robot: Robot) -> dict[str, Any]:
-    """Both holds of the paper, each followed by a release, and an impulse at the centre of mass."""
+class StandardPush(NamedTuple):
+    """A `push` of a `size` [rad or N s], and the largest size that any controller could survive, its `bound`."""
+
+    push: Hold | Impulse
+    size: float
+    bound: float
+
+
+def standard_pushes(
+    robot: Robot, kit: Kit, battery: float | None = None, slope: float = 0.0
+) -> dict[str, StandardPush]:
+    """A hold to the front and one to the back, each until its release, and an impulse at the centre of mass, by name.
+
+    Each has `FRACTION` of the size that any controller could survive with this `battery` [V] (None: the kit's) on this
+    `slope` [rad], at most `MOST_HOLD` and `MOST_KNOCK`. All are zero where no controller could stand there.
+    """
+    front, back = (largest_hold(robot, kit, side, battery=battery, slope=slope) for side in (1, -1))
+    knock = largest_knock(robot, kit, battery=battery, slope=slope)
+    most = MOST_KNOCK * robot.body_mass
+    ahead, behind = (_size(HELD * bound, MOST_HOLD) for bound in (front, back))
+    knocked = _size(KNOCKED * knock, most)
     return {
-        f"hold at {FRONT:+.2f} rad": Hold(pitch=FRONT, until=RELEASE),
-        f"hold at {BACK:+.2f} rad": Hold(pitch=BACK, until=RELEASE),
-        f"knock by {KNOCK:g} m/s": Impulse(impulse=KNOCK * robot.body_mass, start=1.0, duration=KNOCK_DURATION),
+        f"hold at {ahead:+.2f} rad": StandardPush(Hold(pitch=ahead, until=RELEASE), ahead, front),
+        f"hold at {-behind:+.2f} rad": StandardPush(Hold(pitch=-behind, until=RELEASE), behind, back),
+        f"knock of {knocked:.3g} N s": StandardPush(
+            Impulse(impulse=knocked, start=1.0, duration=KNOCK_DURATION), knocked, knock
+        ),
     }
+
+
+def _size(size: float, most: float) -> float:
+    """At most that, and three digits of it, so that the last bits of a search do not matter."""
+    return float(f"{min(size, most):.3g}")
+
+
+PUSHES = 3
+"""Number of standard pushes."""
 
 
 @dataclass
@@ -148,22 +192,23 @@ class Course:
     @property
     def runs(self) -> int:
         """Number of runs in all trials and sweeps."""
-        pushes, some = len(standard_pushes(self.robot)), min(SWEPT, len(self.robots))
-        return self.runs_of_trials + pushes * (len(_extra(self)) + len(_periods(self))) * some
+        some = min(SWEPT, len(self.robots))
+        return self.runs_of_trials + PUSHES * (len(_extra(self)) + len(_periods(self))) * some
 
     @property
     def runs_of_trials(self) -> int:
         """Number of runs in all trials."""
-        each = len(standard_pushes(self.robot)) * len(BATTERIES) * len(self.robot.conditions.slopes)
-        return each * len(self.robots)
+        return PUSHES * len(BATTERIES) * len(self.robot.conditions.slopes) * len(self.robots)
 
 
 class TriedPush(NamedTuple):
-    """A `trial`, the push of it, and the runs of all robots, batch by batch."""
+    """A `trial`, the push of it, the runs of all robots, batch by batch, and which robots (n,) fell `beyond` what any
+    controller could save."""
 
     trial: PushTrial
     push: Any
     rows: Sequence[FleetResult]
+    beyond: NDArray[np.bool_]
 
     @property
     def fell(self) -> NDArray[np.bool_]:
@@ -171,13 +216,23 @@ class TriedPush(NamedTuple):
         return np.concatenate([row.fell for row in self.rows])
 
 
-def trials(course: Course) -> tuple[tuple[PushTrial, ...], NDArray[np.bool_]]:
-    """Every standard push at every battery on all robots, and which robots (n,) fell in any of them."""
-    fell, results = np.zeros(len(course.robots), dtype=np.bool_), list[PushTrial]()
+class Trials(NamedTuple):
+    """The trials, which robots (n,) fell in any of them, and which of these no controller could save in one."""
+
+    trials: tuple[PushTrial, ...]
+    fell: NDArray[np.bool_]
+    beyond: NDArray[np.bool_]
+
+
+def trials(course: Course) -> Trials:
+    """Every standard push at every battery on all robots."""
+    fell, beyond = (np.zeros(len(course.robots), dtype=np.bool_) for _ in range(2))
+    results = list[PushTrial]()
     for one in tried(course):
         results.append(one.trial)
         fell |= one.fell
-    return tuple(results), fell
+        beyond |= one.beyond
+    return Trials(tuple(results), fell, beyond)
 
 
 def tried(course: Course) -> Iterator[TriedPush]:
@@ -186,14 +241,23 @@ def tried(course: Course) -> Iterator[TriedPush]:
     planned = law.nonlinear is not None and isinstance(law.nonlinear.part, Splitting)
     channels = (*PITCH, RESIDUAL) if planned else PITCH
     slopes, volts = course.robot.conditions.slopes, batteries(course.robot, course.kit)
-    changes = {} if volts is None else {"battery.voltage": volts}
-    for name, push in standard_pushes(course.robot).items():
+    parameters = parameters_of(course.robots)
+    for kind in range(PUSHES):
         for slope, (i, battery) in product(slopes, enumerate(BATTERIES)):
-            changed = {key: [values[i]] for key, values in changes.items()}
+            voltage = None if volts is None else volts[i]
+            name, standard = list(standard_pushes(course.robot, course.kit, voltage, slope).items())[kind]
+            changed = {} if voltage is None else {"battery.voltage": [voltage]}
             sloped = replace(course, slope=slope)
-            rows = list(_runs(sloped, course.robots, push, number, changed, course.controller, channels))
+            rows = list(_runs(sloped, course.robots, standard.push, number, changed, course.controller, channels))
             called = f"{name}, slope {math.degrees(slope):+.1f}°" if slope else name
-            yield TriedPush(_trial(called, battery, rows, parameters_of(course.robots), law.period), push, rows)
+            fell, beyond = np.concatenate([row.fell for row in rows]), np.zeros(len(parameters), dtype=np.bool_)
+            able = means(course.robot, course.kit, voltage)
+            beyond[fell] = ~recoverable(parameters[fell], able, standard.push, slope, course.threads)
+            trial = replace(
+                _trial(called, battery, rows, parameters, law.period), size=standard.size, beyond=int(beyond.sum()),
+                bound=standard.bound if math.isfinite(standard.bound) else None,
+            )  # fmt: skip
+            yield TriedPush(trial, standard.push, rows, beyond)
             number += 1
 
 
@@ -228,8 +292,8 @@ def _periods(course: Course) -> list[float]:
 def _swept(course: Course, value: float, changes: Mapping[str, Any], controller: KernelController) -> Swept:
     some = course.robots[:SWEPT]
     fell = runs = 0
-    for row, push in enumerate(standard_pushes(course.robot).values()):
-        for result in _runs(course, some, push, row, changes, controller):
+    for row, standard in enumerate(standard_pushes(course.robot, course.kit).values()):
+        for result in _runs(course, some, standard.push, row, changes, controller):
             fell, runs = fell + int(result.fell.sum()), runs + len(result.fell)
     return Swept(value, runs, fell)
 

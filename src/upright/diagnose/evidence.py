@@ -302,7 +302,7 @@ def _match(
 
 
 def _stable(controller: Controller, robot: Robot, kit: Kit) -> bool | None:
-    from upright.certify.certificate import linear_margins
+    from upright.certify.verdict import linear_margins
 
     try:
         margins: Any = linear_margins(controller, robot, kit)

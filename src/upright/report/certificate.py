@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from upright.certify.certificate import GREEN, MOST_FALLS, RED, Certificate, LinearMargins
-from upright.certify.checks import Swept
+from upright.certify.agreement import RED
+from upright.certify.certificate import Certificate
+from upright.certify.checks import HELD, KNOCKED, Swept
+from upright.certify.verdict import GREEN, MOST_FALLS, LinearMargins
 from upright.plotting import line, number, panels
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
@@ -19,8 +21,11 @@ HEADINGS = {GREEN: "{0} may drive {1}", RED: "{0} must not drive {1}"}
 def page_of(certificate: Certificate) -> Page:
     """The certificate's page, not yet written."""
     verdict = Verdict(f"{certificate.light} light", LEVEL.get(certificate.light, "info"))
-    sections = [
-        Section("Reasons", [sentence(reason) for reason in certificate.reasons]),
+    sections = [Section("Reasons", [sentence(reason) for reason in certificate.reasons])]
+    if certificate.narrowing:
+        learn = [sentence(str(certificate.narrowing)), *certificate.narrowing.ways(certificate.robot)]
+        sections.append(Section("What would have to be known better", learn))
+    sections += [
         Section("Pushes", [_intro(certificate), _trials(certificate)]),
     ]
     if certificate.linear:
@@ -35,6 +40,8 @@ def page_of(certificate: Certificate) -> Page:
         f"{c.fell} of {c.samples} robots drawn from the uncertainty of {c.robot} fell in at least one trial: with 95 % "
     )
     lead += f"confidence at most {number(100 * c.bound, 2)} % of such robots fall. The limit is {100 * MOST_FALLS:g} %."
+    if c.beyond:
+        lead += f" No controller could save {c.beyond} of the {c.fell} that fell."
     title = HEADINGS.get(c.light, "{0} may drive {1}, with reservations").format(c.controller, c.robot)
     return Page(
         title, sections, lead, facts, False, verdict=verdict,
@@ -69,7 +76,9 @@ def _intro(c: Certificate) -> str:
     )
     return (
         f"{c.samples} robots drawn from the uncertainty of {c.robot}, in the nonlinear model with kit {c.kit}. "
-        f"{c.fell} fell in at least one trial: with 95 % confidence the probability is below {100 * c.bound:.2g} %. "
+        f"Of the largest hold that any controller could survive with that battery {100 * HELD:g} % are tried, of the "
+        f"largest knock {100 * KNOCKED:g} %. {c.fell} fell in at least one trial: with 95 % confidence the "
+        f"probability is below {100 * c.bound:.2g} %. "
         f"The last four columns are 95 % quantiles of the robots that stood.{last}"
     )
 
@@ -81,11 +90,24 @@ def _trials(c: Certificate) -> Table:
             t.battery,
             t.runs,
             t.fell,
+            t.beyond,
+            t.bound,
             *([100 * t.saturated, t.travel, t.peak, t.cycle] if t.fell < t.runs else [None] * 4),
         ]
         for t in c.trials
     ]
-    header = ["push", "battery", "robots", "fell", "saturated [%]", "travel [m]", "peak pitch [rad]", "sway [rad]"]
+    header = [
+        "push",
+        "battery",
+        "robots",
+        "fell",
+        "beyond any",
+        "any survives",
+        "saturated [%]",
+        "travel [m]",
+        "peak pitch [rad]",
+        "sway [rad]",
+    ]
     return Table(header, rows, "Standard pushes with full and low battery", 3)
 
 

@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.atomic import finite
-from upright.certify.certificate import LinearMargins, judge
-from upright.certify.checks import KNOCK_DURATION, SECONDS, Course, PushTrial, kernel_controller, tried
+from upright.certify.checks import SECONDS, Course, PushTrial, kernel_controller, tried
+from upright.certify.recovery import KNOCK_DURATION
+from upright.certify.verdict import LinearMargins, judge
 from upright.control.controller import Controller
 from upright.fleet.ensemble import release
 from upright.kernel.batch import FleetBatch, parameters_of
@@ -34,12 +35,13 @@ STREAMS = 2
 
 @dataclass(frozen=True)
 class Runs:
-    """The standard pushes on a fleet: its `trials`, how many robots `fell` in any of them, the fraction of the time
-    `down` that the runs of fallen robots lack [1], and the means of those that stood: `settling` [s] after the last
-    push, `effort` [V² s, or N² m² s]."""
+    """The standard pushes on a fleet: its `trials`, how many robots `fell` in any of them and how many of these no
+    controller could save (`beyond`), the fraction of the time `down` that the runs of fallen robots lack [1], and the
+    means of those that stood: `settling` [s] after the last push, `effort` [V² s, or N² m² s]."""
 
     trials: tuple[PushTrial, ...]
     fell: int
+    beyond: int
     down: float
     settling: float
     effort: float
@@ -47,11 +49,13 @@ class Runs:
 
 def pushed(course: Course) -> Runs:
     """The standard pushes at every battery on all robots of `course`. A robot that never settles counts to the end."""
-    fell, trials = np.zeros(len(course.robots), dtype=np.bool_), list[PushTrial]()
+    fell, beyond = (np.zeros(len(course.robots), dtype=np.bool_) for _ in range(2))
+    trials = list[PushTrial]()
     lived, settling, effort = list[float](), list[Array](), list[Array]()
     for one in tried(course):
         trials.append(one.trial)
         fell |= one.fell
+        beyond |= one.beyond
         end = release(one.push)
         for row in one.rows:
             stood = ~row.fell
@@ -60,7 +64,12 @@ def pushed(course: Course) -> Runs:
             effort.append(np.asarray(row.effort[stood], dtype=np.float64))
     count = len(trials) * len(course.robots)
     return Runs(
-        tuple(trials), int(fell.sum()), 1 - sum(lived) / (SECONDS * count), _mean(settling, SECONDS), _mean(effort, 0.0)
+        tuple(trials),
+        int(fell.sum()),
+        int(beyond.sum()),
+        1 - sum(lived) / (SECONDS * count),
+        _mean(settling, SECONDS),
+        _mean(effort, 0.0),
     )
 
 
@@ -164,7 +173,7 @@ def figures(
     robots = draw(robot, samples, seed)
     course = Course(kernel_controller(controller, robot, kit), robot, robots, kit, seed, threads)
     runs = pushed(course)
-    light, reasons = judge(samples, runs.fell, linear, runs.trials, controller.spec.period)
+    light, reasons = judge(samples, runs.fell, linear, runs.trials, controller.spec.period, beyond=runs.beyond)
     return Figures(
         samples=samples, fell=runs.fell, knock=knock(course), settling=runs.settling, effort=runs.effort,
         saturated=max(t.saturated for t in runs.trials), travel=max(t.travel for t in runs.trials),

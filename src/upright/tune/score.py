@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.certify.analysis import INPUTS, LATEST, delayed_kit
-from upright.certify.certificate import MOST_CYCLE, MOST_SATURATED, MOST_TRAVEL, LinearMargins
 from upright.certify.checks import Course, kernel_controller
 from upright.certify.loop import Loop, commanded, robot_loop
 from upright.certify.margins import ScalarResponse, broken_at
+from upright.certify.verdict import MOST_CYCLE, MOST_SATURATED, MOST_TRAVEL, LinearMargins
 from upright.control.controller import Controller
 from upright.control.delay import MOST_PERIODS, sampled
 from upright.control.methods import Method

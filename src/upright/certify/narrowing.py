@@ -1,0 +1,132 @@
+"""Which of a robot's numbers would have to be known better for a red light to turn, by how much, and what tells them.
+
+Parameters are ranked by the fraction that would fall if each were known twice as well, from the same runs by importance
+weights (Owen 2013, chapter 9). The answer is then tried on further robots.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.certify.checks import Course, trials
+from upright.certify.verdict import CONFIDENCE, MOST_FALLS
+from upright.fleet.binomial import upper_bound
+from upright.kernel.batch import NAMES, parameters_of
+from upright.robots.robot import PARAMETERS
+from upright.robots.uncertainty import Spread, Uncertainty, draw
+
+Array = NDArray[np.float64]
+
+TRIED = 300  # robots: without a fall they bound it to 1 %
+FACTORS = (0.1, 0.2, 0.35, 0.5, 0.7)
+"""How well a number may have to be known, over how well it is: a tenth is what a good calibration reaches."""
+MOST_NAMES = 3
+WEIGHED = ("wheel_mass", "body_mass")
+MEASURED = ("wheel_radius", "track", "body_depth", "body_height")
+
+
+@dataclass(frozen=True)
+class NeededSpread:
+    """The deviation of a parameter as it is, `spread`, and the one that is `needed`, both in its `unit`."""
+
+    name: str
+    unit: str
+    spread: float
+    needed: float
+
+    def __str__(self) -> str:
+        return f"{self.name} to ±{self.needed:.2g} {self.unit} (now ±{self.spread:.2g})"
+
+
+@dataclass(frozen=True)
+class Narrowing:
+    """If the parameters of `spreads` were known as said, `fell` of `runs` robots would fall. Without any the light
+    would stay red, and `everything` says that it would even with every parameter known ten times as well."""
+
+    spreads: tuple[NeededSpread, ...]
+    runs: int
+    fell: int
+    everything: bool = False
+
+    def __str__(self) -> str:
+        if self.everything:
+            return (f"known ten times as well in every parameter, {self.fell} of {self.runs} robots would still fall: "
+                    "it is not the spreads")  # fmt: skip
+        if not self.spreads:
+            return f"no {MOST_NAMES} parameters decide: the robot has to be known better in more of them"
+        names = " and ".join(map(str, self.spreads))
+        return f"it would not be red if you knew {names}: then {self.fell} of {self.runs} robots fall"
+
+    def ways(self, robot: str) -> tuple[str, ...]:
+        """What tells these parameters, a sentence each."""
+        names = [spread.name for spread in self.spreads]
+        weighed, measured = ([n for n in names if n in some] for some in (WEIGHED, MEASURED))
+        logged = [n for n in names if n not in (*WEIGHED, *MEASURED)]
+        ways = [f"A scale tells {' and '.join(weighed)}."] if weighed else []
+        ways += [f"A ruler tells {' and '.join(measured)}."] if measured else []
+        if logged:
+            plan = f"upright excite --robot {robot} --focus {','.join(logged)} -o plan.json"
+            ways.append(f"A run tells {' and '.join(logged)}: {plan}, then upright calibrate on its log.")
+        return tuple(ways)
+
+
+def narrowing(course: Course, unknown: Uncertainty, fell: NDArray[np.bool_]) -> Narrowing:
+    """What would have to be known of the robot of `course`, `fell` (n,) of whose robots, drawn from `unknown`, fell."""
+
+    def falls(factors: dict[str, float]) -> int:
+        spreads = tuple(s.scaled(factors.get(s.name, 1.0)) for s in unknown.spreads)
+        known = Uncertainty(spreads, unknown.correlation)
+        robots = draw(course.robot, TRIED, course.seed + 1, known)
+        return int(trials(replace(course, robots=robots, progress=None)).fell.sum())
+
+    every = dict.fromkeys((s.name for s in unknown.spreads), FACTORS[0])
+    if red(most := falls(every)):
+        return Narrowing((), TRIED, most, everything=True)
+    ranked = [s for s in ranking(unknown, parameters_of(course.robots), fell) if s.name in PARAMETERS]
+    for count in range(1, min(MOST_NAMES, len(ranked)) + 1):
+        chosen, least = ranked[:count], 0
+        answer = None
+        for factor in FACTORS:
+            least = falls(dict.fromkeys((s.name for s in chosen), factor))
+            if red(least):
+                break
+            answer = Narrowing(tuple(_needed(s, factor) for s in chosen), TRIED, least)
+        if answer:
+            return answer
+    return Narrowing((), TRIED, most)
+
+
+def red(fell: int, runs: int = TRIED) -> bool:
+    """Whether so many falls make a light red."""
+    return upper_bound(fell, runs, CONFIDENCE) > MOST_FALLS
+
+
+def ranking(unknown: Uncertainty, parameters: Array, fell: NDArray[np.bool_]) -> Sequence[Spread]:
+    """The spreads, first the one by which the fraction that falls sinks most where it is known twice as well."""
+    rest: dict[str, float] = {}
+    for spread in (s for s in unknown.spreads if s.name in NAMES and s.high != s.low * (s.kind == "uniform")):
+        z = _quantile(spread, parameters[:, NAMES.index(spread.name)])
+        weights = 2 * np.exp(-1.5 * z**2)  # N(z; 0, 1/2) / N(z; 0, 1)
+        rest[spread.name] = float(weights @ fell / weights.sum())
+    return sorted((s for s in unknown.spreads if s.name in rest), key=lambda s: rest[s.name])
+
+
+def _quantile(spread: Spread, values: Array) -> Array:
+    """The standard normal z (n,) of the values: the inverse of `Spread.at`."""
+    if spread.kind == "normal":
+        return (values - spread.low) / spread.high
+    if spread.kind == "lognormal":
+        return np.log(values / spread.low) / spread.high
+    from scipy.special import ndtri
+
+    return np.clip(ndtri((values - spread.low) / (spread.high - spread.low)), -4.0, 4.0)
+
+
+def _needed(spread: Spread, factor: float) -> NeededSpread:
+    size = {"normal": spread.high, "lognormal": spread.high * spread.low}.get(spread.kind)
+    deviation = (spread.high - spread.low) / 12**0.5 if size is None else size
+    return NeededSpread(spread.name, PARAMETERS[spread.name][0], deviation, factor * deviation)

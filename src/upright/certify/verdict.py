@@ -1,0 +1,155 @@
+"""The light of a certificate, and its reasons in words and numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from upright.certify.agreement import AMBER, RED, Agreement, disagreements
+from upright.certify.analysis import loop_margins
+from upright.certify.checks import PushTrial
+from upright.certify.loop import robot_loop
+from upright.certify.support import Support, contradictions
+from upright.control.controller import Controller
+from upright.errors import InvalidController
+from upright.fleet.binomial import upper_bound
+from upright.robots import Kit, Robot
+
+GREEN = "green"
+
+CONFIDENCE = 0.95
+MOST_FALLS = 0.05  # red above: with one such robot in twenty, a class of students breaks one
+LEAST_GAIN = 0.04  # amber below: copper that warms by 10 K takes 4 % of the motor's gain
+LEAST_DELAY = 0.25  # [periods] amber below: a loop that runs in time still jitters by a tenth or two of its period
+MOST_SATURATED = 0.25  # amber above: a motor at its end this often is no longer the one the design assumed
+MOST_TRAVEL = 1.0  # [m] amber above: it leaves the table
+MOST_CYCLE = 0.1  # [rad] amber above: at rest it sways as far as the paper's pushes lean it
+
+
+@dataclass(frozen=True)
+class LinearMargins:
+    """The nominal loop: its largest |pole| `radius`, and the smallest margins of all places where it can be broken.
+
+    It stays stable for gain factors from `gain_low` to `gain_high` [1], and for up to `delay` [s] of further delay, at
+    any one motor or reading, or at both motors. The last three names say where each of these is the smallest; older
+    certificates, which looked at both motors only, leave them empty.
+    """
+
+    radius: float
+    gain_low: float
+    gain_high: float
+    delay: float
+    low_at: str = ""
+    high_at: str = ""
+    delay_at: str = ""
+
+    @property
+    def stable(self) -> bool:
+        """Whether the nominal loop is."""
+        return self.radius < 1
+
+
+def linear_margins(controller: Controller, robot: Robot, kit: Kit) -> LinearMargins | None:
+    """The nominal loop's near rest, zero where it is unstable; None where nothing linear is known of the controller."""
+    try:
+        loop = robot_loop(robot, controller, kit)
+    except InvalidController:
+        return None
+    radius = float(np.abs(loop.closed.poles()).max())
+    if radius >= 1:
+        return LinearMargins(radius, 1.0, 1.0, 0.0)
+    every = loop_margins(robot, controller, kit, peaks=False)
+    low, high = max(every, key=lambda m: m.gain_low), min(every, key=lambda m: m.gain_high)
+    first = min(every, key=lambda m: m.delay)
+    at = (low.channel, high.channel, first.channel)
+    return LinearMargins(radius, low.gain_low, high.gain_high, first.delay, *at)
+
+
+def judge(
+    samples: int,
+    fell: int,
+    linear: LinearMargins | None,
+    runs: Sequence[PushTrial],
+    period: float,
+    compared: Sequence[Agreement] = (),
+    support: Sequence[Support] = (),
+    *,
+    beyond: int = 0,
+) -> tuple[str, tuple[str, ...]]:
+    """The light and its one or two reasons, the gravest first. No controller could save `beyond` of those that fell."""
+    if (
+        red := _falls(samples, fell, beyond, runs)
+        + (_unstable(linear) if linear else [])
+        + disagreements(compared, RED)
+    ):
+        return RED, tuple(red[:2])
+    thin = _thin(linear, period) if linear else []
+    if amber := disagreements(compared, AMBER) + contradictions(support) + thin + _laborious(runs):
+        return AMBER, tuple(amber[:2])
+    chance = _per_cent(upper_bound(fell, samples, CONFIDENCE))
+    message = f"{fell} of {samples} robots fell: the probability of a fall is below {chance}"
+    if linear is None:
+        return GREEN, (message, "no linear margins are known")
+    delay = "any delay" if math.isinf(linear.delay) else f"{linear.delay * 1e3:.1f} ms more delay"
+    return GREEN, (message, f"stable with {delay}{_place(linear.delay_at)}")
+
+
+def _falls(samples: int, fell: int, beyond: int, runs: Sequence[PushTrial]) -> list[str]:
+    bound = upper_bound(fell, samples, CONFIDENCE)
+    if bound <= MOST_FALLS:
+        return []
+    worst = max(runs, key=lambda t: t.fell)
+    where = f", {worst.fell} of them after a {worst.push} at {worst.battery} battery" if fell else ""
+    message = f"the probability of a fall may be {_per_cent(bound)}, more than {100 * MOST_FALLS:g} %"
+    fallen = f"{fell} of {samples} robots fell{where}: {message}"
+    if beyond <= MOST_FALLS * samples:
+        return [fallen]
+    hardest = max(runs, key=lambda t: t.beyond)
+    return [f"no controller could: {beyond} of {samples} robots have motors too weak, {hardest.beyond} of them for a "
+            f"{hardest.push} at {hardest.battery} battery", fallen]  # fmt: skip
+
+
+def _unstable(linear: LinearMargins) -> list[str]:
+    return [] if linear.stable else [f"the nominal loop is unstable, with a pole at |z| = {linear.radius:.4f}"]
+
+
+def _thin(linear: LinearMargins, period: float) -> list[str]:
+    up, down = linear.gain_high - 1, 1 - linear.gain_low
+    slack, way, at = (up, "stronger", linear.high_at) if up < down else (down, "weaker", linear.low_at)
+    changed = (
+        f"a signal {100 * slack:.1f} % {way}{_place(at)} makes" if at else f"motors {100 * slack:.1f} % {way} make"
+    )
+    thin = [f"{changed} the loop unstable"] if slack < LEAST_GAIN else []
+    if linear.delay >= LEAST_DELAY * period:
+        return thin
+    more = f"{linear.delay * 1e3:.1f} ms more delay{_place(linear.delay_at)}"
+    return [*thin, f"{more} ({linear.delay / period:.2f} of a period) make the loop unstable"]
+
+
+def _place(channel: str) -> str:
+    return f" at {'' if channel in ('both motors', 'steering') else 'the '}{channel}" if channel else ""
+
+
+def _laborious(runs: Sequence[PushTrial]) -> list[str]:
+    limits = {"saturated": MOST_SATURATED, "travel": MOST_TRAVEL, "cycle": MOST_CYCLE}
+    words = {
+        "saturated": "a motor is at its limit for {:.0%} of the time",
+        "travel": "the robot rolls {:.2f} m away",
+        "cycle": "at rest the robot sways by ±{:.2f} rad",
+    }
+    reasons: list[str] = []
+    for name, limit in limits.items():
+        worst = max(runs, key=lambda t: getattr(t, name))
+        if getattr(worst, name) > limit:
+            reasons.append(
+                f"{words[name].format(getattr(worst, name))} after a {worst.push} at {worst.battery} battery"
+            )
+    return reasons
+
+
+def _per_cent(probability: float) -> str:
+    """Two significant digits."""
+    return f"{100 * probability:.2g} %" if probability < 0.1 else f"{100 * probability:.0f} %"
