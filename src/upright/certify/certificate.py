@@ -229,8 +229,6 @@ def certify(
     light, reasons = judge(len(family), fell, linear, runs, period, compared, shown, beyond=hopeless)
     spreads = unknown or Uncertainty.of(nominal)
     examined = sweeps and robots is None and not course.controller.called and red(fell, len(family))
-    if progress:
-        progress(1.0)
     who = identity(design)
     return Certificate(
         light=light, reasons=reasons, bound=upper_bound(fell, len(family), CONFIDENCE), robot=nominal.name,

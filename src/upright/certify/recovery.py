@@ -49,9 +49,9 @@ def means(robot: Robot, kit: Kit, battery: float | None = None) -> Means:
     kit's period and dead time, and the delay of the fastest sensor that sees a push."""
     full = kit.battery.voltage if battery is None else battery
     volts = full / (1 + 2 * kit.battery.sag) if robot.command_unit == "V" else math.inf
-    seen = [sensor.delay for name, sensor in kit.sensors.items() if name in SEEING]
+    delays = [sensor.delay for name, sensor in kit.sensors.items() if name in SEEING]
     strength = (kit.motor.left + kit.motor.right) / 2
-    wait = kit.period + kit.delay + min(seen, default=0.0)
+    wait = kit.period + kit.delay + min(delays, default=0.0)
     return Means(min(kit.motor.limit, volts) * strength, math.floor(wait / STEP + 1e-6) * STEP)
 
 
