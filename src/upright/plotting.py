@@ -25,7 +25,7 @@ from matplotlib.ticker import Formatter, FuncFormatter, LogFormatter, MaxNLocato
 from numpy.typing import ArrayLike, NDArray
 
 from upright.errors import InvalidLog
-from upright.tables import power_of_ten
+from upright.tables import power_of_ten, spoken
 
 Array = NDArray[np.float64]
 P = ParamSpec("P")
@@ -209,7 +209,7 @@ def rows_of(names: Sequence[str], x_label: str, y_label: str) -> tuple[Figure, A
     total = HEAD + (height := 0.24 * max(len(names), 2)) + FOOT
     figure = _figure(WIDTH, total)
     ax = _axes(figure, (left / WIDTH, FOOT / total, (WIDTH - left - RIGHT) / WIDTH, height / total))
-    texts = [name.replace("_", " ").replace("-0", "−0") for name in names]
+    texts = [spoken(name).replace("-0", "−0") for name in names]
     ax.set(yticks=range(len(names)), yticklabels=texts, ylabel=y_label, ylim=(len(names) - 0.4, -0.6))
     ax.set_xlabel(x_label, loc="right")
     ax.grid(visible=False, axis="y")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 import unicodedata
 from collections.abc import Collection, Sequence
@@ -80,6 +81,22 @@ def _wrapped_line(line: str, width: int) -> str:
 def sentence(text: str, end: str = ".") -> str:
     """`text` with its first letter upper, and with an `end`."""
     return f"{text[:1].upper()}{text[1:]}{end}"
+
+
+SPOKEN = {
+    "com_height": "centre of mass height", "asymmetry": "motor asymmetry", "constant_command": "command offset",
+    "coulomb_friction": "Coulomb friction",
+}  # fmt: skip
+"""Names of numbers that need other words, for readers."""
+
+
+def spoken(name: str) -> str:
+    """The name of a parameter in words: "com_height" as centre of mass height, "delay/gyro" as gyro delay."""
+    match = re.fullmatch(r"(?:[a-z_]+\.)*([a-z_]+)(?:/(.+))?", name)
+    if not match:
+        return name.replace("_", " ")
+    kind, of = match[1], (match[2] or "").replace("_", " ")
+    return f"{of} {kind}" if of else SPOKEN.get(kind, kind.replace("_", " "))
 
 
 def superscript(number: int) -> str:

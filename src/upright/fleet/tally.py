@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from upright.fleet.binomial import Interval, clopper_pearson
 from upright.fleet.ensemble import OUTCOMES
-from upright.tables import Listing, Shown
+from upright.tables import Listing, Shown, spoken
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -69,25 +69,50 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         """The outcomes of a table, as far as this campaign keeps them."""
         return [name for name in ("peak_pitch", "settling", "effort") if any(name in c.outcomes for c in self)]
 
+    def varied(self) -> dict[str, list[str | float]]:
+        """The labels that differ between the cases, each with its values."""
+        labels = {name: [case.labels.get(name, "") for case in self] for case in self for name in case.labels}
+        return {name: kept for name, values in labels.items() if len(kept := list(dict.fromkeys(values))) > 1}
+
     def names(self) -> list[str]:
         """What tells each case from the others."""
-        labels = {name: {case.labels.get(name) for case in self} for case in self for name in case.labels}
-        differ = [name for name, values in labels.items() if len(values) > 1] or list(labels)
-        return [", ".join(_short(case.labels.get(name, "")) for name in differ) for case in self]
+        differ = list(self.varied()) or list(dict.fromkeys(name for case in self for name in case.labels))
+        return [", ".join(labelled(name, case.labels.get(name, "")) for name in differ) for case in self]
+
+    def effects(self) -> dict[str, dict[str | float, Interval]]:
+        """For each label that differs the fraction that fell at each of its values, in all cases together, with its
+        95 % interval; the label with the largest effect first."""
+        effects: dict[str, dict[str | float, Interval]] = {}
+        for name, values in self.varied().items():
+            groups = {v: [c for c in self.worst_first() if c.labels.get(name, "") == v] for v in values}
+            effects[name] = {
+                v: clopper_pearson(sum(c.fell or 0 for c in cases), sum(c.n for c in cases))
+                for v, cases in groups.items() if cases
+            }  # fmt: skip
+        return dict(sorted(effects.items(), key=lambda item: -_reach(item[1])))
 
     def worst_first(self) -> list[CaseSummary]:
         """The cases whose falls are counted, the largest fraction that fell first."""
         return sorted((c for c in self if c.fell is not None), key=lambda c: -(c.fell or 0) / c.n)
 
     def plot(self) -> Figure:
-        """The fraction that fell in each case [%] with its 95 % interval, the `DRAWN` worst first."""
-        from upright.plotting import intervals, legend
+        """The fraction that fell in each case [%] with its 95 % interval, the `DRAWN` worst first; the label with the
+        largest effect has the colours."""
+        from upright.plotting import COLOURS, legend, rows_of
 
-        names, worst = self.names(), self.worst_first()[:DRAWN]
+        names, worst, effects = self.names(), self.worst_first()[:DRAWN], self.effects()
         chances = [c.chance or Interval(np.nan, np.nan, np.nan) for c in worst]
-        rows = [names[self.index(case)] for case in worst]
-        percent = 100 * np.array([(c.value, c.low, c.high) for c in chances]).reshape(-1, 3)
-        return legend(intervals(rows, percent[:, 0], percent[:, 1:], "robots that fell [%]", "case"))
+        figure, ax = rows_of([names[self.index(case)] for case in worst], "robots that fell [%]", "case")
+        percent = 100 * np.array(chances).reshape(-1, 3)
+        first, levels = next(iter(effects.items()), ("", {}))
+        marks = [case.labels.get(first, "") for case in worst]
+        for k, level in enumerate(levels if 1 < len(levels) < len(COLOURS) else [None]):
+            rows = np.array([i for i, mark in enumerate(marks) if level is None or mark == level], dtype=int)
+            name = "estimate and 95 % interval" if level is None else labelled(first, level)
+            ax.hlines(rows, percent[rows, 1], percent[rows, 2], linewidth=2.5, color=COLOURS[k])
+            ax.plot(percent[rows, 0], rows, "o", markersize=6, color=COLOURS[k], label=name)
+        ax.set_xlim(0, max(1.0, 1.1 * float(np.nanmax(percent, initial=0.0))))
+        return legend(figure)
 
     def listing(self) -> Listing:
         """All cases, one row each."""
@@ -111,6 +136,16 @@ class Cases(Shown, tuple[CaseSummary, ...]):
 
 
 DRAWN = 40  # cases at most in a figure
+
+
+def labelled(name: str, value: str | float) -> str:
+    """A label of a case in words; the name of a controller or a robot speaks for itself."""
+    return value if isinstance(value, str) else f"{spoken(name)} {_short(value)}"
+
+
+def _reach(levels: Mapping[str | float, Interval]) -> float:
+    values = [chance.value for chance in levels.values()]
+    return max(values) - min(values) if values else 0.0
 
 
 def _short(value: Any) -> str:

@@ -65,14 +65,19 @@ class MethodComparison(Shown):
         }  # fmt: skip
 
     def plot(self) -> Figure:
-        """The unstable pole of each method with its 95 % interval, and the true pole where it is known."""
-        from upright.plotting import intervals, legend
+        """The unstable pole of each method with its 95 % interval, in a colour that says whether its regulator holds
+        the robot, and the true pole where it is known."""
+        from upright.plotting import AXIS, COLOURS, legend, rows_of
 
-        poles = [m.pole for m in self.models.values()]
-        ends = [(p.low, p.high) for p in poles]
-        figure = intervals(list(self.models), [p.value for p in poles], ends, "unstable pole [1/s]", "method")
+        figure, ax = rows_of(list(self.models), "unstable pole [1/s]", "method")
         if math.isfinite(self.true_pole):
-            figure.axes[0].axvline(self.true_pole, linestyle="--", color="grey", label="true pole")
+            ax.axvline(self.true_pole, linestyle="--", linewidth=1, color=AXIS, label="true pole", zorder=1)
+        for name, holds, colour in (("holds the robot", True, COLOURS[2]), ("does not", False, COLOURS[1])):
+            rows = [k for k, n in enumerate(self.models) if (n not in self.trials or self.trials[n].holds) == holds]
+            poles = [m.pole for k, m in enumerate(self.models.values()) if k in rows]
+            ax.hlines(rows, [p.low for p in poles], [p.high for p in poles], linewidth=2.5, color=colour)
+            mark = "o" if holds else "x"
+            ax.plot([p.value for p in poles], rows, mark, markersize=7, color=colour, label=f"its regulator {name}")
         return legend(figure)
 
     def __str__(self) -> str:

@@ -9,9 +9,11 @@ from upright.calibrate.calibration import VERDICTS, VISIBLE, Calibration, Estima
 from upright.plotting import legend, line, panels
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
-from upright.tables import sentence
+from upright.tables import sentence, spoken
+from upright.validate.validation import GOOD
 
-ROUGH = 0.5  # of a value: a wider interval on either side is called rough
+CLOSE = 0.25  # of a value: the half width of an interval up to which it counts as measured
+GIVEN = 6  # values at most on the first screen
 STRONG = 0.9
 """Correlations from this size up are listed: only the prior separates such pairs."""
 
@@ -19,12 +21,11 @@ STRONG = 0.9
 def page_of(calibration: Calibration) -> Page:
     """The calibration's page, not yet written."""
     wrong = calibration.check()
-    verdict = Verdict("predicts the log", "good") if not wrong else Verdict(f"{len(wrong)} reservations", "warn")
     others = (*calibration.delays, *calibration.electronics)
     sections = [
         *([Section("Reservations", [_sentence(text) for text in wrong])] if wrong else []),
-        Section("Estimates", [*calibration.notes, *_by_name(calibration), _estimates(calibration.parameters)]),
-        Section("Prediction", [_PREDICTED, *_predicted(calibration)]),
+        Section("Prediction", [*_measured(calibration), _PREDICTED, *_predicted(calibration)]),
+        Section("Estimates", [*calibration.notes, _estimates(calibration.parameters)]),
         *([Section("Delays and motors", [_DELAYS, _estimates(others)], folded=True)] if others else []),
         Section("Coefficients of the motion", [_COMBINED, _estimates(calibration.combinations)], folded=True),
         Section("What the log does not determine", _undetermined(calibration), folded=True),
@@ -37,18 +38,42 @@ def page_of(calibration: Calibration) -> Page:
         "logs": ", ".join(calibration.sources),
     }
     return Page(
-        _title(calibration), sections, _lead(calibration), kept, False, verdict=verdict,
-        picture=_measured(calibration), numbers=_numbers(calibration),
+        _title(calibration), sections, _lead(calibration), kept, False, verdict=_verdict(calibration),
+        picture=_by_name(calibration), numbers=_numbers(calibration),
     )  # fmt: skip
+
+
+def _verdict(c: Calibration) -> Verdict:
+    """Two questions: whether the model follows the log, and whether most parameters come from the log."""
+    wrong, kept = c.check(), sum(e.verdict != VISIBLE for e in c.parameters)
+    if c.refused:
+        return Verdict("refused", "bad")
+    if wrong:
+        return Verdict(f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}", "warn")
+    rest = f"; {kept} of {len(c.parameters)} values are still those of the file" if kept else ""
+    return Verdict(f"predicts the log{rest}", "warn" if 2 * kept > len(c.parameters) else "good")
 
 
 def _title(c: Calibration) -> str:
     if c.refused:
         return f"The log does not describe {c.robot.name}"
-    visible = sum(e.verdict == VISIBLE for e in c.parameters)
-    known = f"{visible} of {len(c.parameters)} parameters are known from it"
-    does = "follows its log only in part" if c.check() else "predicts its log"
-    return f"{c.robot.name} {does}; {known}"
+    measured, bounded, rough = (len(group) for group in _groups(c))
+    known = [f"measures {measured}"] if measured else []
+    known += [f"bounds {bounded + rough}"] if bounded + rough else []
+    return f"This log {' and '.join(known) or 'measures none'} of {len(c.parameters)} parameters of {c.robot.name}"
+
+
+def _groups(c: Calibration) -> tuple[list[Estimate], list[Estimate], list[Estimate]]:
+    """What the log measures, the closest first; what it only bounds from above; and what it gives roughly."""
+    visible = sorted((e for e in c.parameters if e.verdict == VISIBLE and not c.refused), key=_width)
+    bounded = [e for e in visible if e.low * e.high <= 0 or e.low < 0.1 * e.high]
+    measured = [e for e in visible if e not in bounded and _width(e) <= CLOSE]
+    return measured, bounded, [e for e in visible if e not in bounded and e not in measured]
+
+
+def _width(e: Estimate) -> float:
+    """Half of the interval over the value."""
+    return (e.high - e.low) / max(abs(e.high + e.low), 1e-300)
 
 
 def _sentence(text: str) -> str:
@@ -56,33 +81,47 @@ def _sentence(text: str) -> str:
 
 
 def _numbers(c: Calibration) -> list[tuple[str, str]]:
-    pole = c["unstable_pole"]
-    worst = [(n, v) for n, v in c.segments.items() if n.startswith("sensor/")]
-    name, value = min(worst, key=lambda pair: pair[1]) if worst else ("", math.nan)
-    return [
-        (
-            f"{pole.value:.3g} 1/s",
-            f"unstable pole ({pole.low:.3g} to {pole.high:.3g}): a lean doubles in {math.log(2) / pole.value:.2g} s",
-        ),
-        (
-            cell_text(value, 3),
-            f"R² of half seconds, smallest of all sensors ({name.removeprefix('sensor/').replace('_', ' ')})",
-        ),
+    measured, bounded, rough = _groups(c)
+    numbers = [
+        (f"{_value(e)} {e.unit}", f"{spoken(e.name)}, ± {cell_text(100 * _width(e), 2)} %; before {_prior(e)}")
+        for e in (*measured, *rough)
     ]
+    numbers += [(f"≤ {cell_text(e.high, 2)} {e.unit}", f"{spoken(e.name)}; before {_prior(e)}") for e in bounded]
+    return numbers[:GIVEN]
 
 
-def _measured(c: Calibration) -> Figure | None:
+def _value(e: Estimate) -> str:
+    return cell_text(e.value, 3)
+
+
+def _prior(e: Estimate) -> str:
+    return f"{cell_text(e.prior, 3)}{', a guess' if e.guess else ''}"
+
+
+def _measured(c: Calibration) -> list[Item]:
     if not c.free:
-        return None
-    lowest = min((v for n, v in c.segments.items() if n.startswith("sensor/")), default=math.nan)
-    title = f"Measured and predicted for half a second at a time: R² is {cell_text(lowest, 3)} or more"
-    return Figure(title, c.plot_prediction(), "Each half second starts from a fitted state and gets only the commands.")
-
-
-def _by_name(c: Calibration) -> list[Item]:
-    if not any(0 < e.prior_spread < math.inf for e in c.parameters):
         return []
-    return [Figure("Estimates with their 95 % intervals, relative to the prior", c.plot())]
+    lowest, _ = _least(c)
+    title = f"Measured and predicted for half a second at a time: R² is {cell_text(lowest, 3)} or more"
+    note = "Each half second starts from a fitted state and gets only the commands."
+    return [Figure(title, c.plot_prediction(), note)]
+
+
+def _least(c: Calibration) -> tuple[float, str]:
+    """The smallest R² of half seconds, and its sensor."""
+    sensors = [(v, n.removeprefix("sensor/").replace("_", " ")) for n, v in c.segments.items() if n[:7] == "sensor/"]
+    return min(sensors, default=(math.nan, ""))
+
+
+def _by_name(c: Calibration) -> Figure | None:
+    if not any(0 < e.prior_spread < math.inf for e in c.parameters):
+        return None
+    note = (
+        "Left or right of the middle: the log moved the value. A bar as long as the shaded band: the log adds nothing."
+    )
+    return Figure(
+        "Short bars: measured by this log. Long bars: still as uncertain as in the robot's file", c.plot(), note
+    )
 
 
 def _undetermined(c: Calibration) -> list[Item]:
@@ -110,20 +149,24 @@ _INNOVATIONS = (
 
 
 def _lead(c: Calibration) -> str:
-    visible = [e for e in c.parameters if e.verdict == VISIBLE]
-    away = {e.name.replace("_", " "): (e.high - e.low) / abs(e.low + e.high) for e in visible if e.low * e.high > 0}
-    ranked = sorted(away.items(), key=lambda x: x[1])
-    known = [f"{name} to ±{cell_text(100 * part, 2)} %" for name, part in ranked if part <= ROUGH]
-    rough = [name for name, part in ranked if part > ROUGH]
-    zero = [e.name.replace("_", " ") for e in visible if e.low * e.high <= 0]
-    parts = {"Known": known, "Known roughly": rough, "Zero or little": zero}
-    sentences = [f"{how}: {', '.join(names)}." for how, names in parts.items() if names]
-    return " ".join(sentences) or f"{c.samples} samples say less of every parameter than the robot's file."
+    """How well the calibrated robot predicts, how fast it falls, and what to run next."""
+    if c.refused:
+        return sentence(c.refused[0])
+    lowest, sensor = _least(c)
+    logs = ", ".join(c.sources) or "the log"
+    text = f"{c.robot.name} was fitted to {c.seconds:.2g} s of {logs}."
+    if math.isfinite(lowest):
+        text += f" It predicts every sensor: R² at least {cell_text(lowest, 2)} ({sensor}), wanted 0.9."
+        text = text if lowest >= GOOD else text.replace("predicts every sensor", "predicts the sensors in part")
+    pole = c["unstable_pole"]
+    text += f" A lean doubles in {cell_text(1e3 * math.log(2) / pole.value, 2)} ms." if pole.value > 0 else ""
+    unknown = sum(e.verdict != VISIBLE for e in c.parameters)
+    return text + (" For more parameters, run `upright excite`, log that run, and calibrate again." if unknown else "")
 
 
 def _estimates(estimates: Sequence[Estimate]) -> Table:
     rows: list[list[Cell]] = [
-        [e.name.replace("_", " "), e.unit, e.value, _interval(e), e.prior,
+        [spoken(e.name), e.unit, e.value, _interval(e), e.prior,
          e.prior_spread, e.verdict]
         for e in estimates
     ]  # fmt: skip

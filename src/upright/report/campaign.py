@@ -1,42 +1,111 @@
-"""The page of a campaign's `Cases`: the fraction that fell in each, the worst first, and the table of all outcomes."""
+"""The page of a campaign's `Cases`: what makes a difference to the fraction that falls, and all outcomes."""
 
 from __future__ import annotations
 
-from upright.fleet.ensemble import OUTCOMES
-from upright.fleet.tally import Cases
+import math
+
+from upright.certify.certificate import MOST_FALLS
+from upright.fleet.binomial import clopper_pearson
+from upright.fleet.tally import Cases, labelled
 from upright.plotting import number
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict
+from upright.tables import spoken
 
 
 def page_of(cases: Cases) -> Page:
     """The campaign's page, not yet written."""
-    names, counted = cases.names(), cases.worst_first()
-    rows: list[list[Cell]] = [
-        [name, case.n, case.fell, *(case.mean(o) for o in cases.shown())]
-        for name, case in zip(names, cases, strict=True)
-    ]
-    header = [
-        "case",
-        "robots",
-        "fell",
-        *(f"{name} [{unit}]" for unit, name in map(OUTCOMES.__getitem__, cases.shown())),
-    ]
-    sections = [Section("Cases", [Table(header, rows, "Means of the robots that stood")])]
+    sections = [Section("Cases", [_table(cases)])]
+    counted = cases.worst_first()
     if not counted:
         return Page(f"{len(cases)} cases", sections, "This campaign does not keep who fell.", twin_note=False)
-    worst = counted[0]
-    chance = worst.chance
-    fallen = sum(case.fell or 0 for case in cases)
-    numbers = [(f"{fallen} of {sum(case.n for case in cases)}", "robots that fell in all cases")]
-    if chance:
-        low, high = (number(100 * end, 2) for end in (chance.low, chance.high))
-        numbers.append((f"{low} to {high} %", "95 % interval of the worst case"))
-    percent = number(100 * (worst.fell or 0) / worst.n, 3)
-    name = cases.names()[cases.index(worst)]
-    title = f"{name} falls most: {percent} % of the robots" if fallen else f"No robot fell in {len(cases)} cases"
+    fallen, all_of_them = sum(case.fell or 0 for case in counted), sum(case.n for case in counted)
     return Page(
-        title, sections, f"{len(cases)} cases of {worst.n} robots each.",
-        twin_note=False, verdict=Verdict("some fell", "warn") if fallen else Verdict("none fell", "good"),
-        picture=Figure("Robots that fell in each case, with the 95 % interval", cases.plot()), numbers=numbers,
+        _title(cases, fallen / all_of_them), sections, _lead(cases), twin_note=False,
+        verdict=falls_verdict(fallen, all_of_them), picture=Figure(_claim(cases), cases.plot()),
+        numbers=_numbers(cases, fallen, all_of_them),
     )  # fmt: skip
+
+
+def falls_verdict(fallen: int, all_of_them: int) -> Verdict:
+    """Green where none fell, red where more fall than a certificate allows."""
+    if not fallen:
+        return Verdict("none fell", "good")
+    few = clopper_pearson(fallen, all_of_them).value <= MOST_FALLS
+    return Verdict("few fell" if few else "too many fell", "warn" if few else "bad")
+
+
+def _title(cases: Cases, part: float) -> str:
+    """The label that makes a difference, or that none does."""
+    if not part:
+        return f"No robot fell in {len(cases)} cases"
+    apart = _apart(cases)
+    if not apart:
+        return f"{_percent(part)} of the robots fall, in all {len(cases)} cases about alike"
+    (name, (best, least), (worst, most)) = apart[0]
+    good, bad = labelled(name, best), labelled(name, worst)
+    return f"Fewest robots fall with {good} ({_percent(least)}), most with {bad} ({_percent(most)})"
+
+
+def _apart(cases: Cases) -> list[tuple[str, tuple[str | float, float], tuple[str | float, float]]]:
+    """The labels whose best and worst value have intervals apart, each with both values and fractions."""
+    apart: list[tuple[str, tuple[str | float, float], tuple[str | float, float]]] = []
+    for name, levels in cases.effects().items():
+        best, worst = (pick(levels, key=lambda value: levels[value].value) for pick in (min, max))
+        if levels[best].high < levels[worst].low:
+            apart.append((name, (best, levels[best].value), (worst, levels[worst].value)))
+    return apart
+
+
+def _lead(cases: Cases) -> str:
+    """What was run, and what makes no difference."""
+    sizes = sorted({case.n for case in cases})
+    robots = " and ".join(dict.fromkeys(str(case.labels.get("robot", "")) for case in cases))
+    many = f"{sizes[0]} random variations of {robots or 'the robot'}" if len(sizes) == 1 else f"variations of {robots}"
+    scenes = list(dict.fromkeys(str(case.labels.get("scenario", "")) for case in cases))
+    scene = f" in scenario {scenes[0]}" if len(scenes) == 1 and scenes[0] else ""
+    first = f"{len(cases)} cases, each with {many}{scene}."
+    apart = {name for name, *_ in _apart(cases)}
+    alike = [spoken(name) for name in cases.varied() if name not in apart]
+    second = f" No clear difference: {', '.join(alike)}." if alike else ""
+    fell = any(case.fell for case in cases)
+    return f"{first}{second}" + (" Next: `upright tune` the best controller." if fell else "")
+
+
+def _numbers(cases: Cases, fallen: int, all_of_them: int) -> list[tuple[str, str]]:
+    numbers = [(f"{_percent(fallen / all_of_them)}", f"of all robots fall; wanted: at most {100 * MOST_FALLS:g} %")]
+    if not fallen:
+        return numbers
+    name, levels = next(iter(cases.effects().items()), ("", {}))
+    ranked = sorted(levels, key=lambda v: levels[v].value)
+    for level in ranked if len(ranked) <= 2 else (ranked[0], ranked[-1]):
+        chance = levels[level]
+        within = f"{number(100 * chance.low, 3)} to {number(100 * chance.high, 3)} %"
+        numbers.append((_percent(chance.value), f"fall with {labelled(name, level)} (95 % interval {within})"))
+    return numbers
+
+
+def _claim(cases: Cases) -> str:
+    apart = [spoken(name) for name, *_ in _apart(cases)]
+    return f"Falls depend on: {', '.join(apart)}" if apart else "Robots that fell in each case, with 95 % intervals"
+
+
+def _table(cases: Cases) -> Table:
+    """A row a case; angles in degrees."""
+    kinds = {
+        "peak_pitch": ("pitch [°]", 180 / math.pi),
+        "settling": ("settles [s]", 1.0),
+        "effort": ("effort [V² s]", 1.0),
+    }
+    shown = [name for name in cases.shown() if name in kinds]
+    rows: list[list[Cell]] = []
+    for name, case in zip(cases.names(), cases, strict=True):
+        means = [(case.mean(o), kinds[o][1]) for o in shown]
+        fell = None if case.fell is None else 100 * case.fell / case.n
+        rows.append([name, fell, *(None if mean is None else factor * mean for mean, factor in means)])
+    header = ["case", "fell [%]", *(kinds[o][0] for o in shown)]
+    return Table(header, rows, "Falls, and means of the robots that stood: largest pitch, settling time, effort", 3)
+
+
+def _percent(part: float) -> str:
+    return f"{number(100 * part, 2)} %"

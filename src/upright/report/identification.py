@@ -8,6 +8,7 @@ import numpy as np
 
 from upright.identify.identified import Identified
 from upright.identify.identify import MethodComparison
+from upright.identify.judge import HELD, LoopTrial
 from upright.identify.methods import TITLES
 from upright.plotting import legend, line, numbered, panels, plane, points
 from upright.report.figure import Figure
@@ -16,8 +17,6 @@ from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_
 
 def page_of(compared: MethodComparison) -> Page:
     """The comparison's page, not yet written."""
-    holding = [name for name, trial in compared.trials.items() if trial.holds]
-    verdict = Verdict(f"{len(holding)} of {len(compared.trials)} hold the robot", "good" if holding else "warn")
     data = compared.samples
     sections = [
         Section("Regulators in closed loop", [_lead_of_loop(compared), trial_table(compared)]),
@@ -35,31 +34,46 @@ def page_of(compared: MethodComparison) -> Page:
     }
     return Page(
         _title(compared), sections, _lead(compared), facts,
-        compared.judge.made_the_log, verdict=verdict, picture=_pole_figure(compared), numbers=_numbers(compared),
+        compared.judge.made_the_log, verdict=_verdict(compared),
+        picture=_pole_figure(compared), numbers=_numbers(compared),
     )  # fmt: skip
 
 
-def _between(compared: MethodComparison) -> str:
-    poles = [m.pole.value for m in compared.models.values()]
-    ends = dict.fromkeys(cell_text(end, 3) for end in (min(poles), max(poles)))
-    return " to ".join(ends) + " 1/s" + (f" by {len(poles)} methods" if len(poles) > 1 else "")
+def _verdict(compared: MethodComparison) -> Verdict:
+    """How many regulators hold the robot: green where all, red where none do."""
+    holding, tried = len(_ranked(compared)), len(compared.trials)
+    level = "bad" if not holding else "good" if holding == tried else "warn"
+    if tried == 1:
+        return Verdict("holds the robot" if holding else "does not hold the robot", level)
+    return Verdict(f"{holding} of {tried} hold the robot", level)
 
 
 def _title(compared: MethodComparison) -> str:
-    """Whose regulator holds the robot best, or what the poles are where there is only one method."""
+    """How many models are good for a regulator, and which one is to be taken."""
     name, ranked = compared.samples.robot.name, _ranked(compared)
     if len(compared.models) < 2 or not compared.trials:
-        return f"{name}: unstable pole {_between(compared)}"
+        return f"{name}: a lean doubles in {_doubling(compared)}"
     if not ranked:
         return f"No identified model gives a regulator that holds {name}"
+    return f"{len(ranked)} of {len(compared.trials)} methods give a model that balances {name}; take {_best(compared)}"
+
+
+def _best(compared: MethodComparison) -> str:
+    """Of the methods whose regulators lean alike the one with the surest pole, since their order is chance."""
+    ranked = _ranked(compared)
     least = compared.trials[ranked[0]].largest or 0.0
     alike = [method for method in ranked if (compared.trials[method].largest or 0.0) <= ALIKE * least]
-    failing = len(compared.trials) - len(ranked)
-    lost = f"; {failing} of {len(compared.trials)} do not hold it" if failing else ""
-    return f"Best models for a regulator of {name}: {', '.join(alike)}{lost}"
+    poles = {method: compared.models[method].pole for method in alike}
+    return min(alike, key=lambda m: width if math.isfinite(width := poles[m].high - poles[m].low) else math.inf)
 
 
-ALIKE = 1.05  # times the least lean: the same to within what another seed changes
+def _doubling(compared: MethodComparison) -> str:
+    times = [1e3 * math.log(2) / m.pole.value for m in compared.models.values() if m.pole.value > 0]
+    ends = dict.fromkeys(cell_text(end, 2) for end in (min(times), max(times))) if times else {"–": None}
+    return " to ".join(ends) + " ms"
+
+
+ALIKE = 1.1  # times the least lean: the same to within what another seed changes
 
 
 def _ranked(compared: MethodComparison) -> list[str]:
@@ -77,15 +91,25 @@ def _pole_figure(compared: MethodComparison) -> Figure:
     return Figure(title + (f", and missed by {', '.join(missed)}" if missed else ""), compared.plot())
 
 
-def _numbers(compared: MethodComparison) -> list[tuple[str, str]]:
-    ranked = _ranked(compared)[:3]
-    if len(compared.models) < 2 or not ranked:
-        return [(f"{cell_text(m.pole.value, 3)} 1/s", f"unstable pole by {n}") for n, m in compared.models.items()][:3]
-    leans = {n: compared.trials[n].largest or 0.0 for n in ranked}
-    return [
-        (f"{cell_text(math.degrees(lean), 3)}°", f"largest pitch after a release, model by {n}")
-        for n, lean in leans.items()
-    ]
+def _numbers(compared: MethodComparison) -> list[tuple[str | Verdict, str]]:
+    """For each method whether its regulator holds the robot; of one method its pole and what its regulator does."""
+    if len(compared.models) < 2 or not compared.trials:
+        poles: list[tuple[str | Verdict, str]] = [
+            (f"{cell_text(m.pole.value, 3)} 1/s", f"unstable pole by {n}") for n, m in compared.models.items()
+        ]
+        return [*poles, *((_did(t), _leans(n, t)) for n, t in compared.trials.items())][:3]
+    return [(_did(trial), _leans(name, trial)) for name, trial in compared.trials.items()]
+
+
+def _did(trial: LoopTrial) -> Verdict:
+    text = "holds" if trial.holds else "no regulator" if trial.why else "falls"
+    return Verdict(text, "good" if trial.holds else "bad")
+
+
+def _leans(name: str, trial: LoopTrial) -> str:
+    if trial.fell is not None:
+        return f"{name}, after {trial.fell:.1f} s"
+    return f"{name}: leans {cell_text(math.degrees(trial.largest), 2)}° at most" if trial.largest else name
 
 
 _POLES = (
@@ -100,30 +124,38 @@ _PREDICTIONS = (
 
 
 def _lead(compared: MethodComparison) -> str:
-    holding = [name for name, trial in compared.trials.items() if trial.holds]
-    result = (
-        f"Regulators designed on the models of {', '.join(holding)} hold the robot"
-        if holding
-        else "No model's regulator holds the robot"
+    """What was done, and what to run next."""
+    fitted = compared.samples.fitted * compared.samples.dt
+    done = (
+        f"Each model was fitted to the same {fitted:.2g} s of log. Its regulator then had to hold "
+        f"{compared.judge.who}, let go at {math.degrees(HELD):.2g}°."
     )
-    return f"{result}. All methods used the same samples."
+    if len(compared.models) < 2:
+        return done
+    ranked = _ranked(compared)
+    return f"{done} Next: `upright identify LOG --method {_best(compared)} -o model.json`." if ranked else done
 
 
 def _lead_of_loop(compared: MethodComparison) -> str:
     return (
         "Weights, filter noise and kit are the same for all; only the model differs. Tested on "
-        f"{compared.judge.who}: held at 0.05 rad for a second, then released for seven seconds."
+        f"{compared.judge.who}: held at 2.9° for a second, then released for seven seconds."
     )
 
 
 def trial_table(compared: MethodComparison) -> Table:
     """The trial of each regulator."""
     rows: list[list[Cell]] = [
-        [name, TITLES.get(name, ""), str(t).replace(" ", "\u00a0") if not t.why else t.why, t.largest, t.restless]
+        [
+            name,
+            TITLES.get(name, ""),
+            Verdict(str(t), "good" if t.holds else "bad"),
+            *(None if x is None else math.degrees(x) for x in (t.largest, t.restless)),
+        ]
         for name, t in compared.trials.items()
     ]
     return Table(
-        ["method", "description", "in the loop", "peak [rad]", "rms at rest [rad]"],
+        ["method", "description", "in the loop", "peak [°]", "rms at rest [°]"],
         rows,
         "Largest pitch after the release, and its rms in the last two seconds",
         digits=3,

@@ -17,19 +17,13 @@ from xml.etree import ElementTree
 from upright.atomic import write_text
 from upright.errors import UnknownName, UprightError
 from upright.report.figure import Figure
+from upright.report.terms import terms_of
 from upright.tables import power_of_ten
 
 if TYPE_CHECKING:
     from jinja2 import Template
 
 LEVELS = ("good", "warn", "bad", "info")
-
-TWIN_NOTE = (
-    "A twin stands in for hardware: a simulation by a physics engine whose equations are not those of the model "
-    "under test. Results of a twin are not results of a real robot."
-)
-
-Cell = str | float | bool | None
 
 
 @dataclass(frozen=True)
@@ -45,9 +39,15 @@ class Verdict:
             raise UnknownName("level of a verdict", self.level, LEVELS)
 
 
+Cell = str | float | bool | Verdict | None
+
+
 @dataclass(frozen=True)
 class Table:
-    """Rows under `header`; numbers are right-aligned and shown to `digits` significant digits, NaN and None as '–'."""
+    """Rows under `header`; numbers are right-aligned and shown to `digits` significant digits, NaN and None as '–'.
+
+    A `Verdict` as a cell has its colour.
+    """
 
     header: Sequence[str]
     rows: Sequence[Sequence[Cell]]
@@ -63,9 +63,9 @@ class Table:
                     expected=f"{len(self.header)}, as its header",
                 )
 
-    def cells(self) -> list[list[tuple[str, bool]]]:
-        """The cells as text, each with whether it is a number."""
-        return [[(cell_text(cell, self.digits), not isinstance(cell, str)) for cell in row] for row in self.rows]
+    def cells(self) -> list[list[tuple[str, str]]]:
+        """The cells as text, each with its class in the style sheet."""
+        return [[(cell_text(cell, self.digits), _class_of(cell)) for cell in row] for row in self.rows]
 
 
 @dataclass(frozen=True)
@@ -129,7 +129,8 @@ class Section:
 @dataclass(frozen=True)
 class Page:
     """A page under `title`. Its first screen has the answer: a `verdict`, the `lead` in a sentence, the `picture` that
-    shows it and the `numbers` that matter, each with what it is. `provenance` (versions, seeds, hashes) is its foot."""
+    shows it and the `numbers` that matter, each with what it is; a `Verdict` among them has its colour. `provenance`
+    (versions, seeds, hashes) is its foot."""
 
     title: str
     sections: Sequence[Section]
@@ -139,7 +140,13 @@ class Page:
     _: KW_ONLY
     verdict: Verdict | None = None
     picture: Figure | None = None
-    numbers: Sequence[tuple[str, str]] = ()
+    numbers: Sequence[tuple[str | Verdict, str]] = ()
+
+    @property
+    def columns(self) -> int:
+        """Numbers beside each other, so that rows are full where that can be."""
+        n = len(self.numbers)
+        return n if n <= 5 else 3 if n % 3 == 0 else 4
 
     def html(self) -> str:
         """The whole page: style, script and drawings inside, nothing fetched."""
@@ -147,7 +154,7 @@ class Page:
             page=self,
             anchors=_anchors([section.heading for section in self.sections]),
             style=_read("style.css"),
-            note=TWIN_NOTE if self.twin_note else "",
+            terms_of=terms_of,
         )
 
     def write(self, path: str | Path) -> Path:
@@ -155,8 +162,16 @@ class Page:
         return write_text(path, self.html())
 
 
+def _class_of(cell: Cell) -> str:
+    if isinstance(cell, Verdict):
+        return f"said {cell.level}"
+    return "" if isinstance(cell, str) else "number"
+
+
 def cell_text(cell: Cell, digits: int = 4) -> str:
     """A table's cell as text: a true minus sign, '–' for what is not known."""
+    if isinstance(cell, Verdict):
+        return cell.text
     if isinstance(cell, str):
         return cell
     if isinstance(cell, bool):
@@ -169,10 +184,12 @@ def cell_text(cell: Cell, digits: int = 4) -> str:
 
 def bound(text: str) -> str:
     """Text in which no line breaks between a number and its unit."""
-    return _UNIT.sub(lambda match: match[0].replace(" ", "\u00a0"), text)
+    return _UNIT.sub(lambda match: match[0].replace(" ", "\u00a0"), text.replace("≤ ", "≤\u00a0"))
 
 
-_UNIT = re.compile(r"(?<=\d) (?:N s|N m|rad/s|rad|1/s|m/s|mm|ms|Hz|[NVsm]|%)(?![\w/])")
+_UNIT = re.compile(
+    r" · 10|(?<=\d) (?:N m s/rad|V s/rad|N m/A|kg m²|N s|N m|rad/s|rad|1/s|m/s|mm|ms|Hz|[NVsm]|%)(?![\w/])"
+)
 
 
 def symbols(text: str) -> str:
