@@ -29,6 +29,7 @@ import numpy as np
 from upright.bodies import NonlinearBody
 from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import VISIBLE, Calibration, Estimate
+from upright.calibrate.own_run import of_this_run
 from upright.calibrate.validate import segments
 from upright.control.controller import TRUE_STATE, ControllerSpec
 from upright.errors import UprightError
@@ -36,7 +37,6 @@ from upright.experiment import run
 from upright.logs.raw import raw_log
 from upright.robots import Robot, find_kit
 from upright.signals import Log
-from upright.validate.validate import validate
 
 DATA = Path(__file__).parents[1] / "../shared/data"
 CUTS = (0.0, 0.15, 0.4)  # [s] off the end of an EV3 run, which ends in a fall: the same answer is wanted for each
@@ -86,9 +86,11 @@ def crossed(found: Calibration, other: Run) -> dict[str, float]:
 
 
 def own_effects(found: Calibration, other: Run) -> dict[str, float]:
-    """The same with what belongs to the other run fitted to it, as `upright validate` does."""
-    judged = validate(found.known_robot(), other.log).logs[0]
-    return {c.name: c.r2 for c in judged.own_run or judged.half_seconds}
+    """The same with what belongs to the other run fitted to it, as `upright validate` does; as known, where that
+    predicts no better."""
+    robot = found.known_robot()
+    fitted = of_this_run(*prepared([other.log], robot, find_kit(robot.kit), (), 0.0))
+    return {name: fitted[0].r_squared(name) for name in fitted[0].rows} if fitted else crossed(found, other)
 
 
 def line(scores: dict[str, float]) -> str:
