@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from upright.bodies.body import REST, Body, Sample, checked, sample
-from upright.compiled.electronics import formulas
+from upright.compiled.electronics import SENSOR_NUMBERS, formulas
 from upright.errors import SpecMismatch
 from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Kit, Sensor
@@ -122,7 +122,7 @@ class _Channel:
     """One sensor: play, delay, bias, noise, quantum, range, sample and hold, in this order."""
 
     def __init__(self, sensor: Sensor, name: str, period: float, kit: Kit) -> None:
-        self._sensor = sensor
+        self._sensor, self._numbers = sensor, [getattr(sensor, name) for name in SENSOR_NUMBERS]
         self._play = kit.motor.backlash / 2 if "encoder" in name else 0.0
         self._delay = round(sensor.delay / period)
         self._every = max(1, round(sensor.period / period))
@@ -148,5 +148,5 @@ class _Channel:
         s, random = self._sensor, self._rng.standard_normal
         step = self._root * float(random()) if s.bias_walk else 0.0
         normal = float(random()) if s.noise else 0.0
-        reading, self._bias = _MEASURE(value, self._bias, normal, step, s.quantum, s.noise, s.bias_walk, s.range)
+        reading, self._bias = _MEASURE(value, self._bias, normal, step, *self._numbers)
         return reading

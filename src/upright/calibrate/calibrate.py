@@ -142,7 +142,7 @@ def prepared(
     delay = max([kit.delay, *(kit.delay + s.delay for s in kit.sensors.values())])
     if any(_idle(log) for log in logs):
         raise InvalidLog("the commands never change", expected="motors at work", likely="a log of a robot switched off")
-    recordings = tuple(record(log, robot, skip=delay + 0.02, held_out=held_out) for log in logs)
+    recordings = tuple(record(log, robot, kit, skip=delay + 0.02, held_out=held_out) for log in logs)
     sensors = dict.fromkeys(s for r in recordings for s in r.sensors)
     delays = {s: _dead_time(kit, logs) + _delay(kit, s) for s in sensors}
     variances = [first_noise(r, kit) for r in recordings]

@@ -52,7 +52,7 @@ def filter_log(
     log without commands, without two sensors that move, or with too few samples.
     """
     delays = {name: sensor.delay for name, sensor in kit.sensors.items() if name in SENSOR}
-    recording = record(log, robot, skip=kit.delay + max(delays.values(), default=0.0) + 0.02, held_out=0.0)
+    recording = record(log, robot, kit, skip=kit.delay + max(delays.values(), default=0.0) + 0.02, held_out=0.0)
     after_command = {
         s: delay + max((d for n, d in delays.items() if SENSOR[n] == s), default=0.0) for s in recording.sensors
     }
@@ -96,5 +96,5 @@ def _in_order(problem: Problem, path: Path, log: Log) -> FilteredLog:
         before=np.vstack([recording.first, after[:-1]])[keep],
         after=after[keep],
         command=np.vstack([command[:1], command[:-1]])[keep],  # the one held until the event
-        reads=reading_matrix(recording.rows, len(recording.first), turn)[:, :, 0],
+        reads=reading_matrix(recording.rows, len(recording.first), turn, recording.parts)[:, :, 0],
     )

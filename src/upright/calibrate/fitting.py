@@ -181,7 +181,7 @@ class Problem:
 
         delay = dict(zip(self.delays, q[DELAYS:], strict=True))
         delays = np.array([delay[SENSOR[row]] for row in recording.rows])
-        reads = reading_matrix(recording.rows, len(recording.first), q[AT.half_track])
+        reads = reading_matrix(recording.rows, len(recording.first), q[AT.half_track], recording.parts)
         return RobotLanes(reads, delays, np.ascontiguousarray(q[:DELAYS]))
 
     def lanes(self, recording: Recording, z: Array) -> RobotLanes:

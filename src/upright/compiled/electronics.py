@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from types import SimpleNamespace
 from typing import Any
 
@@ -12,6 +12,10 @@ from upright.compiled.formula_tracer import FormulaTracer
 from upright.compiled.print_python import PythonStatements
 from upright.compiled.program import Block
 from upright.physics.electronics import awake, driven, largest, loaded, measured, slackened, turned, walked
+from upright.robots import Sensor
+
+SENSOR_NUMBERS = tuple(f.name for f in fields(Sensor) if f.name not in ("delay", "period"))
+"""What formulas know of a sensor, in this order."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +57,7 @@ def formulas(*, volts: bool = True) -> dict[str, TracedFormula]:
             ("drive", "command_left command_right limit dead_zone quantum voltage sag", drive),
             ("turn", "applied_left applied_right left right", _turn),
             ("slacken", "touch wheel play", _slacken),
-            ("measure", "ideal offset normal step quantum noise bias_walk range", _measure),
+            ("measure", f"ideal offset normal step {' '.join(SENSOR_NUMBERS)}", _measure),
         )
     }
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from importlib import resources
 
-from upright.compiled.electronics import TracedFormula
+from upright.compiled.electronics import SENSOR_NUMBERS, TracedFormula
 from upright.compiled.printer import Printer
 from upright.compiled.program import Kind, Program, Repeat
 from upright.compiled.straight_line import blocks
@@ -89,14 +89,19 @@ function nearest(v) {
 
 
 def function(name: str, formula: TracedFormula) -> str:
-    """An exported function of the inputs, which writes what the formula gives into the array after them."""
+    """An exported function of the inputs, those of a sensor by name, which writes what the formula gives into the array
+    after them."""
     printer = JavaScriptStatements({})
-    given = f"({', '.join(formula.inputs)}, out)"
-    kind = f"({', '.join(f'{name}: number' for name in formula.inputs)}, out: Float64Array) => void"
+    numbers = SENSOR_NUMBERS if {*SENSOR_NUMBERS} <= {*formula.inputs} else ()
+    alone = [name for name in formula.inputs if name not in numbers]
+    sensor = [name for name in numbers if name in formula.block.reads()]
+    given = ", ".join([*alone, *(["{ " + ", ".join(sensor) + " }"] if sensor else []), "out"])
+    kinds = [*(f"{n}: number" for n in alone), *(["sensor: Record<string, any>"] if sensor else [])]
+    kind = f"({', '.join(kinds)}, out: Float64Array) => void"
     lines = [line for statement in formula.block.statements for line in printer.statement(statement)]
     lines += [f"out[{i}] = {value};" for i, (_, value) in enumerate(formula.block.commit)]
     body = "\n".join(f"  {line}" for line in lines)
-    return f"/** @type {{{kind}}} */\nexport const {name} = {given} => {{\n{body}\n}};\n"
+    return f"/** @type {{{kind}}} */\nexport const {name} = ({given}) => {{\n{body}\n}};\n"
 
 
 def functions() -> str:

@@ -94,7 +94,8 @@ def sampled(
     period = kit.period if dt is None else dt
     if not (math.isfinite(period) and 0 < period <= 1):
         raise DesignFailed(f"a period of {period} s", expected="between 0 and 1 s", likely="milliseconds")
-    rows = list(zip([_sensor(kit, name) for name in reads], sensor_matrix(reads, turn_ratio(robot)), strict=True))
+    C = sensor_matrix(reads, turn_ratio(robot), kit.sensors)
+    rows = list(zip([_sensor(kit, name) for name in reads], C, strict=True))
     delay = max([kit.delay + kit.jitter / 2, *(sensor.delay for sensor, _ in rows)])
     if delay > longest * period:
         raise DesignFailed(

@@ -269,7 +269,7 @@ def _conditioned(
 def _reference(model: SampledRobot) -> tuple[Array, Array]:
     """What the readings (3, 6) and the commands (2, 6) are while the robot follows a reference."""
     still = steady(model.robot)
-    now = sensor_matrix(model.reads, turn_ratio(model.robot)) @ still.x_r
+    now = sensor_matrix(model.reads, turn_ratio(model.robot), model.kit.sensors) @ still.x_r
     delays = np.array([model.kit.sensors[name].delay for name in model.reads])
     moved = np.zeros_like(now)
     moved[:, 1::2] = now[:, ::2]

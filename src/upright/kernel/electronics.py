@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from typing import NamedTuple
 
-from upright.compiled.electronics import formulas
+from upright.compiled.electronics import SENSOR_NUMBERS, formulas
 from upright.compiled.generated import LEFT, RIGHT
 from upright.compiled.print_lanes import LanesPrinter, RowOf
 from upright.kernel import rows as b
@@ -21,10 +21,9 @@ _TURN = {
     "applied_left": b.APPLIED, "applied_right": b.APPLIED + 1, "left": b.STRENGTH,
     "right": b.STRENGTH + 1, "motor_left": LEFT, "motor_right": RIGHT,
 }  # fmt: skip
-_SENSOR = {
-    "quantum": b.S_QUANTUM, "noise": b.S_NOISE, "bias_walk": b.S_WALK, "range": b.S_RANGE, "play": b.S_PLAY,
-    "offset": b.S_OFFSET, "reading": b.S_VALUE, "touch": b.S_TOUCH, "wheel": b.S_WHEEL, "ideal": b.S_IDEAL,
-    "normal": b.S_NORMAL, "step": b.S_STEP,
+_SENSOR = {name: row for row, name in enumerate(SENSOR_NUMBERS)} | {
+    "play": b.S_PLAY, "offset": b.S_OFFSET, "reading": b.S_VALUE, "touch": b.S_TOUCH, "wheel": b.S_WHEEL,
+    "ideal": b.S_IDEAL, "normal": b.S_NORMAL, "step": b.S_STEP,
 }  # fmt: skip
 ROWS = {"drive": _DRIVE, "turn": _TURN, "slacken": _SENSOR, "measure": _SENSOR}
 """Of each formula's variables; those of a sensor count from its own first row."""

@@ -11,8 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.compiled.electronics import SENSOR_NUMBERS
 from upright.errors import InvalidScenario, SpecMismatch, UnknownName
 from upright.kernel.batch import FleetBatch
+from upright.kernel.rows import SENSOR_SIZE
 from upright.robots import Kit, Sensor
 
 Array = NDArray[np.float64]
@@ -26,12 +28,11 @@ KINDS = tuple(
 _MOTOR = (
     "motor.limit", "motor.dead_zone", "motor.quantum", "battery.voltage", "battery.sag", "motor.left", "motor.right",
 )  # fmt: skip
-_SENSOR = ("quantum", "noise", "bias", "bias_walk", "range")
 
 
 @dataclass(frozen=True, eq=False)
 class KitTables:
-    """`motor` (·, 7) and `sensor` (·, s, 6) as in `block`; `dead_time` (·, 3) as in `block.arrive`;
+    """`motor` (·, 7) and `sensor` (·, s, numbers) as in `block`; `dead_time` (·, 3) as in `block.arrive`;
     `times` (s, 3): kind, delay and period [steps] of each sensor."""
 
     motor: Array
@@ -60,8 +61,10 @@ def kit_tables(batch: FleetBatch, stride: int) -> KitTables:
     motor = _stack([numbers[n] if voltage or n not in ideal else np.array([ideal[n]]) for n in _MOTOR])
     reads = [name for name in controller.reads if name.startswith("sensor/")]
     sensors = [_sensor(batch.kit, name) for name in reads]
-    rows = [_stack([numbers[f"sensors.{name[7:]}.{f}"] for f in _SENSOR] + [_play(numbers, name)]) for name in reads]
-    table = _stack(rows) if rows else np.zeros((1, 0, len(_SENSOR) + 1))
+    rows = [
+        _stack([*(numbers[f"sensors.{name[7:]}.{f}"] for f in SENSOR_NUMBERS), _play(numbers, name)]) for name in reads
+    ]
+    table = _stack(rows) if rows else np.zeros((1, 0, SENSOR_SIZE))
     times = [
         (KINDS.index(name), round(s.delay / batch.period), max(1, round(s.period / batch.period)))
         for name, s in zip(reads, sensors, strict=True)
@@ -76,7 +79,7 @@ def _bare(voltage: bool) -> KitTables:
     """The tables without a kit, made once: they would take half of the time to start a single robot."""
     motor = [[BARE.motor.limit, 0.0, 0.0, BARE.battery.voltage if voltage else math.inf, 0.0, 1.0, 1.0]]
     dead_time, times = np.zeros((1, 3), dtype=np.int64), np.zeros((0, 3), dtype=np.int64)
-    return KitTables(np.array(motor), dead_time, np.zeros((1, 0, len(_SENSOR) + 1)), times)
+    return KitTables(np.array(motor), dead_time, np.zeros((1, 0, SENSOR_SIZE)), times)
 
 
 class _Numbers:

@@ -7,12 +7,15 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from upright.compiled.electronics import SENSOR_NUMBERS
 from upright.compiled.generated import WORK, WORK_ROWS
 
 FOR_NOISE, FOR_WALK, FOR_BIAS, JITTER = 0, 2, 4, 6  # purposes of random numbers, the first three for four sensors each
 NEVER = 1 << 60  # [steps] longer than any run
 
-S_QUANTUM, S_NOISE, S_BIAS, S_WALK, S_RANGE, S_PLAY, SENSOR_SIZE = range(7)  # numbers of a sensor, and after them:
+S_PLAY = len(SENSOR_NUMBERS)  # comes after a sensor's own numbers, and after it:
+SENSOR_SIZE = S_PLAY + 1
+S_NOISE, S_BIAS, S_WALK = map(SENSOR_NUMBERS.index, ("noise", "bias", "bias_walk"))
 S_OFFSET, S_VALUE, S_TOUCH, S_WHEEL, S_IDEAL, S_NORMAL, S_STEP, S_LINE = range(SENSOR_SIZE, SENSOR_SIZE + 8)
 """Offset, reading, encoder, wheel, delayed reading, normal numbers of noise and of the offset's walk, delay line."""
 ENCODER_LEFT, ENCODER_RIGHT, GYRO, COMPASS, ACCEL_FORWARD, ACCEL_UP = range(6)  # kinds of sensors

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Mapping
 from typing import Any
 
 from upright.atomic import finite
 from upright.bodies import NonlinearBody
 from upright.bodies.models import CHANNELS
+from upright.compiled.electronics import SENSOR_NUMBERS
 from upright.compiled.print_javascript import JavaScriptPrinter, motion
 from upright.control import Controller
 from upright.control.law import as_law, program
@@ -41,8 +43,8 @@ def kit_numbers(kit: Kit, robot: Robot, period: float) -> dict[str, Any] | None:
         {
             "from": _IDEAL.index(name) if name in _IDEAL else -1, "play": m.backlash / 2 if "encoder" in name else 0.0,
             "delay": round(s.delay / period), "every": (every := max(1, round(s.period / period))),
-            "walk": s.bias_walk * math.sqrt(period * every), "quantum": s.quantum, "noise": s.noise, "bias": s.bias,
-            "range": finite(s.range),
+            **{number: min(getattr(s, number), sys.float_info.max) for number in SENSOR_NUMBERS},
+            "bias_walk": s.bias_walk * math.sqrt(period * every),
         }
         for name, s in kit.sensors.items()
     ]  # fmt: skip

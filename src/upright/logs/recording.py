@@ -39,7 +39,8 @@ encoders, whose zero is arbitrary."""
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Recording:
     """Events in the order of the log: `kind` (−1: a command, else the row of `rows`), `when` [s], `value` (a reading,
-    or the row of `commands` (n, 2)), `fitted` (True for the fitted part, False for the held-out part).
+    or the row of `commands` (n, 2)), `fitted` (True for the fitted part, False for the held-out part). `parts` are the
+    kit's sensors, by channel.
     """
 
     rows: tuple[str, ...]
@@ -51,6 +52,7 @@ class Recording:
     first: Array
     P0: Array
     period: float
+    parts: Mapping[str, Sensor]
 
     @property
     def sensors(self) -> tuple[str, ...]:
@@ -83,7 +85,7 @@ def check_clock(log: Log) -> None:
         )  # fmt: skip
 
 
-def record(log: Log, robot: Robot, *, skip: float = 0.0, held_out: float = 0.25) -> Recording:
+def record(log: Log, robot: Robot, kit: Kit, *, skip: float = 0.0, held_out: float = 0.25) -> Recording:
     """The events of `log`. The last fraction `held_out` of its length is not fitted. Readings of the first `skip` [s]
     are omitted, since they respond to commands from before the log.
 
@@ -107,6 +109,7 @@ def record(log: Log, robot: Robot, *, skip: float = 0.0, held_out: float = 0.25)
     return Recording(
         rows=rows, kind=np.concatenate(kinds).astype(np.int64), when=when, value=np.concatenate(values),
         commands=commands, fitted=when <= last, first=first, P0=P0, period=log.period,
+        parts=kit.sensors,
     )  # fmt: skip
 
 
@@ -162,10 +165,10 @@ def one_encoder(log: Log) -> bool:
     return np.array_equal(log["sensor/encoder_left"], log["sensor/encoder_right"], equal_nan=True)
 
 
-def reading_matrix(rows: Sequence[str], size: int, turn: Array) -> Array:
-    """The sensor matrix C (rows, states, lanes), for W/(2R) = `turn` (lanes,)."""
+def reading_matrix(rows: Sequence[str], size: int, turn: Array, sensors: Mapping[str, Sensor]) -> Array:
+    """The sensor matrix C (rows, states, lanes) of these sensors, for W/(2R) = `turn` (lanes,)."""
     C = np.zeros((len(rows), size, len(turn)))
-    C[:, :6] = sensor_matrix(rows, turn)
+    C[:, :6] = sensor_matrix(rows, turn, sensors)
     for i, name in enumerate(rows):
         if SENSOR[name] != "encoder":
             C[i, 6 if SENSOR[name] == "gyro" else 7] = 1.0  # its bias

@@ -62,7 +62,12 @@ def walked(offset: Any, normal: Any, sensor: Any) -> Any:
     return offset + sensor.bias_walk * normal
 
 
+def response(value: Any, sensor: Any) -> Any:  # noqa: ARG001 (of an ideal sensor; here stands what a sensor distorts)
+    """What a sensor makes of the ideal `value`, which estimators that know the sensor count with; linear in `value`."""
+    return value
+
+
 def measured(value: Any, offset: Any, normal: Any, sensor: Any, xp: Any) -> Any:
-    """A fresh reading of the ideal `value`: offset, noise (a `normal` number), quantum, range."""
-    reading = value + offset + sensor.noise * normal
+    """A fresh reading of the ideal `value`: response, offset, noise (a `normal` number), quantum, range."""
+    reading = response(value, sensor) + offset + sensor.noise * normal
     return limited(stepped(reading, sensor.quantum, xp.nearest, xp), -sensor.range, sensor.range, xp)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from upright.errors import SpecMismatch
 from upright.physics.dynamics import turn_ratio
+from upright.physics.electronics import response
 from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
@@ -18,11 +20,12 @@ Array = NDArray[np.float64]
 _TRUTH = tuple(f"truth/{name}" for name in STATE_NAMES)
 
 
-def sensor_matrix(names: Sequence[str], turn: ArrayLike) -> Array:
+def sensor_matrix(names: Sequence[str], turn: ArrayLike, sensors: Mapping[str, Any] = MappingProxyType({})) -> Array:
     """C (len(names), 6) from the state to the readings of the named channels, for W/(2R) = `turn` (see `turn_ratio`).
 
-    `turn` (k,) of k robots gives C (len(names), 6, k). Readings are without noise, bias and delay; the true states are
-    channels too. Raises `SpecMismatch` for a channel that no matrix gives, such as an accelerometer.
+    `turn` (k,) of k robots gives C (len(names), 6, k). Readings are without noise, bias and delay; those of `sensors`
+    have their response, others are ideal. The true states are channels too. Raises `SpecMismatch` for a channel that no
+    matrix gives, such as an accelerometer.
     """
     ratio = np.asarray(turn, dtype=np.float64)
     C = np.zeros((len(names), 6, *ratio.shape))
@@ -38,6 +41,8 @@ def sensor_matrix(names: Sequence[str], turn: ArrayLike) -> Array:
             raise SpecMismatch(
                 f"no linear row for {name}", expected="an encoder, the gyro, the compass, or a true state"
             )
+        if name in sensors:
+            row[:] = response(row, sensors[name])
     return C
 
 

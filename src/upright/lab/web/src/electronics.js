@@ -99,8 +99,8 @@ export const slacken = (touch, wheel, play, out) => {
   out[0] = t3;
 };
 
-/** @type {(ideal: number, offset: number, normal: number, step: number, quantum: number, noise: number, bias_walk: number, range: number, out: Float64Array) => void} */
-export const measure = (ideal, offset, normal, step, quantum, noise, bias_walk, range, out) => {
+/** @type {(ideal: number, offset: number, normal: number, step: number, sensor: Record<string, any>, out: Float64Array) => void} */
+export const measure = (ideal, offset, normal, step, { quantum, noise, bias_walk, range }, out) => {
   const t0 = bias_walk * step;
   const t1 = offset + t0;
   const t2 = ideal + t1;

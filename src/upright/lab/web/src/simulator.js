@@ -14,16 +14,15 @@ import { driveTorque, driveVolts, measure, slacken, turn } from "./electronics.j
  * @property {(z: Float64Array, y: Float64Array, r: Float64Array, u: Float64Array, k: ArrayLike<number>) => void} command
  * @property {(z: Float64Array, y: Float64Array, r: Float64Array, u: Float64Array, k: ArrayLike<number>, a: Float64Array) => void} update
  *
- * @typedef {object} Sensor times in steps of the body; `from` is its place among the ideal sensors, −1 for the battery
+ * @typedef {object} Sensor its numbers by name, times in steps of the body; `from` is its place among the ideal sensors, −1 for the battery
  * @property {number} from
  * @property {number} play
  * @property {number} delay
  * @property {number} every
- * @property {number} walk
- * @property {number} quantum
- * @property {number} noise
  * @property {number} bias
- * @property {number | null} range
+ * @property {number} bias_walk over one period of the sensor
+ * @property {number} noise
+ * @property {number} quantum
  *
  * @typedef {object} Kit null stands for no limit
  * @property {number | null} limit
@@ -145,9 +144,9 @@ class Channel {
 
   /** @param {number} value */
   fresh(value) {
-    const { walk, noise, quantum, range } = this.sensor;
-    const [one, two] = walk || noise ? normals(this.count, this.purpose, this.seed) : [0, 0];
-    measure(value, this.bias, one, two, quantum, noise, walk, range ?? Infinity, this.out);
+    const { bias_walk, noise } = this.sensor;
+    const [one, two] = bias_walk || noise ? normals(this.count, this.purpose, this.seed) : [0, 0];
+    measure(value, this.bias, one, two, this.sensor, this.out);
     this.bias = this.out[1];
     return this.out[0];
   }
