@@ -62,9 +62,9 @@ def walked(offset: Any, normal: Any, sensor: Any) -> Any:
     return offset + sensor.bias_walk * normal
 
 
-def response(value: Any, sensor: Any) -> Any:  # noqa: ARG001 (of an ideal sensor; here stands what a sensor distorts)
+def response(value: Any, sensor: Any) -> Any:
     """What a sensor makes of the ideal `value`, which estimators that know the sensor count with; linear in `value`."""
-    return value
+    return sensor.gain * value
 
 
 def measured(value: Any, offset: Any, normal: Any, sensor: Any, xp: Any) -> Any:

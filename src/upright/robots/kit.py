@@ -46,7 +46,7 @@ def _check_size(name: str, value: float) -> None:
 class Sensor:
     """One sensor's faults, in the unit of its channel (rad, rad/s, m/s², V).
 
-    Zero means ideal: no quantum, no noise, no bias, unlimited range, no delay, sampled at every step.
+    The defaults mean ideal: no quantum, no noise, no bias, unlimited range, no delay, sampled at every step.
     """
 
     quantum: float = 0.0  # step between two readings
@@ -56,6 +56,7 @@ class Sensor:
     range: float = math.inf  # largest absolute reading
     delay: float = 0.0  # [s] from the physics to the reading
     period: float = 0.0  # [s] between two fresh readings, held between
+    gain: float = 1.0  # reading over what is measured; 1 but for a scale error
 
     def __post_init__(self) -> None:
         for f in fields(self):
@@ -188,7 +189,7 @@ def _sensor(listed: toml.Table, name: str, where: str) -> dict[str, float]:
 def _sensor_units(name: str) -> dict[str, tuple[str, ...]]:
     unit = _SENSOR_UNITS[name]
     units = dict.fromkeys(("quantum", "noise", "bias", "range"), (unit,))
-    return units | {"bias_walk": (f"{unit}/√s",), "delay": ("s",), "period": ("s",)}
+    return units | {"bias_walk": (f"{unit}/√s",), "delay": ("s",), "period": ("s",), "gain": ("1",)}
 
 
 def _numbers(where: str, part: Any, units: Mapping[str, str]) -> Iterator[str]:

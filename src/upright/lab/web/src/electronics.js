@@ -100,21 +100,22 @@ export const slacken = (touch, wheel, play, out) => {
 };
 
 /** @type {(ideal: number, offset: number, normal: number, step: number, sensor: Record<string, any>, out: Float64Array) => void} */
-export const measure = (ideal, offset, normal, step, { quantum, noise, bias_walk, range }, out) => {
+export const measure = (ideal, offset, normal, step, { quantum, noise, bias_walk, range, gain }, out) => {
   const t0 = bias_walk * step;
   const t1 = offset + t0;
-  const t2 = ideal + t1;
-  const t3 = noise * normal;
-  const t4 = t2 + t3;
-  const t5 = -quantum;
-  const t6 = t5 < 0 ? quantum : 1;
-  const t7 = t4 / t6;
-  const t8 = nearest(t7);
-  const t9 = t8 * t6;
-  const t10 = t5 < 0 ? t9 : t4;
-  const t11 = -range;
-  const t12 = range < t10 ? range : t10;
-  const t13 = t10 < t11 ? t11 : t12;
-  out[0] = t13;
+  const t2 = gain * ideal;
+  const t3 = t2 + t1;
+  const t4 = noise * normal;
+  const t5 = t3 + t4;
+  const t6 = -quantum;
+  const t7 = t6 < 0 ? quantum : 1;
+  const t8 = t5 / t7;
+  const t9 = nearest(t8);
+  const t10 = t9 * t7;
+  const t11 = t6 < 0 ? t10 : t5;
+  const t12 = -range;
+  const t13 = range < t11 ? range : t11;
+  const t14 = t11 < t12 ? t12 : t13;
+  out[0] = t14;
   out[1] = t1;
 };
