@@ -40,6 +40,7 @@ from upright.signals import Log
 
 DATA = Path(__file__).parents[1] / "../shared/data"
 CUTS = (0.0, 0.15, 0.4)  # [s] off the end of an EV3 run, which ends in a fall: the same answer is wanted for each
+BANDS = (0, 6, 12)  # [Hz]
 PRESETS = {"ev3way": "ev3way-large-wheels", "twipr": "twipr"}
 GAINS = {"run1": (0.020, 0.040, 0.006, 0.007), "run2": (0.025, 0.040, 0.007, 0.007)}
 """TWIPR's law, by its authors: of speed, pitch, pitch rate and yaw rate."""
@@ -99,6 +100,21 @@ def line(scores: dict[str, float]) -> str:
     return f"gyro {scores['sensor/gyro']:.4f}  wheels {min(wheels):.4f}"
 
 
+def left_by_band(found: Calibration) -> str:
+    """What half seconds leave of the gyro in each band, over what it has there; and which part of all that this is."""
+    parts = found.free[0]
+    at = (parts.row == parts.rows.index("sensor/gyro")) & np.isfinite(parts.predicted)
+    measured, left = parts.measured[at], (parts.measured - parts.predicted)[at]
+    frequency = np.fft.rfftfreq(len(left), float(np.median(np.diff(parts.when[at]))))
+    power, of_all = (np.abs(np.fft.rfft(y - y.mean())) ** 2 for y in (left, measured))
+    words: list[str] = []
+    for low, high in zip(BANDS, (*BANDS[1:], np.inf), strict=True):
+        inside = (frequency >= low) & (frequency < high)
+        share, part = power[inside].sum() / of_all[inside].sum(), power[inside].sum() / power.sum()
+        words.append(f"from {low} Hz {share:.0%} of the gyro, {part:.0%} of what is left")
+    return "; ".join(words)
+
+
 def overlap(results: Sequence[tuple[Run, Calibration]], *, runs_apart: bool) -> str:
     """Pairs of intervals of one number that overlap, of two runs or of two cuts of one, and what is apart."""
     there, apart = 0, Counter[str]()
@@ -128,6 +144,8 @@ def alone(robot: str, model: Robot) -> list[tuple[Run, Calibration]]:
         widths = f"visible {len(visible(found))}, widths {found.widening:.2f} × Fisher's"
         print(f"  {one!s:<18} {line(dict(found.segments))}  {widths}, {took}")
         print("".join(f"      refused: {reason}\n" for reason in found.refused), end="", flush=True)
+        if not one.cut:
+            print(f"      {left_by_band(found)}", flush=True)
         if not found.refused:
             results.append((one, found))
     return results
