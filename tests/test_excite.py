@@ -246,7 +246,7 @@ def test_the_page_shows_the_excitation_and_what_it_tells() -> None:
     page = page_of(plan())
     html = page.html()
     assert "The excitation over time" in html
-    assert "com_height" in html
+    assert "centre of mass height" in html
     assert page.verdict
     assert page.verdict.level == "good"
 

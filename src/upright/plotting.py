@@ -119,7 +119,7 @@ def line(
 def span(axes: Sequence[Axes], start: float, stop: float, name: str) -> None:
     """Shade [start, stop] of x in all `axes`."""
     for ax in axes:
-        ax.axvspan(start, stop, color=SPAN, alpha=0.16, linewidth=0, zorder=0, label=name)
+        ax.axvspan(start, stop, color=SPAN, alpha=0.22, linewidth=0, zorder=0, label=name)
 
 
 @styled
@@ -163,7 +163,7 @@ def nyquist(response: ArrayLike, distance: float, reach: float = 3.0) -> Figure:
     figure, ax = plane("real part [1]", "imaginary part [1]")
     ax.plot(real, imaginary, color=COLOURS[0], linestyle="-", label="loop gain L(jω)")
     ax.plot(real, -imaginary, color=COLOURS[0], linestyle=DASHES[2], label="negative frequencies")
-    ax.add_patch(Circle((-1, 0), distance, facecolor=COLOURS[1], alpha=0.15, linewidth=0, label="distance 1 / Ms"))
+    ax.add_patch(Circle((-1, 0), distance, facecolor=COLOURS[1], alpha=0.3, linewidth=0, label="distance 1 / Ms"))
     ax.plot([-1], [0], linestyle="", marker="x", markersize=8, color=COLOURS[1], label="−1")
     inside = np.flatnonzero(np.abs(L) < 0.7 * reach)
     if len(inside) > 1:

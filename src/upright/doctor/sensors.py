@@ -173,13 +173,13 @@ def grain(record: Record) -> list[Finding]:
         rate = float(smooth(values, m.period, widths(m.period)[0], 1).std())
         noise = step / np.sqrt(6) / m.period
         evidence = (
-            f"resolution {step:.4g} rad ({2 * np.pi / step:.0f} counts per turn); differences of rows have a noise "
+            f"{2 * np.pi / step:.0f} counts per turn (steps of {step:.3g} rad) are coarse: a rate from two rows has a "
         )
-        evidence += f"of {noise:.3g} rad/s, the motion {rate:.3g} rad/s"
+        evidence += f"noise of {noise:.2g} rad/s, the motion has {rate:.2g} rad/s"
         if step > _COARSE:
             findings.append(warning("encoder/grain", name, evidence, "fit the angles, not their differences"))
         elif noise > 0.3 * rate and name == LEFT:
-            findings.append(note("encoder/grain", name, evidence, "do not take differences of single rows"))
+            findings.append(note("encoder/grain", name, evidence, "take rates over several rows"))
     return findings
 
 

@@ -10,6 +10,7 @@ from upright.certify.analysis import Analysis
 from upright.certify.design import Designed
 from upright.certify.margins import Margins
 from upright.errors import InvalidController
+from upright.plotting import AXIS, COLOURS, legend, rows_of
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
@@ -23,32 +24,35 @@ def page_of(result: Analysis | Designed) -> Page:
         return page_of(result.analysis)
     analysis = result
     first, *rest = analysis.words()
-    sections = [Section("Margins", [*rest, *_margins(analysis)])]
+    sections = [Section("All margins", [first, *rest, *_margins(analysis)] if analysis.stable else _margins(analysis))]
     if analysis.stable:
         last = f"Bode diagram: last gain crossover at {analysis.both().crossover:.3g} rad/s"
-        sections = [Section("Frequency response", [Figure(last, analysis.plot())]), *sections]
+        sections = [Section("Frequency response", [_nyquist(analysis), Figure(last, analysis.plot())]), *sections]
         sections += [Section("Closed-loop poles", [_poles(analysis)])]
     facts = {"controller": analysis.hash[:12], "period": f"{analysis.period * 1e3:g} ms"}
     return Page(
         _title(analysis), sections, _lead(analysis, first), facts, False, verdict=_verdict(analysis),
-        picture=_nyquist(analysis) if analysis.stable else _poles(analysis), numbers=_numbers(analysis),
+        picture=_against_targets(analysis) if analysis.stable else _poles(analysis), numbers=_numbers(analysis),
     )  # fmt: skip
 
 
 CLOSE = 0.5
 """Distance of the Nyquist curve from −1 below which margins are small: the usual rule, Ms at most 2."""
+PHASE, WEAK, STRONG = 30.0, 0.5, 2.0
+"""Usual targets: phase margin [°], and the gain of the motors as a factor: 6 dB either side."""
 
 
 def _title(analysis: Analysis) -> str:
     who = f"{analysis.controller} on {analysis.robot}"
     if not analysis.stable:
         return f"{who}: unstable"
-    return f"{who}: stable, with up to {_delay(analysis)} more delay at the {_weakest(analysis)}"
+    small = ", with small margins" if 1 / analysis.both().Ms < CLOSE else ""
+    return f"{who} is stable{small}: {_delay(analysis)} more delay at the {_weakest(analysis)} tips it over"
 
 
 def _verdict(analysis: Analysis) -> Verdict:
     if not analysis.stable:
-        return Verdict("unstable", "warn")
+        return Verdict("unstable", "bad")
     near = 1 / analysis.both().Ms < CLOSE
     return Verdict("stable, small margins", "warn") if near else Verdict("stable", "good")
 
@@ -63,23 +67,57 @@ def _delay(analysis: Analysis) -> str:
 
 
 def _lead(analysis: Analysis, first: str) -> str:
-    """The first sentence, and the loop that a delay makes unstable first."""
+    """What is small, and what to run next."""
     if not analysis.stable:
         return sentence(first, "")
-    return f"{analysis.words()[1]} {sentence(first, '')}"
+    short = [name for name, _, _, part in _targets(analysis) if part < 1]
+    unstable = int((analysis.radii >= 1).sum())
+    drawn = f"{len(analysis.radii)} slightly different robots" if len(analysis.radii) else ""
+    of = f" Of {drawn}, {unstable or 'none'} {'is' if unstable <= 1 else 'are'} unstable." if drawn else ""
+    below = f"Below the usual target: {', '.join(short)}." if short else "All margins reach the usual targets."
+    return f"{below}{of} Next: `upright certify` tries this controller with pushes."
+
+
+def _targets(analysis: Analysis) -> list[tuple[str, str, str, float]]:
+    """Name, value, usual target, and the part of the target that is reached; gains are compared in decibels."""
+    both, delay = analysis.both(), min(analysis.delay, analysis.weakest.delay)
+    weak = math.log(max(both.gain_low, 1e-3)) / math.log(WEAK)
+    return [
+        ("distance from −1", cell_text(1 / both.Ms, 2), f"{CLOSE:g}", 1 / both.Ms / CLOSE),
+        ("phase margin", f"{cell_text(math.degrees(both.phase), 2)}°", f"{PHASE:g}°", math.degrees(both.phase) / PHASE),
+        ("stronger motors", f"{100 * both.gain_high:.0f} %", f"{100 * STRONG:.0f} %", math.log(both.gain_high, STRONG)),
+        ("weaker motors", f"{100 * both.gain_low:.0f} %", f"{100 * WEAK:.0f} %", weak),
+        (f"delay of the {_weakest(analysis)}", _delay(analysis), f"{1e3 * analysis.period:g} ms",
+         delay / analysis.period),
+    ]  # fmt: skip
+
+
+def _against_targets(analysis: Analysis) -> Figure:
+    """Each margin as a part of its usual target."""
+    targets = _targets(analysis)
+    figure, ax = rows_of([name for name, *_ in targets], "part of the usual target [%]", "margin")
+    parts = np.array([100 * min(part, 2.0) for *_, part in targets])
+    for label, kept, colour in (("reaches the target", parts >= 100, 2), ("too small", parts < 100, 1)):
+        if kept.any():
+            ax.barh(np.flatnonzero(kept), parts[kept], height=0.6, color=COLOURS[colour], label=label)
+    ax.axvline(100, linestyle="--", linewidth=1.2, color=AXIS, label="usual target")
+    for row, (_, value, target, _) in enumerate(targets):
+        text = f"{value} of {target}"
+        ax.annotate(text, (parts[row], row), (4, 0), textcoords="offset points", va="center")
+    ax.set_xlim(0, max(150.0, 1.6 * parts.max()))
+    met = int((parts >= 100).sum())
+    return Figure(f"{met} of {len(parts)} margins reach the usual target", legend(figure))
 
 
 def _numbers(analysis: Analysis) -> list[tuple[str, str]]:
     if not analysis.stable:
         return []
     both = analysis.both()
+    gains = f"{100 * both.gain_low:.0f} to {100 * both.gain_high:.0f} %"
     return [
-        (
-            f"{cell_text(both.gain_low, 2)} to {cell_text(both.gain_high, 2)}",
-            "gain of both motors, as a factor, that stays stable",
-        ),
-        (f"{cell_text(math.degrees(both.phase), 2)}°", "phase margin"),
-        (_delay(analysis), f"more delay at the {_weakest(analysis)} alone stays stable"),
+        (f"{cell_text(math.degrees(both.phase), 2)}°", f"phase margin; wanted at least {PHASE:g}°"),
+        (gains, f"strength of the motors that stays stable; wanted {100 * WEAK:.0f} to {100 * STRONG:.0f} %"),
+        (_delay(analysis), f"more delay at the {_weakest(analysis)} alone; a period is {1e3 * analysis.period:g} ms"),
     ]
 
 
@@ -108,7 +146,7 @@ def _row(m: Margins) -> list[Cell]:
 
 
 def _nyquist(analysis: Analysis) -> Figure:
-    title = f"Nyquist diagram, both motors: least distance from −1 is {1 / analysis.both().Ms:.2f}"
+    title = f"Nyquist diagram: the least distance from −1 is {1 / analysis.both().Ms:.2f}, wanted {CLOSE:g}"
     return Figure(
         title,
         analysis.plot_nyquist(),

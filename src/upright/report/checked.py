@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -23,30 +24,75 @@ def page_of(result: Diagnosis | Parity | LinearModel) -> Page:
     return _parity(result) if isinstance(result, Parity) else _linear(result)
 
 
+CHECKS = {
+    "time stamps": ("time/",), "rows": ("samples/", "columns/"), "units": ("units/",),
+    "signs and sides": ("motion/flipped", "motion/swapped"), "rates and angles": ("motion/int", "motion/diff"),
+    "delays": ("delay/",), "gyro's bias": ("gyro/",), "readings": ("channel/", "estimate/"),
+    "encoder's resolution": ("encoder/",), "motors at their limit": ("saturation",),
+    "motion": ("motion/quiet", "segment/still", "segment/none"), "falls and slips": ("segment/",),
+}  # fmt: skip
+"""What is checked → how the codes of its findings begin; a code counts for the first that fits."""
+
+
 def _diagnosis(result: Diagnosis) -> Page:
     faults = sum(f.severity != "note" for f in result.findings)
+    remarks = len(result.findings) - faults
+    level = {"error": "bad", "warning": "warn", "note": "info"}
     rows: list[list[Cell]] = [
-        [f.severity, f.channel.replace("_", " "), sentence(f.evidence), f.repair] for f in result.findings
+        [Verdict(f.severity, level[f.severity]), f.channel.replace("_", " "), sentence(f.evidence), f.repair]
+        for f in result.findings
     ]
     columns: list[list[Cell]] = [[name, source.column] for name, source in result.mapping.channels.items()]
-    first, drawn = next(iter(result.findings), None), result.plot()
+    drawn = result.plot()
     poses = ", ".join(dict.fromkeys(segment.kind for segment in result.segments))
-    verdict = "no fault found" if not faults else "1 fault" if faults == 1 else f"{faults} faults"
+    counted = "no fault found" if not faults else "1 fault" if faults == 1 else f"{faults} faults"
+    checks = _checks(result)
+    passed = sum(verdict.level in ("good", "info") for _, verdict in checks)
     return Page(
-        f"{result.source or 'Log'}: {verdict}",
+        f"{result.source or 'Log'}: {counted}",
         [
-            Section("Findings", [Table(["severity", "channel", "evidence", "repair"], rows)]),
+            Section("Findings", [Table(["", "channel", "evidence", "what to do"], rows)]),
+            Section("Checks", [Table(["check", "result"], [list(row) for row in checks])]),
             Section("Columns of the log", [Table(["channel", "column"], columns)], folded=True),
         ],
-        f"{'' if faults else 'A note, which is no fault: '}{first.channel}: {first.evidence}." if first else "",
+        _advice(result, faults),
         {"mapping": result.mapping.name, "rows": str(result.rows)}, False,
-        verdict=Verdict("healthy", "good") if result.healthy else Verdict("to repair", "warn"),
+        verdict=Verdict("healthy: can be used as it is", "good") if result.healthy else Verdict(
+            "to repair", "bad" if any(f.severity == "error" for f in result.findings) else "warn"),
         picture=Figure(f"The readings of the log{poses and f'; the robot is {poses}'}", drawn) if drawn else None,
         numbers=[
-            (f"{result.seconds:.4g} s", "length of the log"), (f"{result.period * 1e3:.4g} ms", "median period"),
-            (str(len(result.findings) - faults), "notes, which are no faults"),
+            (f"{passed} of {len(checks)}", "checks passed: " + _listed([name for name, _ in checks])),
+            (f"{result.seconds:.4g} s", f"length: {result.rows} rows, one every {result.period * 1e3:.4g} ms"),
+            (str(remarks), f"remark{'' if remarks == 1 else 's'}, not a fault" + ("" if remarks == 1 else "s")),
         ],
     )  # fmt: skip
+
+
+def _listed(names: Sequence[str]) -> str:
+    return f"{', '.join(names[:3])}, …"
+
+
+def _checks(result: Diagnosis) -> list[tuple[str, Verdict]]:
+    """Each check with the gravest of its findings."""
+    worst: dict[str, str] = {}
+    for finding in result.findings:  # the worst come first
+        name = next((n for n, heads in CHECKS.items() if finding.code.startswith(heads)), "readings")
+        worst.setdefault(name, finding.severity)
+    words = {"": ("ok", "good"), "note": ("ok, with a remark", "info"), "warning": ("warning", "warn"),
+             "error": ("error", "bad")}  # fmt: skip
+    return [(name, Verdict(*words[worst.get(name, "")])) for name in CHECKS]
+
+
+def _advice(result: Diagnosis, faults: int) -> str:
+    """The first finding with its repair, and what to run next."""
+    name = result.source or "LOG"
+    first = next(iter(result.findings), None)
+    of = f" {first.channel.removeprefix('sensor/').replace('_', ' ')}: {first.evidence}." if first else ""
+    text = f"{'Worst' if faults else 'A remark'},{of}" if first else ""
+    text += f" {sentence(first.repair)}" if first and first.repair else ""
+    fixes = any(f.fixes for f in result.findings)
+    next_one = f"`upright doctor {name} --fix repaired.csv`" if fixes else f"`upright calibrate {name} --robot ROBOT`"
+    return f"{text} Next: {next_one}.".strip()
 
 
 def _parity(result: Parity) -> Page:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,7 +9,7 @@ from upright.excite.plan import VISIBLE, ExcitationPlan, Predicted
 from upright.plotting import AXIS, COLOURS, legend, line, number, numbered, panels, rows_of
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
-from upright.tables import sentence
+from upright.tables import spoken
 
 Array = NDArray[np.float64]
 
@@ -19,18 +17,22 @@ Array = NDArray[np.float64]
 def page_of(plan: ExcitationPlan) -> Page:
     """The plan's page, not yet written."""
     wrong = plan.check()
-    verdict = Verdict("keeps its limits", "good") if not wrong else Verdict(f"{len(wrong)} reservations", "warn")
+    several = f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}"
+    verdict = Verdict(several, "warn") if wrong else Verdict("safe to run: keeps its limits", "good")
     sections = [
+        Section("The run", [_WHAT, _over_time(plan), _spectrum(plan), _energies(plan)]),
         Section("Limits", [_checked_words(plan), _limits(plan), *wrong, *plan.notes]),
-        Section("Excitation", [_WHAT, _over_time(plan), _spectrum(plan), _energies(plan)]),
         Section("Predicted intervals", [_PREDICTED, _table(plan)]),
         Section("Alternatives", [_TRIED, _tried(plan)], folded=True),
     ]
     facts = {"controller": plan.hash[:12], "seed": str(plan.seed), "kit": plan.kit}
     numbers = [
-        (f"{number(100 * plan.checked.bound, 2)} %", "probability of a fall, at most"),
-        (f"{cell_text(plan.checked.travel, 2)} m", "travel, 95 % of the robots"),
-        (f"{number(100 * plan.checked.saturated, 2)} %", "periods with a saturated motor"),
+        (f"≤ {number(100 * plan.checked.bound, 2)} %", f"probability of a fall; allowed {100 * plan.limits.falls:g} %"),
+        (f"{cell_text(plan.checked.travel, 2)} m", f"rolled by 95 % of the robots; allowed {plan.limits.travel:g} m"),
+        (
+            f"{number(100 * plan.checked.saturated, 2)} %",
+            f"of the time a motor is at its limit; allowed {100 * plan.limits.saturated:g} %",
+        ),
     ]
     return Page(
         _title(plan), sections, _lead(plan), facts, False, verdict=verdict, picture=_widths(plan),
@@ -55,9 +57,12 @@ _TRIED = (
 
 def _lead(plan: ExcitationPlan) -> str:
     halved = sorted((p for p in plan.predicted if p.after < VISIBLE * p.before), key=lambda p: p.after / p.before)
-    name = re.sub(r"(\w+)/(\w+)", r"\1 of \2", halved[0].name).replace("_", " ") if halved else ""
-    best = f"{sentence(plan.way, '')}, added under {plan.controller}, shows most of {name}. " if halved else ""
-    return f"{best}The probability of a fall is below {100 * plan.checked.bound:.2g} %."
+    names = ", ".join(spoken(p.name) for p in halved[:3])
+    most = f" It tells most of {names}." if names else ""
+    return (
+        f"While {plan.controller} balances the robot, a {plan.way} is added to its commands.{most} "
+        "Next: `upright simulate --excite plan.json`, or your robot; then `upright calibrate` that log."
+    )
 
 
 def _over_time(plan: ExcitationPlan) -> Figure:
@@ -120,18 +125,23 @@ def _halved(plan: ExcitationPlan) -> int:
 
 
 def _widths(plan: ExcitationPlan) -> Figure:
-    """Widths over those before, a row for each parameter that the run tells something of, the most certain last."""
-    shown = sorted((p for p in plan.predicted if p.after < DRAWN * p.before), key=lambda p: -p.after / p.before)
-    across = "width of the 95 % interval after the run over that before, less is better [1]"
-    figure, ax = rows_of([p.name for p in shown], across, "parameter")
+    """Widths over those before, a row for each parameter that the run tells something of, the best known first."""
+    shown = sorted((p for p in plan.predicted if p.after < DRAWN * p.before), key=lambda p: p.after / p.before)
+    figure, ax = rows_of([p.name for p in shown], "uncertainty left after the run [% of that before]", "parameter")
     ax.set_xscale("log")
     numbered(ax.xaxis)
-    rows, after = np.arange(len(shown)), [p.after / p.before for p in shown]
-    ax.plot(after, rows, "o", markersize=5, color=COLOURS[0], label="this run")
-    ax.plot([p.dither / p.before for p in shown], rows, "x", color=COLOURS[1], label="a random signal")
-    ax.axvline(VISIBLE, linestyle="--", linewidth=0.8, color=AXIS, label="half of the width")
-    title = f"Uncertainty after the run over that before: at most half for {_halved(plan)} of {len(plan.predicted)}"
-    return Figure(title, legend(figure), "The random signal has the same energy and changes in every period.")
+    rows, after = np.arange(len(shown)), np.array([100 * p.after / p.before for p in shown])
+    ax.plot([100 * p.dither / p.before for p in shown], rows, "x", color=COLOURS[4], label="a random signal")
+    for label, kept, colour in (
+        ("this run, halved", after < 100 * VISIBLE, 2),
+        ("not halved", after >= 100 * VISIBLE, 1),
+    ):
+        ax.plot(after[kept], rows[kept], "o", markersize=6, color=COLOURS[colour], label=label)
+    ax.axvline(100 * VISIBLE, linestyle="--", linewidth=1, color=AXIS, label="half")
+    lost = [spoken(p.name) for p in plan.predicted if p not in shown]
+    none = f" Not drawn, since the run tells nothing of them: {', '.join(lost)}." if lost else ""
+    title = f"The run halves the uncertainty of {_halved(plan)} of {len(plan.predicted)} parameters; left is better"
+    return Figure(title, legend(figure), f"The random signal has the same energy.{none}")
 
 
 def _table(plan: ExcitationPlan) -> Table:
@@ -141,7 +151,7 @@ def _table(plan: ExcitationPlan) -> Table:
 
 def _row(p: Predicted) -> list[Cell]:
     widths = (p.before, p.after, p.dither, p.held, p.least)
-    return [f"{p.name} [{p.unit}]", *(width / 2 for width in widths), p.after / p.dither]
+    return [f"{spoken(p.name)} [{p.unit}]", *(width / 2 for width in widths), p.after / p.dither]
 
 
 def _checked_words(plan: ExcitationPlan) -> str:

@@ -21,6 +21,7 @@ import numpy as np
 from matplotlib import figure as mpl
 from matplotlib.collections import LineCollection
 from matplotlib.colors import to_hex
+from matplotlib.container import BarContainer
 from matplotlib.lines import Line2D
 
 from upright import plotting
@@ -132,7 +133,9 @@ def _narrowed(drawing: mpl.Figure) -> Generator[None]:
     less = max(width - NARROW, 0.0)
     boxes = {ax: ax.get_position() for ax in drawing.axes}
     labels = {ax: ax.yaxis.label.get_position() for ax in drawing.axes}
-    square = all(box.height * height > SQUARE for box in boxes.values())
+    square = any(
+        box.height * height > SQUARE and abs(box.height * height - box.width * width) < 0.2 for box in boxes.values()
+    )
     lower = less if square else 0.0
     drawing.set_size_inches(width - less, height - lower)
     for ax, box in boxes.items():
@@ -195,8 +198,9 @@ def _sample(handle: Any) -> str:
         colour = to_hex(np.atleast_2d(handle.get_edgecolor())[0])
         content = f'<path d="M0 7H34" style="stroke: {_VARIABLES.get(colour, colour)}; stroke-width: 3"/>'
     else:
-        colour = to_hex(np.atleast_2d(handle.get_facecolor())[0])
-        alpha = handle.get_alpha() or 1
+        patch = handle.patches[0] if isinstance(handle, BarContainer) else handle
+        colour = to_hex(np.atleast_2d(patch.get_facecolor())[0])
+        alpha = patch.get_alpha() or 1
         shade = _VARIABLES.get(colour, colour)
         content = f'<path d="M4 1H30V13H4Z" style="fill: {shade}; fill-opacity: {alpha:g}; stroke: none"/>'
     return f'<svg viewBox="0 0 34 14" aria-hidden="true" class="sample">{content}</svg>'

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
 from upright.validate.validation import (
+    DOES_NOT,
+    GOOD,
     JUDGED,
     PREDICTS,
     ChannelFit,
@@ -39,42 +41,48 @@ _SHIFTS = (
 def page_of(result: Validation) -> Page:
     """The validation's page, not yet written."""
     worst = result.worst
-    verdict = Verdict(result.verdict, "good" if result.verdict == PREDICTS else "warn")
+    level = {PREDICTS: "good", DOES_NOT: "bad"}.get(result.verdict, "warn")
+    verdict = Verdict(f"{result.verdict} the log" if result.verdict != JUDGED else result.verdict, level)
     sections = [section for log in result.logs for section in _sections(log, len(result.logs) > 1)]
     of = " of" if result.verdict == JUDGED else ""
-    title = f"{result.robot} {result.verdict}{of} {'a log' if len(result.logs) == 1 else f'{len(result.logs)} logs'}"
-    title += f" of {sum(log.samples for log in result.logs)} samples: R² {cell_text(worst.worst.r2, 3)} or more"
-    lowest = f"Measured and predicted for half a second at a time: R² is {cell_text(worst.worst.r2, 3)} or more"
-    lead = "" if result.verdict == PREDICTS else f"{result.sentence}."
+    logs = result.logs[0].source or "the log" if len(result.logs) == 1 else f"{len(result.logs)} logs"
+    title = f"{result.robot} {result.verdict}{of} {logs}: R² at least {cell_text(worst.worst.r2, 3)}"
+    lowest = "Half a second at a time: measured, and predicted from the commands alone"
+    lead = _lead(result) if result.verdict == PREDICTS else f"{result.sentence}. {_lead(result)}"
     return Page(
         title, sections, lead, {"kit": result.kit, "logs": ", ".join(x.source for x in result.logs)},
         False, verdict=verdict, picture=Figure(lowest, half_second_figure(worst)), numbers=_numbers(result),
     )  # fmt: skip
 
 
+def _lead(result: Validation) -> str:
+    """What was done, what passes, and what to run next."""
+    seconds = sum(log.seconds for log in result.logs)
+    then = "`upright design` a controller" if result.worst.worst.r2 >= GOOD else "`upright calibrate` with this log"
+    return (
+        f"{seconds:.3g} s of log, which the robot's file has not used, against the model of {result.robot}. "
+        f"A sensor passes from R² {GOOD:g} up. Next: {then}."
+    )
+
+
 def _numbers(result: Validation) -> list[tuple[str, str]]:
     worst = result.worst.worst
-    numbers = [(cell_text(worst.r2, 3), f"R² of half seconds, {short(worst.name)}")]
+    numbers = [(cell_text(worst.r2, 3), f"smallest R² of half seconds ({short(worst.name)}); passes from {GOOD:g}")]
     if own := result.worst.own_run:
         numbers.append((cell_text(least(own).r2, 3), "with what belongs to its run, fitted to this log"))
     loops = [c for log in result.logs if not log.caution for c in log.loop]
     if loops:
         lowest = min(loops, key=lambda c: c.r2)
-        if (
-            lowest.r2 < 0 and lowest.breaks is not None
-        ):  # what the log does not hold, such as a push, ends the agreement
-            numbers.append(
-                (
-                    f"{lowest.breaks:.3g} s",
-                    f"of the log are followed by a simulation without any reading ({short(lowest.name)})",
-                )
-            )
+        if lowest.r2 < 0 and lowest.breaks is not None:
+            followed = "of the whole run are followed from its first row alone; an unknown push ends that"
+            numbers.append((f"{lowest.breaks:.3g} s", followed))
         else:
-            numbers.append((cell_text(lowest.r2, 3), f"R² of a simulation without any reading, {short(lowest.name)}"))
+            whole = f"R² of the whole run from its first row alone ({short(lowest.name)})"
+            numbers.append((cell_text(lowest.r2, 3), whole))
     shifts = [s for log in result.logs for s in log.shifts]
     if shifts:
         first = max(shifts, key=lambda s: s.explains)
-        numbers.append((f"{first.name.replace('_', ' ')}", "would have to move first"))
+        numbers.append((f"{first.name.replace('_', ' ')}", "is the parameter to doubt first"))
     return numbers
 
 
@@ -84,7 +92,10 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
     loop: list[Item] = [_LOOP, f"Law {log.law.removeprefix('law')}".replace("  ", " ")]
     loop += [log.caution] if log.caution else []
     if log.simulated is not None:
-        loop += [_table(log.loop), Figure("Measured, and the closed loop simulated freely", loop_figure(log.simulated))]
+        loop += [
+            _table(log.loop),
+            Figure("Measured, and the whole run simulated from its first row", loop_figure(log.simulated)),
+        ]
     rows: list[list[Cell]] = [
         [s.name.replace("_", " "), s.unit, s.value, s.proposed, s.deviations, s.explains] for s in log.shifts
     ]
@@ -94,9 +105,9 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
         effects: list[list[Cell]] = [[e.name.replace("_", " "), e.unit, e.known, e.here] for e in log.effects]
         half += [_OWN, _table(log.own_run), Table(["", "unit", "known", "this run"], effects, digits=3)]
     return [
-        Section(f"Half seconds{name}", half),
-        Section(f"Free closed loop{name}", loop),
-        Section(f"What would have to move{name}", moves if rows else ["No parameter alone."]),
+        Section(f"Half a second at a time{name}", half),
+        Section(f"The whole run from its first row{name}", loop),
+        Section(f"Parameters to doubt{name}", moves if rows else ["No parameter alone."]),
     ]
 
 
