@@ -9,7 +9,8 @@ import pytest
 from scipy.linalg import expm, solve_discrete_are
 
 from upright.calibrate.fitting import LEVEL, ROLLING_DRY
-from upright.calibrate.predictor import WIDE, Events, Noise, RobotLanes, innovations, kalman_path
+from upright.calibrate.motion import STATES, block_of
+from upright.calibrate.predictor import WIDE, Events, Noise, RobotLanes, _Flow, _flow, innovations, kalman_path
 from upright.compiled.generated import Constants, constants
 from upright.compiled.generated_motion import rk4_free
 from upright.physics.linear import linearise
@@ -118,6 +119,23 @@ def test_what_is_estimated_is_what_a_level_floor_shows() -> None:
     apart, and the dry friction that the predictor makes sharp."""
     taken = set(inspect.signature(rk4_free.py_func).parameters) & set(Constants._fields)
     assert {Constants._fields[i] for i in (*LEVEL, *ROLLING_DRY)} == taken | {"half_track", "coulomb_torque"}
+
+
+def test_the_flow_of_wheels_that_stick_is_smooth() -> None:
+    """Held by dry friction, body and wheels are one: a pitch rate or a wheel rate is shared by both after the step, and
+    a yaw rate is gone. Rolling friction changes that by its own slope at rest alone, 2τ_w/(a ω_c) h = 0.02."""
+    robot = Robot.preset("twipr").replace(rolling_friction=0.001)
+    numbers = np.array([*constants(list(robot.numbers().values()), 1.0), 1.0, 1.0, 0.0, 0.0])
+    room = _Flow(
+        block_of(np.repeat(numbers[:, None], WIDE, axis=1)),
+        np.zeros((2, WIDE)), np.zeros((STATES, STATES)), np.zeros((STATES, SIZE)),
+    )  # fmt: skip
+    _flow(room, np.zeros(SIZE), np.array([0.002, 0.002]), 0.0, 0.004, 0.004)
+    body, wheels, turn = room.phi[1, [1, 3, 5]]
+    assert room.phi[3, [1, 3, 5]] == pytest.approx([body, wheels, turn], abs=1e-4)  # one motion
+    assert body + wheels == pytest.approx(1.0, abs=0.03)
+    assert min(body, wheels) > 0
+    assert abs(turn) < 1e-4
 
 
 def test_innovations_at_the_filter_s_gains_are_the_filter_s() -> None:

@@ -94,26 +94,29 @@ def _stepped(w: Any, i: Any, x: Any, d: Any, left: Any, right: Any) -> Any:
 
 
 @inlined
-def _rolling_signs(w: Any, i: Any, mean: Any, yaw_rate: Any) -> Any:
-    """ω / √(ω² + ω_c²) of both wheels' rates ω over the floor, for their `mean` rate and the yaw rate [rad/s]."""
-    turn, smooth = get(w, HALF_TRACK, i) * yaw_rate, get(w, STICTION_RATE_SQUARED, i)
-    left, right = mean - turn, mean + turn
+def _signs(left: Any, right: Any, smooth: Any) -> Any:
+    """ω / √(ω² + ω_c²) of two rates ω [rad/s], for `smooth` = ω_c²."""
     return left / math.sqrt(left * left + smooth), right / math.sqrt(right * right + smooth)
 
 
 @njit
 def _roll(w: Any, count: Any, steps: Any) -> None:
-    """The signs of rolling friction in the middle of the step of span/steps [s] that begins."""
+    """The signs of rolling friction in the middle of the step of span/steps [s] that begins.
+
+    The rates there are foreseen with smooth friction in the motors: that of a wheel that sticks may have either sign.
+    """
     for i in range(count):
-        x, dry = _state(w, PITCH, i), get(w, FRICTION, i)
-        left, right = _wheel_rates(x, get(w, HALF_TRACK, i))
+        x, dry, smooth = _state(w, PITCH, i), get(w, FRICTION, i), get(w, STICTION_RATE_SQUARED, i)
+        turn = get(w, HALF_TRACK, i)
+        slip_left, slip_right = _signs(*_wheel_rates(x, turn), smooth)
+        roll_left, roll_right = _signs(x[3] - turn * x[5], x[3] + turn * x[5], smooth)
         _, wheel_acc, yaw_acc = accelerations_free(
-            x[0], x[1], x[3], x[5],
-            get(w, LEFT, i) - (dry if left >= 0 else -dry), get(w, RIGHT, i) - (dry if right >= 0 else -dry),
-            *_rolling_signs(w, i, x[3], x[5]), *constants_free(w, i),
+            x[0], x[1], x[3], x[5], get(w, LEFT, i) - dry * slip_left, get(w, RIGHT, i) - dry * slip_right,
+            roll_left, roll_right, *constants_free(w, i),
         )  # fmt: skip
         half = get(w, SPAN, i) / steps / 2
-        left, right = _rolling_signs(w, i, x[3] + half * wheel_acc, x[5] + half * yaw_acc)
+        mean, turning = x[3] + half * wheel_acc, turn * (x[5] + half * yaw_acc)
+        left, right = _signs(mean - turning, mean + turning, smooth)
         put(w, ROLL_LEFT, i, left)
         put(w, ROLL_RIGHT, i, right)
 
