@@ -138,7 +138,7 @@ def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(com
     assert sum(root.get("role") == "img" for root in drawings(html)) == 2 * (
         len(STATE_NAMES) + 1
     )  # for a screen and for a phone
-    assert "Pitch settles to 5 % of its largest value in: twin " in html
+    assert "Pitch differs from twin at most: " in html
     assert ">robot<" not in html
     assert "not results of a real robot" in html  # the note on twins
 
@@ -150,7 +150,7 @@ def test_the_same_page_is_the_same_bytes(comparison, tmp_path):
 
 
 def test_a_title_replaces_the_pages_own_and_a_result_without_a_page_says_so(comparison, tmp_path):
-    assert "<title>2 runs follow twin; the worst, linear, fits " in page_of(comparison).html()
+    assert "<title>2 runs beside twin; the worst, linear, fits " in page_of(comparison).html()
     assert "<title>Two &amp; one</title>" in report(comparison, tmp_path / "a.html", title="Two & one").read_text()
     with pytest.raises(UprightError, match="float has no page; expected a result: Comparison, Calibration") as error:
         report(1.0, tmp_path / "b.html")

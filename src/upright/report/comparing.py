@@ -16,8 +16,13 @@ from upright.tables import sentence
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure as MplFigure
 
 BESIDE = 1.0  # [s] shown before a push and after it has settled
+STEADY, WIDE = 1.6, 0.5
+"""A wobble that grows no more than this between the last quarter and the last half is steady; beyond this part of the
+peak it is no rest."""
+CLOSE, FAIR = 80.0, 50.0  # [%] of fit: from where two runs agree well, and at all
 SMALL = 0.6  # [1] of a run: less is shown alone
 DWARFED = 5.0
 """A trace that leaves the reference's range by more than this many times its width is cut at the frame."""
@@ -48,38 +53,54 @@ def _title(comparison: Comparison, first: str) -> str:
     fell = [label for label, m in comparison.metrics.items() if m.fell]
     if len(labels) == 1:
         (m,) = comparison.metrics.values()
-        done = "The robot fell" if m.fell else "The robot stands"
-        return f"{done}; pitch reaches {abs(m.pitch_peak):.2g} rad ({math.degrees(abs(m.pitch_peak)):.2g}°)"
+        robot = comparison.logs[labels[0]].origin.get("robot", {}).get("name", "") or "The robot"
+        return f"{robot} {'fell' if m.fell else 'stands'}; pitch reaches {_degrees(m.pitch_peak)}"
     if fell and len(fell) < len(labels):
         return f"{', '.join(fell)} fell; {', '.join(label for label in labels if label not in fell)} did not"
-    fits = {label: f[first] for label, f in comparison.fits.items() if math.isfinite(f.get(first, math.nan))}
+    fits = _fits(comparison, first)
     if not fits:
         return f"{', '.join(labels)} compared"
     worst = min(fits, key=lambda label: fits[label])
+    follows = "follows" if fits[worst] >= FAIR else "does not follow"
     if len(fits) == 1:
-        return f"{sentence(worst, '')} follows {comparison.reference}: fit {_percent(fits[worst])}"
-    return f"{len(fits)} runs follow {comparison.reference}; the worst, {worst}, fits {_percent(fits[worst])}"
+        return f"{sentence(worst, '')} {follows} {comparison.reference}: fit {_percent(fits[worst])}"
+    return f"{len(fits)} runs beside {comparison.reference}; the worst, {worst}, fits {_percent(fits[worst])}"
+
+
+def _fits(comparison: Comparison, first: str) -> dict[str, float]:
+    return {label: f[first] for label, f in comparison.fits.items() if math.isfinite(f.get(first, math.nan))}
 
 
 def _lead(comparison: Comparison) -> str:
-    """What was run: robot, controller, push."""
+    """What was run: robot, controller, push; and what to run next."""
     log = comparison.logs[comparison.reference]
     robot, kind = log.origin.get("robot", {}).get("name", ""), log.origin.get("controller", {}).get("kind", "")
     who = f"{robot} under {kind}" if robot and kind else robot or "One experiment"
     pushes = [f"from {start:.3g} to {stop:.3g} s" for start, stop in comparison.pushed]
     pushed = f", pushed {' and '.join(pushes[:2])}" if pushes else ", without a push"
     several = f", in {', '.join(comparison.logs)}" if comparison.fits else ""
-    return f"{who}{pushed}{several}."
+    twin = any(kind.startswith("twin") for kind in comparison.kinds.values())
+    stands = " A twin, a physics engine, stands in for the real robot." if twin else ""
+    after = (
+        "`upright compare` it with another body" if len(comparison.logs) == 1 else "`upright certify` the controller"
+    )
+    return f"{who}{pushed}{several}.{stands} Next: {after}."
 
 
 def _verdict(comparison: Comparison) -> Verdict | None:
-    """How many robots stood, where every log says so."""
+    """Of one run whether the robot stood; of several how well they agree, or that only some fell."""
     fell = [m.fell for m in comparison.metrics.values()]
-    if any(f is None for f in fell):
-        return None
-    stood = fell.count(False)
-    text = ("stood" if stood else "fell") if len(fell) == 1 else f"{stood} of {len(fell)} stood"
-    return Verdict(text, "good" if stood == len(fell) else "warn")
+    if any(fell):
+        return Verdict("fell" if len(fell) == 1 else f"{fell.count(True)} of {len(fell)} fell", "bad")
+    first = "pitch" if "pitch" in comparison.signals else comparison.signals[0]
+    fits = _fits(comparison, first)
+    if fits:
+        worst = min(fits.values())
+        text = f"good fit: {CLOSE:g} % or more" if worst >= CLOSE else f"fair fit: less than {CLOSE:g} %"
+        if worst < FAIR:
+            return Verdict(f"poor fit: less than {FAIR:g} %", "bad")
+        return Verdict(text, "good" if worst >= CLOSE else "warn")
+    return None if any(f is None for f in fell) else Verdict("stood", "good")
 
 
 def _is_still(comparison: Comparison, name: str) -> bool:
@@ -89,27 +110,66 @@ def _is_still(comparison: Comparison, name: str) -> bool:
 
 
 def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
-    """Of one run pitch and travel, of the first three runs the largest pitch; a fall says so."""
+    """Of one run pitch, calm and travel; of several the fit, the largest difference and pitch; a fall says so."""
     if len(comparison.logs) == 1:
-        (m,) = comparison.metrics.values()
+        ((label, m),) = comparison.metrics.items()
+        calm, limit = _calm(comparison, label)
         return [
-            (f"{abs(m.pitch_peak):.3g} rad", f"largest pitch: {math.degrees(abs(m.pitch_peak)):.2g}°"),
-            (_settles(m.settling_5), "after the release, until pitch stays within 5 % of its largest value"),
-            (f"{m.wheel_travel:.3g} rad", "largest turn of the wheels"),
+            (_degrees(m.pitch_peak), f"largest pitch ({abs(m.pitch_peak):.2g} rad)"),
+            (_settles(calm), f"after the release, until pitch stays within ±{_degrees(limit)}, as at rest"),
+            (_degrees(m.wheel_travel), f"largest turn of the wheels ({m.wheel_travel:.3g} rad)"),
         ]
     fits = [
-        (_percent(fit["pitch"]), f"fit of {label} to {comparison.reference}: pitch")
+        (_percent(fit["pitch"]), f"fit of {label} to {comparison.reference}: pitch; good from {CLOSE:g} %")
         for label, fit in list(comparison.fits.items())[:1]
         if math.isfinite(fit.get("pitch", math.nan))
     ]
+    apart = _apart(comparison, "pitch") if "pitch" in comparison.signals else {}
+    fits += [(_degrees(size), f"largest difference of pitch, {label}") for label, size in list(apart.items())[:1]]
     return fits + [
-        (f"{math.degrees(abs(m.pitch_peak)):.3g}°", f"{label}: largest pitch") if not m.fell else ("fell", label)
-        for label, m in list(comparison.metrics.items())[: 3 - len(fits)]
+        (_degrees(m.pitch_peak), f"{label}: largest pitch") if not m.fell else ("fell", label)
+        for label, m in list(comparison.metrics.items())[: 4 - len(fits)]
     ]  # fmt: skip
 
 
+def _degrees(angle: float) -> str:
+    size = math.degrees(abs(angle))
+    return f"{size:.0f}°" if size >= 10 else f"{cell_text(size, 2)}°"
+
+
+def _apart(comparison: Comparison, name: str) -> dict[str, float]:
+    """The largest difference [unit of the state] of each run from the reference, while both last."""
+    reference = comparison.logs[comparison.reference]
+    one = reference[f"{comparison.sources[comparison.reference]}/{name}"]
+    apart: dict[str, float] = {}
+    for label, log in comparison.logs.items():
+        if label != comparison.reference:
+            both = (reference.t >= log.t[0]) & (reference.t <= log.t[-1])
+            other = np.interp(reference.t[both], log.t, log[f"{comparison.sources[label]}/{name}"])
+            apart[label] = float(np.nanmax(np.abs(one[both] - other), initial=0.0))
+    return apart
+
+
+def _calm(comparison: Comparison, label: str) -> tuple[float, float]:
+    """From how long after the release on pitch stays near zero [s], and what near means [rad].
+
+    That is 5 % of its largest value, or its wobble at rest where that is more: then the noise of the sensors decides.
+    """
+    m = comparison.metrics[label]
+    released = comparison.logs[label].between(comparison.releases[label], math.inf)
+    pitch = np.abs(released[f"{comparison.sources[label]}/pitch"])
+    if m.fell or len(pitch) < 8 or math.isnan(comparison.releases[label]):
+        return math.nan, 0.05 * abs(m.pitch_peak)
+    half, quarter = (float(pitch[-len(pitch) // part :].max()) for part in (2, 4))
+    limit = max(0.05 * float(pitch.max()), half if half <= STEADY * quarter else quarter)
+    if limit > WIDE * float(pitch.max()):
+        return math.nan, limit
+    beyond = np.flatnonzero(pitch > limit)
+    return (float(released.t[beyond[-1]] - released.t[0]) if len(beyond) else 0.0), limit
+
+
 def _settles(seconds: float) -> str:
-    return "never" if math.isnan(seconds) else f"{seconds:.3g} s"
+    return "never" if math.isnan(seconds) else f"{seconds:.2g} s"
 
 
 def _how(comparison: Comparison) -> str:
@@ -146,11 +206,13 @@ def fit_tables(comparison: Comparison) -> list[Table]:
 def state_figure(comparison: Comparison, name: str) -> Figure:
     """One state of all runs over time, under a title that says how they differ."""
     figure = comparison.plot(name)
+    _in_degrees(figure)
     if name == "pitch" and comparison.pushed and len(comparison.logs) == 1:
         _band(comparison, figure.axes[0])
     limits, note = _limits(comparison, name)
     if limits:
-        figure.axes[0].set_ylim(*limits)
+        scale = 180 / math.pi if "[°" in figure.axes[0].get_ylabel() else 1.0
+        figure.axes[0].set_ylim(*(scale * limit for limit in limits))
     around = _around(comparison)
     if around:
         figure.axes[0].set_xlim(*around)
@@ -158,20 +220,34 @@ def state_figure(comparison: Comparison, name: str) -> Figure:
     return Figure(_claim(comparison, name), figure, note)
 
 
+def _in_degrees(figure: MplFigure) -> None:
+    """Angles and their rates in degrees."""
+    for ax in figure.axes:
+        if not ax.get_ylabel().endswith(("[rad]", "[rad/s]")):
+            continue
+        for drawn in ax.lines:
+            drawn.set_ydata(np.degrees(np.asarray(drawn.get_ydata(), dtype=np.float64)))
+        ax.yaxis.label.set_text(ax.get_ylabel().replace("[rad", "[°"))
+        ax.relim()
+        ax.autoscale_view()
+
+
 def _band(comparison: Comparison, ax: Axes) -> None:
-    """The 5 % about zero in which pitch has to stay after the release."""
+    """Dotted: what counts as calm after the release."""
     ((label, log),) = comparison.logs.items()
-    released = log.between(comparison.releases[label], math.inf)
-    limit = 0.05 * float(np.abs(released[f"{comparison.sources[label]}/pitch"]).max())
-    for side in (-limit, limit):
-        ax.hlines(side, released.t[0], released.t[-1], linestyle=":", linewidth=1, color=AXIS)
+    calm, limit = _calm(comparison, label)
+    if math.isfinite(calm):
+        for side in (-1, 1):
+            level, start = side * math.degrees(limit), comparison.releases[label]
+            ax.hlines(level, start, log.t[-1], linestyle=":", linewidth=1.2, color=AXIS)
 
 
 def _around(comparison: Comparison) -> tuple[float, float] | None:
-    """The time [s] round the pushes until every run has settled, where that is a small part of the runs."""
-    if not comparison.pushed or any(m.fell or math.isnan(m.settling_5) for m in comparison.metrics.values()):
+    """The time [s] round the pushes until every run is calm, where that is a small part of the runs."""
+    calm = {label: _calm(comparison, label)[0] for label in comparison.logs} if comparison.pushed else {}
+    if not calm or "pitch" not in comparison.signals or not all(map(math.isfinite, calm.values())):
         return None
-    settled = max(comparison.releases[label] + m.settling_5 for label, m in comparison.metrics.items())
+    settled = max(comparison.releases[label] + seconds for label, seconds in calm.items())
     log = comparison.logs[comparison.reference]
     start, end = float(log.t[0]), float(log.t[-1])
     low, high = max(start, comparison.pushed[0][0] - BESIDE), min(end, settled + BESIDE)
@@ -180,16 +256,16 @@ def _around(comparison: Comparison) -> tuple[float, float] | None:
 
 def _claim(comparison: Comparison, name: str) -> str:
     if name == "pitch":
-        if not comparison.pushed:
-            peaks = (f"{label} {abs(m.pitch_peak):.3g} rad" for label, m in comparison.metrics.items())
-            return "Largest pitch: " + ", ".join(peaks)
-        times = {label: numbers.settling_5 for label, numbers in comparison.metrics.items()}
-        if len(times) == 1:
-            (seconds,) = times.values()
-            when = f"{_settles(seconds)} after the release" if math.isfinite(seconds) else "not within the run"
-            return f"Pitch settles to 5 % of its largest value (dotted) {when}"
-        settled = (f"{label} {_settles(s)}" for label, s in times.items())
-        return "Pitch settles to 5 % of its largest value in: " + ", ".join(settled)
+        if len(comparison.logs) == 1:
+            label = comparison.reference
+            calm, limit = _calm(comparison, label)
+            if not comparison.pushed or comparison.metrics[label].fell:
+                return "Pitch of the run"
+            if math.isnan(calm):
+                return "Pitch does not come to rest within the run"
+            return f"Pitch is calm, within the dotted ±{_degrees(limit)}, {_settles(calm)} after the release"
+        apart = (f"{label} by {_degrees(size)}" for label, size in _apart(comparison, name).items())
+        return f"Pitch differs from {comparison.reference} at most: {', '.join(apart)}"
     words = name.replace("_", " ").capitalize()
     fits = (f"{label} {_percent(fits[name])}" for label, fits in comparison.fits.items())
     return f"{words}, fit to {comparison.reference}: " + ", ".join(fits) if comparison.fits else f"{words} of the run"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,6 +15,12 @@ from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict
 from upright.tables import sentence
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
 CUT = 1.2  # of the largest command: a law may ask for much more
 SHOWN = 0.02
 """Less likely causes are only in the JSON."""
@@ -21,7 +28,7 @@ SHOWN = 0.02
 
 def page_of(result: PostMortem) -> Page:
     """The post-mortem's page, not yet written."""
-    level = "good" if result.verdict == NO_FALL else "warn" if result.fell else "info"
+    level = "good" if result.verdict == NO_FALL else "bad" if result.fell else "info"
     evidence = [*_words(result), *([_causes(result)] if result.causes else [])]
     sections = [Section("Cause", evidence)] if evidence else []
     drawn = len(result.series.t) > 1
@@ -31,30 +38,58 @@ def page_of(result: PostMortem) -> Page:
     facts |= {"controller": f"{result.controller}, {result.hash[:12]}"} if result.controller else {}
     title = f"Why {result.robot} fell: {result.verdict}" if result.fell else f"{result.robot}: {result.verdict}"
     return Page(
-        title, sections, _lead(result), facts, False, verdict=Verdict(result.verdict, level),
+        title, sections, _lead(result), facts, False, verdict=Verdict(_sure(result), level),
         picture=_figure(result) if drawn else None,
-        numbers=[
-            (f"{100 * c.likelihood:.0f} %", f"probability of: {c.name}")
-            for c in result.causes[:3]
-            if c.likelihood >= SHOWN
-        ],
+        numbers=_numbers(result),
     )  # fmt: skip
 
 
 _READ = (
-    "Shaded: from the onset to the fall. Dashed in the first panel: 0.7 rad, which counts as the fall. The second "
-    "panel divides the lean by the largest one that the motors can recover from; dashed: the point of no return. NIS "
-    "is the mean normalised innovation squared over a tenth of a second. Without faults it stays between the dashed "
-    "lines in 95 of 100 cases."
+    "Shaded: from the onset to the fall. Dashed in the first panel: 40°, which counts as the fall. The second panel "
+    "divides the lean by the largest one that the motors can recover from; dashed: the point of no return. The last "
+    "panel compares the readings with what the model expects, over a tenth of a second. Without faults it stays "
+    "between the dashed lines in 95 of 100 cases."
 )
 
 
+def _sure(result: PostMortem) -> str:
+    """How sure the first cause is."""
+    if not result.fell or not result.causes:
+        return result.verdict
+    likely = result.causes[0].likelihood
+    return f"it fell; {100 * likely:.0f} % sure of the cause" if likely >= SURE else "it fell; the cause is not clear"
+
+
+def _numbers(result: PostMortem) -> list[tuple[str, str]]:
+    """How long the fall took, and the causes after the first."""
+    known = result.fell and math.isfinite(result.onset)
+    numbers = [(f"{result.fell_at - result.onset:.2g} s", "from the first sign to the fall")] if known else []
+    likely = [c for c in result.causes[:3] if c.likelihood >= SHOWN]
+    return numbers + [(f"{100 * c.likelihood:.0f} %", f"probability: {c.name}") for c in likely]
+
+
+SURE = 0.5  # probability from which a cause is named
+
+
 def _lead(result: PostMortem) -> str:
+    """When it fell, why, and what to do."""
     if not result.fell:
         return "The robot did not fall in this log."
-    text = f"It fell at t = {result.fell_at:.2f} s of the log: the lean passed 0.7 rad (40°)."
-    best = result.causes[0].evidence if result.causes else ""
-    return f"{text} {sentence(best.split('; ')[0].split('. ')[0])}" if best else text
+    text = f"It fell at t = {result.fell_at:.2f} s of the log: the lean passed 40°."
+    best = result.causes[0] if result.causes else None
+    if not best:
+        return text
+    text += f" {sentence(_plain(best.evidence))}" if best.evidence else ""
+    return f"{text} What to do: {best.repair.rstrip('.')}." if best.repair else text
+
+
+def _plain(evidence: str) -> str:
+    """The first clause, without the filter's words."""
+    return (
+        evidence.split("; ", maxsplit=1)[0]
+        .split(". ", maxsplit=1)[0]
+        .replace("of the innovations", "of what the model cannot explain")
+    )
 
 
 def _words(result: PostMortem) -> list[Item]:
@@ -73,33 +108,41 @@ def _causes(result: PostMortem) -> Table:
 
 def _figure(result: PostMortem) -> Figure:
     s = result.series
-    labels = [
-        "pitch [rad]", "lean / largest lean to recover from [1]", f"command / largest command, cut at {CUT:g} [1]",
-        "NIS = squared innovation / expected [1]",
-    ]  # fmt: skip
-    figure, axes = panels(labels, height=1.35)
+    labels = ["pitch [°]", "lean / largest lean to recover from [1]", "command / largest command [1]",
+              "readings beside the model: squared error / expected [1]"]  # fmt: skip
+    figure, axes = panels(labels, height=1.0)
     pitch, reach, command, nis = axes
-    line(pitch, "pitch", s.t, s.pitch, style=0, solid=True)
-    for level in (-LEANING, LEANING):
-        if np.nanmin(s.pitch) < level < np.nanmax(s.pitch):
-            line(pitch, "_fall", s.t[[0, -1]], [level] * 2, style=5)
-    line(command, "command", s.t, np.clip(s.command, -CUT, CUT), step=True, style=1, solid=True)
+    degrees = np.degrees(s.pitch)
+    line(pitch, "pitch", s.t, degrees, style=0, solid=True)
+    for level in (-math.degrees(LEANING), math.degrees(LEANING)):
+        if np.nanmin(degrees) < level < np.nanmax(degrees):
+            _level(pitch, s.t, level, "counts as the fall")
     line(reach, "lean", s.t, s.reserve, style=2, solid=True)
-    line(reach, "_no return", s.t[[0, -1]], [1.0] * 2, style=5)
+    _level(reach, s.t, 1.0, "no return")
+    line(command, "command", s.t, np.clip(s.command, -CUT, CUT), step=True, style=1, solid=True)
     nis.set_yscale("log")
     numbered(nis.yaxis)
-    line(nis, "NIS", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
-    for level in (s.low, s.high):
+    line(nis, "error", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
+    for level, name in ((s.low, ""), (s.high, "usual, up to here")):
         if math.isfinite(level) and level > 0:
-            line(nis, "_usual", s.t[[0, -1]], [level] * 2, style=5)
+            _level(nis, s.t, level, name)
     command.set_ylim(-1.5, 1.5)
     reach.set_ylim(0, 1.5)
-    if result.fell and math.isfinite(result.onset):
-        span(axes, max(result.onset, float(s.t[0])), result.fell_at, "_trouble")
     known = result.fell and math.isfinite(result.onset)
-    title = (
-        f"The trouble begins at {result.onset:.2f} s, and the lean passes 0.7 rad at {result.fell_at:.2f} s (shaded)"
-        if known
-        else "The last seconds"
-    )
-    return Figure(title, figure)
+    if not known:
+        return Figure("The last seconds", figure)
+    span(axes, max(result.onset, float(s.t[0])), result.fell_at, "_trouble")
+    start = max(float(s.t[0]), result.onset - max(BEFORE, result.fell_at - result.onset))
+    axes[0].set_xlim(start, min(float(s.t[-1]), result.fell_at + AFTER))
+    lasted = result.fell_at - result.onset
+    note = "Shaded: from the onset to the fall."
+    return Figure(f"From the first sign at {result.onset:.2f} s to the fall it took {lasted:.2g} s", figure, note)
+
+
+BEFORE, AFTER = 1.0, 0.2  # [s] shown before the onset, at least, and after the fall
+
+
+def _level(ax: Axes, t: Array, level: float, name: str) -> None:
+    """A dashed line across, with its name at its left end."""
+    line(ax, "_level", t[[0, -1]], [level] * 2, style=5)
+    ax.annotate(name, (0.005, level), (0, 2), xycoords=("axes fraction", "data"), textcoords="offset points")
