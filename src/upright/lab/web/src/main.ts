@@ -27,15 +27,17 @@ const EXPORTED: readonly Tab[] = ["Controller", "Robot", "See", "Keep", "Python"
 
 const SEEN = 400; // [ms] from the first picture to the work on another one
 
-/** Whether the browser draws in three dimensions. */
-function able(asked: WebGLContextAttributes): boolean {
-  const context = document.createElement("canvas").getContext("webgl2", asked);
+/** Whether the browser draws in three dimensions, and whether by a processor that is made for it. */
+function drawing(): { able: boolean; quick: boolean } {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const named = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = context?.getParameter(named?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER) as string;
   context?.getExtension("WEBGL_lose_context")?.loseContext();
-  return context !== null;
+  return { able: context !== null, quick: !/swiftshader|llvmpipe|software|basic render/i.test(name) };
 }
 
 class Page {
-  private deeper: (() => Stage | null) | null = null; // the room that takes the side view's place
+  private deeper: (() => Stage) | null = null; // the room that takes the side view's place
   private room: Stage = this.furnish();
   private charts = new Charts(() => this.seconds);
   private see = new See();
@@ -150,9 +152,9 @@ class Page {
   private furnish(): Stage {
     const push = throttled(33, (hand: Hand) => store.send({ kind: "Drag", force: hand.force, height: hand.height }));
     const room = () => new Room(h("canvas", { className: "room", tabIndex: 0, role: "img" }), push);
-    const quick = able(exported ? { failIfMajorPerformanceCaveat: true } : {});
-    if (quick) return room();
-    if (exported) this.deeper = () => (able({}) ? room() : null);
+    const { able, quick } = drawing();
+    if (able && (quick || !exported)) return room();
+    this.deeper = able ? room : null;
     return new Flat(push);
   }
 
@@ -165,13 +167,13 @@ class Page {
   private deepen(): void {
     const [changed, before] = [store.changed, this.room.element];
     if (!this.deeper || !changed || store.snapshot?.f[0]) return;
-    const room = this.deeper();
+    this.room = this.deeper();
     this.deeper = null;
-    if (!room) return;
-    this.room = room;
     this.equip();
     this.room.furnish(changed.look, changed.bodies);
     before.replaceWith(this.room.element);
+    if (store.snapshot) this.room.move(store.snapshot);
+    this.room.draw(0); // at once, so that no empty room is seen
   }
 
   private transport(): HTMLElement {
