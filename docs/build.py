@@ -73,7 +73,9 @@ def build(site: Path, *, draft: bool = False) -> int:
         if not draft:
             _gallery(source)
             index = source / "index.md"
-            _write(index, index.read_text("utf-8").replace(AFTER, f"{TRY}\n\n{AFTER}"))
+            _write(index, PICTURE.sub(TRY, index.read_text("utf-8")))
+            lab = source / "lab.md"
+            _write(lab, re.sub(r"(\]\(lab\.webp\)\n)", rf"\1\n{NOW}\n", lab.read_text("utf-8"), count=1))
         _order(source)
         arguments = ["-b", "html", "-c", str(HERE), "-W", "--keep-going", "-q", "-d", str(Path(scratch) / "doctrees")]
         if site.is_dir() and any(site.iterdir()) and not (site / "objects.inv").exists():
@@ -102,7 +104,7 @@ def _lab(site: Path) -> None:
 
 def _pages(source: Path) -> None:
     for page in HERE.glob("*.md"):
-        text = page.read_text("utf-8").replace("](../", "](")
+        text = _switched(page, page.read_text("utf-8").replace("](../", "]("))
         _write(source / page.name, re.sub(r"\]\((notebooks|examples|benchmarks)/README\.md\)", r"](\1/index.md)", text))
     for picture in [*HERE.glob("*.gif"), *HERE.glob("*.webp")]:
         shutil.copy(picture, source)
@@ -111,6 +113,19 @@ def _pages(source: Path) -> None:
     for linked in re.findall(r"\]\(((?:src|benchmarks)/[^)#]+\.py)\)", "".join(_texts(source))):
         (source / linked).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / linked, source / linked)
+
+
+SWITCH = {"es": "English", "en": "Español"}
+"""What leads from a page in one language to the same page in the other."""
+
+
+def _switched(page: Path, text: str) -> str:
+    """A page NAME.LANGUAGE.md with the way to its other language below its first lines."""
+    name, _, language = page.stem.partition(".")
+    if language not in SWITCH:
+        return text
+    (other,) = SWITCH.keys() - {language}
+    return re.sub(r"\A(# .+\n\n\*.+\*\n)", rf"\1\n[{SWITCH[language]}]({name}.{other}.md)\n", text)
 
 
 def _texts(source: Path) -> list[str]:
@@ -156,8 +171,11 @@ def _glossary(source: Path) -> None:
     _write(source / "glossary.md", f"# Glossary\n\n*For everybody; English and Spanish.*\n{table}")
 
 
-AFTER = "| you want | go to |"
-TRY = '<p><a href="try/index.html">Push a robot now, in this browser</a></p>'
+NOW = '<p><a href="try/index.html"><strong>Push it yourself, now, in this browser</strong></a></p>'
+PICTURE = re.compile(r"!\[[^]]*\]\(push\.gif\)")
+SHOWN = '<img src="_images/lab.webp" alt="The lab: a robot is knocked and stays up">'
+TRY = f'{NOW}<p><a href="try/index.html">{SHOWN}</a></p>'
+"""The first picture of the site leads to the lab, in the place of one that only moves."""
 
 FENCE = re.compile(r"^```python\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
 
@@ -229,7 +247,10 @@ def _notebook_page(notebook: NotebookNode, page: Path, take: str, words: str) ->
         else:
             parts.append(f"```python\n{cell.source}\n```\n")
             parts += [_output(out, page, f"{page.stem}-{number}-{k}") for k, out in enumerate(cell.outputs)]
-    return "\n".join([parts[0], f"[{words}]({take})\n", *parts[1:]])
+    lang = page.parent.name
+    (other,) = SWITCH.keys() - {lang}
+    links = f"[{words}]({take}) · [{SWITCH[lang]}](../{other}/{page.name})\n"
+    return "\n".join([parts[0], links, *parts[1:]])
 
 
 def _output(output: NotebookNode, page: Path, name: str) -> str:
@@ -242,7 +263,8 @@ def _output(output: NotebookNode, page: Path, name: str) -> str:
         width = output.metadata.get("image/png", {}).get("width")
         return f"![A figure that this cell draws]({path.name})" + (f"{{width={width}px}}\n" if width else "\n")
     if "<iframe" in (framed := data.get("text/html", "")):
-        return _block(re.sub(r'(src|href)="(lab-)', r'\1="../\2', framed))  # both languages show the same page
+        own = re.sub(r'(src|href)="(lab-[^"]+)', rf'\1="../\2&amp;lang={page.parent.name}', framed)
+        return _block(own)  # both languages show the same page
     return _block(framed or f"<pre>{escape(data.get('text/plain', ''))}</pre>")
 
 

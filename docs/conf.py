@@ -9,6 +9,7 @@ from typing import Any
 
 from docutils import nodes
 from latex2mathml.converter import convert
+from markupsafe import Markup
 from sphinx.application import Sphinx
 
 project = "upright"
@@ -79,7 +80,31 @@ def accessible(_app: Sphinx, _page: str, _template: str, context: dict[str, Any]
             context[name] = context.get(name, "").replace(old, new)
 
 
+SPANISH = {
+    "Search": "Buscar", "On this page": "En esta página", "Contents": "Contenido", "Back to top": "Volver arriba",
+    "Next": "Siguiente", "Previous": "Anterior", "Home": "Inicio", "Start": "Inicio", "Course": "Curso",
+    "How to": "Recetas (en inglés)", "Concepts": "Conceptos (en inglés)", "Reference": "Referencia (en inglés)",
+    "The project": "El proyecto (en inglés)",
+}  # fmt: skip
+"""What stands round a page that is Spanish: words of the theme, and the parts of the site."""
+
+
+def spanish(_app: Sphinx, page: str, _template: str, context: dict[str, Any], _tree: object) -> None:
+    """The frame of a Spanish page is Spanish; the pages that it leads to keep their own language."""
+    if not (page.endswith(".es") or page.startswith("notebooks/es/")):
+        return
+
+    def said(text: str) -> Markup:
+        return Markup(SPANISH.get(text, text))
+
+    context |= {"language": "es", "_": said, "gettext": said}
+    captions = re.compile(r'(?<=<span class="caption-text">)[^<]+')
+    tree = context.get("furo_navigation_tree", "")
+    context["furo_navigation_tree"] = captions.sub(lambda found: SPANISH.get(found[0], found[0]), tree)
+
+
 def setup(app: Sphinx) -> None:
     app.connect("autodoc-process-docstring", restructured)
     app.connect("html-page-context", accessible, priority=900)  # after furo, which makes the tree
+    app.connect("html-page-context", spanish, priority=910)
     app.add_html_math_renderer("mathml", (inline, None), (display, None))

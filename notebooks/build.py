@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import ast
+import os
 import re
 import shutil
 import sys
@@ -26,6 +27,7 @@ from nbformat import NotebookNode
 HERE = Path(__file__).parent
 LANGUAGES = ("en", "es")
 LIMIT = 120  # [s] of one cell: a guard against hanging, not the time that a notebook should take
+BAR = 30.0  # [s] of computing that a notebook should take; printed, not tested: machines differ
 EMPTY = {"en": "# your answer", "es": "# su respuesta"}
 HEAD = re.compile(r"^# %%(?P<prose> \[markdown\])?(?P<options>.*)$", re.MULTILINE)
 OPTION = re.compile(r"""(\w+)=("[^"]*"|\[[^\]]*\])""")
@@ -111,7 +113,9 @@ def build(folder: Path, names: Sequence[str] = ()) -> list[Path]:
         if names and text.stem not in names:
             continue
         with tempfile.TemporaryDirectory() as scratch:
+            before = _computed()
             ran = executed(text, Path(scratch))
+            print(f"{text.stem}: executed in {_computed() - before:.0f} s of computing (bar {BAR:g})")
             for reader in ("student", "teacher"):
                 for lang in LANGUAGES:
                     path = folder / reader / lang / f"{text.stem}.ipynb"
@@ -120,6 +124,12 @@ def build(folder: Path, names: Sequence[str] = ()) -> list[Path]:
                     labs_beside(path.parent, Path(scratch))
                     written.append(path)
     return written
+
+
+def _computed() -> float:
+    """Seconds of processors that ended children took; nothing on Windows, which does not count them."""
+    spent = os.times()
+    return spent.children_user + spent.children_system
 
 
 def labs_beside(folder: Path, scratch: Path) -> None:

@@ -74,6 +74,10 @@ def test_notebooks_are_there_in_both_languages_without_answers(site: Path) -> No
     for text in (ROOT / "notebooks").glob("[0-9]_*.py"):
         for lang in ("en", "es"):
             page = (site / "notebooks" / lang / f"{text.stem}.html").read_text("utf-8")
+            other = {"en": "es", "es": "en"}[lang]
+            assert f'<html class="no-js" lang="{lang}"' in page
+            assert {"en": "On this page", "es": "En esta página"}[lang] in page
+            assert f'href="../{other}/{text.stem}.html"' in page
             (taken,) = re.findall(r'href="([^"]*\.ipynb)"', page)
             cells = json.loads((site / "notebooks" / lang / taken).read_text("utf-8"))["cells"]
             assert not [cell for cell in cells if "answer" in cell["metadata"].get("tags", ())]

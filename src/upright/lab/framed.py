@@ -33,7 +33,7 @@ class LabPage:
         address = escape(f"{quote(self.path.as_posix())}#{self.place}")
         look = f'width="100%" height="{self.height}" style="border: 1px solid #8884; border-radius: 8px"'
         frame = f'<iframe src="{address}" title="The lab: push the robot" loading="lazy" {look}></iframe>'
-        return f'{frame}<p><a href="{address}">{self.path.name}</a></p>'
+        return f'{frame}<p><a href="{address}">{escape(self.path.as_posix())}</a></p>'
 
 
 def lab_page(

@@ -76,7 +76,8 @@ class Page {
 
   constructor(private app: HTMLElement) {
     this.theme(remembered.getItem("theme") ?? "");
-    choose(remembered.getItem("language") ?? (navigator.language.startsWith("es") ? "es" : "en"));
+    const asked = (exported && new URLSearchParams(location.hash.slice(1)).get("lang")) ?? "";
+    choose(Object.hasOwn(LANGUAGES, asked) ? asked : remembered.getItem("language") ?? (navigator.language.startsWith("es") ? "es" : "en"));
     store.listen((message) => this.hear(message));
     this.scrub.addEventListener("input", () => store.send({ kind: "Scrub", back: -Number(this.scrub.value) }));
     this.equip();
