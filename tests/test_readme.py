@@ -26,7 +26,6 @@ TASKS = {
     "push a robot": "simulate --robot nxtway-gs", "compare two logs": "compare", "own robot": "robots show",
     "a run of it": "simulate --robot mine", "a log": "example excited", "its faults": "doctor",
     "parameters": "calibrate", "design": "design", "certify": "certify", "program for a target": "firmware",
-    "its execution": "parity",
     "hand-ins of three": "example handed-in", "grade": "grade", "film": "film", "notebook": "example notebook",
 }  # fmt: skip
 """Task → how its command begins; the README has it whole."""
