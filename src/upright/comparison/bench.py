@@ -115,18 +115,23 @@ class Bench(Shown):
 
     def plot(self) -> Figure:
         """The largest impulse that each controller survives, the best first."""
-        from upright.plotting import bars
+        from upright.plotting import COLOURS, bars
 
         ranked = self.ranked()
-        return bars(list(ranked), list(ranked.values()), "largest impulse survived [N s]", "controller")
+        figure = bars(list(ranked), list(ranked.values()), "largest impulse survived [N s]", "controller")
+        best = next(iter(ranked.values()), np.nan)
+        for bar, size in zip(figure.axes[0].patches, ranked.values(), strict=True):
+            bar.set_color(COLOURS[2] if size >= best * (1 - TOLERANCE) else COLOURS[0])
+        return figure
 
-    def plot_responses(self) -> Figure:
-        """Pitch under every controller, one panel for each push; a fall ends its line."""
+    def plot_responses(self, *controllers: str) -> Figure:
+        """Pitch under each of some controllers (default: all), one panel for each push; a fall ends its line."""
         from upright.plotting import legend, line, panels
 
         pushes = list(dict.fromkeys(push for _, push in self.logs))
         figure, axes = panels([f"pitch, {push} [rad]" for push in pushes])
-        for (controller, push), log in self.logs.items():
+        shown = {key: log for key, log in self.logs.items() if not controllers or key[0] in controllers}
+        for (controller, push), log in shown.items():
             line(axes[pushes.index(push)], controller, log.t, log["truth/pitch"])
         for ax in axes:
             ax.set_ylim(-RANGE, RANGE)

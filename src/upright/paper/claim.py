@@ -16,7 +16,7 @@ REPRODUCED = "reproduced"
 NOT_AS_PRINTED = "not reproducible as printed"
 BEYOND = "beyond the paper"
 
-_LEVEL = {REPRODUCED: "good", NOT_AS_PRINTED: "warn", BEYOND: "info"}
+LEVEL_OF = {REPRODUCED: "good", NOT_AS_PRINTED: "warn", BEYOND: "info"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +42,7 @@ class Claim:
 
     def section(self) -> Section:
         """The claim as a section of the page: the figures that come first, or else the first, then the rest folded."""
-        verdict = Verdict(self.verdict, _LEVEL[self.verdict])
+        verdict = Verdict(self.verdict, LEVEL_OF[self.verdict])
         figures = [item for item in self.items if isinstance(item, Figure)]
         shown = list(itertools.takewhile(lambda item: isinstance(item, Figure), self.items)) or figures[:1]
         rest = [item for item in self.items if item not in shown]

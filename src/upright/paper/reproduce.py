@@ -11,10 +11,10 @@ from typing import Any
 from upright.atomic import make_folder, write_json
 from upright.control import lqr
 from upright.paper import as_built, controllers, equations, linear_model, printed, pushes, regulator, sensors, turning
-from upright.paper.claim import BEYOND, NOT_AS_PRINTED, REPRODUCED, Claim
+from upright.paper.claim import BEYOND, LEVEL_OF, NOT_AS_PRINTED, REPRODUCED, Claim
 from upright.paper.pushes import RegulatedRobot
 from upright.progress import Progress, unwatched
-from upright.report import Details, Figure, Page, Section, Table
+from upright.report import Details, Figure, Page, Section, Table, Verdict
 from upright.report.page import Cell
 from upright.report.robot import labelled
 from upright.robots import PARAMETERS, Kit, Robot
@@ -66,10 +66,14 @@ def reproduce(folder: str | Path = "herrera2015", progress: Progress = unwatched
 def _page(claims: Sequence[Claim]) -> Page:
     """What holds and what does not, figure 5, then each claim with its evidence folded."""
     counted = {verdict: sum(c.verdict == verdict for c in claims) for verdict in (REPRODUCED, NOT_AS_PRINTED, BEYOND)}
-    numbers = [(str(count), verdict) for verdict, count in counted.items()]
+    judged = counted[REPRODUCED] + counted[NOT_AS_PRINTED]
+    numbers = [(f"{counted[v]} of {judged}", f"claims {v}") for v in (REPRODUCED, NOT_AS_PRINTED)]
+    numbers.append((str(counted[BEYOND]), "further checks, beyond the paper"))
+    failed = [f"{c.part} ({c.title.split(',')[0].split(':')[0]})" for c in claims if c.verdict == NOT_AS_PRINTED]
+    missed = f" Not as printed: {'; '.join(failed)}." if failed else ""
     part = next(c for c in claims if c.part == "5c")
     picture = next(item for item in part.items if isinstance(item, Figure))
-    rows = [[f"{c.part} {c.title}", c.verdict] for c in claims]
+    rows = [[f"{c.part} {c.title}", Verdict(c.verdict, LEVEL_OF[c.verdict])] for c in claims]
     robots = [Robot.preset(name) for name in (LIGHT, HEAVY)]
     parameters: list[list[Cell]] = [
         [symbol, name.replace("_", " "), unit, *(getattr(robot, name) for robot in robots)]
@@ -85,7 +89,7 @@ def _page(claims: Sequence[Claim]) -> Page:
     sections = [*opening, *(claim.section() for claim in claims)]
     held = counted[REPRODUCED]
     title = TITLE.format(held, held + counted[NOT_AS_PRINTED])
-    return Page(title, sections, LEAD, _versions(), picture=picture, numbers=numbers)
+    return Page(title, sections, f"{LEAD}{missed}", _versions(), picture=picture, numbers=numbers)
 
 
 def chapters(progress: Progress = unwatched) -> list[Claim]:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 
-from upright.comparison.bench import DRAWN, Bench
+from upright.comparison.bench import DRAWN, TOLERANCE, Bench
+from upright.plotting import number
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 
@@ -22,12 +23,16 @@ def page_of(bench: Bench) -> Page:
         (f"{cell_text(size, 3)} N s", f"largest knock survived by {name}")
         for name, size in ((best, largest), (last, least))
     ]
+    if knocked and best != last:
+        numbers = [(size, f"{words}, the {end}") for (size, words), end in zip(numbers, ("most", "least"), strict=True)]
+        numbers.append((f"{number(100 * TOLERANCE, 2)} %", "exactness of these: controllers closer than this tie"))
     facts = {"robot": bench.robot, "kit": bench.kit, "body": bench.body, "seed": str(bench.seed)}
     sections = [Section("Tables", tables(bench))]
     if knocked:
         sections = [Section("Responses", [responses(bench)]), *sections]
     heading = f"{best} survives the largest knock on {bench.robot}" if knocked else f"Controllers of {bench.robot}"
-    lead = f"{len(ranked)} controllers on a {bench.body} of {bench.robot} with kit {bench.kit}, under the same pushes."
+    lead = f"{len(ranked)} controllers on a {bench.body} of {bench.robot} with kit {bench.kit}, under the same pushes. "
+    lead += "Next: `upright certify` the best one with slightly different robots."
     return Page(
         heading, sections, lead, facts,
         bench.body == "twin", verdict=verdict, picture=Figure(title, bench.plot()) if knocked else responses(bench),
@@ -39,7 +44,13 @@ def responses(bench: Bench) -> Figure:
     """Pitch under every controller and push."""
     fell = [row.controller for row in bench.rows if row.outcome.startswith("fell")]
     title = f"Pitch under each push; these fall: {', '.join(dict.fromkeys(fell))}" if fell else "Pitch under each push"
-    return Figure(title, bench.plot_responses())
+    ranked = list(bench.ranked())
+    few = ranked if len(ranked) <= FEW else [*ranked[: FEW - 1], ranked[-1]]
+    some = "" if few == ranked else f"The first {FEW - 1} by the knock that they survive, and the last."
+    return Figure(title, bench.plot_responses(*few), some)
+
+
+FEW = 4  # curves that can be told apart in one panel
 
 
 def tables(bench: Bench) -> list[Table]:

@@ -11,7 +11,7 @@ import numpy as np
 from upright.doctor.doctor import Diagnosis
 from upright.parity.parity import Parity
 from upright.physics.linear import Complex, LinearModel
-from upright.plotting import AXIS, bars, legend, number, numbered, panels, plane, points
+from upright.plotting import AXIS, COLOURS, PANEL, bars, legend, number, numbered, panels, plane, points
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
@@ -130,10 +130,10 @@ def _linear(model: LinearModel) -> Page:
     numbers = [
         *((f"{cell_text(p.real, 3)} {unit}", "unstable pole, real part") for p in unstable[:1]),
         *([(doubles, "in which a small lean doubles")] if unstable else []),
-        (f"{model.A.shape[0]} and {model.B.shape[1]}", "states and inputs"),
+        (f"{model.A.shape[0]} × {model.B.shape[1]}", "states × inputs of the model"),
     ]
     return Page(
-        f"Without a controller a lean doubles every {doubles}" if unstable else "All poles are stable",
+        f"Without a controller the robot falls: a lean doubles every {doubles}" if unstable else "No pole is unstable",
         [Section("Matrices", matrices), Section("Poles", [Table(["real part", "imaginary part"], rows)])],
         f"The linear model near the upright rest, {equation}. {count}.", {}, False,
         verdict=Verdict("unstable without control" if unstable else "stable", "info"),
@@ -148,14 +148,24 @@ def _pole_figure(poles: Complex, continuous: bool, count: str) -> Figure:
         figure, ax = plane("real part [1]", "imaginary part [1]", circle=True)
         points(ax, "poles", poles.tolist())
         return Figure(f"{count}: outside the circle" if not count.startswith("0 ") else count, figure)
-    figure, (ax,) = panels(["imaginary part [1/s]"], "real part [1/s], in powers of ten on both sides of zero")
+    figure, (ax,) = panels(
+        ["imaginary part [1/s]"],
+        "real part [1/s], in powers of ten on both sides of zero",
+        height=0.9 if not poles.imag.any() else PANEL,
+    )
     high = 1.5 * (float(np.abs(poles.imag).max()) or 1.0)
     reach = max(10.0, 3 * float(np.abs(poles.real).max()))
     ax.set(xscale="symlog", xlim=(-reach, reach), ylim=(-high, high))
     numbered(ax.xaxis)
     ax.axvline(0, color=AXIS, linewidth=1)
-    points(ax, "stable", [p for p in poles.tolist() if p.real <= 1e-9], style=0)
-    points(ax, "unstable", [p for p in poles.tolist() if p.real > 1e-9], style=1)
+    if not poles.imag.any():
+        ax.set_yticks([0], ["0"])
+    kinds = {"stable": (-math.inf, -1e-9, 0), "neither (at zero)": (-1e-9, 1e-9, 4), "unstable": (1e-9, math.inf, 1)}
+    for name, (low, top, colour) in kinds.items():
+        kept = poles[(poles.real > low) & (poles.real <= top)]
+        if len(kept):
+            (marks,) = ax.plot(kept.real, kept.imag, "x", label=name, markersize=9, color=COLOURS[colour], zorder=3)
+            marks.set_markeredgewidth(2.2)
     several = Counter(complex(round(p.real, 6), round(p.imag, 6)) for p in poles.tolist())
     for place, pole in enumerate(sorted(several, key=lambda p: p.real)):
         text = number(pole.real, 3) + (f" ({several[pole]} poles)" if several[pole] > 1 else "")

@@ -28,6 +28,7 @@ from upright import plotting
 
 UNIT = 72  # a drawing has 72 units for an inch of matplotlib's
 NARROW = 4.0  # [inches] of a drawing for phones: its letters of 9 pt are 11 px high on a screen of 390 px
+SHARP = 216  # dots for an inch of a map, so that its borders are no stairs
 SCALE, SQUARE = 0.5, 3.0  # [inches]: a scale of colours is narrower, a plane or a map higher
 
 _VARIABLES = {colour: f"var(--c{k})" for k, colour in enumerate(plotting.COLOURS)} | {
@@ -76,7 +77,7 @@ class Figure:
         stream = io.StringIO()
         mark = hashlib.sha256(f"{self.title} {size}".encode()).hexdigest()[:8]
         with matplotlib.rc_context({"svg.fonttype": "none", "svg.hashsalt": mark}):
-            self.drawing.savefig(stream, format="svg", transparent=True, metadata={"Date": None})
+            self.drawing.savefig(stream, format="svg", transparent=True, dpi=SHARP, metadata={"Date": None})
         body = re.search(r"</metadata>(.*)</svg>", stream.getvalue(), re.DOTALL)
         assert body
         width, height = (UNIT * inches for inches in self.drawing.get_size_inches())

@@ -9,14 +9,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.bodies.body import FALLEN
+from upright.certify.certificate import MOST_FALLS
 from upright.fleet.fleet import Fleet, distribution, stood
 from upright.fleet.results import OUTCOMES, Summary, origin_of, summarise
-from upright.plotting import bars, colour_map, legend, line, number, panels, round_levels
+from upright.plotting import bars, colour_map, edges, legend, line, number, panels, round_levels
+from upright.report.campaign import falls_verdict
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
-from upright.tables import sentence
+from upright.tables import sentence, spoken
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from xarray import Dataset
 
 Array = NDArray[np.float64]
@@ -43,10 +47,10 @@ def _map(part: Any, direction: str) -> Figure:
     low, high = float(np.nanmin(impulse)), float(np.nanquantile(impulse, 0.98))
     row, column = np.unravel_index(int(np.nanargmin(impulse)), impulse.shape)
     height, duration = float(part["height"].values[row]), float(part["duration"].values[column])
-    title = f"Pushed {direction}, it survives {low:.3g} N s or more; least at the cross"
+    title = f"Pushed {direction}, it survives {low:.2g} N s or more"
     note = (
-        f"The cross: a push of {duration:.2g} s, {height:.3g} m above the axle: about {low / duration:.2g} N "
-        "all that time."
+        f"Weakest: a push of {1e3 * duration:.2g} ms, {height:.2g} m above the axle, with {low / duration:.2g} N all "
+        "that time."
     )
     note += " The lightest colour includes all larger impulses." if float(np.nanmax(impulse)) > high else ""
     apart = float(part["island"].values.mean())
@@ -56,8 +60,14 @@ def _map(part: Any, direction: str) -> Figure:
         part["duration"].values, part["height"].values, impulse.T, x_label="duration of the push [s]",
         y_label="height above the axle [m]", label="impulse [N s]", levels=_levels(low, high), smooth=True,
     )  # fmt: skip
-    for colour, width in (("black", 4), ("white", 2)):  # seen on every colour, and beyond the edge
-        drawing.axes[0].plot(duration, height, "x", color=colour, markersize=9, markeredgewidth=width, clip_on=False)
+    drawing.axes[0].plot(duration, height, "o", color="white", markersize=5, clip_on=False)
+    inwards = [
+        (-1 if part[name].values.mean() < at else 1) for name, at in (("duration", duration), ("height", height))
+    ]
+    drawing.axes[0].annotate(
+        "weakest", (duration, height), (28 * inwards[0], 24 * inwards[1]), textcoords="offset points", color="white",
+        ha="left" if inwards[0] > 0 else "right", arrowprops={"arrowstyle": "-", "color": "white"},
+    )  # fmt: skip
     return Figure(title, drawing, note)
 
 
@@ -83,7 +93,7 @@ def _slices(part: Any, direction: str) -> Figure:
     title = f"Pushed {direction}: largest impulse over the duration of the push"
     if bands:
         width = float(np.nanmedian((part["high"].values - part["low"].values) / part["impulse"].values))
-        title = f"Pushed {direction}: median width of the 95 % band is {100 * width:.2g} % of the impulse"
+        title = f"Pushed {direction}: slightly different robots vary by {100 * width:.2g} % of it (95 % band)"
     return Figure(title, legend(figure))
 
 
@@ -94,22 +104,36 @@ def basin_figure(data: Dataset) -> Figure:
     names = [f"{name.replace('_', ' ')} [{data[name].attrs['unit']}]" for name in (across, up)]
     family = len(np.unique(recovered)) > 2
     low, high = rest_range(data)
-    unit = data[across].attrs["unit"]
-    ends = f" from {cell_text(low, 2)} to {cell_text(high, 2)} {unit}"
-    ends += f" ({cell_text(math.degrees(low), 2)}° to {cell_text(math.degrees(high), 2)}°)" if unit == "rad" else ""
-    title = f"Released with {up.replace('_', ' ')} zero, it recovers{ends}"
-    title = title if math.isfinite(low) else "States from which the robot recovers"
+    title = "States from which the robot recovers"
+    if math.isfinite(low):
+        title = f"Bar: let go with {up.replace('_', ' ')} zero"
+    scale = {n: 180 / math.pi if data[n].attrs["unit"] in ("rad", "rad/s") else 1.0 for n in (across, up)}
+    names = [text.replace("[rad", "[°") for text in names]
+    x, y = (scale[n] * data[n].values for n in (across, up))
     drawing = colour_map(
-        data[across].values, data[up].values, recovered, x_label=names[0], y_label=names[1],
+        x, y, recovered, x_label=names[0], y_label=names[1],
         label="recovers [1]" if family else "", names=() if family else ("falls", "recovers"),
         levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0],
     )  # fmt: skip
+    _zoom(drawing.axes[0], x, y, recovered)
     if math.isfinite(low):
-        drawing.axes[0].plot([low, high], [0, 0], "k|-", linewidth=2, markersize=12)
+        half = scale[across] * float(np.diff(data[across].values).mean()) / 2
+        ends = [scale[across] * low - half, scale[across] * high + half]
+        drawing.axes[0].plot(ends, [0, 0], "k|-", linewidth=2, markersize=12)
     drawing.axes[0].locator_params(axis="x", nbins=5)
     apart = float(data["island"].values.mean())
     note = f"{100 * apart:.2g} % of these states are islands: from states between them and rest the robot falls."
     return Figure(title + (", mean over the robots drawn" if family else ""), drawing, note if apart else "")
+
+
+def _zoom(ax: Axes, x: Array, y: Array, recovered: Array) -> None:
+    """Show what recovers and as much again around it."""
+    for values, some, limit in ((x, recovered.max(axis=1), ax.set_xlim), (y, recovered.max(axis=0), ax.set_ylim)):
+        inside = values[some > 0]
+        if len(inside) > 1:
+            room = 0.5 * float(np.ptp(inside))
+            low, high = edges(values)
+            limit(max(low, float(inside.min()) - room), min(high, float(inside.max()) + room))
 
 
 def histogram(data: Dataset, name: str) -> Figure:
@@ -140,22 +164,22 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
     name, size = next(iter(sizes.items()))
     x, y = data[name].values.astype(np.float64), data[outcome].values.astype(np.float64)
     use = np.isfinite(y)
-    x, y, across = x[use], y[use], f"{name.replace('_', ' ')} [{data[name].attrs.get('unit', '1')}]"
+    x, y, across = x[use], y[use], f"{spoken(name)} [{data[name].attrs.get('unit', '1')}]"
     if outcome == "fell":
         parts = np.array_split(np.argsort(x), min(PARTS, max(len(x) // 20, 2)))
         figure, (ax,) = panels(["robots that fell [%]"], across)
         line(ax, "fell", [x[k].mean() for k in parts], [100 * y[k].mean() for k in parts], solid=True)
         ax.set_ylim(-2, 102)
         ends = [f"{number(100 * float(y[k].mean()), 2)} %" for k in (parts[0], parts[-1])]
-        return Figure(
-            f"Falls over {name.replace('_', ' ')}: {ends[0]} of the smallest, {ends[1]} of the largest", figure
-        )
-    figure, (ax,) = panels([f"{data[outcome].attrs['long_name']} [{data[outcome].attrs['unit']}]"], across)
+        return Figure(f"Falls over {spoken(name)}: {ends[0]} of the smallest, {ends[1]} of the largest", figure)
+    unit = str(data[outcome].attrs["unit"])
+    y = np.degrees(y) if unit == "rad" else y
+    figure, (ax,) = panels([f"{data[outcome].attrs['long_name']} [{unit.replace('rad', '°')}]"], across)
     few = np.linspace(0, len(x) - 1, min(len(x), DOTS)).astype(int)
     ax.plot(x[few], y[few], ".", markersize=3)
     how = "grows" if size > 0 else "shrinks"
     dots = "each dot is a robot" if len(few) == len(x) else f"a dot is a robot, {len(few)} of {len(x)} are drawn"
-    return Figure(f"{_words(data, outcome)} {how} with {name.replace('_', ' ')}: {dots}", figure)
+    return Figure(f"{_words(data, outcome)} {how} with {spoken(name)}: {dots}", figure)
 
 
 def _words(data: Dataset, outcome: str) -> str:
@@ -193,33 +217,64 @@ def page_of(result: Fleet | Dataset) -> Page:
 def _push_map_page(data: Dataset) -> Page:
     origin = origin_of(data)
     search, name = origin["push_map"], origin["robot"]["name"]
+    impulse = data["impulse"]
+    row, column, way = np.unravel_index(int(np.nanargmin(values := impulse.transpose(
+        "height", "duration", "direction").values)), values.shape)  # fmt: skip
+    low, duration = float(values[row, column, way]), float(data["duration"].values[column])
+    height = float(data["height"].values[row])
     lead = (
-        f"The largest impulse after which the robot still stands {search['watch']:g} s later, within "
-        f"{100 * search['tolerance']:g} %."
+        f"Found by pushing one robot harder and harder, within {100 * search['tolerance']:g} %. It survives a push if "
+        f"it still stands {search['watch']:g} s later. {low:.2g} N s stops a tennis ball of {low / BALL:.2g} m/s. "
+        "Next: `upright certify`, for slightly different robots."
     )
     first, *rest = push_map_figures(data)
-    numbers = [
-        (f"{cell_text(float(data['impulse'].sel(direction=d).min()), 3)} N s", f"survived at least, pushed {d}")
-        for d in data["direction"].values.tolist()
-    ]
+    ways = data["direction"].values.tolist()
+    least = {d: float(impulse.sel(direction=d).min()) for d in ways}
+    numbers = [(f"{low:.2g} N s", f"the weakest push that topples it, {height:.2g} m above the axle")]
+    numbers += [(f"{low / duration:.2g} N", f"is that push, for {1e3 * duration:.2g} ms")]
+    numbers += [(f"{cell_text(least[d], 3)} N s", f"the weakest push {d}") for d in ways if least[d] > 1.05 * low]
     sections = [Section("Maps and slices", rest)]
-    title = f"{name} survives every push up to {cell_text(float(data['impulse'].min()), 3)} N s"
-    return Page(title, sections, lead, provenance(data), False, picture=first, numbers=numbers)
+    title = f"{name} survives every push up to {cell_text(low, 2)} N s"
+    verdict = Verdict("limits of one robot", "info")
+    return Page(title, sections, lead, provenance(data), False, verdict=verdict, picture=first, numbers=numbers)
+
+
+BALL = 0.058  # [kg] of a tennis ball
 
 
 def _basin_page(data: Dataset) -> Page:
     origin = origin_of(data)
     low, high = rest_range(data)
-    across, up = (str(name).replace("_", " ") for name in data["recovered"].dims)
-    unit = data[str(data["recovered"].dims[0])].attrs["unit"]
-    held = f"{cell_text(low, 2)} to {cell_text(high, 2)} {unit}"
+    across, up = (str(name) for name in data["recovered"].dims)
+    words = across.replace("_", " ")
+    held = f"{_in_degrees(low, data, across)} to {_in_degrees(high, data, across)}"
     name, percent = origin["robot"]["name"], f"{100 * float(data['recovered'].values.mean()):.3g} %"
     known = math.isfinite(low)
-    title = f"{name} recovers from {across} of {held}" if known else f"{name} recovers from {percent} of these states"
+    title = f"{name}, let go at rest, recovers from a {words} of {held}" if known else (
+        f"{name} recovers from {percent} of these states"
+    )  # fmt: skip
     kind = (origin.get("controller") or {}).get("kind", "")
-    lead = f"{f'Under {kind}. ' if kind else ''}Recovered: the robot stands {origin['scenario']['seconds']:g} s later."
-    numbers = [(held, f"{across}, where {up} is zero")] if known else [(percent, "of the states in the picture")]
+    lead = (
+        f"{f'Under {kind}. ' if kind else ''}Recovered: the robot stands {origin['scenario']['seconds']:g} s later. "
+        "Next: `upright push-map`, which asks for pushes instead."
+    )
+    step = float(np.diff(data[across].values).mean()) if data[across].size > 1 else 0.0
+    numbers = [(percent, "of the states tried recover")]
+    if known:
+        reach = data[up].values[(data["recovered"].values[int(np.abs(data[across].values).argmin())] > 0.5)]
+        ends = f"{_in_degrees(float(reach.min()), data, up)} to {_in_degrees(float(reach.max()), data, up)}"
+        numbers = [(ends, f"{up.replace('_', ' ')} from which it recovers, where {words} is zero")]
+        numbers += [(_in_degrees(step, data, across), "step of the grid: the ends are known to this")]
     return Page(title, [], lead, provenance(data), False, picture=basin_figure(data), numbers=numbers)
+
+
+def _in_degrees(value: float, data: Dataset, name: str) -> str:
+    """A value of an axis, angles in degrees."""
+    unit = str(data[name].attrs["unit"])
+    if unit not in ("rad", "rad/s"):
+        return f"{cell_text(value, 2)} {unit}"
+    size = math.degrees(value)
+    return f"{round(size) if abs(size) >= 10 else cell_text(size, 2)}{unit.replace('rad', '°')}".replace("-", "−")
 
 
 def rest_range(data: Dataset) -> tuple[float, float]:
@@ -246,30 +301,41 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     chance = summary.chance
     pushes = origin_of(data).get("scenario", {}).get("push")
     robot = origin_of(data)["robot"]["name"]
-    lead = f"{_differ(data, robot)}, {_done(pushes)}."
+    lead = f"{_differ(data, robot)}. Next: `upright push-map`, which finds the largest push."
+    bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %" if summary.fell else ""
     numbers = [
-        (f"{number(100 * chance.value, 3)} %", "of the robots fell"),
         (
-            f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %",
-            "fall among all such robots, with 95 % confidence",
-        ),
+            bounds or f"≤ {number(100 * chance.high, 2)} %",
+            f"of all such robots fall, with 95 % confidence; wanted at most {100 * MOST_FALLS:g} %",
+        )
     ]
+    if "peak_pitch" in summary.quantiles and np.isfinite(summary.quantiles["peak_pitch"][2]):
+        peak, fall = math.degrees(summary.quantiles["peak_pitch"][2]), math.degrees(FALLEN)
+        numbers.append((f"{peak:.2g}°", f"largest pitch of 95 % of those that stood; {fall:.0f}° counts as a fall"))
     outcomes = [*(["fell"] if some else []), *names[:1]]
     causes = [figure for name in outcomes for figure in (over_strongest(data, name), influence(data, name)) if figure]
     picture, *others = [*causes, *(histogram(data, name) for name in names), None]
     sections = [Section("Numbers", [table]), Section("Distributions", [figure for figure in others if figure])]
     return Page(
-        f"{summary.fell} of {summary.n} robots fell", sections, lead, provenance(data), False, picture=picture,
-        numbers=numbers, verdict=Verdict("some fell", "warn") if summary.fell else Verdict("none fell", "good"),
+        f"{summary.fell} of {summary.n} robots fell, {_done(pushes)}", sections, lead, provenance(data), False,
+        picture=picture, numbers=numbers, verdict=falls_verdict(summary.fell, summary.n),
     )  # fmt: skip
 
 
 def _differ(data: Dataset, robot: str) -> str:
     """Whose relatives, in what they differ, and what holds them."""
-    varied = [s["name"].replace("_", " ") for s in (origin_of(data).get("vary") or {}).get("spreads", [])]
+    names = [s["name"] for s in (origin_of(data).get("vary") or {}).get("spreads", [])]
+    varied = [f"{spoken(n)}{_range(data, n)}" for n in names]
     what = f" in {', '.join(varied[:4])}{', …' if len(varied) > 4 else ''}" if varied else ""
     kind = (origin_of(data).get("controller") or {}).get("kind", "")
     return f"Robots that differ from {robot}{what}{f', under {kind}' if kind else ''}"
+
+
+def _range(data: Dataset, name: str) -> str:
+    if name not in data:
+        return ""
+    values, unit = data[name].values, data[name].attrs.get("unit", "")
+    return f" ({cell_text(float(values.min()), 3)} to {cell_text(float(values.max()), 3)}{f' {unit}' if unit else ''})"
 
 
 def _done(pushes: Sequence[Mapping[str, Any]] | None) -> str:
