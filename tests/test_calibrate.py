@@ -367,6 +367,16 @@ def test_dry_friction_of_the_twin_is_found() -> None:
     assert several[0]["coulomb_friction"].low <= robot.coulomb_friction <= several[0]["coulomb_friction"].high
 
 
+def test_rolling_friction_is_asked_where_the_file_names_it() -> None:
+    """A log seldom tells it from the other frictions: TWIPR's does, and its file asks with a guess of zero."""
+    asked = {
+        name: {p.name for p in parameters_of(robot, {})}
+        for name, robot in (("not named", PRIOR), ("a number", PRIOR.replace(rolling_friction=1e-3)),
+                            ("a guess of zero", Robot.preset("twipr")))
+    }  # fmt: skip
+    assert [name for name, those in asked.items() if "rolling_friction" in those] == ["a number", "a guess of zero"]
+
+
 @pytest.mark.slow
 def test_rolling_friction_of_the_twin_is_found_beside_the_dry_friction_of_its_motors() -> None:
     """The one brakes the wheel against the floor, the other against the body, and a balancing body's pitch rate changes
