@@ -26,7 +26,7 @@ if __name__ == "__main__":
         browser = driver.chromium.launch(executable_path="/usr/bin/chromium", args=FLAGS)
         page = browser.new_page(viewport={"width": 1200, "height": 675}, color_scheme="light")
         page.goto(page_file.as_uri())
-        page.wait_for_function("window.upright?.page.drawnFirst")
+        page.wait_for_selector("canvas.room")  # which takes the side view's place
         page.evaluate("upright.store.send({ kind: 'Step', periods: 200 })")
         for k in range(PICTURES):
             if k in (6, 34):
