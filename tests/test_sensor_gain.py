@@ -9,7 +9,8 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.calibrate.filter_log import filter_log
-from upright.compiled.interpret import Interpreter
+from upright.compiled.electronics import formulas
+from upright.compiled.interpret import Interpreter, evaluate
 from upright.control import make_controller
 from upright.experiment import Drive, run
 from upright.firmware.generate import trace
@@ -31,6 +32,17 @@ def still(kit: Kit) -> Kit:
     faults = {"noise": 0.0, "bias": 0.0, "bias_walk": 0.0, "quantum": 0.0}
     sensors = {name: replace(sensor, **faults) for name, sensor in kit.sensors.items()}
     return replace(kit, jitter=0.0, sensors=sensors, motor=replace(kit.motor, quantum=0.0, dead_zone=0.0))
+
+
+@pytest.mark.parametrize("name", ["drive", "turn", "slacken", "measure"])
+def test_the_printed_formulas_are_their_statements(name: str) -> None:
+    """Python's text of each formula, and its statements one by one: the same bits."""
+    formula, rng = formulas()[name], np.random.default_rng(1)
+    for given in rng.uniform(0.01, 2.0, (20, len(formula.inputs))) * rng.choice([-1.0, 1.0], (20, 1)):
+        values = dict(zip(formula.inputs, given.tolist(), strict=True))
+        for step in formula.block.steps:
+            values[step.target] = evaluate(step, values)
+        assert formula.function()(*given.tolist()) == tuple(values[value] for _, value in formula.block.commit)
 
 
 def test_the_twin_s_gyro_counts_too_much() -> None:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 from typing import Any
 
 import sympy as sp
+from sympy.printing.precedence import PRECEDENCE
+from sympy.printing.pycode import PythonCodePrinter
 
 from upright.atomic import write_text
 from upright.compiled.electronics import formulas
@@ -39,9 +40,18 @@ def _constants_function() -> str:
     )
 
 
+class _Products(PythonCodePrinter):
+    """Python text with squares as products, which a number and an array of numbers round alike."""
+
+    def _print_Pow(self, expr: Any, rational: bool = False) -> str:  # noqa: N802 (the name SymPy looks for)
+        if expr.exp == 2:
+            base = self.parenthesize(expr.base, PRECEDENCE["Mul"])
+            return f"({base} * {base})"
+        return super()._print_Pow(expr, rational)
+
+
 def _code(formula: Any) -> str:
-    """Python text, with squares as products, which a number and an array of numbers round alike."""
-    return re.sub(r"(\w+)\*\*2", r"(\1 * \1)", str(sp.pycode(formula)))
+    return str(_Products({"fully_qualified_modules": False}).doprint(formula))
 
 
 def _page() -> str:

@@ -8,6 +8,18 @@ from upright.compiled.jit import absolute, align_stack, fma, get, inlined, mul, 
 from upright.compiled.lane_math import sincos, sincos_any
 
 @inlined
+def ended(h, sixth, angle, rate, one, two, three, four):
+    middle = two + three
+    all_four = one + middle
+    mean = fma(sixth, all_four, rate)
+    new = fma(h, mean, angle)
+    weighted = all_four + middle + four
+    new_rate = fma(sixth, weighted, rate)
+    return new, new_rate
+
+
+
+@inlined
 def held_smooth(left, right, force, moment, moment_response, motor_torque, force_response, yaw_motor_torque):
     t3 = -left - right
     t4 = motor_torque * t3
@@ -52,8 +64,11 @@ def moved_smooth(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel
     t22 = fma(-yaw_lever, wheel_rate, -t21)
     t23 = fma(t22, s, -yaw_damping)
     t24 = fma(t23, yaw_rate, held_yaw)
-    pitch_acc = fma(-a12, t19, t15) * rest_1
-    return pitch_acc, fma(-a12, pitch_acc, t19), t24 * over_1
+    pitch_alone = fma(-a12, t19, t15)
+    pitch_acc = pitch_alone * rest_1
+    wheel_acc = fma(-a12, pitch_acc, t19)
+    yaw_acc = t24 * over_1
+    return pitch_acc, wheel_acc, yaw_acc
 
 
 
@@ -91,18 +106,9 @@ def rk4_smooth(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, rig
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_smooth(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, t10, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
     sixth = mul(h, 1 / 6)
-    pitch_middle = pitch_acc2 + pitch_acc3
-    pitch_sum = pitch_acc1 + pitch_middle
-    new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
-    new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
-    wheel_middle = wheel_acc2 + wheel_acc3
-    wheel_sum = wheel_acc1 + wheel_middle
-    new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
-    new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
-    yaw_middle = yaw_acc2 + yaw_acc3
-    yaw_sum = yaw_acc1 + yaw_middle
-    new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
-    new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+    new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+    new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+    new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
     return new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate
 
 
@@ -167,18 +173,9 @@ def advance_smooth(w, count, fallen, now):
         yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
         pitch_acc4, wheel_acc4, yaw_acc4 = moved_smooth(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, t10, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
         sixth = mul(h, 1 / 6)
-        pitch_middle = pitch_acc2 + pitch_acc3
-        pitch_sum = pitch_acc1 + pitch_middle
-        new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
-        new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
-        wheel_middle = wheel_acc2 + wheel_acc3
-        wheel_sum = wheel_acc1 + wheel_middle
-        new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
-        new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
-        yaw_middle = yaw_acc2 + yaw_acc3
-        yaw_sum = yaw_acc1 + yaw_middle
-        new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
-        new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+        new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+        new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+        new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
         put(w, 0, i, new_pitch)
         put(w, 1, i, new_pitch_rate)
         put(w, 2, i, new_wheel)
@@ -199,10 +196,12 @@ def specific_force_smooth(w, count, out):
         t0 = wheel_acc * wheel_radius
         t1 = t0 * c
         t2 = fma(-gravity, s, t1)
+        forward = t2
         t3 = gravity * c
         t4 = fma(t0, s, t3)
-        put(w, out + 0, i, t2)
-        put(w, out + 1, i, t4)
+        up = t4
+        put(w, out + 0, i, forward)
+        put(w, out + 1, i, up)
 
 
 
@@ -235,10 +234,12 @@ def moved_coulomb(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_whee
     determinant = fma(-a12, a12, a22)
     t3 = fma(-half_track, yaw_rate, -pitch_rate + wheel_rate)
     rate_slip_left = t3
-    root_slip_left = sqrt(fma(rate_slip_left, rate_slip_left, stiction_rate_squared))
+    square_slip_left = fma(rate_slip_left, rate_slip_left, stiction_rate_squared)
+    root_slip_left = sqrt(square_slip_left)
     t4 = fma(half_track, yaw_rate, -pitch_rate + wheel_rate)
     rate_slip_right = t4
-    root_slip_right = sqrt(fma(rate_slip_right, rate_slip_right, stiction_rate_squared))
+    square_slip_right = fma(rate_slip_right, rate_slip_right, stiction_rate_squared)
+    root_slip_right = sqrt(square_slip_right)
     before_0 = determinant * a33
     before_1 = before_0 * root_slip_left
     before_2 = before_1 * root_slip_right
@@ -268,8 +269,11 @@ def moved_coulomb(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_whee
     t27 = fma(-yaw_lever, wheel_rate, -t26)
     t28 = fma(t27, s, -yaw_damping)
     t29 = fma(t28, yaw_rate, fma(yaw_coulomb_torque, t24, held_yaw))
-    pitch_acc = fma(-a12, t23, t18) * rest_1
-    return pitch_acc, fma(-a12, pitch_acc, t23), t29 * over_1
+    pitch_alone = fma(-a12, t23, t18)
+    pitch_acc = pitch_alone * rest_1
+    wheel_acc = fma(-a12, pitch_acc, t23)
+    yaw_acc = t29 * over_1
+    return pitch_acc, wheel_acc, yaw_acc
 
 
 
@@ -307,18 +311,9 @@ def rk4_coulomb(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, ri
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_coulomb(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, t12, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
     sixth = mul(h, 1 / 6)
-    pitch_middle = pitch_acc2 + pitch_acc3
-    pitch_sum = pitch_acc1 + pitch_middle
-    new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
-    new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
-    wheel_middle = wheel_acc2 + wheel_acc3
-    wheel_sum = wheel_acc1 + wheel_middle
-    new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
-    new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
-    yaw_middle = yaw_acc2 + yaw_acc3
-    yaw_sum = yaw_acc1 + yaw_middle
-    new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
-    new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+    new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+    new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+    new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
     return new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate
 
 
@@ -383,18 +378,9 @@ def advance_coulomb(w, count, fallen, now):
         yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
         pitch_acc4, wheel_acc4, yaw_acc4 = moved_coulomb(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, t12, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
         sixth = mul(h, 1 / 6)
-        pitch_middle = pitch_acc2 + pitch_acc3
-        pitch_sum = pitch_acc1 + pitch_middle
-        new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
-        new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
-        wheel_middle = wheel_acc2 + wheel_acc3
-        wheel_sum = wheel_acc1 + wheel_middle
-        new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
-        new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
-        yaw_middle = yaw_acc2 + yaw_acc3
-        yaw_sum = yaw_acc1 + yaw_middle
-        new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
-        new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+        new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+        new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+        new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
         put(w, 0, i, new_pitch)
         put(w, 1, i, new_pitch_rate)
         put(w, 2, i, new_wheel)
@@ -415,10 +401,12 @@ def specific_force_coulomb(w, count, out):
         t0 = wheel_acc * wheel_radius
         t1 = t0 * c
         t2 = fma(-gravity, s, t1)
+        forward = t2
         t3 = gravity * c
         t4 = fma(t0, s, t3)
-        put(w, out + 0, i, t2)
-        put(w, out + 1, i, t4)
+        up = t4
+        put(w, out + 0, i, forward)
+        put(w, out + 1, i, up)
 
 
 
@@ -451,16 +439,20 @@ def moved_rolling(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_whee
     determinant = fma(-a12, a12, a22)
     t3 = fma(-half_track, yaw_rate, -pitch_rate + wheel_rate)
     rate_slip_left = t3
-    root_slip_left = sqrt(fma(rate_slip_left, rate_slip_left, stiction_rate_squared))
+    square_slip_left = fma(rate_slip_left, rate_slip_left, stiction_rate_squared)
+    root_slip_left = sqrt(square_slip_left)
     t4 = fma(half_track, yaw_rate, -pitch_rate + wheel_rate)
     rate_slip_right = t4
-    root_slip_right = sqrt(fma(rate_slip_right, rate_slip_right, stiction_rate_squared))
+    square_slip_right = fma(rate_slip_right, rate_slip_right, stiction_rate_squared)
+    root_slip_right = sqrt(square_slip_right)
     t5 = fma(-half_track, yaw_rate, wheel_rate)
     rate_roll_left = t5
-    root_roll_left = sqrt(fma(rate_roll_left, rate_roll_left, stiction_rate_squared))
+    square_roll_left = fma(rate_roll_left, rate_roll_left, stiction_rate_squared)
+    root_roll_left = sqrt(square_roll_left)
     t6 = fma(half_track, yaw_rate, wheel_rate)
     rate_roll_right = t6
-    root_roll_right = sqrt(fma(rate_roll_right, rate_roll_right, stiction_rate_squared))
+    square_roll_right = fma(rate_roll_right, rate_roll_right, stiction_rate_squared)
+    root_roll_right = sqrt(square_roll_right)
     before_0 = determinant * a33
     before_1 = before_0 * root_slip_left
     before_2 = before_1 * root_slip_right
@@ -500,8 +492,11 @@ def moved_rolling(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_whee
     t31 = fma(-yaw_lever, wheel_rate, -t30)
     t32 = fma(t31, s, -yaw_damping)
     t33 = fma(t32, yaw_rate, fma(yaw_coulomb_torque, t28, fma(yaw_rolling_torque, t27, held_yaw)))
-    pitch_acc = fma(-a12, t26, t20) * rest_1
-    return pitch_acc, fma(-a12, pitch_acc, t26), t33 * over_1
+    pitch_alone = fma(-a12, t26, t20)
+    pitch_acc = pitch_alone * rest_1
+    wheel_acc = fma(-a12, pitch_acc, t26)
+    yaw_acc = t33 * over_1
+    return pitch_acc, wheel_acc, yaw_acc
 
 
 
@@ -539,18 +534,9 @@ def rk4_rolling(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, ri
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_rolling(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
     sixth = mul(h, 1 / 6)
-    pitch_middle = pitch_acc2 + pitch_acc3
-    pitch_sum = pitch_acc1 + pitch_middle
-    new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
-    new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
-    wheel_middle = wheel_acc2 + wheel_acc3
-    wheel_sum = wheel_acc1 + wheel_middle
-    new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
-    new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
-    yaw_middle = yaw_acc2 + yaw_acc3
-    yaw_sum = yaw_acc1 + yaw_middle
-    new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
-    new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+    new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+    new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+    new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
     return new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate
 
 
@@ -615,18 +601,9 @@ def advance_rolling(w, count, fallen, now):
         yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
         pitch_acc4, wheel_acc4, yaw_acc4 = moved_rolling(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, t14, half_track, motor_damping, centrifugal, weight, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
         sixth = mul(h, 1 / 6)
-        pitch_middle = pitch_acc2 + pitch_acc3
-        pitch_sum = pitch_acc1 + pitch_middle
-        new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
-        new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
-        wheel_middle = wheel_acc2 + wheel_acc3
-        wheel_sum = wheel_acc1 + wheel_middle
-        new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
-        new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
-        yaw_middle = yaw_acc2 + yaw_acc3
-        yaw_sum = yaw_acc1 + yaw_middle
-        new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
-        new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+        new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+        new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+        new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
         put(w, 0, i, new_pitch)
         put(w, 1, i, new_pitch_rate)
         put(w, 2, i, new_wheel)
@@ -647,10 +624,12 @@ def specific_force_rolling(w, count, out):
         t0 = wheel_acc * wheel_radius
         t1 = t0 * c
         t2 = fma(-gravity, s, t1)
+        forward = t2
         t3 = gravity * c
         t4 = fma(t0, s, t3)
-        put(w, out + 0, i, t2)
-        put(w, out + 1, i, t4)
+        up = t4
+        put(w, out + 0, i, forward)
+        put(w, out + 1, i, up)
 
 
 
@@ -705,8 +684,11 @@ def moved_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch, held_w
     t27 = fma(-yaw_lever, wheel_rate, -t26)
     t28 = fma(t27, yaw_rate, t24)
     t29 = fma(-yaw_damping, yaw_rate, fma(s, t28, held_yaw))
-    pitch_acc = fma(-a12, t22, t17) * rest_1
-    return pitch_acc, fma(-a12, pitch_acc, t22), t29 * over_1
+    pitch_alone = fma(-a12, t22, t17)
+    pitch_acc = pitch_alone * rest_1
+    wheel_acc = fma(-a12, pitch_acc, t22)
+    yaw_acc = t29 * over_1
+    return pitch_acc, wheel_acc, yaw_acc
 
 
 
@@ -747,18 +729,9 @@ def rk4_slope(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, righ
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
     sixth = mul(h, 1 / 6)
-    pitch_middle = pitch_acc2 + pitch_acc3
-    pitch_sum = pitch_acc1 + pitch_middle
-    new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
-    new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
-    wheel_middle = wheel_acc2 + wheel_acc3
-    wheel_sum = wheel_acc1 + wheel_middle
-    new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
-    new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
-    yaw_middle = yaw_acc2 + yaw_acc3
-    yaw_sum = yaw_acc1 + yaw_middle
-    new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
-    new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+    new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+    new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+    new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
     return new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate
 
 
@@ -832,18 +805,9 @@ def advance_slope(w, count, fallen, now):
         yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
         pitch_acc4, wheel_acc4, yaw_acc4 = moved_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, held_pitch, held_wheel, held_yaw, t10, t12, t13, t18, t23, motor_damping, centrifugal, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
         sixth = mul(h, 1 / 6)
-        pitch_middle = pitch_acc2 + pitch_acc3
-        pitch_sum = pitch_acc1 + pitch_middle
-        new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
-        new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
-        wheel_middle = wheel_acc2 + wheel_acc3
-        wheel_sum = wheel_acc1 + wheel_middle
-        new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
-        new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
-        yaw_middle = yaw_acc2 + yaw_acc3
-        yaw_sum = yaw_acc1 + yaw_middle
-        new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
-        new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+        new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+        new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+        new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
         put(w, 0, i, new_pitch)
         put(w, 1, i, new_pitch_rate)
         put(w, 2, i, new_wheel)
@@ -868,10 +832,12 @@ def specific_force_slope(w, count, out):
         t3 = c * t2
         t4 = gravity * cos_slope
         t5 = fma(-t4, s, t3)
+        forward = t5
         t6 = t4 * c
         t7 = fma(t2, s, t6)
-        put(w, out + 0, i, t5)
-        put(w, out + 1, i, t7)
+        up = t7
+        put(w, out + 0, i, forward)
+        put(w, out + 1, i, up)
 
 
 
@@ -909,10 +875,12 @@ def moved_coulomb_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch
     determinant = fma(-a12, a12, a22)
     t3 = fma(-half_track, yaw_rate, -pitch_rate + wheel_rate)
     rate_slip_left = t3
-    root_slip_left = sqrt(fma(rate_slip_left, rate_slip_left, stiction_rate_squared))
+    square_slip_left = fma(rate_slip_left, rate_slip_left, stiction_rate_squared)
+    root_slip_left = sqrt(square_slip_left)
     t4 = fma(half_track, yaw_rate, -pitch_rate + wheel_rate)
     rate_slip_right = t4
-    root_slip_right = sqrt(fma(rate_slip_right, rate_slip_right, stiction_rate_squared))
+    square_slip_right = fma(rate_slip_right, rate_slip_right, stiction_rate_squared)
+    root_slip_right = sqrt(square_slip_right)
     before_0 = determinant * a33
     before_1 = before_0 * root_slip_left
     before_2 = before_1 * root_slip_right
@@ -943,8 +911,11 @@ def moved_coulomb_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch
     t32 = fma(-yaw_lever, wheel_rate, -t31)
     t33 = fma(t32, yaw_rate, t29)
     t34 = fma(-yaw_damping, yaw_rate, fma(s, t33, fma(yaw_coulomb_torque, t27, held_yaw)))
-    pitch_acc = fma(-a12, t26, t20) * rest_1
-    return pitch_acc, fma(-a12, pitch_acc, t26), t34 * over_1
+    pitch_alone = fma(-a12, t26, t20)
+    pitch_acc = pitch_alone * rest_1
+    wheel_acc = fma(-a12, pitch_acc, t26)
+    yaw_acc = t34 * over_1
+    return pitch_acc, wheel_acc, yaw_acc
 
 
 
@@ -985,18 +956,9 @@ def rk4_coulomb_slope(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, le
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_coulomb_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
     sixth = mul(h, 1 / 6)
-    pitch_middle = pitch_acc2 + pitch_acc3
-    pitch_sum = pitch_acc1 + pitch_middle
-    new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
-    new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
-    wheel_middle = wheel_acc2 + wheel_acc3
-    wheel_sum = wheel_acc1 + wheel_middle
-    new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
-    new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
-    yaw_middle = yaw_acc2 + yaw_acc3
-    yaw_sum = yaw_acc1 + yaw_middle
-    new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
-    new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+    new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+    new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+    new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
     return new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate
 
 
@@ -1070,18 +1032,9 @@ def advance_coulomb_slope(w, count, fallen, now):
         yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
         pitch_acc4, wheel_acc4, yaw_acc4 = moved_coulomb_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, held_pitch, held_wheel, held_yaw, t12, t15, t16, t21, t28, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
         sixth = mul(h, 1 / 6)
-        pitch_middle = pitch_acc2 + pitch_acc3
-        pitch_sum = pitch_acc1 + pitch_middle
-        new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
-        new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
-        wheel_middle = wheel_acc2 + wheel_acc3
-        wheel_sum = wheel_acc1 + wheel_middle
-        new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
-        new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
-        yaw_middle = yaw_acc2 + yaw_acc3
-        yaw_sum = yaw_acc1 + yaw_middle
-        new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
-        new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+        new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+        new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+        new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
         put(w, 0, i, new_pitch)
         put(w, 1, i, new_pitch_rate)
         put(w, 2, i, new_wheel)
@@ -1106,10 +1059,12 @@ def specific_force_coulomb_slope(w, count, out):
         t3 = c * t2
         t4 = gravity * cos_slope
         t5 = fma(-t4, s, t3)
+        forward = t5
         t6 = t4 * c
         t7 = fma(t2, s, t6)
-        put(w, out + 0, i, t5)
-        put(w, out + 1, i, t7)
+        up = t7
+        put(w, out + 0, i, forward)
+        put(w, out + 1, i, up)
 
 
 
@@ -1147,16 +1102,20 @@ def moved_rolling_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch
     determinant = fma(-a12, a12, a22)
     t3 = fma(-half_track, yaw_rate, -pitch_rate + wheel_rate)
     rate_slip_left = t3
-    root_slip_left = sqrt(fma(rate_slip_left, rate_slip_left, stiction_rate_squared))
+    square_slip_left = fma(rate_slip_left, rate_slip_left, stiction_rate_squared)
+    root_slip_left = sqrt(square_slip_left)
     t4 = fma(half_track, yaw_rate, -pitch_rate + wheel_rate)
     rate_slip_right = t4
-    root_slip_right = sqrt(fma(rate_slip_right, rate_slip_right, stiction_rate_squared))
+    square_slip_right = fma(rate_slip_right, rate_slip_right, stiction_rate_squared)
+    root_slip_right = sqrt(square_slip_right)
     t5 = fma(-half_track, yaw_rate, wheel_rate)
     rate_roll_left = t5
-    root_roll_left = sqrt(fma(rate_roll_left, rate_roll_left, stiction_rate_squared))
+    square_roll_left = fma(rate_roll_left, rate_roll_left, stiction_rate_squared)
+    root_roll_left = sqrt(square_roll_left)
     t6 = fma(half_track, yaw_rate, wheel_rate)
     rate_roll_right = t6
-    root_roll_right = sqrt(fma(rate_roll_right, rate_roll_right, stiction_rate_squared))
+    square_roll_right = fma(rate_roll_right, rate_roll_right, stiction_rate_squared)
+    root_roll_right = sqrt(square_roll_right)
     before_0 = determinant * a33
     before_1 = before_0 * root_slip_left
     before_2 = before_1 * root_slip_right
@@ -1197,8 +1156,11 @@ def moved_rolling_slope(pitch, pitch_rate, wheel_rate, yaw, yaw_rate, held_pitch
     t36 = fma(-yaw_lever, wheel_rate, -t35)
     t37 = fma(t36, yaw_rate, t33)
     t38 = fma(-yaw_damping, yaw_rate, fma(s, t37, fma(yaw_coulomb_torque, t31, fma(yaw_rolling_torque, t30, held_yaw))))
-    pitch_acc = fma(-a12, t29, t22) * rest_1
-    return pitch_acc, fma(-a12, pitch_acc, t29), t38 * over_1
+    pitch_alone = fma(-a12, t29, t22)
+    pitch_acc = pitch_alone * rest_1
+    wheel_acc = fma(-a12, pitch_acc, t29)
+    yaw_acc = t38 * over_1
+    return pitch_acc, wheel_acc, yaw_acc
 
 
 
@@ -1239,18 +1201,9 @@ def rk4_rolling_slope(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, le
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_rolling_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
     sixth = mul(h, 1 / 6)
-    pitch_middle = pitch_acc2 + pitch_acc3
-    pitch_sum = pitch_acc1 + pitch_middle
-    new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
-    new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
-    wheel_middle = wheel_acc2 + wheel_acc3
-    wheel_sum = wheel_acc1 + wheel_middle
-    new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
-    new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
-    yaw_middle = yaw_acc2 + yaw_acc3
-    yaw_sum = yaw_acc1 + yaw_middle
-    new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
-    new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+    new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+    new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+    new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
     return new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate
 
 
@@ -1324,18 +1277,9 @@ def advance_rolling_slope(w, count, fallen, now):
         yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
         pitch_acc4, wheel_acc4, yaw_acc4 = moved_rolling_slope(pitch4, pitch_rate4, wheel_rate4, yaw4, yaw_rate4, held_pitch, held_wheel, held_yaw, t14, t17, t18, t23, t32, half_track, motor_damping, centrifugal, coulomb_torque, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, yaw_coulomb_torque, rolling_torque, yaw_rolling_torque, rotor_coupling, pitch_inertia, yaw_swing, stiction_rate_squared)
         sixth = mul(h, 1 / 6)
-        pitch_middle = pitch_acc2 + pitch_acc3
-        pitch_sum = pitch_acc1 + pitch_middle
-        new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
-        new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
-        wheel_middle = wheel_acc2 + wheel_acc3
-        wheel_sum = wheel_acc1 + wheel_middle
-        new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
-        new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
-        yaw_middle = yaw_acc2 + yaw_acc3
-        yaw_sum = yaw_acc1 + yaw_middle
-        new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
-        new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+        new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+        new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+        new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
         put(w, 0, i, new_pitch)
         put(w, 1, i, new_pitch_rate)
         put(w, 2, i, new_wheel)
@@ -1360,10 +1304,12 @@ def specific_force_rolling_slope(w, count, out):
         t3 = c * t2
         t4 = gravity * cos_slope
         t5 = fma(-t4, s, t3)
+        forward = t5
         t6 = t4 * c
         t7 = fma(t2, s, t6)
-        put(w, out + 0, i, t5)
-        put(w, out + 1, i, t7)
+        up = t7
+        put(w, out + 0, i, forward)
+        put(w, out + 1, i, up)
 
 
 
@@ -1414,8 +1360,11 @@ def moved_free(pitch, pitch_rate, wheel_rate, yaw_rate, held_pitch, held_wheel, 
     t24 = fma(-yaw_lever, wheel_rate, -t23)
     t25 = fma(t24, s, -yaw_damping)
     t26 = fma(t25, yaw_rate, held_yaw)
-    pitch_acc = fma(-a12, t21, t17) * rest_1
-    return pitch_acc, fma(-a12, pitch_acc, t21), t26 * over_1
+    pitch_alone = fma(-a12, t21, t17)
+    pitch_acc = pitch_alone * rest_1
+    wheel_acc = fma(-a12, pitch_acc, t21)
+    yaw_acc = t26 * over_1
+    return pitch_acc, wheel_acc, yaw_acc
 
 
 
@@ -1453,16 +1402,7 @@ def rk4_free(pitch, pitch_rate, wheel, wheel_rate, yaw, yaw_rate, h, left, right
     yaw_rate4 = fma(h, yaw_acc3, yaw_rate)
     pitch_acc4, wheel_acc4, yaw_acc4 = moved_free(pitch4, pitch_rate4, wheel_rate4, yaw_rate4, held_pitch, held_wheel, held_yaw, motor_damping, centrifugal, weight, lever, rolling_damping, turning_lever, yaw_coriolis, yaw_lever, yaw_damping, rotor_coupling, pitch_inertia, yaw_swing)
     sixth = mul(h, 1 / 6)
-    pitch_middle = pitch_acc2 + pitch_acc3
-    pitch_sum = pitch_acc1 + pitch_middle
-    new_pitch = fma(h, fma(sixth, pitch_sum, pitch_rate), pitch)
-    new_pitch_rate = fma(sixth, (pitch_sum + pitch_middle) + pitch_acc4, pitch_rate)
-    wheel_middle = wheel_acc2 + wheel_acc3
-    wheel_sum = wheel_acc1 + wheel_middle
-    new_wheel = fma(h, fma(sixth, wheel_sum, wheel_rate), wheel)
-    new_wheel_rate = fma(sixth, (wheel_sum + wheel_middle) + wheel_acc4, wheel_rate)
-    yaw_middle = yaw_acc2 + yaw_acc3
-    yaw_sum = yaw_acc1 + yaw_middle
-    new_yaw = fma(h, fma(sixth, yaw_sum, yaw_rate), yaw)
-    new_yaw_rate = fma(sixth, (yaw_sum + yaw_middle) + yaw_acc4, yaw_rate)
+    new_pitch, new_pitch_rate = ended(h, sixth, pitch, pitch_rate, pitch_acc1, pitch_acc2, pitch_acc3, pitch_acc4)
+    new_wheel, new_wheel_rate = ended(h, sixth, wheel, wheel_rate, wheel_acc1, wheel_acc2, wheel_acc3, wheel_acc4)
+    new_yaw, new_yaw_rate = ended(h, sixth, yaw, yaw_rate, yaw_acc1, yaw_acc2, yaw_acc3, yaw_acc4)
     return new_pitch, new_pitch_rate, new_wheel, new_wheel_rate, new_yaw, new_yaw_rate

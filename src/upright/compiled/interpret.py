@@ -10,6 +10,7 @@ from upright.compiled.program import (
     Block,
     Choose,
     Function,
+    Fused,
     Kind,
     Limit,
     Operand,
@@ -81,6 +82,9 @@ def evaluate(statement: Step, values: Mapping[str, float]) -> float:  # noqa: PL
             return _value(then if values[left] < _value(right, values) else other, values)
         case Function(_, name, value):
             return _FUNCTIONS[name](values[value])
+        case Fused(_, terms, products):  # here each product is rounded too
+            parts = [sign * _value(first, values) * _value(second, values) for sign, first, second in products]
+            return sum(parts, sum(sign * _value(value, values) for sign, value in terms))
 
 
 _FUNCTIONS: Mapping[str, Callable[[float], float]] = {

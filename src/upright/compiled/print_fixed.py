@@ -10,6 +10,7 @@ from upright.compiled.program import (
     Absolute,
     Choose,
     Function,
+    Fused,
     Kind,
     Limit,
     Operand,
@@ -77,8 +78,8 @@ class FixedPrinter(CPrinter):
             case Choose(_, left, right, then, other):
                 test = self._test(left, right)
                 return f"{test} ? {self._at(then, bits)} : {self._at(other, bits)}"
-            case Function(_, name, _):
-                raise NotImplementedError(f"no controller in fixed point has {name}")
+            case Function() | Fused():
+                raise NotImplementedError(f"no controller in fixed point has {statement}")
 
     def _sum(self, statement: Sum) -> str:
         form = scaled(statement, self.program, self.bits)

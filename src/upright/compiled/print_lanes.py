@@ -19,6 +19,7 @@ from upright.compiled.program import (
     Block,
     Choose,
     Function,
+    Fused,
     Limit,
     Operand,
     Product,
@@ -61,6 +62,7 @@ class LanesPrinter:
         """The module."""
         functions = "\n".join(map(self._function, self._blocks))
         known = "\n".join(f"declare {self._vector} @llvm.{name}({self._vector})" for name in _INTRINSICS.values())
+        known += f"\ndeclare {self._vector} @llvm.fma({', '.join([self._vector] * 3)})"
         return f"{known}\n{functions}"
 
     def _function(self, block: Block) -> str:
@@ -135,6 +137,8 @@ end:
                 return self._intrinsic("absolute", value)
             case Whole(_, value):
                 return self._intrinsic("whole", value)
+            case Fused(_, terms, products):
+                return self._fused(terms, products)
             case Function(_, "square", value):
                 return self._arithmetic("fmul", self._read(value), self._read(value))
             case Function(_, name, value):
@@ -148,6 +152,15 @@ end:
         total, *rest = parts
         for part in rest:
             total = self._arithmetic("fadd", total, part)
+        return total
+
+    def _fused(self, terms: Sequence[tuple[float, Operand]], products: Sequence[tuple[float, Operand, Operand]]) -> str:
+        total, *rest = [self._times(sign, self._operand(value)) for sign, value in terms]
+        for part in rest:
+            total = self._arithmetic("fadd", total, part)
+        for sign, first, second in products:
+            given = (self._times(sign, self._operand(first)), self._operand(second), total)
+            total = self._let(f"call {self._vector} @llvm.fma({', '.join(f'{self._vector} {v}' for v in given)})")
         return total
 
     def _times(self, coefficient: float, value: str) -> str:

@@ -17,6 +17,7 @@ from upright.compiled.program import (
     Absolute,
     Choose,
     Function,
+    Fused,
     Kind,
     Limit,
     Operand,
@@ -98,8 +99,8 @@ class NxcPrinter(Printer):
                 skip, names = self._label(), [self._named(o) for o in (right, then, other)]
                 return [f"mov {target}, {names[1]}", f"brcmp LT, {skip}, {left}, {names[0]}",
                         f"mov {target}, {names[2]}", f"{skip}:"]  # fmt: skip
-            case Function(_, name, _):
-                raise NotImplementedError(f"no controller on a brick has {name}")
+            case Function() | Fused():
+                raise NotImplementedError(f"no program on a brick has {statement}")
 
     def _named(self, operand: Operand) -> str:
         return operand if isinstance(operand, str) else self.number(operand)

@@ -10,6 +10,7 @@ from upright.compiled.program import (
     Block,
     Choose,
     Function,
+    Fused,
     Limit,
     Operand,
     Product,
@@ -81,6 +82,15 @@ class Printer:
                 return self.choose(self.read(left), *(self.operand(o) for o in (right, then, other)))
             case Function(_, name, value):
                 return self.function(name, self.read(value))
+            case Fused(_, terms, products):
+                return self.fused(terms, products)
+
+    def fused(self, terms: Sequence[tuple[float, Operand]], products: Sequence[tuple[float, Operand, Operand]]) -> str:
+        text = " ".join(f"{'-' if sign < 0 else '+'} {self.operand(value)}" for sign, value in terms)
+        text = text.removeprefix("+ ").replace("- ", "-", 1) if text.startswith("- ") else text.removeprefix("+ ")
+        for sign, first, second in products:
+            text = f"fma({'-' if sign < 0 else ''}{self.operand(first)}, {self.operand(second)}, {text})"
+        return text
 
     def operand(self, operand: Operand) -> str:
         return self.read(operand) if isinstance(operand, str) else self.number(operand)

@@ -126,7 +126,16 @@ class Function:
     value: str
 
 
-Step = Sum | Product | Quotient | Limit | Absolute | Whole | Choose | Function
+@dataclass(frozen=True)
+class Fused:
+    """target = Σ sign · term + Σ sign · first · second; each product is added with one rounding, in order."""
+
+    target: str
+    terms: tuple[tuple[float, Operand], ...]
+    products: tuple[tuple[float, Operand, Operand], ...] = ()
+
+
+Step = Sum | Product | Quotient | Limit | Absolute | Whole | Choose | Function | Fused
 
 
 @dataclass(frozen=True)
@@ -145,6 +154,9 @@ def operands(statement: Step) -> tuple[str, ...]:
     """The variables a statement reads, in order."""
     if isinstance(statement, Sum):
         return tuple(name for _, name in statement.terms)
+    if isinstance(statement, Fused):
+        parts = [part for entry in (*statement.terms, *statement.products) for part in entry[1:]]
+        return tuple(part for part in parts if isinstance(part, str))
     fields = {k: v for k, v in vars(statement).items() if k not in ("target", "name")}
     return tuple(value for value in fields.values() if isinstance(value, str))
 
@@ -279,6 +291,8 @@ def expression(statement: Step) -> str:  # noqa: PLR0911 (one for each kind of s
             return f"{then} where {left} < {right} else {other}"
         case Function(_, name, value):
             return f"{name}({value})"
+        case Fused(_, terms, products):
+            return " + ".join(" ".join(map(str, entry)) for entry in (*terms, *products))
 
 
 def _products(statement: Statement) -> int:

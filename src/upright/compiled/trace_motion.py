@@ -8,30 +8,37 @@ to the next robots while it waits for its results.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 from functools import cache
 from typing import Any
 
 import sympy as sp
 
+from upright.compiled.program import Function, Fused, Product, Quotient, Step, operands
 from upright.compiled.trace import CONSTANTS, ROWS, STAGE, Maths, trace
 from upright.compiled.trace_print import (
+    COS,
     COS_SLOPE,
+    COS_YAW,
     FORCE,
     HELD,
     MOMENT,
     PITCH,
     PITCH_RATE,
     ROLL,
+    SIN,
     SIN_SLOPE,
+    SIN_YAW,
     SLIP,
     STATE,
     WHEEL_RATE,
     YAW,
     YAW_RATE,
-    LanePrinter,
+    AlgebraTracer,
+    LaneSource,
     P,
+    SourceLine,
+    called,
     factored,
     function,
 )
@@ -55,14 +62,16 @@ from upright.compiled.jit import absolute, align_stack, fma, get, inlined, mul, 
 from upright.compiled.lane_math import sincos, sincos_any"""
 
 _ANGLES = ("pitch", "wheel", "yaw")
+_ACCELERATIONS = tuple(f"{angle}_acc" for angle in _ANGLES)
 _STATES = ROWS[:6]
+_NEW = tuple(f"new_{name}" for name in _STATES)
 _H = sp.Symbol("h")
 _STEP = {sp.Integer(1): "h", sp.Rational(1, 2): "half"}
 
 
 def motions() -> list[str]:
     """The parts of `generated_motion.py`."""
-    return [IMPORTS, *(text for name in VARIANTS for text in _Work(name).functions())]
+    return [IMPORTS, _ended(), *(text for name in VARIANTS for text in _Work(name).functions())]
 
 
 def work_rows() -> int:
@@ -94,15 +103,15 @@ class _RungeKutta:
     def _named(self, k: int) -> list[tuple[str, Any]]:
         return [(f"{name}{k + 1}", value) for name, value in zip(_STATES, self.stages[k], strict=True)]
 
-    def lines(self, k: int, moving: Iterable[str]) -> list[str]:
+    def steps(self, k: int, moving: Iterable[str]) -> list[Step]:
         """The states that stage `k` (from 1) is evaluated at, those in `moving` alone."""
-        return [f"{name} = {_increment(value)}" for name, value in self._named(k - 1) if name[:-1] in moving]
+        return [_increment(name, value) for name, value in self._named(k - 1) if name[:-1] in moving]
 
 
-def _increment(expression: Any) -> str:
+def _increment(name: str, expression: Any) -> Fused:
     """x + h s or x + h s/2 in one rounding."""
     number, slope = expression.coeff(_H).as_coeff_Mul()
-    return f"fma({_STEP[number]}, {slope}, {expression.coeff(_H, 0)})"
+    return Fused(name, ((1.0, str(expression.coeff(_H, 0))),), ((1.0, _STEP[number], str(slope)),))
 
 
 @cache
@@ -131,12 +140,12 @@ class _Work:
         self.name, self.slope = name, SIN_SLOPE not in VARIANTS[name]
         self._moving = [n for n in STAGE if n != "yaw" or self.slope]
         held = (*HELD, *ROLL) if name == "free" else HELD
-        self._held_lines, self._lines, self._result = _parted(_acceleration_lines(VARIANTS[name], held), held)
-        lines = [*self._lines, self._result]
-        self._constants, self._held_constants = _used(lines, CONSTANTS), _used(self._held_lines, CONSTANTS)
+        source, (held_steps, steps) = LaneSource(), _parted(_acceleration_steps(VARIANTS[name], held), held)
+        self._held_lines, self._lines = source.lines(held_steps), source.lines(steps)
+        self._constants, self._held_constants = _used(self._lines, CONSTANTS), _used(self._held_lines, CONSTANTS)
         self._inputs = _used(self._held_lines, map(str, held))
-        self.held = _used(lines, [line.split(" = ")[0] for line in self._held_lines])
-        self._all = _used([*self._held_lines, *lines], CONSTANTS)
+        self.held = _used(self._lines, [step.target for step in held_steps])
+        self._all = _used([*self._held_lines, *self._lines], CONSTANTS)
         accelerations = [f"{angle}_acc{k}" for k in (1, 2, 3) for angle in _ANGLES]
         rates = [f"{n}_rate{k}" for k in (2, 3) for n in _ANGLES if n in self._moving]
         self._stages = [*accelerations, *rates]
@@ -154,7 +163,7 @@ class _Work:
         both = ", ".join([*self._moving, *self._inputs, *self._all])
         return [
             function(f"held_{self.name}({one})", [*self._held_lines, f"return {', '.join(self.held)}"]),
-            function(f"moved_{self.name}({two})", [*self._lines, self._result]),
+            function(f"moved_{self.name}({two})", [*self._lines, f"return {', '.join(_ACCELERATIONS)}"]),
             function(f"accelerations_{self.name}({both})", [self._hold(), f"return moved_{self.name}({two})"]),
         ]
 
@@ -166,12 +175,14 @@ class _Work:
         """The state one step on."""
         lines = [self._hold(), *(line for k in (1, 2, 3, 4) for line in self._stage(k, recall=False)), *_sums()]
         arguments = ", ".join([*_STATES, "h", *self._inputs, *self._all])
-        return function(f"rk4_{self.name}({arguments})", [*lines, f"return {', '.join(f'new_{n}' for n in _STATES)}"])
+        return function(f"rk4_{self.name}({arguments})", [*lines, f"return {', '.join(_NEW)}"])
 
     def step(self) -> str:
         """The one robot of a block by one step."""
-        arguments = ", ".join([*_STATES, "h", *self._inputs])
-        call = f"{', '.join(f'new_{n}' for n in _STATES)} = rk4_{self.name}({arguments}, *constants_{self.name}(w, i))"
+        names = (*_STATES, "h", *self._inputs)
+        arguments = ", ".join(names)
+        text = f"{', '.join(_NEW)} = rk4_{self.name}({arguments}, *constants_{self.name}(w, i))"
+        call = SourceLine(text, _NEW, names)
         return function(
             f"step_{self.name}(w, count, fallen, now)", ["i = 0", *self._load([call, *_STORE]), call, *_STORE], None
         )
@@ -182,8 +193,8 @@ class _Work:
         for k in (1, 2, 3, 4):
             stage = [*([self._hold()] if k == 1 else []), *self._stage(k, recall=True), *(_sums() if k == 4 else [])]
             kept = [*(n for n in self._stages if n.endswith(str(k))), *(self.held if k == 1 else [])]
-            stage += _STORE if k == 4 else [f"put(w, {self.rows[name]}, i, {name})" for name in kept]
-            lines += ["for i in range(count):", *(f"    {line}" for line in [*self._load(stage), *stage])]
+            stage += _STORE if k == 4 else [_put(self.rows[name], name) for name in kept]
+            lines += ["for i in range(count):", *(f"    {line.text}" for line in [*self._load(stage), *stage])]
         return function(f"advance_{self.name}(w, count, fallen, now)", lines, None)
 
     def specific_force(self) -> str:
@@ -192,79 +203,93 @@ class _Work:
         x = (PITCH, PITCH_RATE, sp.Symbol("wheel"), WHEEL_RATE, YAW, YAW_RATE)
         forces = accelerometer(x, sp.Symbol("wheel_acc", real=True), P, tilt, Maths(tilt))
         forward, up = (sp.expand(f).subs(VARIANTS[self.name]) for f in forces)
-        printer = LanePrinter()
-        results = [printer.value(factored(forward)), printer.value(factored(up))]
+        tracer = AlgebraTracer()
+        _directions(tracer, slope=self.slope)
+        results = [tracer.named(name, factored(force)) for name, force in (("forward", forward), ("up", up))]
+        arguments = [*self._moving, *self.held, *self._constants]
         body = [
             self._hold(),
-            f"_, wheel_acc, _ = moved_{self.name}({', '.join([*self._moving, *self.held, *self._constants])})",
-            "s, c = sincos(pitch)",
-            *(["sin_yaw, cos_yaw = sincos_any(yaw)"] if self.slope else []),
-            *printer.lines,
-            *(f"put(w, out + {k}, i, {result})" for k, result in enumerate(results)),
+            called(("_", "wheel_acc", "_"), f"moved_{self.name}", arguments),
+            *LaneSource().lines(tracer.steps),
+            *(_put(f"out + {k}", result) for k, result in enumerate(results)),
         ]
-        lines = ["for i in range(count):", *(f"    {line}" for line in [*self._load(body), *body])]
+        lines = ["for i in range(count):", *(f"    {line.text}" for line in [*self._load(body), *body])]
         return function(f"specific_force_{self.name}(w, count, out)", lines, None)
 
-    def _hold(self) -> str:
-        return f"{', '.join(self.held)} = held_{self.name}({', '.join([*self._inputs, *self._held_constants])})"
+    def _hold(self) -> SourceLine:
+        return called(self.held, f"held_{self.name}", [*self._inputs, *self._held_constants])
 
-    def _stage(self, k: int, *, recall: bool) -> list[str]:
+    def _stage(self, k: int, *, recall: bool) -> list[SourceLine]:
         """The accelerations of stage `k` from those before it. With `recall` no line of another stage is at hand."""
-        half = ["half = mul(h, 0.5)"] if k == 2 or (recall and k == 3) else []
+        half = [called(("half",), "mul", ("h", "0.5"))] if k == 2 or (recall and k == 3) else []
         at = [f"{n}{k}" if k > 1 and n in self._moving else n for n in self._moving]
-        arguments = ", ".join([*at, *self.held, *self._constants])
-        lines = _runge_kutta().lines(k, self._moving) if k > 1 else []
-        return [*half, *lines, f"{', '.join(f'{n}_acc{k}' for n in _ANGLES)} = moved_{self.name}({arguments})"]
+        steps = _runge_kutta().steps(k, self._moving) if k > 1 else []
+        arguments = [*at, *self.held, *self._constants]
+        return [
+            *half,
+            *LaneSource().lines(steps),
+            called((f"{a}{k}" for a in _ACCELERATIONS), f"moved_{self.name}", arguments),
+        ]
 
-    def _load(self, lines: Sequence[str]) -> list[str]:
+    def _load(self, lines: Sequence[SourceLine]) -> list[SourceLine]:
         """Loads of the rows that `lines` need and do not make themselves."""
-        made = {name for line in lines for name in line.split(" = ")[0].split(", ")}
+        made = {name for line in lines for name in line.makes}
         names = [name for name in _used(lines, [*ROWS, *CONSTANTS, *self.rows]) if name not in made]
-        return [f"{', '.join(names)} = {self._get(names)}"]
+        return [SourceLine(f"{', '.join(names)} = {self._get(names)}", tuple(names), ())]
 
     def _get(self, names: Iterable[str]) -> str:
         places = {name: str(row) for row, name in enumerate([*ROWS, *CONSTANTS])} | self.rows
         return ", ".join(f"get(w, {places[name]}, i)" for name in names)
 
 
-def _sums() -> list[str]:
-    """`_END`, with the sums that angle and rate share."""
-    lines = ["sixth = mul(h, 1 / 6)"]
-    for n in _ANGLES:
-        lines.append(f"{n}_middle = {n}_acc2 + {n}_acc3")
-        lines.append(f"{n}_sum = {n}_acc1 + {n}_middle")
-        lines.append(f"new_{n} = fma(h, fma(sixth, {n}_sum, {n}_rate), {n})")
-        lines.append(f"new_{n}_rate = fma(sixth, ({n}_sum + {n}_middle) + {n}_acc4, {n}_rate)")
-    return lines
+def _sums() -> list[SourceLine]:
+    """The state one step on."""
+    given = [[n, f"{n}_rate", *(f"{n}_acc{k}" for k in (1, 2, 3, 4))] for n in _ANGLES]
+    ends = [
+        called((f"new_{n}", f"new_{n}_rate"), "ended", ("h", "sixth", *g)) for n, g in zip(_ANGLES, given, strict=True)
+    ]
+    return [called(("sixth",), "mul", ("h", "1 / 6")), *ends]
+
+
+def _ended() -> str:
+    """`_END` of one angle, with the sums that angle and rate share."""
+    steps = [
+        Fused("middle", ((1.0, "two"), (1.0, "three"))),
+        Fused("all_four", ((1.0, "one"), (1.0, "middle"))),
+        Fused("mean", ((1.0, "rate"),), ((1.0, "sixth", "all_four"),)),
+        Fused("new", ((1.0, "angle"),), ((1.0, "h", "mean"),)),
+        Fused("weighted", ((1.0, "all_four"), (1.0, "middle"), (1.0, "four"))),
+        Fused("new_rate", ((1.0, "rate"),), ((1.0, "sixth", "weighted"),)),
+    ]
+    head = "ended(h, sixth, angle, rate, one, two, three, four)"
+    return function(head, [*LaneSource().lines(steps), "return new, new_rate"])
+
+
+def _put(row: object, value: str, *reads: str) -> SourceLine:
+    return SourceLine(f"put(w, {row}, i, {value})", (), reads or (value,))
 
 
 _STORE = [
-    *(f"put(w, {row}, i, new_{name})" for row, name in enumerate(_STATES)),
-    f"put(w, {ROWS.index('lived')}, i, now if positive(h) else lived)",
-    f"put(w, {ROWS.index('h')}, i, h if absolute(new_pitch) <= fallen else mul(h, 0.0))",
+    *(_put(row, name) for row, name in enumerate(_NEW)),
+    _put(ROWS.index("lived"), "now if positive(h) else lived", "h", "lived"),
+    _put(ROWS.index("h"), "h if absolute(new_pitch) <= fallen else mul(h, 0.0)", "h", "new_pitch"),
 ]
 
 
-def _words(lines: Iterable[str]) -> set[str]:
-    return {word for line in lines for word in re.findall(r"[A-Za-z_]\w*", line)}
+def _used(lines: Iterable[SourceLine], names: Iterable[str]) -> list[str]:
+    read = {name for line in lines for name in line.reads}
+    return [name for name in names if name in read]
 
 
-def _used(lines: Iterable[str], names: Iterable[str]) -> list[str]:
-    words = _words(lines)
-    return [name for name in names if name in words]
-
-
-def _parted(lines: Sequence[str], fixed: Sequence[Any]) -> tuple[list[str], list[str], str]:
-    """Lines that need nothing but what is `fixed` over a step and constants, the others, and the one that returns."""
-    known = {*map(str, fixed), *CONSTANTS, "fma"}
-    held, rest = list[str](), list[str]()
-    for line in lines[:-1]:
-        name, _, text = line.partition(" = ")
-        words = _words([text])
-        alone = words <= known and not words <= set(CONSTANTS)
-        (held if alone else rest).append(line)
-        known |= {name} if alone else set()
-    return held, rest, lines[-1]
+def _parted(steps: Sequence[Step], fixed: Sequence[Any]) -> tuple[list[Step], list[Step]]:
+    """Steps that need nothing but what is `fixed` over a step of time and constants, and the others."""
+    known, held, rest = {*map(str, fixed), *CONSTANTS}, list[Step](), list[Step]()
+    for step in steps:
+        reads = set(operands(step))
+        alone = reads <= known and not reads <= set(CONSTANTS)
+        (held if alone else rest).append(step)
+        known |= {step.target} if alone else set()
+    return held, rest
 
 
 def _split(expression: Any, fixed: Sequence[Any]) -> Any:
@@ -274,43 +299,45 @@ def _split(expression: Any, fixed: Sequence[Any]) -> Any:
     return factored(sp.Add(*held)), factored(sp.Add(*[term for term in terms if term not in held]))
 
 
-def _acceleration_lines(absent: dict[Any, int], fixed: Sequence[Any]) -> list[str]:
-    """The body of a function that gives ψ̈, θ̈, φ̈ without what is `absent`, with one reciprocal for all its divisions."""
-    traced, out = trace(), LanePrinter()
-    slope = SIN_SLOPE not in absent
+def _directions(out: AlgebraTracer, *, slope: bool) -> None:
+    out.sine_and_cosine(SIN, COS, PITCH)
+    if slope:
+        out.sine_and_cosine(SIN_YAW, COS_YAW, YAW)
+
+
+def _acceleration_steps(absent: dict[Any, int], fixed: Sequence[Any]) -> list[Step]:
+    """What gives ψ̈, θ̈, φ̈ without what is `absent`, with one reciprocal for all divisions."""
+    traced, out = trace(), AlgebraTracer()
     signs = {str(sign): rate for sign, rate in zip((*SLIP, *ROLL), traced.rates, strict=True)
              if sign not in absent and sign not in fixed}  # fmt: skip
-    out.put("s, c", "sincos(pitch)")
-    if slope:
-        out.put("sin_yaw, cos_yaw", "sincos_any(yaw)")
-    _, a22, a33 = (
-        sp.Symbol(out.put(n, out.value(e))) for n, e in zip(("a12", "a22", "a33"), traced.inertias, strict=True)
-    )
-    below = [out.put("determinant", f"fma(-a12, a12, {a22})"), str(a33)]
+    _directions(out, slope=SIN_SLOPE not in absent)
+    a12, a22, a33 = (out.named(n, e) for n, e in zip(("a12", "a22", "a33"), traced.inertias, strict=True))
+    below = [out.put("determinant", Fused("", ((1.0, a22),), ((-1.0, a12, a12),))), a33]
     for sign, rate in signs.items():
-        out.put(f"rate_{sign}", out.value(rate))
-        below.append(out.put(f"root_{sign}", f"sqrt(fma(rate_{sign}, rate_{sign}, stiction_rate_squared))"))
+        turn = out.named(f"rate_{sign}", rate)
+        square = out.put(f"square_{sign}", Fused("", ((1.0, "stiction_rate_squared"),), ((1.0, turn, turn),)))
+        below.append(out.put(f"root_{sign}", Function("", "sqrt", square)))
     over = _reciprocals(out, below)
     for sign, inverse in zip(signs, over[2:], strict=True):
-        out.put(sign, f"rate_{sign} * {inverse}")
+        out.put(sign, Product("", f"rate_{sign}", inverse))
     force = [_split(f.subs(absent), fixed) for f in traced.forces]
-    for name, (held, _) in zip(("held_pitch", "held_wheel", "held_yaw"), force, strict=True):
-        out.put(name, out.value(held))
-    pitch, wheel, yaw = (
-        out.value(sp.Symbol(name) + free)
-        for name, (_, free) in zip(("held_pitch", "held_wheel", "held_yaw"), force, strict=True)
-    )
-    out.put("pitch_acc", f"fma(-a12, {wheel}, {pitch}) * {over[0]}")
-    return [*out.lines, f"return pitch_acc, fma(-a12, pitch_acc, {wheel}), {yaw} * {over[1]}"]
+    held = [out.named(f"held_{n}", part) for n, (part, _) in zip(_ANGLES, force, strict=True)]
+    pitch, wheel, yaw = (out.value(sp.Symbol(n) + free) for n, (_, free) in zip(held, force, strict=True))
+    assert yaw[0] == 1
+    alone = out.put("pitch_alone", Fused("", (pitch,), ((-wheel[0], a12, wheel[1]),)))
+    out.put("pitch_acc", Product("", alone, over[0]))
+    out.put("wheel_acc", Fused("", (wheel,), ((-1.0, a12, "pitch_acc"),)))
+    out.put("yaw_acc", Product("", str(yaw[1]), over[1]))
+    return out.steps
 
 
-def _reciprocals(out: LanePrinter, names: Sequence[str]) -> list[str]:
+def _reciprocals(out: AlgebraTracer, names: Sequence[str]) -> list[str]:
     """1/a, 1/b, … by one division of their product (Montgomery 1987)."""
     before = [names[0]]
     for i, name in enumerate(names[1:]):
-        before.append(out.put(f"before_{i}", f"{before[-1]} * {name}"))
-    rest, inverses = out.put("over", f"reciprocal({before[-1]})"), []
+        before.append(out.put(f"before_{i}", Product("", before[-1], name)))
+    rest, inverses = out.put("over", Quotient("", 1.0, before[-1])), list[str]()
     for i in range(len(names) - 1, 0, -1):
-        inverses.append(out.put(f"over_{i}", f"{rest} * {before[i - 1]}"))
-        rest = out.put(f"rest_{i}", f"{rest} * {names[i]}")
+        inverses.append(out.put(f"over_{i}", Product("", rest, before[i - 1])))
+        rest = out.put(f"rest_{i}", Product("", rest, names[i]))
     return [rest, *reversed(inverses)]

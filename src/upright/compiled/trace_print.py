@@ -1,14 +1,17 @@
-"""The symbols of a trace, and source text from expressions in them."""
+"""The symbols of a trace, statements from expressions in them, and their source text for Numba."""
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
+from dataclasses import replace
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, NamedTuple
 
 import sympy as sp
 
+from upright.compiled.printer import Printer
+from upright.compiled.program import Function, Fused, Operand, Product, Quotient, Step, operands
 from upright.robots.robot import PARAMETERS
 
 COMPLETE = sp.Symbol("complete", real=True)
@@ -30,50 +33,104 @@ DYNAMIC = (*STATE, *HELD)
 FACTOR_FIRST = (SIN, COS, YAW_RATE, PITCH_RATE, WHEEL_RATE)
 
 
-class LanePrinter:
-    """Straight-line source text: every value once, sums of products as chains of `fma`."""
+Signed = tuple[float, Operand]
+"""1 or −1, and what it is times."""
+
+
+class AlgebraTracer:
+    """Statements of what expressions give: every value once, sums of products as chains of `fma`."""
 
     def __init__(self) -> None:
-        self.lines: list[str] = []
+        self.steps: list[Step] = []
         self._names: dict[Any, str] = {}
 
-    def put(self, name: str, text: str) -> str:
-        self.lines.append(f"{name} = {text}")
+    def put(self, name: str, step: Step) -> str:
+        """Records a step, which has no name yet, under this one."""
+        self.steps.append(replace(step, target=name))
         return name
 
-    def value(self, expression: Any) -> str:
-        """Text for `expression`: a name, a signed name or a number, with the lines before it that it needs."""
-        if expression.is_Symbol:
-            return str(expression)
-        if expression.is_number:
-            return repr(float(expression))
-        if _negative(expression):
-            return f"-{self.value(-expression)}"
-        if expression not in self._names:
-            text = self._sum(expression) if expression.is_Add else " * ".join(self._halves(expression))
-            self._names[expression] = self.put(f"t{len(self._names)}", text)
-        return self._names[expression]
+    def named(self, name: str, expression: Any) -> str:
+        return self.put(name, Fused("", (self.value(expression),)))
 
-    def _halves(self, product: Any) -> tuple[str, str]:
+    def sine_and_cosine(self, sine: Any, cosine: Any, angle: Any) -> None:
+        self.put(str(sine), Function("", "sin", str(angle)))
+        self.put(str(cosine), Function("", "cos", str(angle)))
+
+    def value(self, expression: Any) -> Signed:
+        """What holds `expression`, after the statements before it that it needs."""
+        if expression.is_Symbol:
+            return 1.0, str(expression)
+        if expression.is_number:
+            return 1.0, float(expression)
+        if _negative(expression):
+            sign, value = self.value(-expression)
+            return -sign, value
+        if expression not in self._names:
+            step = self._sum(expression) if expression.is_Add else self._product(expression)
+            self._names[expression] = self.put(f"t{len(self._names)}", step)
+        return 1.0, self._names[expression]
+
+    def _product(self, expression: Any) -> Product:
+        (one, first), (other, second) = self._halves(expression)
+        assert one == other == 1, "a product's sign is its sum's"
+        return Product("", str(first), str(second))
+
+    def _halves(self, product: Any) -> tuple[Signed, Signed]:
         """Two factors of a product or power; what changes least is multiplied first, so that it is shared most."""
         if product.is_Pow:
             return self.value(product.base), self.value(product.base ** (product.exp - 1))
         parts = sorted(product.args, key=_rank)
         return self.value(sp.Mul(*parts[:-1])), self.value(parts[-1])
 
-    def _sum(self, expression: Any) -> str:
-        terms = sorted(
+    def _sum(self, expression: Any) -> Fused:
+        first, *rest = sorted(
             expression.args, key=lambda term: (not _single(term), max(map(_rank, term.free_symbols), default=(0, "")))
         )
-        text = self.value(terms[0])
-        for term in terms[1:]:
-            sign, size = ("-", -term) if _negative(term) else ("", term)
+        terms, products = [self.value(first)], list[tuple[float, Operand, Operand]]()
+        for term in rest:
+            sign, size = (-1.0, -term) if _negative(term) else (1.0, term)
             if _single(size):
-                text = f"{text} {sign or '+'} {self.value(size)}"
+                own, value = self.value(size)
+                terms.append((sign * own, value))
             else:
-                first, second = self._halves(size)
-                text = f"fma({sign}{first}, {second}, {text})"
-        return text
+                (one, factor), (other, second) = self._halves(size)
+                products.append((sign * one * other, factor, second))
+        return Fused("", tuple(terms), tuple(products))
+
+
+class LaneSource(Printer):
+    """Statements as source text for Numba, on a lane of a block."""
+
+    end = ""
+
+    def lines(self, steps: Iterable[Step]) -> list[SourceLine]:  # type: ignore[override]
+        """One line for each statement, but one for a sine and the cosine after it."""
+        lines, sine = list[SourceLine](), ""
+        for step in steps:
+            match step:
+                case Function(target, "sin", _):
+                    sine = target
+                case Function(target, "cos", angle):
+                    way = "sincos" if angle == str(PITCH) else "sincos_any"
+                    lines.append(called((sine, target), way, (angle,)))
+                case Quotient(target, _, below):
+                    lines.append(called((target,), "reciprocal", (below,)))
+                case _:
+                    lines.append(SourceLine(self.statement(step)[0], (step.target,), operands(step)))
+        return lines
+
+
+class SourceLine(NamedTuple):
+    """Source text, and the names that it makes and reads."""
+
+    text: str
+    makes: tuple[str, ...]
+    reads: tuple[str, ...]
+
+
+def called(makes: Iterable[str], function: str, arguments: Iterable[str]) -> SourceLine:
+    makes, reads = tuple(makes), tuple(arguments)
+    return SourceLine(f"{', '.join(makes)} = {function}({', '.join(reads)})", makes, reads)
 
 
 def _negative(expression: Any) -> bool:
@@ -103,5 +160,6 @@ def factored(expression: Any) -> Any:
     return best * factored(sp.Add(*inside)) + factored(sp.Add(*outside))
 
 
-def function(head: str, lines: Iterable[str], decorator: str | None = "@inlined") -> str:
-    return "\n".join([*([decorator] if decorator else []), f"def {head}:", *(f"    {line}" for line in lines), "", ""])
+def function(head: str, lines: Iterable[str | SourceLine], decorator: str | None = "@inlined") -> str:
+    texts = (line.text if isinstance(line, SourceLine) else line for line in lines)
+    return "\n".join([*([decorator] if decorator else []), f"def {head}:", *(f"    {text}" for text in texts), "", ""])
