@@ -42,6 +42,7 @@ PATIENCE = 1.2  # [s] for an answer of a device in this very process
 SECONDS = 0.5  # of a flight, of the device's time
 STILL = 1.0  # [s] of a hub's program before it drives
 NEVER = 10**9
+LONGEST = 120  # [s] of real time for one flight: it takes a few
 MAY_RUN = "motors may be running"
 
 NXC = """
@@ -565,10 +566,18 @@ def cases() -> list[tuple[str, str, str]]:
 
 def wrong(device: str, moment: str, fault: str) -> str:
     """What is wrong after that fault; empty where nothing."""
+    signal.signal(signal.SIGALRM, _too_long)
+    signal.alarm(LONGEST)
     try:
         return DEVICES[device][1](fault, moment).wrong
     except BaseException as error:
         return f"{type(error).__name__}: {error}"
+    finally:
+        signal.alarm(0)
+
+
+def _too_long(*_: object) -> None:
+    raise TimeoutError(f"still waiting after {LONGEST} s")
 
 
 @dataclass

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import random
 import sys
 from pathlib import Path
@@ -79,3 +80,17 @@ def test_a_part_of_benchmarks_abuse_flights() -> None:
     """The whole is: python benchmarks/abuse.py flights."""
     faults = random.Random(14).sample(abuse_flights.cases(), 8)
     assert {case: complaint for case in faults if (complaint := abuse_flights.wrong(*case))} == {}
+
+
+def test_a_program_that_ended_before_anybody_looked_is_not_waited_for() -> None:
+    """Its last news came while its start was confirmed, so that no other follows; the flight's clock stands still."""
+    from upright.flight.fly_hub import _watch
+
+    class Ended:
+        running, begun, lost, patience, lines = False, True, False, 1.0, ()
+
+        async def news(self, timeout: float) -> bool:
+            await asyncio.sleep(timeout)
+            return False
+
+    asyncio.run(asyncio.wait_for(_watch(Ended(), 10.0, None, lambda: 0.0), 5.0))

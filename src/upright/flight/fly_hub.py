@@ -141,10 +141,10 @@ async def _watch(hub: HubLink, end: float, progress: Progress | None, clock: Clo
     """Wait until `end`, or the program's end, or the connection's: a hub silent for its `patience` is lost."""
     began, received, silent = clock(), 0, 0.0
     while (now := clock()) < end and not hub.lost and silent < hub.patience:
-        if not await hub.news(POLL):
-            silent += POLL if received else 0.0  # it prints nothing while it waits to be held still
-        elif not hub.running:
+        came = await hub.news(POLL)
+        if not hub.running and (came or hub.begun):  # it may have ended before anybody waited for news
             return
+        silent += POLL if received and not came else 0.0  # it prints nothing while it waits to be held still
         if any(line.startswith("S ") for line in hub.lines[received:]):
             return  # it has stopped by itself, and waits for the request of its log
         if len(hub.lines) > received:
