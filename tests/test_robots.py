@@ -58,9 +58,11 @@ def preset_file(kind: str, name: str) -> dict[str, Any]:
 
 
 def number_tables(table: dict[str, Any], path: str = "") -> list[tuple[str, dict[str, Any]]]:
-    """Every table that holds a value, and every bare number that should have been one."""
+    """Every table that holds a value, and every bare number that should have been one; weights have units of their own."""
     found: list[tuple[str, dict[str, Any]]] = []
     for key, entry in table.items():
+        if not path and key == "weights":
+            continue
         if isinstance(entry, dict) and "value" not in entry:
             found += number_tables(entry, f"{path}{key}.")
         elif not isinstance(entry, str):

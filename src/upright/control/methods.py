@@ -24,7 +24,7 @@ from upright.control.pid import pid
 from upright.control.robust import robust
 from upright.control.sliding import sliding
 from upright.control.tunable import TUNABLE, Tunable, sized
-from upright.errors import InvalidController
+from upright.errors import InvalidController, UnknownName
 from upright.plugins import Registry, made
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES
@@ -54,8 +54,17 @@ class Method:
         """The controller under these weights by name, those of `tunable`."""
         if self.tunable is None:
             raise InvalidController(f"{self.name or 'this method'} has no weights to tune")
+        if unknown := set(weights) - set(self.tunable.defaults(robot, kit, dt)):
+            raise UnknownName(f"weight of {self.name}", min(unknown), self.tunable.defaults(robot, kit, dt))
         asked = request_hash(self.name, robot, kit, dt, weights=dict(weights))
         return designed_from(self.tunable.make(robot, kit, dt, weights), asked)
+
+    def defaults(self, robot: Robot, kit: Kit, dt: float) -> dict[str, float]:
+        """The weights that the method has by default: those in the robot's file, of its own kit, before its own."""
+        assert self.tunable is not None
+        own = robot.weights.get(self.name)
+        given = own.numbers if own and kit.name == robot.kit_name else {}
+        return {**self.tunable.defaults(robot, kit, dt), **given}
 
     def __call__(
         self,
@@ -63,13 +72,17 @@ class Method:
         kit: Kit,
         dt: float,
         *,
-        largest: Sequence[float] = LARGEST_STATE,
+        largest: Sequence[float] | None = None,
         command: float | None = None,
     ) -> Controller:
-        """The controller for `robot` under `kit` every `dt` [s].
+        """The controller for `robot` under `kit` every `dt` [s]. Without `largest` and `command` its weights are
+        those in the robot's file, where that has some for its own kit, else those of Bryson's rule on `LARGEST_STATE`.
 
         Raises `InvalidController` for other than six deviations, or for weights where the method takes none.
         """
+        if largest is None and command is None and self.name in robot.weights and kit.name == robot.kit_name:
+            return self.tuned(robot, kit, dt, self.defaults(robot, kit, dt))
+        largest = LARGEST_STATE if largest is None else largest
         if len(largest) != len(STATE_NAMES):
             raise InvalidController(f"{len(largest)} largest deviations", expected="six, one for each state")
         size = LARGEST_COMMAND[robot.command_unit] if command is None else command

@@ -18,6 +18,7 @@ from upright.robots import toml
 from upright.robots.conditions import Conditions, conditions_of
 from upright.robots.kit import Kit, kit_of
 from upright.robots.toml import Provenance
+from upright.robots.weights import TunedWeights, weights_of
 from upright.tables import Listing
 
 PRESETS = "presets"
@@ -39,7 +40,7 @@ class Robot:
     wheel, smoothed over `stiction_rate`. `correlation` holds the correlation of the errors of pairs of parameters
     [−1 to 1], as a calibration estimates them. `kit` is the name of a kit or its file, or the kit itself, with the
     delays and motors of this very robot. `conditions` are the batteries and floors
-    that it is to meet.
+    that it is to meet, `weights` those of methods that were tuned for it, which are then their defaults.
 
     Raises `InvalidRobot` for a robot that cannot exist or that has nothing to balance.
     """
@@ -71,6 +72,7 @@ class Robot:
     drive: str = "voltage"
     kit: str | Kit = field(default="ideal", hash=False)
     conditions: Conditions = field(default_factory=Conditions)
+    weights: Mapping[str, TunedWeights] = field(default_factory=dict, compare=False, repr=False)
     provenance: Mapping[str, Provenance] = field(default_factory=dict, compare=False, repr=False)
     correlation: Mapping[tuple[str, str], float] = field(default_factory=dict, compare=False, repr=False)
 
@@ -105,7 +107,8 @@ class Robot:
         unused = set(_ELECTRICAL) - self.provenance.keys() if self.drive == "torque" else set[str]()
         tables = [_written(name, self) for name in PARAMETERS if name not in unused]
         kit = [] if isinstance(self.kit, str) else ["\n", self.kit.to_toml("kit")]
-        return "".join([*head, *tables, _written_correlation(self), self.conditions.to_toml(), *kit])
+        tuned = [weights.to_toml(method) for method, weights in self.weights.items()]
+        return "".join([*head, *tables, _written_correlation(self), self.conditions.to_toml(), *tuned, *kit])
 
     @property
     def kit_name(self) -> str:
@@ -342,7 +345,9 @@ def _written_correlation(robot: Robot) -> str:
 
 
 def _read(table: toml.Table, where: str) -> Robot:
-    toml.check_keys(table, {"name", "title", "drive", "kit", "correlation", "conditions", *PARAMETERS}, where)
+    toml.check_keys(
+        table, {"name", "title", "drive", "kit", "correlation", "conditions", "weights", *PARAMETERS}, where
+    )
     words: dict[str, Any] = {k: toml.word(table, k, where) for k in ("name", "drive", "title") if k in table}
     if "kit" in table:
         own = isinstance(table["kit"], dict)
@@ -358,7 +363,7 @@ def _read(table: toml.Table, where: str) -> Robot:
     sources = {name: toml.provenance(table[name], name, where) for name in given}
     provenance = {name: source for name, source in sources.items() if source is not None}
     pairs = _correlation(toml.subtable(table, "correlation", where), where)
-    rest = {"correlation": pairs, "conditions": conditions_of(table, where)}
+    rest = {"correlation": pairs, "conditions": conditions_of(table, where), "weights": weights_of(table, where)}
     return Robot(**words, **cast(dict[str, Any], numbers), provenance=provenance, **cast(dict[str, Any], rest))
 
 

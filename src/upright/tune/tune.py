@@ -253,8 +253,7 @@ class _Task:
     @cached_property
     def defaults(self) -> dict[str, float]:
         """The default weights."""
-        assert self.method.tunable
-        return self.method.tunable.defaults(self.robot, self.kit, self.kit.period)
+        return self.method.defaults(self.robot, self.kit, self.kit.period)
 
     def controller(self, weights: Mapping[str, float]) -> Controller:
         """The method's own controller under the defaults, or that under other weights."""
