@@ -58,7 +58,7 @@ def preset_file(kind: str, name: str) -> dict[str, Any]:
 
 
 def number_tables(table: dict[str, Any], path: str = "") -> list[tuple[str, dict[str, Any]]]:
-    """Every table that holds a value, and every bare number that should have been one; weights have units of their own."""
+    """Every table that holds a value, and every bare number that should have been one, besides weights."""
     found: list[tuple[str, dict[str, Any]]] = []
     for key, entry in table.items():
         if not path and key == "weights":
