@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from upright.certify.certificate import MOST_FALLS
+from upright.certify.verdict import MOST_FALLS
 from upright.fleet.binomial import clopper_pearson
 from upright.fleet.tally import Cases, labelled
 from upright.plotting import number

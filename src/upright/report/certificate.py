@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from upright.certify.agreement import RED
+from upright.certify.agreement import AMBER, RED
 from upright.certify.certificate import Certificate
 from upright.certify.checks import HELD, KNOCKED, Swept
 from upright.certify.verdict import GREEN, MOST_FALLS, LinearMargins
@@ -13,7 +13,7 @@ from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
 
-LEVEL = {GREEN: "good", RED: "warn"}
+LEVEL = {GREEN: "good", AMBER: "warn", RED: "bad"}
 HEADINGS = {GREEN: "{0} may drive {1}", RED: "{0} must not drive {1}"}
 """What a light means; amber: it may, if somebody has read the reasons."""
 

@@ -105,7 +105,7 @@ def _parity(result: Parity) -> Page:
         [Section("Pushes", [Table(["push", "outcome", "largest pitch [rad]"], rows)])],
         "" if result.as_generated else "The file differs from what `upright firmware` generates here.",
         {"controller": result.hash[:12], "numbers": result.numbers, "where": result.where}, True,
-        verdict=Verdict("equal", "good") if result.passed else Verdict("not equal", "warn"),
+        verdict=Verdict("equal", "good") if result.passed else Verdict("not equal", "bad"),
         picture=Figure(f"Commands differ by {difference}, {within} the tolerance", figure),
         numbers=[
             (f"{result.steps} of {result.periods}", "periods compared"),

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.bodies.body import FALLEN
-from upright.certify.certificate import MOST_FALLS
+from upright.certify.verdict import MOST_FALLS
 from upright.fleet.fleet import Fleet, distribution, stood
 from upright.fleet.results import OUTCOMES, Summary, origin_of, summarise
 from upright.plotting import bars, colour_map, edges, legend, line, number, panels, round_levels

@@ -11,7 +11,7 @@ from upright.tables import sentence
 from upright.tune.figures import Figures
 from upright.tune.tune import RULE, Tuned, compared, gains
 
-LEVEL = {"green": "good", "red": "warn"}
+LEVEL = {"green": "good", "amber": "warn", "red": "bad"}
 
 
 def page_of(tuned: Tuned) -> Page:
