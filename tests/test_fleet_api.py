@@ -318,7 +318,7 @@ def test_a_map_draws_every_cell_in_its_colour_and_leaves_out_what_is_not_known()
     for i, j in np.ndindex(2, 3):
         column, row = ax.transData.transform((x[i] + 0.1, y[j] + 0.1)).astype(int)
         light[i, j] = pixels[len(pixels) - 1 - row, column, :3] ** 2.2 @ (0.2126, 0.7152, 0.0722)  # Rec. 709
-    assert light[0, 0] == light[1, 0] == light[1, 1] < light[0, 1] < light[0, 2] < 0.95  # cividis grows lighter
+    assert light[0, 0] == light[1, 0] == light[1, 1] < light[0, 1] < light[0, 2] < 0.95  # the colours grow lighter
     assert light[1, 2] == pytest.approx(1)  # paper
 
 

@@ -25,6 +25,7 @@ from matplotlib.ticker import Formatter, FuncFormatter, LogFormatter, MaxNLocato
 from numpy.typing import ArrayLike, NDArray
 
 from upright.errors import InvalidLog
+from upright.signals.decimate import decimate
 from upright.tables import power_of_ten, spoken
 
 Array = NDArray[np.float64]
@@ -37,6 +38,7 @@ DASHES: tuple[Any, ...] = (
 )  # fmt: skip
 MARKERS = ("x", "o", "s", "^", "D")
 SMALL = 7.5  # [pt]
+MAP = "viridis"  # grows lighter evenly, also for the colour-blind
 INK, AXIS, GRID, SPAN = "#5b6570", "#6b757f", "#e6e9ec", "#e69f00"
 
 STYLE: dict[str, Any] = {
@@ -46,7 +48,7 @@ STYLE: dict[str, Any] = {
     "axes.grid": True, "axes.axisbelow": True, "grid.color": GRID, "grid.linewidth": 0.8,
     "axes.linewidth": 0.8, "axes.spines.top": False, "axes.spines.right": False, "lines.linewidth": 1.4,
     "legend.fontsize": 9.0, "legend.framealpha": 0.8, "path.simplify": False, "figure.dpi": 100.0,
-    "axes.titlelocation": "left", "axes.titlepad": 8.0, "image.cmap": "cividis", "axes.unicode_minus": True,
+    "axes.titlelocation": "left", "axes.titlepad": 8.0, "image.cmap": MAP, "axes.unicode_minus": True,
 }  # fmt: skip
 
 WIDTH, LEFT, RIGHT = 7.2, 0.75, 0.15  # [inches], as what follows
@@ -239,11 +241,15 @@ def colour_map(
     borders = levels if levels is not None else round_levels(low, high, 10)
     norm = BoundaryNorm(borders, 256, extend="neither")
     shown = np.ma.masked_invalid(np.clip(values.T, borders[0], np.nextafter(borders[-1], -np.inf)))
-    way, extent = "bilinear" if smooth else "nearest", (*edges(x), *edges(y))
-    picture = NonUniformImage(ax, interpolation=way, extent=extent, cmap="cividis", norm=norm)
-    picture.set_data(x, y, shown)
-    ax.add_image(picture)
-    ax.set(xlim=edges(x), ylim=edges(y), ylabel=y_label)
+    if smooth:
+        picture: Any = ax.contourf(x, y, shown, levels=borders, cmap=MAP, norm=norm)
+        ends = (x[0], x[-1]), (y[0], y[-1])
+    else:
+        ends = edges(x), edges(y)
+        picture = NonUniformImage(ax, interpolation="nearest", extent=(*ends[0], *ends[1]), cmap=MAP, norm=norm)
+        picture.set_data(x, y, shown)
+        ax.add_image(picture)
+    ax.set(xlim=ends[0], ylim=ends[1], ylabel=y_label)
     ax.grid(visible=False)
     ax.spines[:].set_visible(True)
     _label_above(ax)
@@ -381,20 +387,3 @@ def number(value: float, digits: int = 4) -> str:
     mantissa = mantissa.rstrip("0").rstrip(".")
     head = {"1": "", "-1": "-"}.get(mantissa, f"{mantissa} · ")
     return f"{head}{power_of_ten(int(power))}".replace("-", "−")
-
-
-def decimate(x: Array, y: Array, columns: int) -> tuple[Array, Array]:
-    """Keep the first, smallest, largest and last sample of each of `columns` equal parts of x, which looks the same.
-
-    Few samples, and an x that does not increase, come back as they are.
-    """
-    if len(x) <= 4 * columns or (np.diff(x) <= 0).any():
-        return x, y
-    column = np.minimum((x - x[0]) / (x[-1] - x[0]) * columns, columns - 1).astype(int)
-    starts = np.flatnonzero(np.diff(column, prepend=-1))
-    keep: set[int] = set()
-    for start, stop in zip(starts, np.append(starts[1:], len(x)), strict=True):
-        part = y[start:stop]
-        keep |= {int(start), int(start + part.argmin()), int(start + part.argmax()), int(stop - 1)}
-    rows = sorted(keep)
-    return x[rows], y[rows]
