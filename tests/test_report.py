@@ -16,6 +16,7 @@ import pytest
 from xarray import Dataset
 
 from upright.comparison import compare
+from upright.decimate import decimate
 from upright.errors import InvalidLog, UnknownName, UprightError
 from upright.fleet.binomial import clopper_pearson
 from upright.fleet.tally import Cases, CaseSummary, Moments
@@ -23,7 +24,6 @@ from upright.plotting import COLOURS, legend, line, number, numbered, panels, pl
 from upright.report import PAGES, Figure, Formula, Page, Section, Table, Verdict, page_of, report
 from upright.report.page import cell_text
 from upright.signals import STATE_NAMES, Log
-from upright.signals.decimate import decimate
 
 SVG = "{http://www.w3.org/2000/svg}"
 VOID = {"meta", "link", "br", "hr", "img", "input"}

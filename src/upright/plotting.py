@@ -24,8 +24,8 @@ from matplotlib.patches import Circle
 from matplotlib.ticker import Formatter, FuncFormatter, LogFormatter, MaxNLocator
 from numpy.typing import ArrayLike, NDArray
 
+from upright.decimate import decimate
 from upright.errors import InvalidLog
-from upright.signals.decimate import decimate
 from upright.tables import power_of_ten, spoken
 
 Array = NDArray[np.float64]
