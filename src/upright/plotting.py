@@ -190,6 +190,8 @@ def bars(names: Sequence[str], values: ArrayLike, x_label: str, y_label: str, *,
         ax.annotate(text, (value if np.isfinite(value) else 0.0, row), (4, 0), textcoords="offset points", va="center")
     ax.set_xlim(0, 1.12 * (float(np.nanmax([*lengths, limit, 0.0])) or 1.0))
     ax.axvline(limit, linestyle="--", linewidth=1, color=AXIS)
+    if np.isfinite(limit):
+        ax.annotate("limit", (limit, -0.6), (0, 3), textcoords="offset points", ha="center")
     return figure
 
 

@@ -132,14 +132,16 @@ class Certificate(Shown):
 
     def plot(self) -> Figure:
         """How many robots fell [%], or the travel [m] of 95 % of them where none did: a bar for every push at every
-        battery, the worst first."""
+        battery, the worst first. Above falls stands the bound on all pushes together, which the limit is for."""
         from upright.plotting import bars
 
         fell = any(t.fell for t in self.trials)
         each = {f"{t.push}, {t.battery} battery": 100 * t.fell / t.runs if fell else t.travel for t in self.trials}
         worst = sorted(each, key=lambda name: -each[name])
         label, limit = ("robots that fell [%]", 100 * MOST_FALLS) if fell else ("travel [m]", math.nan)
-        return bars(worst, [each[name] for name in worst], label, "push", limit=limit)
+        together = {"any push, at most (95 %)": 100 * self.bound} if fell else {}
+        each = together | {name: each[name] for name in worst}
+        return bars([*each], [*each.values()], label, "push", limit=limit)
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is unlimited."""

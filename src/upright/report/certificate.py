@@ -37,9 +37,10 @@ def page_of(certificate: Certificate) -> Page:
     facts = {"controller": certificate.hash[:12], "seed": str(certificate.seed), "kit": certificate.kit}
     c = certificate
     lead = (
-        f"{c.fell} of {c.samples} robots drawn from the uncertainty of {c.robot} fell in at least one trial: with 95 % "
+        f"{c.samples} robots, each within the uncertainty of {c.robot}, were held, let go and knocked: "
+        f"{c.fell} fell. At most {number(100 * c.bound, 2)} % of such robots fall, with 95 % confidence; the limit is "
+        f"{100 * MOST_FALLS:g} %."
     )
-    lead += f"confidence at most {number(100 * c.bound, 2)} % of such robots fall. The limit is {100 * MOST_FALLS:g} %."
     if c.beyond:
         lead += f" No controller could save {c.beyond} of the {c.fell} that fell."
     title = HEADINGS.get(c.light, "{0} may drive {1}, with reservations").format(c.controller, c.robot)
@@ -52,7 +53,7 @@ def page_of(certificate: Certificate) -> Page:
 def _numbers(c: Certificate) -> list[tuple[str, str]]:
     numbers = [(f"{number(100 * c.bound, 2)} %", f"of such robots fall, at most; the limit is {100 * MOST_FALLS:g} %")]
     if c.linear:
-        numbers += [(f"{cell_text(c.linear.delay * 1e3, 3)} ms", "smallest delay margin of all loops")]
+        numbers += [(f"{cell_text(c.linear.delay * 1e3, 3)} ms", "more delay of one signal, until it is unstable")]
     stood = [t.travel for t in c.trials if t.fell < t.runs]
     return [
         *numbers,
@@ -64,8 +65,7 @@ def _falls(c: Certificate) -> Figure:
     most = max(c.trials, key=lambda t: t.fell / t.runs)
     if most.fell:
         percent = number(100 * most.fell / most.runs, 3)
-        note = f"The limit of {100 * MOST_FALLS:g} % is on all pushes together, at the end of its 95 % interval."
-        return Figure(f"Most falls: {most.push}, {most.battery} battery, {percent} % of the robots", c.plot(), note)
+        return Figure(f"Most falls: {most.push}, {most.battery} battery, {percent} % of the robots", c.plot())
     return Figure(f"No robot fell in {sum(t.runs for t in c.trials)} trials: how far 95 % of them rolled", c.plot())
 
 
