@@ -462,8 +462,10 @@ def _mute(hub: Hub) -> None:
 
 
 def _crash(hub: Hub) -> None:
-    hub._script.stop()
-    hub._script.lines.append("MemoryError: memory allocation failed")
+    """The program ends, as the hub finds at its next step."""
+    if hub.running:
+        hub._script.lines.append("MemoryError: memory allocation failed")
+        hub._script.signal(signal.SIGKILL)
 
 
 def _empty(hub: Hub) -> None:
