@@ -319,7 +319,8 @@ def on_brick(fault: str, moment: str) -> Outcome:
         finally:
             nxt.compile_nxc = compiler
         off = all(motor.duty == 0 for motor in brick.hardware.motors)
-        stored = len(brick.hardware.flash.files.get("balance.log", b"")) > 100
+        left = bytes(brick.hardware.flash.files.get("balance.log", b""))
+        stored = len(left) > 100 and left.startswith(b"robot=")  # one that was overwritten is lost
     return Outcome(flight, error, brick.drove, off, stored)
 
 

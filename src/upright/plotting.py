@@ -233,7 +233,7 @@ def colour_map(
     `levels` are the borders between colours (None: round ones round the values), `names` what each colour means;
     `smooth` draws the borders between the cells.
     """
-    side, bar = 4.6, 1.1
+    side, bar = 3.5, 1.1
     size = (LEFT + side + bar, HEAD + side + FOOT)
     figure = _figure(*size)
     ax = _axes(figure, (LEFT / size[0], FOOT / size[1], side / size[0], side / size[1]))

@@ -102,7 +102,7 @@ def _against_targets(analysis: Analysis) -> Figure:
             ax.barh(np.flatnonzero(kept), parts[kept], height=0.6, color=COLOURS[colour], label=label)
     ax.axvline(100, linestyle="--", linewidth=1.2, color=AXIS, label="usual target")
     for row, (_, value, target, _) in enumerate(targets):
-        text = f"{value} of {target}"
+        text = f"{value} (wanted {target})"
         ax.annotate(text, (parts[row], row), (4, 0), textcoords="offset points", va="center")
     ax.set_xlim(0, max(150.0, 1.6 * parts.max()))
     met = int((parts >= 100).sum())

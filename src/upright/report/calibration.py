@@ -13,7 +13,7 @@ from upright.tables import sentence, spoken
 from upright.validate.validation import GOOD
 
 CLOSE = 0.25  # of a value: the half width of an interval up to which it counts as measured
-GIVEN = 6  # values at most on the first screen
+GIVEN = 3  # values at most on the first screen
 STRONG = 0.9
 """Correlations from this size up are listed: only the prior separates such pairs."""
 
@@ -50,7 +50,7 @@ def _verdict(c: Calibration) -> Verdict:
         return Verdict("refused", "bad")
     if wrong:
         return Verdict(f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}", "warn")
-    rest = f"; {kept} of {len(c.parameters)} values are still those of the file" if kept else ""
+    rest = f", but {kept} of {len(c.parameters)} values are still the file's" if kept else ""
     return Verdict(f"predicts the log{rest}", "warn" if 2 * kept > len(c.parameters) else "good")
 
 

@@ -44,7 +44,7 @@ def _title(cases: Cases, part: float) -> str:
         return f"{_percent(part)} of the robots fall, in all {len(cases)} cases about alike"
     (name, (best, least), (worst, most)) = apart[0]
     good, bad = labelled(name, best), labelled(name, worst)
-    return f"Fewest robots fall with {good} ({_percent(least)}), most with {bad} ({_percent(most)})"
+    return f"{_percent(least)} of the robots fall with {good}, {_percent(most)} with {bad}"
 
 
 def _apart(cases: Cases) -> list[tuple[str, tuple[str | float, float], tuple[str | float, float]]]:
@@ -87,7 +87,11 @@ def _numbers(cases: Cases, fallen: int, all_of_them: int) -> list[tuple[str, str
 
 def _claim(cases: Cases) -> str:
     apart = [spoken(name) for name, *_ in _apart(cases)]
-    return f"Falls depend on: {', '.join(apart)}" if apart else "Robots that fell in each case, with 95 % intervals"
+    return (
+        f"What makes a difference: {', '.join(apart)}"
+        if apart
+        else "Robots that fell in each case, with 95 % intervals"
+    )
 
 
 def _table(cases: Cases) -> Table:

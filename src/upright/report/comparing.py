@@ -125,7 +125,7 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
         if math.isfinite(fit.get("pitch", math.nan))
     ]
     apart = _apart(comparison, "pitch") if "pitch" in comparison.signals else {}
-    fits += [(_degrees(size), f"largest difference of pitch, {label}") for label, size in list(apart.items())[:1]]
+    fits += [(_degrees(size), f"largest difference of pitch: {label}") for label, size in list(apart.items())[:1]]
     return fits + [
         (_degrees(m.pitch_peak), f"{label}: largest pitch") if not m.fell else ("fell", label)
         for label, m in list(comparison.metrics.items())[: 4 - len(fits)]
@@ -264,8 +264,8 @@ def _claim(comparison: Comparison, name: str) -> str:
             if math.isnan(calm):
                 return "Pitch does not come to rest within the run"
             return f"Pitch is calm, within the dotted ±{_degrees(limit)}, {_settles(calm)} after the release"
-        apart = (f"{label} by {_degrees(size)}" for label, size in _apart(comparison, name).items())
-        return f"Pitch differs from {comparison.reference} at most: {', '.join(apart)}"
+        apart = (f"{label} never by more than {_degrees(size)}" for label, size in _apart(comparison, name).items())
+        return f"Pitch beside that of {comparison.reference}: {', '.join(apart)} apart"
     words = name.replace("_", " ").capitalize()
     fits = (f"{label} {_percent(fits[name])}" for label, fits in comparison.fits.items())
     return f"{words}, fit to {comparison.reference}: " + ", ".join(fits) if comparison.fits else f"{words} of the run"

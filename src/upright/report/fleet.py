@@ -47,7 +47,7 @@ def _map(part: Any, direction: str) -> Figure:
     low, high = float(np.nanmin(impulse)), float(np.nanquantile(impulse, 0.98))
     row, column = np.unravel_index(int(np.nanargmin(impulse)), impulse.shape)
     height, duration = float(part["height"].values[row]), float(part["duration"].values[column])
-    title = f"Pushed {direction}, it survives {low:.2g} N s or more"
+    title = f"Pushed {direction}: the largest push that it survives, {low:.2g} N s or more"
     note = (
         f"Weakest: a push of {1e3 * duration:.2g} ms, {height:.2g} m above the axle, with {low / duration:.2g} N all "
         "that time."
@@ -106,7 +106,7 @@ def basin_figure(data: Dataset) -> Figure:
     low, high = rest_range(data)
     title = "States from which the robot recovers"
     if math.isfinite(low):
-        title = f"Bar: let go with {up.replace('_', ' ')} zero"
+        title = f"Yellow: the robot recovers. Bar: let go with {up.replace('_', ' ')} zero"
     scale = {n: 180 / math.pi if data[n].attrs["unit"] in ("rad", "rad/s") else 1.0 for n in (across, up)}
     names = [text.replace("[rad", "[°") for text in names]
     x, y = (scale[n] * data[n].values for n in (across, up))
@@ -117,8 +117,7 @@ def basin_figure(data: Dataset) -> Figure:
     )  # fmt: skip
     _zoom(drawing.axes[0], x, y, recovered)
     if math.isfinite(low):
-        half = scale[across] * float(np.diff(data[across].values).mean()) / 2
-        ends = [scale[across] * low - half, scale[across] * high + half]
+        ends = [scale[across] * low, scale[across] * high]
         drawing.axes[0].plot(ends, [0, 0], "k|-", linewidth=2, markersize=12)
     drawing.axes[0].locator_params(axis="x", nbins=5)
     apart = float(data["island"].values.mean())

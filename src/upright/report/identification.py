@@ -55,7 +55,7 @@ def _title(compared: MethodComparison) -> str:
         return f"{name}: a lean doubles in {_doubling(compared)}"
     if not ranked:
         return f"No identified model gives a regulator that holds {name}"
-    return f"{len(ranked)} of {len(compared.trials)} methods give a model that balances {name}; take {_best(compared)}"
+    return f"{len(ranked)} of {len(compared.trials)} methods give a model that balances {name}; best: {_best(compared)}"
 
 
 def _best(compared: MethodComparison) -> str:
