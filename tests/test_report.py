@@ -139,7 +139,7 @@ def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(com
     assert sum(root.get("role") == "img" for root in drawings(html)) == 2 * (
         len(STATE_NAMES) + 1
     )  # for a screen and for a phone
-    assert "Pitch differs from twin at most: " in html
+    assert "Pitch beside that of twin: " in html
     assert ">robot<" not in html
     assert "not results of a real robot" in html  # the note on twins
 
@@ -339,7 +339,7 @@ def test_a_campaign_is_ranked_by_falls_and_what_nobody_survived_has_a_dash():
     (ax,) = cases.plot().axes
     assert [label.get_text() for label in ax.get_yticklabels()] == ["b", "a"]
     html = page_of(cases).html().replace("\u00a0", " ")
-    assert "Fewest robots fall with a (0 %), most with b (100 %)" in html
+    assert "0 % of the robots fall with a, 100 % with b" in html
     assert "96.4 to 100 %" in html  # 1 − 0.025^(1/100) = 3.6 % below
     rows = [re.findall(r"<td[^>]*>([^<]*)</td>", row) for row in html.split("<tr>")]
     assert ["a", "0", "3"] in rows
