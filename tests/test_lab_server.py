@@ -361,7 +361,7 @@ def test_a_port_in_use_is_said_in_one_line(capsys):
         listening(Lab(port=taken.port))
     assert f"--port {taken.port + 1}" in str(said.value)
     sock.close()
-    assert main(["lab", "--class", "--no-browser"]) == 2
+    assert main(["lab", "--class", "--host", "0.0.0.0", "--no-browser"]) == 2
     assert "--host ADDRESS" in capsys.readouterr().err
     assert main(["lab", "--host", "10.0.0.1", "--no-browser"]) == 2
 
