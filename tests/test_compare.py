@@ -23,8 +23,8 @@ from upright.comparison import (
 )
 from upright.control import StateFeedback, lqr
 from upright.errors import InvalidLog, UnknownName
-from upright.experiment import outcome_of, run
-from upright.report.comparing import metrics_table
+from upright.experiment import Hold, outcome_of, run
+from upright.report.comparing import metrics_table, page_of
 from upright.robots import Robot
 from upright.signals import STATE_NAMES, Log
 
@@ -266,3 +266,14 @@ def test_a_file_is_compared_as_the_log_in_it(tmp_path):
     log = pushed()
     file = log.save(tmp_path / "run.parquet")
     assert compare({"a": file, "b": str(file)}).metrics == compare({"a": log, "b": log}).metrics
+
+
+def test_a_page_shows_runs_that_are_pushed_to_their_end() -> None:
+    """Nothing was released, so nothing settles: the page says so instead of looking for a time."""
+    robot = Robot.preset("nxtway-gs")
+    logs = {
+        name: run(NonlinearBody(robot), lqr(robot, 0.01), Hold(pitch=0.1, until=5.0), seconds=seconds)
+        for name, seconds in (("short", 0.5), ("long", 0.7))
+    }
+    assert "never by more than" in page_of(compare(logs)).html().replace("\u00a0", " ")
+    assert "does not come to rest" in page_of(compare({"short": logs["short"]})).html().replace("\u00a0", " ")

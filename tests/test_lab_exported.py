@@ -298,7 +298,7 @@ def test_the_page_s_session_is_python_s_run(page):
     kit = quiet(Kit.preset("nxt"), exact=True)
     kit = replace(kit, motor=Kit.preset("nxt").motor)  # the page's slider scales the sensors alone
     send(page, kind="Play", paused=True, speed=1)
-    page.evaluate("upright.exported.facts.robots['nxtway-gs'].kit.sensors.forEach((s) => { s.walk = 0; })")
+    page.evaluate("upright.exported.facts.robots['nxtway-gs'].kit.sensors.forEach((s) => { s.bias_walk = 0; })")
     page.evaluate("upright.store.change({ noise: 0, controller: 'lqg' })")
     send(page, kind="StandUp", pitch=0)
     send(page, kind="Strike", what="impulse", size=0.05)

@@ -169,14 +169,14 @@ def test_what_nobody_survived_has_a_dash_and_no_number() -> None:
 
 
 def test_a_certificate_has_a_figure() -> None:
-    """A bar for every push at every battery, the worst on top, and the same on its page."""
+    """The bound on all pushes, then a bar for every push at every battery, the worst first, and the same on its page."""
     trials = [PushTrial(f"hold {fell}", "low", 100, fell, saturated=0.0, travel=0.0, peak=0.0, cycle=0.0)
               for fell in (1, 30, 7)]  # fmt: skip
     result = replace(certificate(), trials=tuple(trials))
     (ax,) = result.plot().axes
-    assert [bar.get_width() for bar in ax.patches] == [30, 7, 1]
+    assert [bar.get_width() for bar in ax.patches] == [100 * result.bound, 30, 7, 1]
     names = [label.get_text() for label in ax.get_yticklabels()]
-    assert names[0] == "hold 30, low battery"
+    assert names[1] == "hold 30, low battery"
     picture = page_of(result).html().partition("</figure>")[0]
     assert all(name in picture for name in names)
 

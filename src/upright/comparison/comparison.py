@@ -109,6 +109,11 @@ class Comparison(Shown):
         where = {"kind": self.kinds[label], "source": self.sources[label], "release": finite(self.releases[label])}
         return where | {"metrics": numbers, "fit": fits}
 
+    @property
+    def _end(self) -> float:
+        """The last time [s] of any log."""
+        return max(float(log.t[-1]) for log in self.logs.values())
+
     def plot(self, *signals: str) -> Figure:
         """States of all logs over time (default: all that are compared), one panel each; the push is shaded."""
         from upright.plotting import legend, line, panels, span
@@ -120,7 +125,7 @@ class Comparison(Shown):
             for label, log in self.logs.items():
                 line(ax, label, log.t, log[f"{self.sources[label]}/{name}"])
         for start, stop in self.pushed:
-            span(axes, start, stop, "push acts")
+            span(axes, start, min(stop, self._end), "push acts")
         return legend(figure)
 
     def plot_commands(self) -> Figure | None:
@@ -136,7 +141,7 @@ class Comparison(Shown):
                 if prefixes[label]:
                     line(ax, label, log.t, log[f"{prefixes[label]}/{side}"], step=True, style=style)
         for start, stop in self.pushed:
-            span(axes, start, stop, "push acts")
+            span(axes, start, min(stop, self._end), "push acts")
         return legend(figure)
 
     @property

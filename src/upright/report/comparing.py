@@ -156,9 +156,12 @@ def _calm(comparison: Comparison, label: str) -> tuple[float, float]:
     That is 5 % of its largest value, or its wobble at rest where that is more: then the noise of the sensors decides.
     """
     m = comparison.metrics[label]
-    released = comparison.logs[label].between(comparison.releases[label], math.inf)
+    log, release = comparison.logs[label], comparison.releases[label]
+    if not release <= log.t[-1]:  # it is pushed to its end
+        return math.nan, 0.05 * abs(m.pitch_peak)
+    released = log.between(release, math.inf)
     pitch = np.abs(released[f"{comparison.sources[label]}/pitch"])
-    if m.fell or len(pitch) < 8 or math.isnan(comparison.releases[label]):
+    if m.fell or len(pitch) < 8:
         return math.nan, 0.05 * abs(m.pitch_peak)
     half, quarter = (float(pitch[-len(pitch) // part :].max()) for part in (2, 4))
     limit = max(0.05 * float(pitch.max()), half if half <= STEADY * quarter else quarter)
