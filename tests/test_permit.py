@@ -169,7 +169,7 @@ def test_what_nobody_survived_has_a_dash_and_no_number() -> None:
 
 
 def test_a_certificate_has_a_figure() -> None:
-    """The bound on all pushes, then a bar for every push at every battery, the worst first, and the same on its page."""
+    """The bound on all pushes, then a bar for each push at each battery, the worst first, as on its page."""
     trials = [PushTrial(f"hold {fell}", "low", 100, fell, saturated=0.0, travel=0.0, peak=0.0, cycle=0.0)
               for fell in (1, 30, 7)]  # fmt: skip
     result = replace(certificate(), trials=tuple(trials))
