@@ -42,7 +42,7 @@ def page_of(certificate: Certificate) -> Page:
         f"{100 * MOST_FALLS:g} %."
     )
     if c.beyond:
-        lead += f" {c.beyond} of these {c.fell} no controller could have saved."
+        lead += f" No controller could save {c.beyond} of the {c.fell} that fell."
     if c.light == GREEN:
         lead += " Next: `upright firmware` writes its program."
     title = HEADINGS.get(c.light, "{0} may drive {1}, with reservations").format(c.controller, c.robot)
