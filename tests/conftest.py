@@ -11,6 +11,7 @@ import shutil
 import signal
 import subprocess
 import time
+from collections import Counter
 from collections.abc import Generator, Iterator
 from importlib.util import find_spec
 from pathlib import Path
@@ -45,21 +46,42 @@ def pytest_configure(config: pytest.Config) -> None:
     )
 
 
-TOGETHER = frozenset((
-    "test_agreement", "test_campaign", "test_certificate", "test_excite", "test_hinf", "test_identify", "test_margins",
-    "test_permit", "test_postmortem", "test_reproduce", "test_site",
-))  # fmt: skip
-"""Files whose tests share results that take seconds: one process runs the file and computes them once."""
+BROWSER = frozenset(("test_lab_page", "test_lab_exported", "test_pages"))
+"""Files with a browser, and a lab beside it: two at once take more than two cores."""
+
+FIRST = ("browser", "test_site", "test_reproduce")
+"""Units of work that take longest: begun first, so that all processes end at about the same time."""
 
 
+def unit_of(path: str) -> str:
+    """The unit of work that a file belongs to: one process runs it whole, and computes once what its tests share."""
+    stem = Path(path).stem
+    return "browser" if stem in BROWSER else stem
+
+
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Tests of one robust design run in one process too, which designs it once: that takes up to fifteen seconds."""
-    for item in items:
-        given = item.callspec.params if isinstance(item, pytest.Function) and hasattr(item, "callspec") else {}
-        if given.get("name") == "robust" and "preset" in given:
-            item.add_marker(pytest.mark.xdist_group(f"robust {given['preset']}"))
-        elif item.path.stem in TOGETHER:
-            item.add_marker(pytest.mark.xdist_group(item.path.stem))
+    """Units of work with long tests come first."""
+    slow = Counter(unit_of(item.path.name) for item in items if item.get_closest_marker("slow"))
+    rank = {unit: number for number, unit in enumerate(FIRST)}
+
+    def place(item: pytest.Item) -> tuple[int, int]:
+        unit = unit_of(item.path.name)
+        return rank.get(unit, len(FIRST)), -slow[unit]
+
+    items.sort(key=place)
+
+
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """By files, not by `xdist_group`: pytest-xdist 3.8 reads those marks into an attribute that pytest 9.2 no longer
+    has, and then every process computes for itself what groups should share."""
+    from xdist.scheduler import LoadFileScheduling
+
+    class Units(LoadFileScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            return unit_of(nodeid.partition("::")[0])
+
+    return Units(config, log)
 
 
 def pytest_runtest_setup(item: pytest.Item) -> None:

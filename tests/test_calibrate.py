@@ -458,7 +458,6 @@ def of_twipr(path: Path) -> Calibration:
     return calibrate(raw_log(path), Robot.preset("twipr"))
 
 
-@pytest.mark.xdist_group("twipr")  # one calibration serves both
 @pytest.mark.needs("shared/data/twipr")
 def test_twipr_is_foretold_for_half_a_second(shared: Path) -> None:
     """Dead times of its README: about 53 ms to the gyro and 73 ms to the wheels; R² near that of a model made for this
@@ -470,7 +469,6 @@ def test_twipr_is_foretold_for_half_a_second(shared: Path) -> None:
     assert found.segments["mean encoder_rate"] > 0.99
 
 
-@pytest.mark.xdist_group("twipr")  # one calibration serves both
 @pytest.mark.needs("shared/data/twipr")
 def test_the_whole_loop_of_twipr_runs_freely_for_ten_seconds(shared: Path) -> None:
     """From the excitation and the law of its README alone; a model made for it reaches 0.92 and 0.67 to 0.93."""

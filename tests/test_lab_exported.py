@@ -235,9 +235,7 @@ def test_noise_is_normal(tmp_path):
 
 # The page itself
 
-BROWSER = [
-    pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow, pytest.mark.xdist_group("browser"),
-]  # fmt: skip
+BROWSER = [pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow]
 ROBOTS = ("nxtway-gs", "twipr")
 LINKED = "#robot=twipr&controller=sliding&noise=0&ghost=0&push=impulse:0.2"
 

@@ -21,10 +21,7 @@ from upright.physics.dynamics import accelerations
 from upright.robots import Robot
 from upright.signals import Log
 
-pytestmark = [
-    pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow,
-    pytest.mark.xdist_group("browser"),  # two at once, each with its lab, take more than two cores
-]  # fmt: skip
+pytestmark = [pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow]
 
 FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
 WEB = Path(__file__).resolve().parents[1] / "src" / "upright" / "lab" / "web"

@@ -19,10 +19,7 @@ from upright.fleet.fleet import ensemble_of, fleet
 from upright.report import report
 from upright.signals import STATE_NAMES, Log
 
-pytestmark = [
-    pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow,
-    pytest.mark.xdist_group("browser"),  # one at a time: two take more than two cores
-]  # fmt: skip
+pytestmark = [pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow]
 
 KINDS = ("comparison", "design", "fleet", "basin", "bench")
 WIDTHS = (1280, 390)  # [px] a laptop's window, a phone

@@ -19,7 +19,7 @@ import pytest
 from upright.cli.main import main
 from upright.signals import Log
 
-pytestmark = [pytest.mark.slow, pytest.mark.xdist_group("readme")]
+pytestmark = pytest.mark.slow
 
 README = Path(__file__).resolve().parents[1] / "README.md"
 TASKS = {
