@@ -17,7 +17,7 @@ import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
-from matplotlib.colors import BoundaryNorm
+from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.image import NonUniformImage
 from matplotlib.patches import Circle
@@ -53,6 +53,8 @@ STYLE: dict[str, Any] = {
 
 WIDTH, LEFT, RIGHT = 7.2, 0.75, 0.15  # [inches], as what follows
 PANEL, HEAD, FOOT = 1.85, 0.42, 0.55
+SCREEN, LEAST = 4.7, 0.7  # [inches] of all panels that a screen shows below a title, and of one panel at least
+MANY = 12  # rows of names: more are closer together
 COLUMNS = 1000  # of a line that is thinned: two for each column of pixels at the width of a page
 
 
@@ -71,9 +73,10 @@ def styled(draw: Callable[P, T]) -> Callable[P, T]:
 
 @styled
 def panels(
-    labels: Sequence[str], x_label: str = "time [s]", x_scale: str = "linear", height: float = PANEL
+    labels: Sequence[str], x_label: str = "time [s]", x_scale: str = "linear", height: float | None = None
 ) -> tuple[Figure, list[Axes]]:
     """An empty figure of panels above each other over one x; `labels` name their y, `x_scale` is "linear" or "log"."""
+    height = height or min(PANEL, max((SCREEN - FOOT) / len(labels) - HEAD, LEAST))
     total = len(labels) * (HEAD + height) + FOOT
     figure = _figure(WIDTH, total)
     axes: list[Axes] = []
@@ -210,7 +213,7 @@ def intervals(names: Sequence[str], values: ArrayLike, ends: ArrayLike, x_label:
 def rows_of(names: Sequence[str], x_label: str, y_label: str) -> tuple[Figure, Axes]:
     """An empty figure with one row for each name, the first on top."""
     left = min(2.6, 0.4 + 0.075 * max((len(name) for name in names), default=0))
-    total = HEAD + (height := 0.24 * max(len(names), 2)) + FOOT
+    total = HEAD + (height := max(len(names), 2) * (0.24 if len(names) <= MANY else 0.2)) + FOOT
     figure = _figure(WIDTH, total)
     ax = _axes(figure, (left / WIDTH, FOOT / total, (WIDTH - left - RIGHT) / WIDTH, height / total))
     texts = [spoken(name).replace("-0", "−0") for name in names]
@@ -233,22 +236,23 @@ def colour_map(
     `levels` are the borders between colours (None: round ones round the values), `names` what each colour means;
     `smooth` draws the borders between the cells.
     """
-    side, bar = 3.5, 1.1
-    size = (LEFT + side + bar, HEAD + side + FOOT)
+    side, height, bar = 4.6, 2.7, 1.1
+    size = (LEFT + side + bar, HEAD + height + FOOT)
     figure = _figure(*size)
-    ax = _axes(figure, (LEFT / size[0], FOOT / size[1], side / size[0], side / size[1]))
+    ax = _axes(figure, (LEFT / size[0], FOOT / size[1], side / size[0], height / size[1]))
     ax.set_xlabel(x_label, loc="right")
     finite = values[np.isfinite(values)]
     low, high = (float(finite.min()), float(finite.max())) if len(finite) else (0.0, 1.0)
     borders = levels if levels is not None else round_levels(low, high, 10)
-    norm = BoundaryNorm(borders, 256, extend="neither")
+    colours = ListedColormap([GRID, COLOURS[2]]) if len(names) == 2 else matplotlib.colormaps[MAP]
+    norm = BoundaryNorm(borders, colours.N, extend="neither")
     shown = np.ma.masked_invalid(np.clip(values.T, borders[0], np.nextafter(borders[-1], -np.inf)))
     if smooth:
-        picture: Any = ax.contourf(x, y, shown, levels=borders, cmap=MAP, norm=norm)
+        picture: Any = ax.contourf(x, y, shown, levels=borders, cmap=colours, norm=norm)
         ends = (x[0], x[-1]), (y[0], y[-1])
     else:
         ends = edges(x), edges(y)
-        picture = NonUniformImage(ax, interpolation="nearest", extent=(*ends[0], *ends[1]), cmap=MAP, norm=norm)
+        picture = NonUniformImage(ax, interpolation="nearest", extent=(*ends[0], *ends[1]), cmap=colours, norm=norm)
         picture.set_data(x, y, shown)
         ax.add_image(picture)
     ax.set(xlim=ends[0], ylim=ends[1], ylabel=y_label)
@@ -256,7 +260,7 @@ def colour_map(
     ax.spines[:].set_visible(True)
     _label_above(ax)
     numbered(ax.xaxis, ax.yaxis)
-    beside = _axes(figure, ((LEFT + side + 0.2) / size[0], FOOT / size[1], 0.18 / size[0], side / size[1]))
+    beside = _axes(figure, ((LEFT + side + 0.2) / size[0], FOOT / size[1], 0.18 / size[0], height / size[1]))
     key = figure.colorbar(picture, cax=beside, ticks=borders)
     key.outline.set_visible(False)
     beside.set_title(label, loc="right", x=1.0 + 0.7 / 0.18)

@@ -129,12 +129,12 @@ class Bench(Shown):
         from upright.plotting import legend, line, panels
 
         pushes = list(dict.fromkeys(push for _, push in self.logs))
-        figure, axes = panels([f"pitch, {push} [rad]" for push in pushes])
+        figure, axes = panels([f"pitch, {push} [°]" for push in pushes])
         shown = {key: log for key, log in self.logs.items() if not controllers or key[0] in controllers}
         for (controller, push), log in shown.items():
-            line(axes[pushes.index(push)], controller, log.t, log["truth/pitch"])
+            line(axes[pushes.index(push)], controller, log.t, np.degrees(log["truth/pitch"]))
         for ax in axes:
-            ax.set_ylim(-RANGE, RANGE)
+            ax.set_ylim(-math.degrees(RANGE), math.degrees(RANGE))
         return legend(figure)
 
 

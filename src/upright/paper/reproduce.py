@@ -89,7 +89,8 @@ def _page(claims: Sequence[Claim]) -> Page:
     sections = [*opening, *(claim.section() for claim in claims)]
     held = counted[REPRODUCED]
     title = TITLE.format(held, held + counted[NOT_AS_PRINTED])
-    return Page(title, sections, f"{LEAD}{missed}", _versions(), picture=picture, numbers=numbers)
+    verdict = Verdict("all as printed", "good") if not failed else Verdict(f"{len(failed)} not as printed", "warn")
+    return Page(title, sections, f"{LEAD}{missed}", _versions(), verdict=verdict, picture=picture, numbers=numbers)
 
 
 def chapters(progress: Progress = unwatched) -> list[Claim]:

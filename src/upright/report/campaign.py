@@ -29,10 +29,10 @@ def page_of(cases: Cases) -> Page:
 
 def falls_verdict(fallen: int, all_of_them: int) -> Verdict:
     """Green where none fell, red where more fall than a certificate allows."""
-    if not fallen:
-        return Verdict("none fell", "good")
+    limit = f"{100 * MOST_FALLS:g} % that a certificate allows"
     few = clopper_pearson(fallen, all_of_them).value <= MOST_FALLS
-    return Verdict("few fell" if few else "too many fell", "warn" if few else "bad")
+    level = "good" if not fallen else "warn" if few else "bad"
+    return Verdict(f"{'below' if few else 'above'} the {limit}", level)
 
 
 def _title(cases: Cases, part: float) -> str:

@@ -106,14 +106,14 @@ def basin_figure(data: Dataset) -> Figure:
     low, high = rest_range(data)
     title = "States from which the robot recovers"
     if math.isfinite(low):
-        title = f"Yellow: the robot recovers. Bar: let go with {up.replace('_', ' ')} zero"
+        title = f"The robot recovers from the green area. Bar: let go with {up.replace('_', ' ')} zero"
     scale = {n: 180 / math.pi if data[n].attrs["unit"] in ("rad", "rad/s") else 1.0 for n in (across, up)}
     names = [text.replace("[rad", "[°") for text in names]
     x, y = (scale[n] * data[n].values for n in (across, up))
     drawing = colour_map(
         x, y, recovered, x_label=names[0], y_label=names[1],
         label="recovers [1]" if family else "", names=() if family else ("falls", "recovers"),
-        levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0],
+        levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0], smooth=not family,
     )  # fmt: skip
     _zoom(drawing.axes[0], x, y, recovered)
     if math.isfinite(low):
@@ -264,7 +264,10 @@ def _basin_page(data: Dataset) -> Page:
         ends = f"{_in_degrees(float(reach.min()), data, up)} to {_in_degrees(float(reach.max()), data, up)}"
         numbers = [(ends, f"{up.replace('_', ' ')} from which it recovers, where {words} is zero")]
         numbers += [(_in_degrees(step, data, across), "step of the grid: the ends are known to this")]
-    return Page(title, [], lead, provenance(data), False, picture=basin_figure(data), numbers=numbers)
+    return Page(
+        title, [], lead, provenance(data), False, verdict=Verdict("limits of one robot", "info"),
+        picture=basin_figure(data), numbers=numbers,
+    )  # fmt: skip
 
 
 def _in_degrees(value: float, data: Dataset, name: str) -> str:
@@ -300,7 +303,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     chance = summary.chance
     pushes = origin_of(data).get("scenario", {}).get("push")
     robot = origin_of(data)["robot"]["name"]
-    lead = f"{_differ(data, robot)}. Next: `upright push-map`, which finds the largest push."
+    lead = f"{_differ(data, robot)}.{_where(pushes)} Next: `upright push-map`, which finds the largest push."
     bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %" if summary.fell else ""
     numbers = [
         (
@@ -342,6 +345,16 @@ def _done(pushes: Sequence[Mapping[str, Any]] | None) -> str:
     sizes = {"impulse": "pushed by {:g} N s", "force": "pushed by {:g} N", "pitch": "held at {:g} rad and released"}
     words = [text.format(push[name]) for push in pushes or () for name, text in sizes.items() if push.get(name)]
     return " and ".join(words[:3]) or ("pushed" if pushes else "without a push")
+
+
+def _where(pushes: Sequence[Mapping[str, Any]] | None) -> str:
+    """How long the first impulse takes and at which height, as a sentence with a space before it."""
+    for push in pushes or ():
+        if push.get("impulse"):
+            height = push.get("height")
+            at = "at the centre of mass" if height is None else f"{height:g} m above the axle"
+            return f" The push takes {1e3 * push.get('duration', 0.01):g} ms, {at}."
+    return ""
 
 
 def provenance(data: Dataset) -> dict[str, str]:

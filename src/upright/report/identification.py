@@ -45,7 +45,7 @@ def _verdict(compared: MethodComparison) -> Verdict:
     level = "bad" if not holding else "good" if holding == tried else "warn"
     if tried == 1:
         return Verdict("holds the robot" if holding else "does not hold the robot", level)
-    return Verdict(f"{holding} of {tried} hold the robot", level)
+    return Verdict(f"use {_best(compared)}" if holding else "none can be used", level)
 
 
 def _title(compared: MethodComparison) -> str:
@@ -55,7 +55,7 @@ def _title(compared: MethodComparison) -> str:
         return f"{name}: a lean doubles in {_doubling(compared)}"
     if not ranked:
         return f"No identified model gives a regulator that holds {name}"
-    return f"{len(ranked)} of {len(compared.trials)} methods give a model that balances {name}; best: {_best(compared)}"
+    return f"{len(ranked)} of {len(compared.trials)} methods give a model that balances {name}"
 
 
 def _best(compared: MethodComparison) -> str:
