@@ -26,6 +26,8 @@ pytestmark = [pytest.mark.needs("chromium", "module:playwright"), pytest.mark.sl
 FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
 WEB = Path(__file__).resolve().parents[1] / "src" / "upright" / "lab" / "web"
 PATIENCE = 180.0  # [s] for a busy machine; nothing here is about speed
+SELDOM = "window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 100)"
+"""A page that draws ten times a second: sixty times, in software, takes half a core from what is tested."""
 
 
 class Lab:
@@ -100,6 +102,7 @@ def watched(browser: Any, lab: Lab) -> Iterator[Any]:
     """A page that has heard from its session; it may ask no other host and log no error."""
     context = browser.new_context(viewport={"width": 900, "height": 640}, accept_downloads=True)
     context.set_default_timeout(PATIENCE * 1000)
+    context.add_init_script(SELDOM)
     made = context.new_page()
     asked, wrong = [], []
     made.on("request", lambda request: asked.append(request.url))
@@ -121,7 +124,7 @@ def until(page: Any, expression: str, wanted: Callable[[Any], bool] = bool) -> A
         found = page.evaluate(expression)
         if wanted(found):
             return found
-        page.wait_for_timeout(30)
+        page.wait_for_timeout(50)
     raise AssertionError(f"{expression} stayed {found}")
 
 

@@ -14,7 +14,7 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.control import CONTROLLERS, ControllerSpec, lqg
 from upright.experiment import Hold, run
 from upright.lab.codec import decode, encode
-from upright.lab.desk import InlineDesk, ProcessDesk
+from upright.lab.desk import LASTING, InlineDesk, ProcessDesk
 from upright.lab.display import KEPT
 from upright.lab.messages import (
     Analysed,
@@ -514,6 +514,29 @@ def test_a_job_in_a_process_reports_and_can_be_killed(tmp_path):
             time.sleep(0.02)
         assert words[0][1] == "failed"
         assert "none.toml" in words[0][2]
+    finally:
+        desk.close()
+
+
+def test_what_was_computed_once_costs_no_process_again(tmp_path, monkeypatch):
+    """Another session that asks for the same is answered at once, with nothing begun; here by a task that is quick."""
+    assert "light" in LASTING
+    monkeypatch.setattr("upright.lab.desk.LASTING", ("robot",))
+    paths = [str(Robot.preset(name).save(tmp_path / f"{name}.toml")) for name in ("nxtway-gs", "twipr")]
+    desk = ProcessDesk()
+    try:
+        desk.submit(("one", "robot"), "robot", (paths[0],), alone=True)
+        words = []
+        while not words:
+            words = desk.poll()
+            time.sleep(0.02)
+        assert (words[0][:2], words[0][2].name) == ((("one", "robot"), "done"), "nxtway-gs")
+        desk.submit(("two", "robot"), "robot", (paths[0],), alone=True)
+        assert desk.poll() == [(("two", "robot"), "done", words[0][2])]
+        assert not desk._alone
+        desk.submit(("two", "robot"), "robot", (paths[1],), alone=True)
+        assert desk.poll() == []
+        assert desk._alone
     finally:
         desk.close()
 

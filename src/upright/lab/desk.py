@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import pickle
 import sys
 import threading
 import time
@@ -31,6 +32,7 @@ BUSY = 5.0  # times as long a job may last by the clock, on a machine where othe
 MOST_ALONE = 2  # jobs at a time, since the loop has the first claim on the machine
 REST = 2.0  # [s] between the beginnings of two such jobs of one session: each takes a process
 MODEST = 15  # of nice: three jobs together leave nine tenths to the loop
+LASTING, REMEMBERED = ("light",), 64  # tasks alone in a process whose results are kept, and how many of them
 MEMORY = 4 << 30  # [bytes] of addresses for one job: a hostile file must not take the machine
 
 
@@ -68,6 +70,7 @@ class ProcessDesk:
         self._waiting: dict[Key, tuple[str, tuple[Any, ...]]] = {}
         self._alone: dict[Key, _Clerk] = {}
         self._queue: dict[Key, tuple[str, tuple[Any, ...]]] = {}
+        self._known: dict[bytes, Any] = {}  # results of `LASTING`, the latest last
         self._served: dict[str, float] = {}  # when a session's job was begun last
         self._rested: dict[str, float] = {}  # from when on it may begin another process
 
@@ -96,9 +99,12 @@ class ProcessDesk:
         words = self._polled(self._quick, BRIEF) if self._quick else []
         for key, clerk in list(self._alone.items()):
             waiting = any(other[0] != key[0] for other in self._queue)
-            words += self._polled(clerk, CROWDED if waiting else PATIENCE)
+            said = self._polled(clerk, CROWDED if waiting else PATIENCE)
             if clerk.idle:
                 self._alone.pop(key).kill()
+                self._remember(clerk, said)
+            words += said
+        words += self._recalled()
         self._begin()
         return words
 
@@ -107,6 +113,22 @@ class ProcessDesk:
         for clerk in [*self._alone.values(), *([self._quick] if self._quick else [])]:
             clerk.kill()
         self._alone, self._quick = {}, None
+
+    def _remember(self, clerk: _Clerk, said: list[Word]) -> None:
+        """Keep what a clerk has found out, where the same request has always the same answer."""
+        if clerk.job[0] in LASTING and said and said[-1][1] == "done":
+            self._known[pickle.dumps(clerk.job)] = said[-1][2]
+            if len(self._known) > REMEMBERED:
+                self._known.pop(next(iter(self._known)))
+
+    def _recalled(self) -> list[Word]:
+        """The answers to requests that wait and were answered before: they cost no process."""
+        lasting = {key: pickle.dumps(job) for key, job in self._queue.items() if job[0] in LASTING}
+        known = [(key, asked) for key, asked in lasting.items() if asked in self._known]
+        for key, asked in known:
+            del self._queue[key]
+            self._known[asked] = self._known.pop(asked)
+        return [(key, "done", self._known[asked]) for key, asked in known]
 
     def _begin(self) -> None:
         if self._waiting and (self._quick is None or self._quick.idle):
@@ -148,6 +170,7 @@ class _Clerk:
         starting.join()
         theirs.close()
         self.idle, self.dead, self._key, self._since, self._before = True, False, ("", ""), 0.0, 0.0
+        self.job: tuple[str, tuple[Any, ...]] = ("", ())
 
     def _start(self) -> None:
         """From a thread, whose modesty the process has from its beginning on where the system counts it by threads."""
@@ -161,6 +184,7 @@ class _Clerk:
 
     def give(self, key: Key, task: str, args: tuple[Any, ...]) -> None:
         self.idle, self._key, self._since, self._before = False, key, time.monotonic(), self._computed()
+        self.job = task, args
         self._pipe.send((task, args))
 
     def poll(self, patience: float) -> list[Word]:

@@ -229,7 +229,7 @@ class Session:
         """Have the certificate's light computed for the controller that was designed last, or say that it is not."""
         if not self._certified:
             return [Light("none", ("in a class, the certificate is computed on request",))]
-        self._desk.submit((self.name, "light"), "light", (self.setup,), alone=True)
+        self._desk.submit((self.name, "light"), "light", (design_part(self.setup),), alone=True)
         return []
 
     def upload(self, name: str) -> Path:
