@@ -755,16 +755,17 @@ def test_a_laptop_shows_room_pitch_and_the_open_tab_at_once(page, language):
 def test_nothing_of_the_controller_before_stays_under_the_new_name(page):
     """Gains, margins and light go with the choice itself, and none of the old ones comes back."""
     until(page, "upright.store.analysed && upright.store.lit?.light !== 'none'")
-    page.evaluate("""() => {
+    at_once = page.evaluate("""() => {
         window.shown = [];
         const note = () => shown.push([upright.store.analysed?.words, upright.store.lit?.light]);
         upright.store.listen(note);
         window.before = upright.store.analysed.words;
         upright.store.change({controller: 'lqi'});
         note();
+        return [...shown.at(-1), document.querySelector('.headlight').innerText];
     }""")
-    assert page.evaluate("shown.at(-1)") == [None, "none"]
-    assert "computing" in page.inner_text(".headlight")
+    assert at_once[:2] == [None, "none"]
+    assert "computing" in at_once[2]
     until(page, "upright.store.analysed && upright.store.lit?.light !== 'none'")
     assert page.evaluate("shown.some(([words]) => words === before)") is False
 

@@ -172,7 +172,7 @@ def _scalar_margins(system: LinearModel, channel: str, *, peaks: bool) -> Margin
     scalar = ScalarResponse(system)
     grid = frequencies(system.dt)
     loop = scalar(grid)
-    low, high = _gain_interval(system, scalar, grid)
+    low, high = _gain_interval(system, scalar, grid, loop)
     crossings = _roots(lambda w: np.abs(scalar(w)) - 1, grid, np.abs(loop) - 1)
     lag = np.mod(np.angle(scalar(crossings)) + math.pi, 2 * math.pi) if len(crossings) else np.empty(0)
     phase = float(np.minimum(lag, 2 * math.pi - lag).min(initial=math.inf))
@@ -183,21 +183,27 @@ def _scalar_margins(system: LinearModel, channel: str, *, peaks: bool) -> Margin
             channel, gain_low=low, gain_high=high, phase=phase, delay=delay, disk=math.nan, Ms=math.nan, Mt=math.nan,
             crossover=top,
         )  # fmt: skip
-    disk = 1 / peak(lambda w: np.abs(1 / (1 + scalar(w)) - 0.5), grid)
-    Ms, Mt = peak(lambda w: np.abs(1 / (1 + scalar(w))), grid), peak(lambda w: np.abs(1 - 1 / (1 + scalar(w))), grid)
+
+    def largest(size: Callable[[Complex], Array]) -> float:
+        """The peak of a `size` of the sensitivity 1/(1 + l)."""
+        return peak(lambda w: size(1 / (1 + scalar(w))), grid, size(1 / (1 + loop)))
+
+    disk, Ms, Mt = 1 / largest(lambda S: np.abs(S - 0.5)), largest(np.abs), largest(lambda S: np.abs(1 - S))
     return Margins(
         channel, gain_low=low, gain_high=high, phase=phase, delay=delay, disk=disk, Ms=Ms, Mt=Mt, crossover=top
     )
 
 
-def _gain_interval(system: LinearModel, scalar: ScalarLoop, grid: Array) -> tuple[float, float]:
+def _gain_interval(system: LinearModel, scalar: ScalarLoop, grid: Array, loop: Complex) -> tuple[float, float]:
     """The factors of gain next to one at which a pole of the closed loop lies on the border of stability.
 
     There l is real and −1/factor: at frequency zero, at the highest one, and where Im l changes its sign. Between two
-    points of the grid it may do so twice, so that its own zeros split the grid.
+    points of the grid, at which l is `loop`, it may do so twice, so that its own zeros split the grid.
     """
-    split = np.union1d(grid, _between(real_frequencies(system)))
-    crossings = _roots(lambda w: scalar(w).imag, split, scalar(split).imag)
+    between = _between(real_frequencies(system))
+    split = np.append(grid, between)
+    order = np.argsort(split)
+    crossings = _roots(lambda w: scalar(w).imag, split[order], np.append(loop, scalar(between)).imag[order])
     ends = [_at_zero(system), system.D[0, 0] if system.continuous else scalar(grid[-1:])[0].real]
     real = np.append(scalar(crossings).real, ends)
     factors = -1 / real[(real < 0) & (real > -_UNBOUNDED)]
@@ -244,9 +250,9 @@ def _roots(f: Callable[[Array], Array], grid: Array, values: Array) -> Array:
     return np.array([brentq(at, grid[i], grid[i + 1], xtol=1e-12) for i in changes], dtype=np.float64)
 
 
-def peak(f: Callable[[Array], Array], grid: Array) -> float:
-    """The largest value, refined between the neighbours of the grid's largest."""
-    values = f(grid)
+def peak(f: Callable[[Array], Array], grid: Array, values: Array | None = None) -> float:
+    """The largest value, refined between the neighbours of the grid's largest; `values` are f(grid), if known."""
+    values = f(grid) if values is None else values
     i = int(np.argmax(values))
     best = float(values[i])
     a, b = grid[max(i - 1, 0)], grid[min(i + 1, len(grid) - 1)]
