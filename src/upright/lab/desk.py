@@ -99,11 +99,11 @@ class ProcessDesk:
         words = self._polled(self._quick, BRIEF) if self._quick else []
         for key, clerk in list(self._alone.items()):
             waiting = any(other[0] != key[0] for other in self._queue)
-            said = self._polled(clerk, CROWDED if waiting else PATIENCE)
+            new = self._polled(clerk, CROWDED if waiting else PATIENCE)
             if clerk.idle:
                 self._alone.pop(key).kill()
-                self._remember(clerk, said)
-            words += said
+                self._remember(clerk, new)
+            words += new
         words += self._recalled()
         self._begin()
         return words
@@ -114,10 +114,10 @@ class ProcessDesk:
             clerk.kill()
         self._alone, self._quick = {}, None
 
-    def _remember(self, clerk: _Clerk, said: list[Word]) -> None:
+    def _remember(self, clerk: _Clerk, new: list[Word]) -> None:
         """Keep what a clerk has found out, where the same request has always the same answer."""
-        if clerk.job[0] in LASTING and said and said[-1][1] == "done":
-            self._known[pickle.dumps(clerk.job)] = said[-1][2]
+        if clerk.job[0] in LASTING and new and new[-1][1] == "done":
+            self._known[pickle.dumps(clerk.job)] = new[-1][2]
             if len(self._known) > REMEMBERED:
                 self._known.pop(next(iter(self._known)))
 
