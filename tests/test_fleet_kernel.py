@@ -15,14 +15,16 @@ from upright.errors import InvalidScenario, SpecMismatch, UnknownName
 from upright.experiment import Drive, Push, Slope, Turn, run
 from upright.kernel import store
 from upright.kernel.batch import FleetBatch, parameters_of, silent
-from upright.kernel.simulate import simulate
+from upright.kernel.simulate import simulate, steps_of
 from upright.robots import Battery, Kit, Motor, Robot, Sensor
+from upright.robots.uncertainty import draw
 from upright.signals import STATE_NAMES
 
 NXT = Robot.preset("nxtway-gs")
 STATE = tuple(f"truth/{name}" for name in STATE_NAMES)
 BOTH = (*STATE, "command/left", "command/right", "applied/left", "applied/right")
 START = (0.05, 0.0, 0.1, 0.0, 0.2, 0.0)
+STIFF = NXT.replace(motor_resistance=NXT.motor_resistance / 4)  # a pole near 1000 1/s: two steps in a millisecond
 NOISY = Kit.preset("nxt")
 FILTERED = Estimated(lqr(NXT, 0.01), kalman(NXT, NOISY))
 EQUAL = 1e-9  # the bar of the issue; rounding alone gives 1e-12
@@ -166,7 +168,6 @@ def fleet(n=200, **changes):
         "controller": FILTERED,
         "kit": NOISY,
         "pushes": push,
-        "substeps": 1,
     }
     return {**given, "start": START, "seed": 5, **changes}
 
@@ -193,14 +194,22 @@ def test_a_robot_is_the_same_bits_in_any_batch_order_and_number_of_threads(dtype
 
 def test_a_robot_does_not_get_what_only_its_company_needs():
     dry, rolling = NXT.replace(coulomb_friction=0.005), NXT.replace(rolling_friction=0.005)
-    robots = [NXT, dry, rolling, NXT, dry, rolling]
-    slope = np.array([[0.0, 0.0]] * 3 + [[0.03, 0.5]] * 3)
-    given = {"controller": lqr(NXT, 0.01), "start": START, "substeps": 1}
+    robots = [NXT, dry, rolling, NXT, dry, rolling, STIFF]
+    slope = np.array([[0.0, 0.0]] * 3 + [[0.03, 0.5]] * 3 + [[0.0, 0.0]])
+    given = {"controller": lqr(NXT, 0.01), "start": START}
     together = simulate(FleetBatch(parameters=parameters_of(robots), slope=slope, **given), 1.0, record=10)
     for i, robot in enumerate(robots):
         alone = simulate(FleetBatch(parameters=parameters_of(robot), slope=slope[i], **given), 1.0, record=10)
         assert np.array_equal(together.final[i], alone.final[0])
         assert np.array_equal(together.trace[i], alone.trace[0])
+
+
+def test_each_robot_is_moved_in_as_many_steps_as_the_obvious_loop_takes():
+    for name in ("nxtway-gs", "herrera2015", "twipr"):
+        family = draw(Robot.preset(name), 40, 1)
+        batch = FleetBatch(parameters=parameters_of(family), controller=lqr(NXT, 0.01))
+        assert steps_of(batch).tolist() == [NonlinearBody(robot).substeps for robot in family]
+        assert name == "nxtway-gs" or steps_of(batch).max() > 1  # or there would be nothing to tell apart
 
 
 def test_a_batch_cut_into_pieces_is_the_same_bits(monkeypatch):
@@ -268,7 +277,6 @@ def test_a_robot_that_falls_stops_where_it_fell():
         controller=lqr(NXT, 0.01),
         start=START,
         pushes=[[20.0, np.nan, 0.5, 0.2]],
-        substeps=1,
     )
     result = simulate(batch, 3.0, record=1)
     assert result.fell[0]

@@ -126,7 +126,7 @@ def test_the_kernel_does_what_run_does(name: str, quantised: bool, seconds: floa
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
 def test_a_sliding_mode_is_the_same_bits_in_any_company(dtype: Any) -> None:
     parameters = parameters_of(ROBOT, {"com_height": np.linspace(0.06, 0.08, 150)})
-    batch = FleetBatch(parameters=parameters, controller=designed("sliding"), start=START, kit=KIT, substeps=1, seed=3)
+    batch = FleetBatch(parameters=parameters, controller=designed("sliding"), start=START, kit=KIT, seed=3)
     whole = simulate(batch, 0.5, dtype=dtype, threads=2)
     some = simulate(batch.part(np.array([140, 7, 99])), 0.5, dtype=dtype, threads=1)
     assert np.array_equal(whole.final[[140, 7, 99]], some.final)
@@ -136,10 +136,10 @@ def test_controllers_with_other_zeros_keep_their_bits_in_one_batch() -> None:
     full = lqr(ROBOT, 0.01)
     sparse = replace(full, gain=full.gain * [1, 1, 0, 1, 0, 1])
     robots = parameters_of([ROBOT, ROBOT])
-    batch = FleetBatch(parameters=robots, controller=[full, sparse], start=START, substeps=1)
+    batch = FleetBatch(parameters=robots, controller=[full, sparse], start=START)
     together = simulate(batch, 1.0)
     for i, controller in enumerate((full, sparse)):
-        alone = simulate(FleetBatch(parameters=robots[:1], controller=controller, start=START, substeps=1), 1.0)
+        alone = simulate(FleetBatch(parameters=robots[:1], controller=controller, start=START), 1.0)
         # alone one robot's equations are a text of their own, whose last bits differ
         assert np.abs(alone.final[0] - together.final[i]).max() < 1e-12
 

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field
-from functools import cached_property
+from dataclasses import asdict, dataclass, replace
 from types import SimpleNamespace
 from typing import Any, NamedTuple, cast
 
@@ -21,7 +19,7 @@ from upright.experiment.references import Drive, Turn
 from upright.experiment.run import MAX_SECONDS
 from upright.kernel.batch import FleetBatch, FleetResult, parameters_of
 from upright.robots import PARAMETERS
-from upright.robots.uncertainty import BLOCK, Family, Uncertainty
+from upright.robots.uncertainty import Family, Uncertainty
 
 Array = NDArray[np.float64]
 Index = NDArray[Any] | range
@@ -54,8 +52,7 @@ class Programme(NamedTuple):
 class Ensemble:
     """Robots of a `family` under one `controller`, pushed and driven for `seconds`, from the state `start` (6,).
 
-    `band` [rad] of pitch counts as settled; `steps` are Runge-Kutta's in a millisecond (None: as many as the fastest of
-    the family's first robots needs). Everything random follows from `seed` and the robot's number.
+    `band` [rad] of pitch counts as settled. Everything random follows from `seed` and the robot's number.
     """
 
     family: Family
@@ -68,7 +65,6 @@ class Ensemble:
     model: str = "complete"
     band: float = SETTLED
     single: bool = False
-    steps: int | None = field(default=None)
 
     def __post_init__(self) -> None:
         if not 0 <= self.seed < 2**64:
@@ -77,18 +73,9 @@ class Ensemble:
         if not self.band > 0:
             raise InvalidScenario(f"a band of {self.band:g} rad", expected="more than zero")
 
-    @cached_property
-    def substeps(self) -> int:
-        """Runge-Kutta steps in a body's period, the same whatever part is run."""
-        from upright.kernel.simulate import substeps_for
-
-        parameters, _ = self._numbers(np.arange(BLOCK))
-        return self.steps or substeps_for(parameters, self.model, 0.001)
-
     def nominal(self) -> Ensemble:
-        """The same with nothing varied, at the same step."""
-        family = dataclasses.replace(self.family, uncertainty=Uncertainty())
-        return dataclasses.replace(self, family=family, steps=self.substeps)
+        """The same with nothing varied."""
+        return replace(self, family=replace(self.family, uncertainty=Uncertainty()))
 
     def batch(self, index: Index) -> FleetBatch:
         """The robots number `index` (n,)."""
@@ -98,7 +85,7 @@ class Ensemble:
         return FleetBatch(
             parameters=parameters, controller=self.controller, start=np.array([self.start]), pushes=programme.pushes,
             slope=programme.slope, reference=programme.reference, kit=self.family.kit, kit_changes=changes,
-            model=self.model, seed=self.seed, index=numbers, substeps=self.substeps,
+            model=self.model, seed=self.seed, index=numbers,
         )  # fmt: skip
 
     def run(self, index: Index, threads: int | None = None) -> dict[str, Array]:
@@ -121,7 +108,7 @@ class Ensemble:
         scenario = {
             "push": [_entry(p) for p in self.pushes], "reference": [_entry(r) for r in self.references],
             "seconds": self.seconds, "start": list(self.start), "model": self.model, "band": self.band,
-            "substeps": self.substeps, "single": self.single,
+            "single": self.single,
         }  # fmt: skip
         return {
             "robot": {"name": family.robot.name, "drive": family.robot.drive, **family.robot.numbers()},

@@ -40,8 +40,7 @@ class FleetBatch:
     None the bare body; `kit_changes` replaces its numbers for each robot, by dotted name: "delay", "motor.limit",
     "sensors.gyro.noise" (channel without "sensor/"), (·,). `model` is "complete" or "published", or one for each.
     `index` (n,) numbers the robots for their random numbers, so that a part of a fleet behaves as in the whole fleet.
-    `period` [s] is the body's step, cut into `substeps` (None: as many as the fastest robot here needs; give it where a
-    result must not depend on the other robots of the batch).
+    `period` [s] is the body's step, cut into `substeps` (None: for each robot as many as its fastest pole needs).
 
     Raises `InvalidController` for a controller that no law describes, `SpecMismatch` for controllers of different
     forms, `InvalidModel` or `InvalidScenario` for the rest.
@@ -186,7 +185,6 @@ class FleetResult:
     t: Array
     channels: tuple[str, ...]
     trace: NDArray[Any]
-    substeps: int
 
     def __post_init__(self) -> None:
         for value in vars(self).values():

@@ -19,9 +19,9 @@ from upright.compiled.generated import LANES
 from upright.control import Controller
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.kernel.batch import NAMES, FleetBatch, FleetResult, Selection
-from upright.kernel.work import Order, Outcome, run_piece
+from upright.kernel.work import Order, Outcome, Piece, run_piece
 from upright.physics.dynamics import derivative
-from upright.physics.integrate import substeps
+from upright.physics.integrate import SIMULATED, substeps
 from upright.signals import STATE_NAMES
 
 Array = NDArray[np.float64]
@@ -30,6 +30,7 @@ STATE = tuple(f"truth/{name}" for name in STATE_NAMES)
 FOREVER = (math.inf, math.inf, math.inf)
 
 _TINY = 1e-100
+_PACE = 20.0  # [1/s] as which a pitch is counted as a rate: some multiple of the pole that falls
 
 PIECE = 8192
 """Most robots whose tables are made at once: few enough to stay near the processor, and to bound the memory."""
@@ -62,18 +63,17 @@ def simulate(
     Raises `InvalidScenario` for an impossible time, `SpecMismatch` for unknown channels and periods that do not fit.
     """
     stride, periods = _times(batch.period, batch.form.period, seconds)
-    steps = batch.substeps or substeps_for(batch.parameters, batch.model, batch.period)
     order = Order(
-        periods=periods, stride=stride, substeps=steps, record=record, channels=tuple(channels if record else ()),
+        periods=periods, stride=stride, record=record, channels=tuple(channels if record else ()),
         bands=tuple(bands), dtype=np.dtype(dtype), called=called,
     )  # fmt: skip
     out = Outcome.room(batch.n, order)
     workers = 1 if called else max(1, threads or os.cpu_count() or 1)
     pieces = _pieces(batch, workers)
-    alone = min(workers, len(pieces)) == 1 or batch.n <= PIECE
+    alone = min(workers, len(pieces)) == 1
 
-    def work(piece: tuple[str, Selection]) -> None:
-        run_piece(batch, piece[1], piece[0], order, out, workers if alone else 1)
+    def work(piece: Piece) -> None:
+        run_piece(batch, piece, order, out, workers if alone or batch.n <= PIECE else 1)
 
     if alone:
         for piece in pieces:
@@ -84,40 +84,62 @@ def simulate(
     return out.result(order, batch.period)
 
 
-def _pieces(batch: FleetBatch, workers: int) -> list[tuple[str, Selection]]:
-    """Robots with the same terms in their equations, and the variant of the step for them: the arithmetic of a robot
-    does not depend on the others."""
+def _pieces(batch: FleetBatch, workers: int) -> list[Piece]:
+    """Robots with the same terms in their equations and the same steps: the arithmetic of a robot does not depend on
+    the others."""
     even = max(PIECE // _PARTS, batch.n // (_PARTS * workers))
     size = batch.n if batch.n <= PIECE else min(PIECE, -(-even // LANES) * LANES)
     slips, rolls = (batch.parameters[:, NAMES.index(f"{name}_friction")] != 0 for name in ("coulomb", "rolling"))
-    kinds = np.where(rolls, 2, slips) + 3 * (batch.slope[:, 0] != 0)
+    kinds = np.where(rolls, 2, slips) + 3 * (batch.slope[:, 0] != 0) + len(VARIANTS) * (steps_of(batch) - 1)
     if len(kinds) == 1 or (kinds == kinds[0]).all():
         starts = range(0, batch.n, size)
-        return [(VARIANTS[int(kinds[0])], slice(start, min(batch.n, start + size))) for start in starts]
-    groups = [(VARIANTS[k], np.flatnonzero(kinds == k)) for k in np.unique(kinds).tolist()]
-    return [(name, rows[start : start + size]) for name, rows in groups for start in range(0, len(rows), size)]
+        return [_piece(int(kinds[0]), slice(start, min(batch.n, start + size))) for start in starts]
+    groups = [(k, np.flatnonzero(kinds == k)) for k in np.unique(kinds).tolist()]
+    return [_piece(k, rows[start : start + size]) for k, rows in groups for start in range(0, len(rows), size)]
 
 
-def substeps_for(parameters: Array, model: str | Sequence[str], period: float) -> int:
-    """Runge–Kutta steps in a body's `period` [s] that follow the fastest pole of the fastest robot."""
-    p = SimpleNamespace(**dict(zip(NAMES, parameters.T, strict=True)))
-    models = {model} if isinstance(model, str) else set(model)
-    fastest = np.max([_fastest(p, name, len(parameters)) for name in models], axis=0)
-    stiffest = int(np.argmax(fastest))
-    numbers = dict(zip(NAMES, parameters[stiffest].tolist(), strict=True))
-    return substeps(period, float(fastest[stiffest]), numbers=numbers)
+def _piece(kind: int, rows: Selection) -> Piece:
+    return Piece(rows, VARIANTS[kind % len(VARIANTS)], 1 + kind // len(VARIANTS))
 
 
-def _fastest(p: Any, model: str, n: int) -> Array:
-    """Largest |pole| (n,) [1/s] standing upright; by complex steps of the dynamics, for all robots together."""
-    jacobian = np.zeros((n, 4, 4))
-    at = (0, 1, 3, 5)  # wheel angle and heading move nothing
+def steps_of(batch: FleetBatch) -> NDArray[np.int64]:
+    """Runge–Kutta steps (·,) in a body's period that follow the fastest pole of each robot, as `NonlinearBody` does."""
+    if batch.substeps:
+        return np.array([batch.substeps])
+    models = [batch.model] if isinstance(batch.model, str) else batch.model
+    each = {model: _steps(batch.parameters, model, batch.period) for model in set(models)}
+    return each[models[0]] if len(each) == 1 else np.array([each[m][i % len(each[m])] for i, m in enumerate(models)])
+
+
+def _steps(parameters: Array, model: str, period: float) -> NDArray[np.int64]:
+    jacobian, steps = _jacobian(parameters, model), np.ones(len(parameters), dtype=np.int64)
+    stiff = np.flatnonzero(~(_bound(jacobian) * period <= SIMULATED))
+    for i, poles in zip(stiff.tolist(), np.abs(np.linalg.eigvals(jacobian[stiff])), strict=True):
+        numbers = dict(zip(NAMES, parameters[i].tolist(), strict=True))
+        steps[i] = substeps(period, float(poles.max()), numbers=numbers)
+    return steps
+
+
+def _bound(jacobian: Array) -> Array:
+    """No |pole| (n,) [1/s] is larger: the largest sum of a column, with pitch counted as a rate. It is near the fastest
+    pole, which the torque between body and wheels makes."""
+    sizes = np.abs(jacobian)
+    sizes[:, :, 0] /= _PACE
+    sizes[:, 0] *= _PACE
+    return sizes.sum(axis=1).max(axis=1)
+
+
+def _jacobian(parameters: Array, model: str) -> Array:
+    """∂ẋ/∂x (n, 4, 4) standing upright, without wheel angle and heading, which move nothing; by complex steps of the
+    dynamics, for all robots together."""
+    p, n = SimpleNamespace(**dict(zip(NAMES, parameters.T, strict=True))), len(parameters)
+    jacobian, at = np.zeros((n, 4, 4)), (0, 1, 3, 5)
     for column, state in enumerate(at):
         x = [np.full(n, 1j * _TINY if k == state else 0j) for k in range(6)]
         slopes = derivative(x, (0.0, 0.0), p, xp=np, model=model)
         for row, k in enumerate(at):
             jacobian[:, row, column] = np.imag(slopes[k]) / _TINY
-    return np.abs(np.linalg.eigvals(jacobian)).max(axis=1)
+    return jacobian
 
 
 def _times(step: float, period: float, seconds: float) -> tuple[int, int]:

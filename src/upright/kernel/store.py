@@ -148,7 +148,7 @@ def _compiled(module: str, function: str, arguments: tuple[str, ...]) -> bytes:
     for part in final.functions:
         if not part.is_declaration and part.name != function:
             part.linkage = "internal"
-    machine = result.library.codegen._tm
+    machine = _machine()
     return machine.emit_object(_optimised(final, machine))
 
 
@@ -215,5 +215,7 @@ def _machine() -> Any:
     if not _engines:
         llvm.initialize_native_target()
         llvm.initialize_native_asmprinter()
-    host = {"cpu": llvm.get_host_cpu_name(), "features": llvm.get_host_cpu_features().flatten()}
+    has = llvm.get_host_cpu_features()
+    widest = ",-prefer-256-bit" if has.get("avx512f") else ""
+    host = {"cpu": llvm.get_host_cpu_name(), "features": has.flatten() + widest}
     return llvm.Target.from_default_triple().create_target_machine(opt=3, jit=True, **host)

@@ -33,12 +33,19 @@ class Order:
 
     periods: int
     stride: int  # steps of a body in a period
-    substeps: int
     record: int  # periods from one recorded row to the next, 0: none
     channels: tuple[str, ...]
     bands: tuple[float, ...]
     dtype: Any
     called: Controller | None
+
+
+class Piece(NamedTuple):
+    """Robots of a batch that one `variant` of the step moves, in as many steps of Runge and Kutta."""
+
+    rows: Selection
+    variant: str
+    substeps: int
 
 
 class Outcome(NamedTuple):
@@ -84,7 +91,6 @@ class Outcome(NamedTuple):
             t=np.arange(self.trace.shape[1]) * period * order.record,
             channels=recorded_order(order.channels),
             trace=self.trace,
-            substeps=order.substeps,
         )
 
 
@@ -93,28 +99,29 @@ def recorded_order(channels: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(sorted(channels, key=lambda name: name.startswith(("applied/", "push/"))))
 
 
-def run_piece(batch: FleetBatch, rows: Selection, variant: str, order: Order, out: Outcome, threads: int) -> None:
-    """The robots number `rows` of the batch, moved by the step called `variant`, into the same rows of `out`.
+def run_piece(batch: FleetBatch, piece: Piece, order: Order, out: Outcome, threads: int) -> None:
+    """The robots of one piece of the batch, into the same rows of `out`.
 
     Raises `SpecMismatch` for what the kit or the channels do not have, `InvalidScenario` for impossible times.
     """
+    rows, variant, substeps = piece
     whole = isinstance(rows, slice) and rows.stop - rows.start == batch.n
-    piece = batch if whole else batch.part(rows)
-    h = batch.period / order.substeps
-    kit = kit_tables(piece, order.stride)
-    packed = pack(piece, kit, h, order.dtype)
-    before, after = recorded(order.channels, packed, piece.form)
+    some = batch if whole else batch.part(rows)
+    h = batch.period / substeps
+    kit = kit_tables(some, order.stride)
+    packed = pack(some, kit, h, order.dtype)
+    before, after = recorded(order.channels, packed, some.form)
     lanes = Lanes(order.called, packed) if order.called else None
     plan = Plan(
-        order.periods, order.stride, order.substeps, order.record, packed.program.command, packed.program.update,
-        int(len(piece.laws) > 1), int("slope" in variant),
-        int(len(kit.dead_time) == 1 and not kit.dead_time[0, 2]), *_motion(piece, variant, order.dtype),
+        order.periods, order.stride, substeps, order.record, packed.program.command, packed.program.update,
+        int(len(some.laws) > 1), int("slope" in variant),
+        int(len(kit.dead_time) == 1 and not kit.dead_time[0, 2]), *_motion(batch, variant, order.dtype),
         packed.applied, *functions(_name(order.dtype)), lanes.address if lanes else 0,
         int(np.uint64(batch.seed).astype(np.int64)),
     )  # fmt: skip
     here = out if whole else out.part(rows)
     extra = (np.array(order.bands, order.dtype), before, after)
-    _run(piece, packed, plan, Times(batch.period, h, FALLEN), extra, here, threads)
+    _run(some, packed, plan, Times(batch.period, h, FALLEN), extra, here, threads)
     if lanes:
         lanes.check()
     if not isinstance(rows, slice):
