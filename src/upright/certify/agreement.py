@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.bodies.electronics import drive
 from upright.certify.checks import Course, standard_pushes, watched
 from upright.control.delay import RAW, sampled
 from upright.control.kalman import Filter, filtered, kalman_filter
@@ -21,6 +22,7 @@ from upright.errors import InvalidLog, SpecMismatch
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
 from upright.physics.dynamics import turn_ratio
+from upright.robots import Kit
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -74,19 +76,21 @@ def agreement(log: Log, course: Course) -> tuple[Agreement, ...]:
     Robots that fall are left out. Raises `InvalidLog` where the log lacks encoders, gyro or commands, is uneven, or too
     short; `SpecMismatch` for a kit without these sensors.
     """
-    readings, applied = recorded(log, sampled(course.robot, course.kit, log.period).delay)
-    measured = innovation_size(
-        kalman_filter(sampled(course.robot, course.kit, log.period)), readings[None], applied[None]
-    )[0]
-    period = course.controller.law.period
-    estimator, agreements = kalman_filter(sampled(course.robot, course.kit, period)), list[Array]()
+    robot, kit, period = course.met_robot, course.met_kit, course.controller.law.period
+    followed = sampled(robot, kit, log.period)
+    readings, commands = recorded(log, followed.delay)
+    applied = at_motors(commands, kit, robot.command_unit, sent=commanded(log) == "command")
+    measured = innovation_size(kalman_filter(followed), readings[None], applied[None])[0]
+    estimator, agreements = kalman_filter(sampled(robot, kit, period)), list[Array]()
+    sides = [kit.motor.left, kit.motor.right]
     reads = course.controller.law.linear.reads
     if not set(RAW) <= set(reads):
         raise SpecMismatch(f"the controller reads {', '.join(reads)}", expected="both encoders and the gyro")
     for row, standard in enumerate(standard_pushes(course.robot, course.kit).values()):
         some = replace(course, robots=course.robots[:DRAWN], progress=None)
         for result in watched(some, standard.push, row, (*RAW, *APPLIED)):
-            agreements.append(innovation_size(estimator, *np.split(result.trace[~result.fell], [3], axis=2)))
+            seen, moved = np.split(result.trace[~result.fell], [3], axis=2)
+            agreements.append(innovation_size(estimator, seen, moved * sides))
     standing = np.concatenate(agreements)
     largest = standing.max(axis=0) if len(standing) else np.ones(3)
     return tuple(
@@ -113,6 +117,12 @@ def recorded(log: Log, delay: int) -> tuple[Array, Array]:
     commands = np.column_stack([log[f"{prefix}/left"], log[f"{prefix}/right"]])
     periods = delay if prefix == "command" else 0
     return readings, np.vstack([np.zeros((periods, 2)), commands])[: len(log)]
+
+
+def at_motors(commands: Array, kit: Kit, unit: str, *, sent: bool = True) -> Array:
+    """What both motors make (n, 2) of commands that were `sent`, or that the driver has applied already."""
+    applied = np.array([drive(row, kit, unit)[0] for row in commands.tolist()]) if sent else commands
+    return applied * [kit.motor.left, kit.motor.right]
 
 
 def _reading(log: Log, name: str) -> Array:

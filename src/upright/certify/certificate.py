@@ -19,7 +19,8 @@ from upright.certify.agreement import RED, Agreement, agreement
 from upright.certify.checks import Course, PushTrial, RunCounter, Swept, delayed, kernel_controller, slower, trials
 from upright.certify.learnt import learnt
 from upright.certify.narrowing import Narrowing, NeededSpread, narrowing, red
-from upright.certify.support import Support, supported
+from upright.certify.support import Support
+from upright.certify.taking import as_logged
 from upright.certify.verdict import CONFIDENCE, MOST_FALLS, LinearMargins, judge, linear_margins
 from upright.control import find_controller
 from upright.control.controller import Controller
@@ -56,7 +57,8 @@ class Certificate(Shown):
     with 95 % confidence. Of those that fell no controller could save `beyond`. `linear` is None for a controller that
     is not linear, even near rest. `delayed` and `slower` count falls with additional dead time and with other periods.
     `agreement` compares the innovations of a log with these assumptions, `support` what the log shows of each number
-    that is taken as given. `narrowing` says of a red light what would have to be known better (None: not examined).
+    that is taken as given. What was `taken` from the log, and tried, stands beside what had been assumed. `narrowing`
+    says of a red light what would have to be known better (None: not examined).
     """
 
     light: str
@@ -77,6 +79,7 @@ class Certificate(Shown):
     slower: tuple[Swept, ...] = ()
     agreement: tuple[Agreement, ...] = ()
     support: tuple[Support, ...] = ()
+    taken: tuple[Support, ...] = ()
     subject: Mapping[str, Facts]
     asked: str = ""
     response: tuple[float, ...] = ()
@@ -94,6 +97,7 @@ class Certificate(Shown):
             self.agreement,
             self.support,
             beyond=self.beyond,
+            taken=self.taken,
         )
         wrong = (
             [f"the bound is {self.bound:g}; its numbers give {bound:g}"] if not math.isclose(bound, self.bound) else []
@@ -177,6 +181,7 @@ class Certificate(Shown):
         sweeps += [f"the log: {'; '.join(map(str, self.agreement))}"] if self.agreement else []
         inside = "; ".join(str(s) for s in self.support if not s.outside)
         sweeps += [f"the log supports: {inside}"] if inside else []
+        sweeps += [f"tried as the log shows it: {'; '.join(map(str, self.taken))}"] if self.taken else []
         return "\n".join([*lines, *(line for line in sweeps if line)])
 
 
@@ -222,21 +227,24 @@ def certify(
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
     _check_family(family, nominal)
     course = Course(kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads)
+    shown, taken = tuple[Support, ...](), tuple[Support, ...]()
+    if recording:
+        course, shown, taken = as_logged(recording, course)
     if progress:
         course = replace(course, progress=RunCounter(course.runs, progress))
     runs, fallen, beyond = trials(course)
-    linear, period = linear_margins(design, nominal, parts), design.spec.period
+    linear, period = linear_margins(design, course.met_robot, course.met_kit), design.spec.period
     fell, hopeless = int(fallen.sum()), int(beyond.sum())
-    compared, shown = (agreement(recording, course), supported(recording, course)) if recording else ((), ())
-    light, reasons = judge(len(family), fell, linear, runs, period, compared, shown, beyond=hopeless)
+    compared = agreement(recording, course) if recording else ()
+    light, reasons = judge(len(family), fell, linear, runs, period, compared, shown, beyond=hopeless, taken=taken)
     spreads = unknown or Uncertainty.of(nominal)
     examined = sweeps and robots is None and not course.controller.called and red(fell, len(family))
     who = identity(design)
     return Certificate(
         light=light, reasons=reasons, bound=upper_bound(fell, len(family), CONFIDENCE), robot=nominal.name,
         kit=parts.name, controller=design.spec.kind, hash=who.hash, period=period, seed=seed, samples=len(family),
-        fell=fell, beyond=hopeless, linear=linear, trials=runs, agreement=compared, support=shown, subject=subject,
-        asked=who.asked, response=who.response,
+        fell=fell, beyond=hopeless, linear=linear, trials=runs, agreement=compared, support=shown, taken=taken,
+        subject=subject, asked=who.asked, response=who.response,
         delayed=delayed(course) if sweeps else (), slower=slower(course) if sweeps else (),
         narrowing=narrowing(course, spreads, fallen) if examined else None,
     )  # fmt: skip
@@ -274,6 +282,7 @@ def _read(cls: type[Certificate], data: Mapping[str, Any]) -> Certificate:
         "linear": LinearMargins(**near_rest) if linear else None,
         "agreement": tuple(Agreement(**row) for row in given["agreement"]),
         "support": tuple(Support.from_json(row) for row in given["support"]),
+        "taken": tuple(Support.from_json(row) for row in given.get("taken", ())),
         "trials": tuple(PushTrial(**row) for row in given["trials"]),
         "subject": {what: dict(given["subject"][what]) for what in ("robot", "kit")},
         "response": tuple(map(float, given["response"])),

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.certify.logged import Logged, loaded
 from upright.certify.recovery import KNOCK_DURATION, largest_hold, largest_knock, means, recoverable
 from upright.control.controller import Controller
 from upright.control.law import Law, as_law
@@ -177,7 +178,10 @@ class RunCounter:
 
 @dataclass(frozen=True, eq=False)
 class Course:
-    """A controller, the robots it drives, their kit, the seed of their noise, and the floor's slope [rad]."""
+    """A controller, the robots it drives, their kit, the seed of their noise, and the floor's slope [rad].
+
+    Pushes have the sizes of `robot` and `kit`, which were assumed. What a log shows instead is `logged`, and is tried.
+    """
 
     controller: KernelController
     robot: Robot
@@ -188,6 +192,21 @@ class Course:
     progress: RunCounter | None = None
     _: KW_ONLY
     slope: float = 0.0
+    logged: Logged | None = None
+
+    @property
+    def met_kit(self) -> Kit:
+        """The kit as the log shows it, or as assumed."""
+        return self.logged.kit if self.logged else self.kit
+
+    @property
+    def met_robot(self) -> Robot:
+        """The nominal robot as the log shows it, or as assumed."""
+        return self.met(self.robot)
+
+    def met(self, robot: Robot) -> Robot:
+        """A robot with the load that the log shows."""
+        return loaded(robot, self.logged.load) if self.logged else robot
 
     @property
     def runs(self) -> int:
@@ -198,7 +217,34 @@ class Course:
     @property
     def runs_of_trials(self) -> int:
         """Number of runs in all trials."""
-        return PUSHES * len(BATTERIES) * len(self.robot.conditions.slopes) * len(self.robots)
+        return PUSHES * len(conditions(self)) * len(self.robots)
+
+
+class Condition(NamedTuple):
+    """A `slope` [rad], a `battery` by its name and `voltage` [V], and the expected ones, for which pushes are sized."""
+
+    slope: float
+    battery: str
+    voltage: float | None
+    expected_slope: float
+    expected_voltage: float | None
+
+
+def conditions(course: Course) -> list[Condition]:
+    """What every push is tried at: the expected batteries and slopes, and those that only a log shows."""
+    volts, logged = batteries(course.robot, course.kit), course.logged
+    expected = course.robot.conditions.slopes
+    named = [(name, volts and volts[i]) for i, name in enumerate(BATTERIES)]
+    named += [(f"{v:.3g} V", v) for v in logged.batteries] if logged else []
+    slopes = [*expected, *(logged.slopes if logged else ())]
+
+    def within(value: float, ends: Sequence[float]) -> float:
+        return min(max(value, min(ends)), max(ends))
+
+    return [
+        Condition(slope, name, v, within(slope, expected), v if v is None or volts is None else within(v, volts))
+        for slope, (name, v) in product(slopes, named)
+    ]  # fmt: skip
 
 
 class TriedPush(NamedTuple):
@@ -237,21 +283,21 @@ def trials(course: Course) -> Trials:
 
 def tried(course: Course) -> Iterator[TriedPush]:
     """Every standard push at every battery, and on every slope, on all robots."""
-    law, number = course.controller.law, 0
+    law, number, logged = course.controller.law, 0, course.logged
     planned = law.nonlinear is not None and isinstance(law.nonlinear.part, Splitting)
     channels = (*PITCH, RESIDUAL) if planned else PITCH
-    slopes, volts = course.robot.conditions.slopes, batteries(course.robot, course.kit)
     parameters = parameters_of(course.robots)
+    parameters = logged.weighed(parameters) if logged else parameters
     for kind in range(PUSHES):
-        for slope, (i, battery) in product(slopes, enumerate(BATTERIES)):
-            voltage = None if volts is None else volts[i]
-            name, standard = list(standard_pushes(course.robot, course.kit, voltage, slope).items())[kind]
+        for slope, battery, voltage, expected_slope, expected_voltage in conditions(course):
+            sized = standard_pushes(course.robot, course.kit, expected_voltage, expected_slope)
+            name, standard = list(sized.items())[kind]
             changed = {} if voltage is None else {"battery.voltage": [voltage]}
             sloped = replace(course, slope=slope)
             rows = list(_runs(sloped, course.robots, standard.push, number, changed, course.controller, channels))
             called = f"{name}, slope {math.degrees(slope):+.1f}°" if slope else name
             fell, beyond = np.concatenate([row.fell for row in rows]), np.zeros(len(parameters), dtype=np.bool_)
-            able = means(course.robot, course.kit, voltage)
+            able = means(course.robot, course.met_kit, voltage)
             beyond[fell] = ~recoverable(parameters[fell], able, standard.push, slope, course.threads)
             trial = replace(
                 _trial(called, battery, rows, parameters, law.period), size=standard.size, beyond=int(beyond.sum()),
@@ -263,7 +309,7 @@ def tried(course: Course) -> Iterator[TriedPush]:
 
 def delayed(course: Course) -> tuple[Swept, ...]:
     """Falls under every standard push with `DELAYS` periods of additional dead time, unknown to the controller."""
-    kit = course.kit
+    kit = course.met_kit
     return tuple(_swept(course, value, {"delay": [kit.delay + value]}, course.controller) for value in _extra(course))
 
 
@@ -286,7 +332,7 @@ def _extra(course: Course) -> list[float]:
 def _periods(course: Course) -> list[float]:
     """In the kernel no command may be delayed beyond the next one, so that jitter limits the period from below."""
     tried = sorted({max(1, round(fraction * course.controller.law.period / _STEP)) * _STEP for fraction in SLOWER})
-    return [period for period in tried if period >= course.kit.jitter]
+    return [period for period in tried if period >= course.met_kit.jitter]
 
 
 def _swept(course: Course, value: float, changes: Mapping[str, Any], controller: KernelController) -> Swept:
@@ -304,11 +350,15 @@ def _runs(
 ) -> Iterator[FleetResult]:  # fmt: skip
     """One run of each robot, in batches; `row` is the number of the trial, so that each has its own noise."""
     n, part = len(robots), CALLED if controller.called else len(robots)
+    logged = course.logged
     for first in range(0, n, part):
         some = parameters_of(robots[first : first + part])
+        if logged:
+            some = logged.weighed(some, first)
         index = np.arange(row * n + first, row * n + first + len(some), dtype=np.uint64)
         batch = FleetBatch(
-            parameters=some, controller=controller.law, kit=course.kit, kit_changes=changes, seed=course.seed,
+            parameters=some, controller=controller.law, kit=course.met_kit, seed=course.seed,
+            kit_changes={**(logged.part(first, len(some)) if logged else {}), **changes},
             pushes=tables([push], (), some).pushes, index=index, period=_STEP, slope=np.array([course.slope, 0.0]),
         )  # fmt: skip
         called, record = controller.called, int(bool(channels))

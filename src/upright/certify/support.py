@@ -15,8 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.bodies.electronics import drive
-from upright.certify.agreement import SETTLED, recorded
+from upright.certify.agreement import SETTLED, at_motors, recorded
 from upright.certify.checks import Course, batteries
 from upright.control.delay import MOST_PERIODS, RAW, SampledRobot, sampled
 from upright.control.kalman import Filter, filtered, kalman_filter
@@ -41,12 +40,16 @@ LOAD = 0.3  # [1] of the body's mass beyond its spread, with which the errors of
 LEVEL = math.radians(1.0)  # [rad] of a floor that counts as level
 EARLIER = -2.0  # [periods] of less delay, which harms no loop
 LATER = 0.5  # [periods] of further delay that count as none
+FAR = 5.0  # usual sizes of an innovation beyond which a push is taken for its cause
+PUSHED = 0.3  # [s] after it that are left out, in which the filter finds the state again
+MOST_PUSHED = 0.5  # of a log that may be left out; where more would be, it is no push
 CLOCK = 1e-3  # [s] resolution of a log's clock
 SAG = 2.0  # times the kit's: a guess counts as right within a factor of two
 FEWEST_VOLTS = 20  # readings of a battery from which its sag is fitted
 LEAST_LOAD = 0.05  # of the battery's voltage, by which commands must vary to show a sag
 DELAYS = tuple(0.5 * k for k in range(-2, 17))  # [periods] that are tried
-ZONES = (0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0)  # times the kit's dead zone that are tried
+BETWEEN = 4  # parts of a step of these grids, in which the best value is looked for at last
+ZONES = (0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0)  # times the kit's dead zone that are tried
 LEAST_ZONE = 0.01  # of the largest command, where the kit has none
 
 
@@ -94,15 +97,16 @@ def supported(log: Log, course: Course) -> tuple[Support, ...]:
 
     Raises like `agreement`. Numbers that the log does not show at all are left out.
     """
-    return (*_battery(log, course.robot, course.kit), *_jitter(log, course.kit), *_dynamics(log, course))
+    return (*_battery(log, course), *_jitter(log, course.met_kit), *_dynamics(log, course))
 
 
-def _battery(log: Log, robot: Robot, kit: Kit) -> list[Support]:
+def _battery(log: Log, course: Course) -> list[Support]:
     """The battery's open-circuit voltage and its sag, from its own readings."""
-    nominal, prefix = kit.battery.voltage, commanded(log)
-    expected = batteries(robot, kit)
+    kit, prefix = course.met_kit, commanded(log)
+    nominal, expected = kit.battery.voltage, batteries(course.robot, course.kit)
     if "sensor/battery" not in log or expected is None:
         return []
+    tried = [*expected, *(course.logged.batteries if course.logged else ())]
     volts = log["sensor/battery"]
     there = np.isfinite(volts)
     if there.sum() < FEWEST_VOLTS:
@@ -113,7 +117,7 @@ def _battery(log: Log, robot: Robot, kit: Kit) -> list[Support]:
         load = np.minimum(np.nan_to_num(sides), nominal).sum(axis=1)
     lag = max(0, round(kit.delay / log.period)) if prefix == "command" else 0
     load = np.concatenate([np.zeros(lag + 1), load])[: len(log)]  # a row's reading precedes its command
-    least, most = expected
+    least, most = min(tried), max(tried)
     if load[there].std() < LEAST_LOAD * nominal:
         middle, spread = float(np.median(volts[there])), float(volts[there].std())
         full = middle + kit.battery.sag * float(np.median(load[there]))
@@ -159,13 +163,9 @@ def _jitter(log: Log, kit: Kit) -> list[Support]:
 
 def _dynamics(log: Log, course: Course) -> list[Support]:
     """What the filter's innovations say."""
-    robot, kit, unit = course.robot, course.kit, course.robot.command_unit
-    model = sampled(robot, kit, log.period, longest=MOST_PERIODS)
-    estimator = kalman_filter(model)
-    readings, sent = recorded(log, model.delay)
+    robot, kit, unit = course.met_robot, course.met_kit, course.robot.command_unit
+    path, sent, motors = _followed(log, course)
     raw = commanded(log) == "command"
-    motors = _at_motors(sent, kit, unit) if raw else sent
-    path = _Path.of(estimator, readings, motors)
     names, columns = _signatures(path, motors)
     spreads = _spreads(path, course, motors)
     fit = _Fit(path, np.column_stack([*columns, spreads]), len(columns), log.period)
@@ -180,12 +180,28 @@ def _dynamics(log: Log, course: Course) -> list[Support]:
         _of("gyro's scale", "1", 1.0, fitted["gyro scale"], GYRO_SCALE),
         replace(_of("gyro's further delay", "s", 0.0, lag, LATER * log.period), least=EARLIER * log.period),
         _of("body's mass", "kg", mass, tuple(mass * x for x in fitted["load"]), most_load),
-        _slope(path, log.period, robot),
-        *_noise(log, kit),
+        _slope(path, log.period, course),
+        *_noise(log, kit, path),
     ]  # fmt: skip
     if raw:
         numbers += [_delay(fit, path, motors, log.period), _dead_zone(fit, path, sent, motors, kit, unit)]
     return numbers
+
+
+def _followed(log: Log, course: Course) -> tuple[_Path, Array, Array]:
+    """The nominal filter along the log, the commands and what the motors make of them (n, 2)."""
+    robot, kit = course.met_robot, course.met_kit
+    model = sampled(robot, kit, log.period, longest=MOST_PERIODS)
+    readings, sent = recorded(log, model.delay)
+    motors = at_motors(sent, kit, robot.command_unit, sent=commanded(log) == "command")
+    return _Path.of(kalman_filter(model), readings, motors), sent, motors
+
+
+def surprise(log: Log, courses: Sequence[Course]) -> list[float]:
+    """How far off each course's filter foretells the log: the logarithm of its squared innovations, sensors summed, in
+    the rows in which nobody pushes by the first of them."""
+    paths = [_followed(log, course)[0] for course in courses]
+    return [float(np.log((path.raw[paths[0].keep] ** 2).mean(axis=0) + 1e-30).sum()) for path in paths]
 
 
 def _of(name: str, unit: str, middle: float, numbers: Sequence[float], around: float) -> Support:
@@ -193,20 +209,18 @@ def _of(name: str, unit: str, middle: float, numbers: Sequence[float], around: f
     return Support(name, unit, value, value - wide, value + wide, middle - around, middle + around)
 
 
-def _at_motors(commands: Array, kit: Kit, unit: str) -> Array:
-    return np.array([drive(row, kit, unit)[0] for row in commands.tolist()])
-
-
 @dataclass(frozen=True, eq=False)
 class _Path:
     """The nominal filter along a log: its `states` (n, states), the readings `predicted` (n, sensors), the weights of
-    its whitened innovations, and these, `errors` (rows·sensors,), of the rows in `keep`."""
+    its whitened innovations, these, `errors` (rows·sensors,), of the rows in `keep`, and `raw` innovations (n, sensors)
+    of all."""
 
     estimator: Filter
     states: Array
     predicted: Array
     whiten: Array
     keep: NDArray[np.bool_]
+    raw: Array
     errors: Array
 
     @classmethod
@@ -221,7 +235,9 @@ class _Path:
         states, errors = filtered(linear.A, linear.C, estimator.L, readings, _moved(model, motors), start)
         whiten = 1 / np.sqrt(np.diag(linear.C @ estimator.P @ linear.C.T + model.noise))
         keep: NDArray[np.bool_] = np.isfinite(errors).all(axis=1) & (np.arange(len(errors)) >= SETTLED / model.dt)
-        return cls(estimator, states, np.nan_to_num(readings - errors), whiten, keep, (errors * whiten)[keep].ravel())
+        keep &= ~_pushed(errors, model.dt)
+        whitened = (errors * whiten)[keep].ravel()
+        return cls(estimator, states, np.nan_to_num(readings - errors), whiten, keep, errors, whitened)
 
     def answer(self, readings: Array, moved: Array) -> Array:
         """What more of `readings` (n, 3, k), and of what commands add, `moved` (n, states, k), adds to the whitened
@@ -234,6 +250,15 @@ class _Path:
         """The signature (rows·sensors, k) of commands (n, 2) that reached the motors besides those that are known."""
         moved = np.stack([_moved(self.estimator.sampled, more) for more in motors], axis=2)
         return -self.answer(np.zeros((len(moved), 3, moved.shape[2])), moved)
+
+
+def _pushed(errors: Array, period: float) -> NDArray[np.bool_]:
+    """Rows (n,) at and after innovations (n, sensors) far beyond their usual size: somebody pushed the robot."""
+    there = np.isfinite(errors).all(axis=1) & (np.arange(len(errors)) >= SETTLED / period)
+    usual = 1.4826 * np.median(np.abs(errors[there]), axis=0) if there.any() else np.ones(errors.shape[1])
+    far = (np.abs(np.nan_to_num(errors)) > FAR * usual).any(axis=1)
+    after: NDArray[np.bool_] = np.convolve(far, np.ones(max(1, round(PUSHED / period))))[: len(errors)] > 0
+    return after if after[there].mean() < MOST_PUSHED else np.zeros(len(errors), dtype=np.bool_)
 
 
 def _moved(model: SampledRobot, commands: Array) -> Array:
@@ -251,25 +276,27 @@ def _signatures(path: _Path, motors: Array) -> tuple[list[str], list[Array]]:
     shifted = np.zeros((len(gyro), 3, 2))
     shifted[:, 2, 0], shifted[:, 2, 1] = gyro, -np.gradient(gyro)
     sensors = path.answer(shifted, np.zeros((len(gyro), len(model.linear.A), 2)))
-    heavier = model.robot.replace(body_mass=model.robot.body_mass * 1.05)
-    load = _other(path, heavier, motors) / 0.05
+    heavier = model.robot.replace(body_mass=1.05 * model.robot.body_mass)
+    load = _others(path, [heavier], motors)[:, 0] / 0.05
     names = ["strength", "asymmetry", "gyro scale", "gyro delay", "load"]
     return names, [*commands.T, *sensors.T, load]
 
 
-def _other(path: _Path, robot: Robot, motors: Array) -> Array:
-    """What a robot that differs adds to the innovations, linear in the difference."""
+def _others(path: _Path, robots: Sequence[Robot], motors: Array) -> Array:
+    """What robots that differ add to the innovations (rows·sensors, robots), linear in the difference."""
     model = path.estimator.sampled
-    other = sampled(robot, model.kit, model.dt, longest=MOST_PERIODS)
-    moved = path.states @ (other.linear.A - model.linear.A).T + _moved(other, motors) - _moved(model, motors)
-    return -path.answer(np.zeros((len(moved), 3, 1)), moved[:, :, None])[:, 0]
+    known, moved = _moved(model, motors), list[Array]()
+    for robot in robots:
+        other = sampled(robot, model.kit, model.dt, longest=MOST_PERIODS)
+        moved.append(path.states @ (other.linear.A - model.linear.A).T + _moved(other, motors) - known)
+    return -path.answer(np.zeros((len(known), 3, len(moved))), np.stack(moved, axis=2))
 
 
 def _spreads(path: _Path, course: Course, motors: Array) -> Array:
     """What robots within their spreads add (rows·sensors, k), so that their sum with normal weights has their
     covariance."""
     some = course.robots[:DRAWN]
-    return np.column_stack([_other(path, robot, motors) for robot in some]) / math.sqrt(len(some))
+    return _others(path, [course.met(robot) for robot in some], motors) / math.sqrt(len(some))
 
 
 class _Fit:
@@ -302,11 +329,19 @@ class _Fit:
 
 
 def _profile(fit: _Fit, path: _Path, tried: Sequence[float], others: Callable[[float], Array], known: Array) -> Array:
-    """Value with the least cost among those `tried`, and the ends of where it is within 95 % of it."""
-    changes = path.unknown([others(x) - known for x in tried])
-    costs = np.array([fit.cost(path.errors - change) for change in changes.T])
-    near = np.array(tried)[costs <= costs.min() + NORMAL**2]
-    return np.array([tried[int(costs.argmin())], near.min(), near.max()])
+    """Value with the least cost among those `tried` and between its neighbours, and the ends of where it is within 95 %
+    of it."""
+    values, costs = list[float](), list[float]()
+    near = list(tried)
+    for _ in range(2):
+        changes = path.unknown([others(x) - known for x in near])
+        values, costs = [*values, *near], [*costs, *(fit.cost(path.errors - change) for change in changes.T)]
+        best = values[int(np.argmin(costs))]
+        below = max((x for x in tried if x < best), default=best)
+        above = min((x for x in tried if x > best), default=best)
+        near = [x for x in np.linspace(below, above, 2 * BETWEEN + 1).tolist() if x not in values]
+    likely = np.array(values)[np.array(costs) <= min(costs) + NORMAL**2]
+    return np.array([values[int(np.argmin(costs))], likely.min(), likely.max()])
 
 
 def _delay(fit: _Fit, path: _Path, motors: Array, period: float) -> Support:
@@ -317,25 +352,26 @@ def _delay(fit: _Fit, path: _Path, motors: Array, period: float) -> Support:
 
     # neighbours of the best cannot be distinguished from it by half a step of the grid
     value, low, high = period * _profile(fit, path, DELAYS, shifted, motors)
-    half = period * (DELAYS[1] - DELAYS[0]) / 2
+    half = period * (DELAYS[1] - DELAYS[0]) / (2 * BETWEEN)
     return Support("further delay", "s", value, low - half, high + half, EARLIER * period, LATER * period)
 
 
 def _dead_zone(fit: _Fit, path: _Path, sent: Array, motors: Array, kit: Kit, unit: str) -> Support:
     least = LEAST_ZONE * float(np.abs(motors).max())
     unit_zone = max(kit.motor.dead_zone, least)
-    zones = [x * unit_zone for x in ZONES]
+    most = 0.9 * float(np.abs(sent).max())  # a dead zone beyond all commands is a strength of zero
+    zones = [x * unit_zone for x in ZONES if x <= 1 or x * unit_zone < most]
 
     def through(zone: float) -> Array:
-        return _at_motors(sent, replace(kit, motor=replace(kit.motor, dead_zone=zone)), unit)
+        return at_motors(sent, replace(kit, motor=replace(kit.motor, dead_zone=zone)), unit)
 
     value, low, high = _profile(fit, path, zones, through, motors)
     return Support("dead zone", unit, value, low, high, 0.0, 2 * unit_zone)
 
 
-def _slope(path: _Path, period: float, robot: Robot) -> Support:
+def _slope(path: _Path, period: float, course: Course) -> Support:
     """The floor's slope from the steady push that the filter sees, apart from friction, which turns with the wheels."""
-    linear = path.estimator.sampled.linear
+    linear, robot = path.estimator.sampled.linear, course.met_robot
     rows = path.keep
     push, wheel = path.states[rows, linear.states.index("push")], path.states[rows, 3]
     scale = max(float(np.abs(wheel).max()), 1e-9)
@@ -346,19 +382,19 @@ def _slope(path: _Path, period: float, robot: Robot) -> Support:
     weight = (robot.body_mass + 2 * robot.wheel_mass) * robot.gravity
     wide = NORMAL * math.sqrt(float(np.linalg.pinv(A.T @ A)[0, 0]) * variance) / weight
     angle = -float(values[0]) / weight
-    low, high = min(robot.conditions.slopes), max(robot.conditions.slopes)
-    return Support("slope", "rad", angle, angle - wide, angle + wide, low - LEVEL, high + LEVEL)
+    tried = [*robot.conditions.slopes, *(course.logged.slopes if course.logged else ())]
+    return Support("slope", "rad", angle, angle - wide, angle + wide, min(tried) - LEVEL, max(tried) + LEVEL)
 
 
-def _noise(log: Log, kit: Kit) -> list[Support]:
-    """The gyro's noise, from its third differences, in which the motion nearly vanishes."""
+def _noise(log: Log, kit: Kit, path: _Path) -> list[Support]:
+    """The gyro's noise from third differences, in which the motion nearly vanishes, of its readings or of its
+    innovations, in which a fast motion is foretold: the smaller one."""
     gyro, sensor = log["sensor/gyro"], kit.sensors["sensor/gyro"]
-    differences = np.diff(gyro[np.isfinite(gyro)], n=3)
-    if len(differences) < FEWEST_VOLTS:
+    several = [np.diff(x[np.isfinite(x)], n=3) for x in (gyro, path.raw[:, 2])]
+    if len(several[0]) < FEWEST_VOLTS:
         return []
-    quantised = sensor.quantum**2 / 12
-    size = 1.4826 * float(np.median(np.abs(differences))) / math.sqrt(20)
-    value = math.sqrt(max(size**2 - quantised, 0.0))
-    wide = value * 2 / math.sqrt(len(differences))
+    size = 1.4826 * min(float(np.median(np.abs(x))) for x in several) / math.sqrt(20)
+    value = math.sqrt(max(size**2 - sensor.quantum**2 / 12, 0.0))
+    wide = value * 2 / math.sqrt(len(several[0]))
     most = GYRO_NOISE * math.hypot(sensor.noise, sensor.quantum)
     return [Support("gyro's noise", "rad/s", value, value - wide, value + wide, 0.0, most)]

@@ -78,19 +78,24 @@ def judge(
     support: Sequence[Support] = (),
     *,
     beyond: int = 0,
+    taken: Sequence[Support] = (),
 ) -> tuple[str, tuple[str, ...]]:
-    """The light and its one or two reasons, the gravest first. No controller could save `beyond` of those that fell."""
+    """The light and its one or two reasons, the gravest first. No controller could save `beyond` of those that fell;
+    numbers that were `taken` from the log are a reason besides."""
+    logged = [f"tried as the log shows it: {s}" for s in taken]
     if (
         red := _falls(samples, fell, beyond, runs)
         + (_unstable(linear) if linear else [])
         + disagreements(compared, RED)
     ):
-        return RED, tuple(red[:2])
+        return RED, tuple((red[:1] + logged[:1] + red[1:])[:2])
     thin = _thin(linear, period) if linear else []
     if amber := disagreements(compared, AMBER) + contradictions(support) + thin + _laborious(runs):
-        return AMBER, tuple(amber[:2])
+        return AMBER, tuple((amber[:1] + logged[:1] + amber[1:])[:2])
     chance = _per_cent(upper_bound(fell, samples, CONFIDENCE))
     message = f"{fell} of {samples} robots fell: the probability of a fall is below {chance}"
+    if logged:
+        return GREEN, (message, logged[0])
     if linear is None:
         return GREEN, (message, "no linear margins are known")
     delay = "any delay" if math.isinf(linear.delay) else f"{linear.delay * 1e3:.1f} ms more delay"

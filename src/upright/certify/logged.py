@@ -1,0 +1,53 @@
+"""What a log shows of a robot that was not assumed: the certificate then tries the robot that the log shows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.kernel.batch import NAMES
+from upright.robots import Kit, Robot
+
+Array = NDArray[np.float64]
+
+LOADED = ("body_mass", "pitch_inertia", "roll_inertia", "yaw_inertia")  # what goes with the mass of a body
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Logged:
+    """The `kit` as the log shows it, and its numbers `changes` that are drawn for each robot (n,) by dotted name.
+
+    `load` is the body's mass over the assumed one, as estimated, and `loads` (n,) what is drawn. `batteries` [V] and
+    `slopes` [rad] lie outside those expected, and are tried besides.
+    """
+
+    kit: Kit
+    load: float
+    loads: Array
+    changes: Mapping[str, Array]
+    batteries: tuple[float, ...] = ()
+    slopes: tuple[float, ...] = ()
+
+    def part(self, first: int, count: int) -> dict[str, Array]:
+        """The changes of `count` robots from number `first` on; more robots than were drawn for begin again."""
+        return {name: rows(values, first, count) for name, values in self.changes.items()}
+
+    def weighed(self, parameters: Array, first: int = 0) -> Array:
+        """The parameters (n, 21) of robots from number `first` on, with the drawn loads."""
+        result = parameters.copy()
+        columns = [NAMES.index(name) for name in LOADED]
+        result[:, columns] *= rows(self.loads, first, len(parameters))[:, None]
+        return result
+
+
+def rows(values: Array, first: int, count: int) -> Array:
+    """`count` of the values (n,) from number `first` on, from the beginning again where they end."""
+    return values[np.arange(first, first + count) % len(values)]
+
+
+def loaded(robot: Robot, factor: float) -> Robot:
+    """The robot with a body `factor` times as heavy, and of the same shape."""
+    return robot.replace(**{name: factor * getattr(robot, name) for name in LOADED}) if factor != 1 else robot

@@ -1,0 +1,148 @@
+"""The robot that a log shows, in place of the one that was assumed.
+
+A number of the log that is not within what was assumed is taken over: the filter of the next turn knows it, and the
+certificate's robots have it, each a value of its own out of the interval. What is still outside after that is not
+understood, and counts against the certificate.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.certify.checks import Course
+from upright.certify.logged import Logged
+from upright.certify.support import NORMAL, Support, supported, surprise
+from upright.robots import Kit
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+
+TURNS = 8  # of Gauss and Newton's method, in each of which a number may be added
+GYRO = "sensor/gyro"
+LEAST_FACTOR, MOST_UNEQUAL = 0.05, 0.95  # of a scale, a strength or a mass; of half the difference of two motors
+NOT_LEARNT = frozenset({"jitter"})  # the kernel draws none longer than a period
+DIRECT = frozenset({"battery", "battery's sag", "slope"})  # read off, whatever the filter knows
+FROM_ZERO = frozenset({"further delay", "gyro's further delay", "gyro's noise"})  # ranges that do not lie round nominal
+
+
+def as_logged(log: Log, course: Course) -> tuple[Course, tuple[Support, ...], tuple[Support, ...]]:
+    """`course` with what `log` shows in it, what the log then says of the numbers, and those that were taken over, each
+    beside what had been assumed. Raises like `supported`.
+
+    What is read off directly is taken over first, then one number after the other: the one with which the filter
+    foretells the log best, since the rest may only be its image. A number with which it foretells no better is not
+    taken over, and not said.
+    """
+    shown = first = supported(log, course)
+    names, settled = set[str](), False
+    for _ in range(TURNS):
+        new = _next(log, course, shown, names)
+        if not (names | new) or (settled and not new):
+            break
+        names |= new
+        course = _learnt(course, [s for s in shown if s.name in names])
+        shown = supported(log, course)
+        settled = not new and not any(s.outside for s in shown)
+    shown = tuple(s for s in shown if s.name in (*names, *DIRECT, *NOT_LEARNT) or not _strays(s))
+    last = {s.name: s for s in shown}
+    return course, shown, tuple(_in_place_of(s, last.get(s.name, s), course) for s in first if s.name in names)
+
+
+def _next(log: Log, course: Course, shown: Sequence[Support], names: set[str]) -> set[str]:
+    """Which numbers to take over besides those of these `names`."""
+    strays = [s for s in shown if _strays(s) and s.name not in (*names, *NOT_LEARNT)]
+    if direct := {s.name for s in strays if s.name in DIRECT}:
+        return direct
+    if not strays:
+        return set()
+    known = [s for s in shown if s.name in names]
+    now, *then = surprise(log, [course, *(_learnt(course, [*known, s]) for s in strays)])
+    return {strays[int(np.argmin(then))].name} if min(then) < now else set()
+
+
+def _in_place_of(assumed: Support, last: Support, course: Course) -> Support:
+    """What was taken over in all, with the width of the `last` interval, beside what had been `assumed`."""
+    kit, before, logged = course.met_kit, course.kit, course.logged
+    motor, gyro = kit.motor, kit.sensors[GYRO]
+    mean, difference = (motor.left + motor.right) / 2, motor.right - motor.left
+    totals = {
+        "battery's sag": kit.battery.sag, "further delay": kit.delay - before.delay, "dead zone": motor.dead_zone,
+        "gyro's scale": gyro.gain / before.sensors[GYRO].gain, "gyro's noise": gyro.noise,
+        "gyro's further delay": gyro.delay - before.sensors[GYRO].delay, "motors' strength": mean,
+        "difference of the motors": difference / mean,
+        "body's mass": course.robot.body_mass * (logged.load if logged else 1.0),
+    }  # fmt: skip
+    value = totals.get(assumed.name, last.value)
+    half = (last.high - last.low) / 2
+    return replace(assumed, value=value, low=value - half, high=value + half)
+
+
+def _strays(s: Support) -> bool:
+    """Whether the log says another number than the one assumed, and its interval is not within what was assumed."""
+    if "delay" in s.name and s.value <= 0:
+        return False  # it harms no loop
+    nominal = 0.0 if s.name in FROM_ZERO else (s.least + s.most) / 2
+    return not (s.least <= s.low and s.high <= s.most) and not s.low <= nominal <= s.high
+
+
+def _learnt(course: Course, shown: Sequence[Support]) -> Course:
+    """The course moved by what the filter of it shows."""
+    n, kit = len(course.robots), course.met_kit
+    logged = course.logged or Logged(kit=kit, load=1.0, loads=np.ones(1), changes={})
+    changes = dict(logged.changes)
+    for s in shown:
+        rng = np.random.Generator(np.random.Philox([course.seed, sum(s.name.encode())]))
+        drawn = s.value + (s.high - s.low) / (2 * NORMAL) * rng.standard_normal(n)
+        if s.name == "battery":
+            kit = replace(kit, battery=replace(kit.battery, voltage=s.value))
+            logged = replace(logged, batteries=(s.value,))
+        elif s.name == "slope":
+            logged = replace(logged, slopes=(s.value,))
+        elif s.name == "body's mass":
+            load, loads = (np.maximum(x / course.robot.body_mass, LEAST_FACTOR) for x in (s.value, drawn))
+            logged = replace(logged, load=float(load), loads=loads)
+        else:
+            kit, changed = _fitted(kit, s, drawn)
+            changes |= changed
+    return replace(course, logged=replace(logged, kit=kit, changes=changes))
+
+
+def _fitted(kit: Kit, s: Support, drawn: Array) -> tuple[Kit, dict[str, Array]]:
+    """The kit with one number as the log shows it, and what is drawn of it for each robot (n,)."""
+    motor, gyro = kit.motor, kit.sensors[GYRO]
+
+    def other(**numbers: Any) -> Kit:
+        return replace(kit, sensors={**kit.sensors, GYRO: replace(gyro, **numbers)})
+
+    zero, factors = np.maximum(drawn, 0.0), np.maximum(drawn, LEAST_FACTOR)
+    value, factor = max(s.value, 0.0), max(s.value, LEAST_FACTOR)
+    match s.name:
+        case "battery's sag":
+            result = replace(kit, battery=replace(kit.battery, sag=value)), {}
+        case "further delay":
+            late = max(kit.delay + s.value, 0.0)
+            result = replace(kit, delay=late), {"delay": np.maximum(kit.delay + drawn, 0.0)}
+        case "dead zone":
+            result = replace(kit, motor=replace(motor, dead_zone=value)), {"motor.dead_zone": zero}
+        case "gyro's scale":
+            result = other(gain=gyro.gain * factor), {"sensors.gyro.gain": gyro.gain * factors}
+        case "gyro's noise":
+            result = other(noise=value), {"sensors.gyro.noise": zero}
+        case "gyro's further delay":
+            result = other(delay=max(gyro.delay + s.value, 0.0)), dict[str, Array]()
+        case "motors' strength":
+            sides = {"left": motor.left, "right": motor.right}
+            changed = replace(motor, **{side: factor * own for side, own in sides.items()})
+            result = replace(kit, motor=changed), {f"motor.{side}": factors * own for side, own in sides.items()}
+        case _:  # the difference of the motors
+            mean = (motor.left + motor.right) / 2
+            halves = [(motor.right - mean) / mean + x / 2 for x in (s.value, drawn)]
+            one, each = (np.clip(half, -MOST_UNEQUAL, MOST_UNEQUAL) for half in halves)
+            changed = replace(motor, left=mean * float(1 - one), right=mean * float(1 + one))
+            result = replace(kit, motor=changed), {"motor.left": mean * (1 - each), "motor.right": mean * (1 + each)}
+    return result
