@@ -12,8 +12,8 @@ to 10 % are not scored.
 
 With `--outside` a robot differs in one way that its certificate does not know of: battery, slope, mass, delay, dead
 zone, motors, gyro's scale or noise, or in none. Its log is of `LOGGED` seconds under the same controller, driven and
-knocked, in the nonlinear model; the certificate has this log and the spreads of a calibration. It falls where it does
-under any of the standard pushes, in runs of `SECONDS`.
+knocked, in the nonlinear model; the certificate has this log and the spreads of an older calibration. It falls where it
+does under any of the standard pushes, in runs of `SECONDS`.
 """
 
 from __future__ import annotations
@@ -249,7 +249,7 @@ def stranger(number: int, samples: int) -> Stranger:
     if log is None:
         return Stranger(name, design, way, size, "", "no log under a holding controller", fell, False)
     given = certify(controller, robot, kit, samples=samples, seed=number, posterior=unknown, sweeps=False, log=log)
-    return Stranger(name, design, way, size, given.light, given.reasons[0], fell, True)
+    return Stranger(name, design, way, size, given.light, "; ".join(given.reasons), fell, True)
 
 
 def _as_met(controller: LinearController, gain: float, unequal: float) -> LinearController:
@@ -299,13 +299,13 @@ def strangers(first: int, count: int, samples: int, *, each: bool) -> None:
             continue
         if each:
             print(cases[-1], flush=True)
-    print(f"{'':<12}{'no log':>8}{'fell':>6}{'not green':>11}{'held':>6}{'green':>7}{'outside':>9}")
+    print(f"{'':<12}{'no log':>8}{'fell':>6}{'not green':>11}{'held':>6}{'green':>7}{'taken':>9}")
     for way in (*OUTSIDE, "all"):
         own = [c for c in cases if way in (c.way, "all")]
         with_log = [c for c in own if c.logged]
         fell, held = ([c for c in with_log if c.fell is happened] for happened in (True, False))
         numbers = (len(own) - len(with_log), len(fell), sum(c.light != "green" for c in fell), len(held))
-        numbers += (sum(c.light == "green" for c in held), sum("outside" in c.reason for c in with_log))
+        numbers += (sum(c.light == "green" for c in held), sum("as the log shows" in c.reason for c in with_log))
         print(f"{way:<12}" + "".join(f"{n:>{w}}" for n, w in zip(numbers, (8, 6, 11, 6, 7, 9), strict=True)))
 
 

@@ -1,8 +1,9 @@
 """What a log says of the numbers that a certificate takes as given: battery, floor, motors, delays, gyro, load, clock.
 
-The nominal robot's steady Kalman filter follows the log. A number that differs from the assumed one adds a signature to
-its innovations; what robots within their spreads add is taken out as well as it may (ridge regression). The rest gives
-each number's value by least squares, with a 95 % interval that counts the innovations' correlation in time.
+The nominal robot's steady Kalman filter follows the log (`certify.following`). A number that differs from the assumed
+one adds a signature to its innovations; what robots within their spreads add is taken out as well as it may (ridge
+regression). The rest gives each number's value by least squares, with a 95 % interval that counts the innovations'
+correlation in time. The gyro's scale is the likeliest.
 """
 
 from __future__ import annotations
@@ -15,12 +16,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.certify.agreement import SETTLED, at_motors, recorded
+from upright.certify.agreement import at_motors
 from upright.certify.checks import Course, batteries
-from upright.control.delay import MOST_PERIODS, RAW, SampledRobot, sampled
-from upright.control.kalman import Filter, filtered, kalman_filter
+from upright.certify.following import FollowedLog, filtered_log, gyro_scale, moved_by
+from upright.control.delay import MOST_PERIODS, sampled
 from upright.logs.recording import commanded
-from upright.physics.dynamics import turn_ratio
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -34,15 +34,13 @@ PUSH_CORRELATED = 3.0  # [s] the same of the filter's push, which is a slow stat
 
 UNEQUAL = 0.1  # [1] difference of two motors: two standard deviations of two of one make
 STRENGTH = 0.1  # [1] of the motors beyond the robot's spreads: an empty battery or a warm winding takes as much
-GYRO_SCALE = 0.2  # [1] of robots as assumed estimates were up to 0.17 off: the filter knows no dry friction
-GYRO_NOISE = 3.0  # times the kit's: a guess counts as right within a factor of two, and its estimate has one of 1.5
+GYRO_SCALE = 0.2  # [1]
+SCALE_KNOWN = 0.1  # of it: within their spreads robots move the likeliest scale by as much
+GYRO_NOISE = 2.0  # times the kit's: a guess counts as right within a factor of two
 LOAD = 0.3  # [1] of the body's mass beyond its spread, with which the errors of its inertia and height go
 LEVEL = math.radians(1.0)  # [rad] of a floor that counts as level
 EARLIER = -2.0  # [periods] of less delay, which harms no loop
 LATER = 0.5  # [periods] of further delay that count as none
-FAR = 5.0  # usual sizes of an innovation beyond which a push is taken for its cause
-PUSHED = 0.3  # [s] after it that are left out, in which the filter finds the state again
-MOST_PUSHED = 0.5  # of a log that may be left out; where more would be, it is no push
 CLOCK = 1e-3  # [s] resolution of a log's clock
 SAG = 2.0  # times the kit's: a guess counts as right within a factor of two
 FEWEST_VOLTS = 20  # readings of a battery from which its sag is fitted
@@ -164,7 +162,7 @@ def _jitter(log: Log, kit: Kit) -> list[Support]:
 def _dynamics(log: Log, course: Course) -> list[Support]:
     """What the filter's innovations say."""
     robot, kit, unit = course.met_robot, course.met_kit, course.robot.command_unit
-    path, sent, motors = _followed(log, course)
+    path, sent, motors = filtered_log(log, course)
     raw = commanded(log) == "command"
     names, columns = _signatures(path, motors)
     spreads = _spreads(path, course, motors)
@@ -174,10 +172,11 @@ def _dynamics(log: Log, course: Course) -> list[Support]:
     lag = tuple(log.period * x for x in fitted["gyro delay"])
     mass, spread = robot.body_mass, float(np.std([r.body_mass for r in course.robots]))
     most_load = max(LOAD * mass, 2 * spread)
+    scale, within = gyro_scale(log, course), {"least": 1 - GYRO_SCALE, "most": 1 + GYRO_SCALE}
     numbers = [
         _of("motors' strength", "1", 1.0, fitted["strength"], STRENGTH),
         _of("difference of the motors", "1", 0.0, fitted["asymmetry"], UNEQUAL),
-        _of("gyro's scale", "1", 1.0, fitted["gyro scale"], GYRO_SCALE),
+        replace(_of("gyro's scale", "1", scale, (0.0, SCALE_KNOWN * scale), 0.0), **within),
         replace(_of("gyro's further delay", "s", 0.0, lag, LATER * log.period), least=EARLIER * log.period),
         _of("body's mass", "kg", mass, tuple(mass * x for x in fitted["load"]), most_load),
         _slope(path, log.period, course),
@@ -188,86 +187,12 @@ def _dynamics(log: Log, course: Course) -> list[Support]:
     return numbers
 
 
-def _followed(log: Log, course: Course) -> tuple[_Path, Array, Array]:
-    """The nominal filter along the log, the commands and what the motors make of them (n, 2)."""
-    robot, kit = course.met_robot, course.met_kit
-    model = sampled(robot, kit, log.period, longest=MOST_PERIODS)
-    readings, sent = recorded(log, model.delay)
-    motors = at_motors(sent, kit, robot.command_unit, sent=commanded(log) == "command")
-    return _Path.of(kalman_filter(model), readings, motors), sent, motors
-
-
-def surprise(log: Log, courses: Sequence[Course]) -> list[float]:
-    """How far off each course's filter foretells the log: the logarithm of its squared innovations, sensors summed, in
-    the rows in which nobody pushes by the first of them."""
-    paths = [_followed(log, course)[0] for course in courses]
-    return [float(np.log((path.raw[paths[0].keep] ** 2).mean(axis=0) + 1e-30).sum()) for path in paths]
-
-
 def _of(name: str, unit: str, middle: float, numbers: Sequence[float], around: float) -> Support:
     value, wide = middle + numbers[0], numbers[1]
     return Support(name, unit, value, value - wide, value + wide, middle - around, middle + around)
 
 
-@dataclass(frozen=True, eq=False)
-class _Path:
-    """The nominal filter along a log: its `states` (n, states), the readings `predicted` (n, sensors), the weights of
-    its whitened innovations, these, `errors` (rows·sensors,), of the rows in `keep`, and `raw` innovations (n, sensors)
-    of all."""
-
-    estimator: Filter
-    states: Array
-    predicted: Array
-    whiten: Array
-    keep: NDArray[np.bool_]
-    raw: Array
-    errors: Array
-
-    @classmethod
-    def of(cls, estimator: Filter, readings: Array, motors: Array) -> _Path:
-        model = estimator.sampled
-        linear = model.linear
-        first, turn = np.nan_to_num(readings[0]), turn_ratio(model.robot)
-        start = np.zeros(len(linear.A))
-        start[2], start[4] = (first[0] + first[1]) / 2, (first[1] - first[0]) / (2 * turn)
-        for place, name in enumerate(linear.states):
-            start[place] += first[RAW.index(name[:-2])] if "@" in name else 0.0
-        states, errors = filtered(linear.A, linear.C, estimator.L, readings, _moved(model, motors), start)
-        whiten = 1 / np.sqrt(np.diag(linear.C @ estimator.P @ linear.C.T + model.noise))
-        keep: NDArray[np.bool_] = np.isfinite(errors).all(axis=1) & (np.arange(len(errors)) >= SETTLED / model.dt)
-        keep &= ~_pushed(errors, model.dt)
-        whitened = (errors * whiten)[keep].ravel()
-        return cls(estimator, states, np.nan_to_num(readings - errors), whiten, keep, errors, whitened)
-
-    def answer(self, readings: Array, moved: Array) -> Array:
-        """What more of `readings` (n, 3, k), and of what commands add, `moved` (n, states, k), adds to the whitened
-        innovations (rows·sensors, k)."""
-        linear, k = self.estimator.sampled.linear, moved.shape[2]
-        _, errors = filtered(linear.A, linear.C, self.estimator.L, readings, moved, np.zeros((len(linear.A), k)))
-        return (errors * self.whiten[:, None])[self.keep].reshape(-1, k)
-
-    def unknown(self, motors: Sequence[Array]) -> Array:
-        """The signature (rows·sensors, k) of commands (n, 2) that reached the motors besides those that are known."""
-        moved = np.stack([_moved(self.estimator.sampled, more) for more in motors], axis=2)
-        return -self.answer(np.zeros((len(moved), 3, moved.shape[2])), moved)
-
-
-def _pushed(errors: Array, period: float) -> NDArray[np.bool_]:
-    """Rows (n,) at and after innovations (n, sensors) far beyond their usual size: somebody pushed the robot."""
-    there = np.isfinite(errors).all(axis=1) & (np.arange(len(errors)) >= SETTLED / period)
-    usual = 1.4826 * np.median(np.abs(errors[there]), axis=0) if there.any() else np.ones(errors.shape[1])
-    far = (np.abs(np.nan_to_num(errors)) > FAR * usual).any(axis=1)
-    after: NDArray[np.bool_] = np.convolve(far, np.ones(max(1, round(PUSHED / period))))[: len(errors)] > 0
-    return after if after[there].mean() < MOST_PUSHED else np.zeros(len(errors), dtype=np.bool_)
-
-
-def _moved(model: SampledRobot, commands: Array) -> Array:
-    """What commands (n, 2) add to the states in each period (n, states)."""
-    before = np.concatenate([np.zeros((1, 2)), commands[:-1]])
-    return before @ model.before.T + commands @ model.now.T
-
-
-def _signatures(path: _Path, motors: Array) -> tuple[list[str], list[Array]]:
+def _signatures(path: FollowedLog, motors: Array) -> tuple[list[str], list[Array]]:
     """What each number that differs by one unit adds to the innovations."""
     model = path.estimator.sampled
     half = np.array([-0.5, 0.5])
@@ -282,17 +207,17 @@ def _signatures(path: _Path, motors: Array) -> tuple[list[str], list[Array]]:
     return names, [*commands.T, *sensors.T, load]
 
 
-def _others(path: _Path, robots: Sequence[Robot], motors: Array) -> Array:
+def _others(path: FollowedLog, robots: Sequence[Robot], motors: Array) -> Array:
     """What robots that differ add to the innovations (rows·sensors, robots), linear in the difference."""
     model = path.estimator.sampled
-    known, moved = _moved(model, motors), list[Array]()
+    known, moved = moved_by(model, motors), list[Array]()
     for robot in robots:
         other = sampled(robot, model.kit, model.dt, longest=MOST_PERIODS)
-        moved.append(path.states @ (other.linear.A - model.linear.A).T + _moved(other, motors) - known)
+        moved.append(path.states @ (other.linear.A - model.linear.A).T + moved_by(other, motors) - known)
     return -path.answer(np.zeros((len(known), 3, len(moved))), np.stack(moved, axis=2))
 
 
-def _spreads(path: _Path, course: Course, motors: Array) -> Array:
+def _spreads(path: FollowedLog, course: Course, motors: Array) -> Array:
     """What robots within their spreads add (rows·sensors, k), so that their sum with normal weights has their
     covariance."""
     some = course.robots[:DRAWN]
@@ -302,7 +227,7 @@ def _spreads(path: _Path, course: Course, motors: Array) -> Array:
 class _Fit:
     """Least squares of innovations by the first `free` columns, beside others that have normal weights of one."""
 
-    def __init__(self, path: _Path, columns: Array, free: int, period: float) -> None:
+    def __init__(self, path: FollowedLog, columns: Array, free: int, period: float) -> None:
         self.columns, self.free, self.period = columns, free, period
         self.prior = np.diag([1e-6] * free + [1.0] * (columns.shape[1] - free))
         self.scale = 1.0
@@ -328,7 +253,9 @@ class _Fit:
         return float(rest @ rest) / self.scale + float(w @ self.prior @ w)
 
 
-def _profile(fit: _Fit, path: _Path, tried: Sequence[float], others: Callable[[float], Array], known: Array) -> Array:
+def _profile(
+    fit: _Fit, path: FollowedLog, tried: Sequence[float], others: Callable[[float], Array], known: Array
+) -> Array:
     """Value with the least cost among those `tried` and between its neighbours, and the ends of where it is within 95 %
     of it."""
     values, costs = list[float](), list[float]()
@@ -344,7 +271,7 @@ def _profile(fit: _Fit, path: _Path, tried: Sequence[float], others: Callable[[f
     return np.array([values[int(np.argmin(costs))], likely.min(), likely.max()])
 
 
-def _delay(fit: _Fit, path: _Path, motors: Array, period: float) -> Support:
+def _delay(fit: _Fit, path: FollowedLog, motors: Array, period: float) -> Support:
     rows = np.arange(len(motors))
 
     def shifted(periods: float) -> Array:
@@ -356,7 +283,7 @@ def _delay(fit: _Fit, path: _Path, motors: Array, period: float) -> Support:
     return Support("further delay", "s", value, low - half, high + half, EARLIER * period, LATER * period)
 
 
-def _dead_zone(fit: _Fit, path: _Path, sent: Array, motors: Array, kit: Kit, unit: str) -> Support:
+def _dead_zone(fit: _Fit, path: FollowedLog, sent: Array, motors: Array, kit: Kit, unit: str) -> Support:
     least = LEAST_ZONE * float(np.abs(motors).max())
     unit_zone = max(kit.motor.dead_zone, least)
     most = 0.9 * float(np.abs(sent).max())  # a dead zone beyond all commands is a strength of zero
@@ -369,7 +296,7 @@ def _dead_zone(fit: _Fit, path: _Path, sent: Array, motors: Array, kit: Kit, uni
     return Support("dead zone", unit, value, low, high, 0.0, 2 * unit_zone)
 
 
-def _slope(path: _Path, period: float, course: Course) -> Support:
+def _slope(path: FollowedLog, period: float, course: Course) -> Support:
     """The floor's slope from the steady push that the filter sees, apart from friction, which turns with the wheels."""
     linear, robot = path.estimator.sampled.linear, course.met_robot
     rows = path.keep
@@ -386,7 +313,7 @@ def _slope(path: _Path, period: float, course: Course) -> Support:
     return Support("slope", "rad", angle, angle - wide, angle + wide, min(tried) - LEVEL, max(tried) + LEVEL)
 
 
-def _noise(log: Log, kit: Kit, path: _Path) -> list[Support]:
+def _noise(log: Log, kit: Kit, path: FollowedLog) -> list[Support]:
     """The gyro's noise from third differences, in which the motion nearly vanishes, of its readings or of its
     innovations, in which a fast motion is foretold: the smaller one."""
     gyro, sensor = log["sensor/gyro"], kit.sensors["sensor/gyro"]

@@ -15,8 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.certify.checks import Course
+from upright.certify.following import filtered_log, surprise
 from upright.certify.logged import Logged
-from upright.certify.support import NORMAL, Support, supported, surprise
+from upright.certify.support import NORMAL, Support, supported
 from upright.robots import Kit
 from upright.signals import Log
 
@@ -42,12 +43,12 @@ def as_logged(log: Log, course: Course) -> tuple[Course, tuple[Support, ...], tu
     names, settled = set[str](), False
     for _ in range(TURNS):
         new = _next(log, course, shown, names)
-        if not (names | new) or (settled and not new):
+        if not new and (settled or not names):
             break
         names |= new
         course = _learnt(course, [s for s in shown if s.name in names])
         shown = supported(log, course)
-        settled = not new and not any(s.outside for s in shown)
+        settled = not new and not any(s.outside for s in shown if s.name in names)
     shown = tuple(s for s in shown if s.name in (*names, *DIRECT, *NOT_LEARNT) or not _strays(s))
     last = {s.name: s for s in shown}
     return course, shown, tuple(_in_place_of(s, last.get(s.name, s), course) for s in first if s.name in names)
@@ -61,7 +62,8 @@ def _next(log: Log, course: Course, shown: Sequence[Support], names: set[str]) -
     if not strays:
         return set()
     known = [s for s in shown if s.name in names]
-    now, *then = surprise(log, [course, *(_learnt(course, [*known, s]) for s in strays)])
+    tried = [course, *(_learnt(course, [*known, s]) for s in strays)]
+    now, *then = (surprise(filtered_log(log, one)[0]) for one in tried)
     return {strays[int(np.argmin(then))].name} if min(then) < now else set()
 
 
