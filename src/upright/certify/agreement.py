@@ -89,8 +89,8 @@ def agreement(log: Log, course: Course) -> tuple[Agreement, ...]:
     for row, standard in enumerate(standard_pushes(course.robot, course.kit).values()):
         some = replace(course, robots=course.robots[:DRAWN], progress=None)
         for result in watched(some, standard.push, row, (*RAW, *APPLIED)):
-            seen, moved = np.split(result.trace[~result.fell], [3], axis=2)
-            agreements.append(innovation_size(estimator, seen, moved * sides))
+            readings, moved = np.split(result.trace[~result.fell], [3], axis=2)
+            agreements.append(innovation_size(estimator, readings, moved * sides))
     standing = np.concatenate(agreements)
     largest = standing.max(axis=0) if len(standing) else np.ones(3)
     return tuple(

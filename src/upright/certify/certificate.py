@@ -204,11 +204,12 @@ def certify(
 
     `posterior` is an `Uncertainty`, or a file by `upright calibrate --save`; its medians are then the nominal robot. By
     default robots are drawn from the spreads in the robot's file. `log` is a recording of this robot, read through
-    `mapping`. Without a `posterior` the robot is first calibrated from it. The log is also compared with the
-    assumptions. `sweeps` adds further dead times and other periods, on which the light does not depend. Controller,
-    robot and kit may be names or files. A controller that no law describes, such as one of your own, is called for
-    each robot: 1000 samples take minutes. `progress` receives the fraction done. Raises `SpecMismatch` for a controller
-    that does not fit, `InvalidScenario` for too few samples, `InvalidLog` for a log that cannot be compared.
+    `mapping`. Without a `posterior` the robot is first calibrated from it. What it contradicts of the assumptions is
+    tried as the log shows it, with the pushes that were asked for. `sweeps` adds further dead times and other periods,
+    on which the light does not depend. Controller, robot and kit may be names or files. A controller that no law
+    describes, such as one of your own, is called for each robot: 1000 samples take minutes. `progress` receives the
+    fraction done. Raises `SpecMismatch` for a controller that does not fit, `InvalidScenario` for too few samples,
+    `InvalidLog` for a log that cannot be compared.
     """
     given = find_robot(robot)
     nominal, unknown = at_medians(given, posterior)
@@ -227,11 +228,8 @@ def certify(
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
     _check_family(family, nominal)
     course = Course(kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads)
-    shown, taken = tuple[Support, ...](), tuple[Support, ...]()
-    if recording:
-        course, shown, taken = as_logged(recording, course)
-    if progress:
-        course = replace(course, progress=RunCounter(course.runs, progress))
+    course, shown, taken = as_logged(recording, course) if recording else (course, (), ())
+    course = replace(course, progress=RunCounter(course.runs, progress)) if progress else course
     runs, fallen, beyond = trials(course)
     linear, period = linear_margins(design, course.met_robot, course.met_kit), design.spec.period
     fell, hopeless = int(fallen.sum()), int(beyond.sum())

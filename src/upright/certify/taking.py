@@ -127,8 +127,8 @@ def _fitted(kit: Kit, s: Support, drawn: Array) -> tuple[Kit, dict[str, Array]]:
         case "battery's sag":
             result = replace(kit, battery=replace(kit.battery, sag=value)), {}
         case "further delay":
-            late = max(kit.delay + s.value, 0.0)
-            result = replace(kit, delay=late), {"delay": np.maximum(kit.delay + drawn, 0.0)}
+            further = max(kit.delay + s.value, 0.0)
+            result = replace(kit, delay=further), {"delay": np.maximum(kit.delay + drawn, 0.0)}
         case "dead zone":
             result = replace(kit, motor=replace(motor, dead_zone=value)), {"motor.dead_zone": zero}
         case "gyro's scale":
