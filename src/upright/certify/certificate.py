@@ -235,7 +235,6 @@ def certify(
     fell, hopeless = int(fallen.sum()), int(beyond.sum())
     compared = agreement(recording, course) if recording else ()
     light, reasons = judge(len(family), fell, linear, runs, period, compared, shown, beyond=hopeless, taken=taken)
-    spreads = unknown or Uncertainty.of(nominal)
     examined = sweeps and robots is None and not course.controller.called and red(fell, len(family))
     who = identity(design)
     return Certificate(
@@ -244,7 +243,7 @@ def certify(
         fell=fell, beyond=hopeless, linear=linear, trials=runs, agreement=compared, support=shown, taken=taken,
         subject=subject, asked=who.asked, response=who.response,
         delayed=delayed(course) if sweeps else (), slower=slower(course) if sweeps else (),
-        narrowing=narrowing(course, spreads, fallen) if examined else None,
+        narrowing=narrowing(course, unknown or Uncertainty.of(nominal), fallen) if examined else None,
     )  # fmt: skip
 
 
