@@ -27,6 +27,7 @@ from upright.control.delay import RAW
 from upright.control.law import as_law, program
 from upright.experiment import Impulse, Push, run
 from upright.lab.by_hand import gains_program
+from upright.lab.codec import plain
 from upright.lab.export import export
 from upright.lab.handin import read_hand_in
 from upright.lab.printed import printed_law, printed_robot, reading
@@ -322,13 +323,29 @@ def test_a_link_carries_robot_controller_and_push(page, site):
 
 
 @marked
-def test_a_link_of_the_worksheet_sets_the_page_up_too(page, site):
-    page.goto("about:blank")
-    page.goto(site.as_uri() + fragment(TASKS[1]))
-    page.wait_for_function("window.upright?.page.drawnFirst")
-    given = TASKS[1].setup
-    setup = page.evaluate("upright.store.setup")
-    assert (setup["seed"], setup["controller"], tuple(setup["gains"])) == (given.seed, given.controller, given.gains)
+def test_links_of_the_worksheet_set_the_page_up_too(page):
+    """One after the other in an open page: nothing of the task before stays."""
+    for task in (TASKS[2], TASKS[1], TASKS[2], TASKS[0]):
+        page.evaluate(f"location.hash = {fragment(task)!r}")
+        page.wait_for_function(f"upright.store.setup.seed === {task.setup.seed}")
+        setup = page.evaluate("upright.store.setup")
+        assert {name: setup[name] for name in task.given} == {name: plain(task.setup)[name] for name in task.given}
+        assert task.name != "gains" or tuple(setup["gains"]) == task.setup.gains
+    page.evaluate("location.hash = '#payload=0.12&payload_height=0.3'")  # which this page does not have
+    page.wait_for_function("upright.store.setup.seed === 0")
+    assert page.evaluate("upright.store.setup.payload") == 0
+
+
+@marked
+def test_a_payload_is_put_on_and_taken_off(page):
+    page.click("#tab-Robot")
+    weight = page.evaluate("upright.store.changed.look.weight")
+    page.click("[data-key=load]")
+    assert "300 g" in page.inner_text("label[for=load]")
+    # 300 g more, at 9.81 m/s² or what the preset has: a part in a hundred
+    assert page.evaluate("upright.store.changed.look.weight") - weight == pytest.approx(0.3 * 9.81, rel=0.01)
+    page.click("[data-key=load]")
+    assert page.evaluate("upright.store.changed.look.weight") == weight
 
 
 @pytest.mark.parametrize(
@@ -394,6 +411,7 @@ def test_it_is_pushed_by_mouse_key_and_button(page):
         ({"robot": "nxtway-gs", "controller": "lqg"}, 0.05),
         ({"robot": "nxtway-gs", "controller": "gains", "noise": 3, "delay": 0.01, "slope": 0.02}, 0.0),
         ({"robot": "twipr", "controller": "hinf", "seed": 5}, 0.05),
+        ({"robot": "nxtway-gs", "controller": "lqi", "payload": 0.3, "payload_height": 0.3}, 0.0),
     ],
 )
 def test_what_a_student_hands_in_is_run_again(page, tmp_path, setup, lean):

@@ -7,6 +7,7 @@ from dataclasses import KW_ONLY, dataclass, fields
 
 from upright.lab.handin import HandIn, RunResult
 from upright.lab.messages import Setup, Strike
+from upright.lab.plant import LOAD
 
 HELD = 3.0
 """[s] that a named hold lasts."""
@@ -73,7 +74,7 @@ TASKS = (
         "en": ("By hand", "Move the gains until the robot survives Hold front and still stands 5 s after its release.",
                "Which gain keeps it from rolling away? Which one damps it?"),
     }),
-    Task("payload", Setup(bodies=_BODIES, seed=1903, payload=0.3, payload_height=0.3), _ROBOT, _held, texts={
+    Task("payload", Setup(bodies=_BODIES, seed=1903, payload=LOAD[0], payload_height=LOAD[1]), _ROBOT, _held, texts={
         "es": ("Una carga desconocida", "El robot lleva 300 g a 30 cm sobre el eje. Elija un controlador que soporte "
                "Sostener por delante y siga de pie 5 s después.",
                "El controlador no conoce la carga. ¿Qué margen lo salva?"),

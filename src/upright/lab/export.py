@@ -17,7 +17,7 @@ from upright.errors import InvalidRobot, UnknownName, UprightError, check_within
 from upright.lab.by_hand import gains_program
 from upright.lab.codec import plain
 from upright.lab.messages import VERSION, Analysed, Setup, Welcome
-from upright.lab.plant import BY_HAND, EXPORTED, OFF, Plant, behind, body_of, families, is_bare
+from upright.lab.plant import BY_HAND, EXPORTED, LOAD, OFF, Plant, behind, body_of, families, is_bare, loaded
 from upright.lab.printed import printed_law, printed_robot, reading
 from upright.lab.recording import MARK, inlined, page_text
 from upright.lab.tasks import analysed
@@ -67,9 +67,10 @@ def export(
             raise UnknownName("controller", name, CONTROLLERS)
     methods = list(controllers) or [f.name for f in families() if f.name not in (BY_HAND, OFF, *NOT_USUAL)]
     page, ready = inlined(page_text()), list[PrintedRobot]()
+    begins = Setup().robot if Setup().robot in names else names[0]
     for robot in chosen:
         progress(len(ready) / len(chosen))
-        ready.append(printed(robot, methods, say=say))
+        ready.append(printed(robot, methods, say=say, load=LOAD if robot.name == begins else None))
     script = exported_script(ready)
     make_folder(path.parent)
     return write_text(path, page.replace(MARK, f"<script>{script}</script>"))
@@ -90,18 +91,25 @@ def _place(folder: Path) -> Path:
 
 @dataclass(frozen=True)
 class PrintedRobot:
-    """A robot's `motion` and its controllers' `laws` as JavaScript, and the other `facts` as JSON has them."""
+    """A robot's `motion`, that under a payload (or nothing) and its controllers' `laws` as JavaScript, and the other
+    `facts` as JSON has them."""
 
     robot: Robot
     motion: str
+    laden: str
     laws: Mapping[str, str]
     facts: Mapping[str, Any]
 
 
-def printed(robot: Robot, methods: Sequence[str], *, say: Callable[[str], None]) -> PrintedRobot:
-    """The robot behind its own kit, with the controllers of these `methods`; raises `InvalidRobot` if none fits."""
+def printed(
+    robot: Robot, methods: Sequence[str], *, say: Callable[[str], None], load: tuple[float, float] | None = None
+) -> PrintedRobot:
+    """The robot behind its own kit, with the controllers of these `methods`, and with a `load` [kg, m] that can be put
+    on it; raises `InvalidRobot` if none of the controllers fits."""
     kit = find_kit(robot.kit)
     motion, numbers = printed_robot(robot, kit)
+    laden = printed_robot(loaded(robot, *load), kit)[0] if load else ""
+    numbers["laden"] = _shown(robot, kit, load) if load else None
     laws: dict[str, str] = {}
     controllers: dict[str, Any] = {}
     for name in methods:
@@ -116,7 +124,11 @@ def printed(robot: Robot, methods: Sequence[str], *, say: Callable[[str], None])
         laws[BY_HAND] = JavaScriptPrinter(gains_program(robot, kit)).text()
         own = {"kind": "gains by hand", "truth": False, "gains": gains, "analysed": plain(UNKNOWN)}
         controllers[BY_HAND] = {**reading(RAW, kit.period, kit), **own}
-    return PrintedRobot(robot, motion, laws, {**numbers, **_shown(robot, kit), "controllers": controllers})
+    facts = {
+        "title": robot.title, "kit_name": kit.name, "setup": _setup_part(robot, kit), "every": kit.period,
+        "delay_own": kit.delay, **numbers, **_shown(robot, kit), "controllers": controllers,
+    }  # fmt: skip
+    return PrintedRobot(robot, motion, laden, laws, facts)
 
 
 def _designed(robot: Robot, kit: Kit, name: str) -> tuple[str, dict[str, Any]]:
@@ -129,16 +141,14 @@ def _designed(robot: Robot, kit: Kit, name: str) -> tuple[str, dict[str, Any]]:
     return text, {**facts, **own, "analysed": plain(analysis)}
 
 
-def _shown(robot: Robot, kit: Kit) -> dict[str, Any]:
+def _shown(robot: Robot, kit: Kit, load: tuple[float, float] = (0.0, 0.0)) -> dict[str, Any]:
     """What the page draws and says of the robot, and what a pull at a wheel [N] turns into as a command."""
-    setup = Setup(robot=robot.name)
-    body = body_of("nonlinear", Plant(robot, robot, kit), setup, EXPORTED)
+    laden = loaded(robot, *load)
+    setup = Setup(robot=robot.name, payload=load[0], payload_height=load[1])
+    body = body_of("nonlinear", Plant(robot, laden, kit), setup, EXPORTED)
     body.pull(1.0)
-    return {
-        "title": robot.title, "kit_name": kit.name, "setup": _setup_part(robot, kit), "every": kit.period,
-        "delay_own": kit.delay, "pull": body.twist,
-        "look": plain(look_of(robot, setup, behind(body, kit).spec.limit)), "equations": plain(equations(robot)),
-    }  # fmt: skip
+    look = look_of(laden, setup, behind(body, kit).spec.limit)
+    return {"pull": body.twist, "look": plain(look), "equations": plain(equations(laden))}
 
 
 def _setup_part(robot: Robot, kit: Kit) -> dict[str, Any] | None:
@@ -162,8 +172,9 @@ def exported_script(robots: Sequence[PrintedRobot]) -> str:
     }  # fmt: skip
     text = json.dumps(plain(facts), separators=(",", ":"), ensure_ascii=False, allow_nan=False)
     motions = _object({p.robot.name: p.motion for p in robots})
+    laden = _object({p.robot.name: p.laden for p in robots if p.laden})
     laws = _object({p.robot.name: _object(p.laws) for p in robots})
-    data = _object({"facts": text.replace("<", "\\u003c"), "motions": motions, "laws": laws})
+    data = _object({"facts": text.replace("<", "\\u003c"), "motions": motions, "laden": laden, "laws": laws})
     return f'"use strict";\n{functions()}globalThis.{NAME} = {data};\n'
 
 

@@ -73,6 +73,10 @@ def setup_of(robot: Robot, setup: Setup) -> Setup:
     return replace(changed, largest=(), gains=())
 
 
+LOAD = (0.3, 0.3)
+"""The one payload of a page without Python, and of the worksheet: mass [kg], and height above the axle [m]."""
+
+
 def loaded(robot: Robot, payload: float, height: float) -> Robot:
     """The robot with a point mass [kg] on its body, `height` [m] above the axle (parallel axes)."""
     if not payload:

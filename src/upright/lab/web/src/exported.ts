@@ -20,17 +20,22 @@ export interface Controller {
   Sy?: number[][];
 }
 
-export interface Facts {
+/** What is drawn and said of a robot, and the command [V or N m] that a pull of 1 N at a wheel turns into. */
+interface Shown {
+  pull: number;
+  look: Look;
+  equations: Equations;
+}
+
+export interface Facts extends Shown {
   title: string;
   kit_name: string;
   period: number;
   every: number;
   delay_own: number;
-  pull: number;
   setup: Partial<Setup> | null; // what makes this robot in the live lab; null where its kit is a file
   kit: Kit | null;
-  look: Look;
-  equations: Equations;
+  laden: Shown | null; // the same under the one payload that can be put on it
   linear: Parameters<typeof linearMotion>[0];
   controllers: Record<string, Controller>;
 }
@@ -38,6 +43,7 @@ export interface Facts {
 export interface Exported {
   facts: { version: string; catalogue: Catalogue; welcome: Welcome; robots: Record<string, Facts> };
   motions: Record<string, Motion>;
+  laden: Record<string, Motion>;
   laws: Record<string, Record<string, Law>>;
 }
 
@@ -61,7 +67,7 @@ export interface Link {
   push: [string, number] | null;
 }
 
-const NUMBERS = ["slope", "noise", "delay", "seed"] as const;
+const NUMBERS = ["slope", "noise", "delay", "seed", "payload", "payload_height"] as const;
 
 export function toHash(setup: Setup, push: Link["push"]): string {
   const parts = new URLSearchParams({ robot: setup.robot, controller: setup.controller });
@@ -93,11 +99,13 @@ export function fromHash(hash: string, data: Exported): Link {
   if (Object.hasOwn(facts.controllers, controller) || controller === OFF) setup.controller = controller;
   const gains = (parts.get("gains") ?? "").split(",").map(Number);
   if (gains.length === 6 && gains.every(Number.isFinite)) setup.gains = gains;
-  const ranges: Record<(typeof NUMBERS)[number], [number, number]> = { slope: [-0.2, 0.2], noise: [0, 20], delay: [-1, 0.05], seed: [0, 2 ** 31] };
+  const ranges: Record<(typeof NUMBERS)[number], [number, number]> = { slope: [-0.2, 0.2], noise: [0, 20], delay: [-1, 0.05], seed: [0, 2 ** 31], payload: [0, 5], payload_height: [0, 1] };
   for (const name of NUMBERS) {
     const value = Number(parts.get(name) ?? NaN);
     if (value >= ranges[name][0] && value <= ranges[name][1]) setup[name] = name === "seed" ? Math.floor(value) : value;
   }
+  const load = facts.laden?.look;
+  if (setup.payload !== load?.payload || setup.payload_height !== load?.payload_height) [setup.payload, setup.payload_height] = [0, DEFAULT_SETUP.payload_height];
   setup.bodies = parts.get("ghost") === "0" ? [BODIES[0]] : [...BODIES];
   const [what, size] = (parts.get("push") ?? "").split(":");
   const range = Object.hasOwn(PUSHES, what) ? PUSHES[what] : [0, -1];
@@ -180,7 +188,8 @@ export class LocalSession {
   }
 
   get facts(): Facts {
-    return this.data.facts.robots[this.setup.robot];
+    const facts = this.data.facts.robots[this.setup.robot];
+    return this.setup.payload && facts.laden ? { ...facts, ...facts.laden } : facts;
   }
 
   private get controller(): Controller | null {
@@ -194,7 +203,8 @@ export class LocalSession {
   /** Do what a link says: its set-up, and a second later its push. */
   open(hash: string): void {
     const { setup, push } = fromHash(hash, this.data);
-    this.changeTo({ ...this.setup, gains: [], ...setup });
+    const { slope, noise, delay, seed } = DEFAULT_SETUP; // which a link leaves out
+    this.changeTo({ ...this.setup, slope, noise, delay, seed, gains: [], ...setup });
     window.clearTimeout(this.timer);
     this.push = push;
     if (push) this.timer = window.setTimeout(() => this.pushed(...push), 1000);
@@ -234,18 +244,20 @@ export class LocalSession {
     const controller = known ? asked.controller : Object.keys(there)[0];
     const gains = asked.gains.length === 6 ? asked.gains : (there.gains?.gains ?? []);
     const bodies = BODIES.filter((name, i) => i === 0 || asked.bodies.includes(name));
+    const load = asked.payload ? robots[robot].laden?.look : undefined;
+    const { payload, payload_height } = load ?? DEFAULT_SETUP;
     const [before, same] = [this.setup, this.lanes.length > 0 && robot === this.setup.robot];
-    this.setup = { ...asked, robot, controller, gains, bodies };
+    this.setup = { ...asked, robot, controller, gains, bodies, payload, payload_height };
     this.recorder.stop();
     const alike = same && bodies.length === this.lanes.length;
-    const still = alike && controller === before.controller && asked.noise === before.noise && asked.delay === before.delay;
+    const still = alike && controller === before.controller && asked.noise === before.noise && asked.delay === before.delay && payload === before.payload;
     const main = same && !this.lanes[0].loop.fallen ? this.lanes[0].state() : [0, 0, 0, 0, 0, 0];
     const starts = bodies.map((_, i) => (alike && !this.lanes[i].loop.fallen ? this.lanes[i].state() : main));
     if (still) for (const lane of this.lanes) lane.loop.control.gains = gains;
     else this.build(starts);
     if (!alike) this.kept = [];
     if (!same) this.traced();
-    this.said(!same);
+    this.said(!same || payload !== before.payload);
   }
 
   /** Tell the page how it stands now. */
@@ -288,7 +300,7 @@ export class LocalSession {
     const law = controller ? this.data.laws[setup.robot][setup.controller] : null;
     const stride = controller?.stride ?? Math.round(facts.every / facts.period);
     const control = { law, reads: controller?.reads ?? [], stride, gains: setup.gains };
-    const motions = setup.bodies.map((name) => (name === BODIES[0] ? this.data.motions[setup.robot] : linearMotion(facts.linear)));
+    const motions = setup.bodies.map((name) => (name === BODIES[0] ? this.data[setup.payload ? "laden" : "motions"][setup.robot] : linearMotion(facts.linear)));
     const kit = this.kit();
     this.lanes = motions.map((motion, i) => new Lane(facts, motion, kit, { ...control }, starts[i] ?? [0, 0, 0, 0, 0, 0], setup.seed));
     this.target.fill(0);

@@ -17,6 +17,7 @@ export class ExportedRobotPanel {
   private title = h("p", { className: "note" });
 
   private ghost: HTMLInputElement | null = null;
+  private load: HTMLInputElement | null = null;
 
   constructor(private session: () => LocalSession | null) {}
 
@@ -32,20 +33,27 @@ export class ExportedRobotPanel {
     ];
     const ghost = h("input", { type: "checkbox", id: "ghost", "data-key": "ghost", onchange: () => store.change({ bodies: ghost.checked ? ["nonlinear", "linear"] : ["nonlinear"] }) });
     this.ghost = ghost;
-    const own = button(t("ownKit"), () => store.change({ slope: 0, noise: 1, delay: -1 }), { className: "quiet", "data-key": "own-kit" });
+    const load = h("input", { type: "checkbox", id: "load", "data-key": "load", onchange: () => store.change({ payload: load.checked ? 1 : 0 }) });
+    this.load = load;
+    const own = button(t("ownKit"), () => store.change({ slope: 0, noise: 1, delay: -1, payload: 0 }), { className: "quiet", "data-key": "own-kit" });
     replace(
       this.root,
-      h("div", { className: "column" }, choice, this.title, h("label", { "for": "ghost", className: "check" }, ghost, t("ghost"))),
+      h("div", { className: "column" }, choice, this.title, h("label", { "for": "ghost", className: "check" }, ghost, t("ghost")), this.carried),
       h("div", { className: "column wide" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root), h("p", { className: "note" }, t("stays")), own)),
     );
     this.update();
   }
+
+  private carried = h("label", { "for": "load", className: "check" });
 
   update(): void {
     const box = this.root.querySelector<HTMLSelectElement>("[data-key=robot]");
     if (box && document.activeElement !== box) box.value = store.setup.robot;
     if (this.ghost) this.ghost.checked = store.setup.bodies.length > 1;
     const facts = this.session()?.facts;
+    const laden = facts?.laden?.look;
+    replace(this.carried, ...(laden && this.load ? [this.load, t("carries", { mass: digits(laden.payload * 1000, 3), height: digits(laden.payload_height * 100, 3) })] : []));
+    if (this.load) this.load.checked = store.setup.payload > 0;
     this.title.textContent = facts ? `${translate(facts.title)} (${t("kit")}: ${facts.kit_name})` : "";
     for (const [name, s] of this.sliders) s.set(name === "delay" ? (store.changed?.kit.delay ?? 0) : store.setup[name]);
   }
