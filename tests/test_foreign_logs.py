@@ -9,12 +9,14 @@ import numpy as np
 import pytest
 
 from upright.cli.main import main
+from upright.doctor.doctor import doctor
 from upright.errors import InvalidLog
 from upright.logs.draft import behaviour, draft
 from upright.logs.mapping import Mapping, Source, apply, propose
 from upright.logs.raw import raw_log
 from upright.logs.readers import RawTable, read_table
 from upright.signals import Log
+from upright.validate.validate import validate
 
 N = 120
 T = 0.01 * np.arange(N)
@@ -185,9 +187,49 @@ def test_one_encoder_stands_for_both_wheels_only_where_no_side_is_named() -> Non
     assert {s.column for s in named.channels.values()} == {"enc_l", "enc_r"}
 
 
-@pytest.mark.parametrize(("largest", "volts"), [(80.0, 6.4), (200.0, 8.0 * 200 / 255), (1023.0, 8.0)])
+def test_names_of_other_programs_are_understood() -> None:
+    """Motors beside encoders are commands, and alone angles; `encoder` ends in no side; a row counter is no wheel."""
+    zeros = np.zeros(3)
+
+    def read(*names: str) -> dict[str, tuple[str, str]]:
+        mapping = propose(RawTable(dict.fromkeys(("t", *names), zeros)))
+        return {channel: (source.column, source.unit) for channel, source in mapping.channels.items()}
+
+    both = read("left_motor", "right_motor", "left_encoder", "right_encoder")
+    assert both[SENSORS[0]] == ("left_encoder", "")
+    assert both["command/right"] == ("right_motor", "")
+    assert read("left_motor", "right_motor") == {SENSORS[0]: ("left_motor", ""), SENSORS[1]: ("right_motor", "")}
+    assert read("encoder", "gyro").keys() == {*SENSORS}
+    assert read("counter", "gyro").keys() == {SENSORS[2]}
+    assert read("enc_l_rev", "enc_r_rev")[SENSORS[0]] == ("enc_l_rev", "turn")
+    bought = read("wl", "wr", "tau_l_mNm", "tau_r_mNm")
+    assert bought[SENSORS[1]] == ("wr", "")
+    assert bought["command/left"] == ("tau_l_mNm", "mN m")
+    assert read("torque_left", "torque_right")["command/left"] == ("torque_left", "N m")
+
+
+def test_a_command_has_the_unit_that_somebody_stated_or_none() -> None:
+    """Volts taken for torques, or torques for volts, are refused for a robot of the other drive; what nobody stated is
+    not."""
+    columns = {"t": T, "gyro": GYRO, "enc": WHEEL, "u_l": VOLTS, "u_r": VOLTS}
+    assert apply(propose(RawTable(columns)), RawTable(columns)).unit("command/left") == ""
+    ours = RawTable({"t": T, "applied/left": VOLTS, "applied/right": VOLTS}, {"applied/left": "N m"})
+    assert apply(propose(ours), ours).unit("applied/left") == "N m"
+    moving = Log(T, {"applied/left": VOLTS, "applied/right": VOLTS, SENSORS[0]: WHEEL, SENSORS[2]: GYRO})
+    with pytest.raises(InvalidLog, match="in V; expected N m, as those of 'twipr'"):
+        validate("twipr", moving)
+
+
+def test_columns_that_no_name_tells_are_missed_and_nothing_is_read_into_the_rest() -> None:
+    """A gyro in degrees alone: no pose is known without wheels, so that its mean is no offset."""
+    found = doctor(RawTable({"t": T, "gyro": (GYRO + 0.2) / DEGREE, "alpha": WHEEL, "beta": VOLTS}))
+    assert found.codes() == ["columns/missing"]
+    assert "no column is recognised as encoders or commands" in str(found)
+
+
+@pytest.mark.parametrize(("largest", "volts"), [(0.8, 6.4), (80.0, 6.4), (200.0, 8.0 * 200 / 255), (1023.0, 8.0)])
 def test_full_duty_is_the_smallest_usual_number_that_no_row_exceeds(largest: float, volts: float) -> None:
-    """A duty of 80 of 100, 200 of 255 and 1023 of 1023, on a battery of 8 V."""
+    """A duty of 0.8 of 1, 80 of 100, 200 of 255 and 1023 of 1023, on a battery of 8 V."""
     columns = {"time_s": T, "gyro": GYRO, "pwm_left": largest * np.cos(4 * T), "vbat": np.full(N, 8.0)}
     table = RawTable(columns)
     assert apply(propose(table), table)["command/left"].max() == pytest.approx(volts, rel=1e-9)

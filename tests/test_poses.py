@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from upright import calibrate
 from upright.bodies import Electronics, NonlinearBody
 from upright.control import lqg
 from upright.diagnose import post_mortem
 from upright.doctor.doctor import Diagnosis, doctor
+from upright.doctor.wheels import on_its_wheels
+from upright.errors import InvalidLog
 from upright.experiment import Drive, Impulse, run
+from upright.logs.readers import RawTable, read_table
 from upright.robots import Kit, Robot
 from upright.signals import Log
 
@@ -208,3 +214,72 @@ def test_rows_that_the_file_says_were_left_out_are_named(tmp_path: Path) -> None
     assert "samples/controller" in doctor(tmp_path / "x.csv").codes()
     (tmp_path / "x.csv").write_text("# decim=1\n" + (tmp_path / "y.csv").read_text().split("\n", 1)[1])
     assert "samples/controller" not in doctor(tmp_path / "x.csv").codes()
+
+
+def test_a_log_cut_in_the_midst_of_a_swing_has_no_gyro_offset() -> None:
+    """A robot that swings by 1.2 rad: the log's ends lie 1.1 rad apart, which its pitch estimate shows. A sine solves
+    the pendulum equation, where the wheels run against it."""
+    t = T * np.arange(290)
+    angle = 1.2 * np.sin(2.5 * t - 0.2)
+    log = Log(t, {GYRO: 3.0 * np.cos(2.5 * t - 0.2), PITCH: angle, LEFT: -3 * angle, RIGHT: -3 * angle})
+    assert abs(angle[-1] - angle[0]) > 1.0
+    assert "gyro/bias" not in doctor(log).codes()
+    found = doctor(Log(t, {**log.channels, GYRO: log[GYRO] + 0.3}))
+    (bias,) = [f for f in found.findings if f.code == "gyro/bias"]
+    assert float(bias.repair.split()[1]) == pytest.approx(0.3, abs=0.02)
+
+
+def test_only_the_time_on_the_wheels_is_fitted() -> None:
+    """It lies for 3 s, stands up within 0.3 s, balances for 4 s, falls within 0.5 s, and lies."""
+    log = joined([resting(3.0), turned(-1.4, 0.3)], [turned(1.3, 0.5, 3.0), resting(2.0)], chasing=12.0)
+    part, left = on_its_wheels(log)
+    assert part.t[0] == pytest.approx(3.3, abs=0.15)
+    assert part.t[-1] == pytest.approx(7.8, abs=0.15)
+    assert re.search(r"lying at \+1\.[34]\d rad from 0 to 3", left)
+    assert "fallen" in left
+    assert on_its_wheels(log, falling=False)[0].t[-1] < 7.6
+    assert on_its_wheels(balanced()) == (balanced(), "")
+
+
+def test_a_robot_on_its_back_is_not_calibrated() -> None:
+    """Its gyro is made of a pitch estimate, which alone knows that it is upside down."""
+    t = T * np.arange(300)
+    pitch = 3.05 + 0.01 * np.sin(9 * t)
+    channels = {PITCH: pitch, GYRO: np.gradient(pitch, T), LEFT: np.sin(3 * t), RIGHT: np.sin(3 * t)}
+    channels |= dict.fromkeys(("applied/left", "applied/right"), np.cos(3 * t))
+    with pytest.raises(InvalidLog, match="upside down"):
+        calibrate(Log(t, channels, origin={"derived": {GYRO: PITCH}}), "nxtway-gs")
+
+
+def test_times_since_1970_are_told_to_the_hundredth() -> None:
+    log = joined([], [turned(1.3, 0.5, 3.0)], chasing=12.0)
+    (fall,) = [f for f in doctor(Log(log.t + 1.7e9, log.channels, log.units)).findings if f.code == "segment/fall"]
+    assert "use t < 170000000" in fall.repair
+    assert "e+09" not in fall.evidence + fall.repair
+
+
+# Rows of a measured log, cut where nobody would: what its authors and its own tilt say is in the README beside it.
+CUTS = {
+    "twipr/run1.csv": (0, 220, ["balancing"]),  # stuck by friction up to row 204
+    "twipr/run2_all.csv": (1100, 1500, ["lying", "standing up", "balancing"]),
+}
+
+
+@pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.needs(f"shared/data/{n}")) for n in CUTS])
+def test_a_measured_log_cut_anywhere_gets_no_false_alarm(shared: Path, name: str) -> None:
+    first, last, poses = CUTS[name]
+    table = read_table(shared / "data" / name)
+    part = replace(table, columns={n: x[first:last] for n, x in table.columns.items()})
+    found = doctor(part)
+    assert kinds(found) == poses
+    assert not {"units/scale", "motion/differentiated", "gyro/bias"} & set(found.codes())
+
+
+@pytest.mark.needs("shared/data/twipr/run1.csv")
+def test_a_measured_log_in_other_units_gets_no_false_alarm(shared: Path) -> None:
+    """Torques that nobody named are not read as volts, whose back-EMF would be a thousandth of a motor's."""
+    raw = read_table(shared / "data/twipr/run1.csv").columns
+    names = {"t": "t_s", "gyro": "theta_dot_radps", "wl": "speed_left_radps", "wr": "speed_right_radps",
+             "u_l": "u_left_Nm", "u_r": "u_right_Nm"}  # fmt: skip
+    found = doctor(RawTable({mine: raw[theirs] for mine, theirs in names.items()}))
+    assert [f.code for f in found.findings if f.severity == "error"] == []

@@ -29,6 +29,7 @@ from upright.calibrate.informativity import INERTIAL, too_quiet
 from upright.calibrate.learnt_kit import learnt_kit
 from upright.calibrate.noise import Bounds, learn_noise
 from upright.calibrate.parameters import most_friction, parameters_of
+from upright.doctor.wheels import on_its_wheels
 from upright.errors import DesignFailed, InvalidLog
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.pace import pace_of
@@ -114,7 +115,8 @@ def calibrate(
 
     began = time.perf_counter()
     show = progress or unwatched
-    several = [raw_log(log, mapping) for log in ([logs] if isinstance(logs, Log | str | os.PathLike) else logs)]
+    given = [raw_log(log, mapping) for log in ([logs] if isinstance(logs, Log | str | os.PathLike) else logs)]
+    several, left = zip(*map(on_its_wheels, given), strict=True) if given else ((), ())
     nominal = find_robot(robot)
     parts = find_kit(kit or nominal.kit)
     stated, limits = prepared(several, nominal, parts, known, held_out)
@@ -131,7 +133,8 @@ def calibrate(
     fit = Fitted(problem, z, normal, paths)
     result = summarised(fit, several, reason, began, stated=stated)
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
-    notes = [str(pace) + "." for pace in map(pace_of, several) if pace and not pace.kept]
+    notes = [text for text in left if text]
+    notes += [str(pace) + "." for pace in map(pace_of, several) if pace and not pace.kept]
     return replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
 
 

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from upright.control.delay import rolling
 from upright.control.mpc import largest_command
 from upright.diagnose.innovations import FULL_RANGE, FilterRun
-from upright.doctor.finding import FALLING, Record, Segment
+from upright.doctor.finding import FALLING, Segment
 from upright.doctor.poses import segments
+from upright.doctor.wheels import record_of
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
 from upright.physics.linear import linearise
@@ -66,14 +67,14 @@ def falling_lean(run: FilterRun) -> tuple[Array, Array] | None:
 
 def last_fall(log: Log) -> Segment | None:
     """The last fall of a log by its integrated motion."""
-    falls = [segment for segment in segments(_record(log)) if segment.kind == FALLING]
+    falls = [segment for segment in segments(record_of(log)) if segment.kind == FALLING]
     return falls[-1] if falls else None
 
 
 def against(log: Log, fall: Segment) -> tuple[str, ...]:
     """What worked against its purpose in a fall, in words: wheels that turn against their commands, or commands that
     drive away from the fall."""
-    record, prefix = _record(log), commanded(log)
+    record, prefix = record_of(log), commanded(log)
     rows = (log.t >= fall.start) & (log.t < fall.stop)
     if not prefix or rows.sum() < 3:
         return ()
@@ -99,17 +100,6 @@ def _lean_at(run: FilterRun, t: float) -> float:
     """The filter's pitch at t, where it is plausible."""
     i = min(int(np.searchsorted(run.t, t)), len(run.t) - 1)
     return float(np.clip(run.after[i, 0], -PLAUSIBLE, PLAUSIBLE))
-
-
-def _record(log: Log) -> Record:
-    """What the doctor's poses read; wheel angles are summed where only rates were logged."""
-    steps = np.diff(log.t, prepend=log.t[0])
-    channels = dict(log.channels)
-    for side in ("left", "right"):
-        rate = f"sensor/encoder_rate_{side}"
-        if rate in log:
-            channels[f"sensor/encoder_{side}"] = np.cumsum(np.nan_to_num(log[rate]) * steps)
-    return Record(log.t, channels, log.units)
 
 
 @dataclass(frozen=True)
@@ -232,7 +222,7 @@ class Blocked:
 def blocked(log: Log, robot: Robot, start: float, force: float) -> Blocked | None:
     """Whether what pushed with a `force` from `start` [s] on was something that the robot drove into: it opposes the
     motion, and the wheels neither go on nor are thrown back."""
-    record = _record(log)
+    record = record_of(log)
     names = [name for name in RATES if name in record.channels]
     if not names:
         return None

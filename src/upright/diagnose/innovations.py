@@ -132,7 +132,7 @@ def follow(log: Log, robot: Robot, kit: Kit, sent: Array | None = None) -> Filte
     others = {n: v for n, v in log.channels.items() if not n.startswith(("applied/", "truth/", "command/"))}
     channels = {n: _inside(v, kit, n) for n, v in others.items()} | dict(zip(names, sent.T, strict=True))
     result = filter_log(
-        _long_enough(Log(log.t, channels), names), robot, kit,
+        _long_enough(Log(log.t, channels, {n: log.unit(n) for n in channels}), names), robot, kit,
         delay=_dead_time(names[0], kit), disturbance=PROCESS_NOISE, friction=DRY_FRICTION_NOISE,
     )  # fmt: skip
     run = FilterRun(**vars(result), robot=robot, kit=kit, log=log, asked=asked)
@@ -146,7 +146,7 @@ def _long_enough(log: Log, commands: Sequence[str]) -> Log:
         return log
     t = np.concatenate([log.t, log.t[-1] + log.period * np.arange(1, more + 1)])
     last = {n: v[-1] if n in commands else math.nan for n, v in log.channels.items()}
-    return Log(t, {n: np.concatenate([v, np.full(more, last[n])]) for n, v in log.channels.items()})
+    return Log(t, {n: np.concatenate([v, np.full(more, last[n])]) for n, v in log.channels.items()}, log.units)
 
 
 def _dead_time(name: str, kit: Kit) -> float:

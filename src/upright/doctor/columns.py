@@ -13,10 +13,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.doctor.finding import GYRO, LEFT, RIGHT, Record
+from upright.doctor.finding import GYRO, LEFT, PITCH, RIGHT, Record
 from upright.doctor.physics import Resampled, motor, pendulum, resampled
 from upright.logs.draft import clock_of, draft, looks, rate_of
-from upright.logs.mapping import Mapping, Source, full_duty
+from upright.logs.mapping import COMMANDS, Mapping, Source, full_duty
 from upright.logs.readers import RawTable
 from upright.logs.units import UNITS
 
@@ -37,6 +37,19 @@ ROWS = 3000  # of the log, on which they are tried
 COUPLING = 1.6  # [1] q of the pendulum equation: a22/a11 plus what the rotor adds, of robots that were measured
 GYROS = ("rad/s", "deg/s", "mrad/s", "mdeg/s")
 PERIOD = 0.01  # [s] taken where no column is a clock
+
+
+def lacking(mapping: Mapping) -> str:
+    """What a mapping lacks of encoders, commands, and a gyro or a tilt, in words; '' where it has all."""
+    groups = {"encoders": (LEFT, RIGHT), "commands": COMMANDS[:2] if COMMANDS[0] in mapping.channels else COMMANDS[2:]}
+    without = [name for name, channels in groups.items() if not set(channels) <= mapping.channels.keys()]
+    without += [] if {GYRO, PITCH} & mapping.channels.keys() else ["a gyro"]
+    return " or ".join(without)
+
+
+def spare(mapping: Mapping, table: RawTable) -> bool:
+    """Whether a table has columns that a mapping does not read, from which others may be chosen."""
+    return bool(set(mapping.ignored(table)) - set(table.text))
 
 
 class _Choice(NamedTuple):

@@ -16,10 +16,22 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.doctor import columns, delays, motion, poses, rates, segments, sensors, time, units
-from upright.doctor.finding import BALANCING, FEWEST, GYRO, LEFT, RIGHT, SEVERITIES, Finding, Record, Segment, note
+from upright.doctor.finding import (
+    BALANCING,
+    FEWEST,
+    GYRO,
+    LEFT,
+    RIGHT,
+    SEVERITIES,
+    Finding,
+    Record,
+    Segment,
+    note,
+    warning,
+)
 from upright.doctor.fixes import repaired
 from upright.errors import InvalidLog
-from upright.logs.mapping import Mapping, Source, channels_of, find_mapping, propose
+from upright.logs.mapping import GUESS, Mapping, Source, channels_of, find_mapping, propose
 from upright.logs.readers import RawTable, read_table, table_of
 from upright.progress import Progress, unwatched
 from upright.robots import Robot, find_robot
@@ -175,13 +187,25 @@ def doctor(
 
 
 def _proposed(table: RawTable) -> tuple[Mapping, list[Finding]]:
-    """The mapping by the columns' names, or where these say nothing, by how the columns move, and a note on that."""
+    """The mapping by the columns' names, or where these do not say enough, by how the columns move, and what to tell of
+    that."""
+    named: Mapping | None = None
     try:
-        return propose(table), []
+        named = propose(table)
     except InvalidLog:
         mapping = columns.by_physics(table)
         if mapping is None or not mapping.time.column:  # nobody knows how fast rows without a clock follow each other
             raise
+    else:
+        lacking = columns.lacking(named) if named.name == GUESS else ""
+        mapping = columns.by_physics(table) if lacking and columns.spare(named, table) else None
+        if not lacking:
+            return named, []
+        if mapping is None or not mapping.time.column or columns.lacking(mapping):
+            text = f"no column is recognised as {lacking}: what rests on them is not judged"
+            return named, [
+                warning("columns/missing", named.time.column, text, "--write-mapping MINE.toml, and edit it")
+            ]
     text = "no name says what the columns are: they were taken for what they move like"
     return mapping, [note("columns/unnamed", mapping.time.column, text, "check them, and --write-mapping MINE.toml")]
 
@@ -224,7 +248,15 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [partial(units.commands, robot=robot)],
         [units.estimates, sensors.bias, sensors.saturation, sensors.grain, sensors.quiet],
         [delays.delays],
-        [sensors.contaminated, rates.faster_controller, segments.still, segments.slips, segments.fall, segments.aside],
+        [
+            sensors.contaminated,
+            rates.faster_controller,
+            segments.still,
+            segments.slips,
+            segments.fall,
+            segments.aside,
+            segments.short,
+        ],
     ]
 
 

@@ -31,6 +31,11 @@ LEANING = (STANDING, LYING, OVER, FALLEN)
 """Poses on the wheels, in which the equations of motion hold, and those with one lean."""
 
 
+def moment(t: float) -> str:
+    """A time [s] in words: three digits, or hundredths where a clock counts from long ago."""
+    return f"{t:.3g}" if abs(t) < 1000 else f"{t:.2f}"
+
+
 @dataclass(frozen=True)
 class Segment:
     """A part of a log by its pose (`kind`), from `start` to `stop` [s], and the median `lean` [rad]."""

@@ -34,8 +34,8 @@ def kinds(record: Record) -> list[Finding]:
     plain = pendulum(m, m.wheel)
     other = pendulum(m, m.wheel, gyro_order=1)
     as_logged = plain.r2 if _direction(plain) else 0.0
-    if other.r2 < TRUSTED or not _direction(other) or other.r2 < as_logged + _MARGIN:
-        return []
+    if not plain.values or other.r2 < max(TRUSTED, plain.r2) or not _direction(other) or other.r2 < as_logged + _MARGIN:
+        return []  # as logged it fits better, though a wheel that friction holds may hide what gravity does
     shown = f"fit the pendulum equation (R² {other.r2:.2f})"
     if _wheel_is_rate(m):
         evidence = (

@@ -30,7 +30,10 @@ _MOST_ROWS = 6_000  # of a regression, spread over the log; more do not change t
 _MOST_RESPONSE_ROWS = 20_000  # of a response, which is small against the noise
 _TRIM = 0.9  # fraction of the rows that are kept: pushes, slip and stops affect the rest
 _REACH = 0.12  # [s] largest delay of the search
-_LEAST_ROWS = 100
+LEAST_ROWS = 100
+_LEAST_KERNELS = 2.0 * 2 * np.sqrt(np.pi)
+"""[kernel widths] of motion that a fit needs: 2√π of them are one independent sample, and two are fewer than the
+numbers that are fitted."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -74,7 +77,7 @@ def motion(record: Record) -> Resampled | None:
     if m is None:
         return None
     good = m.good & record.on_wheels(m.t)
-    return replace(m, good=good) if good.sum() >= _LEAST_ROWS else None
+    return replace(m, good=good) if good.sum() >= LEAST_ROWS else None
 
 
 def resampled(record: Record) -> Resampled | None:
@@ -125,6 +128,13 @@ def _rows(m: Resampled, width: float) -> NDArray[np.intp]:
     return inside[:: max(1, len(inside) // _MOST_ROWS)]
 
 
+def _moving(values: Array) -> float:
+    """How many of the rows hold the motion: all of a steady one, one of a single peak."""
+    squares = values**2
+    most = float(squares.max(initial=0.0))
+    return float(squares.sum() ** 2 / (squares @ squares)) if most > 0 else 0.0
+
+
 def _regress(y: Array, X: Array, positive: bool) -> tuple[Array, float, NDArray[Any]]:
     """Trimmed least squares with an intercept, R² on the rows kept, and these rows."""
     keep = np.ones(len(y), dtype=bool)
@@ -154,7 +164,7 @@ def lagged(
     Rows are trimmed at the best lag of a first pass, so that the second compares all lags on the same rows.
     """
     rows = _rows(m, width)
-    if len(rows) < _LEAST_ROWS // 2 or not target[rows].any():
+    if len(rows) < LEAST_ROWS // 2 or not target[rows].any():
         return LaggedFit((), 0.0)
     shifts = np.arange(round(reach[0] / m.period), round(reach[1] / m.period) + 1)
     X0 = np.column_stack([x[rows] for x in fixed]) if fixed else np.empty((len(rows), 0))
@@ -170,7 +180,10 @@ def lagged(
     r2s = quick(keep)
     i = int(np.argmax(r2s))
     part = _vertex(r2s, i)
-    values, r2, _ = _regress(target[rows], design(int(shifts[i])), positive)
+    X = design(int(shifts[i]))
+    values, r2, _ = _regress(target[rows], X, positive)
+    if _moving((X - X.mean(axis=0)) @ values) * m.period < _LEAST_KERNELS * width:
+        return LaggedFit((), 0.0)
     left_over = 1 - r2s[[j for j in (i - 2, i, i + 2) if 0 <= j < len(r2s)]]
     sharp = float(np.sort(left_over)[1] / max(1 - r2s[i], 1e-12))
     return LaggedFit(tuple(values.tolist()), r2, float((shifts[i] + part) * m.period), sharp)
@@ -276,7 +289,7 @@ def responses(
     rows = np.arange(order + 1, len(u) - reach - 1)
     rows = rows[~beside(~m.good, order + reach)[rows]]
     rows = rows[:: max(1, len(rows) // _MOST_RESPONSE_ROWS)]
-    if len(rows) < _LEAST_ROWS:
+    if len(rows) < LEAST_ROWS:
         return {}
     past = [x[rows - i] for x in channels.values() for i in range(order)] + [u[rows - i] for i in range(1, order + 1)]
     Q = np.linalg.qr(np.column_stack([*past, np.ones(len(rows))]))[0]

@@ -23,11 +23,12 @@ from upright.doctor.finding import (
     Fix,
     Record,
     Segment,
+    moment,
     note,
     warning,
 )
 from upright.doctor.fixes import beside, runs
-from upright.doctor.physics import Resampled, motion, pendulum, resampled, smooth, widths
+from upright.doctor.physics import LEAST_ROWS, Resampled, motion, pendulum, resampled, smooth, widths
 from upright.doctor.poses import at_rest, lean_of
 
 _MOST = 10  # reported events of one kind
@@ -48,8 +49,10 @@ def _fell(record: Record, segment: Segment) -> Finding:
     rate = smooth(m.gyro, m.period, widths(m.period)[0])[(m.t >= segment.start) & (m.t < segment.stop)]
     turn, fastest = abs(float(rate.sum())) * m.period, float(np.abs(rate).max())
     how = "where the log ends" if segment is record.segments[-1] else "and then the robot lies"
-    evidence = f"from t = {segment.start:.3g} s the pitch turns by {turn:.2g} rad at up to {fastest:.2g} rad/s, {how}"
-    repair = f"use t < {segment.start - _BEFORE:.3g} s"
+    evidence = (
+        f"from t = {moment(segment.start)} s the pitch turns by {turn:.2g} rad at up to {fastest:.2g} rad/s, {how}"
+    )
+    repair = f"use t < {moment(segment.start - _BEFORE)} s"
     return warning("segment/fall", m.gyro_name, evidence, repair, span=(segment.start, segment.stop))
 
 
@@ -64,7 +67,7 @@ def aside(record: Record) -> list[Finding]:
     findings: list[Finding] = []
     for segment in [segment for segment in record.segments if segment.kind in _ASIDE][:_MOST]:
         leaning = f" at {segment.lean:+.2f} rad" if segment.kind in LEANING else ""
-        evidence = f"from {segment.start:.3g} to {segment.stop:.3g} s {_ASIDE[segment.kind]}{leaning}"
+        evidence = f"from {moment(segment.start)} to {moment(segment.stop)} s {_ASIDE[segment.kind]}{leaning}"
         evidence += ": signs, units, delays and offsets are not judged there"
         code = f"segment/{segment.kind.replace(' ', '-')}"
         span = segment.start, segment.stop
@@ -85,8 +88,18 @@ def _kept(record: Record) -> list[Finding]:
     if stop - start < _LEAST * record.period:
         return []
     cut = Fix("cut", numbers=(start, stop))
-    evidence = f"the longest time on the wheels is from {start:.3g} to {stop:.3g} s"
-    return [Finding("segment/cut", "note", "t", evidence, f"use {start:.3g} ≤ t < {stop:.3g} s", (cut,))]
+    evidence = f"the longest time on the wheels is from {moment(start)} to {moment(stop)} s"
+    return [Finding("segment/cut", "note", "t", evidence, f"use {moment(start)} ≤ t < {moment(stop)} s", (cut,))]
+
+
+def short(record: Record) -> list[Finding]:
+    """Too few rows on the wheels for any check that needs an equation of motion."""
+    m = resampled(record)
+    rows = int((m.good & record.on_wheels(m.t)).sum()) if m is not None else 0
+    if not 0 < rows < LEAST_ROWS:
+        return []
+    evidence = f"{rows} rows on the wheels, not {LEAST_ROWS}: units, signs and delays are not judged"
+    return [note("segment/short", "t", evidence, "log for longer")]
 
 
 def on_wheels(record: Record) -> list[tuple[float, float]]:
@@ -115,11 +128,9 @@ def _standing(record: Record, m: Resampled, a: int, b: int, rate: Array) -> Find
     start, end = float(m.t[a]), float(m.t[b - 1])
     driven = float(np.abs((m.commands[0] + m.commands[1])[a:b] / 2).mean()) if m.commands is not None else 0.0
     unit = record.units.get(record.commands[0], "") if record.commands else ""
-    evidence = (
-        f"from {start:.3g} to {end:.3g} s (rows {a} to {b - 1}) the wheels stand still and the gyro reads noise of "
-    )
-    evidence += f"{rate[a:b].std():.2g} rad/s, with a mean command of {driven:.2g} {unit}: held by hand, or stuck by "
-    evidence += "friction"
+    evidence = f"from {moment(start)} to {moment(end)} s (rows {a} to {b - 1}) the wheels stand still and the gyro "
+    evidence += f"reads noise of {rate[a:b].std():.2g} rad/s, with a mean command of {driven:.2g} {unit}: held by hand, "
+    evidence += "or stuck by friction"
     return note("segment/still", m.gyro_name, evidence, "exclude these rows from a fit", span=(start, end))
 
 
@@ -159,7 +170,9 @@ def _events(m: Resampled, miss: Array, loud: NDArray[np.bool_], scatter: float) 
         both = min(float(part.max()), float(-part.min())) / largest
         balance = abs(float(part.sum())) / float(np.abs(part).sum())
         span = float(m.t[a + join]), float(m.t[b - 1 - join])
-        evidence = f"from {span[0]:.3g} to {span[1]:.3g} s the wheels deviate from the pendulum equation by up to "
+        evidence = (
+            f"from {moment(span[0])} to {moment(span[1])} s the wheels deviate from the pendulum equation by up to "
+        )
         evidence += f"{largest:.3g} rad/s², {largest / scatter:.0f} standard deviations"
         if both > 0.35 and balance < 0.35:
             evidence += ", in both directions: the wheels slip"

@@ -22,7 +22,8 @@ from upright.doctor.finding import (
     warning,
 )
 from upright.doctor.fixes import COARSE, grain_of, levels, runs, stale
-from upright.doctor.physics import motion, smooth, widths
+from upright.doctor.physics import motion, resampled, smooth, widths
+from upright.doctor.poses import lean_of
 from upright.doctor.segments import on_wheels
 
 _QUIET = 0.012
@@ -130,12 +131,15 @@ def _piled(values: Array) -> tuple[float, int]:
 
 
 def bias(record: Record) -> list[Finding]:
-    """A gyro whose mean over the longest time on the wheels exceeds what a net change of pitch explains."""
-    spans = on_wheels(record) if record.segments else [(-np.inf, np.inf)]
+    """A gyro whose mean over the longest time on the wheels exceeds what a net change of pitch explains.
+
+    Without poses nobody knows whether the robot was upright, nor in which unit the gyro is.
+    """
+    spans = on_wheels(record)
     if GYRO not in record or not spans:
         return []
     start, stop = max(spans, key=lambda span: span[1] - span[0])
-    record = record.rows((record.t >= start) & (record.t < stop))
+    whole, record = record, record.rows((record.t >= start) & (record.t < stop))
     if len(record.t) < 50:
         return []
     gyro, span = record[GYRO], float(record.t[-1] - record.t[0])
@@ -143,7 +147,8 @@ def bias(record: Record) -> list[Finding]:
     step = np.diff(record.t)
     known = step < GAP * record.period  # the motion within a gap is unknown
     mean = float((np.where(fine, gyro, 0.0)[1:] * step)[known].sum() / step[known].sum())
-    lean = min(0.6, 0.1 + 4 * float(_swing(record)))
+    mean -= _turned(whole, record) / span
+    lean = min(0.6, 0.1 + 4 * float(_swing(record).std()))
     limit = max(0.02, lean / span)
     if abs(mean) <= limit:
         return []
@@ -154,12 +159,22 @@ def bias(record: Record) -> list[Finding]:
     return [warning("gyro/bias", GYRO, evidence, f"subtract {mean:.4g} rad/s", Fix("offset", (GYRO,), (-mean,)))]
 
 
-def _swing(record: Record) -> float:
-    """Standard deviation of the pitch [rad], from the gyro without its slow part."""
+def _turned(whole: Record, part: Record) -> float:
+    """By how much the lean differs [rad] between the ends of a part of a log, where it is known by another sensor."""
+    m = resampled(whole)
+    lean = lean_of(whole, m) if m is not None and m.gyro is not None else None
+    if m is None or lean is None or not lean.absolute:
+        return 0.0
+    first, last = np.interp(part.t[[0, -1]], m.t, lean.angle).tolist()
+    return last - first
+
+
+def _swing(record: Record) -> Array:
+    """The pitch [rad] without its slow part, from the gyro."""
     period = record.period
     rate = np.where(np.isfinite(record[GYRO]), record[GYRO], 0.0)
     angle = np.cumsum(rate - rate.mean()) * period
-    return float((angle - smooth(angle, period, 0.5)).std())
+    return angle - smooth(angle, period, 0.5)
 
 
 def grain(record: Record) -> list[Finding]:
@@ -189,7 +204,8 @@ def quiet(record: Record) -> list[Finding]:
     if m is None or m.gyro is None:
         return []
     on = record.on_wheels(record.t)
-    swing = float(np.sqrt(2)) * _swing(record.changed({GYRO: np.interp(record.t, m.t, m.gyro)}).rows(on))
+    still = _swing(record.changed({GYRO: np.interp(record.t, m.t, m.gyro)}).rows(on))
+    swing = float(np.sqrt(2)) * float(still.std())
     if not 0 < swing < _QUIET:
         return []
     evidence = f"the pitch amplitude is only {swing:.2g} rad: resolution and friction are as large as the dynamics"

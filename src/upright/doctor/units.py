@@ -117,8 +117,9 @@ def _estimated(record: Record, m: Resampled, values: tuple[float, ...]) -> dict[
 
 
 def back_emf(record: Record, m: Resampled) -> float:
-    """Volts for each rad/s of a steady wheel, by the motor equation; 0 for another drive or where it does not fit."""
-    if m.commands is None or record.torque_driven:
+    """Volts for each rad/s of a steady wheel, by the motor equation; 0 where that does not fit, or the commands are
+    torques or in an unknown unit."""
+    if m.commands is None or record.commands is None or record.units.get(record.commands[0], "V") in ("N m", ""):
         return 0.0
     fit = motor(m, (m.commands[0] + m.commands[1]) / 2, m.left, m.right, None)
     return fit.values[1] if fit.r2 > 0.8 and len(fit.values) > 1 else 0.0

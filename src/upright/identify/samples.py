@@ -14,9 +14,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidLog, UnknownName
 from upright.identify.arx import FirstResponse, arx, first_response
-from upright.logs.recording import check_clock, one_encoder
+from upright.logs.recording import check_clock, check_unit, one_encoder
 from upright.robots import Kit, Robot, Sensor, find_kit
 from upright.signals import Log
 from upright.tables import sentence
@@ -98,8 +99,9 @@ def samples(
     if not 0 <= held_out < 0.9:
         raise InvalidLog(f"a held-out fraction of {held_out:g}", expected="between 0 and 0.9")
     parts_of_robot = kit or find_kit(robot.kit)
+    log, left = on_its_wheels(log, falling=False) if source == "sensors" else (log, "")
     prefix, commands = _commands(log, robot)
-    notes = _clock(log)
+    notes = [*([left] if left else []), *_clock(log)]
     halves = _from_states(log, commands) if source == "states" else _from_sensors(log, robot, parts_of_robot, commands)
     notes += _faster(log)
     ready = _ready(halves, log, parts_of_robot, None if delay is None else round(delay / log.period), notes)
@@ -148,12 +150,7 @@ def _commands(log: Log, robot: Robot) -> tuple[str, Array]:
         )  # fmt: skip
     if len(log) < FEWEST:
         raise InvalidLog(f"the log has {len(log)} samples", expected=f"at least {FEWEST} for a model of its motion")
-    unit = log.unit(f"{prefix}/left")
-    if unit in ("V", "N m") and unit != robot.command_unit:
-        raise InvalidLog(
-            f"the log's commands are in {unit}", expected=f"{robot.command_unit}, as those of '{robot.name}'",
-            likely="another robot", hint="name the robot with --robot",
-        )  # fmt: skip
+    check_unit(log, prefix, robot)
     commands = np.column_stack([_whole(log, f"{prefix}/{side}") for side in ("left", "right")])
     if np.ptp(commands, axis=0).max() == 0:
         raise InvalidLog("the commands never change", expected="motors at work", likely="a log of a robot switched off")

@@ -211,6 +211,8 @@ def undelayed(log: Log, delays: Mapped[str, float]) -> Log:
     return Log(log.t[keep], {name: values[keep] for name, values in channels.items()}, log.units, log.origin)
 
 
+GUESS = "guess"  # name of a mapping by the names of columns
+COMMANDS = ("command/left", "command/right", "applied/left", "applied/right")
 MOST = 1e30
 """Of a number in a log of any unit, times in nanoseconds included: squares and cubes of it do not overflow."""
 
@@ -230,12 +232,14 @@ def _summed(rates: Array, t: Array) -> Array:
 def _unit(name: str, source: Source, units: Mapped[str, str]) -> str:
     if source.times:
         return units[source.times]
+    if name in COMMANDS and not source.unit:
+        return ""  # volts or torques: nobody says
     si = UNITS[source.unit][1]
     if source.integrate:
         si = si.removesuffix("/s")
     elif source.differentiate:
         si = f"{si}/s"
-    if name in KNOWN and si not in ("V", "N m") and not (si == "1" and name.startswith(("command/", "applied/"))):
+    if name in KNOWN and si not in ("V", "N m") and not (si == "1" and name in COMMANDS):
         return KNOWN[name].unit  # the scale converts it: metres per second over the radius are radians per second
     return si
 
@@ -244,12 +248,15 @@ def identity(table: RawTable) -> Mapping:
     """The mapping of a file with our own names: `t`, and channels with a '/'."""
     # A known channel that holds text is mapped too, so that reading it raises the error.
     names = [name for name in table.columns if name != TIME and "/" in name] + [n for n in table.text if n in KNOWN]
-    return Mapping("ours", Source(column=TIME, unit="s"), {name: Source(column=name) for name in names})
+    sources = {name: Source(column=name, unit=_stated_unit(name, table)) for name in names}
+    return Mapping("ours", Source(column=TIME, unit="s"), sources)
 
 
-_ENCODER = r"(?:enc\w*|cnt|count\w*|tacho\w*|pos\w*|angle|wheel|motor\w*)"
+_ENCODER = r"(?:(?:enc|encoder|cnt|counts?|tacho|pos|angle|wheel|motor) ?|(?:enc|count|tacho|pos|motor)\w* )"
+_WHEEL = r"(?:enc\w*|cnt|count\w*|tacho\w*|pos\w*|angle|wheel|motor\w*)"
 _RATE = r"(?:speed|vel\w*|omega|w)"
-_COMMAND = r"\b(?:pwm|duty(?: cycle)?|volt\w*|u|cmd|command|torque|power)"
+_COMMAND = r"\b(?:pwm|duty(?: cycle)?|volt\w*|u|cmd|command|torque|tau|power)"
+_MOTOR = r"\bmotor (?:l|left|r|right)\b|\b(?:l|left|r|right) motor\b"  # an angle; beside encoders, a command
 _BODY_RATE = (
     r"(?:pitch|tilt|theta|psi|body)[ _]?(?:rate|dot|vel|speed)|gyro(?: (?:y|raw|rate|spd|speed))?\b"
     r"|\bgyr y\b|angular (?:velocity|rate) y\b"
@@ -257,9 +264,9 @@ _BODY_RATE = (
 _SIDE = {"left": r"(?:l|left)", "right": r"(?:r|right)"}
 
 _WORDS: Sequence[tuple[str, str]] = (
-    (rf"{_ENCODER} ?(?:l|left)\b|\b(?:l|left) ?{_ENCODER}", "sensor/encoder_left"),
-    (rf"{_ENCODER} ?(?:r|right)\b|\b(?:r|right) ?{_ENCODER}", "sensor/encoder_right"),
-    *((rf"\b{_RATE} {s}\b|\b{s} {_RATE}\b", f"rate of sensor/encoder_{name}") for name, s in _SIDE.items()),
+    (rf"{_ENCODER}(?:l|left)\b|\b(?:l|left) ?{_WHEEL}", "sensor/encoder_left"),
+    (rf"{_ENCODER}(?:r|right)\b|\b(?:r|right) ?{_WHEEL}", "sensor/encoder_right"),
+    *((rf"\b{_RATE} ?{s}\b|\b{s} {_RATE}\b", f"rate of sensor/encoder_{name}") for name, s in _SIDE.items()),
     *((rf"{_COMMAND} ?{s}\b|\b{s} {_COMMAND}\b", f"command/{name}") for name, s in _SIDE.items()),
     (r"\b(?:pitch|tilt|lean)(?: (?:rad|deg|x10|est\w*|angle))*$|gyro ?(?:ang\w*|est\w*)", "estimate/pitch"),
     (_BODY_RATE, "sensor/gyro"),
@@ -274,7 +281,8 @@ _WORDS: Sequence[tuple[str, str]] = (
 _SUFFIXES: Sequence[tuple[str, str]] = (
     (r"\brad(?:ps| s|s)\b", "rad/s"), (r"\bdeg(?:ps| s|s)\b|\bdps\b", "deg/s"), (r"\bdeg\b", "deg"),
     (r"\brad\b", "rad"), (r"mv\b", "mV"), (r"\b(?:ms|millis)\b", "ms"), (r"\b(?:us|micros)\b", "us"),
-    (r"\bns\b", "ns"), (r"\bn?nm\b", "N m"), (r"\b(?:pwm|duty|percent)", "%"), (r"\brpm\b", "rpm"),
+    (r"\bns\b", "ns"), (r"\bm ?nm\b", "mN m"), (r"\bn?nm\b", "N m"), (r"\b(?:pwm|duty|percent)", "%"),
+    (r"\brpm\b", "rpm"), (r"\b(?:turns?|revs?|revolutions?)\b", "turn"), (r"\b(?:torque|tau)\b", "N m"),
 )  # fmt: skip
 
 
@@ -295,8 +303,10 @@ def propose(table: RawTable) -> Mapping:
 
 def _guess(table: RawTable) -> Mapping:
     sources: dict[str, Source] = {}
-    for column in table.columns:
+    for column in sorted(table.columns, key=lambda column: bool(re.search(_MOTOR, _plain(column)))):
         name = _recognised(column)
+        if name in sources and re.search(_MOTOR, _plain(column)):
+            name = name.replace("sensor/encoder_", "command/")
         key = name.removeprefix("rate of ")
         if name and key not in sources:
             sources[key] = Source(column=column, unit=_named_unit(column, table), integrate=name.startswith("rate of"))
@@ -315,13 +325,15 @@ def _guess(table: RawTable) -> Mapping:
             full = full_duty(table.columns[source.column])
             unit, scale = ("%", 1.0) if full == 100 and times else ("1", 1.0 if not times else 1 / full)
             sources[name] = Source(column=source.column, unit=unit, scale=scale, times=times)
-    return Mapping("guess", time, sources, about="guessed from the names of the columns; check it")
+    return Mapping(GUESS, time, sources, about="guessed from the names of the columns; check it")
 
 
 def full_duty(values: Array) -> float:
-    """The number that means full duty: the smallest usual one that no row exceeds (Arduino 255; 10 and 12 bits)."""
+    """The number that means full duty: the smallest usual one that no row exceeds (fraction; per cent; Arduino 255; 10
+    and 12 bits)."""
     largest = float(np.nanmax(np.abs(values), initial=0.0))
-    return next((full for full in (100.0, 255.0, 1000.0, 1023.0, 4095.0) if largest <= full), 100.0)
+    usual = (1.0, 100.0, 255.0, 1000.0, 1023.0, 4095.0)
+    return next((full for full in usual if 0 < largest <= full), 100.0)
 
 
 def _plain(column: str) -> str:
@@ -334,8 +346,13 @@ def _recognised(column: str) -> str:
     return next((name for pattern, name in _WORDS if re.search(pattern, words)), "")
 
 
+def _stated_unit(column: str, table: RawTable) -> str:
+    """The unit that the file states of a column, '' where it states none that is known."""
+    return unit if (unit := table.units.get(column, "")) in UNITS else ""
+
+
 def _named_unit(column: str, table: RawTable) -> str:
-    if table.units.get(column, "") in UNITS and table.units.get(column):
-        return table.units[column]
+    if stated := _stated_unit(column, table):
+        return stated
     words = _plain(column)
     return next((unit for pattern, unit in _SUFFIXES if re.search(pattern, words)), "")

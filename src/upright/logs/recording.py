@@ -85,6 +85,16 @@ def check_clock(log: Log) -> None:
         )  # fmt: skip
 
 
+def check_unit(log: Log, prefix: str, robot: Robot) -> None:
+    """Raise `InvalidLog` for commands in volts to a robot that gets torques, or torques to one that gets volts."""
+    unit = log.unit(f"{prefix}/left")
+    if unit in ("V", "N m") and unit != robot.command_unit:
+        raise InvalidLog(
+            f"the log's commands are in {unit}", expected=f"{robot.command_unit}, as those of '{robot.name}'",
+            likely="another robot", hint="name the robot with --robot",
+        )  # fmt: skip
+
+
 def record(log: Log, robot: Robot, kit: Kit, *, skip: float = 0.0, held_out: float = 0.25) -> Recording:
     """The events of `log`. The last fraction `held_out` of its length is not fitted. Readings of the first `skip` [s]
     are omitted, since they respond to commands from before the log.
@@ -95,6 +105,7 @@ def record(log: Log, robot: Robot, kit: Kit, *, skip: float = 0.0, held_out: flo
         raise InvalidLog(f"the log has {len(log)} samples", expected=f"at least {FEWEST} to calibrate from")
     check_clock(log)
     commands = _commands(log)
+    check_unit(log, commanded(log), robot)
     rows = _rows(log)
     last = log.t[0] + (log.t[-1] - log.t[0]) * (1 - held_out)
     kinds, whens, values = [np.full(len(log), -1)], [log.t], [np.arange(len(log), dtype=np.float64)]

@@ -23,6 +23,7 @@ from upright.calibrate.filter_log import filter_log
 from upright.comparison import Comparison, compare
 from upright.comparison.metrics import active_intervals
 from upright.control import Controller, read_controller
+from upright.doctor.wheels import on_its_wheels
 from upright.errors import DesignFailed, InvalidLog, InvalidRobot
 from upright.experiment import Push
 from upright.experiment.pushes import PushProgramme
@@ -153,7 +154,8 @@ def compare_own(
     log calibrated it; without it the part of this log without a push is calibrated. Raises `InvalidLog` where no law
     explains the commands.
     """
-    log = _from_zero(raw_log(source, mapping))
+    log, left = on_its_wheels(raw_log(source, mapping))
+    log = _from_zero(log)
     nominal = find_robot(robot)
     parts = find_kit(kit or nominal.kit)
     law = _law(log, controller)
@@ -176,7 +178,7 @@ def compare_own(
     force = pushes[0].at(_start(pushes[0]), nominal).force if pushes else 0.0
     return OwnRobot(
         robot=nominal, comparison=comparison, law=law.name, push=_words(pushes, nominal), adjusted=adjusted,
-        side="back" if force > 0 else "front", notes=(*how, *notes), band=trial.band,
+        side="back" if force > 0 else "front", notes=(*([left] if left else []), *how, *notes), band=trial.band,
         settling={n: settling for n, (settling, _) in judged.items()}, fits={n: fit for n, (_, fit) in judged.items()},
     )  # fmt: skip
 

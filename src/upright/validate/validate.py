@@ -26,6 +26,7 @@ from upright.calibrate.noise import learn_noise
 from upright.calibrate.own_run import of_this_run
 from upright.calibrate.validate import segments
 from upright.control import Controller, read_controller
+from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidLog, SpecMismatch
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
@@ -87,17 +88,20 @@ def validate(
 
 
 def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> LogJudged:
+    log, left = on_its_wheels(log)
     problem, limits = prepared([log], robot, kit, (), 0.0)
     recording, z = problem.recordings[0], np.zeros(len(problem.parameters))
     parts = segments(problem, recording, z)
     law, words = _law(log, recording.rows, controller)
     loop: FreeLoop | None = closed_loop(problem, recording, z, log, kit, law) if law else None
     pushed = [n for n in ("push/force", "push/slope") if n in log and log[n].any()]
-    notes = ["The log was pushed, which no prediction here knows."] if pushed else []
+    notes = [*([left] if left else []), *(["The log was pushed, which no prediction here knows."] if pushed else [])]
     dead = tuple(n for n in log.channels if n in SENSOR and n not in recording.rows and _never_changes(log[n]))
     notes += [f"The {short(name)} never changes, and is not judged: look at its plug and its port." for name in dead]
     half_seconds = channels_of(parts)
-    own = of_this_run(problem, limits) if least(half_seconds).r2 < GOOD else None
+    own = of_this_run(problem, limits) if 0 <= least(half_seconds).r2 < GOOD else None
+    if own and least(channels_of(own[0])).r2 < least(half_seconds).r2:
+        own = None  # better on the mean, not of what decides
     return LogJudged(
         source=str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log"))),
         samples=len(log),

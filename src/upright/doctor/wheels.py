@@ -1,0 +1,58 @@
+"""The part of a log in which a robot is on its wheels, where alone the equations of motion hold."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from upright.doctor.finding import FALLING, LEANING, ON_WHEELS, Record, Segment, moment
+from upright.doctor.poses import segments
+from upright.errors import InvalidLog
+from upright.logs.raw import RATES
+from upright.signals import Log
+
+FITTED = (*ON_WHEELS, FALLING)
+"""Poses that the equations describe: until it reaches the floor, a robot that falls rolls on its wheels."""
+
+
+def record_of(log: Log) -> Record:
+    """What the doctor's poses read; wheel angles are summed where only rates were logged, and a gyro that was made of a
+    pitch estimate is left out."""
+    steps = np.diff(log.t, prepend=log.t[0])
+    derived: Any = log.origin.get("derived", {})
+    channels = {name: values for name, values in log.channels.items() if name not in derived}
+    for angle, rate in RATES.items():
+        if rate in log:
+            channels[angle] = np.cumsum(np.nan_to_num(log[rate]) * steps)
+    return Record(log.t, channels, log.units)
+
+
+def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, str]:
+    """The longest time of a log in which the robot balances, stands or (`falling`) falls, and what is left out, in
+    words ('' where nothing is). A log that shows no poses is taken whole. Raises `InvalidLog` for a robot that is never
+    on its wheels.
+    """
+    poses, kinds = segments(record_of(log)), FITTED if falling else ON_WHEELS
+    others = [pose for pose in poses if pose.kind not in kinds]
+    if not others:
+        return log, ""
+    spans: list[tuple[float, float]] = []
+    for pose in (pose for pose in poses if pose.kind in kinds):
+        first = spans.pop()[0] if spans and spans[-1][1] == pose.start else pose.start
+        spans.append((first, pose.stop))
+    if not spans:
+        raise InvalidLog(
+            f"the robot is never on its wheels in this log: {'; '.join(map(_in_words, others[:3]))}",
+            expected="a robot that balances", hint="upright doctor shows the poses",
+        )  # fmt: skip
+    start, stop = max(spans, key=lambda span: span[1] - span[0])
+    left = "; ".join(map(_in_words, others[:3])) + (f"; and {len(others) - 3} more" if len(others) > 3 else "")
+    return log.between(start, stop), (
+        f"Only {moment(start)} to {moment(stop)} s is used, where the robot is on its wheels. Left out: {left}."
+    )
+
+
+def _in_words(pose: Segment) -> str:
+    lean = f" at {pose.lean:+.2f} rad" if pose.kind in LEANING else ""
+    return f"{pose.kind}{lean} from {moment(pose.start)} to {moment(pose.stop)} s"
