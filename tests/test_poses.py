@@ -17,7 +17,7 @@ from upright.diagnose import post_mortem
 from upright.doctor.doctor import Diagnosis, doctor
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidLog
-from upright.experiment import Drive, Impulse, run
+from upright.experiment import Drive, Impulse, outcome_of, run
 from upright.logs.readers import RawTable, read_table
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -283,3 +283,19 @@ def test_a_measured_log_in_other_units_gets_no_false_alarm(shared: Path) -> None
              "u_l": "u_left_Nm", "u_r": "u_right_Nm"}  # fmt: skip
     found = doctor(RawTable({mine: raw[theirs] for mine, theirs in names.items()}))
     assert [f.code for f in found.findings if f.severity == "error"] == []
+
+
+def test_a_swing_from_which_the_robot_comes_back_is_no_fall() -> None:
+    """The measured TWIPR swings to 1.40 rad and goes on; another lies first, and a third stays down."""
+    t = T * np.arange(300)
+    swing = Log(t, {PITCH: 1.42 * np.sin(3 * t)})
+    lying = Log(t, {PITCH: np.where(t < 1, -1.5, 0.0)})
+    assert outcome_of(swing.between(0, 2.0)).fell is None
+    assert outcome_of(lying).fell is None
+    assert outcome_of(Log(t, {PITCH: np.where(t < 1, 0.0, 1.5)})).fell
+
+
+@pytest.mark.needs("shared/data/twipr/direct_1_all.csv")
+def test_a_robot_that_is_thrown_and_carried_has_no_fall_to_explain(shared: Path) -> None:
+    with pytest.raises(InvalidLog, match="never on its wheels"):
+        post_mortem(str(shared / "data/twipr/direct_1_all.csv"), "twipr")

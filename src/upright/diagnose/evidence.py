@@ -21,6 +21,7 @@ from upright.diagnose.fall import (
     falling,
     falling_lean,
     frozen_rows,
+    last_fall,
     limit,
     lost_rows,
     stale_rows,
@@ -31,6 +32,7 @@ from upright.diagnose.innovations import FilterRun, follow
 from upright.diagnose.law import CommandMatch, matched, references
 from upright.diagnose.remedy import Window, dropped, remedied, searched, sharpened
 from upright.diagnose.signatures import Bank
+from upright.doctor.wheels import on_its_wheels
 from upright.errors import SpecMismatch, UprightError
 from upright.logs.recording import FEWEST
 from upright.physics.dynamics import motor_damping, motor_gain
@@ -179,12 +181,16 @@ def _pushes_only(several: Sequence[FaultFit]) -> FaultFit:
 def gather(
     log: Log, robot: Robot, kit: Kit, controller: Controller | None, show: Progress
 ) -> tuple[FilterRun, Evidence | None]:
-    """The filter along a log, and all evidence of its fall; None where it did not fall."""
-    run = follow(log, robot, kit)
+    """The filter along a log, and all evidence of its fall; None where it did not fall.
+
+    A fall is one of the integrated motion. Where that shows none, a filter that is lost may, if it is of this robot.
+    """
+    fallen = last_fall(log) is not None
+    run = follow(log if fallen else on_its_wheels(log)[0], robot, kit)
     fell_at = fall_time(run)
     window = _window(run, float(run.t[-1]) if fell_at is None else fell_at)
     show(0.1)
-    if fell_at is None and not _lost(run, window):
+    if not fallen and (window.usual > FOREIGN or (fell_at is None and not _lost(run, window))):
         return run, None
     bank = window.bank(run, pushes_only=False)
     show(0.4)

@@ -30,12 +30,14 @@ class RunOutcome:
 def outcome_of(log: Log) -> RunOutcome:
     """The outcome that the run recorded in the log's origin.
 
-    A log from elsewhere has none. A pitch beyond `FALLEN` in it is then a fall; without one nobody knows, since such a
-    log may end as the robot begins to fall.
+    A log from elsewhere has none. A pitch beyond `FALLEN` in it is then a fall, unless the robot comes back from there;
+    without one nobody knows, since such a log may end as the robot begins to fall.
     """
     recorded: Any = log.origin.get("outcome")
     if isinstance(recorded, Mapping) and isinstance(recorded.get("fell"), bool):
         return RunOutcome(recorded["fell"], float(recorded.get("seconds", log.t[-1])))
     pitch = next((log[name] for name in ("truth/pitch", "estimate/pitch") if name in log), np.empty(0))
+    upright = np.flatnonzero(np.abs(pitch) < FALLEN / 2)
     lying = np.flatnonzero(np.abs(pitch) > FALLEN)
+    lying = lying[lying > (upright[-1] if len(upright) else -1)]
     return RunOutcome(True, float(log.t[lying[0]])) if len(lying) else RunOutcome(None, float(log.t[-1] - log.t[0]))
