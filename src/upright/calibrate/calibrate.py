@@ -23,12 +23,14 @@ from numpy.typing import NDArray
 from upright.calibrate.calibration import Calibration
 from upright.calibrate.effects import effects_of, respread
 from upright.calibrate.electronics import electronics_of
+from upright.calibrate.filter_log import one_step_noise
 from upright.calibrate.fitting import EQUATIONS, JITTER, STICKING, Normal, Path, Problem, normal_equations, objective
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import INERTIAL, too_quiet
 from upright.calibrate.learnt_kit import learnt_kit
 from upright.calibrate.noise import Bounds, learn_noise
 from upright.calibrate.parameters import most_friction, parameters_of
+from upright.calibrate.process_noise import NOISE_TIME, process
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import DesignFailed, InvalidLog
 from upright.logs.mapping import Mapping as Columns
@@ -84,9 +86,6 @@ deviations of its prior the pitch inertia is larger."""
 PLAUSIBLE_NOISE = 9.0
 """[1] Sensor variance over the kit's: where all sensors stay below it, the prior's own delays are near enough."""
 
-NOISE_TIME = 0.01  # [s] period for which fractions of the commands are meant
-FRICTION_NOISE = 0.01  # [1] first noise of sticking wheels, as a fraction of the largest friction, where none is known
-BIAS_WALK = 1e-7  # [(rad/s)²/s] random walk of the gyro's bias: a few hundredths of a degree a second each second
 MOST_SENSOR = 1e6  # [1] most variance that is learnt of a sensor, over the one its kit has
 NOISE_RANGE = 1e-6  # [1] least process noise that is learnt, over the most
 START_SECONDS = 6.0  # [s] of each log that decide between starts
@@ -135,7 +134,14 @@ def calibrate(
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
     notes = [text for text in left if text]
     notes += [str(pace) + "." for pace in map(pace_of, several) if pace and not pace.kept]
-    return replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
+    result = replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
+    if problem.temper < 1 and not result.withheld():  # else the noise of the kit is that of the filter
+        longest = max(several, key=len)
+        noise = one_step_noise(
+            longest, result.robot, result.kit or parts, delay=_dead_time(result.kit or parts, several)
+        )
+        result = replace(result, robot=result.robot.replace(noise=noise))
+    return result
 
 
 def prepared(
@@ -176,17 +182,6 @@ def _dead_time(kit: Kit, logs: Sequence[Log]) -> float:
 
 def _delay(kit: Kit, sensor: str) -> float:
     return max((s.delay for name, s in kit.sensors.items() if SENSOR.get(name) == sensor), default=0.0)
-
-
-def process(recordings: Sequence[Recording], robot: Robot, fraction: float) -> dict[str, float]:
-    """Log-variances a second of process noise: a `fraction` of the commands (rms), and of 1 N for a robot of 0.6 kg;
-    while a wheel sticks, the friction that holds it, or where none is known, a hundredth of the largest plausible."""
-    rms = np.sqrt(np.mean([np.mean(r.commands**2) for r in recordings]))
-    dry = (robot.coulomb_friction or FRICTION_NOISE * most_friction(robot)) / motor_gain(robot)
-    sizes = {"motor": fraction * max(rms, 1e-9), "push": fraction * robot.body_mass / 0.6, STICKING: max(dry, 1e-9)}
-    return {name: float(np.log(size**2 * NOISE_TIME)) for name, size in sizes.items()} | {
-        "gyro_bias": float(np.log(BIAS_WALK))
-    }
 
 
 def _with_process(problem: Problem, fraction: float) -> Problem:

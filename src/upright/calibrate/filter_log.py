@@ -3,19 +3,24 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.calibrate import NOISE_TIME, process
 from upright.calibrate.electronics import ASYMMETRY, BATTERY, electronics_of
-from upright.calibrate.fitting import STICKING, Path, Problem
+from upright.calibrate.fitting import STICKING, Path, Problem, objective
+from upright.calibrate.noise import learn_noise
 from upright.calibrate.parameters import Parameter
+from upright.calibrate.process_noise import NOISE_TIME, process
 from upright.logs.recording import SENSOR, first_noise, reading_matrix, record
 from upright.physics.dynamics import motor_gain, turn_ratio
 from upright.robots import Kit, Robot
 from upright.signals import Log
+
+KNOWN_WELL = 0.03  # of the commands: process noise from which that of a log is learnt
+MOST = 1e6  # of a variance, over the one from which it is learnt
+NO_STICKING = {STICKING: -math.inf}  # the motors' noise holds it
 
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
@@ -48,22 +53,50 @@ def filter_log(
     """The filter of `robot` along the whole of `log`, with the sensors' delays and noise of `kit`.
 
     `delay` [s] is from a logged command to the motor. Process noise is `disturbance`, as a fraction of the commands
-    (rms) and of 1 N on a robot of 0.6 kg, and `friction`, as a fraction of the dry friction. Raises `InvalidLog` for a
-    log without commands, without two sensors that move, or with too few samples.
+    (rms) and of 1 N on a robot of 0.6 kg, and `friction`, as a fraction of the dry friction; where the robot has noise
+    of its own, from a calibration, that is the filter's. Raises `InvalidLog` for a log without commands, without two
+    sensors that move, or with too few samples.
     """
+    problem = _problem(log, robot, kit, delay)
+    dry = friction * robot.coulomb_friction / motor_gain(robot)
+    noise = {**problem.noise, **process(problem.recordings, robot, disturbance), **NO_STICKING}
+    noise["motor"] = math.log(math.exp(noise["motor"]) + dry**2 * NOISE_TIME)
+    noise |= {name: 2 * math.log(size) for name, size in robot.noise.items() if name in noise}
+    problem = replace(problem, noise=noise)
+    return _in_order(
+        problem, problem.filtered(problem.recordings[0], np.zeros(len(problem.parameters)), keep=True), log
+    )
+
+
+def _problem(log: Log, robot: Robot, kit: Kit, delay: float) -> Problem:
+    """A log of a known robot, with the noise that its kit has and none between readings."""
     delays = {name: sensor.delay for name, sensor in kit.sensors.items() if name in SENSOR}
     recording = record(log, robot, kit, skip=kit.delay + max(delays.values(), default=0.0) + 0.02, held_out=0.0)
     after_command = {
         s: delay + max((d for n, d in delays.items() if SENSOR[n] == s), default=0.0) for s in recording.sensors
     }
     noise = {s: math.log(variance) for s, variance in first_noise(recording, kit).items()}
-    noise |= process((recording,), robot, disturbance) | {STICKING: -math.inf}  # the motors' noise below holds it
-    dry = friction * robot.coulomb_friction / motor_gain(robot)
-    noise["motor"] = math.log(math.exp(noise["motor"]) + dry**2 * NOISE_TIME)
-    problem = Problem(
+    return Problem(
         recordings=(recording,), robot=robot, parameters=_motors(robot, kit, log), delays=after_command, noise=noise
     )
-    return _in_order(problem, problem.filtered(recording, np.zeros(len(problem.parameters)), keep=True), log)
+
+
+def one_step_noise(log: Log, robot: Robot, kit: Kit, *, delay: float) -> dict[str, float]:
+    """Standard deviations of the noise with which a filter of `robot` predicts each next reading of `log` as it is:
+    of the sensors [rad, rad/s], motors [command √s] and pushes [N √s]. {} where it cannot follow.
+
+    What the equations leave out is in it: the noise of a calibration is that of half seconds, or bounded.
+    """
+    problem = _problem(log, robot, kit, delay)
+    first = process(problem.recordings, robot, KNOWN_WELL)
+    bounds = {name: (value / 4, value * MOST) for name, value in ((s, math.exp(v)) for s, v in problem.noise.items())}
+    bounds |= {name: (math.exp(first[name]) / MOST, math.exp(first[name]) * MOST) for name in ("motor", "push")}
+    problem = replace(problem, noise={**problem.noise, **first, **NO_STICKING})
+    z = np.zeros(len(problem.parameters))
+    if not np.isfinite(objective(problem, z)[0]):
+        return {}
+    learnt = learn_noise(problem, z, bounds, iterations=8).noise
+    return {name: math.exp(0.5 * learnt[name]) for name in bounds}
 
 
 def _motors(robot: Robot, kit: Kit, log: Log) -> tuple[Parameter, ...]:

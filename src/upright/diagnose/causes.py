@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
 from dataclasses import dataclass
+
+from upright.robots import Robot
 
 NO_FALL, CANNOT_TELL = "it did not fall", "cannot tell"
 SATURATION, BIAS, DROPPED, SLIP, BATTERY = "saturation", "gyro bias", "dropped samples", "wheel slip", "weak battery"
@@ -52,3 +56,21 @@ class Cause:
     onset: float
     evidence: str
     repair: str
+
+
+def noisy(noise: Mapping[str, float]) -> str:
+    """What a filter of a calibrated robot cannot see."""
+    units = {"gyro": "rad/s", "encoder": "rad"}
+    sizes = " and ".join(f"{name} {noise[name]:.2g} {unit}" for name, unit in units.items() if name in noise)
+    return f"the noise is that of the robot's calibration ({sizes} from reading to reading): a smaller fault is hidden"
+
+
+def foreign(ordinary: float, robot: Robot) -> str:
+    """Why no cause is named that rests on the innovations of a `robot` that they do not fit."""
+    text = (
+        f"the given robot does not fit this log, even before the fall: innovations are {math.sqrt(ordinary):.0f} times "
+        "the expected size, so no cause is named that rests on them"
+    )
+    if any(origin.source.startswith("calibrated from ") for origin in robot.provenance.values()):
+        return f"{text}. Its calibration is of another run, or without the noise of one: calibrate it from this log too"
+    return f"{text}. Calibrate it first (`upright calibrate`), or name another robot"

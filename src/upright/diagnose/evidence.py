@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from upright.atomic import finite
 from upright.control import Controller
 from upright.diagnose.beyond import Leftover, Pair, jam_or_stuck, leftover, paired
+from upright.diagnose.causes import foreign, noisy
 from upright.diagnose.fall import (
     StuckSensor,
     authority,
@@ -267,7 +268,9 @@ def _evidence(
     open_ = not stuck and several[0].nis > EXPLAINED * window.usual  # something is left to explain
     pairs = paired(run, several, window, bank) if open_ else []
     if window.usual > FOREIGN:
-        notes = (*notes, _foreign(window.usual, robot))
+        notes = (*notes, foreign(window.usual, robot))
+    elif robot.noise:
+        notes = (*notes, noisy(robot.noise))
     return Evidence(
         run=run, fell_at=end, ordinary=window.usual, calm=_calm(run, window),
         nis=float(np.mean(bank.y**2)), fits=tuple(several),
@@ -277,16 +280,6 @@ def _evidence(
         lost=(lost_rows(log, run.kit.period, end - 1, end), lost_rows(log, run.kit.period, log.t[0], end - 1)),
         demand=_demand(log, robot, most, end), battery=_battery(log, end), notes=notes,
     )  # fmt: skip
-
-
-def _foreign(ordinary: float, robot: Robot) -> str:
-    text = (
-        f"the given robot does not fit this log, even before the fall: innovations are {math.sqrt(ordinary):.0f} times "
-        "the expected size, so no cause is named that rests on them"
-    )
-    if any(origin.source.startswith("calibrated from ") for origin in robot.provenance.values()):
-        return f"{text}. The robot is calibrated, so its model leaves something out: `upright validate` shows what"
-    return f"{text}. Calibrate it first (`upright calibrate`), or name another robot"
 
 
 def _match(

@@ -22,6 +22,7 @@ from upright.robots.weights import TunedWeights, weights_of
 from upright.tables import Listing
 
 PRESETS = "presets"
+NOISES = ("encoder", "gyro", "compass", "motor", "push")
 
 
 def _number(unit: str, symbol: str, default: float | None = None) -> Any:
@@ -40,7 +41,8 @@ class Robot:
     wheel, smoothed over `stiction_rate`. `correlation` holds the correlation of the errors of pairs of parameters
     [−1 to 1], as a calibration estimates them. `kit` is the name of a kit or its file, or the kit itself, with the
     delays and motors of this very robot. `conditions` are the batteries and floors
-    that it is to meet, `weights` those of methods that were tuned for it, which are then their defaults.
+    that it is to meet, `weights` those of methods that were tuned for it, which are then their defaults. `noise` holds
+    the standard deviations with which a filter of it predicts the next reading, where a calibration learnt them.
 
     Raises `InvalidRobot` for a robot that cannot exist or that has nothing to balance.
     """
@@ -75,6 +77,7 @@ class Robot:
     weights: Mapping[str, TunedWeights] = field(default_factory=dict, compare=False, repr=False)
     provenance: Mapping[str, Provenance] = field(default_factory=dict, compare=False, repr=False)
     correlation: Mapping[tuple[str, str], float] = field(default_factory=dict, compare=False, repr=False)
+    noise: Mapping[str, float] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "name", toml.checked_name(self.name, "robot"))
@@ -108,7 +111,8 @@ class Robot:
         tables = [_written(name, self) for name in PARAMETERS if name not in unused]
         kit = [] if isinstance(self.kit, str) else ["\n", self.kit.to_toml("kit")]
         tuned = [weights.to_toml(method) for method, weights in self.weights.items()]
-        return "".join([*head, *tables, _written_correlation(self), self.conditions.to_toml(), *tuned, *kit])
+        noise = ["\n[noise]\n", *(f"{name} = {size!r}\n" for name, size in self.noise.items())] if self.noise else []
+        return "".join([*head, *tables, *noise, _written_correlation(self), self.conditions.to_toml(), *tuned, *kit])
 
     @property
     def kit_name(self) -> str:
@@ -346,7 +350,7 @@ def _written_correlation(robot: Robot) -> str:
 
 def _read(table: toml.Table, where: str) -> Robot:
     toml.check_keys(
-        table, {"name", "title", "drive", "kit", "correlation", "conditions", "weights", *PARAMETERS}, where
+        table, {"name", "title", "drive", "kit", "correlation", "conditions", "weights", "noise", *PARAMETERS}, where
     )
     words: dict[str, Any] = {k: toml.word(table, k, where) for k in ("name", "drive", "title") if k in table}
     if "kit" in table:
@@ -363,8 +367,18 @@ def _read(table: toml.Table, where: str) -> Robot:
     sources = {name: toml.provenance(table[name], name, where) for name in given}
     provenance = {name: source for name, source in sources.items() if source is not None}
     pairs = _correlation(toml.subtable(table, "correlation", where), where)
-    rest = {"correlation": pairs, "conditions": conditions_of(table, where), "weights": weights_of(table, where)}
+    rest = {"correlation": pairs, "conditions": conditions_of(table, where), "weights": weights_of(table, where),
+            "noise": _noise(toml.subtable(table, "noise", where), where)}  # fmt: skip
     return Robot(**words, **cast(dict[str, Any], numbers), provenance=provenance, **cast(dict[str, Any], rest))
+
+
+def _noise(table: toml.Table, where: str) -> dict[str, float]:
+    """What `[noise] gyro = 0.1` says of a filter's noise."""
+    toml.check_keys(table, NOISES, where, "noise.")
+    for name, value in table.items():
+        if not toml.is_number(value) or not 0 < value < math.inf:
+            raise InvalidRobot(f"{where}: noise.{name} is {value!r}", expected="a positive standard deviation")
+    return {name: float(value) for name, value in table.items()}
 
 
 def _correlation(table: toml.Table, where: str) -> dict[tuple[str, str], float]:

@@ -18,12 +18,13 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.calibrate import SEGMENT, SEGMENT_NOISE, prepared, process
+from upright.calibrate.calibrate import SEGMENT, SEGMENT_NOISE, prepared
 from upright.calibrate.calibration import PREDICTED
 from upright.calibrate.fitting import EQUATION, Problem, normal_equations, objective
 from upright.calibrate.informativity import effective_fraction
 from upright.calibrate.noise import learn_noise
 from upright.calibrate.own_run import of_this_run
+from upright.calibrate.process_noise import process
 from upright.calibrate.validate import segments
 from upright.control import Controller, read_controller
 from upright.doctor.wheels import on_its_wheels
