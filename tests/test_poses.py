@@ -251,6 +251,12 @@ def test_a_robot_on_its_back_is_not_calibrated() -> None:
         calibrate(Log(t, channels, origin={"derived": {GYRO: PITCH}}), "nxtway-gs")
 
 
+def test_microseconds_read_as_seconds_are_named() -> None:
+    log = balanced()
+    with pytest.raises(InvalidLog, match="read as microseconds it is 10 ms"):
+        on_its_wheels(Log(1e6 * log.t, log.channels, log.units))
+
+
 def test_times_since_1970_are_told_to_the_hundredth() -> None:
     log = joined([], [turned(1.3, 0.5, 3.0)], chasing=12.0)
     (fall,) = [f for f in doctor(Log(log.t + 1.7e9, log.channels, log.units)).findings if f.code == "segment/fall"]

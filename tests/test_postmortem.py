@@ -20,11 +20,12 @@ import postmortem_open as open_bench
 
 from upright.bodies import Electronics
 from upright.bodies.twin import Twin
+from upright.calibrate.filter_log import one_step_noise
 from upright.cli.main import main
 from upright.control import LinearController, make_controller, write_controller
 from upright.control.delay import RAW
 from upright.diagnose import PostMortem, post_mortem
-from upright.diagnose.causes import CANNOT_TELL, CAUSES, DEAD, NO_FALL, NONE, SATURATION, SCALED
+from upright.diagnose.causes import CANNOT_TELL, CAUSES, DEAD, NO_FALL, NONE, REVERSED, SATURATION, SCALED
 from upright.diagnose.fall import stuck_sensor
 from upright.diagnose.fault_fits import fits
 from upright.diagnose.innovations import follow
@@ -32,6 +33,7 @@ from upright.diagnose.signatures import bank
 from upright.errors import InvalidLog, InvalidRobot
 from upright.experiment import Drive, Impulse, Push, run
 from upright.experiment.examples import example
+from upright.logs.raw import raw_log
 from upright.report.postmortem import page_of
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -288,6 +290,24 @@ def test_no_fault_is_named_by_a_model_that_does_not_describe_the_robot(shared: P
     assert fallen.verdict in {CANNOT_TELL, SATURATION}
     assert "nan" not in str(fallen)
     assert any("no cause is named" in note for note in fallen.notes)
+
+
+@pytest.mark.slow
+@pytest.mark.needs("shared/data/ev3way/tilt_000.csv")
+def test_a_planted_fault_is_found_in_the_noise_of_a_real_robot(shared: Path) -> None:
+    """The robot's own noise is learnt up to 6.5 s; from 7 s on its left command is logged with the wrong sign. Without
+    that, nothing is named but what the commands themselves show."""
+    log, kit = raw_log(shared / "data/ev3way/tilt_000.csv"), Kit.preset("ev3")
+    robot = Robot.preset("ev3way-large-wheels")
+    robot = robot.replace(noise=one_step_noise(log.between(0.0, 6.5), robot, kit, delay=0.0))
+    assert robot.noise["gyro"] > 0.1  # [rad/s] its frame shakes: twenty times its gyro's own
+    turned = np.where(log.t > 7.0, -1.0, 1.0) * log["applied/left"]
+    found = post_mortem(Log(log.t, {**log.channels, "applied/left": turned}, log.units, log.origin), robot, kit)
+    assert found.causes[0].name in {DEAD, REVERSED}
+    assert found.causes[0].onset == pytest.approx(7.0, abs=0.1)
+    as_it_was = post_mortem(log, robot, kit)
+    assert as_it_was.verdict in {CANNOT_TELL, SATURATION}
+    assert any("a smaller fault is hidden" in note for note in as_it_was.notes)
 
 
 @pytest.mark.slow

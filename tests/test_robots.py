@@ -434,3 +434,13 @@ def test_lego_encoders_step_by_one_degree(name: str) -> None:
     kit = Kit.preset(name)
     for side in ("left", "right"):
         assert kit.sensors[f"sensor/encoder_{side}"].quantum == pytest.approx(math.radians(1), rel=1e-5)  # six digits
+
+
+def test_the_noise_of_a_calibration_stays_in_the_file(tmp_path: Path) -> None:
+    robot = Robot.preset("ev3way").replace(noise={"gyro": 0.64, "motor": 0.2})
+    path = robot.save(tmp_path / "robot.toml")
+    assert dict(Robot.load(path).noise) == {"gyro": 0.64, "motor": 0.2}
+    for line, word in (("gyro = 0", "positive standard deviation"), ("giro = 1", "did you mean 'noise.gyro'")):
+        path.write_text(Robot.preset("ev3way").to_toml() + f"\n[noise]\n{line}\n", encoding="utf-8")
+        with pytest.raises(InvalidRobot, match=word):
+            Robot.load(path)

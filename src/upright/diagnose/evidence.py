@@ -189,6 +189,8 @@ def gather(
     fallen = last_fall(log) is not None
     run = follow(log if fallen else on_its_wheels(log)[0], robot, kit)
     fell_at = fall_time(run)
+    if fell_at is None and (stuck := stuck_sensor(log, kit, float(log.t[-1]))) and "gyro" in stuck.channel:
+        fell_at, fallen = float(run.t[-1]), True  # nothing balances while its gyro stands still
     window = _window(run, float(run.t[-1]) if fell_at is None else fell_at)
     show(0.1)
     if not fallen and (window.usual > FOREIGN or (fell_at is None and not _lost(run, window))):

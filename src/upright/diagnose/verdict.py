@@ -110,6 +110,7 @@ FOREIGN_PEGGED, FOREIGN_WIDTH, FOREIGN_MOST = 0.4, 0.04, 0.7  # fraction of the 
 SWINGS = 7.0  # changes of the command's sign a second from which a robot falls by swinging
 SAME_GAIN = 0.1  # of one: a gain that the file confirms
 GAIN_WITHOUT_FILE, GAIN_WITH_FILE, AT_LIMIT = 0.8, 0.9, 0.5  # probability that is left to the gain, or to saturation
+HIDDEN = 0.5  # the same for a robot whose calibration has noise of its own, in which faults hide
 CLEAR = 0.9  # of it for the gain that the fall's shape shows
 LEAST = 1e-4  # of a likelihood, below which a cause is left out
 
@@ -337,15 +338,19 @@ def _demanded(evidence: Evidence) -> list[_Answer]:
 def _weak_or_wild(evidence: Evidence) -> list[_Answer]:
     """What is left: the gain, by how the robot fell, unless the file shows that it is right."""
     motors, match, since = evidence.motors, evidence.match, began(evidence)
+    pegged = FOREIGN_MOST * step(motors.pegged - FOREIGN_PEGGED, FOREIGN_WIDTH)
     if evidence.ordinary > FOREIGN:
-        chance = FOREIGN_MOST * step(motors.pegged - FOREIGN_PEGGED, FOREIGN_WIDTH)
-        return [_Answer(chance, SATURATION, since, of_pegged(evidence))]
+        return [_Answer(pegged, SATURATION, since, of_pegged(evidence))]
     if match is not None and match.known and abs(match.gain - 1) < SAME_GAIN and evidence.stable is not False:
         text = f"{sound(evidence)}, the commands are the file's, and {at_limit(evidence)}"
         return [_Answer(AT_LIMIT, SATURATION, since, text)] if motors.saturated > SATURATED else []
     low = CLEAR if motors.swings < SWINGS and 0.0 < motors.help < 1.0 else 1 - CLEAR
     gain = GAIN_WITHOUT_FILE if match is None else GAIN_WITH_FILE
+    answers: list[_Answer] = []
+    if evidence.run.robot.noise:  # it hides faults, so that what is left need not be the gain
+        answers, gain = [_Answer(pegged, SATURATION, since, of_pegged(evidence))], (1 - pegged) * HIDDEN
     return [
+        *answers,
         _Answer(gain * low, LOW, since, of_low(evidence)),
         _Answer(gain * (1 - low), HIGH, since, of_high(evidence)),
     ]

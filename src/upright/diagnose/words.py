@@ -137,10 +137,10 @@ def of_high(evidence: Evidence) -> str:
 
 
 def of_pegged(evidence: Evidence) -> str:
-    pegged = percent(evidence.motors.pegged)
-    return (
-        f"the motors were at their limit for {pegged} of the last second; to judge other causes, name the right robot"
-    )
+    text = f"the motors were at their limit for {percent(evidence.motors.pegged)} of the last second"
+    if evidence.ordinary <= FOREIGN:
+        return f"{text}; {sound(evidence)}"
+    return f"{text}; to judge other causes, name the right robot"
 
 
 def at_limit(evidence: Evidence) -> str:
@@ -154,6 +154,8 @@ def nothing(evidence: Evidence) -> str:
 def sound(evidence: Evidence) -> str:
     """Whether anything is left that no hypothesis explains."""
     nis = evidence.pushes_only.nis
+    if evidence.run.robot.noise and nis < SOUND * evidence.ordinary:
+        return f"nothing beyond the noise of its calibration shows (NIS {nis:.2g})"
     if nis < SOUND * evidence.ordinary < SOUND * FOREIGN:
         return f"robot and sensors are sound (NIS {nis:.2g})"
     return f"no single fault explains the innovations (NIS {nis:.2g})"

@@ -8,6 +8,7 @@ import numpy as np
 
 from upright.doctor.finding import FALLING, LEANING, ON_WHEELS, Record, Segment, moment
 from upright.doctor.poses import segments
+from upright.doctor.time import unit
 from upright.errors import InvalidLog
 from upright.logs.raw import RATES
 from upright.signals import Log
@@ -31,9 +32,12 @@ def record_of(log: Log) -> Record:
 def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, str]:
     """The longest time of a log in which the robot balances, stands or (`falling`) falls, and what is left out, in
     words ('' where nothing is). A log that shows no poses is taken whole. Raises `InvalidLog` for a robot that is never
-    on its wheels.
+    on its wheels, and for times that are no seconds.
     """
-    poses, kinds = segments(record_of(log)), FITTED if falling else ON_WHEELS
+    record, kinds = record_of(log), FITTED if falling else ON_WHEELS
+    for wrong in unit(record):
+        raise InvalidLog(wrong.evidence, expected="times in seconds", hint="upright doctor --fix, or a mapping")
+    poses = segments(record)
     others = [pose for pose in poses if pose.kind not in kinds]
     if not others:
         return log, ""
