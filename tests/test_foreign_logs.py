@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from upright.cli.main import main
+from upright.diagnose import post_mortem
 from upright.doctor.doctor import doctor
 from upright.errors import InvalidLog
 from upright.logs.draft import behaviour, draft
@@ -215,9 +216,10 @@ def test_a_command_has_the_unit_that_somebody_stated_or_none() -> None:
     assert apply(propose(RawTable(columns)), RawTable(columns)).unit("command/left") == ""
     ours = RawTable({"t": T, "applied/left": VOLTS, "applied/right": VOLTS}, {"applied/left": "N m"})
     assert apply(propose(ours), ours).unit("applied/left") == "N m"
-    moving = Log(T, {"applied/left": VOLTS, "applied/right": VOLTS, SENSORS[0]: WHEEL, SENSORS[2]: GYRO})
-    with pytest.raises(InvalidLog, match="in V; expected N m, as those of 'twipr'"):
-        validate("twipr", moving)
+    channels = {"applied/left": VOLTS, "applied/right": VOLTS, SENSORS[0]: WHEEL, SENSORS[2]: GYRO}
+    for judge in (lambda log: validate("twipr", log), lambda log: post_mortem(log, "twipr")):
+        with pytest.raises(InvalidLog, match="in V; expected N m, as those of 'twipr'"):
+            judge(Log(T, channels, origin={"file": "run.csv"}))
 
 
 def test_columns_that_no_name_tells_are_missed_and_nothing_is_read_into_the_rest() -> None:

@@ -28,7 +28,7 @@ from upright.doctor.finding import FEWEST as FEWEST_POSES
 from upright.errors import InvalidLog, InvalidRobot
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import RATES, LogSource, raw_log
-from upright.logs.recording import FEWEST
+from upright.logs.recording import FEWEST, check_drive
 from upright.progress import Progress, unwatched
 from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot, kit_names, preset_names
 from upright.signals import Log
@@ -130,6 +130,7 @@ def post_mortem(
     """
     log = raw_log(source, mapping)
     nominal = find_robot(robot) if robot else robot_of(log)
+    check_drive(log, nominal)
     parts = find_kit(kit) if kit else kit_of(log, nominal)
     controller = read_controller(controller) if isinstance(controller, str | Path) else controller
     head: dict[str, Any] = {"robot": nominal.name, "kit": parts.name, "rows": len(log)}
