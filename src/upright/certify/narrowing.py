@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.certify.checks import Course, trials
+from upright.certify.checks import Course, tried
 from upright.certify.verdict import CONFIDENCE, MOST_FALLS
 from upright.fleet.binomial import upper_bound
 from upright.kernel.batch import NAMES, parameters_of
@@ -77,27 +77,34 @@ class Narrowing:
 def narrowing(course: Course, unknown: Uncertainty, fell: NDArray[np.bool_]) -> Narrowing:
     """What would have to be known of the robot of `course`, `fell` (n,) of whose robots, drawn from `unknown`, fell."""
 
-    def falls(factors: dict[str, float]) -> int:
+    def falls(factors: dict[str, float], *, all_pushes: bool = False) -> int:
+        """How many fall; by default no push is tried after one that makes it red."""
         spreads = tuple(s.scaled(factors.get(s.name, 1.0)) for s in unknown.spreads)
         known = Uncertainty(spreads, unknown.correlation)
-        robots = draw(course.robot, TRIED, course.seed + 1, known)
-        return int(trials(replace(course, robots=robots, progress=None)).fell.sum())
-
-    every = dict.fromkeys((s.name for s in unknown.spreads), FACTORS[0])
-    if red(most := falls(every)):
-        return Narrowing((), TRIED, most, everything=True)
-    ranked = [s for s in ranking(unknown, parameters_of(course.robots), fell) if s.name in PARAMETERS]
-    for count in range(1, min(MOST_NAMES, len(ranked)) + 1):
-        chosen, least = ranked[:count], 0
-        answer = None
-        for factor in FACTORS:
-            least = falls(dict.fromkeys((s.name for s in chosen), factor))
-            if red(least):
+        robots, lost = draw(course.robot, TRIED, course.seed + 1, known), np.zeros(TRIED, dtype=np.bool_)
+        for one in tried(replace(course, robots=robots, progress=None)):
+            lost |= one.fell
+            if red(int(lost.sum())) and not all_pushes:
                 break
-            answer = Narrowing(tuple(_needed(s, factor) for s in chosen), TRIED, least)
-        if answer:
-            return answer
-    return Narrowing((), TRIED, most)
+        return int(lost.sum())
+
+    def answer(chosen: Sequence[Spread]) -> Narrowing | None:
+        """How well these would have to be known; None where a tenth is too much, or none is chosen."""
+        found = None
+        for factor in FACTORS if chosen else ():
+            if red(least := falls(dict.fromkeys((s.name for s in chosen), factor))):
+                break
+            found = Narrowing(tuple(_needed(s, factor) for s in chosen), TRIED, least)
+        return found
+
+    ranked = [s for s in ranking(unknown, parameters_of(course.robots), fell) if s.name in PARAMETERS]
+    if alone := answer(ranked[:1]):
+        return alone
+    every = dict.fromkeys((s.name for s in unknown.spreads), FACTORS[0])
+    if red(most := falls(every, all_pushes=True)):
+        return Narrowing((), TRIED, most, everything=True)
+    several = (answer(ranked[:count]) for count in range(2, min(MOST_NAMES, len(ranked)) + 1))
+    return next(filter(None, several), Narrowing((), TRIED, most))
 
 
 def red(fell: int, runs: int = TRIED) -> bool:

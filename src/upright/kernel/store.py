@@ -10,6 +10,7 @@ used here are not public, hence the upper bound on its version in pyproject.toml
 from __future__ import annotations
 
 import ctypes
+import gc
 import hashlib
 import os
 import sys
@@ -138,7 +139,7 @@ def _compiled(module: str, function: str, arguments: tuple[str, ...]) -> bytes:
     types = numba.types
     kinds = [types.CPointer(getattr(types, a[1:])) if a[0] == "*" else getattr(types, a) for a in arguments]
     python = getattr(import_module(f"upright.{module}"), function)
-    with _not_optimised(numba):
+    with _not_finished(numba):
         options = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
         made: Any = numba.njit(types.void(*kinds), **options)(python)
     (result,) = made.overloads.values()
@@ -153,17 +154,31 @@ def _compiled(module: str, function: str, arguments: tuple[str, ...]) -> bytes:
 
 
 @contextmanager
-def _not_optimised(numba: Any) -> Generator[None]:
-    """Numba optimises every function when it is made, and again in each one that calls it; here all are optimised once,
-    together. No other thread compiles meanwhile."""
-    locked = import_module("numba.core.compiler_lock").global_compiler_lock
-    with locked:
-        level = numba.config.OPT
-        numba.config.OPT = type(level)(0)
+def _not_finished(numba: Any) -> Generator[None]:
+    """Numba optimises every function when it is made, again in each one that calls it, and makes machine code of all;
+    here that is done once, for all together, and nothing is loaded. No other thread compiles meanwhile."""
+    codegen = import_module("numba.core.codegen")
+    steps = [(codegen.JITCPUCodegen, "_add_module"), (codegen.JITCPUCodegen, "set_env")]
+    steps += [(codegen.JITCodeLibrary, "_finalize_specific")]
+    before = [(*place, getattr(*place)) for place in steps]
+    level, collects = numba.config.OPT, gc.isenabled()
+    with import_module("numba.core.compiler_lock").global_compiler_lock:
         try:
+            for place in steps:
+                setattr(*place, _nothing)
+            numba.config.OPT = type(level)(0)
+            gc.disable()  # what a compiler makes is kept until it is done: a tenth of its time would be spent to see it
             yield
         finally:
             numba.config.OPT = level
+            for place in before:
+                setattr(*place)
+            if collects:
+                gc.enable()
+
+
+def _nothing(*_: object) -> None:
+    """In place of what would be done with a function that is not to run here."""
 
 
 def _optimised(module: Any, machine: Any) -> Any:
