@@ -90,12 +90,12 @@ def narrowing(course: Course, unknown: Uncertainty, fell: NDArray[np.bool_]) -> 
 
     def answer(chosen: Sequence[Spread]) -> Narrowing | None:
         """How well these would have to be known; None where a tenth is too much, or none is chosen."""
-        found = None
+        enough = None
         for factor in FACTORS if chosen else ():
             if red(least := falls(dict.fromkeys((s.name for s in chosen), factor))):
                 break
-            found = Narrowing(tuple(_needed(s, factor) for s in chosen), TRIED, least)
-        return found
+            enough = Narrowing(tuple(_needed(s, factor) for s in chosen), TRIED, least)
+        return enough
 
     ranked = [s for s in ranking(unknown, parameters_of(course.robots), fell) if s.name in PARAMETERS]
     if alone := answer(ranked[:1]):
