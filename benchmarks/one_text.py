@@ -3,8 +3,9 @@
     python benchmarks/one_text.py [--runs 100] [--robot nxtway-gs] [--controllers lqg mpc]
 
 Noise is off, since each machine draws its own. First figures: the largest difference of any state under a push, without
-quanta over 10 s, with them over 2 s (rounding that falls to the other side parts runs after that). Then `--runs` runs
-with all quanta under pushes up to what throws the robot: in how many the kernel and the loop say alike whether it fell.
+quanta over 10 s, with them over 2 s (rounding that falls to the other side parts runs after that), and how fast any
+difference grows while quantised readings do not see it. Then `--runs` runs with all quanta under pushes up to what
+throws the robot: in how many the kernel and the loop say alike whether it fell.
 """
 
 from __future__ import annotations
@@ -21,15 +22,18 @@ from pathlib import Path
 import numpy as np
 
 from upright.bodies import Electronics, NonlinearBody
+from upright.certify.loop import Loop, robot_loop
 from upright.compiled.print_c import CPrinter
 from upright.compiled.program import Kind
 from upright.control import make_controller
 from upright.control.controller import Controller
 from upright.control.law import as_law, program
+from upright.control.near_rest import near_rest
 from upright.errors import UprightError
 from upright.experiment import Push, run
 from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
+from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot, preset_names
 from upright.signals import STATE_NAMES
 
@@ -114,6 +118,14 @@ def largest(robot: Robot, kit: Kit, controller: Controller, seconds: float, fold
     return [float(np.abs(loop - kernel).max()), float(np.abs(loop[:same] - c[:same]).max())]
 
 
+def growth(robot: Robot, kit: Kit, controller: Controller) -> float:
+    """How fast [1/s] a difference grows near rest while quantised readings stay the same: they count as cut off."""
+    loop, linear = robot_loop(robot, controller, kit), near_rest(controller)
+    K, fine = loop.controller, np.diag([float(kit.sensors[name].quantum == 0) for name in linear.reads])
+    poles = Loop(loop.plant, LinearModel(K.A, K.B @ fine, K.C, K.D @ fine, K.dt)).closed.poles()
+    return float(np.log(np.abs(poles).max()) / K.dt)
+
+
 def alike(robot: Robot, kit: Kit, controller: Controller, runs: int, seconds: float) -> tuple[int, int]:
     """In how many runs kernel and loop say alike whether it fell, and in how many it did."""
     speeds = np.linspace(-THROWN, THROWN, runs)
@@ -131,8 +143,8 @@ def main() -> None:
     parser.add_argument("--robot", default="")
     parser.add_argument("--controllers", nargs="+", default=CONTROLLERS)
     options = parser.parse_args()
-    print(f"{'':34}{'no quanta, 10 s':>24}{'quanta, 2 s':>24}{'fell alike':>16}")
-    print(f"{'':34}{'kernel':>12}{'C':>12}{'kernel':>12}{'C':>12}")
+    print(f"{'':34}{'no quanta, 10 s':>24}{'quanta, 2 s':>24}{'grows by':>12}{'fell alike':>16}")
+    print(f"{'':34}{'kernel':>12}{'C':>12}{'kernel':>12}{'C':>12}{'1/s':>12}")
     for name in [options.robot] if options.robot else preset_names():
         robot = Robot.preset(name)
         kit = Kit.preset(robot.kit_name)
@@ -148,7 +160,8 @@ def main() -> None:
                 found = [d for k, s in cases for d in largest(robot, k, controller, s, Path(folder))]
             same, fell = alike(robot, still(kit, quanta=True), controller, options.runs, 2.0)
             numbers = "".join(f"{d:12.1e}" for d in found)
-            print(f"{name:22}{family:12}{numbers}   {same} of {options.runs} ({fell} fell)", end="")
+            rate = growth(robot, kit, controller)
+            print(f"{name:22}{family:12}{numbers}{rate:12.1f}   {same} of {options.runs} ({fell} fell)", end="")
             print(f"  {time.process_time() - began:.0f} s", flush=True)
 
 
