@@ -29,6 +29,7 @@ import numpy as np
 from upright.bodies import NonlinearBody
 from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import VISIBLE, Calibration, Estimate
+from upright.calibrate.filter_log import filter_log
 from upright.calibrate.own_run import of_this_run
 from upright.calibrate.validate import segments
 from upright.control.controller import TRUE_STATE, ControllerSpec
@@ -169,7 +170,11 @@ class StatedLaw:
 
     spec = ControllerSpec("law of twipr's authors", TRUE_STATE, 0.001, "N m")
 
-    def __init__(self, name: str, found: Calibration, log: Log) -> None:
+    def __init__(self, name: str, found: Calibration, log: Log, error: np.ndarray | None = None) -> None:
+        """With `error` [rad] (rows,), the law reads a pitch as wrong as the log's own estimate, and the motors have the
+        run's constant torque."""
+        self._error = np.zeros(len(log)) if error is None else error
+        self._constant = 0.0 if error is None else found["constant_command"].value
         self._gains, self._radius = GAINS[name], found.robot.wheel_radius
         self._late = {sensor: round(found[f"delay/{sensor}"].value / 0.001) for sensor in ("gyro", "encoder")}
         self._rows = np.searchsorted(log.t - log.t[0], np.arange(0.0, log.t[-1] - log.t[0] + 1.0, 0.001) + 1e-6) - 1
@@ -186,8 +191,8 @@ class StatedLaw:
         row = self._rows[now]
         if now == 0 or row > self._rows[now - 1]:  # held from one row of the log to the next
             gyro, wheels = (self._past[max(0, now - self._late[sensor])] for sensor in ("gyro", "encoder"))
-            both = k1 * self._radius * (wheels[3] - wheels[1]) + k2 * gyro[0] + k3 * gyro[1]
-            extra = self._excitation[row]
+            both = k1 * self._radius * (wheels[3] - wheels[1]) + k2 * (gyro[0] + self._error[row]) + k3 * gyro[1]
+            extra = self._excitation[row] + self._constant
             self._command = (both - k4 * wheels[5] + extra[0], both + k4 * wheels[5] + extra[1])
         return self._command
 
@@ -202,25 +207,32 @@ class StatedLaw:
 
 
 def loop(one: Run, found: Calibration) -> None:
-    """The whole closed loop simulated freely from the first state of the log, under the stated law."""
-    log = one.log
+    """The whole closed loop simulated freely from the first state of the log, under the stated law: with the true
+    pitch, and with one as wrong as the estimate that the law read, by the filter of the calibrated robot."""
+    log, kit = one.log, found.kit or find_kit(found.robot.kit)
     wheel = (log["sensor/encoder_rate_left"] + log["sensor/encoder_rate_right"]) / 2
-    pitch, rate = float(log["estimate/pitch"][0]), float(log["sensor/gyro"][0])
-    free = run(
-        NonlinearBody(found.robot), StatedLaw(one.name, found, log), seconds=float(log.t[-1] - log.t[0]),
-        start=(pitch, rate, 0.0, float(wheel[0]) + rate, 0.0, 0.0),
-    )  # fmt: skip
+    estimate, rate = log["estimate/pitch"], float(log["sensor/gyro"][0])
+    late = {sensor: found[f"delay/{sensor}"].value for sensor in ("gyro", "encoder")}
+    first = (float(estimate[0]), rate, 0.0, float(wheel[0]) + rate, 0.0, 0.0)
+    path = filter_log(log, found.known_robot(), kit, delay=kit.delay, disturbance=0.03)
+    held = path.row < 0
+    pitch = np.interp(log.t - late["gyro"], path.t[held], path.after[held, 0])
 
-    def r_squared(measured: np.ndarray, simulated: np.ndarray, sensor: str) -> float:
-        late = np.interp(log.t - log.t[0] - found[f"delay/{sensor}"].value, free.t, simulated)
-        return 1 - float(((measured - late) ** 2).sum() / ((measured - measured.mean()) ** 2).sum())
+    def r_squared(measured: np.ndarray, simulated: np.ndarray, t: np.ndarray, sensor: str) -> float:
+        there = np.interp(log.t - log.t[0] - late[sensor], t, simulated)
+        return 1 - float(((measured - there) ** 2).sum() / ((measured - measured.mean()) ** 2).sum())
 
-    scores = [
-        r_squared(log["estimate/pitch"], free["truth/pitch"], "gyro"),
-        r_squared(wheel, free["truth/wheel_rate"] - free["truth/pitch_rate"], "encoder"),
-    ]
-    fell = ", and falls" if free.origin["outcome"]["fell"] else ""
-    print(f"  {one.name}: its loop simulated freely: pitch {scores[0]:.3f}, wheel rate {scores[1]:.3f}{fell}")
+    for words, error in (("the true pitch", None), ("a pitch as wrong as its estimate", estimate - pitch)):
+        free = run(
+            NonlinearBody(found.robot), StatedLaw(one.name, found, log, error),
+            seconds=float(log.t[-1] - log.t[0]), start=first,
+        )  # fmt: skip
+        scores = (
+            r_squared(estimate if error is None else pitch, free["truth/pitch"], free.t, "gyro"),
+            r_squared(wheel, free["truth/wheel_rate"] - free["truth/pitch_rate"], free.t, "encoder"),
+        )
+        fell = ", and falls" if free.origin["outcome"]["fell"] else ""
+        print(f"  {one.name}: its loop with {words}: pitch {scores[0]:.3f}, wheel rate {scores[1]:.3f}{fell}")
 
 
 def main() -> None:
