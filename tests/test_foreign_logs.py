@@ -206,6 +206,9 @@ def test_names_of_other_programs_are_understood() -> None:
     bought = read("wl", "wr", "tau_l_mNm", "tau_r_mNm")
     assert bought[SENSORS[1]] == ("wr", "")
     assert bought["command/left"] == ("tau_l_mNm", "mN m")
+    assert SENSORS[2] in read("psi_dot", "phi")  # pitch is ψ to some, as here, and θ to others
+    assert SENSORS[2] not in read("psi_dot", "theta_rad", "enc")
+    assert SENSORS[2] not in read("theta_dot", "psi", "enc")
     assert read("torque_left", "torque_right")["command/left"] == ("torque_left", "N m")
 
 

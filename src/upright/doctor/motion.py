@@ -119,8 +119,8 @@ class _Drive:
 
 
 def _against_command(m: Resampled, wheels: _Wheels) -> _Drive:
-    if m.commands is None or _quiet(m.commands[0]) or _quiet(m.commands[1]):
-        return _Drive(0, 0, "")
+    if m.commands is None or m.gyro is None or _quiet(m.commands[0]) or _quiet(m.commands[1]):
+        return _Drive(0, 0, "")  # what a controller does of a lean that was not logged looks like its surprise
     # Wheels are corrected against the gyro first: left and right then mean the same direction.
     left = m.left * (-1 if wheels.left * wheels.right < 0 and wheels.left < 0 else 1)
     right = m.right * (-1 if wheels.left * wheels.right < 0 and wheels.right < 0 else 1)
@@ -142,12 +142,13 @@ def _against_command(m: Resampled, wheels: _Wheels) -> _Drive:
 def _by_responses(m: Resampled, left: Array, right: Array) -> _Drive | None:
     """By the response of the wheels to unpredictable commands, equal or opposite on both sides; None if unclear."""
     assert m.commands is not None
+    assert m.gyro is not None
     rate = {"wheel": backward_rate((left + right) / 2, m.period)}
     halves = {"same": (m.commands[0] + m.commands[1]) / 2, "opposite": (m.commands[1] - m.commands[0]) / 2}
     clear = dict.fromkeys(halves, 0.0)
     for name, command in halves.items():
         if not _quiet(command):
-            response = responses(m, command, rate | ({"gyro": m.gyro} if m.gyro is not None else {})).get("wheel")
+            response = responses(m, command, rate | {"gyro": m.gyro}).get("wheel")
             clear[name] = _first_clear(response.t_value) if response is not None else 0.0
     name = max(clear, key=lambda name: abs(clear[name]))
     t = clear[name]

@@ -211,6 +211,7 @@ def undelayed(log: Log, delays: Mapped[str, float]) -> Log:
     return Log(log.t[keep], {name: values[keep] for name, values in channels.items()}, log.units, log.origin)
 
 
+GYRO = "sensor/gyro"
 GUESS = "guess"  # name of a mapping by the names of columns
 COMMANDS = ("command/left", "command/right", "applied/left", "applied/right")
 MOST = 1e30
@@ -269,7 +270,7 @@ _WORDS: Sequence[tuple[str, str]] = (
     *((rf"\b{_RATE} ?{s}\b|\b{s} {_RATE}\b", f"rate of sensor/encoder_{name}") for name, s in _SIDE.items()),
     *((rf"{_COMMAND} ?{s}\b|\b{s} {_COMMAND}\b", f"command/{name}") for name, s in _SIDE.items()),
     (r"\b(?:pitch|tilt|lean)(?: (?:rad|deg|x10|est\w*|angle))*$|gyro ?(?:ang\w*|est\w*)", "estimate/pitch"),
-    (_BODY_RATE, "sensor/gyro"),
+    (_BODY_RATE, GYRO),
     (r"\bbat\w*|\bvbat\w*", "sensor/battery"),
     (r"\b(?:heading|compass|yaw)(?: (?:rad|deg))?$", "sensor/compass"),
     (r"^(?:t|time\w*|ts|clock|seconds|sec|millis|micros)\b|\b(?:time ?stamp|stamp)$", TIME),
@@ -313,6 +314,8 @@ def _guess(table: RawTable) -> Mapping:
     for key in [key for key in sources if key.startswith("both of ")]:
         one, sides = sources.pop(key), [key.removeprefix("both of ") + side for side in _SIDE]
         sources |= dict.fromkeys(sides, one) if not sources.keys() & set(sides) else {}
+    if GYRO in sources and _by_letter(sources[GYRO].column, table):
+        del sources[GYRO]
     time = sources.pop(TIME, None)
     if time is None or not sources:
         raise InvalidLog(
@@ -326,6 +329,13 @@ def _guess(table: RawTable) -> Mapping:
             unit, scale = ("%", 1.0) if full == 100 and times else ("1", 1.0 if not times else 1 / full)
             sources[name] = Source(column=source.column, unit=unit, scale=scale, times=times)
     return Mapping(GUESS, time, sources, about="guessed from the names of the columns; check it")
+
+
+def _by_letter(gyro: str, table: RawTable) -> bool:
+    """Whether a column was taken for the gyro for a Greek letter alone, while the table has the other one too: pitch is
+    ψ to some and θ to others, and the other letter then is yaw or a wheel."""
+    letters = {letter for column in table.columns for letter in ("psi", "theta") if letter in _plain(column).split()}
+    return len(letters) == 2 and _plain(gyro).split()[0] in letters
 
 
 def full_duty(values: Array) -> float:
