@@ -96,7 +96,7 @@ class FilterRun(FilteredLog):
         if self.row[i] < 0 or not np.isfinite(self.variance[i]):
             return 0.0
         innovation = -(self.reads[self.row[i]] @ error) - shift
-        error += np.outer(self.gains[i], innovation)
+        error += self.gains[i][:, None] * innovation
         return innovation / math.sqrt(self.variance[i])
 
     @cached_property
@@ -243,7 +243,7 @@ def answer(run: FilterRun, entered: Array, shifted: Array | None = None) -> Arra
     `entered` (events, 4, faults) is what enters during each span in the order of `INPUTS`, `shifted` (events, faults)
     what the fault adds to a reading. An innovation under the fault is the one of the run plus this.
     """
-    return propagated(run, np.einsum("nij,njm->nim", run.tangent.gamma, entered), shifted)
+    return propagated(run, run.tangent.gamma @ entered, shifted)
 
 
 def propagated(run: FilterRun, pushed: Array, shifted: Array | None = None) -> Array:

@@ -111,8 +111,12 @@ def spreads(robot: Robot) -> dict[str, float]:
 def beside(basis: Array, values: Array) -> Array:
     """What is left of innovations (readings, …) when the robot may differ from the nominal one within its spreads: a
     ridge regression, written as one more row for each parameter."""
-    whole = np.concatenate([values, np.zeros((basis.shape[1], *values.shape[1:]))])
-    return whole - basis @ (basis.T @ whole)
+    n = len(values)
+    explained = basis[:n].T @ values  # the rows of the parameters are zero
+    left = np.empty((len(basis), *values.shape[1:]))
+    np.subtract(values, basis[:n] @ explained, out=left[:n])
+    left[n:] = -basis[n:] @ explained
+    return left
 
 
 def _pushes(run: FilterRun, onsets: Array, latest: float) -> list[Signature]:
