@@ -18,6 +18,7 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Awaitable, Callable, Iterator
+from dataclasses import replace
 from itertools import count
 from typing import Any
 
@@ -35,6 +36,7 @@ TOKEN = "students"
 SETTLED = 68.0  # [s] until everybody has come in, every module is loaded and the last minute of every robot is kept
 KEPT = 20.0  # [s] that the robot of a student who left is kept here, so that the end shows what stays for ever
 YIELDS = 10  # of nice, for those who share the lab's processors here alone
+CHOSEN = ("lqg", "pid", "mpc", "lqr", "sliding", "lqi")  # by the others, so that no hostile one loads a module first
 Send = Callable[[str], Awaitable[None]]
 
 
@@ -127,7 +129,7 @@ async def watching(port: int, clients: int, seconds: float) -> None:
     async def client(i: int) -> list[int]:
         counts = [0] * int(seconds)
         async with _socket(port) as socket:
-            await socket.send(_hello(f"Student {i}"))
+            await socket.send(_hello(f"Student {i}", CHOSEN[i % len(CHOSEN)]))
             while True:
                 message = json.loads(await asyncio.wait_for(socket.recv(), 60))
                 if message["kind"] != "Snapshot":
@@ -158,8 +160,8 @@ def _socket(port: int, source: str = "") -> Any:
     return connect(f"ws://127.0.0.1:{port}/ws", max_size=None, close_timeout=1, compression=None, **local)
 
 
-def _hello(name: str) -> str:
-    return encode(Hello(VERSION, token=TOKEN, name=name, setup=CLASS_SETUP))
+def _hello(name: str, controller: str = CLASS_SETUP.controller) -> str:
+    return encode(Hello(VERSION, token=TOKEN, name=name, setup=replace(CLASS_SETUP, controller=controller)))
 
 
 class Hostile:
