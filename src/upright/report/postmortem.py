@@ -110,7 +110,7 @@ def _figure(result: PostMortem) -> Figure:
     s = result.series
     labels = ["pitch [°]", "lean / largest lean to recover from [1]", "command / largest command [1]",
               "readings beside the model: squared error / expected [1]"]  # fmt: skip
-    figure, axes = panels(labels, height=1.0)
+    figure, axes = panels(labels)
     pitch, reach, command, nis = axes
     degrees = np.degrees(s.pitch)
     line(pitch, "pitch", s.t, degrees, style=0, solid=True)
