@@ -206,11 +206,10 @@ def restore(place: Path, before: dict[str, Any], after: dict[str, Any], scratch:
 
 def calls() -> Iterator[Call]:
     """Every call: each option and argument of each command with each hostile value of its type."""
-    from typer.main import get_command
 
-    from upright.cli.main import app
+    from upright.cli.main import group
 
-    group: Any = get_command(app)
+    group: Any = group()
     for name, base in BASES.items():
         right = shlex.split(base)
         always = tuple(right[right.index("-o") + 1 :][:1]) if "-o" in right else ()

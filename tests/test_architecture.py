@@ -142,16 +142,15 @@ def test_the_page_of_the_house_shows_every_room_in_order() -> None:
 
 
 def test_the_page_of_the_house_gives_every_command_a_room() -> None:
-    from typer.main import get_command
 
-    from upright.cli.main import app
+    from upright.cli.main import group
 
     rows = [
         line for line in (CHECKOUT / "docs" / "architecture.md").read_text("utf-8").splitlines() if line[:3] == "| `"
     ]
     table = [row.split("|")[3] for row in rows]
     shown = [name for cell in table for name in re.findall(r"`([^`]*)`", cell) if not name.startswith("--")]
-    assert sorted(shown) == sorted(get_command(app).commands)  # type: ignore[attr-defined]
+    assert sorted(shown) == sorted(group().commands)  # type: ignore[attr-defined]
 
 
 def test_imports_point_down() -> None:

@@ -22,11 +22,10 @@ def test_malformed_calls_are_one_line_and_change_nothing(tmp_path: Path, monkeyp
 def test_every_option_and_argument_of_every_command_is_abused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.syspath_prepend(str(BENCHMARKS))
     calls = importlib.import_module("abuse_calls")
-    from typer.main import get_command
 
-    from upright.cli.main import app
+    from upright.cli.main import group
 
     every = list(calls.calls())
-    assert {call.command for call in every} == set(get_command(app).commands)  # type: ignore[attr-defined]
+    assert {call.command for call in every} == set(group().commands)  # type: ignore[attr-defined]
     assert len(every) > 2000
     assert not any(output.startswith("/") or ".." in output for call in every for output in call.outputs)

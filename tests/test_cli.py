@@ -15,12 +15,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from typer.main import get_command
 
 from upright.atomic import write_json
 from upright.cli import main as cli
 from upright.cli.help import EXAMPLES
-from upright.cli.main import BUG, USER_ERROR, app, main
+from upright.cli.main import BUG, USER_ERROR, group, main
 from upright.cli.options import complete_controller, complete_kit, complete_robot
 from upright.cli.output import print_text
 from upright.control import CONTROLLERS
@@ -194,7 +193,7 @@ def test_ctrl_c_ends_with_130(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Ca
 
 
 def test_every_command_has_a_help_page(capsys: pytest.CaptureFixture[str]) -> None:
-    registered = get_command(app).commands  # type: ignore[attr-defined]
+    registered = group().commands  # type: ignore[attr-defined]
     assert len(registered) == 28
     for command in registered:
         assert main([command, "--help"]) == 0
@@ -204,7 +203,7 @@ def test_every_command_has_a_help_page(capsys: pytest.CaptureFixture[str]) -> No
 
 
 def options() -> list[tuple[str, Any]]:
-    every = get_command(app).commands.items()  # type: ignore[attr-defined]
+    every = group().commands.items()  # type: ignore[attr-defined]
     return [(f"{name} {option.name}", option) for name, command in every for option in command.params]
 
 
@@ -367,7 +366,7 @@ def test_no_summary_in_the_help_is_cut_at_80_columns(capsys, monkeypatch) -> Non
     assert [line for line in listed if line.endswith("...")] == []
 
 
-@pytest.mark.parametrize("name", sorted(get_command(app).commands))
+@pytest.mark.parametrize("name", sorted(group().commands))
 def test_no_help_shows_a_type_of_python_or_a_default_twice(name, capsys, monkeypatch) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     assert main([name, "--help"]) == 0
@@ -381,14 +380,14 @@ def test_help_names_every_command_once_under_a_heading_and_nothing_is_clipped(ca
     text = capsys.readouterr().out
     assert "..." not in text.split("Begin:")[1]
     listed = re.findall(r"^  ([a-z-]+)  ", text.split("Begin:")[1], re.MULTILINE)
-    assert sorted(listed) == sorted(get_command(app).commands)
+    assert sorted(listed) == sorted(group().commands)
 
 
 @pytest.mark.parametrize("line", [line for lines in EXAMPLES.values() for line in lines])
 def test_the_examples_of_the_help_are_calls_that_the_command_takes(line):
     name, *arguments = shlex.split(line)[1:]
     assert len(line) + 4 <= 80  # a terminal's width, indented as help is
-    get_command(app).commands[name].make_context(name, arguments)  # raises where an option or an argument is wrong
+    group().commands[name].make_context(name, arguments)  # raises where an option or an argument is wrong
 
 
 def sentences(text: str) -> list[list[str]]:
@@ -399,7 +398,7 @@ def sentences(text: str) -> list[list[str]]:
 
 def test_help_is_in_short_sentences() -> None:
     """Half of them of at most 14 words, none of more than 25."""
-    commands = get_command(app).commands.values()  # type: ignore[attr-defined]
+    commands = group().commands.values()  # type: ignore[attr-defined]
     texts = [text for command in commands for text in (command.help, *(option.help for option in command.params))]
     lengths = [len(words) for text in texts for words in sentences(text or "")]
     assert statistics.median(lengths) <= 14
@@ -430,7 +429,7 @@ FILES_OF_THEIR_OWN = {"reproduce", "firmware", "fly", "monitor", "start", "lab",
 
 
 def test_every_command_with_a_result_writes_it_and_its_page() -> None:
-    commands = get_command(app).commands  # type: ignore[attr-defined]
+    commands = group().commands  # type: ignore[attr-defined]
     flags = {name: {flag for option in command.params for flag in option.opts} for name, command in commands.items()}
     lacking = [name for name, known in flags.items() if not {"-o", "--report"} <= known]
     assert set(lacking) == FILES_OF_THEIR_OWN
@@ -443,7 +442,7 @@ def test_every_command_with_a_result_writes_it_and_its_page() -> None:
      ("firmware", "target", "nxc"), ("simulate", "controller", "lqg")],
 )  # fmt: skip
 def test_the_shell_completes_values(command: str, option: str, value: str) -> None:
-    asked = get_command(app).commands[command]  # type: ignore[attr-defined]
+    asked = group().commands[command]  # type: ignore[attr-defined]
     (parameter,) = [p for p in asked.params if p.name == option]
     context = asked.make_context(command, [], resilient_parsing=True)
     assert value in [item.value for item in parameter.shell_complete(context, value[:2])]

@@ -12,11 +12,10 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from typer.main import get_command
 
 from upright.bodies import Body, Electronics
 from upright.bodies.twin import Twin
-from upright.cli.main import app, main
+from upright.cli.main import group, main
 from upright.control import lqg
 from upright.control.excited import Excited, random_binary
 from upright.experiment import run
@@ -103,7 +102,7 @@ def test_commands_in_the_documents_are_understood(page: Path) -> None:
 
 def understood(words: list[str]) -> None:
     """Parse a command as the program does, without executing it; an unknown command or option raises."""
-    root = get_command(app)
+    root = group()
     todo = [root]
     while todo:
         command = todo.pop()

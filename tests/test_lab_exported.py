@@ -13,13 +13,12 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-from typer.main import get_command
 
 from upright.bodies import Electronics, LinearBody, NonlinearBody
 from upright.classwork.grading import grade_file
 from upright.classwork.tasks import TASKS
 from upright.classwork.worksheet import fragment
-from upright.cli.main import app, main
+from upright.cli.main import group, main
 from upright.compiled.interpret import Interpreter
 from upright.compiled.print_javascript import JavaScriptPrinter, functions
 from upright.control import CONTROLLERS, Controller, gain_of
@@ -459,7 +458,7 @@ def test_what_needs_python_says_so_with_its_command(page):
         assert "upright calibrate run.csv --robot nxtway-gs" in commands
         for line in commands:
             name, *arguments = shlex.split(line)[1:]
-            get_command(app).commands[name].make_context(name, arguments)  # raises where it is no such call
+            group().commands[name].make_context(name, arguments)  # raises where it is no such call
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

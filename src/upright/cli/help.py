@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import inspect
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
+import typer
 from typer.core import TyperGroup
+from typer.main import get_command
 
 GROUPS = {
     "Begin": {"start": ("upright start", "upright start study --robot ev3way")},
@@ -76,12 +80,48 @@ def epilog(name: str) -> str:
     return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in EXAMPLES[name])
 
 
+class Commands(Mapping[str, Any]):
+    """Commands by name, each made when it is first asked for: to make one takes longer than to import it.
+
+    `parts` are functions, or `typer.Typer` of several commands.
+    """
+
+    def __init__(self, parts: Mapping[str, Callable[..., Any] | typer.Typer]) -> None:
+        self._parts, self._made = parts, dict[str, Any]()
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in self._made:
+            part = self._parts[name]
+            whole = part if isinstance(part, typer.Typer) else typer.Typer(add_completion=False, rich_markup_mode=None)
+            if whole is not part:
+                whole.command(name)(part)
+            made = get_command(whole)
+            made.name, made.epilog = name, epilog(name)
+            self._made[name] = made
+        return self._made[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._parts)
+
+    def __len__(self) -> int:
+        return len(self._parts)
+
+    def summary(self, name: str) -> str:
+        """The first sentence of a command's help."""
+        part = self._parts[name]
+        if isinstance(part, typer.Typer):
+            return str(self[name].get_short_help_str(limit=200))
+        first = " ".join((inspect.getdoc(part) or "").partition("\n\n")[0].split())
+        return first.partition(". ")[0] + "." * (". " in first)
+
+
 class Grouped(TyperGroup):
     """A group whose help lists its commands under the headings of `GROUPS`, with full lines."""
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:
         del ctx
+        assert isinstance(self.commands, Commands)
         for heading, names in GROUPS.items():
-            rows = [(name, self.commands[name].get_short_help_str(limit=200)) for name in names]
+            rows = [(name, self.commands.summary(name)) for name in names]
             with formatter.section(heading):
                 formatter.write_dl(rows, col_max=20)

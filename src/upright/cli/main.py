@@ -26,7 +26,7 @@ from upright.cli.fleet import basin, fleet, push_map, sweep
 from upright.cli.fly import fly
 from upright.cli.grade import grade
 from upright.cli.guide import start as guide
-from upright.cli.help import Grouped, epilog
+from upright.cli.help import Commands, Grouped
 from upright.cli.identify import identify
 from upright.cli.lab import lab
 from upright.cli.linearise import linearise
@@ -55,10 +55,15 @@ COMMANDS = (
     validate, example, excite, identify, fleet, push_map, basin, sweep, firmware, parity, fly, monitor, lab,
     film, grade, guide,
 )  # fmt: skip
-for command in COMMANDS:
-    name = command.__name__.replace("_", "-")
-    app.command(name, epilog=epilog(name))(command)
-app.add_typer(robots, name="robots", epilog=epilog("robots"))
+
+
+def group() -> Grouped:
+    """`upright` with all its commands, each of which is made when it is asked for."""
+    whole = get_command(app)
+    assert isinstance(whole, Grouped)
+    named = {command.__name__.replace("_", "-"): command for command in COMMANDS}
+    whole.commands = Commands({**named, "robots": robots})  # type: ignore[assignment] (it only reads them)
+    return whole
 
 
 def _print_version(asked: bool) -> None:
@@ -92,7 +97,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices here are small: more threads only wait for each other
     try:
         with together():
-            code = get_command(app).main(arguments, prog_name="upright", standalone_mode=False)
+            code = group().main(arguments, prog_name="upright", standalone_mode=False)
             if code == interrupts.exit_code():
                 raise KeyboardInterrupt  # which typer turned into a number
         return code if isinstance(code, int) else 0

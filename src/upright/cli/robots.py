@@ -13,7 +13,7 @@ from upright.cli.output import check_targets, print_json, print_table
 if TYPE_CHECKING:
     from upright.robots import Robot
 
-robots = typer.Typer(rich_markup_mode=None)
+robots = typer.Typer(add_completion=False, rich_markup_mode=None)
 
 
 @robots.callback(invoke_without_command=True)
