@@ -54,6 +54,7 @@ STYLE: dict[str, Any] = {
 WIDTH, LEFT, RIGHT = 7.2, 0.75, 0.15  # [inches], as what follows
 PANEL, HEAD, FOOT = 1.85, 0.42, 0.55
 SCREEN, LEAST = 4.7, 0.7  # [inches] of all panels that a screen shows below a title, and of one panel at least
+BELOW: dict[str, Any] = {"linewidth": 4.0, "alpha": 0.35}
 MANY = 12  # rows of names: more are closer together
 COLUMNS = 1000  # of a line that is thinned: two for each column of pixels at the width of a page
 
@@ -96,13 +97,13 @@ def panels(
 @styled
 def line(
     ax: Axes, name: str, x: ArrayLike, y: ArrayLike, *,
-    step: bool = False, style: int | None = None, solid: bool = False,
+    step: bool = False, style: int | None = None, solid: bool = False, below: bool = False,
 ) -> None:  # fmt: skip
     """A line through (x, y), shape (n,), under a `name`; a gap where they are not finite.
 
     `step` holds each value up to the next, as a command is held. `style` numbers its colour and dashes; by default the
-    place of its name among the figure's names. `solid` draws no dashes, where one line stands alone or leads. Many
-    samples are thinned so that the line looks the same.
+    place of its name among the figure's names. `solid` draws no dashes, where one line stands alone or leads; `below`
+    draws it wide and pale, for another line on top. Many samples are thinned so that the line looks the same.
     """
     across, up = (np.asarray(values, dtype=np.float64).ravel() for values in (x, y))
     if across.shape != up.shape:
@@ -116,7 +117,7 @@ def line(
     place = style if style is not None else names.index(name) if name in names else len(names)
     ax.plot(
         across, up, label=name, drawstyle="steps-post" if step else "default", color=COLOURS[place % len(COLOURS)],
-        linestyle="-" if solid else DASHES[place % len(DASHES)],
+        linestyle="-" if solid or below else DASHES[place % len(DASHES)], **(BELOW if below else {}),
     )  # fmt: skip
 
 

@@ -289,8 +289,8 @@ class Calibration(Shown):
         figure, axes = panels(labels)
         for ax, name in zip(axes, names, strict=True):
             t, measured, predicted = free.series(name)
-            line(ax, "measured", t, measured, style=4, solid=True)
-            line(ax, "predicted", t, predicted, style=1)
+            line(ax, "measured", t, measured, style=4, below=True)
+            line(ax, "predicted", t, predicted, style=1, solid=True)
         return legend(figure)
 
     def listing(self) -> Listing:

@@ -126,13 +126,13 @@ def of_low(evidence: Evidence) -> str:
     gave = "the motors had torque left"
     if math.isfinite(evidence.motors.help):
         gave = f"the motors gave {evidence.motors.help:.2g} of the torque that stops the fall, and had more"
-    return f"{sound(evidence)}, no push is seen, and the fall grew without swings: {gave}"
+    return f"{sound(evidence)}, and the fall grew without swings: {gave}"
 
 
 def of_high(evidence: Evidence) -> str:
     return (
-        f"{sound(evidence)}, no push is seen, and the commands changed sign {evidence.motors.swings:.0f} times a "
-        "second with growing swings"
+        f"{sound(evidence)}, and the commands changed sign {evidence.motors.swings:.1g} times a second with growing "
+        "swings"
     )
 
 

@@ -55,8 +55,10 @@ def distribution(data: Dataset, outcome: str, bins: int = 60) -> Figure:
     """The fraction of the robots that stood over an outcome of theirs, as a histogram."""
     from upright.plotting import panels
 
-    values = stood(data, outcome)
-    unit, words = str(data[outcome].attrs["unit"]), str(data[outcome].attrs["long_name"])
+    values, unit = stood(data, outcome), str(data[outcome].attrs["unit"])
+    if unit in ("rad", "rad/s"):
+        values, unit = np.degrees(values), unit.replace("rad", "°")
+    words = str(data[outcome].attrs["long_name"])
     figure, (ax,) = panels(["fraction of robots [1]"], f"{words} [{unit}]", height=1.4)
     if len(values):
         ax.hist(values, bins, weights=np.full(len(values), 1 / len(values)), histtype="stepfilled", alpha=0.8)

@@ -35,10 +35,14 @@ class Claim:
     items: Sequence[Item] = ()
     logs: Mapping[str, Log] = field(default_factory=dict[str, Log])
 
+    @property
+    def first(self) -> str:
+        """The first sentence of the summary."""
+        return f"{self.summary.split('. ')[0].rstrip('.')}."
+
     def why(self, width: int) -> str:
         """The first sentence of the summary, indented and wrapped to `width` columns."""
-        first = self.summary.split(". ")[0].rstrip(".")
-        return textwrap.fill(f"{first}.", width, initial_indent="    ", subsequent_indent="    ")
+        return textwrap.fill(self.first, width, initial_indent="    ", subsequent_indent="    ")
 
     def section(self) -> Section:
         """The claim as a section of the page: the figures that come first, or else the first, then the rest folded."""

@@ -73,14 +73,14 @@ def _page(claims: Sequence[Claim]) -> Page:
     missed = f" Not as printed: {'; '.join(failed)}." if failed else ""
     part = next(c for c in claims if c.part == "5c")
     picture = next(item for item in part.items if isinstance(item, Figure))
-    rows = [[f"{c.part} {c.title}", Verdict(c.verdict, LEVEL_OF[c.verdict])] for c in claims]
+    rows = [[f"{c.part} {c.title}", Verdict(c.verdict, LEVEL_OF[c.verdict]), c.first] for c in claims]
     robots = [Robot.preset(name) for name in (LIGHT, HEAVY)]
     parameters: list[list[Cell]] = [
         [symbol, name.replace("_", " "), unit, *(getattr(robot, name) for robot in robots)]
         for name, (unit, symbol) in PARAMETERS.items()
     ]
     opening = [
-        Section("The claims", [Table(["claim", "verdict"], rows)]),
+        Section("The claims", [Table(["claim", "verdict", "because"], rows)]),
         Section("The robot", [
             Figure("Angles and lengths of the model", labelled(robots[0])),
             Details("Parameters of both robots", [Table(["", "parameter", "unit", LIGHT, HEAVY], parameters)]),

@@ -95,16 +95,14 @@ def _targets(analysis: Analysis) -> list[tuple[str, str, str, float]]:
 def _against_targets(analysis: Analysis) -> Figure:
     """Each margin as a part of its usual target."""
     targets = _targets(analysis)
-    figure, ax = rows_of([name for name, *_ in targets], "part of the usual target [%]", "margin")
+    names = [f"{name}: {value}, wanted {target}" for name, value, target, _ in targets]
+    figure, ax = rows_of(names, "part of the usual target [%]", "margin")
     parts = np.array([100 * min(part, 2.0) for *_, part in targets])
     for label, kept, colour in (("reaches the target", parts >= 100, 2), ("too small", parts < 100, 1)):
         if kept.any():
             ax.barh(np.flatnonzero(kept), parts[kept], height=0.6, color=COLOURS[colour], label=label)
     ax.axvline(100, linestyle="--", linewidth=1.2, color=AXIS, label="usual target")
-    for row, (_, value, target, _) in enumerate(targets):
-        text = f"{value} (wanted {target})"
-        ax.annotate(text, (parts[row], row), (4, 0), textcoords="offset points", va="center")
-    ax.set_xlim(0, max(150.0, 1.6 * parts.max()))
+    ax.set_xlim(0, max(110.0, 1.05 * parts.max()))
     met = int((parts >= 100).sum())
     return Figure(f"{met} of {len(parts)} margins reach the usual target", legend(figure))
 

@@ -17,7 +17,9 @@ def page_of(bench: Bench) -> Page:
     best, largest = next(iter(ranked.items()), ("", math.nan))
     verdict = Verdict(f"{len(held)} of {len(ranked)} hold the robot", "good" if held else "warn")
     knocked = not math.isnan(largest)
-    title = f"Largest knock that each controller survives: {best} {cell_text(largest, 3)} N s"
+    alike = sum(size >= largest * (1 - TOLERANCE) for size in ranked.values())
+    ties = f"the best {alike}, in green, tie" if alike > 1 else f"{best}, in green, is the best"
+    title = f"Largest knock that each controller survives: {ties}"
     last, least = list(ranked.items())[-1] if ranked else ("", math.nan)
     numbers = [
         (f"{cell_text(size, 3)} N s", f"largest knock survived by {name}")

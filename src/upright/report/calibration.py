@@ -120,7 +120,7 @@ def _by_name(c: Calibration) -> Figure | None:
         "Left or right of the middle: the log moved the value. A bar as long as the shaded band: the log adds nothing."
     )
     return Figure(
-        "Short bars: measured by this log. Long bars: still as uncertain as in the robot's file", c.plot(), note
+        "Short bars: this log measures or bounds them. Long bars: still as uncertain as in the file", c.plot(), note
     )
 
 
@@ -154,14 +154,14 @@ def _lead(c: Calibration) -> str:
         return sentence(c.refused[0])
     lowest, sensor = _least(c)
     logs = ", ".join(c.sources) or "the log"
-    text = f"{c.robot.name} was fitted to {c.seconds:.2g} s of {logs}."
+    text = f"{c.robot.name} was fitted to {c.samples} rows of {logs}."
     if math.isfinite(lowest):
         text += f" It predicts every sensor: R² at least {cell_text(lowest, 2)} ({sensor}), wanted 0.9."
         text = text if lowest >= GOOD else text.replace("predicts every sensor", "predicts the sensors in part")
     pole = c["unstable_pole"]
     text += f" A lean doubles in {cell_text(1e3 * math.log(2) / pole.value, 2)} ms." if pole.value > 0 else ""
     unknown = sum(e.verdict != VISIBLE for e in c.parameters)
-    return text + (" For more parameters, run `upright excite`, log that run, and calibrate again." if unknown else "")
+    return text + (" Next: `upright excite` plans a run that tells more parameters." if unknown else "")
 
 
 def _estimates(estimates: Sequence[Estimate]) -> Table:

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 from upright.certify.verdict import MOST_FALLS
 from upright.fleet.binomial import clopper_pearson
 from upright.fleet.tally import Cases, labelled
-from upright.plotting import number
+from upright.plotting import AXIS, legend, number
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict
 from upright.tables import spoken
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Drawing
 
 
 def page_of(cases: Cases) -> Page:
@@ -22,9 +26,19 @@ def page_of(cases: Cases) -> Page:
     fallen, all_of_them = sum(case.fell or 0 for case in counted), sum(case.n for case in counted)
     return Page(
         _title(cases, fallen / all_of_them), sections, _lead(cases), twin_note=False,
-        verdict=falls_verdict(fallen, all_of_them), picture=Figure(_claim(cases), cases.plot()),
+        verdict=falls_verdict(fallen, all_of_them), picture=Figure(_claim(cases), _limited(cases)),
         numbers=_numbers(cases, fallen, all_of_them),
     )  # fmt: skip
+
+
+def _limited(cases: Cases) -> Drawing:
+    """The falls of each case beside the limit of a certificate."""
+    drawing = cases.plot()
+    (ax,) = drawing.axes
+    limit = 100 * MOST_FALLS
+    ax.axvline(limit, linestyle="--", linewidth=1, color=AXIS, label=f"limit of a certificate, {limit:g} %")
+    ax.set_xlim(0, max(1.4 * limit, ax.get_xlim()[1]))
+    return legend(drawing)
 
 
 def falls_verdict(fallen: int, all_of_them: int) -> Verdict:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from upright.certify.agreement import AMBER, RED
 from upright.certify.certificate import Certificate
-from upright.certify.checks import HELD, KNOCKED, Swept
+from upright.certify.checks import HELD, KNOCKED, PushTrial, Swept
 from upright.certify.verdict import GREEN, MOST_FALLS, LinearMargins
 from upright.plotting import line, number, panels
 from upright.report.figure import Figure
@@ -55,7 +56,12 @@ def page_of(certificate: Certificate) -> Page:
 def _numbers(c: Certificate) -> list[tuple[str, str]]:
     numbers = [(f"{number(100 * c.bound, 2)} %", f"of such robots fall, at most; the limit is {100 * MOST_FALLS:g} %")]
     if c.linear:
-        numbers += [(f"{cell_text(c.linear.delay * 1e3, 3)} ms", "more delay of one signal, until it is unstable")]
+        numbers += [
+            (
+                f"{cell_text(c.linear.delay * 1e3, 3)} ms",
+                "more delay of one signal, the most sensitive, until unstable",
+            )
+        ]
     stood = [t.travel for t in c.trials if t.fell < t.runs]
     return [
         *numbers,
@@ -67,7 +73,8 @@ def _falls(c: Certificate) -> Figure:
     most = max(c.trials, key=lambda t: t.fell / t.runs)
     if most.fell:
         percent = number(100 * most.fell / most.runs, 3)
-        return Figure(f"Most falls: {most.push}, {most.battery} battery, {percent} % of the robots", c.plot())
+        limit = "all below the limit" if c.bound <= MOST_FALLS else "beyond the limit"
+        return Figure(f"Falls {limit}; most at: {most.push}, {most.battery} battery, {percent} %", c.plot())
     return Figure(f"No robot fell in {sum(t.runs for t in c.trials)} trials: how far 95 % of them rolled", c.plot())
 
 
@@ -94,7 +101,11 @@ def _trials(c: Certificate) -> Table:
             t.fell,
             t.beyond,
             t.bound,
-            *([100 * t.saturated, t.travel, t.peak, t.cycle] if t.fell < t.runs else [None] * 4),
+            *(
+                [100 * t.saturated, t.travel, math.degrees(t.peak), math.degrees(t.cycle)]
+                if t.fell < t.runs
+                else [None] * 4
+            ),
         ]
         for t in c.trials
     ]
@@ -107,10 +118,15 @@ def _trials(c: Certificate) -> Table:
         "any survives",
         "saturated [%]",
         "travel [m]",
-        "peak pitch [rad]",
-        "sway [rad]",
+        "pitch [°]",
+        "sway [°]",
     ]
     return Table(header, rows, "Standard pushes with full and low battery", 3)
+
+
+def _quantiles(t: PushTrial) -> list[float]:
+    """Of the robots that stood: saturated periods [%], travel [m], peak pitch [°] and sway [°]."""
+    return [100 * t.saturated, t.travel, math.degrees(t.peak), math.degrees(t.cycle)]
 
 
 def _linear(margins: LinearMargins) -> Table:
@@ -132,7 +148,7 @@ def _support(c: Certificate) -> Table:
 
 
 def _sweeps(c: Certificate) -> list[Item]:
-    sweeps = {"additional delay": c.delayed, "period": c.slower}
+    sweeps = {"additional delay of the commands": c.delayed, "period": c.slower}
     return [_figure(name, swept) for name, swept in sweeps.items() if len(swept) > 1]
 
 
@@ -140,5 +156,6 @@ def _figure(name: str, swept: Sequence[Swept]) -> Figure:
     milliseconds = [1e3 * s.value for s in swept]
     figure, (ax,) = panels(["fell [%]"], f"{name} [ms]")
     line(ax, "fell", milliseconds, [100 * s.fell / s.runs for s in swept])
-    ax.set_ylim(-2, 102)
+    worst = 100 * max(s.fell / s.runs for s in swept)
+    ax.set_ylim(-0.02 * (top := max(10.0, min(102.0, 1.3 * worst))), top)
     return Figure(f"Falls in {swept[0].runs} runs over the {name}, unknown to the controller", figure)

@@ -88,8 +88,8 @@ def _advice(result: Diagnosis, faults: int) -> str:
     name = result.source or "LOG"
     first = next(iter(result.findings), None)
     of = f" {first.channel.removeprefix('sensor/').replace('_', ' ')}: {first.evidence}." if first else ""
-    text = f"{'Worst' if faults else 'A remark'},{of}" if first else ""
-    text += f" {sentence(first.repair)}" if first and first.repair else ""
+    text = f"Worst,{of}" if faults else f"All checks pass.{' A remark stands below.' if first else ''}"
+    text += f" {sentence(first.repair)}" if faults and first and first.repair else ""
     fixes = any(f.fixes for f in result.findings)
     next_one = f"`upright doctor {name} --fix repaired.csv`" if fixes else f"`upright calibrate {name} --robot ROBOT`"
     return f"{text} Next: {next_one}.".strip()
@@ -135,7 +135,7 @@ def _linear(model: LinearModel) -> Page:
     return Page(
         f"Without a controller the robot falls: a lean doubles every {doubles}" if unstable else "No pole is unstable",
         [Section("Matrices", matrices), Section("Poles", [Table(["real part", "imaginary part"], rows)])],
-        f"The linear model near the upright rest, {equation}. {count}.", {}, False,
+        f"The linear model near the upright rest, {equation}. {count}. Next: `upright design` a controller.", {}, False,
         verdict=Verdict("unstable without control" if unstable else "stable", "info"),
         picture=_pole_figure(poles, model.continuous, count), numbers=numbers,
     )  # fmt: skip

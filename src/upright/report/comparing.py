@@ -77,8 +77,10 @@ def _lead(comparison: Comparison) -> str:
     robot, kind = log.origin.get("robot", {}).get("name", ""), log.origin.get("controller", {}).get("kind", "")
     who = f"{robot} under {kind}" if robot and kind else robot or "One experiment"
     pushes = [f"from {start:.3g} to {stop:.3g} s" for start, stop in comparison.pushed]
-    pushed = f", pushed {' and '.join(pushes[:2])}" if pushes else ", without a push"
-    several = f", in {', '.join(comparison.logs)}" if comparison.fits else ""
+    force = np.abs(log["push/force"]).max() if "push/force" in log else 0.0
+    much = f" with {cell_text(float(force), 2)} N" if force else ""
+    pushed = f", pushed{much} {' and '.join(pushes[:2])}" if pushes else ", without a push"
+    several = f"; runs: {', '.join(comparison.logs)}" if comparison.fits else ""
     twin = any(kind.startswith("twin") for kind in comparison.kinds.values())
     stands = " A twin, a physics engine, stands in for the real robot." if twin else ""
     after = (
@@ -194,6 +196,9 @@ def metrics_table(comparison: Comparison) -> Table:
         [text, comparison.unit(name), *(getattr(numbers, name) for numbers in comparison.metrics.values())]
         for name, (_, text) in METRICS.items()
     ]
+    if comparison.pushed:
+        calm: list[Cell] = [_calm(comparison, label)[0] for label in comparison.logs]
+        rows.insert(0, ["calm after the release, as at rest", "s", *calm])
     return Table(["", "unit", *comparison.logs], rows, "Metrics of each run")
 
 
@@ -267,8 +272,8 @@ def _claim(comparison: Comparison, name: str) -> str:
             if math.isnan(calm):
                 return "Pitch does not come to rest within the run"
             return f"Pitch is calm, within the dotted ±{_degrees(limit)}, {_settles(calm)} after the release"
-        apart = (f"{label} never by more than {_degrees(size)}" for label, size in _apart(comparison, name).items())
-        return f"Pitch beside that of {comparison.reference}: {', '.join(apart)} apart"
+        apart = (f"{label} {_degrees(size)}" for label, size in _apart(comparison, name).items())
+        return f"Pitch beside that of {comparison.reference}, largest difference: {', '.join(apart)}"
     words = name.replace("_", " ").capitalize()
     fits = (f"{label} {_percent(fits[name])}" for label, fits in comparison.fits.items())
     return f"{words}, fit to {comparison.reference}: " + ", ".join(fits) if comparison.fits else f"{words} of the run"

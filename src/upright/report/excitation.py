@@ -58,7 +58,7 @@ _TRIED = (
 def _lead(plan: ExcitationPlan) -> str:
     halved = sorted((p for p in plan.predicted if p.after < VISIBLE * p.before), key=lambda p: p.after / p.before)
     names = ", ".join(spoken(p.name) for p in halved[:3])
-    most = f" It tells most of {names}." if names else ""
+    most = f" It sharpens {names} most." if names else ""
     return (
         f"While {plan.controller} balances the robot, a {plan.way} is added to its commands.{most} "
         "Next: `upright simulate --excite plan.json`, or your robot; then `upright calibrate` that log."
@@ -141,6 +141,7 @@ def _widths(plan: ExcitationPlan) -> Figure:
     lost = [spoken(p.name) for p in plan.predicted if p not in shown]
     none = f" Not drawn, since the run tells nothing of them: {', '.join(lost)}." if lost else ""
     title = f"The run halves the uncertainty of {_halved(plan)} of {len(plan.predicted)} parameters; left is better"
+    title += f" ({len(shown)} drawn)" if lost else ""
     return Figure(title, legend(figure), f"The random signal has the same energy.{none}")
 
 

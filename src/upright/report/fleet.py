@@ -60,7 +60,9 @@ def _map(part: Any, direction: str) -> Figure:
         part["duration"].values, part["height"].values, impulse.T, x_label="duration of the push [s]",
         y_label="height above the axle [m]", label="impulse [N s]", levels=_levels(low, high), smooth=True,
     )  # fmt: skip
-    drawing.axes[0].plot(duration, height, "o", color="white", markersize=5, clip_on=False)
+    drawing.axes[0].plot(
+        duration, height, "o", color="white", markeredgecolor="black", markersize=9, clip_on=False, zorder=5
+    )
     inwards = [
         (-1 if part[name].values.mean() < at else 1) for name, at in (("duration", duration), ("height", height))
     ]
@@ -119,6 +121,11 @@ def basin_figure(data: Dataset) -> Figure:
     if math.isfinite(low):
         ends = [scale[across] * low, scale[across] * high]
         drawing.axes[0].plot(ends, [0, 0], "k|-", linewidth=2, markersize=12)
+        for end, side in zip(ends, ("right", "left"), strict=True):
+            text = f"{number(round(end, 1), 2)}{'°' if scale[across] > 1 else ''}"
+            drawing.axes[0].annotate(
+                text, (end, 0), (-6 if side == "right" else 6, 4), textcoords="offset points", ha=side, color="black"
+            )
     drawing.axes[0].locator_params(axis="x", nbins=5)
     apart = float(data["island"].values.mean())
     note = f"{100 * apart:.2g} % of these states are islands: from states between them and rest the robot falls."
@@ -137,12 +144,17 @@ def _zoom(ax: Axes, x: Array, y: Array, recovered: Array) -> None:
 
 def histogram(data: Dataset, name: str) -> Figure:
     """How an outcome is distributed over the robots that stood."""
-    values = stood(data, name)
-    unit, words = str(data[name].attrs["unit"]), str(data[name].attrs["long_name"])
-    middle, high = np.quantile(values, (0.5, 0.95)).tolist() if len(values) else (math.nan, math.nan)
+    values, words = stood(data, name), str(data[name].attrs["long_name"])
+    scale, unit = _scale(str(data[name].attrs["unit"]))
+    middle, high = (scale * np.quantile(values, (0.5, 0.95))).tolist() if len(values) else (math.nan, math.nan)
     after = "" if unit == "1" else f" {unit}"
     title = f"{sentence(words, ':')} half below {middle:.3g}{after}, 95 % below {high:.3g}{after}"
     return Figure(title, distribution(data, name))
+
+
+def _scale(unit: str) -> tuple[float, str]:
+    """Angles are shown in degrees."""
+    return (180 / math.pi, unit.replace("rad", "°")) if unit in ("rad", "rad/s") else (1.0, unit)
 
 
 def influence(data: Dataset, outcome: str) -> Figure | None:
@@ -222,16 +234,18 @@ def _push_map_page(data: Dataset) -> Page:
     low, duration = float(values[row, column, way]), float(data["duration"].values[column])
     height = float(data["height"].values[row])
     lead = (
-        f"Found by pushing one robot harder and harder, within {100 * search['tolerance']:g} %. It survives a push if "
+        f"Found by pushing one robot {' and '.join(data['direction'].values.tolist())}, harder and harder, within "
+        f"{100 * search['tolerance']:g} %. It survives a push if "
         f"it still stands {search['watch']:g} s later. {low:.2g} N s stops a tennis ball of {low / BALL:.2g} m/s. "
         "Next: `upright certify`, for slightly different robots."
     )
     first, *rest = push_map_figures(data)
     ways = data["direction"].values.tolist()
     least = {d: float(impulse.sel(direction=d).min()) for d in ways}
-    numbers = [(f"{low:.2g} N s", f"the weakest push that topples it, {height:.2g} m above the axle")]
-    numbers += [(f"{low / duration:.2g} N", f"is that push, for {1e3 * duration:.2g} ms")]
-    numbers += [(f"{cell_text(least[d], 3)} N s", f"the weakest push {d}") for d in ways if least[d] > 1.05 * low]
+    numbers = [(f"{low:.2g} N s", f"survived where a push is worst, {height:.2g} m above the axle")]
+    numbers += [(f"{low / duration:.2g} N", f"is the force of that push, for {1e3 * duration:.2g} ms")]
+    numbers += [(f"{cell_text(least[d], 3)} N s", f"survived at the worst place, {d}") for d in ways
+                if least[d] > 1.05 * low]  # fmt: skip
     sections = [Section("Maps and slices", rest)]
     title = f"{name} survives every push up to {cell_text(low, 2)} N s"
     verdict = Verdict("limits of one robot", "info")
@@ -261,7 +275,11 @@ def _basin_page(data: Dataset) -> Page:
     numbers = [(percent, "of the states tried recover")]
     if known:
         reach = data[up].values[(data["recovered"].values[int(np.abs(data[across].values).argmin())] > 0.5)]
-        ends = f"{_in_degrees(float(reach.min()), data, up)} to {_in_degrees(float(reach.max()), data, up)}"
+        least, most = float(reach.min()), float(reach.max())
+        alike = math.isclose(-least, most, rel_tol=1e-6)
+        ends = f"±{_in_degrees(most, data, up)}" if alike else (
+            f"{_in_degrees(least, data, up)} to {_in_degrees(most, data, up)}"
+        )  # fmt: skip
         numbers = [(ends, f"{up.replace('_', ' ')} from which it recovers, where {words} is zero")]
         numbers += [(_in_degrees(step, data, across), "step of the grid: the ends are known to this")]
     return Page(
@@ -295,10 +313,10 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     """Falls and quantiles of the robots, with the distribution of each outcome."""
     names = [name for name, row in summary.quantiles.items() if np.isfinite(row[1]) and np.ptp(row) > 0]
     some = 0 < summary.fell < summary.n
-    rows: list[list[Cell]] = [
-        [str(data[name].attrs["long_name"]), summary.units[name], *summary.quantiles[name]]
-        for name in summary.quantiles
-    ]
+    rows: list[list[Cell]] = []
+    for name, quantiles in summary.quantiles.items():
+        scale, unit = _scale(summary.units[name])
+        rows.append([str(data[name].attrs["long_name"]), unit, *(scale * value for value in quantiles)])
     table = Table(["robots that stood", "unit", "5 %", "median", "95 %"], rows, "Quantiles over the robots")
     chance = summary.chance
     pushes = origin_of(data).get("scenario", {}).get("push")

@@ -45,7 +45,7 @@ def _verdict(compared: MethodComparison) -> Verdict:
     level = "bad" if not holding else "good" if holding == tried else "warn"
     if tried == 1:
         return Verdict("holds the robot" if holding else "does not hold the robot", level)
-    return Verdict(f"use {_best(compared)}" if holding else "none can be used", level)
+    return Verdict(f"{_best(compared)} is the surest" if holding else "none can be used", "good" if holding else level)
 
 
 def _title(compared: MethodComparison) -> str:

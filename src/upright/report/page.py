@@ -176,6 +176,8 @@ def cell_text(cell: Cell, digits: int = 4) -> str:
         return cell
     if isinstance(cell, bool):
         return "yes" if cell else "no"
+    if isinstance(cell, int):
+        return str(cell).replace("-", "−")
     if cell is None or math.isnan(cell):
         return "–"
     mantissa, e, power = f"{cell:.{digits}g}".partition("e")
@@ -195,7 +197,12 @@ _UNIT = re.compile(
 def symbols(text: str) -> str:
     """Text as HTML: a letter with an index, such as J_ψ, gets a subscript, and a name in backticks is code."""
     parts = _CODE.split(escape(text))  # prose and code by turns
-    return "".join(f"<code>{p}</code>" if i % 2 else _INDEX.sub(r"\1<sub>\2</sub>", p) for i, p in enumerate(parts))
+    return "".join(_code(p) if i % 2 else _INDEX.sub(r"\1<sub>\2</sub>", p) for i, p in enumerate(parts))
+
+
+def _code(text: str) -> str:
+    """A command, whose lines break between its words alone."""
+    return f"<code>{' '.join(f'<span>{word}</span>' if '-' in word else word for word in text.split(' '))}</code>"
 
 
 _INDEX = re.compile(r"\b([A-Za-zα-ωΔ]\u0307?)_(\w)\b")

@@ -75,7 +75,7 @@ def _lead(result: PostMortem) -> str:
     """When it fell, why, and what to do."""
     if not result.fell:
         return "The robot did not fall in this log."
-    text = f"It fell at t = {result.fell_at:.2f} s of the log: the lean passed 40°."
+    text = f"It fell at t = {result.fell_at:.2f} s of the log: from there on the lean stays beyond 40°."
     best = result.causes[0] if result.causes else None
     if not best:
         return text
@@ -108,7 +108,7 @@ def _causes(result: PostMortem) -> Table:
 
 def _figure(result: PostMortem) -> Figure:
     s = result.series
-    labels = ["pitch [°]", "lean / largest lean to recover from [1]", "command / largest command [1]",
+    labels = ["pitch [°]", "lean / largest lean to recover from [1]", "command asked for / largest command [1]",
               "readings beside the model: squared error / expected [1]"]  # fmt: skip
     figure, axes = panels(labels)
     pitch, reach, command, nis = axes
@@ -120,6 +120,8 @@ def _figure(result: PostMortem) -> Figure:
     line(reach, "lean", s.t, s.reserve, style=2, solid=True)
     _level(reach, s.t, 1.0, "no return")
     line(command, "command", s.t, np.clip(s.command, -CUT, CUT), step=True, style=1, solid=True)
+    for level in (-1.0, 1.0):
+        _level(command, s.t, level, "motors at their limit" if level > 0 else "")
     nis.set_yscale("log")
     numbered(nis.yaxis)
     line(nis, "error", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)

@@ -46,7 +46,9 @@ def page_of(result: Validation) -> Page:
     sections = [section for log in result.logs for section in _sections(log, len(result.logs) > 1)]
     of = " of" if result.verdict == JUDGED else ""
     logs = result.logs[0].source or "the log" if len(result.logs) == 1 else f"{len(result.logs)} logs"
-    title = f"{result.robot} {result.verdict}{of} {logs}: R² at least {cell_text(worst.worst.r2, 3)}"
+    title = (
+        f"{result.robot} {result.verdict}{of} {logs}: R² of gyro and encoders at least {cell_text(worst.worst.r2, 3)}"
+    )
     lowest = "Half a second at a time: measured, and predicted from the commands alone"
     lead = _lead(result) if result.verdict == PREDICTS else f"{result.sentence}. {_lead(result)}"
     return Page(
@@ -59,9 +61,11 @@ def _lead(result: Validation) -> str:
     """What was done, what passes, and what to run next."""
     seconds = sum(log.seconds for log in result.logs)
     then = "`upright design` a controller" if result.worst.worst.r2 >= GOOD else "`upright calibrate` with this log"
+    compass = any(c.name.endswith("compass") for log in result.logs for c in log.half_seconds)
+    aside = " The compass is shown, not judged: it also turns with iron and motors nearby." if compass else ""
     return (
         f"{seconds:.3g} s of log, which the robot's file has not used, against the model of {result.robot}. "
-        f"A sensor passes from R² {GOOD:g} up. Next: {then}."
+        f"A sensor passes from R² {GOOD:g} up.{aside} Next: {then}."
     )
 
 
@@ -112,5 +116,8 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
 
 
 def _table(channels: Sequence[ChannelFit]) -> Table:
-    rows: list[list[Cell]] = [[short(c.name), c.r2, c.fit, c.breaks] for c in channels]
+    rows: list[list[Cell]] = [
+        [short(c.name) + (" (not judged)" if c.name.endswith("compass") else ""), c.r2, c.fit, c.breaks]
+        for c in channels
+    ]
     return Table(["", "R²", "fit [%]", "breaks at [s]"], rows)

@@ -206,8 +206,8 @@ def half_second_figure(log: LogJudged) -> Figure:
     figure, axes = panels([_label(name) for name in names])
     for ax, name in zip(axes, names, strict=True):
         t, measured, predicted = log.segments.series(name)
-        line(ax, "measured", t, measured, style=4, solid=True)
-        line(ax, "predicted", t, predicted, style=1)
+        line(ax, "measured", t, measured, style=4, below=True)
+        line(ax, "predicted", t, predicted, style=1, solid=True)
     return legend(figure)
 
 
@@ -217,8 +217,8 @@ def loop_figure(loop: FreeLoop) -> Figure:
 
     figure, axes = panels([_label(name) for name in loop.names])
     for i, ax in enumerate(axes):
-        line(ax, "measured", loop.t, loop.measured[:, i], style=4, solid=True)
-        line(ax, "simulated freely", loop.t, loop.simulated[:, i], style=1)
+        line(ax, "measured", loop.t, loop.measured[:, i], style=4, below=True)
+        line(ax, "simulated freely", loop.t, loop.simulated[:, i], style=1, solid=True)
     return legend(figure)
 
 
