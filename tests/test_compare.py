@@ -275,5 +275,5 @@ def test_a_page_shows_runs_that_are_pushed_to_their_end() -> None:
         name: run(NonlinearBody(robot), lqr(robot, 0.01), Hold(pitch=0.1, until=5.0), seconds=seconds)
         for name, seconds in (("short", 0.5), ("long", 0.7))
     }
-    assert "never by more than" in page_of(compare(logs)).html().replace("\u00a0", " ")
+    assert "largest difference: " in page_of(compare(logs)).html().replace("\u00a0", " ")
     assert "does not come to rest" in page_of(compare({"short": logs["short"]})).html().replace("\u00a0", " ")

@@ -101,11 +101,7 @@ def _trials(c: Certificate) -> Table:
             t.fell,
             t.beyond,
             t.bound,
-            *(
-                [100 * t.saturated, t.travel, math.degrees(t.peak), math.degrees(t.cycle)]
-                if t.fell < t.runs
-                else [None] * 4
-            ),
+            *(_quantiles(t) if t.fell < t.runs else [None] * 4),
         ]
         for t in c.trials
     ]
