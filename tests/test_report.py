@@ -139,7 +139,7 @@ def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(com
     assert sum(root.get("role") == "img" for root in drawings(html)) == 2 * (
         len(STATE_NAMES) + 1
     )  # for a screen and for a phone
-    assert "Pitch beside that of twin: " in html
+    assert "Pitch beside that of twin, largest difference: " in html
     assert ">robot<" not in html
     assert "not results of a real robot" in html  # the note on twins
 

@@ -213,7 +213,7 @@ def intervals(names: Sequence[str], values: ArrayLike, ends: ArrayLike, x_label:
 @styled
 def rows_of(names: Sequence[str], x_label: str, y_label: str) -> tuple[Figure, Axes]:
     """An empty figure with one row for each name, the first on top."""
-    left = min(2.6, 0.4 + 0.075 * max((len(name) for name in names), default=0))
+    left = min(2.75, 0.4 + 0.075 * max((len(name) for name in names), default=0))
     total = HEAD + (height := max(len(names), 2) * (0.24 if len(names) <= MANY else 0.2)) + FOOT
     figure = _figure(WIDTH, total)
     ax = _axes(figure, (left / WIDTH, FOOT / total, (WIDTH - left - RIGHT) / WIDTH, height / total))

@@ -78,8 +78,8 @@ def _lead(comparison: Comparison) -> str:
     who = f"{robot} under {kind}" if robot and kind else robot or "One experiment"
     pushes = [f"from {start:.3g} to {stop:.3g} s" for start, stop in comparison.pushed]
     force = np.abs(log["push/force"]).max() if "push/force" in log else 0.0
-    much = f" with {cell_text(float(force), 2)} N" if force else ""
-    pushed = f", pushed{much} {' and '.join(pushes[:2])}" if pushes else ", without a push"
+    size = f" with {cell_text(float(force), 2)} N" if force else ""
+    pushed = f", pushed{size} {' and '.join(pushes[:2])}" if pushes else ", without a push"
     several = f"; runs: {', '.join(comparison.logs)}" if comparison.fits else ""
     twin = any(kind.startswith("twin") for kind in comparison.kinds.values())
     stands = " A twin, a physics engine, stands in for the real robot." if twin else ""
