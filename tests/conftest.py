@@ -49,7 +49,10 @@ def pytest_configure(config: pytest.Config) -> None:
 BROWSER = frozenset(("test_lab_page", "test_lab_exported", "test_pages"))
 """Files with a browser, and a lab beside it: two at once take more than two cores."""
 
-FIRST = ("browser", "test_site", "test_reproduce")
+FIRST = (
+    "browser", "test_site", "test_postmortem", "test_designs", "test_reproduce", "test_calibrate",
+    "test_firmware_parity",
+)  # fmt: skip
 """Units of work that take longest: begun first, so that all processes end at about the same time."""
 
 
