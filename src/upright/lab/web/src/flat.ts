@@ -41,14 +41,19 @@ export class Flat implements Stage {
   }
 
   private scale(look: Look): number {
-    return TALL / (look.body_height + look.wheel_radius);
+    return TALL / (Math.max(look.body_height, look.payload > 0 ? look.payload_height : 0) + look.wheel_radius);
   }
 
   private side(look: Look, name: string, ghost: boolean): Side {
     const unit = this.scale(look);
     const [R, H, D] = [look.wheel_radius * unit, look.body_height * unit, look.body_depth * unit];
     const style: Record<string, string | number> = ghost ? { fill: "none", stroke: laneColour(name), "stroke-width": 2, opacity: 0.7 } : {};
-    const body = part("rect", { x: -D / 2, y: -H - R * 0.25, width: D, height: H, rx: 3, class: ghost ? "" : "shell", ...style });
+    const body = part("g");
+    body.append(part("rect", { x: -D / 2, y: -H - R * 0.25, width: D, height: H, rx: 3, class: ghost ? "" : "shell", ...style }));
+    if (look.payload > 0 && !ghost) {
+      const [size, up] = [Math.cbrt(look.payload / 2500) * unit, look.payload_height * unit];
+      body.append(part("path", { d: `M0 0V${-up}`, class: "carrier" }), part("rect", { x: -size / 2, y: -up - size / 2, width: size, height: size, class: "payload" }));
+    }
     const wheel = part("g");
     wheel.append(part("circle", { r: R, class: ghost ? "" : "tyre", ...style }), part("path", { d: `M${-R * 0.6} 0H${R * 0.6}M0 ${-R * 0.6}V${R * 0.6}`, class: ghost ? "" : "spokes", ...style }));
     const root = part("g");
@@ -92,7 +97,7 @@ export class Flat implements Stage {
   }
 
   grasp(): { x: number; y: number } {
-    const box = (this.sides[0]?.body ?? this.element).getBoundingClientRect();
+    const box = (this.sides[0]?.body.firstElementChild ?? this.element).getBoundingClientRect();
     const whole = this.element.getBoundingClientRect();
     return { x: box.x - whole.x + box.width / 2, y: box.y - whole.y + box.height * 0.4 };
   }
