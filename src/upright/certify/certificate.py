@@ -179,7 +179,8 @@ class Certificate(Shown):
         if self.narrowing:
             sweeps += [str(self.narrowing), *self.narrowing.ways(self.robot)]
         sweeps += [f"the log: {'; '.join(map(str, self.agreement))}"] if self.agreement else []
-        inside = "; ".join(str(s) for s in self.support if not s.outside)
+        taken = {s.name for s in self.taken}
+        inside = "; ".join(str(s) for s in self.support if not s.outside and s.name not in taken)
         sweeps += [f"the log supports: {inside}"] if inside else []
         sweeps += [f"tried as the log shows it: {'; '.join(map(str, self.taken))}"] if self.taken else []
         return "\n".join([*lines, *(line for line in sweeps if line)])

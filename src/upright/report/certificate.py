@@ -44,6 +44,8 @@ def page_of(certificate: Certificate) -> Page:
     )
     if c.beyond:
         lead += f" No controller could save {c.beyond} of the {c.fell} that fell."
+    if c.taken:
+        lead += f" The log's own numbers were tried: {', '.join(s.name for s in c.taken)}."
     if c.light == GREEN:
         lead += " Next: `upright firmware` writes its program."
     title = HEADINGS.get(c.light, "{0} may drive {1}, with reservations").format(c.controller, c.robot)
@@ -136,8 +138,11 @@ def _linear(margins: LinearMargins) -> Table:
 
 
 def _support(c: Certificate) -> Table:
+    taken = {s.name for s in c.taken}
+    judged = [(s, "tried as logged") for s in c.taken]
+    judged += [(s, "outside" if s.outside else "") for s in c.support if s.outside or s.name not in taken]
     rows: list[list[Cell]] = [
-        [s.name, s.unit, s.value, s.low, s.high, s.least, s.most, "outside" if s.outside else ""] for s in c.support
+        [s.name, s.unit, *(round(v, 9) for v in (s.value, s.low, s.high, s.least, s.most)), word] for s, word in judged
     ]
     header = ["number", "unit", "value", "from", "to", "assumed from", "assumed to", ""]
     return Table(header, rows, "Numbers of the log with 95 % intervals, beside what was assumed", 3)
