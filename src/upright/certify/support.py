@@ -69,6 +69,11 @@ class Support:
         """Whether the whole interval lies outside what was assumed."""
         return self.high < self.least or self.low > self.most
 
+    @property
+    def excess(self) -> float:
+        """How far the value lies outside what was assumed, in widths of that; negative inside."""
+        return max(self.least - self.value, self.value - self.most) / max(self.most - self.least, 1e-12)
+
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> Support:
         """From a certificate's file."""

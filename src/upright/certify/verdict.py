@@ -82,7 +82,7 @@ def judge(
 ) -> tuple[str, tuple[str, ...]]:
     """The light and its one or two reasons, the gravest first. No controller could save `beyond` of those that fell;
     numbers that were `taken` from the log are a reason besides."""
-    logged = [f"tried as the log shows it: {s}" for s in taken]
+    logged = [f"tried as the log shows it: {s}" for s in sorted(taken, key=lambda s: -s.excess) if s.excess > 0]
     if (
         red := _falls(samples, fell, beyond, runs)
         + (_unstable(linear) if linear else [])
