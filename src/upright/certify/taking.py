@@ -26,6 +26,7 @@ Array = NDArray[np.float64]
 TURNS = 8  # of Gauss and Newton's method, in each of which a number may be added
 GYRO = "sensor/gyro"
 LEAST_FACTOR, MOST_UNEQUAL = 0.05, 0.95  # of a scale, a strength or a mass; of half the difference of two motors
+LIGHTER = 1.0  # times what is missing of a body's mass: where rotors are heavy, a log shows half of what is missing
 NOT_LEARNT = frozenset({"jitter"})  # the kernel draws none longer than a period
 DIRECT = frozenset({"battery", "battery's sag", "slope"})  # read off, whatever the filter knows
 FROM_ZERO = frozenset({"further delay", "gyro's further delay", "gyro's noise"})  # ranges that do not lie round nominal
@@ -106,8 +107,9 @@ def _learnt(course: Course, shown: Sequence[Support]) -> Course:
         elif s.name == "slope":
             logged = replace(logged, slopes=(s.value,))
         elif s.name == "body's mass":
-            load, loads = (np.maximum(x / course.robot.body_mass, LEAST_FACTOR) for x in (s.value, drawn))
-            logged = replace(logged, load=float(load), loads=loads)
+            load, loads = s.value / course.robot.body_mass, drawn / course.robot.body_mass
+            loads -= rng.uniform(0.0, LIGHTER, n) * np.maximum(1 - loads, 0.0)
+            logged = replace(logged, load=max(load, LEAST_FACTOR), loads=np.maximum(loads, LEAST_FACTOR))
         else:
             kit, changed = _fitted(kit, s, drawn)
             changes |= changed
