@@ -320,9 +320,10 @@ class FakeClerk:
 
     def __init__(self) -> None:
         self.idle, self.dead, self._key = True, False, ("", "")
+        self.job: tuple[str, tuple[Any, ...]] = ("", ())
 
     def give(self, key: Any, task: str, args: Any) -> None:
-        self.idle, self._key = False, key
+        self.idle, self._key, self.job = False, key, (task, args)
 
     def forget(self, key: Any) -> None:
         self._key = ("", "") if key == self._key else self._key
