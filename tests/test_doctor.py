@@ -251,6 +251,61 @@ def test_ev3way_units_are_found_without_its_mapping(shared: Path) -> None:
     assert found["units/scale", bench.GYRO] == "divide by 10"
 
 
+def foreign(shared: Path, **changes: np.ndarray) -> RawTable:
+    """The EV3 log under names that say what its columns are, with other columns in place or beside."""
+    table = read_table(shared / "data" / MEASURED["ev3way"])
+    names = {"time_s": "t_ms", "gyro": "gyro_raw", "encoder_left": "cnt_l", "encoder_right": "cnt_r"}
+    columns = {name: table.columns[column] for name, column in names.items()}
+    columns |= {f"volt_{side}": 0.08 * table.columns[f"pwm_{side[0]}"] for side in ("left", "right")}
+    columns |= {name: np.radians(columns[name]) for name in ("gyro", "encoder_left", "encoder_right")}
+    columns["time_s"] = columns["time_s"] / 1000
+    return RawTable(columns | changes)
+
+
+@pytest.mark.needs("shared/data/ev3way/tilt_000.csv")
+def test_a_gyro_in_raw_counts_gets_a_range_and_no_guess(shared: Path) -> None:
+    counts = np.round(np.degrees(foreign(shared).columns["gyro"]) * 131)  # an MPU-6050's at ±250 °/s: 7506 make 1 rad/s
+    diagnosis = doctor(foreign(shared, gyro=counts))
+    (said,) = [f for f in diagnosis.findings if f.severity == "error"]
+    assert (said.code, said.channel, said.fixes) == ("units/counts", bench.GYRO, ())
+    least, most = (float(word) for word in said.evidence.split("robots ")[1].split(" make")[0].split(" to "))
+    assert least < 7506 < most
+    assert not diagnosis.segments  # no pose without a rate
+    assert np.array_equal(diagnosis.repaired()[bench.GYRO], counts)
+
+
+@pytest.mark.needs("shared/data/ev3way/tilt_000.csv")
+def test_an_accelerometer_under_the_gyros_name_is_not_repaired_into_one(shared: Path) -> None:
+    """What it reads at the axle: R θ̈ − g ψ, for wheels of 40 mm."""
+    plain = foreign(shared).columns
+    t, wheel = plain["time_s"], (plain["encoder_left"] + plain["encoder_right"]) / 2
+    pull = 0.04 * np.gradient(np.gradient(wheel, t), t) - 9.81 * np.cumsum(plain["gyro"]) * 0.0107
+    diagnosis = doctor(foreign(shared, gyro=pull, other=plain["gyro"]))
+    assert [f.code for f in diagnosis.findings if f.severity == "error"] == ["columns/gyro"]
+    assert "'other'" in diagnosis.findings[0].evidence
+    assert not diagnosis.segments
+
+
+@pytest.mark.needs("shared/data/ev3way/nn_v17_005.csv")
+def test_what_shakes_at_half_the_rate_is_no_rest(shared: Path) -> None:
+    table = read_table(shared / "data/ev3way/nn_v17_005.csv")
+    half = RawTable({name: values[::2] for name, values in table.columns.items()})
+    assert [s.kind for s in doctor(half).segments] == ["balancing", "falling"]  # at the full rate as well
+
+
+@pytest.mark.needs("shared/data/twipr/run1.csv")
+def test_one_encoder_tells_nothing_of_sides_and_half_a_log_no_delay(shared: Path) -> None:
+    table = read_table(shared / "data/twipr/run1.csv")
+    t, left = table.columns["t_s"], np.cumsum(table.columns["speed_left_radps"]) * 0.01
+    names = ("gyro_rad_s", "torque_left_Nm", "torque_right_Nm")
+    raw = dict(zip(names, ("theta_dot_radps", "u_left_Nm", "u_right_Nm"), strict=True))
+    columns = {"time_s": t, "encoder_left": left} | {name: table.columns[column] for name, column in raw.items()}
+    assert all(f.severity != "error" for f in doctor(RawTable(columns)).findings)
+    rows = slice(0, 500)  # of which 180 stand still: the longest delay that is tried fits best, 120 ms instead of 74
+    half = RawTable({name: values[rows] for name, values in table.columns.items()})
+    assert "delay/command" not in doctor(half).codes()
+
+
 @pytest.mark.needs("shared/data/ev3-balanc3r/datalog.json.txt")
 def test_balanc3r_is_too_quiet(shared: Path) -> None:
     diagnosis = measured(shared, "ev3-balanc3r")

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import json
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -15,8 +15,10 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
+from upright.calibrate.calibration import Estimate
 from upright.cli.main import USER_ERROR, main
 from upright.control import Estimated, kalman, lqr, make_controller, read_controller
+from upright.control.delay import rolling
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidLog, InvalidModel, UnknownName, UprightError
 from upright.experiment import run
@@ -453,3 +455,44 @@ def test_a_pitch_estimate_that_feedback_reads_becomes_an_output(shared: Path) ->
     assert ready.parts[0].delays == (5, 5, 7)  # 53 ms to the gyro, 73 ms to the wheels
     found = identify_one(Study(ready, runs=0), "subspace")
     assert found.pole.value > 1  # it falls
+
+
+@pytest.mark.needs("shared/data/twipr")
+def test_a_pole_says_whether_it_has_dry_friction(shared: Path) -> None:
+    """TWIPR's motors have 10 mN m: a linear model can only have a damping instead."""
+    robot = Robot.preset("twipr")
+    studied = Study(samples(raw_log(shared / "data/twipr/run1.csv"), robot), runs=0)
+    free = unstable_pole(robot.without_dry_friction())
+    numbers = {"value": free, "low": free - 0.1, "high": free + 0.1, "prior": free, "prior_spread": 1.0}
+    known = Estimate(name="unstable_pole", unit="1/s", verdict="visible", shift=0.0, shrink=0.1, **numbers)
+    studied.__dict__["calibration"] = Calibrated(robot, known)
+    pole = identify_one(studied, "calibrate").pole
+    assert pole.value == pytest.approx(unstable_pole(rolling(robot)), rel=1e-6)
+    assert pole.without_friction == (free, free - 0.1, free + 0.1)
+    assert pole.value < free - 1  # what friction takes
+    linear = identify_one(studied, "subspace")
+    assert linear.pole.without_friction is None  # no linear method knows it
+    assert "friction counted as damping" in str(linear)
+
+
+@dataclass(frozen=True)
+class Calibrated:
+    """What a calibration is to the linear methods."""
+
+    robot: Robot
+    pole: Estimate
+    delays: tuple[Estimate, ...] = ()
+    refused: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+
+    def __getitem__(self, _name: str) -> Estimate:
+        return self.pole
+
+
+@pytest.mark.needs("shared/data/twipr")
+def test_a_gyro_of_the_wrong_sign_is_remarked(shared: Path) -> None:
+    log, robot = raw_log(shared / "data/twipr/run1.csv"), Robot.preset("twipr")
+    turned = without(log, sensor__gyro=-log["sensor/gyro"])
+    assert not any("contradicts" in note for note in samples(log, robot).notes)
+    (note,) = [note for note in samples(turned, robot).notes if "contradicts" in note]
+    assert "sensor/gyro: its sign" in note

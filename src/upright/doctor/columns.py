@@ -7,16 +7,17 @@ those that drive them by the motor equation. Both hold in any unit: names, units
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.doctor.finding import GYRO, LEFT, PITCH, RIGHT, Record
+from upright.doctor.finding import GYRO, LEFT, PITCH, RIGHT, Finding, Record, error
 from upright.doctor.physics import Resampled, motor, pendulum, resampled
 from upright.logs.draft import clock_of, draft, looks, rate_of
-from upright.logs.mapping import COMMANDS, Mapping, Source, full_duty
+from upright.logs.mapping import COMMANDS, GUESS, Mapping, Source, full_duty
 from upright.logs.readers import RawTable
 from upright.logs.units import UNITS
 
@@ -34,6 +35,7 @@ RATE = 0.9  # [1] correlation from which a column is the rate of another
 MOST = 14  # columns that are tried
 VALUES = 5  # different values that a column has at least; fewer are a mode or a flag
 ROWS = 3000  # of the log, on which they are tried
+_WITHOUT_GYRO = ("time", "columns", "saturation", "channel")
 COUPLING = 1.6  # [1] q of the pendulum equation: a22/a11 plus what the rotor adds, of robots that were measured
 GYROS = ("rad/s", "deg/s", "mrad/s", "mdeg/s")
 PERIOD = 0.01  # [s] taken where no column is a clock
@@ -50,6 +52,31 @@ def lacking(mapping: Mapping) -> str:
 def spare(mapping: Mapping, table: RawTable) -> bool:
     """Whether a table has columns that a mapping does not read, from which others may be chosen."""
     return bool(set(mapping.ignored(table)) - set(table.text))
+
+
+def another_gyro(mapping: Mapping, table: RawTable, findings: Sequence[Finding]) -> list[Finding]:
+    """Where the column whose name is a gyro's does not obey the pendulum equation, and one that is not read does: that,
+    and those of the findings that do not rest on a gyro. Empty elsewhere."""
+    sources = mapping.channels
+    if mapping.name != GUESS or not {LEFT, RIGHT, GYRO} <= sources.keys() or len(table) < FEWEST:
+        return []
+    names = [sources[name].column for name in (LEFT, RIGHT, GYRO)]
+    t = _time(table)[0]
+    moving = {n: table.columns[n] for n in (*names, *mapping.ignored(table)[:MOST]) if n in table.columns}
+    moving = {n: x for n, x in moving.items() if np.isfinite(x).all() and len(np.unique(x)) >= VALUES}
+    for side in (LEFT, RIGHT):
+        if sources[side].integrate and sources[side].column in moving:
+            moving[sources[side].column] = np.cumsum(table.columns[sources[side].column]) * float(np.median(np.diff(t)))
+    if not set(names) <= moving.keys() or _judged(t, moving, *names):
+        return []
+    others = [n for n in moving if n not in names and abs(rate_of(moving[n], moving[names[0]])) < RATE]
+    fits = [fit for n in others if (fit := _judged(t, moving, names[0], names[1], n)) and fit.sign > 0]
+    if not fits:
+        return []
+    best = max(fits, key=lambda fit: fit.r2)
+    evidence = f"column '{best.gyro}' obeys the pendulum equation as a gyro (R² {best.r2:.2f}), '{names[2]}' does not"
+    swapped = error("columns/gyro", GYRO, evidence, "name the right column in a mapping: --write-mapping MINE.toml")
+    return [swapped, *(f for f in findings if f.code.split("/")[0] in _WITHOUT_GYRO)]
 
 
 class _Choice(NamedTuple):
@@ -153,7 +180,7 @@ def _commands(t: Array, moving: dict[str, Array], best: _Choice) -> dict[str, So
 def _command(name: str, values: Array, sign: int) -> Source:
     if _whole(values):
         return Source(column=name, unit="1", scale=1 / full_duty(values), sign=sign)
-    return Source(column=name, unit="V", sign=sign)
+    return Source(column=name, sign=sign)  # volts or torques: nobody says
 
 
 def _resampled(t: Array, channels: dict[str, Array]) -> Resampled | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from upright.doctor.finding import LEFT, RIGHT, Finding, Fix, Record, warning
-from upright.doctor.physics import Resampled, Response, backward_rate, motion, motor, pendulum, responses
+from upright.doctor.physics import REACH, Resampled, Response, backward_rate, motion, motor, pendulum, responses
 
 CLEAR = 0.9
 """R² of the pendulum equation above which its lag and residuals are used; below it, quantisation dominates."""
@@ -63,16 +63,17 @@ def command_delay(m: Resampled, lag: float) -> tuple[float, str] | None:
     assert m.commands is not None
     if m.gyro is not None:
         mean = (m.commands[0] + m.commands[1]) / 2
-        response = responses(m, mean, {"wheel": backward_rate(m.wheel, m.period), "gyro": m.gyro}).get("gyro")
-        if response is not None:
-            first = _first(response)
-            if first is not None:
-                return max(
-                    0.0, first * m.period - lag
-                ), f"response to the unpredictable part of the command, t = {abs(response.t_value).max():.0f}"
+        several = responses(m, mean, {"wheel": backward_rate(m.wheel, m.period), "gyro": m.gyro})
+        onsets = {name: _first(response) for name, response in several.items()}
+        if (first := onsets.get("gyro")) is not None:
+            dead = first * m.period - lag
+            if (own := onsets.get("wheel")) is not None:
+                dead = min(dead, own * m.period)  # wheels that respond at once are not late, whatever the gyro shows
+            largest = abs(several["gyro"].t_value).max()
+            return max(0.0, dead), f"response to the unpredictable part of the command, t = {largest:.0f}"
     mean = (m.commands[0] + m.commands[1]) / 2
     fit = motor(m, mean, m.left, m.right, m.gyro, lag)
-    if fit.r2 < 0.9:
+    if fit.r2 < 0.9 or fit.lag > REACH - 1.5 * m.period:  # the best of the lags that are tried is none of them
         return None
     return max(0.0, fit.lag), f"the motor equation, R² {fit.r2:.2f}"
 

@@ -175,6 +175,8 @@ def doctor(
     known = find_robot(robot) if robot else None
     raw = _record(table, chosen)
     findings, last = _examine(raw, known, progress)
+    if misnamed := columns.another_gyro(chosen, table, findings):
+        findings, last = misnamed, replace(last, segments=())
     findings += assumed + rates.stated(table.comments, findings) + time.paced(raw.t, table.origin)
     order = {severity: i for i, severity in enumerate(SEVERITIES)}
     ranked = tuple(sorted(findings, key=lambda finding: order[finding.severity]))
@@ -260,6 +262,7 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
     ]
 
 
+_COUNTS = "units/counts"  # of a channel that no check can read, since its unit is unknown
 _TIMED = 4  # the stage after which time and readings are whole, and the poses can be read
 
 _STAGE_OF = {
@@ -271,6 +274,11 @@ _STAGE_OF = {
     "segment/cut": 21,
 }  # fmt: skip
 """Order of the repairs. Those that change the rows come last, so that the times in the others stay valid."""
+
+
+def examined(record: Record) -> list[Finding]:
+    """All findings on the measured channels of a log, in the order of the stages."""
+    return _examine(record, None, unwatched)[0]
 
 
 def _examine(raw: Record, robot: Robot | None, progress: Progress) -> tuple[list[Finding], Record]:
@@ -289,7 +297,8 @@ def _examine(raw: Record, robot: Robot | None, progress: Progress) -> tuple[list
             progress(done / total)
         if stage is not stages[-1]:
             record = _without_empty(_repaired(record, fresh), fresh)
-            if stage is stages[_TIMED] or (record.segments and any(finding.fixes for finding in fresh)):
+            changed = any(finding.fixes or finding.code == _COUNTS for finding in fresh)
+            if stage is stages[_TIMED] or (record.segments and changed):
                 record = replace(record, segments=poses.segments(record))
         findings += fresh
     return findings, record
@@ -306,7 +315,8 @@ def _repaired(record: Record, findings: Sequence[Finding]) -> Record:
 
 
 def _without_empty(record: Record, findings: Sequence[Finding]) -> Record:
-    """Without the channels that hold no number, and the sensors that never change: no physics is read into these."""
-    empty = {f.channel for f in findings if f.code == "channel/empty"}
+    """Without the channels that hold no number or unknown counts, and the sensors that never change: no physics is read
+    into these."""
+    empty = {f.channel for f in findings if f.code in ("channel/empty", _COUNTS)}
     empty |= {f.channel for f in findings if f.code == "channel/constant" and f.channel.startswith("sensor/")}
     return replace(record, channels={n: x for n, x in record.channels.items() if n not in empty})

@@ -128,7 +128,8 @@ def _against_command(m: Resampled, wheels: _Wheels) -> _Drive:
     if sides is not None:
         return sides
     fits: dict[tuple[int, int], LaggedFit] = {}
-    for side in ((1, 1), (-1, -1), (1, -1), (-1, 1)):
+    mixed = () if _one_encoder(m) else ((1, -1), (-1, 1))
+    for side in ((1, 1), (-1, -1), *mixed):
         fits[side] = motor(m, (side[0] * m.commands[0] + side[1] * m.commands[1]) / 2, left, right, None)
     best = max(fits, key=lambda side: fits[side].r2)
     plain = fits[1, 1].r2
@@ -144,7 +145,8 @@ def _by_responses(m: Resampled, left: Array, right: Array) -> _Drive | None:
     assert m.commands is not None
     assert m.gyro is not None
     rate = {"wheel": backward_rate((left + right) / 2, m.period)}
-    halves = {"same": (m.commands[0] + m.commands[1]) / 2, "opposite": (m.commands[1] - m.commands[0]) / 2}
+    halves = {"same": (m.commands[0] + m.commands[1]) / 2}
+    halves |= {} if _one_encoder(m) else {"opposite": (m.commands[1] - m.commands[0]) / 2}
     clear = dict.fromkeys(halves, 0.0)
     for name, command in halves.items():
         if not _quiet(command):
@@ -152,7 +154,7 @@ def _by_responses(m: Resampled, left: Array, right: Array) -> _Drive | None:
             clear[name] = _first_clear(response.t_value) if response is not None else 0.0
     name = max(clear, key=lambda name: abs(clear[name]))
     t = clear[name]
-    if t == 0 or min(map(abs, clear.values())) > 0.5 * abs(t):
+    if t == 0 or (len(clear) > 1 and min(map(abs, clear.values())) > 0.5 * abs(t)):
         return None
     evidence = f"the unpredictable part of the command, {name} on both sides, turns the wheels "
     evidence += f"{'forward' if t > 0 else 'backward'} (t = {abs(t):.0f})"
@@ -250,6 +252,11 @@ def _compass(record: Record, m: Resampled, turn: Array) -> float:
     if a.std() < 0.05 or b.std() < 0.05:  # [rad/s] below the resolution of a compass
         return 0.0
     return float(np.corrcoef(a, b)[0, 1])
+
+
+def _one_encoder(m: Resampled) -> bool:
+    """Whether one encoder stands for both wheels, so that nothing is known of either side."""
+    return np.array_equal(m.left, m.right)
 
 
 def _quiet(command: Array) -> bool:

@@ -29,7 +29,7 @@ WIDTHS = (0.03, 0.06)
 _MOST_ROWS = 6_000  # of a regression, spread over the log; more do not change the findings
 _MOST_RESPONSE_ROWS = 20_000  # of a response, which is small against the noise
 _TRIM = 0.9  # fraction of the rows that are kept: pushes, slip and stops affect the rest
-_REACH = 0.12  # [s] largest delay of the search
+REACH = 0.12  # [s] largest delay of the search
 LEAST_ROWS = 100
 _LEAST_KERNELS = 2.0 * 2 * np.sqrt(np.pi)
 """[kernel widths] of motion that a fit needs: 2√π of them are one independent sample, and two are fewer than the
@@ -120,7 +120,7 @@ def widths(period: float) -> tuple[float, ...]:
 
 
 def _rows(m: Resampled, width: float) -> NDArray[np.intp]:
-    margin = int((4 * width + _REACH) / m.period) + 2
+    margin = int((4 * width + REACH) / m.period) + 2
     inside = np.arange(margin, len(m.t) - margin)
     near = int(4 * width / m.period) + 1
     if not m.good.all():
@@ -157,7 +157,7 @@ def _regress(y: Array, X: Array, positive: bool) -> tuple[Array, float, NDArray[
 
 def lagged(
     m: Resampled, width: float, target: Array, shifted: list[Array], fixed: list[Array], *, positive: bool = False,
-    reach: tuple[float, float] = (-_REACH, _REACH),
+    reach: tuple[float, float] = (-REACH, REACH),
 ) -> LaggedFit:  # fmt: skip
     """The fit of `target` on `shifted` (read `lag` later, to a fraction of a row) and `fixed` with the best lag.
 
@@ -248,7 +248,7 @@ def motor(
         if gyro is not None:
             aligned = np.interp(m.t + gyro_lag, m.t, gyro)
             parts.append(smooth(aligned, m.period, width, 1))
-        fits.append(lagged(m, width, half, parts, [], positive=True, reach=(-0.02, _REACH)))
+        fits.append(lagged(m, width, half, parts, [], positive=True, reach=(-0.02, REACH)))
     return max(fits, key=lambda fit: fit.r2)
 
 

@@ -43,6 +43,7 @@ LONGEST_THROW = 2.0  # [s] a robot that leaves the floor and is back on it withi
 _CALMED = 0.05  # [s] of smoothing, over which a resting gyro's noise becomes small
 _STILL = 0.4  # [s] shortest rest, longer than the turning points of balancing
 _REST = 0.03  # of the pitch rate that one row in five exceeds, below which the body is at rest
+_CALM = 0.3  # of that rate, which no rest exceeds where the gyro's noise is well below it
 _FLOOR = 1.45  # [rad] lean in which a body touches the floor, where no pose in the log shows it
 _NEAR_FLOOR = 0.93  # of the lean in which it lies, from which it touches the floor
 _OVER = 2.2  # [rad] lean beyond which a robot is upside down rather than on its side
@@ -52,6 +53,7 @@ _FURTHER = 1.3  # times the largest earlier lean, from which one at the end of a
 _USUAL = 5.0  # [s] to both sides, over which the median lean counts as upright
 _DRIFT = 0.03  # [rad/s] spread of a gyro's offset before anything is known
 _FOLLOWS = 0.7  # R² from which a pitch estimate follows the gyro
+_SWING = 0.1  # [rad] a usual swing of a robot that balances
 _FASTEST, _WIDEST, _COARSEST = 10.0, 1.5, 0.5  # [rad/s, rad, rad/s] rms, swing and step of a gyro in degrees
 
 
@@ -91,7 +93,9 @@ def at_rest(m: Resampled) -> tuple[Mask, Mask]:
     swings = np.abs(smooth(m.gyro, m.period, _CALMED))
     level = max(0.02 * float(np.percentile(left + right, 95)), 1e-6)
     left_over = noise_of(m.gyro) * min(1.0, np.sqrt(m.period / (2 * np.sqrt(np.pi) * _CALMED)))
-    quiet = swings < max(4 * left_over, _REST * float(np.percentile(swings, 80)))
+    usual = float(np.percentile(swings, 80))
+    most = _CALM * usual if usual > 3 * left_over else np.inf  # what shakes at half the sampling rate is no noise
+    quiet = swings < min(max(4 * left_over, _REST * usual), most)
     return _lasting(quiet, m.period), _lasting(quiet & (moved < level), m.period)
 
 
@@ -111,7 +115,7 @@ def lean_of(record: Record, m: Resampled) -> Lean:
     """The lean by the best reference that the log has."""
     assert m.gyro is not None
     quiet, calm = at_rest(m)
-    gyro = m.gyro / (180 / np.pi if _in_degrees(m) else 1.0)
+    gyro = m.gyro / _divisor(m)
     swing = _summed(gyro - _offset(gyro, quiet, m.period), m.period)
     for known in (_by_gravity(record, m, swing, calm), _by_estimate(record, m, gyro)):
         if known is not None:
@@ -121,14 +125,20 @@ def lean_of(record: Record, m: Resampled) -> Lean:
     return Lean(swing - _usual(swing, ~quiet, m.period), False, quiet, calm)
 
 
-def _in_degrees(m: Resampled) -> bool:
-    """Whether the gyro can only be in degrees: the poses are read before the units are known."""
+def _divisor(m: Resampled) -> float:
+    """What makes radians of the gyro, since the poses are read before the units are known: 1, or 180/π where it can
+    only be in degrees, or in raw counts what makes its swings usual ones."""
     assert m.gyro is not None
     swing = _summed(m.gyro, m.period)
     fast = swing - smooth(swing, m.period, 8 * widths(m.period)[-1])
-    rms = float(np.sqrt(np.mean(m.gyro**2)))
+    rms, width = float(np.sqrt(np.mean(m.gyro**2))), float(fast.std())
     coarse = m.gyro_name == GYRO and grain_of(m.gyro) >= _COARSEST
-    return rms > _FASTEST or float(fast.std()) > _WIDEST or coarse
+    if not (rms > _FASTEST or width > _WIDEST or coarse):
+        return 1.0
+    degrees = 180 / np.pi
+    if rms > _FASTEST * degrees or width > _WIDEST * degrees:
+        return float(np.percentile(np.abs(fast), 80)) / _SWING
+    return degrees
 
 
 def _summed(rate: Array, period: float) -> Array:
@@ -181,7 +191,7 @@ def _by_estimate(record: Record, m: Resampled, gyro: Array) -> Array | None:
     angle, width = np.interp(m.t, record.t, record[PITCH]), widths(m.period)[-1]
     a, b = smooth(angle, m.period, width, 1), smooth(gyro, m.period, width)
     if m.gyro_name == PITCH:
-        return angle / (180 / np.pi if _in_degrees(m) else 1.0)
+        return angle / _divisor(m)
     power = float(a @ a) * float(b @ b)
     if power <= 0 or float(a @ b) ** 2 < _FOLLOWS * power:
         return None

@@ -129,8 +129,8 @@ def _standing(record: Record, m: Resampled, a: int, b: int, rate: Array) -> Find
     driven = float(np.abs((m.commands[0] + m.commands[1])[a:b] / 2).mean()) if m.commands is not None else 0.0
     unit = record.units.get(record.commands[0], "") if record.commands else ""
     evidence = f"from {moment(start)} to {moment(end)} s (rows {a} to {b - 1}) the wheels stand still and the gyro "
-    evidence += f"reads noise of {rate[a:b].std():.2g} rad/s, with a mean command of {driven:.2g} {unit}: held by "
-    evidence += "hand, or stuck by friction"
+    evidence += f"reads noise of {rate[a:b].std():.2g} rad/s, with a mean command of {driven:.2g} {unit}".rstrip()
+    evidence += ": held by hand, or stuck by friction"
     return note("segment/still", m.gyro_name, evidence, "exclude these rows from a fit", span=(start, end))
 
 

@@ -16,6 +16,7 @@ from upright.doctor.finding import (
     PITCH,
     RIGHT,
     UP,
+    Array,
     Finding,
     Fix,
     Record,
@@ -55,6 +56,9 @@ _SUSPECTS = (
     _Suspect("gyro and encoders converted from degrees twice", gyro=DEGREE, encoder=DEGREE),
 )
 """One mistake of a program each: who prints degrees prints them everywhere."""
+
+_COUNTS = 500.0
+"""Of 1 rad/s, fewer than any chip of 16 bits has: 940 where its range is ±2000 degrees per second."""
 
 _FAULT = 6.0
 """Prior of a fault in natural log odds: one log in 400 has a given unit wrong."""
@@ -99,6 +103,8 @@ def scales(record: Record, robot: Robot | None = None) -> list[Finding]:
     graded = sorted((_FAULT + _penalty(estimated, usual, by_gravity, s), i) for i, s in enumerate(_SUSPECTS))
     if graded[0][0] >= plain:
         return []
+    if _SUSPECTS[graded[0][1]].gyro >= _COUNTS and counted(record[GYRO]):
+        return _raw_counts(record, estimated["q"], usual["q"])
     return _wrong(_SUSPECTS[graded[0][1]], estimated, plain - graded[0][0], by_gravity)
 
 
@@ -176,6 +182,27 @@ def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float
         evidence += f"; by the accelerometer the gyro is {abs(gravity):.3g} times too large"
     groups = (((GYRO,), s.gyro), ((LEFT, RIGHT), s.encoder))
     return [_divide(channels, evidence, factor) for channels, factor in groups if factor != 1]
+
+
+def counted(values: Array) -> bool:
+    """Whether a channel holds whole numbers, but for those that were interpolated."""
+    fine = values[np.isfinite(values)]
+    return bool(len(fine) and (fine == np.rint(fine)).mean() > 0.8)
+
+
+def _raw_counts(record: Record, q: float, usual: tuple[float, float]) -> list[Finding]:
+    """A gyro of which nobody knows what a count means: robots differ by more than chips do."""
+    encoders = [name for name in (LEFT, RIGHT) if counted(record[name])]
+    factor = 1 / DEGREE if encoders else 1.0
+    least, most = (factor * math.exp(usual[0] + side * usual[1]) / q for side in (-1, 1))
+    alike = " if the encoders count degrees" if encoders else ""
+    evidence = f"raw counts: by the pendulum equation, of usual robots {least:.2g} to {most:.2g} make 1 rad/s{alike}"
+    repair = "state unit and scale in a mapping: deg/s, 1/131, 1/65.5, 1/32.8, 1/16.4, or as the chip's data sheet says"
+    turns = "state in a mapping how many counts are a turn"
+    return [
+        error("units/counts", GYRO, evidence, repair),
+        *(error("units/counts", name, "raw counts, of an unknown number to a turn", turns) for name in encoders),
+    ]
 
 
 def _divide(channels: tuple[str, ...], evidence: str, divisor: float) -> Finding:

@@ -22,7 +22,8 @@ def record_of(log: Log) -> Record:
     pitch estimate is left out."""
     steps = np.diff(log.t, prepend=log.t[0])
     derived: Any = log.origin.get("derived", {})
-    channels = {name: values for name, values in log.channels.items() if name not in derived}
+    measured = (name for name in log.channels if name not in derived and not name.startswith("truth/"))
+    channels = {name: log[name] for name in measured}
     for angle, rate in RATES.items():
         if rate in log:
             channels[angle] = np.cumsum(np.nan_to_num(log[rate]) * steps)

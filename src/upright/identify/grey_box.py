@@ -28,10 +28,12 @@ def calibrated(study: Study) -> MethodFit:
     pole = result["unstable_pole"]
     halves = {p.name: tangent(result.robot, p, fractional_delay(result, p)) for p in study.samples.parts}
     value = growth_rate(halves["pitch"])
-    scale = value / pole.value  # one where no dry friction brakes
+    scale = value / pole.value  # one but for rounding where no dry friction brakes
     how = "curvature of the likelihood"
+    free = (pole.value, pole.low, pole.high) if scale < 0.999 else None
     notes = [f"Not to be trusted: {reason}." for reason in result.refused]
-    return MethodFit(halves, Pole(value, pole.low * scale, pole.high * scale, how=how), notes=(*notes, *result.notes))
+    alike = Pole(value, pole.low * scale, pole.high * scale, how=how, without_friction=free)
+    return MethodFit(halves, alike, notes=(*notes, *result.notes))
 
 
 def _delays(calibration: Calibration) -> dict[str, float]:

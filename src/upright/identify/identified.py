@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+WITH_FRICTION = "friction counted as damping"
+"""Which pole a linear model has: it has no dry friction, only a damping that brakes alike at the rates of its log."""
+
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Identified(Shown):
@@ -83,8 +86,10 @@ class Identified(Shown):
     def __str__(self) -> str:
         p = self.pole
         lines = [
-            f"{self.method} from {self.samples} samples of {self.source}: unstable pole {p.value:.3g} 1/s {interval(p)}"
+            f"{self.method} from {self.samples} samples of {self.source}: "
+            f"unstable pole {p.value:.3g} 1/s {interval(p)}, {WITH_FRICTION}"
         ]
+        lines += [free for free in (p.in_words(),) if free]
         if np.isfinite(p.bias):
             lines.append(f"bias on repeated logs {p.bias:+.2g} ± {2 * p.bias_error:.1g} 1/s")
         return "\n".join([*lines, *self.notes])

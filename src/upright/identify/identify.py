@@ -12,7 +12,7 @@ import numpy as np
 from upright.atomic import finite
 from upright.control.delay import rolling
 from upright.errors import UprightError, check_within
-from upright.identify.identified import Identified, assembled, interval
+from upright.identify.identified import WITH_FRICTION, Identified, assembled, interval
 from upright.identify.judge import Judge, LoopTrial, judge_of, loop_trial
 from upright.identify.methods import IDENTIFIERS, find_identifier
 from upright.identify.order import OrderChoice
@@ -81,9 +81,10 @@ class MethodComparison(Shown):
         return legend(figure)
 
     def __str__(self) -> str:
-        lines = [f"{len(self.samples.log)} samples; judged by {self.judge.who}"]
+        lines = [f"{len(self.samples.log)} samples; unstable poles, {WITH_FRICTION}; judged by {self.judge.who}"]
         for name, m in self.models.items():
             lines.append(f"  {name:<20} {m.pole.value:8.3g} 1/s {interval(m.pole):<18} {self.trials[name]}")
+            lines += [f"  {'':<20} {free}" for free in (m.pole.in_words(),) if free]
         return "\n".join([*lines, *(f"  {name:<20} {why}" for name, why in self.failed.items()), *self.notes])
 
 

@@ -36,7 +36,8 @@ FEWEST = 8  # repetitions that must succeed before their scatter is called an in
 @dataclass(frozen=True)
 class Pole:
     """The unstable pole [1/s] with its 95 % interval, NaN where there is none; `bias` of the method on such logs and
-    the standard error of that bias. `how` says where the interval comes from."""
+    the standard error of that bias. `how` says where the interval comes from. Dry friction counts as damping;
+    `without_friction` is the pole without it, and its interval, where there is such friction and a method knows it."""
 
     value: float
     low: float = np.nan
@@ -44,16 +45,26 @@ class Pole:
     bias: float = np.nan
     bias_error: float = np.nan
     how: str = "none"
+    without_friction: tuple[float, float, float] | None = None
 
     @property
     def corrected(self) -> float:
         """The value less its bias."""
         return self.value - self.bias
 
+    def in_words(self) -> str:
+        """The pole without dry friction, '' where it is not known."""
+        if self.without_friction is None:
+            return ""
+        value, low, high = self.without_friction
+        return f"without dry friction {value:.3g} 1/s ({low:.3g} to {high:.3g}), as `upright calibrate` gives it"
+
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; unknown ones are null."""
         numbers = {name: getattr(self, name) for name in ("value", "low", "high", "bias", "bias_error", "corrected")}
-        return {name: finite(value) for name, value in numbers.items()} | {"how": self.how}
+        return {name: finite(value) for name, value in numbers.items()} | {
+            "how": self.how, "friction": "counted as damping", "without_friction": self.without_friction
+        }  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)

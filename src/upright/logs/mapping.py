@@ -275,7 +275,7 @@ _WORDS: Sequence[tuple[str, str]] = (
     (r"\b(?:heading|compass|yaw)(?: (?:rad|deg))?$", "sensor/compass"),
     (r"^(?:t|time\w*|ts|clock|seconds|sec|millis|micros)\b|\b(?:time ?stamp|stamp)$", TIME),
     (r"^(?:enc\w*|cnt|counts?|tacho\w*|wheel|motor)(?: (?:angle|pos\w*|rad|deg|mean))*$", "both of sensor/encoder_"),
-    (rf"^{_COMMAND}(?: (?:v|mv|volts?|percent|mean))*$", "both of command/"),
+    (rf"^{_COMMAND}(?: (?:v|mv|volts?|percent|m|n?nm|mnm|mean))*$", "both of command/"),
 )
 """Names of our channels in other programs, the more specific first; one encoder or command stands for both sides."""
 
@@ -314,6 +314,10 @@ def _guess(table: RawTable) -> Mapping:
     for key in [key for key in sources if key.startswith("both of ")]:
         one, sides = sources.pop(key), [key.removeprefix("both of ") + side for side in _SIDE]
         sources |= dict.fromkeys(sides, one) if not sources.keys() & set(sides) else {}
+    for group in ("sensor/encoder_", "command/"):  # one side alone stands for both
+        sides = [group + side for side in _SIDE]
+        if len(one := [sources[side] for side in sides if side in sources]) == 1:
+            sources |= dict.fromkeys(sides, one[0])
     if GYRO in sources and _by_letter(sources[GYRO].column, table):
         del sources[GYRO]
     time = sources.pop(TIME, None)

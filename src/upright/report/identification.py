@@ -113,9 +113,9 @@ def _leans(name: str, trial: LoopTrial) -> str:
 
 
 _POLES = (
-    "The rate at which the robot falls, with its 95 % interval. The bias is the method's median estimate from repeated "
-    "logs, less their true pole. These logs are simulated with the subspace model, the log's feedback law and new "
-    "innovations. An interval covers the scatter, not the bias."
+    "The rate at which the robot falls, with its 95 % interval; dry friction counts as damping. The bias is the "
+    "method's median estimate from repeated logs, less their true pole. These logs are simulated with the subspace "
+    "model, the log's feedback law and new innovations. An interval covers the scatter, not the bias."
 )
 _PREDICTIONS = (
     "Fit [%] on the held-out part of the log: 100 (1 − rms error / rms of the motion). The filter is the same for all "
@@ -164,7 +164,13 @@ def trial_table(compared: MethodComparison) -> Table:
 
 def pole_table(compared: MethodComparison) -> Table:
     """Unstable poles by method, with interval and bias."""
-    rows: list[list[Cell]] = [_pole_row(name, m) for name, m in compared.models.items()]
+    rows: list[list[Cell]] = []
+    for name, m in compared.models.items():
+        rows.append(_pole_row(name, m))
+        if m.pole.without_friction:
+            value, low, high = m.pole.without_friction
+            within = f"{cell_text(low, 3)} to {cell_text(high, 3)}"
+            rows.append([f"{name}, without dry friction", value, within, None, None, None])
     if not math.isnan(compared.true_pole):
         rows.append(["the robot itself", compared.true_pole, "", None, None, None])
     header = ["method", "pole [1/s]", "95 % interval", "bias [1/s]", "± of the bias", "pole − bias"]
