@@ -27,8 +27,12 @@ NEAR_LIMIT = 0.8
 """Fraction of its limit below which no command was cut: a battery that sags gives way by less than the rest."""
 
 NEGLIGIBLE = {"yaw": math.radians(1.0), "yaw_rate": math.radians(1.0)}
-"""[rad], [rad/s] A compass of an NXT resolves one degree: where two runs turn less than that, their yaw is noise, and
-has no fit."""
+"""[rad], [rad/s] A compass of an NXT resolves one degree: where the reference turns less than that, its yaw is noise,
+and nothing is fitted to it."""
+
+DIVERGED = -100.0
+"""[%] of fit: the error is twice the reference's own deviation. Nothing is scored below: how far a run is that went
+another way is chance."""
 
 CONSTANT = 1e-9
 """[rad], [rad/s] of a reference that only rounding moves: nothing can be fitted to it."""
@@ -158,7 +162,7 @@ class Comparison(Shown):
         for name, (_, text) in METRICS.items():
             rows.append([text, self.unit(name), *(_cell(getattr(self.metrics[label], name)) for label in labels)])
         for name in self.signals if self.fits else ():
-            cells = (_cell(self.fits[label][name]) if label in self.fits else "reference" for label in labels)
+            cells = (fit_cell(self.fits[label][name]) if label in self.fits else "reference" for label in labels)
             rows.append([f"fit of {name}", "%", *cells])
         rows.append(["states from", "", *(self.sources[label] for label in labels)])
         return Listing(("", "unit", *labels), rows, labels)
@@ -335,7 +339,7 @@ def _fit(anchor: Log, log: Log, mine: Mapping[str, str], other: Mapping[str, str
     pairs = {name: (anchor[mine[name]][keep], np.interp(t, log.t, log[other[name]])) for name in mine}
     return {
         name: math.nan
-        if (np.ptp(y) <= NEGLIGIBLE.get(name, 0.0) and np.ptp(z) <= NEGLIGIBLE.get(name, 0.0)) or np.ptp(y) < CONSTANT
+        if np.ptp(y) <= max(NEGLIGIBLE.get(name, 0.0), CONSTANT)
         else metrics.nrmse_fit(y, z)
         for name, (y, z) in pairs.items()
     }  # fmt: skip
@@ -343,6 +347,11 @@ def _fit(anchor: Log, log: Log, mine: Mapping[str, str], other: Mapping[str, str
 
 def _command_prefix(log: Log) -> str:
     return next((p for p in ("applied", "command") if f"{p}/left" in log and f"{p}/right" in log), "")
+
+
+def fit_cell(fit: float) -> str:
+    """A fit [%] as it is shown."""
+    return "diverges" if fit < DIVERGED else _cell(fit)
 
 
 def _cell(value: float | bool | None) -> str:

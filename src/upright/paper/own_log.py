@@ -95,7 +95,9 @@ class OwnRobot:
         if not math.isnan(measured):
             effect = f"settles in {_seconds(last.settling)} instead of {_seconds(stated)} (robot: {_seconds(measured)})"
         else:
-            effect = f"fits the robot's pitch by {last.fit:.0f} % instead of {self.fits[NONLINEAR]:.0f} %"
+            before = self.fits[NONLINEAR]
+            effect = f"fits the robot's pitch by {last.fit:.0f} %"
+            effect += f" instead of {before:.0f} %" if before > 0 else ""
         return f"With {'; '.join(f'{a.name}: {a.change}' for a in self.adjusted)}, the nonlinear model {effect}."
 
     def to_json(self) -> dict[str, Any]:
@@ -178,9 +180,17 @@ def compare_own(
     force = pushes[0].at(_start(pushes[0]), nominal).force if pushes else 0.0
     return OwnRobot(
         robot=nominal, comparison=comparison, law=law.name, push=_words(pushes, nominal), adjusted=adjusted,
-        side="back" if force > 0 else "front", notes=(*([left] if left else []), *how, *notes), band=trial.band,
+        side="back" if force > 0 else "front", band=trial.band,
+        notes=(*([left] if left else []), *_falls(comparison), *how, *notes),
         settling={n: settling for n, (settling, _) in judged.items()}, fits={n: fit for n, (_, fit) in judged.items()},
     )  # fmt: skip
+
+
+def _falls(comparison: Comparison) -> list[str]:
+    """Which models fall, and when: nothing is compared afterwards."""
+    fell = {label: one.t[-1] for label, one in comparison.logs.items() if comparison.metrics[label].fell}
+    several = [f"{label} after {t:.2g} s" for label, t in fell.items() if label != comparison.reference]
+    return [f"These models fall, and nothing is compared afterwards: {', '.join(several)}."] if several else []
 
 
 def _from_zero(log: Log) -> Log:
@@ -300,7 +310,8 @@ def _adjusted(
         name = number.name.replace("_", " ") if number else "electronics"
         steps.append(Adjustment(name=name, change=str(number or _parts(known.kit)), settling=settling, fit=fit))
         at, left, candidates = changed, gap, [n for n in candidates if n is not number]
-    return tuple(steps)
+    unlike = math.isnan(measured) and steps and steps[-1].fit <= 0  # less far from the robot, and still another motion
+    return () if unlike else tuple(steps)
 
 
 def _with(at: tuple[Robot, Kit | None], number: _Number | None, kit: Kit) -> tuple[Robot, Kit | None] | None:

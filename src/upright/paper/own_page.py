@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from upright.atomic import make_folder, write_json
-from upright.comparison.comparison import NEGLIGIBLE
+from upright.comparison.comparison import DIVERGED, NEGLIGIBLE
 from upright.control import Controller
 from upright.experiment.pushes import PushProgramme
 from upright.logs.mapping import Mapping as Columns
@@ -109,7 +109,7 @@ def page_of(result: OwnRobot) -> Page:
     still: list[Item] = [] if len(moving) == len(STATE_NAMES) else [STILL]
     within = f"{100 * result.band:.0f} %"
     settling = [
-        (f"{cell_text(fit, 3)} %", f"{label}: fit of pitch to the robot's")
+        ("diverges" if fit < DIVERGED else f"{cell_text(fit, 3)} %", f"{label}: fit of pitch to the robot's")
         for label, fit in result.fits.items() if label != comparison.reference
     ] if not result.settles else [
         ("never" if math.isnan(time) else f"{cell_text(time, 3)} s", f"{label}: settles to {within}")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from upright.comparison import Comparison
-from upright.comparison.comparison import METRICS, NEGLIGIBLE
+from upright.comparison.comparison import DIVERGED, METRICS, NEGLIGIBLE
 from upright.plotting import AXIS
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
@@ -206,7 +206,10 @@ def fit_tables(comparison: Comparison) -> list[Table]:
     """The fit of each run to the reference, one row a run; none where there is one run."""
     if not comparison.fits:
         return []
-    rows: list[list[Cell]] = [[label, *fits.values()] for label, fits in comparison.fits.items()]
+    rows: list[list[Cell]] = [
+        [label, *("diverges" if fit < DIVERGED else fit for fit in fits.values())]
+        for label, fits in comparison.fits.items()
+    ]
     caption = f"NRMSE fit to {comparison.reference} [%]: 100 is perfect; 0 is that of a constant, its mean"
     return [Table(["", *(name.replace("_", " ") for name in comparison.signals)], rows, caption, digits=3)]
 
