@@ -12,7 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.atomic import finite
+from upright.control.delay import rolling
 from upright.errors import InvalidRobot
+from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Robot
 from upright.tables import Listing, Shown
 
@@ -307,7 +309,18 @@ class Calibration(Shown):
         followed = [f"R² of predictions over half a second: {', '.join(scores)}"] if scores else []
         lines = [_line(e) for e in (*self.parameters, *self.delays, *self.electronics)]
         lines += ["Coefficients of the motion:", *(_line(e) for e in self.combinations)]
-        return "\n".join([head, *refused, *followed, *lines, *self.unseen, *self.notes])
+        return "\n".join([head, *refused, *followed, *lines, *self.which_pole, *self.unseen, *self.notes])
+
+    @property
+    def which_pole(self) -> tuple[str, ...]:
+        """What `upright identify` gives instead of the unstable pole, of a robot with dry friction."""
+        damped = rolling(self.robot)
+        if damped is self.robot:
+            return ()
+        return (
+            "The unstable pole is that without dry friction. Counted as damping, as in `upright identify`, friction "
+            f"makes it {unstable_pole(damped):.3g} 1/s.",
+        )
 
     @property
     def channels(self) -> list[str]:

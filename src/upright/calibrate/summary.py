@@ -31,7 +31,6 @@ from upright.calibrate.informativity import information, posterior, unseen_direc
 from upright.calibrate.judge import proposed, reasons
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, columns, with_values
 from upright.calibrate.validate import segments, steps_ahead, whiteness
-from upright.control.delay import rolling
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.physics.linear import unstable_pole
 from upright.robots import PARAMETERS, Provenance, Robot
@@ -108,7 +107,7 @@ def summarised(
         samples=int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
         seconds=time.perf_counter() - began,
         sources=sources,
-        notes=(*_notes(problem, every, scores, reason, other, widening), *_which_pole(robot)),
+        notes=tuple(_notes(problem, every, scores, reason, other, widening)),
         widening=widening,
         supported=int(supported),
         quiet=reason,
@@ -198,17 +197,6 @@ def rolling_pole(robot: Robot) -> float:
     """The rate [1/s] at which the robot falls while its wheels roll: dry friction, which at rest would hold them, is a
     steady force then and moves no pole."""
     return unstable_pole(robot.without_dry_friction())
-
-
-def _which_pole(robot: Robot) -> list[str]:
-    """What `upright identify` gives instead, of a robot with dry friction."""
-    damped = rolling(robot)
-    if damped is robot:
-        return []
-    return [
-        "The unstable pole is that without dry friction. Counted as damping, as in `upright identify`, the friction "
-        f"makes it {unstable_pole(damped):.3g} 1/s."
-    ]
 
 
 def _robot_at(problem: Problem, z: Array) -> Robot:

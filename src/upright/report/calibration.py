@@ -27,7 +27,11 @@ def page_of(calibration: Calibration) -> Page:
         Section("Prediction", [*_measured(calibration), _PREDICTED, *_predicted(calibration)]),
         Section("Estimates", [*calibration.notes, _estimates(calibration.parameters)]),
         *([Section("Delays and motors", [_DELAYS, _estimates(others)], folded=True)] if others else []),
-        Section("Coefficients of the motion", [_COMBINED, _estimates(calibration.combinations)], folded=True),
+        Section(
+            "Coefficients of the motion",
+            [_COMBINED, *calibration.which_pole, _estimates(calibration.combinations)],
+            folded=True,
+        ),
         Section("What the log does not determine", _undetermined(calibration), folded=True),
         Section("Innovations", [_INNOVATIONS, _whiteness(calibration)], folded=True),
         Section("Meaning of the verdicts", [_meanings()], folded=True),
