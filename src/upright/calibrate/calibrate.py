@@ -31,6 +31,7 @@ from upright.calibrate.learnt_kit import learnt_kit
 from upright.calibrate.noise import Bounds, learn_noise
 from upright.calibrate.parameters import most_friction, parameters_of
 from upright.calibrate.process_noise import NOISE_TIME, process
+from upright.doctor.doctor import contradictions
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import DesignFailed, InvalidLog
 from upright.logs.mapping import Mapping as Columns
@@ -41,6 +42,7 @@ from upright.physics.dynamics import motor_gain
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
+from upright.tables import sentence
 
 Array = NDArray[np.float64]
 
@@ -135,6 +137,7 @@ def calibrate(
     notes = [text for text in left if text]
     notes += [str(pace) + "." for pace in map(pace_of, several) if pace and not pace.kept]
     result = replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
+    result = _with_contradictions(result, [text for log in several for text in contradictions(log)])
     if problem.temper < 1 and not result.withheld():  # else the noise of the kit is that of the filter
         longest = max(several, key=len)
         noise = one_step_noise(
@@ -142,6 +145,13 @@ def calibrate(
         )
         result = replace(result, robot=result.robot.replace(noise=noise))
     return result
+
+
+def _with_contradictions(result: Calibration, wrong: Sequence[str]) -> Calibration:
+    """What the doctor finds wrong in the logs: the first reason of a fit that is refused, a note of any other."""
+    if result.refused:
+        return replace(result, refused=(*wrong, *result.refused))
+    return replace(result, notes=(*map(sentence, wrong), *result.notes))
 
 
 def prepared(

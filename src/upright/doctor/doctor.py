@@ -30,6 +30,7 @@ from upright.doctor.finding import (
     warning,
 )
 from upright.doctor.fixes import repaired
+from upright.doctor.wheels import record_of
 from upright.errors import InvalidLog
 from upright.logs.mapping import GUESS, Mapping, Source, channels_of, find_mapping, propose
 from upright.logs.readers import RawTable, read_table, table_of
@@ -276,9 +277,11 @@ _STAGE_OF = {
 """Order of the repairs. Those that change the rows come last, so that the times in the others stay valid."""
 
 
-def examined(record: Record) -> list[Finding]:
-    """All findings on the measured channels of a log, in the order of the stages."""
-    return _examine(record, None, unwatched)[0]
+def contradictions(log: Log) -> list[str]:
+    """What is wrong in a log of ours that a fit reads as it stands, in words: signs, sides, kinds and units."""
+    findings = [f for f in _examine(record_of(log), None, unwatched)[0] if f.severity == "error"]
+    wrong = [f for f in findings if f.code.split("/")[0] in ("motion", "units")]
+    return [f"the log contradicts itself, {f.channel}: {f.evidence}" for f in wrong]
 
 
 def _examine(raw: Record, robot: Robot | None, progress: Progress) -> tuple[list[Finding], Record]:

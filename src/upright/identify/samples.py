@@ -14,7 +14,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.doctor.wheels import on_its_wheels, record_of
+from upright.doctor.doctor import contradictions
+from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidLog, UnknownName
 from upright.identify.arx import FirstResponse, arx, first_response
 from upright.logs.recording import check_clock, check_unit, one_encoder
@@ -36,7 +37,6 @@ LONGEST = 20  # periods of the longest dead time
 READ = 0.5  # a pitch estimate is an output where it leaves less than this of the commands' unpredicted variance
 ROUNDING = 0.1  # periods by which a lag may be short of a whole one: a reading must not answer a future command
 TRUSTED = 0.1  # least variance that a filter takes for a reading, over what its past leaves unexplained
-WRONG = ("motion", "units")  # families of the doctor's errors that a fit cannot leave out, as it does poses and times
 STATES = {"pitch": ("pitch", "pitch_rate", "wheel_rate", "wheel"), "yaw": ("yaw_rate", "yaw")}
 
 
@@ -102,7 +102,7 @@ def samples(
     parts_of_robot = kit or find_kit(robot.kit)
     log, left = on_its_wheels(log, falling=False) if source == "sensors" else (log, "")
     prefix, commands = _commands(log, robot)
-    notes = [*([left] if left else []), *(contradictions(log) if source == "sensors" else []), *_clock(log)]
+    notes = [*([left] if left else []), *(_contradictions(log) if source == "sensors" else []), *_clock(log)]
     halves = _from_states(log, commands) if source == "states" else _from_sensors(log, robot, parts_of_robot, commands)
     notes += _faster(log)
     ready = _ready(halves, log, parts_of_robot, None if delay is None else round(delay / log.period), notes)
@@ -116,16 +116,8 @@ def samples(
     )  # fmt: skip
 
 
-def contradictions(log: Log) -> list[str]:
-    """What the doctor calls wrong in a log that is fitted as it stands: signs, sides, kinds and units."""
-    from upright.doctor.doctor import examined
-
-    wrong = [f for f in examined(record_of(log)) if f.severity == "error" and f.code.split("/")[0] in WRONG]
-    return [
-        f"The log contradicts itself, {finding.channel}: {finding.evidence}. The model keeps this fault "
-        "(`upright doctor --fix` repairs it)."
-        for finding in wrong
-    ]
+def _contradictions(log: Log) -> list[str]:
+    return [sentence(f"{text}; the model keeps this fault (`upright doctor --fix`)") for text in contradictions(log)]
 
 
 def _ready(halves: Sequence[Part], log: Log, kit: Kit, known: int | None, notes: list[str]) -> list[Part]:
