@@ -1,14 +1,18 @@
 """One conformance suite over every registered body, bare and behind every kit's electronics."""
 
+import math
+
 import numpy as np
 import pytest
 
 from upright.bodies import BODIES, Body, Electronics, LinearBody, NonlinearBody, make_body
 from upright.bodies.electronics import drive
 from upright.errors import SpecMismatch, UnknownName
-from upright.physics.dynamics import Disturbance
+from upright.physics.dynamics import MODELS, Disturbance, accelerations, derivative
+from upright.physics.integrate import rk4_step
 from upright.physics.linear import linearise
-from upright.robots import Battery, Kit, Motor, Robot, Sensor, kit_names
+from upright.physics.sensing import readings
+from upright.robots import Battery, Kit, Motor, Robot, Sensor, kit_names, preset_names
 
 NXT = Robot.preset("nxtway-gs")
 LEAN = (0.05, 0.0, 0.1, 0.0, 0.2, 0.0)
@@ -111,6 +115,31 @@ def test_a_stiff_robot_is_integrated_in_smaller_steps():
     assert max(abs(linearise(robot).poles())) * 0.01 > 2.78
     body.reset()
     assert abs(body.step((1.0, 1.0)).values).max() < 100
+
+
+@pytest.mark.parametrize("name", preset_names())
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("period", [0.001, 0.005])
+def test_a_step_is_that_of_the_dynamics_to_the_last_bit(name, model, period):
+    """Also on a slope, pushed, and far from upright: the function that is written rounds as the dynamics do."""
+    rng, robot = np.random.default_rng(1), Robot.preset(name)
+    body = NonlinearBody(robot, model, period)
+    for _ in range(5):
+        x = rng.normal(0, [0.4, 1, 3, 5, 1, 1]).tolist()
+        body.reset(x)
+        for _ in range(10):
+            u, w = rng.normal(0, 0.5, 2).tolist(), Disturbance(*rng.normal(0, 0.1, 3).tolist())
+            for _ in range(body.substeps):
+                x = rk4_step(lambda at: derivative(at, u, robot, w, math, model), x, period / body.substeps)  # noqa: B023
+            wheel_acc = accelerations(x, u, robot, w, math, model)[1]
+            assert body.step(u, w).values.tolist() == [*x, *readings(x, wheel_acc, robot, w.slope)]
+
+
+def test_a_stiff_robot_takes_no_more_memory():
+    """The step is written once, however often it is taken in a period."""
+    stiff = NonlinearBody(NXT.replace(torque_constant=250.0))
+    assert stiff.substeps > 300
+    assert len(stiff._next.__code__.co_code) < 50_000
 
 
 IDEAL = {"sensor/encoder_left": Sensor(), "sensor/encoder_right": Sensor(), "sensor/gyro": Sensor()}

@@ -43,11 +43,10 @@ from upright.lab.messages import (
 from upright.lab.plant import COARSE, FINE, Pulled, families, is_slow, loaded
 from upright.lab.ring import Ring
 from upright.lab.session import Session
-from upright.lab.straight import Straight
 from upright.lab.views import catalogue
-from upright.physics.dynamics import MODELS, Disturbance, derivative, mass_matrix
+from upright.physics.dynamics import Disturbance, derivative, mass_matrix
 from upright.physics.linear import unstable_pole
-from upright.robots import Kit, Robot, preset_names
+from upright.robots import Kit, Robot
 from upright.signals import Log
 
 ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
@@ -84,34 +83,6 @@ def test_a_session_is_the_loop_of_run(tmp_path):
     assert len(log) == len(same) == 200  # 2 s of 10 ms
     for name in same.channels:
         assert np.array_equal(log[name], same[name]), name
-
-
-@pytest.mark.parametrize("name", preset_names())
-@pytest.mark.parametrize("model", MODELS)
-@pytest.mark.parametrize("period", [FINE, COARSE])
-def test_the_written_step_is_the_nonlinear_model_bit_for_bit(name, model, period):
-    """Also on a slope, pushed, and far from upright: the dynamics called, and run as what they wrote down."""
-    rng = np.random.default_rng(1)
-    robot = Robot.preset(name)
-    written, called = Straight(robot, model, period), NonlinearBody(robot, model, period)
-    for _ in range(5):
-        start, seed = rng.normal(0, [0.4, 1, 3, 5, 1, 1]).tolist(), 0
-        assert np.array_equal(written.reset(start, seed).values, called.reset(start, seed).values)
-        for _ in range(10):
-            command, felt = rng.normal(0, 0.5, 2).tolist(), Disturbance(*rng.normal(0, 0.1, 3).tolist())
-            one, two = written.step(command, felt), called.step(command, felt)
-            assert np.array_equal(one.values, two.values)
-            assert (one.t, one.applied, one.fallen) == (two.t, two.applied, two.fallen)
-
-
-def test_a_stiff_robot_takes_no_more_memory():
-    """The step is written once, however often it is taken in a period."""
-    stiff = ROBOT.replace(torque_constant=250.0)
-    body = Straight(stiff, "complete", FINE)
-    called = NonlinearBody(stiff, "complete", FINE)
-    assert called.substeps > 300
-    assert len(body._next.__code__.co_code) < 50_000
-    assert np.array_equal(body.step((0.1, 0.2)).values, called.step((0.1, 0.2)).values)
 
 
 def test_the_same_messages_give_the_same_robots(tmp_path):

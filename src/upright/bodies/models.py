@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import cached_property
 
 import numpy as np
 
 from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, checked_period, sample
+from upright.compiled.straight_line import Step, written
 from upright.errors import InvalidModel, InvalidScenario
-from upright.physics.dynamics import CALM, MODELS, Disturbance, accelerations, derivative
-from upright.physics.integrate import rk4_step, substeps
+from upright.physics.dynamics import CALM, MODELS, Disturbance, accelerations
+from upright.physics.integrate import substeps
 from upright.physics.linear import DISTURBANCES, LinearModel, linearise
 from upright.physics.sensing import readings
 from upright.robots import Robot
@@ -22,7 +24,8 @@ CHANNELS = (*TRUTH, *SENSORS[:-1])  # all but the battery, which is the electron
 class NonlinearBody:
     """The equations of `physics.dynamics`, integrated by RK4; `period` [s] is what one step takes.
 
-    `model` is "complete" or "published". Steps are cut so that the fastest pole is followed.
+    `model` is "complete" or "published". Steps are cut so that the fastest pole is followed, and are computed by a
+    function that is written for the robot, to the last bit as the dynamics compute them.
     """
 
     def __init__(self, robot: Robot, model: str = "complete", period: float = 0.001) -> None:
@@ -37,34 +40,31 @@ class NonlinearBody:
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (nothing here is random)
         self._x: Sequence[float] = checked(start, 6, "start")
         self._steps = 0
-        return self._sample((0.0, 0.0), CALM)
+        wheel_acc = accelerations(self._x, (0.0, 0.0), self.spec.robot, CALM, math, self._model)[1]
+        return self._sample((*self._x, *readings(self._x, wheel_acc, self.spec.robot)), (0.0, 0.0))
+
+    @cached_property
+    def _next(self) -> Step:
+        return written(self.spec.robot, self._model, self.spec.period, self.substeps)
 
     def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
         u = checked(command, 2, "command")
-        robot, model, h = self.spec.robot, self._model, self.spec.period / self.substeps
-
-        def f(x: Sequence[float]) -> tuple[float, ...]:
-            return derivative(x, u, robot, disturbance, math, model)
-
         try:
-            for _ in range(self.substeps):
-                self._x = rk4_step(f, self._x, h)
+            values = self._next(self._x, u, disturbance)
         except (ArithmeticError, ValueError):  # the sine of infinity is a ValueError
             raise InvalidScenario(
                 f"the motion is beyond every number after {self._steps * self.spec.period:g} s",
                 expected="pushes and commands that a robot can meet",
             ) from None
+        self._x = values[:6]
         self._steps += 1
-        return self._sample(u, disturbance)
+        return self._sample(values, u)
 
     def close(self) -> None:
         """Nothing is held."""
 
-    def _sample(self, u: Sequence[float], w: Disturbance) -> Sample:
-        robot = self.spec.robot
-        wheel_acc = accelerations(self._x, u, robot, w, math, self._model)[1]
-        values = (*self._x, *readings(self._x, wheel_acc, robot, w.slope))
-        return sample(self._steps * self.spec.period, values, u, abs(self._x[0]) > FALLEN)
+    def _sample(self, values: Sequence[float], u: Sequence[float]) -> Sample:
+        return sample(self._steps * self.spec.period, values, u, abs(values[0]) > FALLEN)
 
 
 class LinearBody:

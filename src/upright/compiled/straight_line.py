@@ -31,7 +31,7 @@ def written(robot: Robot, model: str, period: float, substeps: int) -> Step:
     result = ", ".join([*(f"x{i}" for i in range(6)), *(value for _, value in sensed.commit)])
     lines = ["x0, x1, x2, x3, x4, x5 = x", "u0, u1 = u", "w0, w1, w2 = w", *loop]
     lines += [line for statement in sensed.statements for line in printer.statement(statement)]
-    words: dict[str, Any] = {"sin": math.sin, "cos": math.cos, "sqrt": math.sqrt}
+    words: dict[str, Any] = {name: getattr(math, name) for name in ("sin", "cos", "sqrt", "inf", "nan")}
     code = [*lines, f"return {result}"]
     exec("def step(x, u, w):\n " + "\n ".join(code), words)  # our own dynamics; a test compares the numbers
     return words["step"]

@@ -7,12 +7,11 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
-from upright.bodies import Body, Electronics, LinearBody, Sample
+from upright.bodies import Body, Electronics, LinearBody, NonlinearBody, Sample
 from upright.bodies.body import REST
 from upright.control import CONTROLLERS, Controller, ControllerSpec, Method, StateFeedback, observed
 from upright.errors import InvalidController, InvalidPlugin, InvalidRobot, UnknownName, UprightError
 from upright.lab.messages import FamilyInfo, Setup
-from upright.lab.straight import Straight
 from upright.physics.dynamics import CALM, Disturbance, motor_gain
 from upright.physics.linear import linearise
 from upright.robots import PARAMETERS, Kit, Robot, kit_names
@@ -239,7 +238,7 @@ def body_of(name: str, plant: Plant, setup: Setup, period: float, calibrated: Ro
         # The linear model is of what the controller knows: no payload, no other floor.
         return Pulled(LinearBody(linearise(plant.nominal), plant.nominal, period))
     robot = calibrated if name == "calibrated" and calibrated else plant.robot
-    body = Straight(robot, "published" if name == "published" else "complete", period)
+    body = NonlinearBody(robot, "published" if name == "published" else "complete", period)
     if body.substeps > QUICKEST * period:
         fastest = max(abs(linearise(robot).poles()))
         raise InvalidRobot(
