@@ -61,14 +61,17 @@ class Electronics:
         rng = np.random.Generator(np.random.Philox(seed))
         first = self.body.reset(start, seed)
         self._line.reset(rng)
-        self._voltage = self.kit.battery.voltage
+        self._voltage, self._driven = self.kit.battery.voltage, None
         for index, channel in self._sensors:
             channel.reset(rng, self._voltage if index is None else float(first.values[index]))
         return self._sample(first)
 
     def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
         arrived = self._line.step(checked(command, 2, "command"))
-        applied, self._voltage = drive(arrived, self.kit, self.spec.command_unit)
+        if arrived is not self._driven:  # one command lasts many steps
+            self._driven = arrived
+            self._applied, self._voltage = drive(arrived, self.kit, self.spec.command_unit)
+        applied = self._applied
         inner = self.body.step(applied if self._alike else self._turned(applied), disturbance)
         return self._sample(inner if self._alike else replace(inner, applied=applied))
 

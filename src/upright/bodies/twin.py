@@ -61,7 +61,9 @@ class Twin:
             kind="twin", robot=robot, channels=channels, period=period, command_unit=robot.command_unit
         )
         self._model = mujoco.MjModel.from_xml_string(text)
-        self._data = mujoco.MjData(self._model)
+        self._data = data = mujoco.MjData(self._model)
+        # arrays that MuJoCo writes into and reads from, asked for once
+        self._q, self._v, self._sensed, self._wrong = data.qpos, data.qvel, data.sensordata, data.warning.number
         lightest = robot.wheel_inertia + robot.gear_ratio**2 * robot.rotor_inertia
         self._wildest = _WILD * lightest / motor_gain(robot)
         self.reset()
@@ -71,6 +73,7 @@ class Twin:
         robot, data = self.spec.robot, self._data
         pitch, pitch_rate, _, wheel_rate, yaw, yaw_rate = x
         mujoco.mj_resetData(self._model, data)
+        self._slope = math.nan
         self._slope_is(0.0)
         angles = wheel_angles(x, robot)
         rates = wheel_angles((0.0, 0.0, wheel_rate, 0.0, yaw_rate, 0.0), robot)
@@ -106,8 +109,9 @@ class Twin:
         """MuJoCo's memory goes with the object."""
 
     def _slope_is(self, slope: float) -> None:
-        g = self.spec.robot.gravity
-        self._model.opt.gravity[:] = -g * math.sin(slope), 0.0, -g * math.cos(slope)
+        if slope != self._slope:
+            self._slope, g = slope, self.spec.robot.gravity
+            self._model.opt.gravity[:] = -g * math.sin(slope), 0.0, -g * math.cos(slope)
 
     def _settle(self) -> None:
         """Sinks the wheels into the floor until the contacts carry the weight and the axle does not accelerate."""
@@ -128,12 +132,11 @@ class Twin:
         The free joint takes forces in the world's axes and torques in the body's. Drag is a torque on the wheel from
         outside, so it works on the wheel's own angle, which is the hinge's plus the pitch.
         """
-        data = self._data
-        pitch, yaw = _attitude(data.qpos.tolist())
-        rates = data.qvel.tolist()
+        pitch, yaw = _attitude(self._q.tolist())
+        rates = self._v.tolist()
         left, right = (self._drag(rate + rates[4]) for rate in rates[6:8])
         moment = force * height * math.cos(pitch) + left + right
-        data.qfrc_applied[:] = force * math.cos(yaw), force * math.sin(yaw), 0.0, 0.0, moment, 0.0, left, right
+        self._data.qfrc_applied[:] = force * math.cos(yaw), force * math.sin(yaw), 0.0, 0.0, moment, 0.0, left, right
 
     def _drag(self, rate: float) -> float:
         """Torque of the floor on a wheel [N m] that turns at `rate` [rad/s]."""
@@ -141,16 +144,15 @@ class Twin:
         return -robot.wheel_friction * rate - rolling_friction(rate, robot)
 
     def _sample(self, u: Sequence[float]) -> Sample:
-        data = self._data
-        if data.warning.number.any():  # not a number, or beyond 10¹⁰, somewhere inside
+        if any(self._wrong.tolist()):  # not a number, or beyond 10¹⁰, somewhere inside
             raise _unstable(self._steps * self.spec.period, u)
-        q, v = data.qpos.tolist(), data.qvel.tolist()
+        q, v = self._q.tolist(), self._v.tolist()
         pitch, yaw = _attitude(q)
         self._yaw += math.remainder(yaw - self._yaw, math.tau)
         pitch_rate, left, right = v[4], q[7], q[8]
         yaw_rate = v[5] * math.cos(pitch) - v[3] * math.sin(pitch)
         wheel, wheel_rate = (left + right) / 2 + pitch, (v[6] + v[7]) / 2 + pitch_rate
-        _, gyro, _, forward, _, up = data.sensordata.tolist()
+        _, gyro, _, forward, _, up = self._sensed.tolist()
         truth = (pitch, pitch_rate, wheel, wheel_rate, self._yaw, yaw_rate)
         values = (*truth, left, right, gyro, self._yaw, forward, up)
         return sample(self._steps * self.spec.period, values, u, abs(pitch) > FALLEN)

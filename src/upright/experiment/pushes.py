@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from upright.errors import InvalidScenario
-from upright.physics.dynamics import Disturbance
+from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Robot
 
 
@@ -109,10 +109,11 @@ _SAME_TIME = 1e-9  # [s] time is counted in periods, so that equal times may dif
 
 def combined(pushes: Sequence[PushProgramme], t: float, robot: Robot) -> Disturbance:
     """All pushes together: forces add, and act at the height that gives the same moment; slopes add."""
-    parts = [push.at(t, robot) for push in pushes]
-    force = sum(part.force for part in parts)
-    moment = sum(part.force * part.height for part in parts)
-    return Disturbance(force, moment / force if force else 0.0, sum(part.slope for part in parts))
+    force = moment = slope = 0.0
+    for push in pushes:
+        part = push.at(t, robot)
+        force, moment, slope = force + part.force, moment + part.force * part.height, slope + part.slope
+    return Disturbance(force, moment / force if force else 0.0, slope) if force or slope else CALM
 
 
 def _within(t: float, start: float, duration: float) -> bool:
