@@ -19,18 +19,19 @@ from upright.bodies.twin import Twin
 from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import HELD, VISIBLE, Calibration
 from upright.calibrate.fitting import DRIVEN, LEVEL, ROLLING_DRY, events_of, normal_equations, objective
+from upright.calibrate.informativity import drives_straight
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, parameters_of, with_values
 from upright.calibrate.threads import in_threads
 from upright.control import Estimated, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import run
-from upright.logs.recording import record
+from upright.logs.recording import reading_matrix, record
 from upright.physics.dynamics import derivative
 from upright.physics.integrate import rk4_step
 from upright.physics.linear import unstable_pole
 from upright.robots import Kit, Provenance, Robot
-from upright.signals import Log
+from upright.signals import STATE_NAMES, Log
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "benchmarks"))
 
@@ -333,6 +334,22 @@ def test_two_copies_of_one_encoder_count_once() -> None:
     mean = (log["sensor/encoder_left"] + log["sensor/encoder_right"]) / 2
     both = Log(log.t, {**log.channels, "sensor/encoder_left": mean, "sensor/encoder_right": mean})
     assert record(both, PRIOR, Kit.preset("nxt")).rows.count("sensor/encoder_right") == 0
+
+
+def test_encoders_that_always_agree_tell_nothing_of_turning() -> None:
+    """Read as the left one alone, a robot that drove straight had an asymmetry six deviations from zero."""
+    log = twin_log(5.0)
+    mean = (log["sensor/encoder_left"] + log["sensor/encoder_right"]) / 2
+    both = Log(log.t, {**log.channels, "sensor/encoder_left": mean, "sensor/encoder_right": mean})
+    kit = Kit.preset("nxt")
+    (problem, _), (turning, _) = (prepared([one], PRIOR, kit, (), 0.0) for one in (both, log))
+    assert drives_straight(problem)
+    assert not drives_straight(turning)
+    recording = problem.recordings[0]
+    C = reading_matrix(recording.rows, len(recording.first), np.ones(1), recording.parts)[:, :, 0]
+    at = recording.rows.index("sensor/encoder_left")
+    assert C[at, STATE_NAMES.index("yaw")] == 0.0  # the mean of both wheels turns with pitch and wheels alone
+    assert (C[at, STATE_NAMES.index("wheel")], C[at, STATE_NAMES.index("pitch")]) == (1.0, -1.0)
 
 
 def test_an_exact_model_gives_back_what_made_the_log() -> None:

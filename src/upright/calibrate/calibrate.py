@@ -26,7 +26,7 @@ from upright.calibrate.electronics import electronics_of
 from upright.calibrate.filter_log import one_step_noise
 from upright.calibrate.fitting import EQUATIONS, JITTER, STICKING, Normal, Path, Problem, normal_equations, objective
 from upright.calibrate.gauss_newton import gauss_newton
-from upright.calibrate.informativity import INERTIAL, too_quiet
+from upright.calibrate.informativity import INERTIAL, STRAIGHT, TURNING, drives_straight, too_quiet
 from upright.calibrate.learnt_kit import learnt_kit
 from upright.calibrate.noise import Bounds, learn_noise
 from upright.calibrate.parameters import most_friction, parameters_of
@@ -122,8 +122,9 @@ def calibrate(
     parts = find_kit(kit or nominal.kit)
     stated, limits = prepared(several, nominal, parts, known, held_out)
     problem, reason = stated, too_quiet(stated)
-    if reason:
-        problem = replace(problem, held=frozenset(p.name for p in problem.parameters if p.name in INERTIAL))
+    straight = drives_straight(stated)
+    held = (*(INERTIAL if reason else ()), *(TURNING if straight else ()))
+    problem = replace(problem, held=frozenset(p.name for p in problem.parameters if p.name in held))
     show(0.05)
     problem, z = annealed(problem, limits)
     show(0.4)
@@ -134,7 +135,7 @@ def calibrate(
     fit = Fitted(problem, z, normal, paths)
     result = summarised(fit, several, reason, began, stated=stated)
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
-    notes = [text for text in left if text]
+    notes = [text for text in left if text] + ([STRAIGHT] if straight else [])
     notes += [str(pace) + "." for pace in map(pace_of, several) if pace and not pace.kept]
     result = replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
     result = _with_contradictions(result, [text for log in several for text in contradictions(log)])

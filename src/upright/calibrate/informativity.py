@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtri, stdtrit
 
+from upright.calibrate.electronics import ASYMMETRY
 from upright.calibrate.fitting import Normal, Path, Problem, fitted_readings
 from upright.calibrate.parameters import ROLL_FRACTION, rows_of
 from upright.logs.recording import SENSOR, Recording
@@ -19,6 +20,11 @@ from upright.logs.recording import SENSOR, Recording
 Array = NDArray[np.float64]
 
 INERTIAL = ("com_height", "pitch_inertia", "yaw_inertia", "rotor_inertia", "wheel_inertia", ROLL_FRACTION)
+TURNING = (ASYMMETRY, "yaw_inertia", "track", ROLL_FRACTION)
+"""What moves nothing but the turning of the robot."""
+STRAIGHT = (
+    "One encoder, or two that always agree, tell nothing of turning: asymmetry, track, yaw and roll inertia stay."
+)
 QUIET = 4.0
 """Root mean square of the pitch rate, in steps of its gyro, below which no inertia is given: the errors of the readings
 then are no longer small beside the motion, and what the fit calls an inertia is partly their image."""
@@ -36,6 +42,11 @@ def too_quiet(problem: Problem) -> str:
         f"Too quiet for an inertia: the pitch rate moves by {loudest:.1f} steps of its gyro (rms), not {QUIET:g}. "
         "Inertias and the height of the centre of mass stay at their prior; excite the robot or push it, and log again."
     )
+
+
+def drives_straight(problem: Problem) -> bool:
+    """Whether nothing is known of turning: in every log there is one encoder, or both always agree."""
+    return all(sum(SENSOR[row] == "encoder" for row in r.rows) < 2 for r in problem.recordings)
 
 
 def _motion(recording: Recording, deviation: float) -> float:

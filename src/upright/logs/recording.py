@@ -12,7 +12,7 @@ from upright.errors import InvalidLog
 from upright.physics.dynamics import turn_ratio
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
-from upright.signals import Log
+from upright.signals import STATE_NAMES, Log
 
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
@@ -183,9 +183,12 @@ def one_encoder(log: Log) -> bool:
 
 
 def reading_matrix(rows: Sequence[str], size: int, turn: Array, sensors: Mapping[str, Sensor]) -> Array:
-    """The sensor matrix C (rows, states, lanes) of these sensors, for W/(2R) = `turn` (lanes,)."""
+    """The sensor matrix C (rows, states, lanes) of these sensors, for W/(2R) = `turn` (lanes,). One encoder alone reads
+    the mean of both wheels."""
     C = np.zeros((len(rows), size, len(turn)))
     C[:, :6] = sensor_matrix(rows, turn, sensors)
+    if (alone := [i for i, name in enumerate(rows) if SENSOR[name] == "encoder"]) and len(alone) == 1:
+        C[alone[0], STATE_NAMES.index("yaw")] = 0.0
     for i, name in enumerate(rows):
         if SENSOR[name] != "encoder":
             C[i, 6 if SENSOR[name] == "gyro" else 7] = 1.0  # its bias
