@@ -27,6 +27,7 @@ from upright.calibrate.own_run import of_this_run
 from upright.calibrate.process_noise import process
 from upright.calibrate.validate import segments
 from upright.control import Controller, read_controller
+from upright.doctor.doctor import contradictions
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidLog, SpecMismatch
 from upright.logs.mapping import Mapping as Columns
@@ -35,6 +36,7 @@ from upright.logs.recording import SENSOR
 from upright.progress import Progress
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
+from upright.tables import sentence
 from upright.validate.law import CommandLaw, LinearLaw, law_by, law_of, recorded
 from upright.validate.loop import FreeLoop, closed_loop
 from upright.validate.validation import (
@@ -96,7 +98,8 @@ def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> 
     law, words = _law(log, recording.rows, controller)
     loop: FreeLoop | None = closed_loop(problem, recording, z, log, kit, law) if law else None
     pushed = [n for n in ("push/force", "push/slope") if n in log and log[n].any()]
-    notes = [*([left] if left else []), *(["The log was pushed, which no prediction here knows."] if pushed else [])]
+    notes = [*([left] if left else []), *map(sentence, contradictions(log))]
+    notes += ["The log was pushed, which no prediction here knows."] if pushed else []
     dead = tuple(n for n in log.channels if n in SENSOR and n not in recording.rows and _never_changes(log[n]))
     notes += [f"The {short(name)} never changes, and is not judged: look at its plug and its port." for name in dead]
     half_seconds = channels_of(parts)
