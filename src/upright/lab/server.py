@@ -22,7 +22,7 @@ from upright.lab.stage_process import StageProcess
 
 LOOPBACK = "127.0.0.1"
 PORT = 8765
-ALONE, CLASS = Options(rate=50.0), Options(rate=30.0, coarse=True, certified=False, longest=0.5)
+ALONE, CLASS = Options(rate=50.0), Options(rate=36.0, coarse=True, certified=False, longest=0.5)
 CLASS_STAGES = 2  # processes among which thirty robots are shared
 
 
