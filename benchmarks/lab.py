@@ -64,7 +64,14 @@ def usual(options: argparse.Namespace) -> None:
     """The measurements that take a minute."""
     print(f"{'upright lab answers':<44}{answered():>9.2f} s      (bar 2)")
     measured("one client, three bodies, 50 Hz", Door(), ALONE, 1, 1, options.seconds)
-    measured(f"thirty students, {CLASS.rate:.0f} Hz", Door("students", "teacher"), CLASS, CLASS_STAGES, STUDENTS, options.seconds)
+    measured(
+        f"thirty students, {CLASS.rate:.0f} Hz",
+        Door("students", "teacher"),
+        CLASS,
+        CLASS_STAGES,
+        STUDENTS,
+        options.seconds,
+    )
     if options.picture:
         print(f"{'first picture after the page is asked for':<44}{pictured():>9.2f} s      (bar 1.5)")
 

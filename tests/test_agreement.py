@@ -22,7 +22,7 @@ from upright.certify.checks import Course, KernelController, PushTrial, kernel_c
 from upright.certify.learnt import learnt
 from upright.certify.verdict import GREEN, LinearMargins, judge
 from upright.cli.main import main
-from upright.comparison.bench import bench_one
+from upright.comparison.bench import TOLERANCE, bench_one, largest_knock
 from upright.control import LinearController, as_linear, make_controller
 from upright.control.law import as_law
 from upright.control.permit import permitted
@@ -270,6 +270,10 @@ def test_the_table_of_controllers_counts_drawn_robots_that_fall() -> None:
     assert row.impulse
     knock = list(standard_pushes(ROBOT, KIT).values())[-1].size
     assert row.impulse > knock  # the certificate's, which it survives with both batteries
+    plant = Electronics(NonlinearBody(known), KIT)
+    again = largest_knock(plant, make_controller("pid", known, KIT, KIT.period), 1.0, seed=1)
+    # begun at the kernel's border or far off, the search ends at the same border, to its tolerance from either side
+    assert abs(math.log(row.impulse / again)) < 2 * math.log(1 + TOLERANCE)
     name = "lqr-complementary"
     slow, _ = bench_one(name, "front", known, KIT, body="nonlinear", seed=1, drawn=[known], knocks=False)
     assert slow.spread is None  # called in Python, which is too slow for a table

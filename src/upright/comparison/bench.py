@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -159,8 +159,11 @@ def bench_controllers(
     methods = methods or [name for name, method in CONTROLLERS.items() if method.benched]
     rows, logs, drawn = list[BenchRow](), dict[tuple[str, str], Log](), draw(nominal, DRAWN, seed)
     for method in methods:
+        controller = _designed(method, nominal, parts)
         for side in PUSHES:
-            row, log = bench_one(method, side, nominal, parts, body=body, seed=seed, drawn=drawn, knocks=knocks)
+            row, log = bench_one(
+                method, side, nominal, parts, body=body, seed=seed, drawn=drawn, knocks=knocks, controller=controller
+            )
             rows.append(row)
             if log:
                 logs[row.controller, row.push] = log
@@ -170,40 +173,70 @@ def bench_controllers(
 
 def bench_one(
     method: str, side: str, robot: Robot, kit: Kit, *, body: str, seed: int, drawn: Sequence[Robot],
-    knocks: bool = True,
+    knocks: bool = True, controller: Controller | str | None = None,
 ) -> tuple[BenchRow, Log | None]:  # fmt: skip
-    """One controller under one push, of `robot` and of the `drawn` ones, and the run; None where there is no design."""
+    """One controller under one push, of `robot` and of the `drawn` ones, and the run; None where there is no design.
+
+    `controller` is the method's design for this robot, or why there is none; None: it is designed here.
+    """
     push = f"{side}, {PUSHES[side]:+.2f} rad".replace("-", "−")
-    try:
-        controller = make_controller(method, robot, kit, kit.period)
-    except UprightError as error:
-        return BenchRow(controller=method, push=push, outcome=f"no design: {str(error).split(';')[0]}"), None
+    controller = controller or _designed(method, robot, kit)
+    if isinstance(controller, str):
+        return BenchRow(controller=method, push=push, outcome=controller), None
+    course = Course(kernel_controller(controller, robot, kit), robot, drawn, kit, seed)
     plant = Electronics(make_body(body, robot), kit)
     log = run(plant, controller, Hold(pitch=PUSHES[side], until=UNTIL), seconds=SECONDS, seed=seed)
-    impulse = largest_knock(plant, controller, math.copysign(1.0, PUSHES[side]), seed) if knocks else None
+    way = math.copysign(1.0, PUSHES[side])
+    impulse = largest_knock(plant, controller, way, seed, near=_border(course, way)) if knocks else None
     plant.close()
     numbers = compare({body: log}).to_json()["logs"]
     measured = next(iter(numbers.values()))["metrics"]
     end = outcome_of(log)
     outcome = f"fell at {end.seconds:.1f} s" if end.fell else "yes"
-    spread = _spread(Course(kernel_controller(controller, robot, kit), robot, drawn, kit, seed), side)
+    spread = _spread(course, side)
     names = {"peak": "pitch_peak", "settling": "settling_5", "travel": "wheel_travel"}
     numbers = {n: measured[names.get(n, n)] for n in ("peak", "settling", "travel", "effort", "saturated")}
     return BenchRow(controller=method, push=push, outcome=outcome, **numbers, impulse=impulse, spread=spread), log
 
 
-def largest_knock(plant: Body, controller: Controller, way: float, seed: int) -> float:
-    """The largest impulse [N s] from one side that the robot recovers from (`BenchRow`); 0 where it never does."""
-    robot = plant.spec.robot
+def largest_knock(
+    plant: Body, controller: Controller, way: float, seed: int, *, near: float | None = None
+) -> float:  # fmt: skip
+    """The largest impulse [N s] from one side that the robot recovers from (`BenchRow`); 0 where it never does.
+
+    The search begins at `near` [N s] in steps of `TOLERANCE`; None: far off, in steps of two.
+    """
+
+    def stands(knock: Impulse) -> bool:
+        return not outcome_of(run(plant, controller, knock, seconds=STRUCK + KNOCK + WATCHED, seed=seed)).fell
+
+    return _largest(stands, plant.spec.robot, way, near)
+
+
+def _border(course: Course, way: float) -> float | None:
+    """`largest_knock` [N s] in the kernel's nonlinear model, which computes a hundred times as fast."""
+    if course.controller.called:
+        return None
+    one = replace(course, robots=[course.robot])
+    return _largest(lambda knock: not next(watched(one, knock, 0, ())).fell[0], course.robot, way) or None
+
+
+def _largest(stands: Callable[[Impulse], bool], robot: Robot, way: float, near: float | None = None) -> float:
     mass = robot.body_mass + 2 * robot.wheel_mass
 
-    def stands(sizes: Array, _: Any) -> NDArray[np.bool_]:
-        knock = Impulse(impulse=way * float(sizes[0]), start=STRUCK, duration=KNOCK)
-        log = run(plant, controller, knock, seconds=STRUCK + KNOCK + WATCHED, seed=seed)
-        return np.array([not outcome_of(log).fell])
+    def survived(sizes: Array, _: Any) -> NDArray[np.bool_]:
+        return np.array([stands(Impulse(impulse=way * float(sizes[0]), start=STRUCK, duration=KNOCK))])
 
-    impulse = largest(stands, [GUESS * mass], CEILING * mass, FLOOR * mass, TOLERANCE, 2.0)
-    return float(impulse[0])
+    guess, factor = (GUESS * mass, 2.0) if near is None else (near, 1 + TOLERANCE)
+    return float(largest(survived, [guess], CEILING * mass, FLOOR * mass, TOLERANCE, factor)[0])
+
+
+def _designed(method: str, robot: Robot, kit: Kit) -> Controller | str:
+    """The method's design for this robot and kit, or why there is none."""
+    try:
+        return make_controller(method, robot, kit, kit.period)
+    except UprightError as error:
+        return f"no design: {str(error).split(';')[0]}"
 
 
 def _spread(course: Course, side: str) -> float | None:
