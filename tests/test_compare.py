@@ -24,7 +24,8 @@ from upright.comparison import (
 from upright.control import StateFeedback, lqr
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import Hold, outcome_of, run
-from upright.report.comparing import metrics_table, page_of
+from upright.report.comparing import page_of
+from upright.report.metrics import metrics_table
 from upright.robots import Robot
 from upright.signals import STATE_NAMES, Log
 
@@ -275,5 +276,5 @@ def test_a_page_shows_runs_that_are_pushed_to_their_end() -> None:
         name: run(NonlinearBody(robot), lqr(robot, 0.01), Hold(pitch=0.1, until=5.0), seconds=seconds)
         for name, seconds in (("short", 0.5), ("long", 0.7))
     }
-    assert "largest difference: " in page_of(compare(logs)).html().replace("\u00a0", " ")
+    assert "differs by at most " in page_of(compare(logs)).html().replace("\u00a0", " ")
     assert "does not come to rest" in page_of(compare({"short": logs["short"]})).html().replace("\u00a0", " ")

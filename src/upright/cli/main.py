@@ -31,6 +31,7 @@ from upright.cli.identify import identify
 from upright.cli.lab import lab
 from upright.cli.linearise import linearise
 from upright.cli.monitor import monitor
+from upright.cli.output import TYPED
 from upright.cli.parity import parity
 from upright.cli.post_mortem import post_mortem
 from upright.cli.reproduce import reproduce
@@ -94,6 +95,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     All its files appear at the end, if it is neither interrupted nor fails.
     """
     arguments = sys.argv[1:] if argv is None else list(argv)
+    TYPED.set(arguments)
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices here are small: more threads only wait for each other
     try:
         with together():

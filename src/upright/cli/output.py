@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+import shlex
 import shutil
 import sys
 from collections.abc import Callable, Collection, Generator, Iterable, Sequence
 from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -63,12 +65,25 @@ def print_text(text: str) -> None:
     typer.echo(text)
 
 
-def write_page(result: Any, path: Path | None, title: str = "") -> None:
-    """Write the page of a result to `path`, where one is given; `title` replaces the page's own."""
+def write_page(result: Any, path: Path | None) -> None:
+    """Write the page of a result to `path`, where one is given, with the command at its foot."""
     if path:
         from upright.report import report
 
-        report(result, path, title=title)
+        report(result, path, command=_command())
+
+
+TYPED: ContextVar[Sequence[str]] = ContextVar("TYPED", default=())
+"""The arguments of the command that runs."""
+
+
+def _command() -> str:
+    """The command as it was typed, without what names its page, and files without their folders."""
+    words = list(TYPED.get())
+    if "--report" in words:
+        del words[words.index("--report") : words.index("--report") + 2]
+    kept = (Path(word).name if os.sep in word and Path(word).exists() else word for word in words)
+    return shlex.join(["upright", *(word for word in kept if not word.startswith("--report="))]) if words else ""
 
 
 def check_folder(path: Path) -> None:

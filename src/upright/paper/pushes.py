@@ -20,7 +20,8 @@ from upright.physics.linear import LinearModel
 from upright.plotting import legend, line, panels
 from upright.progress import Progress, unwatched
 from upright.report import Figure, Table
-from upright.report.comparing import fit_tables, metrics_table, state_figure
+from upright.report.comparing import state_figure
+from upright.report.metrics import fit_tables, metrics_table
 from upright.report.page import Cell, cell_text
 from upright.report.robot import filmstrip
 from upright.robots import Kit, Motor, Robot

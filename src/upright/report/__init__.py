@@ -26,16 +26,18 @@ PAGES = {
 """Class of a result → the file of this room that has its page."""
 
 
-def report(result: Any, path: str | Path, *, title: str = "") -> Path:
+def report(result: Any, path: str | Path, *, title: str = "", command: str = "") -> Path:
     """Write the page of a `result` as one self-contained HTML file, and return its path.
 
     `result` is what a verb returns: a comparison, a calibration, a validation, all identified models, an excitation
     plan, a design or its analysis, a tuning, a certificate, a post-mortem, a fleet, a push map, a basin, a campaign, a
-    diagnosis, a parity or a linear model. `title` replaces the page's own. Raises `UprightError` for a result without a
+    diagnosis, a parity or a linear model. `title` replaces the page's own; `command`, which made the result, stands at
+    its foot. Raises `UprightError` for a result without a
     page, or where the file cannot be written.
     """
     page = page_of(result)
-    return (replace(page, title=title) if title else page).write(path)
+    made = {"command": command} if command else {}
+    return replace(page, title=title or page.title, provenance={**page.provenance, **made}).write(path)
 
 
 def page_of(result: Any) -> Page:

@@ -1,0 +1,128 @@
+"""Numbers of the runs on a comparison's page: metrics, fits, and the time after which a run is calm."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from upright.comparison import Comparison
+from upright.comparison.comparison import DIVERGED, METRICS
+from upright.report.page import Cell, Table, cell_text
+
+STEADY, WIDE = 1.6, 0.5
+"""A wobble that grows no more than this between the last quarter and the last half is steady; beyond this part of the
+peak it is no rest."""
+SAID = {"saturated": "motors at their limit", "wheel_travel": "largest turn of the wheels"}
+"""Metrics that a page calls otherwise than a terminal does."""
+PERCENT = {"1": (100.0, "%"), "rad": (180 / math.pi, "°")}
+"""Unit of a metric → its factor and unit on a page."""
+
+
+def metrics_table(comparison: Comparison) -> Table:
+    """The metrics, one column a run; angles in degrees."""
+    rows: list[list[Cell]] = []
+    for name, (_, text) in METRICS.items():
+        factor, unit = PERCENT.get(comparison.unit(name), (0.0, comparison.unit(name)))
+        values = [getattr(numbers, name) for numbers in comparison.metrics.values()]
+        rows.append([SAID.get(name, text), unit, *(factor * value if factor else value for value in values)])
+    if comparison.pushed:
+        calm = [at_rest(comparison, label) for label in comparison.logs]
+        within = f"calm after the release, within ±{degrees(max(limit for _, limit in calm))}"
+        rows.insert(0, [within, "s", *(seconds for seconds, _ in calm)])
+    return Table(["", "unit", *comparison.logs], rows, "Metrics of each run", digits=3)
+
+
+def listed_metrics(comparison: Comparison) -> Table:
+    """The metrics without settling times that noise decides."""
+    table, bands = metrics_table(comparison), {"settling 2 %": 0.02, "settling 5 %": 0.05}
+    rows: list[Sequence[Cell]] = []
+    for row in table.rows:
+        band = bands.get(str(row[0]))
+        lost = [band is not None and _noisy(comparison, label, band) for label in comparison.logs]
+        cells = ["noise" if gone else cell for gone, cell in zip(lost, row[2:], strict=True)]
+        if not all(lost):
+            rows.append([*row[:2], *cells])
+    return replace(table, rows=rows)
+
+
+def _noisy(comparison: Comparison, label: str, band: float) -> bool:
+    """Whether pitch at rest swings beyond this part of its largest deviation after the release."""
+    log, rest = comparison.logs[label], _rest(comparison, label)
+    if math.isnan(rest):
+        return False
+    pitch = np.abs(log.between(comparison.releases[label], math.inf)[f"{comparison.sources[label]}/pitch"])
+    return float(pitch[-len(pitch) // 4 :].max()) > band * float(pitch.max())
+
+
+def fit_tables(comparison: Comparison) -> list[Table]:
+    """The fit of each run to the reference, one row a run; none where there is one run."""
+    if not comparison.fits:
+        return []
+    fitted = [name for name in comparison.signals if any(math.isfinite(f[name]) for f in comparison.fits.values())]
+    rows: list[list[Cell]] = [
+        [label, *("diverges" if fits[name] < DIVERGED else fits[name] for name in fitted)]
+        for label, fits in comparison.fits.items()
+    ]
+    caption = f"NRMSE fit to {comparison.reference} [%]: 100 is perfect; 0 is that of a constant, its mean"
+    return [Table(["", *map(words, fitted)], rows, caption, digits=3)]
+
+
+def how(comparison: Comparison) -> str:
+    """How the numbers of the table are meant."""
+    times = {label: f"{time:.4g} s" if math.isfinite(time) else "never" for label, time in comparison.releases.items()}
+    same = len(set(times.values())) == 1
+    release = next(iter(times.values())) if same else ", ".join(f"{label} {text}" for label, text in times.items())
+    listed = any(str(row[0]).startswith("settling") for row in listed_metrics(comparison).rows)
+    settling = (
+        "Settling: the time until pitch stays within 2 % (5 %) of its largest deviation; “noise” where it swings "
+        "further at rest, so that chance would decide."
+        if listed
+        else "No time is given for settling within 2 % or 5 % of the largest deviation: pitch swings further at rest."
+    )
+    return (
+        f"Settling and overshoot are those of pitch about zero after the release of the push at {release}. {settling} "
+        "Overshoot: the largest deviation on the far side over the largest on the side of the start. Effort: the "
+        "integral of both squared commands. At their limit: the part of the samples with a command above the largest "
+        "applied one. Fell: the recorded outcome of the run."
+    )
+
+
+def at_rest(comparison: Comparison, label: str) -> tuple[float, float]:
+    """From how long after the release on pitch stays near zero [s], and what near means for all runs [rad].
+
+    That is 5 % of its largest value, or its wobble at rest where that is more: then the noise of the sensors decides.
+    """
+    limits = {name: _rest(comparison, name) for name in comparison.logs}
+    limit = max((own for own in limits.values() if math.isfinite(own)), default=math.nan)
+    if math.isnan(limits[label]):
+        return math.nan, 0.05 * abs(comparison.metrics[label].pitch_peak)
+    released = comparison.logs[label].between(comparison.releases[label], math.inf)
+    beyond = np.flatnonzero(np.abs(released[f"{comparison.sources[label]}/pitch"]) > limit)
+    return (float(released.t[beyond[-1]] - released.t[0]) if len(beyond) else 0.0), limit
+
+
+def _rest(comparison: Comparison, label: str) -> float:
+    """What near zero means for one run [rad]; NaN where it falls, is pushed to its end, or never rests."""
+    log, release = comparison.logs[label], comparison.releases[label]
+    if comparison.metrics[label].fell or not release <= log.t[-1]:
+        return math.nan
+    pitch = np.abs(log.between(release, math.inf)[f"{comparison.sources[label]}/pitch"])
+    if len(pitch) < 8:
+        return math.nan
+    half, quarter = (float(pitch[-len(pitch) // part :].max()) for part in (2, 4))
+    limit = max(0.05 * float(pitch.max()), half if half <= STEADY * quarter else quarter)
+    return limit if limit <= WIDE * float(pitch.max()) else math.nan
+
+
+def degrees(angle: float) -> str:
+    """An angle [rad] without its sign, in degrees: two digits, or a whole number."""
+    size = math.degrees(abs(angle))
+    return f"{size:.0f}°" if size >= 10 else f"{size:.1f}°" if size >= 0.95 else f"{cell_text(size, 2)}°"
+
+
+def words(name: str) -> str:
+    """The name of a state, for readers."""
+    return {"wheel": "wheel angle"}.get(name, name.replace("_", " "))
