@@ -31,6 +31,7 @@ PAGES = [
 ]  # fmt: skip
 LANGUAGES = {"python", "sh", "toml", "text"}
 READ_WHOLE = ROOT / "README.md"  # test_readme.py runs what it shows
+DRAWN = ROOT / "docs" / "gallery.md"  # the site draws what it shows: test_site.py
 QUICK = {"doctor", "design", "compare", "linearise", "robots"}
 """Commands of at most a second or two, which are executed; the others have tests of their own, and are parsed here."""
 
@@ -84,7 +85,7 @@ def test_every_example_stands_in_a_fence_that_names_its_language(page: Path) -> 
     assert re.findall(r"\n\n {4}(?![-*] ).*", FENCE.sub("", text)) == []
 
 
-@pytest.mark.parametrize("page", with_("python"), ids=lambda page: page.name)
+@pytest.mark.parametrize("page", [page for page in with_("python") if page != DRAWN], ids=lambda page: page.name)
 def test_python_in_the_documents_runs(page: Path, bench: Path) -> None:
     names: dict[str, object] = {"__name__": "example"}
     for block in blocks(page, "python"):

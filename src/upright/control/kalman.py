@@ -162,10 +162,17 @@ def filtered(A: Array, C: Array, L: Array, readings: Array, moved: Array, start:
     prediction. A missing reading (NaN) corrects nothing.
     """
     states, errors = np.empty(moved.shape), np.empty(readings.shape)
-    z = start
+    z, there = start, ~np.isnan(readings)
+    if there.all():  # each prediction is F of the one before and what is known beforehand
+        F, G, _ = one_step(A, C, L)
+        added = moved + (readings @ G.T if readings.ndim == 2 else G @ readings)
+        for i, more in enumerate(added):
+            states[i] = z
+            z = F @ z + more
+        errors = readings - (states @ C.T if readings.ndim == 2 else C @ states)
+        return states + (errors @ L.T if readings.ndim == 2 else L @ errors), errors
     for i, y in enumerate(readings):
-        predicted = C @ z
-        errors[i] = y - predicted
-        states[i] = corrected(z, np.where(np.isnan(y), predicted, y), C, L)
+        errors[i] = y - C @ z
+        states[i] = z + L @ np.where(there[i], errors[i], 0.0)
         z = A @ states[i] + moved[i]
     return states, errors
