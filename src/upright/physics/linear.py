@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 from collections.abc import Sequence
 from dataclasses import KW_ONLY, dataclass, field, replace
+from functools import lru_cache
 from importlib import import_module
 from typing import Any, cast
 
@@ -260,15 +261,18 @@ def linearise(
 
     if model not in MODELS:
         raise InvalidModel(f"no model is called '{model}'", expected=" or ".join(MODELS))
-    parameters = find_robot(robot)
+    return _tangent(find_robot(robot), tuple(map(float, x)), tuple(map(float, u)), model)
 
+
+@lru_cache(maxsize=256)  # a margin asks for that of one robot hundreds of times
+def _tangent(robot: Robot, x: tuple[float, ...], u: tuple[float, ...], model: str) -> LinearModel:
     def column(dx: Sequence[complex], du: Sequence[complex], w: Disturbance) -> Array:
         at_x = [a + b for a, b in zip(x, dx, strict=True)]
         at_u = [a + b for a, b in zip(u, du, strict=True)]
         try:
-            slopes = derivative(at_x, at_u, parameters, w, cmath, model)
+            slopes = derivative(at_x, at_u, robot, w, cmath, model)
         except ArithmeticError:  # the mass matrix is singular to rounding, or a speed overflows
-            raise _extreme(parameters, x, u) from None
+            raise _extreme(robot, x, u) from None
         return np.array([complex(s).imag / _TINY for s in slopes])
 
     def unit(size: int, index: int) -> list[complex]:
@@ -280,7 +284,7 @@ def linearise(
     force = column(still, idle, Disturbance(force=1j * _TINY))
     moment = column(still, idle, Disturbance(force=1j * _TINY, height=1.0)) - force
     slope = column(still, idle, Disturbance(slope=1j * _TINY))
-    f0 = np.array(derivative(x, u, parameters, CALM, model=model), dtype=np.float64)
+    f0 = np.array(derivative(x, u, robot, CALM, model=model), dtype=np.float64)
     E = np.column_stack([force, moment, slope])
     return LinearModel(A, B, E=E, disturbances=DISTURBANCES, x0=np.array(x), u0=np.array(u), f0=f0)
 
