@@ -61,12 +61,14 @@ def another_gyro(mapping: Mapping, table: RawTable, findings: Sequence[Finding])
     if mapping.name != GUESS or not {LEFT, RIGHT, GYRO} <= sources.keys() or len(table) < FEWEST:
         return []
     names = [sources[name].column for name in (LEFT, RIGHT, GYRO)]
-    t = _time(table)[0]
-    moving = {n: table.columns[n] for n in (*names, *mapping.ignored(table)[:MOST]) if n in table.columns}
+    first = max(0, (len(table) - ROWS) // 2)
+    rows = slice(first, first + ROWS)
+    t = _time(table)[0][rows]
+    moving = {n: table.columns[n][rows] for n in (*names, *mapping.ignored(table)[:MOST]) if n in table.columns}
     moving = {n: x for n, x in moving.items() if np.isfinite(x).all() and len(np.unique(x)) >= VALUES}
     for side in (LEFT, RIGHT):
         if sources[side].integrate and sources[side].column in moving:
-            moving[sources[side].column] = np.cumsum(table.columns[sources[side].column]) * float(np.median(np.diff(t)))
+            moving[sources[side].column] = np.cumsum(moving[sources[side].column]) * float(np.median(np.diff(t)))
     if not set(names) <= moving.keys() or _judged(t, moving, *names):
         return []
     others = [n for n in moving if n not in names and abs(rate_of(moving[n], moving[names[0]])) < RATE]
