@@ -51,7 +51,7 @@ BROWSER = frozenset(("test_lab_page", "test_lab_exported", "test_pages"))
 
 FIRST = (
     "browser", "test_site", "test_postmortem", "test_designs", "test_reproduce", "test_calibrate",
-    "test_firmware_parity",
+    "test_firmware_parity", "test_first_robot", "test_agreement", "test_lab_abuse", "test_identify", "test_support",
 )  # fmt: skip
 """Units of work that take longest: begun first, so that all processes end at about the same time."""
 
