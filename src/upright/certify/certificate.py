@@ -137,7 +137,7 @@ class Certificate(Shown):
     def plot(self) -> Figure:
         """How many robots fell [%], or the travel [m] of 95 % of them where none did: a bar for every push at every
         battery, the worst first. Above falls stands the bound on all pushes together, which the limit is for."""
-        from upright.plotting import bars
+        from upright.plotting import COLOURS, bars
 
         fell = any(t.fell for t in self.trials)
         each = {f"{t.push}, {t.battery} battery": 100 * t.fell / t.runs if fell else t.travel for t in self.trials}
@@ -145,7 +145,10 @@ class Certificate(Shown):
         label, limit = ("robots that fell [%]", 100 * MOST_FALLS) if fell else ("travel [m]", math.nan)
         together = {"any push, at most (95 %)": 100 * self.bound} if fell else {}
         each = together | {name: each[name] for name in worst}
-        return bars([*each], [*each.values()], label, "push", limit=limit)
+        figure = bars([*each], [*each.values()], label, "push", limit=limit)
+        if together:  # a bound is no count
+            figure.axes[0].patches[0].set(facecolor="none", edgecolor=COLOURS[0], hatch="///")
+        return figure
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; None for what is unlimited."""

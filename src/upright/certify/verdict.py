@@ -99,7 +99,7 @@ def judge(
     if linear is None:
         return GREEN, (message, "no linear margins are known")
     delay = "any delay" if math.isinf(linear.delay) else f"{linear.delay * 1e3:.1f} ms more delay"
-    return GREEN, (message, f"stable with {delay}{_place(linear.delay_at)}")
+    return GREEN, (message, f"stable with {delay}{placed(linear.delay_at)}")
 
 
 def _falls(samples: int, fell: int, beyond: int, runs: Sequence[PushTrial]) -> list[str]:
@@ -125,16 +125,16 @@ def _thin(linear: LinearMargins, period: float) -> list[str]:
     up, down = linear.gain_high - 1, 1 - linear.gain_low
     slack, way, at = (up, "stronger", linear.high_at) if up < down else (down, "weaker", linear.low_at)
     changed = (
-        f"a signal {100 * slack:.1f} % {way}{_place(at)} makes" if at else f"motors {100 * slack:.1f} % {way} make"
+        f"a signal {100 * slack:.1f} % {way}{placed(at)} makes" if at else f"motors {100 * slack:.1f} % {way} make"
     )
     thin = [f"{changed} the loop unstable"] if slack < LEAST_GAIN else []
     if linear.delay >= LEAST_DELAY * period:
         return thin
-    more = f"{linear.delay * 1e3:.1f} ms more delay{_place(linear.delay_at)}"
+    more = f"{linear.delay * 1e3:.1f} ms more delay{placed(linear.delay_at)}"
     return [*thin, f"{more} ({linear.delay / period:.2f} of a period) make the loop unstable"]
 
 
-def _place(channel: str) -> str:
+def placed(channel: str) -> str:
     return f" at {'' if channel in ('both motors', 'steering') else 'the '}{channel}" if channel else ""
 
 

@@ -140,7 +140,9 @@ def summaries(campaign: Campaign, folder: Path) -> Cases:
     paths: dict[int, list[Path]] = {}
     for chunk in campaign.chunks():
         paths.setdefault(chunk.case, []).append(chunk_path(folder, chunk.number))
-    return Cases(tally(case.labels, case.n, paths[i]) for i, case in enumerate(campaign.cases))
+    cases = Cases(tally(case.labels, case.n, paths[i]) for i, case in enumerate(campaign.cases))
+    cases.pushes = campaign.cases[0].ensemble.origin()["scenario"]["push"]
+    return cases
 
 
 def run_part(

@@ -63,7 +63,10 @@ class CaseSummary:
 
 
 class Cases(Shown, tuple[CaseSummary, ...]):
-    """The summaries of a campaign, in the order of its plan."""
+    """The summaries of a campaign, in the order of its plan. `pushes` are those of the first case, as its origin has
+    them."""
+
+    pushes: Sequence[Mapping[str, Any]] = ()
 
     def shown(self) -> list[str]:
         """The outcomes of a table, as far as this campaign keeps them."""

@@ -27,7 +27,7 @@ def page_of(bench: Bench) -> Page:
     ]
     if knocked and best != last:
         numbers = [(size, f"{words}, the {end}") for (size, words), end in zip(numbers, ("most", "least"), strict=True)]
-        numbers.append((f"{number(100 * TOLERANCE, 2)} %", "exactness of these: controllers closer than this tie"))
+        numbers.append((f"{number(100 * TOLERANCE, 2)} %", "resolution of the search: closer controllers tie"))
     facts = {"robot": bench.robot, "kit": bench.kit, "body": bench.body, "seed": str(bench.seed)}
     sections = [Section("Tables", tables(bench))]
     if knocked:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from upright.certify.verdict import MOST_FALLS
 from upright.fleet.binomial import clopper_pearson
@@ -49,6 +50,13 @@ def falls_verdict(fallen: int, all_of_them: int) -> Verdict:
     return Verdict(f"{'below' if few else 'above'} the {limit}", level)
 
 
+def pushed(pushes: Sequence[Mapping[str, Any]] | None) -> str:
+    """What was done to them."""
+    sizes = {"impulse": "pushed by {:g} N s", "force": "pushed by {:g} N", "pitch": "held at {:g} rad and released"}
+    words = [text.format(push[name]) for push in pushes or () for name, text in sizes.items() if push.get(name)]
+    return " and ".join(words[:3]) or ("pushed" if pushes else "without a push")
+
+
 def _title(cases: Cases, part: float) -> str:
     """The label that makes a difference, or that none does."""
     if not part:
@@ -78,18 +86,19 @@ def _lead(cases: Cases) -> str:
     many = f"{sizes[0]} random variations of {robots or 'the robot'}" if len(sizes) == 1 else f"variations of {robots}"
     scenes = list(dict.fromkeys(str(case.labels.get("scenario", "")) for case in cases))
     scene = f" in scenario {scenes[0]}" if len(scenes) == 1 and scenes[0] else ""
+    scene += f", {pushed(cases.pushes)}" if len(scenes) == 1 and cases.pushes else ""
     first = f"{len(cases)} cases, each with {many}{scene}."
     apart = {name for name, *_ in _apart(cases)}
     alike = [spoken(name) for name in cases.varied() if name not in apart]
-    second = f" No clear difference: {', '.join(alike)}." if alike else ""
+    second = f" It makes no clear difference which {', '.join(alike)} they have." if alike else ""
     fell = any(case.fell for case in cases)
     return f"{first}{second}" + (" Next: `upright tune` the best controller." if fell else "")
 
 
 def _numbers(cases: Cases, fallen: int, all_of_them: int) -> list[tuple[str, str]]:
-    numbers = [(f"{_percent(fallen / all_of_them)}", f"of all robots fall; wanted: at most {100 * MOST_FALLS:g} %")]
     if not fallen:
-        return numbers
+        return [(f"{_percent(fallen / all_of_them)}", f"of all robots fall; wanted: at most {100 * MOST_FALLS:g} %")]
+    numbers: list[tuple[str, str]] = []
     name, levels = next(iter(cases.effects().items()), ("", {}))
     ranked = sorted(levels, key=lambda v: levels[v].value)
     for level in ranked if len(ranked) <= 2 else (ranked[0], ranked[-1]):

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from upright.certify.agreement import AMBER, RED
 from upright.certify.certificate import Certificate
 from upright.certify.checks import HELD, KNOCKED, PushTrial, Swept
-from upright.certify.verdict import GREEN, MOST_FALLS, LinearMargins
-from upright.plotting import line, number, panels
+from upright.certify.verdict import GREEN, MOST_FALLS, LinearMargins, placed
+from upright.plotting import AXIS, line, number, panels
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
@@ -43,7 +43,7 @@ def page_of(certificate: Certificate) -> Page:
         f"{100 * MOST_FALLS:g} %."
     )
     if c.beyond:
-        lead += f" No controller could save {c.beyond} of the {c.fell} that fell."
+        lead += f" Of the {c.fell}, {c.beyond} {'was' if c.beyond == 1 else 'were'} beyond any controller."
     if c.taken:
         lead += f" The log's own numbers were tried: {', '.join(s.name for s in c.taken)}."
     if c.light == GREEN:
@@ -61,7 +61,7 @@ def _numbers(c: Certificate) -> list[tuple[str, str]]:
         numbers += [
             (
                 f"{cell_text(c.linear.delay * 1e3, 3)} ms",
-                "more delay of one signal, the most sensitive, until unstable",
+                f"more delay{placed(c.linear.delay_at)} makes the nominal loop unstable",
             )
         ]
     stood = [t.travel for t in c.trials if t.fell < t.runs]
@@ -90,7 +90,8 @@ def _intro(c: Certificate) -> str:
         f"Of the largest hold that any controller could survive with that battery {100 * HELD:g} % are tried, of the "
         f"largest knock {100 * KNOCKED:g} %. {c.fell} fell in at least one trial: with 95 % confidence the "
         f"probability is below {100 * c.bound:.2g} %. "
-        f"The last four columns are 95 % quantiles of the robots that stood.{last}"
+        "Beyond any: of those that fell, what no controller could have saved. Any survives: the largest push that any "
+        f"controller could survive. The last four columns are 95 % quantiles of the robots that stood.{last}"
     )
 
 
@@ -99,7 +100,6 @@ def _trials(c: Certificate) -> Table:
         [
             t.push,
             t.battery,
-            t.runs,
             t.fell,
             t.beyond,
             t.bound,
@@ -110,7 +110,6 @@ def _trials(c: Certificate) -> Table:
     header = [
         "push",
         "battery",
-        "robots",
         "fell",
         "beyond any",
         "any survives",
@@ -119,7 +118,7 @@ def _trials(c: Certificate) -> Table:
         "pitch [°]",
         "sway [°]",
     ]
-    return Table(header, rows, "Standard pushes with full and low battery", 3)
+    return Table(header, rows, f"Standard pushes with full and low battery, {c.samples} robots each", 3)
 
 
 def _quantiles(t: PushTrial) -> list[float]:
@@ -149,14 +148,38 @@ def _support(c: Certificate) -> Table:
 
 
 def _sweeps(c: Certificate) -> list[Item]:
-    sweeps = {"additional delay of the commands": c.delayed, "period": c.slower}
-    return [_figure(name, swept) for name, swept in sweeps.items() if len(swept) > 1]
+    delayed, slower = (f"Falls in {swept[0].runs} runs" if swept else "" for swept in (c.delayed, c.slower))
+    sweeps = (
+        (
+            "additional delay of the commands",
+            c.delayed,
+            f"{delayed} over a delay unknown to the controller",
+            None,
+        ),
+        (
+            "period",
+            c.slower,
+            f"{slower} with the same gains at another period",
+            c.period,
+        ),
+    )
+    return [_figure(name, swept, title, at) for name, swept, title, at in sweeps if len(swept) > 1]
 
 
-def _figure(name: str, swept: Sequence[Swept]) -> Figure:
+def _figure(name: str, swept: Sequence[Swept], title: str, designed: float | None) -> Figure:
     milliseconds = [1e3 * s.value for s in swept]
     figure, (ax,) = panels(["fell [%]"], f"{name} [ms]")
     line(ax, "fell", milliseconds, [100 * s.fell / s.runs for s in swept])
+    ax.lines[-1].set_marker("o")
+    if designed:
+        ax.axvline(1e3 * designed, linestyle="--", linewidth=1, color=AXIS)
+        ax.annotate(
+            "designed for",
+            (1e3 * designed, 0.9),
+            (4, 0),
+            xycoords=("data", "axes fraction"),
+            textcoords="offset points",
+        )
     worst = 100 * max(s.fell / s.runs for s in swept)
     ax.set_ylim(-0.02 * (top := max(10.0, min(102.0, 1.3 * worst))), top)
-    return Figure(f"Falls in {swept[0].runs} runs over the {name}, unknown to the controller", figure)
+    return Figure(title, figure)

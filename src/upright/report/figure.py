@@ -190,7 +190,13 @@ def _sample(handle: Any) -> str:
         dashes = getattr(handle, "_unscaled_dash_pattern", (0, None))[1]
         array = f' stroke-dasharray="{" ".join(f"{d:g}" for d in dashes)}"' if dashes else ""
         colour = _VARIABLES.get(str(handle.get_color()), str(handle.get_color()))
-        inside = f'<path d="M0 7H34"{array}/>' if handle.get_linestyle() not in ("None", "") else ""
+        wide = handle.get_linewidth() > THICK
+        style = (
+            f' style="stroke-width: {2 * handle.get_linewidth():g}; opacity: {handle.get_alpha() or 1:g}"'
+            if wide
+            else ""
+        )
+        inside = f'<path d="M0 7H34"{array}{style}/>' if handle.get_linestyle() not in ("None", "") else ""
         filled = handle.get_fillstyle() != "none" and handle.get_marker() in FILLED
         mark = _MARKS.get(str(handle.get_marker()), "")
         inside += f'<g style="fill: {colour}">{mark}</g>' if filled and mark else mark
@@ -207,6 +213,7 @@ def _sample(handle: Any) -> str:
     return f'<svg viewBox="0 0 34 14" aria-hidden="true" class="sample">{content}</svg>'
 
 
+THICK = 3.0  # [points] of a line that is drawn as a band
 FILLED = ("o", "s", "^", "D")
 
 _MARKS = {

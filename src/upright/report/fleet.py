@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 
 from upright.bodies.body import FALLEN
 from upright.certify.verdict import MOST_FALLS
+from upright.fleet.binomial import upper_bound
 from upright.fleet.fleet import Fleet, distribution, stood
 from upright.fleet.results import OUTCOMES, Summary, origin_of, summarise
-from upright.plotting import bars, colour_map, edges, legend, line, number, panels, round_levels
-from upright.report.campaign import falls_verdict
+from upright.plotting import AXIS, bars, colour_map, edges, legend, line, number, panels, round_levels
+from upright.report.campaign import falls_verdict, pushed
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence, spoken
@@ -29,6 +30,7 @@ LEVELS = 10
 """Colours of a map: few enough to be distinguished side by side, and to be named at the bar."""
 
 
+FRACTION: dict[str, Any] = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points"}
 PARTS, DOTS = 12, 500
 """Groups of as many robots each, of which the fraction that fell is drawn; and robots drawn as dots at most."""
 
@@ -49,7 +51,7 @@ def _map(part: Any, direction: str) -> Figure:
     height, duration = float(part["height"].values[row]), float(part["duration"].values[column])
     title = f"Pushed {direction}: the largest push that it survives, {low:.2g} N s or more"
     note = (
-        f"Weakest: a push of {1e3 * duration:.2g} ms, {height:.2g} m above the axle, with {low / duration:.2g} N all "
+        f"Weakest: a push of {1e3 * duration:.2g} ms, {height:.2g} m above the axle, with {low / duration:.3g} N all "
         "that time."
     )
     note += " The lightest colour includes all larger impulses." if float(np.nanmax(impulse)) > high else ""
@@ -95,7 +97,9 @@ def _slices(part: Any, direction: str) -> Figure:
     title = f"Pushed {direction}: largest impulse over the duration of the push"
     if bands:
         width = float(np.nanmedian((part["high"].values - part["low"].values) / part["impulse"].values))
-        title = f"Pushed {direction}: slightly different robots vary by {100 * width:.2g} % of it (95 % band)"
+        title = (
+            f"Pushed {direction}: 95 % of similar robots lie in a band of {100 * width:.2g} % of the limit"
+        )
     return Figure(title, legend(figure))
 
 
@@ -188,6 +192,13 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
     figure, (ax,) = panels([f"{data[outcome].attrs['long_name']} [{unit.replace('rad', '°')}]"], across)
     few = np.linspace(0, len(x) - 1, min(len(x), DOTS)).astype(int)
     ax.plot(x[few], y[few], ".", markersize=3)
+    if outcome == "peak_pitch":
+        limit = math.degrees(FALLEN)
+        ax.axhline(limit, linestyle="--", linewidth=1, color=AXIS)
+        ax.annotate(
+            "a fall", (1, limit), (-4, -11), xycoords=("axes fraction", "data"), textcoords="offset points", ha="right"
+        )
+        ax.set_ylim(0, 1.08 * limit)
     how = "grows" if size > 0 else "shrinks"
     dots = "each dot is a robot" if len(few) == len(x) else f"a dot is a robot, {len(few)} of {len(x)} are drawn"
     return Figure(f"{_words(data, outcome)} {how} with {spoken(name)}: {dots}", figure)
@@ -243,7 +254,7 @@ def _push_map_page(data: Dataset) -> Page:
     ways = data["direction"].values.tolist()
     least = {d: float(impulse.sel(direction=d).min()) for d in ways}
     numbers = [(f"{low:.2g} N s", f"survived where a push is worst, {height:.2g} m above the axle")]
-    numbers += [(f"{low / duration:.2g} N", f"is the force of that push, for {1e3 * duration:.2g} ms")]
+    numbers += [(f"{low / duration:.3g} N", f"is the force of that push, for {1e3 * duration:.2g} ms")]
     numbers += [(f"{cell_text(least[d], 3)} N s", f"survived at the worst place, {d}") for d in ways
                 if least[d] > 1.05 * low]  # fmt: skip
     sections = [Section("Maps and slices", rest)]
@@ -268,7 +279,7 @@ def _basin_page(data: Dataset) -> Page:
     )  # fmt: skip
     kind = (origin.get("controller") or {}).get("kind", "")
     lead = (
-        f"{f'Under {kind}. ' if kind else ''}Recovered: the robot stands {origin['scenario']['seconds']:g} s later. "
+        f"{f'Under {kind} it' if kind else 'It'} recovers where it stands {origin['scenario']['seconds']:g} s later. "
         "Next: `upright push-map`, which asks for pushes instead."
     )
     step = float(np.diff(data[across].values).mean()) if data[across].size > 1 else 0.0
@@ -281,7 +292,7 @@ def _basin_page(data: Dataset) -> Page:
             f"{_in_degrees(least, data, up)} to {_in_degrees(most, data, up)}"
         )  # fmt: skip
         numbers = [(ends, f"{up.replace('_', ' ')} from which it recovers, where {words} is zero")]
-        numbers += [(_in_degrees(step, data, across), "step of the grid: the ends are known to this")]
+        numbers += [(_in_degrees(step, data, across), "step of the grid, so these angles are exact to this")]
     return Page(
         title, [], lead, provenance(data), False, verdict=Verdict("limits of one robot", "info"),
         picture=basin_figure(data), numbers=numbers,
@@ -325,7 +336,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %" if summary.fell else ""
     numbers = [
         (
-            bounds or f"≤ {number(100 * chance.high, 2)} %",
+            bounds or f"≤ {number(100 * upper_bound(0, summary.n), 2)} %",
             f"of all such robots fall, with 95 % confidence; wanted at most {100 * MOST_FALLS:g} %",
         )
     ]
@@ -337,7 +348,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     picture, *others = [*causes, *(histogram(data, name) for name in names), None]
     sections = [Section("Numbers", [table]), Section("Distributions", [figure for figure in others if figure])]
     return Page(
-        f"{summary.fell} of {summary.n} robots fell, {_done(pushes)}", sections, lead, provenance(data), False,
+        f"{summary.fell} of {summary.n} robots fell, {pushed(pushes)}", sections, lead, provenance(data), False,
         picture=picture, numbers=numbers, verdict=falls_verdict(summary.fell, summary.n),
     )  # fmt: skip
 
@@ -356,13 +367,6 @@ def _range(data: Dataset, name: str) -> str:
         return ""
     values, unit = data[name].values, data[name].attrs.get("unit", "")
     return f" ({cell_text(float(values.min()), 3)} to {cell_text(float(values.max()), 3)}{f' {unit}' if unit else ''})"
-
-
-def _done(pushes: Sequence[Mapping[str, Any]] | None) -> str:
-    """What was done to them."""
-    sizes = {"impulse": "pushed by {:g} N s", "force": "pushed by {:g} N", "pitch": "held at {:g} rad and released"}
-    words = [text.format(push[name]) for push in pushes or () for name, text in sizes.items() if push.get(name)]
-    return " and ".join(words[:3]) or ("pushed" if pushes else "without a push")
 
 
 def _where(pushes: Sequence[Mapping[str, Any]] | None) -> str:

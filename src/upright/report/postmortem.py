@@ -57,18 +57,23 @@ def _sure(result: PostMortem) -> str:
     if not result.fell or not result.causes:
         return result.verdict
     likely = result.causes[0].likelihood
-    return f"it fell; {100 * likely:.0f} % sure of the cause" if likely >= SURE else "it fell; the cause is not clear"
+    return (
+        f"it fell; probability of this cause {100 * likely:.0f} %"
+        if likely >= SURE
+        else "it fell; the cause is not clear"
+    )
 
 
 def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     """How long the fall took, and the causes after the first."""
     known = result.fell and math.isfinite(result.onset)
     numbers = [(f"{result.fell_at - result.onset:.2g} s", "from the first sign to the fall")] if known else []
-    likely = [c for c in result.causes[:3] if c.likelihood >= SHOWN]
-    return numbers + [(f"{100 * c.likelihood:.0f} %", f"probability: {c.name}") for c in likely]
+    likely = [c for k, c in enumerate(result.causes[:3]) if c.likelihood >= (WORTH if k else SHOWN)]
+    return numbers + [(f"{100 * c.likelihood:.0f} %", f"probability of the cause: {c.name}") for c in likely]
 
 
 SURE = 0.5  # probability from which a cause is named
+WORTH = 0.05  # from which one beside the first is among the three numbers
 
 
 def _lead(result: PostMortem) -> str:
@@ -103,7 +108,7 @@ def _causes(result: PostMortem) -> Table:
         for c in result.causes
         if c.likelihood >= SHOWN
     ]
-    return Table(["cause", "likelihood", "evidence", "repair"], rows)
+    return Table(["cause", "probability", "evidence", "repair"], rows)
 
 
 def _figure(result: PostMortem) -> Figure:
@@ -141,7 +146,7 @@ def _figure(result: PostMortem) -> Figure:
     return Figure(f"From the first sign at {result.onset:.2f} s to the fall it took {lasted:.2g} s", figure, note)
 
 
-BEFORE, AFTER = 1.0, 0.2  # [s] shown before the onset, at least, and after the fall
+BEFORE, AFTER = 0.4, 0.2  # [s] shown before the onset, at least, and after the fall
 
 
 def _level(ax: Axes, t: Array, level: float, name: str) -> None:
