@@ -97,9 +97,7 @@ def _slices(part: Any, direction: str) -> Figure:
     title = f"Pushed {direction}: largest impulse over the duration of the push"
     if bands:
         width = float(np.nanmedian((part["high"].values - part["low"].values) / part["impulse"].values))
-        title = (
-            f"Pushed {direction}: 95 % of similar robots lie in a band of {100 * width:.2g} % of the limit"
-        )
+        title = f"Pushed {direction}: 95 % of similar robots lie in a band of {100 * width:.2g} % of the limit"
     return Figure(title, legend(figure))
 
 
