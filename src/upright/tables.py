@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import textwrap
 import unicodedata
@@ -83,6 +84,11 @@ def sentence(text: str, end: str = ".") -> str:
     return f"{text[:1].upper()}{text[1:]}{end}"
 
 
+def joined(names: Sequence[str]) -> str:
+    """Names in a sentence: "a, b and c"."""
+    return f"{', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else "".join(names)
+
+
 SPOKEN = {
     "com_height": "centre of mass height", "asymmetry": "motor asymmetry", "constant_command": "command offset",
     "coulomb_friction": "Coulomb friction",
@@ -97,6 +103,15 @@ def spoken(name: str) -> str:
         return name.replace("_", " ")
     kind, of = match[1], (match[2] or "").replace("_", " ")
     return f"{of} {kind}" if of else SPOKEN.get(kind, kind.replace("_", " "))
+
+
+def least(value: float, digits: int = 3) -> str:
+    """A number of which it is said that others are at least as large: never rounded up.
+
+    >>> least(0.9947)
+    '0.994'
+    """
+    return f"{math.floor(value * 10**digits + 1e-9) / 10**digits:.{digits}f}".replace("-", "−")
 
 
 def superscript(number: int) -> str:

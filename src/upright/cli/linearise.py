@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from upright.cli.options import JsonOption, ReportOption, RobotOption, complete_model, vector
-from upright.cli.output import check_targets, finish
+from upright.cli.output import check_targets, finish, write_page
 from upright.errors import UnknownName
 
 DRIFT = 1e-9
@@ -47,11 +47,16 @@ def linearise(
     if model not in MODELS:
         raise UnknownName("model", model, MODELS)
     point = vector(at, [*STATE_NAMES, *INPUTS], "--at")
-    linear = tangent(find_robot(robot), point[:6], point[6:], model)
+    chosen = find_robot(robot)
+    linear = tangent(chosen, point[:6], point[6:], model)
     rates = zip(linear.states, linear.f0.tolist(), strict=True)
     drift = {name: rate for name, rate in rates if abs(rate) > DRIFT and name not in STEADY}
     linear = linear if period is None else linear.c2d(period)
-    finish(linear, as_json, output=output, page=report)
+    if report:
+        from upright.report.checked import linear_title
+
+        write_page(linear, report, linear_title(linear, chosen.name))
+    finish(linear, as_json, output=output, written=[report])
     if drift and not as_json:
         rates = ", ".join(f"{name} {rate:+.4g}" for name, rate in drift.items())
         typer.echo(f"\nnot an equilibrium: the state drifts, per second: {rates}")

@@ -65,12 +65,13 @@ def print_text(text: str) -> None:
     typer.echo(text)
 
 
-def write_page(result: Any, path: Path | None) -> None:
-    """Write the page of a result to `path`, where one is given, with the command at its foot."""
+def write_page(result: Any, path: Path | None, title: str = "") -> None:
+    """Write the page of a result to `path`, where one is given, with the command at its foot; `title` replaces the
+    page's own."""
     if path:
         from upright.report import report
 
-        report(result, path, command=_command())
+        report(result, path, title=title, command=_command())
 
 
 TYPED: ContextVar[Sequence[str]] = ContextVar("TYPED", default=())

@@ -69,6 +69,11 @@ class Diagnosis(Shown):
         """Whether there is no error and no warning."""
         return all(finding.severity == "note" for finding in self.findings)
 
+    @property
+    def read(self) -> Record:
+        """The log as it was read, before any repair."""
+        return self._raw
+
     def codes(self) -> list[str]:
         """The codes of all findings, in order."""
         return [finding.code for finding in self.findings]
@@ -86,7 +91,7 @@ class Diagnosis(Shown):
         from upright.plotting import legend, line, panels, span
 
         record = self._raw
-        groups = {"gyro": (GYRO,), "encoders": (LEFT, RIGHT), "commands": record.commands or ()}
+        groups = {"encoders": (LEFT, RIGHT), "commands": record.commands or (), "gyro": (GYRO,)}
         several = {title: [n for n in names if n in record] for title, names in groups.items()}
         several = {title: names for title, names in several.items() if names}
         if not several:

@@ -47,7 +47,7 @@ IDENTIFIERS: dict[str, Identifier] = {
 }
 
 TITLES = {
-    "least-squares": "the paper's, from rebuilt states",
+    "least-squares": "of Herrera et al. (2015), from rebuilt states",
     "total-least-squares": "errors in all rebuilt states",
     "instrumental": "refined instrumental variables in closed loop",
     "subspace": "predictor-based subspace method",

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
-from upright.calibrate.calibration import VERDICTS, VISIBLE, Calibration, Estimate
-from upright.plotting import legend, line, panels
+from upright.calibrate.calibration import NORMAL, VERDICTS, VISIBLE, Calibration, Estimate
+from upright.plotting import COLOURS, INK, legend, line, panels, rows_of, span
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
-from upright.tables import sentence, spoken
+from upright.tables import least, sentence, spoken
 from upright.validate.validation import GOOD
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as MplFigure
 
 CLOSE = 0.25  # of a value: the half width of an interval up to which it counts as measured
 GIVEN = 3  # values at most on the first screen
@@ -24,7 +28,7 @@ def page_of(calibration: Calibration) -> Page:
     others = (*calibration.delays, *calibration.electronics)
     sections = [
         *([Section("Reservations", [_sentence(text) for text in wrong])] if wrong else []),
-        Section("Prediction", [*_measured(calibration), _PREDICTED, *_predicted(calibration)]),
+        Section("Prediction", [*_measured(calibration), _predicted_words(calibration), *_predicted(calibration)]),
         Section("Estimates", [*calibration.notes, _estimates(calibration.parameters)]),
         *([Section("Delays and motors", [_DELAYS, _estimates(others)], folded=True)] if others else []),
         Section(
@@ -54,7 +58,7 @@ def _verdict(c: Calibration) -> Verdict:
         return Verdict("refused", "bad")
     if wrong:
         return Verdict(f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}", "warn")
-    rest = f", but {kept} of {len(c.parameters)} values are still the file's" if kept else ""
+    rest = f"; {kept} of {len(c.parameters)} values unchanged" if kept else ""
     return Verdict(f"predicts the log{rest}", "warn" if 2 * kept > len(c.parameters) else "good")
 
 
@@ -87,11 +91,18 @@ def _sentence(text: str) -> str:
 def _numbers(c: Calibration) -> list[tuple[str, str]]:
     measured, bounded, rough = _groups(c)
     numbers = [
-        (f"{_value(e)} {e.unit}", f"{spoken(e.name)}, ± {cell_text(100 * _width(e), 2)} %; before {_prior(e)}")
+        (_whole(f"{_value(e)} {e.unit}"), f"{spoken(e.name)}, ± {cell_text(100 * _width(e), 2)} %; before {_prior(e)}")
         for e in (*measured, *rough)
     ]
-    numbers += [(f"≤ {cell_text(e.high, 2)} {e.unit}", f"{spoken(e.name)}; before {_prior(e)}") for e in bounded]
+    numbers += [
+        (_whole(f"≤ {cell_text(e.high, 2)} {e.unit}"), f"{spoken(e.name)}; before {_prior(e)}") for e in bounded
+    ]
     return numbers[:GIVEN]
+
+
+def _whole(text: str) -> str:
+    """Text that is never broken into lines."""
+    return text.replace(" ", "\u00a0")
 
 
 def _value(e: Estimate) -> str:
@@ -106,7 +117,7 @@ def _measured(c: Calibration) -> list[Item]:
     if not c.free:
         return []
     lowest, _ = _least(c)
-    title = f"Measured and predicted for half a second at a time: R² is {cell_text(lowest, 3)} or more"
+    title = f"Measured and predicted for half a second at a time: R² is {least(lowest)} or more"
     note = "Each half second starts from a fitted state and gets only the commands."
     return [Figure(title, c.plot_prediction(), note)]
 
@@ -121,11 +132,32 @@ def _by_name(c: Calibration) -> Figure | None:
     if not any(0 < e.prior_spread < math.inf for e in c.parameters):
         return None
     note = (
-        "Left or right of the middle: the log moved the value. A bar as long as the shaded band: the log adds nothing."
+        "Left or right of the middle: the log moved the value. Grey bars are about as long as the shaded band: the log "
+        "adds little. One that reaches beyond it belongs to a positive number, whose interval is wider upwards."
     )
-    return Figure(
-        "Short bars: this log measures or bounds them. Long bars: still as uncertain as in the file", c.plot(), note
-    )
+    return Figure("What this log tells of each parameter, beside what was known before", _bars(c), note)
+
+
+def _bars(c: Calibration) -> MplFigure:
+    """Intervals in standard deviations of the prior, coloured by what the log says of the parameter."""
+    measured, bounded, rough = _groups(c)
+    sorts = {
+        "measured by this log": (measured, COLOURS[2]),
+        "bounded by this log": ([*rough, *bounded], COLOURS[0]),
+        "unchanged: as in the file": ([e for e in c.parameters if e not in (*measured, *rough, *bounded)], INK),
+    }
+    kept = {k: ([e for e in group if 0 < e.prior_spread < math.inf], tone) for k, (group, tone) in sorts.items()}
+    names = [e.name for group, _ in kept.values() for e in group]
+    figure, ax = rows_of(names, "difference from the value before [its standard deviations]", "parameter")
+    for label, (group, colour) in kept.items():
+        if group:
+            rows = [names.index(e.name) for e in group]
+            value, low, high = ([(x - e.prior) / e.prior_spread for e, x in zip(group, xs, strict=True)]
+                                for xs in zip(*((e.value, e.low, e.high) for e in group), strict=True))  # fmt: skip
+            ax.hlines(rows, low, high, linewidth=2.5, color=colour, label=label)
+            ax.plot(value, rows, "o", markersize=4.5, color=colour)
+    span([ax], -NORMAL, NORMAL, "95 % before this log")
+    return legend(figure)
 
 
 def _undetermined(c: Calibration) -> list[Item]:
@@ -142,9 +174,10 @@ _COMBINED = (
     "the single parameters."
 )
 _PREDICTED = (
-    "Fit, 100 (1 − rms error / standard deviation) [%], on the part of the log held out. Each simulation starts from "
-    "the filter's state and gets only the commands. R² is that of free simulations of half a second, each from a "
-    "fitted start."
+    "R² is that of simulations of half a second that get only the commands, each from a start fitted to it. "
+    "Fit, 100 (1 − rms error / standard deviation), is on the part of the log held out. There each simulation starts "
+    "from what the filter knew of the past, which is less sure; an error of the start{grows}. So a fit can "
+    "fall over many samples where R² stays near 1."
 )
 _INNOVATIONS = (
     "Innovations are the filter's prediction errors. They should not correlate with each other (Ljung and Box) or with "
@@ -153,28 +186,30 @@ _INNOVATIONS = (
 
 
 def _lead(c: Calibration) -> str:
-    """How well the calibrated robot predicts, how fast it falls, and what to run next."""
+    """How well the calibrated robot predicts, and what to run next."""
     if c.refused:
         return sentence(c.refused[0])
     lowest, sensor = _least(c)
     logs = ", ".join(c.sources) or "the log"
     text = f"{c.robot.name} was fitted to {c.samples} rows of {logs}."
     if math.isfinite(lowest):
-        text += f" It predicts every sensor: R² at least {cell_text(lowest, 2)} ({sensor}), wanted 0.9."
+        text += f" It predicts every sensor: R² at least {least(lowest, 2)} ({sensor}), wanted 0.9."
         text = text if lowest >= GOOD else text.replace("predicts every sensor", "predicts the sensors in part")
-    pole = c["unstable_pole"]
-    text += f" A lean doubles in {cell_text(1e3 * math.log(2) / pole.value, 2)} ms." if pole.value > 0 else ""
     unknown = sum(e.verdict != VISIBLE for e in c.parameters)
     return text + (" Next: `upright excite` plans a run that tells more parameters." if unknown else "")
 
 
 def _estimates(estimates: Sequence[Estimate]) -> Table:
     rows: list[list[Cell]] = [
-        [spoken(e.name), e.unit, e.value, _interval(e), e.prior,
-         e.prior_spread, e.verdict]
+        [f"{spoken(e.name)} [{e.unit}]", e.value, _interval(e), _before(e),
+         e.verdict]
         for e in estimates
     ]  # fmt: skip
-    return Table(["", "unit", "value", "95 % interval", "prior", "±", "verdict"], rows, digits=3)
+    return Table(["", "value", "95 % interval", "before", "verdict"], rows, digits=3)
+
+
+def _before(e: Estimate) -> str:
+    return _whole(f"{cell_text(e.prior, 3)} ± {cell_text(e.prior_spread, 2)}")
 
 
 def _interval(e: Estimate) -> str:
@@ -193,29 +228,46 @@ def _pairs(c: Calibration) -> Table:
     return Table(["", "with", "correlation"], rows, f"Pairs correlated by {STRONG:g} or more", digits=3)
 
 
+def _predicted_words(c: Calibration) -> str:
+    pole = c["unstable_pole"].value
+    grows = f" doubles every {cell_text(1e3 * math.log(2) / pole, 2)} ms" if pole > 0 else " grows"
+    return _PREDICTED.replace("{grows}", grows)
+
+
 def _predicted(c: Calibration) -> list[Item]:
-    free: list[list[Cell]] = [[name.removeprefix("sensor/"), value] for name, value in c.segments.items()]
-    tables: list[Item] = [Table(["free simulation of half a second", "R²"], free)]
+    free: list[list[Cell]] = [[_plain(name), value] for name, value in c.segments.items() if name != "lost"]
+    tables: list[Item] = [Table(["sensor", "R² of half seconds"], free)]
+    if lost := c.segments.get("lost", 0.0):
+        tables.append(f"In {cell_text(100 * lost, 2)} % of these readings the simulated robot had fallen.")
     if not c.fits:
         return tables
     names = list(next(iter(c.fits.values())))
     rows: list[list[Cell]] = [
-        [f"{h} samples", *("worse than the mean" if fit < 0 else fit for fit in fits.values())]
+        [_ahead(str(h)), *("worse than the mean" if fit < 0 else fit for fit in fits.values())]
         for h, fits in c.fits.items()
     ]
-    tables.append(Table(["ahead", *(n.removeprefix("sensor/") for n in names)], rows, "Fit [%]", digits=3))
+    tables.append(Table(["ahead", *map(_plain, names)], rows, "Fit [%]", digits=3))
     figure, (ax,) = panels(["fit on the part held out [%]"], "samples ahead", "log")
     for name in names:
-        line(ax, name.removeprefix("sensor/"), [float(h) for h in c.fits], [fits[name] for fits in c.fits.values()])
+        line(ax, _plain(name), [float(h) for h in c.fits], [fits[name] for fits in c.fits.values()])
+    for drawn in ax.lines:
+        drawn.set(marker="o", markersize=4)
     ax.set_ylim(0, 100)
-    tables.append(Figure("Fit over the prediction horizon", legend(figure)))
+    tables.append(Figure(f"Fit of each sensor, {_ahead(str(list(c.fits)[-1]))} ahead and less", legend(figure)))
     return tables
+
+
+def _ahead(samples: str) -> str:
+    return f"{samples} sample{'' if samples == '1' else 's'}"
+
+
+def _plain(name: str) -> str:
+    return name.removeprefix("sensor/").replace("_", " ")
 
 
 def _whiteness(c: Calibration) -> Table:
     rows: list[list[Cell]] = [
-        [w.sensor.removeprefix("sensor/"), w.rms, w.worst, w.ljung_box, w.input_test, w.threshold, w.white]
-        for w in c.whiteness
+        [_plain(w.sensor), w.rms, w.worst, w.ljung_box, w.input_test, w.threshold, w.white] for w in c.whiteness
     ]
     header = ["sensor", "rms / expected", "correlation", "Ljung–Box", "commands", "threshold", "white"]
     return Table(header, rows)

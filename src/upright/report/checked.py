@@ -9,6 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from upright.doctor.doctor import Diagnosis
+from upright.doctor.finding import GYRO, LEFT
 from upright.parity.parity import Parity
 from upright.physics.linear import Complex, LinearModel
 from upright.plotting import AXIS, COLOURS, PANEL, bars, legend, number, numbered, panels, plane, points
@@ -32,6 +33,7 @@ CHECKS = {
     "motion": ("motion/quiet", "segment/still", "segment/none"), "falls and slips": ("segment/",),
 }  # fmt: skip
 """What is checked → how the codes of its findings begin; a code counts for the first that fits."""
+ORDINARY = 1.6  # [periods] a longer step lacks a row, which is no jitter
 
 
 def _diagnosis(result: Diagnosis) -> Page:
@@ -46,24 +48,25 @@ def _diagnosis(result: Diagnosis) -> Page:
     drawn = result.plot()
     poses = ", ".join(dict.fromkeys(segment.kind for segment in result.segments))
     counted = "no fault found" if not faults else "1 fault" if faults == 1 else f"{faults} faults"
-    checks = _checks(result)
+    checks, values = _checks(result), _values(result)
     passed = sum(verdict.level in ("good", "info") for _, verdict in checks)
     return Page(
         f"{result.source or 'Log'}: {counted}",
         [
             Section("Findings", [Table(["", "channel", "evidence", "what to do"], rows)]),
-            Section("Checks", [Table(["check", "result"], [list(row) for row in checks])]),
+            Section("Checks", [Table(["check", "result", "measured"], [[*c, values.get(c[0], "")] for c in checks])]),
             Section("Columns of the log", [Table(["channel", "column"], columns)], folded=True),
         ],
         _advice(result, faults),
-        {"mapping": result.mapping.name, "rows": str(result.rows)}, False,
+        {"columns read as": _mapped(result.mapping.name), "rows": str(result.rows)}, False,
         verdict=Verdict("healthy: can be used as it is", "good") if result.healthy else Verdict(
             "to repair", "bad" if any(f.severity == "error" for f in result.findings) else "warn"),
         picture=Figure(f"The readings of the log{poses and f'; the robot is {poses}'}", drawn) if drawn else None,
         numbers=[
             (f"{passed} of {len(checks)}", "checks passed: " + _listed([name for name, _ in checks])),
             (f"{result.seconds:.4g} s", f"length: {result.rows} rows, one every {result.period * 1e3:.4g} ms"),
-            (str(remarks), f"remark{'' if remarks == 1 else 's'}, not a fault" + ("" if remarks == 1 else "s")),
+            *([(str(remarks), f"remark{'' if remarks == 1 else 's'}, not a fault" + ("" if remarks == 1 else "s"))]
+              if faults or not remarks else []),
         ],
     )  # fmt: skip
 
@@ -83,12 +86,45 @@ def _checks(result: Diagnosis) -> list[tuple[str, Verdict]]:
     return [(name, Verdict(*words[worst.get(name, "")])) for name in CHECKS]
 
 
+def _mapped(name: str) -> str:
+    return "the names of upright" if name == "ours" else f"those of '{name}'"
+
+
+def _values(result: Diagnosis) -> dict[str, str]:
+    """What was measured for a check, where that is a number or a word."""
+    record, values = result.read, dict[str, str]()
+    steps = np.diff(record.t)
+    ordinary = steps[(steps > 0) & (steps < ORDINARY * result.period)]
+    if len(ordinary):
+        jitter = 1e3 * float(ordinary.std())
+        values["time stamps"] = f"jitter {cell_text(jitter, 2)} ms" if jitter > 1e-3 else "no jitter"
+    values["rows"] = str(result.rows)
+    values["readings"] = f"{len(record.channels)} columns"
+    if GYRO in record:
+        unit, gyro = record.units.get(GYRO, "1"), record[GYRO][np.isfinite(record[GYRO])]
+        if len(gyro):
+            values["units"] = f"gyro up to {cell_text(float(np.abs(gyro).max()), 2)} {unit}"
+            values["gyro's bias"] = f"mean {cell_text(float(gyro.mean()), 2)} {unit}"
+            values["motion"] = f"gyro {cell_text(float(gyro.std()), 2)} {unit} rms"
+    moved = np.abs(np.diff(record[LEFT])) if LEFT in record else np.zeros(0)
+    if (moved > 0).any():
+        step = float(moved[moved > 0].min())
+        values["encoder's resolution"] = f"steps of {cell_text(step, 3)} {record.units.get(LEFT, '1')}"
+    if record.commands:
+        sides = [record[name] for name in record.commands]
+        largest = max(float(np.nanmax(np.abs(side), initial=0.0)) for side in sides)
+        values["motors at their limit"] = f"largest {cell_text(largest, 2)} {record.units.get(record.commands[0], '')}"
+    values["falls and slips"] = ", ".join(dict.fromkeys(segment.kind for segment in result.segments))
+    return values
+
+
 def _advice(result: Diagnosis, faults: int) -> str:
     """The first finding with its repair, and what to run next."""
     name = result.source or "LOG"
     first = next(iter(result.findings), None)
-    of = f" {first.channel.removeprefix('sensor/').replace('_', ' ')}: {first.evidence}." if first else ""
-    text = f"Worst,{of}" if faults else f"All checks pass.{' A remark stands below.' if first else ''}"
+    of = f" {first.channel.removeprefix('sensor/').replace('_', ' ')}: {first.evidence.rstrip('.')}." if first else ""
+    more = f" {len(result.findings) - 1} more below." if len(result.findings) > 1 else ""
+    text = f"Worst,{of}" if faults else f"All checks pass.{f' A remark on the{of}{more}' if first else ''}"
     text += f" {sentence(first.repair)}" if faults and first and first.repair else ""
     fixes = any(f.fixes for f in result.findings)
     next_one = f"`upright doctor {name} --fix repaired.csv`" if fixes else f"`upright calibrate {name} --robot ROBOT`"
@@ -114,18 +150,53 @@ def _parity(result: Parity) -> Page:
     )  # fmt: skip
 
 
+SYMBOLS = {"pitch": "ψ", "pitch_rate": "ψ̇", "wheel": "θ", "wheel_rate": "θ̇", "yaw": "φ", "yaw_rate": "φ̇"}
+_SYMBOLS = (
+    "ψ pitch, θ wheel angle, φ yaw [rad], and with a dot their rates [rad/s]. Commands are in V, or in N m for a robot "
+    "with a torque drive."
+)
+
+
+def linear_title(model: LinearModel, robot: str = "the robot") -> str:
+    """Whether a robot falls without a controller, and how fast."""
+    fastest = _fastest(model)
+    if fastest <= 0:
+        return "No pole is unstable"
+    return f"Without a controller {robot} falls: a lean doubles every {_doubling(fastest)}"
+
+
+def _unstable(model: LinearModel) -> list[complex]:
+    return [p for p in model.poles().tolist() if (p.real > 1e-9 if model.continuous else abs(p) > 1 + 1e-9)]
+
+
+def _fastest(model: LinearModel) -> float:
+    """The largest rate of growth [1/s], 0 where nothing grows."""
+    return max((p.real if model.continuous else math.log(abs(p)) / model.dt for p in _unstable(model)), default=0.0)
+
+
+def _doubling(rate: float) -> str:
+    seconds = math.log(2) / rate
+    return f"{cell_text(1e3 * seconds, 2)} ms" if seconds < 1 else f"{cell_text(seconds, 2)} s"
+
+
 def _linear(model: LinearModel) -> Page:
     poles = model.poles()
     unit = "1/s" if model.continuous else "1"
-    unstable = [p for p in poles.tolist() if (p.real > 1e-9 if model.continuous else abs(p) > 1 + 1e-9)]
+    unstable = _unstable(model)
     rows: list[list[Cell]] = [[p.real, p.imag] for p in poles.tolist()]
+    named = [SYMBOLS.get(state, state) for state in model.states]
     matrices = [
-        Table(["", *names], [[state, *row] for state, row in zip(model.states, matrix.tolist(), strict=True)], letter)
-        for letter, names, matrix in (("A", model.states, model.A), ("B", model.inputs, model.B))
-    ]
+        Table(["", *names], [[state, *row] for state, row in zip(named, matrix.tolist(), strict=True)], caption, 3)
+        for caption, names, matrix in (
+            ("A: from each state (column) to the rates of change (rows)", named, model.A) if model.continuous else
+            ("A: from each state (column) to the next state (rows)", named, model.A),
+            ("B: from each command (column)", [f"{name} command" for name in model.inputs], model.B),
+        )
+    ]  # fmt: skip
+    legend_of = [_SYMBOLS] if set(model.states) <= set(SYMBOLS) else []
     count = f"{len(unstable)} of {len(poles)} poles {'is' if len(unstable) == 1 else 'are'} unstable"
-    fastest = max((p.real if model.continuous else math.log(abs(p)) / model.dt for p in unstable), default=0.0)
-    doubles = f"{cell_text(math.log(2) / fastest, 2)} s" if unstable else ""
+    fastest = _fastest(model)
+    doubles = _doubling(fastest) if unstable else ""
     equation = "ẋ = A x + B u" if model.continuous else f"x⁺ = A x + B u, every {model.dt:g} s"
     numbers = [
         *((f"{cell_text(p.real, 3)} {unit}", "unstable pole, real part") for p in unstable[:1]),
@@ -133,8 +204,11 @@ def _linear(model: LinearModel) -> Page:
         (f"{model.A.shape[0]} × {model.B.shape[1]}", "states × inputs of the model"),
     ]
     return Page(
-        f"Without a controller the robot falls: a lean doubles every {doubles}" if unstable else "No pole is unstable",
-        [Section("Matrices", matrices), Section("Poles", [Table(["real part", "imaginary part"], rows)])],
+        linear_title(model),
+        [
+            Section("Matrices", [*legend_of, *matrices]),
+            Section("Poles", [Table([f"real part [{unit}]", f"imaginary part [{unit}]"], rows)]),
+        ],
         f"The linear model near the upright rest, {equation}. {count}. Next: `upright design` a controller.", {}, False,
         verdict=Verdict("unstable without control" if unstable else "stable", "info"),
         picture=_pole_figure(poles, model.continuous, count), numbers=numbers,
@@ -169,6 +243,7 @@ def _pole_figure(poles: Complex, continuous: bool, count: str) -> Figure:
     several = Counter(complex(round(p.real, 6), round(p.imag, 6)) for p in poles.tolist())
     for place, pole in enumerate(sorted(several, key=lambda p: p.real)):
         text = number(pole.real, 3) + (f" ({several[pole]} poles)" if several[pole] > 1 else "")
-        above = (0, -18) if place % 2 else (0, 9)  # neighbours do not overlap
-        ax.annotate(text, (pole.real, pole.imag), above, textcoords="offset points", ha="center")
+        beside = 6 if pole.real == 0 else 0  # not on the line at zero
+        above = (beside, -18) if place % 2 else (beside, 9)  # neighbours do not overlap
+        ax.annotate(text, (pole.real, pole.imag), above, textcoords="offset points", ha="left" if beside else "center")
     return Figure(f"{count}: right of the line" if not count.startswith("0 ") else count, legend(figure))

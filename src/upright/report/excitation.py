@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -9,7 +11,7 @@ from upright.excite.plan import VISIBLE, ExcitationPlan, Predicted
 from upright.plotting import AXIS, COLOURS, legend, line, number, numbered, panels, rows_of
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
-from upright.tables import spoken
+from upright.tables import joined, spoken
 
 Array = NDArray[np.float64]
 
@@ -20,7 +22,7 @@ def page_of(plan: ExcitationPlan) -> Page:
     several = f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}"
     verdict = Verdict(several, "warn") if wrong else Verdict("safe to run: keeps its limits", "good")
     sections = [
-        Section("The run", [_WHAT, _over_time(plan), _spectrum(plan), _energies(plan)]),
+        Section("The run", [_WHAT, _over_time(plan), _spectrum(plan), _energy(plan), _energies(plan)]),
         Section("Limits", [_checked_words(plan), _limits(plan), *wrong, *plan.notes]),
         Section("Predicted intervals", [_PREDICTED, _table(plan)]),
         Section("Alternatives", [_TRIED, _tried(plan)], folded=True),
@@ -44,6 +46,7 @@ _WHAT = (
     "The excitation is added to the commands of the controller, which keeps the robot upright. The mean of both motors "
     "drives the robot; half of their difference turns it."
 )
+_MODES = "Driving: the mean of both motors. Turning: half of their difference."
 _PREDICTED = (
     "Predicted from the Fisher information of the calibration's predictor, along a run of the nonlinear model with the "
     "kit. Both dithers are random binary signals of the same energy: one changes every period, one is held for 40 ms. "
@@ -55,10 +58,15 @@ _TRIED = (
 )
 
 
+BETTER = 0.95  # of the plan's interval: that of a random signal is narrower
+
+
 def _lead(plan: ExcitationPlan) -> str:
     halved = sorted((p for p in plan.predicted if p.after < VISIBLE * p.before), key=lambda p: p.after / p.before)
     names = ", ".join(spoken(p.name) for p in halved[:3])
     most = f" It sharpens {names} most." if names else ""
+    better = [spoken(p.name) for p in plan.predicted if p.after < VISIBLE * p.before and p.dither < BETTER * p.after]
+    most += f" A random signal of the same energy would be better for {joined(better)}." if better else ""
     return (
         f"While {plan.controller} balances the robot, a {plan.way} is added to its commands.{most} "
         "Next: `upright simulate --excite plan.json`, or your robot; then `upright calibrate` that log."
@@ -70,7 +78,7 @@ def _over_time(plan: ExcitationPlan) -> Figure:
     figure, axes = panels([f"both motors [{plan.unit}]", f"(right − left) / 2 [{plan.unit}]"])
     for ax, (name, wave) in zip(axes, _waves(plan).items(), strict=True):
         line(ax, name, t, wave, step=True)
-    return Figure("The excitation over time", legend(figure))
+    return Figure("The excitation over time", legend(figure), _MODES)
 
 
 def _waves(plan: ExcitationPlan) -> dict[str, Array]:
@@ -98,8 +106,10 @@ def _level(wave: Array, frequency: Array) -> Array:
 
 
 def _energies(plan: ExcitationPlan) -> Table:
-    rows: list[list[Cell]] = [[name, 100 * fraction] for name, fraction in plan.division.items()]
-    return Table(["part", "fraction of the energy [%]"], rows, _energy(plan), 3)
+    rows: list[list[Cell]] = [
+        [name.replace("common", "driving"), 100 * fraction] for name, fraction in plan.division.items()
+    ]
+    return Table(["part", "fraction of the energy [%]"], rows, "Where the energy of the excitation is", 3)
 
 
 def _energy_unit(plan: ExcitationPlan) -> str:
@@ -108,7 +118,11 @@ def _energy_unit(plan: ExcitationPlan) -> str:
 
 def _energy(plan: ExcitationPlan) -> str:
     unit = _energy_unit(plan)
-    return f"Energy: {plan.energy:.3g} {unit} at the motors in closed loop, {plan.added:.3g} of the excitation"
+    answer = "works against it, and leaves" if plan.energy < plan.added else "answers it; together they give"
+    return (
+        f"The excitation has an energy of {plan.added:.3g} {unit}, over both motors. The controller {answer} "
+        f"{plan.energy:.3g} {unit} at the motors."
+    )
 
 
 DRAWN = 0.95  # of the width before: parameters whose intervals shrink less are not drawn
@@ -170,7 +184,7 @@ def _limits(plan: ExcitationPlan) -> Table:
         ["probability of a fall [%]", 100 * c.bound, 100 * limits.falls],
         ["periods with a saturated motor [%]", 100 * c.saturated, 100 * limits.saturated],
         ["travel [m]", c.travel, limits.travel],
-        ["largest pitch [rad]", c.peak, None],
+        ["largest pitch [°]", math.degrees(c.peak), None],
     ]
     return Table(["", "measured", "limit"], rows, "Limits", 3)
 

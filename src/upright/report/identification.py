@@ -13,6 +13,7 @@ from upright.identify.methods import TITLES
 from upright.plotting import legend, line, numbered, panels, plane, points
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
+from upright.tables import joined
 
 
 def page_of(compared: MethodComparison) -> Page:
@@ -45,7 +46,11 @@ def _verdict(compared: MethodComparison) -> Verdict:
     level = "bad" if not holding else "good" if holding == tried else "warn"
     if tried == 1:
         return Verdict("holds the robot" if holding else "does not hold the robot", level)
-    return Verdict(f"{_best(compared)} is the surest" if holding else "none can be used", "good" if holding else level)
+    if not holding:
+        return Verdict("none can be used", level)
+    best = _best(compared)
+    sure = math.isfinite(compared.models[best].pole.high - compared.models[best].pole.low)
+    return Verdict(f"{best}: narrowest interval of the pole" if sure else f"{best} leans least", "good")
 
 
 def _title(compared: MethodComparison) -> str:
@@ -87,8 +92,10 @@ def _pole_figure(compared: MethodComparison) -> Figure:
         return Figure("The unstable pole by each method, with its 95 % interval", compared.plot())
     inside = [n for n, m in compared.models.items() if m.pole.low <= compared.true_pole <= m.pole.high]
     missed = [n for n in compared.models if n not in inside]
-    title = f"The unstable pole is found by {', '.join(inside) or 'no method'}"
-    return Figure(title + (f", and missed by {', '.join(missed)}" if missed else ""), compared.plot())
+    title = f"The intervals of {joined(inside)} hold the true pole" if inside else "No interval holds the true pole"
+    if len(inside) == 1:
+        title = f"The interval of {inside[0]} holds the true pole"
+    return Figure(title + (f"; those of {joined(missed)} do not" if missed else ""), compared.plot())
 
 
 def _numbers(compared: MethodComparison) -> list[tuple[str | Verdict, str]]:
@@ -115,7 +122,8 @@ def _leans(name: str, trial: LoopTrial) -> str:
 _POLES = (
     "The rate at which the robot falls, with its 95 % interval; dry friction counts as damping. The bias is the "
     "method's median estimate from repeated logs, less their true pole. These logs are simulated with the subspace "
-    "model, the log's feedback law and new innovations. An interval covers the scatter, not the bias."
+    "model, the log's feedback law and new innovations; so the bias of subspace is small by construction, and says "
+    "little. An interval covers the scatter, not the bias."
 )
 _PREDICTIONS = (
     "Fit [%] on the held-out part of the log: 100 (1 − rms error / rms of the motion). The filter is the same for all "
@@ -184,14 +192,23 @@ def _pole_row(name: str, model: Identified) -> list[Cell]:
     return [name, p.value, known, p.bias, 2 * p.bias_error, p.corrected]
 
 
+NEAR = 0.3  # from 1: the motions that a regulator has to know; faster ones fade within a few periods
+
+
 def _eigenvalues(compared: MethodComparison) -> Figure:
     figure, ax = plane("real part [1]", "imaginary part [1]", circle=True)
-    for name, m in compared.models.items():
-        points(ax, name, [complex(v) for v in np.linalg.eigvals(m.halves["pitch"].A) if abs(v) < 2])
-    spread = [m.pole.value for m in compared.models.values()]
-    between = f"{cell_text(min(spread), 2)} to {cell_text(max(spread), 2)}" if spread else "none"
-    title = f"Eigenvalues of pitch and wheels over one period; unstable poles from {between} 1/s"
-    return Figure(title, legend(figure))
+    everything = {name: np.linalg.eigvals(m.halves["pitch"].A) for name, m in compared.models.items()}
+    near = {name: values[np.abs(values - 1) < NEAR] for name, values in everything.items()}
+    for name, values in near.items():
+        points(ax, name, values.tolist())
+    beyond = sum(len(values) for values in everything.values()) - sum(len(values) for values in near.values())
+    drawn = np.concatenate([values - 1 for values in near.values()]) if near else np.zeros(0)
+    reach = 1.3 * max(float(np.abs(drawn).max(initial=0.0)), 0.05)
+    ax.set(xlim=(1 - reach, 1 + reach), ylim=(-reach, reach))
+    unstable = [name for name, m in compared.models.items() if m.pole.value > 0]
+    title = f"Eigenvalues over one period, near 1; {len(unstable)} of {len(near)} models have one outside the circle"
+    note = f" {beyond} eigenvalues further away are not drawn." if beyond else ""
+    return Figure(title, legend(figure), f"Of pitch and wheels.{note}")
 
 
 def _predictions(compared: MethodComparison) -> list[Item]:

@@ -21,7 +21,7 @@ TERMS: dict[str, tuple[str, str]] = {
     r"phase margin": ("phase margin", "How much later the loop may answer, as an angle. Usual target: at least 30°."),
     r"gain margin": ("gain margin", "By what factor the motors may be weaker or stronger."),
     r"delay margin": ("delay margin", "How much later a reading or a command may come, before the loop is unstable."),
-    r"unstable poles?": ("unstable pole", "The rate at which a small lean grows: by a factor of 2.7 in 1 / pole."),
+    r"unstable poles?": ("unstable pole", "The rate at which a small lean grows: it doubles in 0.69 / pole."),
     r"N s": ("N s", "Newton second: force times duration. 0.2 N s is a push of 10 N for 20 ms."),
     r"dead zone": ("dead zone", "The largest command that does not move the motor."),
     r"[Cc]oulomb friction": ("Coulomb friction", "Dry friction: of one size at every speed, against the motion."),

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
+from upright.calibrate.calibration import PREDICTED
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
+from upright.tables import least as least_of
+from upright.tables import sentence
 from upright.validate.validation import (
     DOES_NOT,
     GOOD,
@@ -30,12 +33,16 @@ _OWN = (
 )
 _LOOP = (
     "The closed loop starts from the first state of the log. It gets the law, what was added to it, and no reading. "
-    "A push that the log does not hold makes it leave the log at that time, whatever the robot."
+    "Without the noise of the readings, wheels and heading drift away from the log; a push that the log does not hold "
+    "throws it off at once. Neither speaks against the robot."
 )
 _SHIFTS = (
     "Each parameter is moved alone by one Gauss–Newton step. Listed are those after which half seconds are predicted "
     "better by a tenth of what they leave. Steps are in standard deviations of what is known."
 )
+
+
+_NONE = "No parameter, moved alone, would remove a tenth of what half seconds leave."
 
 
 def page_of(result: Validation) -> Page:
@@ -46,15 +53,25 @@ def page_of(result: Validation) -> Page:
     sections = [section for log in result.logs for section in _sections(log, len(result.logs) > 1)]
     of = " of" if result.verdict == JUDGED else ""
     logs = result.logs[0].source or "the log" if len(result.logs) == 1 else f"{len(result.logs)} logs"
-    title = (
-        f"{result.robot} {result.verdict}{of} {logs}: R² of gyro and encoders at least {cell_text(worst.worst.r2, 3)}"
-    )
-    lowest = "Half a second at a time: measured, and predicted from the commands alone"
+    title = f"{result.robot} {result.verdict}{of} {logs}: R² of {_judged(result)} at least {least_of(worst.worst.r2)}"
+    lowest = "Measured, and predicted for half a second at a time, each from a fitted start"
     lead = _lead(result) if result.verdict == PREDICTS else f"{result.sentence}. {_lead(result)}"
     return Page(
         title, sections, lead, {"kit": result.kit, "logs": ", ".join(x.source for x in result.logs)},
         False, verdict=verdict, picture=Figure(lowest, half_second_figure(worst)), numbers=_numbers(result),
     )  # fmt: skip
+
+
+def _judged(result: Validation) -> str:
+    """The sensors that are judged, in words."""
+    names = {c.name: short(c.name) for log in result.logs for c in log.half_seconds if c.name in PREDICTED}
+    words = dict.fromkeys("encoders" if _both(name, names) else word for name, word in names.items())
+    return " and ".join(sorted(words, reverse=True))
+
+
+def _both(name: str, names: Collection[str]) -> bool:
+    """Whether it is an encoder of which the other side is there too."""
+    return {"sensor/encoder_left", "sensor/encoder_right"} <= {name, *names} and name.startswith("sensor/encoder_")
 
 
 def _lead(result: Validation) -> str:
@@ -64,22 +81,22 @@ def _lead(result: Validation) -> str:
     compass = any(c.name.endswith("compass") for log in result.logs for c in log.half_seconds)
     aside = " The compass is shown, not judged: it also turns with iron and motors nearby." if compass else ""
     return (
-        f"{seconds:.3g} s of log, which the robot's file has not used, against the model of {result.robot}. "
+        f"{seconds:.3g} s of log against the model of {result.robot}; a test only where it was not fitted to this log. "
         f"A sensor passes from R² {GOOD:g} up.{aside} Next: {then}."
     )
 
 
 def _numbers(result: Validation) -> list[tuple[str, str]]:
     worst = result.worst.worst
-    numbers = [(cell_text(worst.r2, 3), f"smallest R² of half seconds ({short(worst.name)}); passes from {GOOD:g}")]
+    numbers = [(least_of(worst.r2), f"smallest R² of half seconds ({short(worst.name)}); passes from {GOOD:g}")]
     if own := result.worst.own_run:
         numbers.append((cell_text(least(own).r2, 3), "with what belongs to its run, fitted to this log"))
     loops = [c for log in result.logs if not log.caution for c in log.loop]
     if loops:
         lowest = min(loops, key=lambda c: c.r2)
-        if lowest.r2 < 0 and lowest.breaks is not None:
-            followed = "of the whole run are followed from its first row alone; an unknown push ends that"
-            numbers.append((f"{lowest.breaks:.3g} s", followed))
+        if lowest.r2 < 0 and (first := _first(loops)):
+            followed = f"of the whole run are followed from its first row alone, until {_lost(loops)}"
+            numbers.append((f"{first.breaks:.2g} s", followed))
         else:
             whole = f"R² of the whole run from its first row alone ({short(lowest.name)})"
             numbers.append((cell_text(lowest.r2, 3), whole))
@@ -90,14 +107,32 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
     return numbers
 
 
+def _first(loop: Sequence[ChannelFit]) -> ChannelFit | None:
+    """The reading that leaves the log first; a compass does so by itself."""
+    broken = [c for c in loop if c.breaks is not None and not c.name.endswith("compass")]
+    return min(broken, key=lambda c: c.breaks or 0.0, default=None)
+
+
+def _lost(loop: Sequence[ChannelFit]) -> str:
+    """What ended the whole run: drift shows in the wheels first, and a push in the gyro."""
+    first = _first(loop)
+    assert first
+    return "the wheels drift off" if "encoder" in first.name else f"{_the(first)} leaves, as a push would make it"
+
+
+def _the(c: ChannelFit) -> str:
+    return f"the {short(c.name)}"
+
+
 def _sections(log: LogJudged, several: bool) -> list[Section]:
     """What the page says of one log."""
     name = f" of {log.source}" if several else ""
-    loop: list[Item] = [_LOOP, f"Law {log.law.removeprefix('law')}".replace("  ", " ")]
+    named = log.law.startswith("law")
+    loop: list[Item] = [_LOOP, sentence(log.law if named else f"the loop {log.law}")]
     loop += [log.caution] if log.caution else []
     if log.simulated is not None:
         loop += [
-            _table(log.loop),
+            _table(log.loop, "lost after [s]"),
             Figure("Measured, and the whole run simulated from its first row", loop_figure(log.simulated)),
         ]
     rows: list[list[Cell]] = [
@@ -111,13 +146,14 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
     return [
         Section(f"Half a second at a time{name}", half),
         Section(f"The whole run from its first row{name}", loop),
-        Section(f"Parameters to doubt{name}", moves if rows else ["No parameter alone."]),
+        Section(f"Parameters to doubt{name}", moves if rows else [_NONE]),
     ]
 
 
-def _table(channels: Sequence[ChannelFit]) -> Table:
+def _table(channels: Sequence[ChannelFit], when: str = "first missed at [s]") -> Table:
     rows: list[list[Cell]] = [
-        [short(c.name) + (" (not judged)" if c.name.endswith("compass") else ""), c.r2, c.fit, c.breaks]
+        [short(c.name) + (" (not judged)" if c.name.endswith("compass") else ""),
+         c.r2 if c.r2 > 0 else "below 0", c.fit if c.r2 > 0 else "–", c.breaks]
         for c in channels
-    ]
-    return Table(["", "R²", "fit [%]", "breaks at [s]"], rows)
+    ]  # fmt: skip
+    return Table(["", "R²", "fit [%]", when], rows)

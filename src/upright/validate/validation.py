@@ -13,7 +13,7 @@ import numpy as np
 from upright.atomic import finite
 from upright.calibrate.calibration import PREDICTED, Segments
 from upright.calibrate.own_run import RunEffect
-from upright.tables import Shown
+from upright.tables import Shown, joined
 from upright.validate.loop import FreeLoop
 
 if TYPE_CHECKING:
@@ -86,7 +86,7 @@ class LogJudged:
         if not (self.loop and self.estimates):
             return ""
         return (
-            f"This law reads {_listed(self.estimates)}, which the program's own filter estimated. The simulated loop "
+            f"This law reads {joined(self.estimates)}, which the program's own filter estimated. The simulated loop "
             "has the true state instead. So its commands are not the program's, and its R² does not judge the robot: "
             "--controller FILE gives the filter too."
         )
@@ -137,10 +137,6 @@ def _line(c: ChannelFit) -> str:
     return f"    {short(c.name):<20} R² {c.r2:>7.4f}   fit {c.fit:>5.1f} %{breaks}"
 
 
-def _listed(names: Sequence[str]) -> str:
-    return " and ".join([", ".join(names[:-1]), names[-1]]) if len(names) > 1 else names[0]
-
-
 def short(name: str) -> str:
     """`sensor/encoder_left` as `encoder left`."""
     return name.removeprefix("sensor/").removeprefix("estimate/").replace("_", " ")
@@ -176,7 +172,7 @@ class Validation(Shown):
         dead = {short(name) for one in self.logs for name in one.dead}
         of = " of" if self.verdict == JUDGED else ""
         r2 += f" ({least(log.own_run).r2:.3f} with what belongs to its run)" if log.own_run else ""
-        never = f"; {_listed(sorted(dead))} never change{'s' if len(dead) == 1 else ''}" if dead else ""
+        never = f"; {joined(sorted(dead))} never change{'s' if len(dead) == 1 else ''}" if dead else ""
         return (
             f"{self.robot} {self.verdict}{of} {'this log' if len(self.logs) == 1 else f'these {len(self.logs)} logs'}: "
             f"over half seconds the {short(log.worst.name)}{several} has the smallest R², {r2}{never}"
@@ -211,6 +207,9 @@ def half_second_figure(log: LogJudged) -> Figure:
     return legend(figure)
 
 
+BEYOND = 0.5  # of the measured range, above and below it: a simulation that goes further is cut at the frame
+
+
 def loop_figure(loop: FreeLoop) -> Figure:
     """Measured readings, and those of the free closed loop."""
     from upright.plotting import legend, line, panels
@@ -219,6 +218,10 @@ def loop_figure(loop: FreeLoop) -> Figure:
     for i, ax in enumerate(axes):
         line(ax, "measured", loop.t, loop.measured[:, i], style=4, below=True)
         line(ax, "simulated freely", loop.t, loop.simulated[:, i], style=1, solid=True)
+        low, high = np.nanmin(loop.measured[:, i]), np.nanmax(loop.measured[:, i])
+        room = BEYOND * (high - low)
+        if np.nanmax(loop.simulated[:, i]) > high + room or np.nanmin(loop.simulated[:, i]) < low - room:
+            ax.set_ylim(low - room, high + room)
     return legend(figure)
 
 
