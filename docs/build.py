@@ -151,10 +151,22 @@ def _reference(source: Path) -> None:
     import upright
 
     whom = "*For everybody who writes Python; `import upright as up` offers everything on this page.*"
+    groups = _with_the_rest(REFERENCE, upright.__all__)
     parts = [f"# Python reference\n\n{whom}\n"]
-    for title, names in _with_the_rest(REFERENCE, upright.__all__).items():
+    for title, names in groups.items():
+        parts += [f"**{title}**\n", "| name | what it is |\n|---|---|", *(_row(name) for name in names), ""]
+    for title, names in groups.items():
         parts += [f"## {title}\n", *(_entry(name) for name in names)]
     _write(source / "api.md", "\n".join(parts))
+
+
+def _row(name: str) -> str:
+    """A name with the first sentence of its docstring."""
+    import upright
+
+    text = " ".join((getattr(upright, name).__doc__ or "").partition("\n\n")[0].split())
+    first = re.split(r"(?<=[.;]) ", text)[0].rstrip(";").replace("|", "\\|")
+    return f"| {{py:obj}}`~upright.{name}` | {first} |"
 
 
 def _entry(name: str) -> str:
@@ -171,7 +183,7 @@ def _glossary(source: Path) -> None:
     _write(source / "glossary.md", f"# Glossary\n\n*For everybody; English and Spanish.*\n{table}")
 
 
-NOW = '<p><a href="try/index.html"><strong>Push it yourself, now, in this browser</strong></a></p>'
+NOW = '<p><a class="now" href="try/index.html">Push it yourself, now, in this browser</a></p>'
 PICTURE = re.compile(r"!\[[^]]*\]\(push\.gif\)")
 SHOWN = '<img src="_images/lab.webp" alt="The lab: a robot is knocked and stays up">'
 TRY = f'{NOW}<p><a href="try/index.html">{SHOWN}</a></p>'
