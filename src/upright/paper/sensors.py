@@ -10,7 +10,7 @@ from upright.identify.identify import MethodComparison, identify_all, study_of
 from upright.paper.claim import BEYOND, Claim
 from upright.physics.linear import unstable_pole
 from upright.progress import Progress, unwatched
-from upright.report.identification import pole_table, trial_table
+from upright.report.identification import methods_table, pole_table, trial_table
 from upright.report.page import Item, Table, cell_text
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -70,6 +70,7 @@ def _items(compared: MethodComparison) -> list[Item]:
     return [
         pole_table(compared),
         trial_table(compared),
+        methods_table(compared),
         one_step,
         why,
         *(f"{n}: {w}" for n, w in compared.failed.items()),

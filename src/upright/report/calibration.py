@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from upright.calibrate.calibration import NORMAL, VERDICTS, VISIBLE, Calibration, Estimate
 from upright.plotting import COLOURS, INK, legend, line, panels, rows_of, span
 from upright.report.figure import Figure
-from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
+from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import least, sentence, spoken
 from upright.validate.validation import GOOD
 
@@ -29,11 +29,11 @@ def page_of(calibration: Calibration) -> Page:
     sections = [
         *([Section("Reservations", [_sentence(text) for text in wrong])] if wrong else []),
         Section("Prediction", [*_measured(calibration), _predicted_words(calibration), *_predicted(calibration)]),
-        Section("Estimates", [*calibration.notes, _estimates(calibration.parameters)]),
-        *([Section("Delays and motors", [_DELAYS, _estimates(others)], folded=True)] if others else []),
+        Section("Estimates", [*calibration.notes, *_estimates(calibration.parameters)]),
+        *([Section("Delays and motors", [_DELAYS, *_estimates(others)], folded=True)] if others else []),
         Section(
             "Coefficients of the motion",
-            [_COMBINED, *calibration.which_pole, _estimates(calibration.combinations)],
+            [_COMBINED, *calibration.which_pole, *_estimates(calibration.combinations)],
             folded=True,
         ),
         Section("What the log does not determine", _undetermined(calibration), folded=True),
@@ -58,7 +58,7 @@ def _verdict(c: Calibration) -> Verdict:
         return Verdict("refused", "bad")
     if wrong:
         return Verdict(f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}", "warn")
-    rest = f"; {kept} of {len(c.parameters)} values unchanged" if kept else ""
+    rest = f"; {kept} of {len(c.parameters)} unchanged" if kept else ""
     return Verdict(f"predicts the log{rest}", "warn" if 2 * kept > len(c.parameters) else "good")
 
 
@@ -199,13 +199,18 @@ def _lead(c: Calibration) -> str:
     return text + (" Next: `upright excite` plans a run that tells more parameters." if unknown else "")
 
 
-def _estimates(estimates: Sequence[Estimate]) -> Table:
-    rows: list[list[Cell]] = [
-        [f"{spoken(e.name)} [{e.unit}]", e.value, _interval(e), _before(e),
-         e.verdict]
-        for e in estimates
-    ]  # fmt: skip
-    return Table(["", "value", "95 % interval", "before", "verdict"], rows, digits=3)
+def _estimates(estimates: Sequence[Estimate]) -> list[Item]:
+    """Values with their intervals; what was known before, and the verdicts, are pressed for."""
+    values: list[list[Cell]] = [[_named(e), e.value, _interval(e)] for e in estimates]
+    known: list[list[Cell]] = [[_named(e), _before(e), e.verdict] for e in estimates]
+    return [
+        Table(["", "value", "95 % interval"], values, digits=3),
+        Details("Known before this log, and verdicts", [Table(["", "before", "verdict"], known)]),
+    ]
+
+
+def _named(e: Estimate) -> str:
+    return f"{spoken(e.name)} {_whole(f'[{e.unit}]')}"
 
 
 def _before(e: Estimate) -> str:

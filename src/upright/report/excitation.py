@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from upright.excite.plan import VISIBLE, ExcitationPlan, Predicted
 from upright.plotting import AXIS, COLOURS, legend, line, number, numbered, panels, rows_of
 from upright.report.figure import Figure
-from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
+from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import joined, spoken
 
 Array = NDArray[np.float64]
@@ -24,7 +24,7 @@ def page_of(plan: ExcitationPlan) -> Page:
     sections = [
         Section("The run", [_WHAT, _over_time(plan), _spectrum(plan), _energy(plan), _energies(plan)]),
         Section("Limits", [_checked_words(plan), _limits(plan), *wrong, *plan.notes]),
-        Section("Predicted intervals", [_PREDICTED, _table(plan)]),
+        Section("Predicted intervals", [_PREDICTED, *_tables(plan)]),
         Section("Alternatives", [_TRIED, _tried(plan)], folded=True),
     ]
     facts = {"controller": plan.hash[:12], "seed": str(plan.seed), "kit": plan.kit}
@@ -159,14 +159,20 @@ def _widths(plan: ExcitationPlan) -> Figure:
     return Figure(title, legend(figure), f"The random signal has the same energy.{none}")
 
 
-def _table(plan: ExcitationPlan) -> Table:
-    header = ["parameter", "before", "after", "dither", "held 40 ms", "100 runs", "after / dither"]
-    return Table(header, [_row(p) for p in plan.predicted], "Half widths of 95 % intervals", 3)
+def _tables(plan: ExcitationPlan) -> list[Item]:
+    """Half widths of the intervals; what only some ask for is pressed for."""
+    rows: list[list[Cell]] = [[_named(p), p.before / 2, p.after / 2, p.dither / 2] for p in plan.predicted]
+    more: list[list[Cell]] = [[_named(p), p.held / 2, p.least / 2, p.after / p.dither] for p in plan.predicted]
+    further = Table(["parameter", "held 40 ms", "100 runs", "after / dither"], more, "Half widths, and their ratio", 3)
+    return [
+        Table(["parameter", "before", "after", "dither"], rows, "Half widths of 95 % intervals", 3),
+        Details("Another dither, and a hundred runs", [further]),
+    ]
 
 
-def _row(p: Predicted) -> list[Cell]:
-    widths = (p.before, p.after, p.dither, p.held, p.least)
-    return [f"{spoken(p.name)} [{p.unit}]", *(width / 2 for width in widths), p.after / p.dither]
+def _named(p: Predicted) -> str:
+    unit = f"[{p.unit}]".replace(" ", "\u00a0")
+    return f"{spoken(p.name)} {unit}"
 
 
 def _checked_words(plan: ExcitationPlan) -> str:

@@ -20,7 +20,7 @@ def page_of(compared: MethodComparison) -> Page:
     """The comparison's page, not yet written."""
     data = compared.samples
     sections = [
-        Section("Regulators in closed loop", [_lead_of_loop(compared), trial_table(compared)]),
+        Section("Regulators in closed loop", [_lead_of_loop(compared), trial_table(compared), methods_table(compared)]),
         Section("The unstable pole", [_POLES, pole_table(compared), _eigenvalues(compared)]),
         Section("Predictions", [_PREDICTIONS, *_predictions(compared)]),
         Section("Model order", _orders(compared), folded=True),
@@ -156,18 +156,22 @@ def trial_table(compared: MethodComparison) -> Table:
     rows: list[list[Cell]] = [
         [
             name,
-            TITLES.get(name, ""),
             Verdict(str(t), "good" if t.holds else "bad"),
             *(None if x is None else math.degrees(x) for x in (t.largest, t.restless)),
         ]
         for name, t in compared.trials.items()
     ]
     return Table(
-        ["method", "description", "in the loop", "peak [°]", "rms at rest [°]"],
+        ["method", "in the loop", "peak [°]", "rms at rest [°]"],
         rows,
         "Largest pitch after the release, and its rms in the last two seconds",
         digits=3,
     )
+
+
+def methods_table(compared: MethodComparison) -> Table:
+    """What each method is."""
+    return Table(["method", "how"], [[name, TITLES.get(name, "")] for name in compared.trials], "The methods")
 
 
 def pole_table(compared: MethodComparison) -> Table:
@@ -178,10 +182,10 @@ def pole_table(compared: MethodComparison) -> Table:
         if m.pole.without_friction:
             value, low, high = m.pole.without_friction
             within = f"{cell_text(low, 3)} to {cell_text(high, 3)}"
-            rows.append([f"{name}, without dry friction", value, within, None, None, None])
+            rows.append([f"{name}, without dry friction", value, within, "", None])
     if not math.isnan(compared.true_pole):
-        rows.append(["the robot itself", compared.true_pole, "", None, None, None])
-    header = ["method", "pole [1/s]", "95 % interval", "bias [1/s]", "± of the bias", "pole − bias"]
+        rows.append(["the robot itself", compared.true_pole, "", "", None])
+    header = ["method", "pole [1/s]", "95 % interval", "bias [1/s]", "pole − bias"]
     how = dict.fromkeys(m.pole.how for m in compared.models.values() if math.isfinite(m.pole.low))
     return Table(header, rows, "Unstable pole; intervals from the " + ", or the ".join(how), digits=3)
 
@@ -189,7 +193,8 @@ def pole_table(compared: MethodComparison) -> Table:
 def _pole_row(name: str, model: Identified) -> list[Cell]:
     p = model.pole
     known = f"{cell_text(p.low, 3)} to {cell_text(p.high, 3)}" if math.isfinite(p.low) else "none"
-    return [name, p.value, known, p.bias, 2 * p.bias_error, p.corrected]
+    bias = f"{cell_text(p.bias, 2)} ± {cell_text(2 * p.bias_error, 2)}" if math.isfinite(p.bias) else "–"
+    return [name, p.value, known, bias, p.corrected]
 
 
 NEAR = 0.3  # from 1: the motions that a regulator has to know; faster ones fade within a few periods
