@@ -143,7 +143,7 @@ class Page {
       button("?", () => this.help(), { "aria-label": t("help"), title: t("help"), "data-key": "help" }));
     header.querySelector("select")?.setAttribute("aria-label", "Language / Idioma");
     const scene = h("section", { className: "scene", "aria-label": t("scene") }, this.room.element, this.force, this.fell, h("p", { className: "hint" }, t("hint")), this.transport(), this.pushes());
-    replace(this.app, header, h("main", {}, scene, this.charts.root, this.panels()), this.toasts, this.spoken);
+    replace(this.app, header, h("main", {}, scene, this.panels(), this.charts.root), this.toasts, this.spoken);
     this.lamp();
     if (store.changed) this.rebuild();
   }

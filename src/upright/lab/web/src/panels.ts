@@ -110,7 +110,8 @@ export class ControllerPanel extends Panel {
 
   private analysis(): Node[] {
     const a = store.analysed;
-    if (!a) return [h("p", { className: "note" }, store.setup.controller === "off" ? t("off") : t("designing"))];
+    if (store.setup.controller === "off") return [h("p", { className: "note" }, t("noLoop"))];
+    if (!a) return [h("p", { className: "note" }, t("designing"))];
     const parts: Node[] = [];
     if (a.gain.length) parts.push(h("h4", {}, t("gain")), table(SYMBOLS, [a.gain[0].map((v) => digits(v, 3))], "gains"));
     const range = (low: number | null, high: number | null) => `${low === null ? "0" : digits(low, 2)} … ${high === null ? "∞" : digits(high, 3)}`;
@@ -141,6 +142,7 @@ export class RobotPanel extends Panel {
   private table = h("div", { className: "parameters" });
   private shown = "";
   private opened = false;
+  private title = h("p", { className: "note" });
 
   build(): void {
     this.shown = "";
@@ -156,7 +158,7 @@ export class RobotPanel extends Panel {
     const details = h("details", { open: this.opened, ontoggle: () => (this.opened = details.open) }, h("summary", {}, t("numbers")), h("p", { className: "note" }, t("numbersNote")), this.table);
     replace(
       this.root,
-      h("div", { className: "column" }, preset, h("p", { className: "note" }, translate(this.title())), upload(t("openRobot"), ".toml", "robot")),
+      h("div", { className: "column" }, preset, this.title, upload(t("openRobot"), ".toml", "robot")),
       h("div", { className: "column" }, h("div", { className: "sliders" }, ...this.sliders.map(([, s]) => s.root))),
       h("div", { className: "column" }, this.bodies()),
       h("div", { className: "column full" }, details),
@@ -166,10 +168,6 @@ export class RobotPanel extends Panel {
 
   private weight(): number {
     return Math.max(0.3, ((store.changed?.look.weight ?? 6) / 9.81) * 0.6);
-  }
-
-  private title(): string {
-    return store.catalogue?.robots.find((r) => r.name === store.setup.robot)?.title ?? "";
   }
 
   private choose(name: string): void {
@@ -193,6 +191,7 @@ export class RobotPanel extends Panel {
 
   override update(): void {
     for (const [name, s] of this.sliders) s.set(store.setup[name] as number);
+    this.title.textContent = translate(store.catalogue?.robots.find((r) => r.name === store.setup.robot)?.title ?? "");
     const shown = JSON.stringify([store.setup.robot, store.setup.numbers, store.changed?.bodies]);
     if (shown === this.shown) return;
     const again = this.shown !== "";

@@ -103,6 +103,7 @@ export class See {
 
   private loop(): Node[] {
     const found = store.analysed;
+    if (store.setup.controller === "off") return [h("p", { className: "note" }, t("noLoop"))];
     if (!found) return [h("p", { className: "note" }, t("designing"))];
     const words = h("p", { className: "note" }, sentence(translate(found.words)));
     const colour = laneColour("twin");
