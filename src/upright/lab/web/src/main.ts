@@ -79,7 +79,7 @@ class Page {
     const asked = (exported && new URLSearchParams(location.hash.slice(1)).get("lang")) ?? "";
     choose(Object.hasOwn(LANGUAGES, asked) ? asked : remembered.getItem("language") ?? (navigator.language.startsWith("es") ? "es" : "en"));
     store.listen((message) => this.hear(message));
-    this.scrub.addEventListener("input", () => store.send({ kind: "Scrub", back: -Number(this.scrub.value) }));
+    this.scrub.addEventListener("input", () => store.send({ kind: "Scrub", back: Number(this.scrub.max) - Number(this.scrub.value) }));
     this.equip();
     window.addEventListener("keydown", (event) => this.key(event));
     window.addEventListener("hashchange", () => {
@@ -131,7 +131,6 @@ class Page {
   }
 
   private build(): void {
-    this.scrub.setAttribute("aria-label", t("back"));
     const languages = Object.entries(LANGUAGES).map(([key, text]): [string, string] => [key, text.language]);
     const header = h("header", {},
       h("a", { className: "skip", href: "#panel", onclick: () => this.panel.focus() }, t("skip")),
@@ -151,7 +150,7 @@ class Page {
   /** The room, or its side view in a browser without WebGL; where a page without Python would have to draw the room
    * without a GPU, which takes seconds to begin, the side view comes first. */
   private furnish(): Stage {
-    const push = throttled(33, (hand: Hand) => store.send({ kind: "Drag", force: hand.force, height: hand.height }));
+    const push = throttled(33, (hand: Hand) => store.push({ kind: "Drag", force: hand.force, height: hand.height }));
     const room = () => new Room(h("canvas", { className: "room", tabIndex: 0, role: "img" }), push);
     const { able, quick } = drawing();
     if (able && (quick || !exported)) return room();
@@ -185,11 +184,14 @@ class Page {
       store.send({ kind: "Play", paused: store.snapshot?.paused ?? false, speed: this.speed });
     }, "speed");
     const step = button(t("step"), () => store.send({ kind: "Step", periods: 1 }), { "data-key": "step" });
-    return h("div", { className: "transport" }, this.pauseButton, step, speed, h("label", { className: "scrubbing" }, h("span", {}, t("back")), this.scrub));
+    const line = t(store.recorded ? "timeLine" : "back");
+    this.scrub.setAttribute("aria-label", line);
+    if (store.recorded) [this.scrub.min, this.scrub.max] = ["0", String(store.recorded)];
+    return h("div", { className: "transport" }, this.pauseButton, step, speed, h("label", { className: "scrubbing" }, h("span", {}, line), this.scrub));
   }
 
   private pushes(): HTMLElement {
-    const strike = (what: "front" | "back" | "impulse" | "pull_left" | "pull_right", size: number) => () => store.send({ kind: "Strike", what, size });
+    const strike = (what: "front" | "back" | "impulse" | "pull_left" | "pull_right", size: number) => () => store.push({ kind: "Strike", what, size });
     const weight = () => store.changed?.look.weight ?? 6;
     const size = slider(t("size"), { low: 0.01, high: 0.5, log: true, show: (v) => t("newtons", { force: fixed(v, 2) }) + " s", key: "knock" }, (v) => (this.knock = v));
     size.set(this.knock);
@@ -296,6 +298,7 @@ class Page {
 
   private lamp(): void {
     const light = store.lit?.light ?? "none";
+    if (store.recorded && light === "none") return replace(this.light);
     replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, certificate()[1].textContent ?? ""));
   }
 
@@ -313,14 +316,28 @@ class Page {
     if (!s) return;
     const text = s.paused ? t("play") : t("pause");
     if (this.pauseButton.textContent !== text) this.pauseButton.textContent = text;
-    if (document.activeElement !== this.scrub) this.scrub.value = String(-s.back);
-    this.clock.textContent = `${fixed(s.t, 1)} s`;
+    if (store.recorded) this.timed(s.t);
+    else if (document.activeElement !== this.scrub) this.scrub.value = String(-s.back);
+    this.clock.textContent = `${fixed(s.t, 1)} ${store.recorded ? `/ ${fixed(store.recorded, 1)} ` : ""}s`;
     const fell = Boolean(s.x[0][8]);
     if (fell !== Boolean(this.fell.textContent)) {
-      replace(this.fell, ...(fell ? [h("span", {}, t("fallen") + " "), button(t("standUp"), () => this.stand(), { className: "main" })] : []));
+      replace(this.fell, ...(fell ? [h("span", {}, t("fallen") + " "), store.recorded ? null : button(t("standUp"), () => this.stand(), { className: "main" })] : []));
     }
     const force = s.f[0];
     this.force.textContent = Math.abs(force) > 0.005 ? t("newtons", { force: fixed(force, 2) }) : "";
+  }
+
+  /** A recording has come so far, which its time line shows unless it is held. */
+  private timed(t: number): void {
+    if (!this.scrub.matches(":active")) this.scrub.value = String(t);
+    this.scrub.setAttribute("aria-valuetext", `${fixed(t, 1)} s`);
+  }
+
+  /** Go so far in time [s]: back from now, or along a recording. */
+  private seek(by: number): void {
+    const [s, whole] = [store.snapshot, store.recorded || 60];
+    const back = (store.recorded ? store.recorded - (s?.t ?? 0) : (s?.back ?? 0)) - by;
+    store.send({ kind: "Scrub", back: Math.max(0, Math.min(whole, back)) });
   }
 
   private stand(): void {
@@ -343,6 +360,7 @@ class Page {
   }
 
   private toast(text: string, level: "info" | "warn" | "error"): void {
+    if (this.toasts.lastElementChild?.firstElementChild?.textContent === text) return;
     const toast = h("div", { className: `toast ${level}` }, h("span", {}, text), button("×", () => toast.remove(), { "aria-label": t("close") }));
     this.toasts.append(toast);
     while (this.toasts.children.length > 3) this.toasts.firstElementChild?.remove();
@@ -383,10 +401,10 @@ class Page {
     if (event.key === "?") this.help();
     else if (event.key === " ") this.pause();
     else if (event.key === ".") store.send({ kind: "Step", periods: 1 });
-    else if (event.key === "," || event.key === "/") store.send({ kind: "Scrub", back: Math.max(0, Math.min(60, (store.snapshot?.back ?? 0) + (event.key === "," ? 0.25 : -0.25))) });
+    else if (event.key === "," || event.key === "/") this.seek(event.key === "," ? -0.25 : 0.25);
     else if (event.key === "s") this.stand();
     else if (!exported && (event.key === "n" || event.key === "p")) this.toured(event.key === "n" ? 1 : -1);
-    else if (event.key === "k") store.send({ kind: "Strike", what: "impulse", size: this.knock });
+    else if (event.key === "k") store.push({ kind: "Strike", what: "impulse", size: this.knock });
     else if (/^[1-8]$/.test(event.key) && document.getElementById(`tab-${this.tabAt(event.key)}`)) this.open(this.tabAt(event.key));
     else return;
     event.preventDefault();

@@ -10,8 +10,9 @@ export class Replay {
   private clock = performance.now();
 
   constructor(messages: ServerMessage[]) {
-    this.moments = messages.filter((m): m is Snapshot => m.kind === "Snapshot");
-    store.replaying = true;
+    const moments = messages.filter((m): m is Snapshot => m.kind === "Snapshot");
+    this.moments = moments.map((m) => ({ ...m, t: m.t - moments[0].t }));
+    store.recorded = Math.max(this.length(), 0.02);
     store.send = (message) => this.act(message);
     for (const message of messages) if (message.kind !== "Snapshot") store.hear(message);
     window.setInterval(() => this.tick(), 20);
@@ -33,7 +34,7 @@ export class Replay {
   }
 
   private length(): number {
-    return (this.moments.at(-1)?.t ?? 0) - (this.moments[0]?.t ?? 0);
+    return this.moments.at(-1)?.t ?? 0;
   }
 
   private rewind(): void {
@@ -42,7 +43,7 @@ export class Replay {
   }
 
   private show(): void {
-    const t = this.moments[0].t + this.at;
+    const t = this.at;
     const last = store.traces.t.at(-1) ?? -Infinity;
     if (t < last) store.traces.until(t);
     const due = this.moments.filter((m) => m.t > last && m.t <= t);
@@ -56,11 +57,10 @@ export class Replay {
       this.paused = message.paused;
       this.speed = message.speed;
     } else if (message.kind === "Scrub") {
-      this.paused = true;
       this.at = Math.max(0, this.length() - message.back);
     } else if (message.kind === "Step") {
       this.paused = true;
-      this.at += 0.02 * message.periods;
+      this.at = Math.min(this.at + 0.02 * message.periods, this.length());
     } else if (message.kind === "StandUp") {
       this.rewind();
     } else {

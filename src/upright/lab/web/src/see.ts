@@ -172,7 +172,7 @@ function equations(): Node[] {
   const matrix = (name: string, M: number[][]) => table([name, ...M[0].map((_, i) => (name === "A" ? SYMBOLS[i] : ["v_l", "v_r"][i]))], M.map((row, i) => [RATES[i], ...row.map((v) => digits(v, 4))]), "matrix");
   const open = e.poles.map(([re, im]) => digits(re, 4) + (im ? ` ± ${digits(Math.abs(im), 3)}j` : "")).join(";  ");
   return [
-    h("pre", { className: "equations", tabIndex: 0 }, lines.join("\n")),
+    h("div", { className: "equations" }, ...lines.map((line) => h("div", {}, line))),
     h("p", { className: "note" }, t("equationsNote")),
     h("p", {}, `${t("openPoles")}: ${open} 1/s`),
     h("h4", {}, t("linearised")), matrix("A", e.A), matrix("B", e.B),

@@ -54,7 +54,7 @@ export class Steering {
     if (!way && !this.pushing) return;
     this.pushing = way !== 0;
     const look = store.changed?.look;
-    store.send({ kind: "Drag", force: way * PUSH * (look?.weight ?? 6), height: look?.com_height ?? 0.07 });
+    store.push({ kind: "Drag", force: way * PUSH * (look?.weight ?? 6), height: look?.com_height ?? 0.07 });
   }
 
   private steer(speed: number, rate: number): void {

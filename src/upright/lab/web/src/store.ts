@@ -1,6 +1,6 @@
 // What the page knows: the latest snapshot, the traces of the last seconds, the set-up, and who wants to hear of it.
 import { DEFAULT_SETUP } from "./messages";
-import type { Analysed, Board, Catalogue, Changed, ClientMessage, Equations, JobResult, Light, ServerMessage, Setup, Snapshot } from "./messages";
+import type { Analysed, Board, Catalogue, Changed, ClientMessage, Drag, Equations, JobResult, Light, ServerMessage, Setup, Snapshot, Strike } from "./messages";
 
 export const STATES = ["pitch", "pitch_rate", "wheel", "wheel_rate", "yaw", "yaw_rate"] as const;
 export const UNITS = ["rad", "rad/s", "rad", "rad/s", "rad", "rad/s"];
@@ -106,7 +106,7 @@ export class Store {
   files = "";
   invite = "";
   setup: Setup = DEFAULT_SETUP;
-  replaying = false;
+  recorded = 0; // [s] that a recording lasts; 0 in a session that lives
   send: (message: ClientMessage) => void = () => undefined;
   private listeners: Listener[] = [];
   private waiting = false; // for the session to have the set-up that was chosen here
@@ -120,6 +120,13 @@ export class Store {
   change(part: Partial<Setup>): void {
     this.expect(part);
     this.send({ kind: "Change", setup: this.setup });
+  }
+
+  /** Push the robot, unless it lies: then say what helps. */
+  push(message: Drag | Strike): void {
+    const begins = message.kind === "Strike" || message.force !== 0;
+    if (begins && this.snapshot?.x[0][8]) this.hear({ kind: "Notice", level: "info", text: "", key: "lies" });
+    else this.send(message);
   }
 
   /** Change the set-up here; what is known of another controller goes at once. */
