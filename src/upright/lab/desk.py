@@ -226,8 +226,13 @@ class _Clerk:
 def _work(pipe: Connection) -> None:
     """The clerk's own loop: it ends when the pipe does."""
 
+    shown = [-1.0]
+
     def report(fraction: float) -> None:
-        pipe.send(("progress", round(fraction, 3)))
+        share = round(fraction, 2)
+        if share != shown[0]:
+            shown[0] = share
+            pipe.send(("progress", share))
 
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     warnings.simplefilter("ignore")  # of a student's numbers: the result says what is wrong
@@ -235,6 +240,7 @@ def _work(pipe: Connection) -> None:
     while True:
         try:
             task, args = pipe.recv()
+            shown[0] = -1.0
             status, result = _done(task, args, report)
             pipe.send((status, result))
         except (EOFError, OSError, KeyboardInterrupt):

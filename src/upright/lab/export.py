@@ -164,7 +164,7 @@ def exported_script(robots: Sequence[PrintedRobot]) -> str:
     known = [f for f in families() if f.name == OFF or any(f.name in p.laws for p in robots)]
     choice = replace(
         catalogue(), robots=tuple(robot_info(p.robot) for p in robots), kits=(),
-        families=tuple(replace(f, weights=False) for f in known),
+        families=tuple(known),
     )  # fmt: skip
     facts = {
         "version": version("upright"), "catalogue": choice, "welcome": Welcome(VERSION, "", "alone", ""),

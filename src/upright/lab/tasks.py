@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -65,10 +66,10 @@ def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
         words = f"The loop is unstable: its largest pole is at |z| = {abs(loop.closed.poles()[0]):.4f}."
         return Analysed(stable=False, words=words, gain=gain, poles=poles, L=curve)
     m = margins(loop.at_input, INPUTS["both motors"], "both motors")
-    delay = min(m.delay, delay_margin(robot, controller, kit))
+    m = replace(m, delay=min(m.delay, delay_margin(robot, controller, kit)))  # one number in table and sentence
     return Analysed(
         stable=True, words=m.words(), gain=gain, gain_low=m.gain_low, gain_high=finite(m.gain_high),
-        phase=finite(m.phase), delay=finite(delay), poles=poles, L=curve,
+        phase=finite(m.phase), delay=finite(m.delay), poles=poles, L=curve,
     )  # fmt: skip
 
 
@@ -95,9 +96,9 @@ def certify(report: Report, setup: Setup) -> tuple[Light, JobResult]:
     from upright.certify import certify as certified
 
     plant = plant_of(setup)
-    report(0.1)
+    report(0.02)
     controller = design_of(setup, plant.nominal, plant.kit)
-    certificate = certified(controller, plant.nominal, plant.kit, threads=1)
+    certificate = certified(controller, plant.nominal, plant.kit, threads=1, progress=report)
     rows = tuple(
         (t.push, t.battery, f"{t.fell}/{t.runs}", f"{t.saturated:.0%}", f"{t.travel:.2f}", f"{t.peak:.3f}")
         for t in certificate.trials

@@ -94,6 +94,7 @@ export function legendEntry(name: string): HTMLElement {
   const set = { x1: "0", x2: "28", y1: "5", y2: "5", stroke: laneColour(name), "stroke-width": "2.5", "stroke-dasharray": laneDash(name).join(" ") };
   for (const [key, value] of Object.entries(set)) line.setAttribute(key, value);
   svg.append(line);
-  const title = name === "twin" ? t("twinNote") : "";
+  const notes: Record<string, string> = { twin: t("twinNote"), nonlinear: t("nonlinearNote"), linear: t("linearNote"), published: t("publishedNote"), calibrated: t("calibratedNote") };
+  const title = notes[name] ?? "";
   return h("span", { className: "key", title }, svg, named(name));
 }

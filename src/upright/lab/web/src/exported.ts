@@ -4,7 +4,8 @@ import { Recorder, micro } from "./handin";
 import type { RunResult } from "./handin";
 import type { Analysed, Catalogue, Changed, ClientMessage, Equations, Look, Setup, Snapshot, Welcome } from "./messages";
 import { DEFAULT_SETUP } from "./messages";
-import { fromLink } from "./link";
+import { fromLink, pushIn, pushing } from "./link";
+import type { Push as LinkedPush } from "./link";
 import { Loop, combined, linearMotion } from "./simulator";
 import type { Kit, Law, Motion, Push } from "./simulator";
 import { store } from "./store";
@@ -64,7 +65,7 @@ const BEHIND = 2; // [s] of wall time made up in one go: a frame may take long, 
 /** What a link says: robot, controller and numbers that differ from the usual ones, and the last push. */
 export interface Link {
   setup: Partial<Setup>;
-  push: [string, number] | null;
+  push: LinkedPush | null;
 }
 
 const NUMBERS = ["slope", "noise", "delay", "seed", "payload", "payload_height"] as const;
@@ -77,8 +78,6 @@ export function toHash(setup: Setup, push: Link["push"]): string {
   if (push) parts.set("push", `${push[0]}:${Number(push[1].toPrecision(4))}`);
   return "#" + parts.toString().replaceAll("%2C", ",").replaceAll("%3A", ":");
 }
-
-const PUSHES: Record<string, [number, number]> = { front: [0, 0.5], back: [-0.5, 0], impulse: [-20, 20], pull_left: [-100, 100], pull_right: [-100, 100], tilt: [-1.2, 1.2] };
 
 /** The parts of the address; a link of the worksheet, which is the live lab's, gives those that this page has too. */
 function plainParts(hash: string): URLSearchParams {
@@ -107,10 +106,7 @@ export function fromHash(hash: string, data: Exported): Link {
   const load = facts.laden?.look;
   if (setup.payload !== load?.payload || setup.payload_height !== load?.payload_height) [setup.payload, setup.payload_height] = [0, DEFAULT_SETUP.payload_height];
   setup.bodies = parts.get("ghost") === "0" ? [BODIES[0]] : [...BODIES];
-  const [what, size] = (parts.get("push") ?? "").split(":");
-  const range = Object.hasOwn(PUSHES, what) ? PUSHES[what] : [0, -1];
-  const push: Link["push"] = Number(size) >= range[0] && Number(size) <= range[1] ? [what, Number(size)] : null;
-  return { setup, push };
+  return { setup, push: pushIn(hash) };
 }
 
 function first(data: Exported): string {
@@ -153,7 +149,6 @@ class Lane {
 
 export class LocalSession {
   setup: Setup;
-  push: Link["push"] = null;
   private lanes: Lane[] = [];
   private periods = 0;
   private owed = 0;
@@ -206,20 +201,16 @@ export class LocalSession {
     const { slope, noise, delay, seed } = DEFAULT_SETUP; // which a link leaves out
     this.changeTo({ ...this.setup, slope, noise, delay, seed, gains: [], ...setup });
     window.clearTimeout(this.timer);
-    this.push = push;
-    if (push) this.timer = window.setTimeout(() => this.pushed(...push), 1000);
+    store.last.name(push);
+    if (push) this.timer = window.setTimeout(() => this.take(pushing(push)), 1000);
   }
 
   link(): string {
-    return location.href.split("#")[0] + toHash(this.setup, this.push);
-  }
-
-  private pushed(what: string, size: number): void {
-    if (what === "tilt") this.take({ kind: "StandUp", pitch: size });
-    else this.take({ kind: "Strike", what: what as "impulse", size });
+    return location.href.split("#")[0] + toHash(this.setup, store.last.push);
   }
 
   take(message: ClientMessage): void {
+    store.last.note(message, this.t);
     switch (message.kind) {
       case "Change": this.changeTo(message.setup); break;
       case "Drag": this.hand = { ...this.hand, force: message.force, height: message.height }; break;
@@ -311,7 +302,6 @@ export class LocalSession {
   private stand(pitch: number): void {
     [this.active, this.pulled] = [[], { until: -1, force: 0 }];
     this.hand = { ...this.hand, force: 0 };
-    if (pitch) this.push = ["tilt", pitch];
     this.score = { ...this.score, run: 0 };
     this.waiting = false;
     this.build(this.lanes.map(() => [pitch, 0, 0, 0, 0, 0]));
@@ -338,7 +328,6 @@ export class LocalSession {
   private strike(what: string, size: number): void {
     const { look, equations } = this.facts;
     const start = this.t;
-    this.push = [what, size];
     if (what === "pull_left" || what === "pull_right") {
       this.pulled = { until: start + PULL, force: what === "pull_left" ? size : -size };
       this.active.push({ force: size, start, duration: PULL, height: 0 });

@@ -65,8 +65,10 @@ export class PythonPanel {
 
   build(): void {
     const { robot, controller } = store.setup;
-    const values: Record<string, string> = { robot, controller: ["off", "gains"].includes(controller) ? "lqg" : controller };
-    const rows = texts().python.flatMap(([what, command]) => [
+    const values: Record<string, string> = { robot, controller };
+    const bare = ["off", "gains"].includes(controller); // which no command knows by name
+    const own = texts().python.map(([what, command]) => [what, bare ? command.replace(" -c {controller}", "") : command]);
+    const rows = own.filter(([, command]) => !(bare && command.includes("{controller}"))).flatMap(([what, command]) => [
       h("dt", {}, what),
       h("dd", {}, h("code", { tabIndex: 0 }, command.replace(/\{(\w+)\}/g, (_, name: string) => values[name] ?? ""))),
     ]);
@@ -83,7 +85,7 @@ export function linkButton(session: () => LocalSession | null, say: (text: strin
   return button(t("lookAtThis"), () => {
     const link = session()?.link() ?? location.href;
     const shown = () => window.prompt(t("lookAtThis"), link);
-    if (navigator.clipboard) navigator.clipboard.writeText(link).then(() => say(t("lookCopied")), shown);
+    if (navigator.clipboard) navigator.clipboard.writeText(link).then(() => say(`${t("lookCopied")} ${t(store.last.kept)}`), shown);
     else shown();
   }, { "data-key": "look", title: t("lookTip") });
 }

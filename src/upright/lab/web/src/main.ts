@@ -3,7 +3,7 @@ import { Charts } from "./charts";
 import { LocalSession, exported } from "./exported";
 import { ExportedRobotPanel, PythonPanel, linkButton } from "./exported_panels";
 import { button, h, replace, select, slider, throttled } from "./dom";
-import { fromLink, tokenIn } from "./link";
+import { fromLink, pushIn, pushing, tokenIn } from "./link";
 import type { ServerMessage } from "./messages";
 import { Line } from "./net";
 import type { State } from "./net";
@@ -15,7 +15,7 @@ import type { Hand, Stage } from "./stage";
 import { remembered, session } from "./remember";
 import { See } from "./see";
 import { Steering } from "./steering";
-import { store } from "./store";
+import { LEAN, store } from "./store";
 import { ClassPanel } from "./board";
 import "./style.css";
 import { LANGUAGES, choose, fixed, language, named, t, texts, translate, translated } from "./texts";
@@ -79,12 +79,15 @@ class Page {
     const asked = (exported && new URLSearchParams(location.hash.slice(1)).get("lang")) ?? "";
     choose(Object.hasOwn(LANGUAGES, asked) ? asked : remembered.getItem("language") ?? (navigator.language.startsWith("es") ? "es" : "en"));
     store.listen((message) => this.hear(message));
+    store.corrected = () => this.toasts.querySelectorAll(".toast.error").forEach((toast) => toast.remove());
     this.scrub.addEventListener("input", () => store.send({ kind: "Scrub", back: Number(this.scrub.max) - Number(this.scrub.value) }));
     this.equip();
     window.addEventListener("keydown", (event) => this.key(event));
     window.addEventListener("hashchange", () => {
       const linked = fromLink(location.hash); // pasted behind the address of a page that is open
-      if (linked && !exported) store.change(linked);
+      if (!linked || exported) return;
+      store.change(linked);
+      this.linked();
     });
     this.begin();
   }
@@ -113,6 +116,15 @@ class Page {
 
   private connect(token: string, name: string): void {
     new Line({ token, name }, (state, reason) => this.says(state, reason));
+    this.linked();
+  }
+
+  /** Do the push of the address, a second after the robot is seen. */
+  private linked(): void {
+    const push = pushIn(location.hash);
+    if (!push) return;
+    const wait = () => (store.snapshot ? window.setTimeout(() => store.send(pushing(push)), 1000) : window.setTimeout(wait, 100));
+    wait();
   }
 
   /** In a class everybody has a name. */
@@ -281,7 +293,7 @@ class Page {
       case "Analysed": case "Light": this.lamp(); this.update(); break;
       case "Equations": if (this.tab === "See") this.see.show(); break;
       case "Snapshot": this.transported(); break;
-      case "Progress": this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.busy(message.fraction < 1); break;
+      case "Progress": this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.controller.certifying(message.fraction); break;
       case "JobResult": this.identify.found(); this.toast(translate(message.title), message.ok ? "info" : message.job === "certify" ? "error" : "warn"); if (latestLog && this.tab === "Identify") this.identify.build(); break;
       case "Made": this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(t("made", { name: message.name }), "info"); break;
       case "Notice": this.toast(message.key ? named(message.key) : noticed(message.text), message.level); break;
@@ -300,10 +312,6 @@ class Page {
     const light = store.lit?.light ?? "none";
     if (store.recorded && light === "none") return replace(this.light);
     replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, certificate()[1].textContent ?? ""));
-  }
-
-  private busy(on: boolean): void {
-    this.panel.querySelector("[data-key=certify]")?.toggleAttribute("aria-busy", on);
   }
 
   private recovered(impulse: number, best: number, fell: boolean): void {
@@ -341,7 +349,7 @@ class Page {
   }
 
   private stand(): void {
-    store.send({ kind: "StandUp", pitch: 0 });
+    store.send({ kind: "StandUp", pitch: store.setup.controller === "off" ? LEAN : 0 });
     store.send({ kind: "Play", paused: false, speed: this.speed });
   }
 

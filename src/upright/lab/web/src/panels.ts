@@ -5,7 +5,7 @@ import { toLink } from "./link";
 import type { BodyName, Job, Keep, Setup } from "./messages";
 import { exported } from "./exported";
 import { session } from "./remember";
-import { STATES, SYMBOLS, UNITS, store } from "./store";
+import { LEAN, STATES, SYMBOLS, UNITS, store } from "./store";
 import { named, t, translate, translated } from "./texts";
 import { legendEntry } from "./charts";
 import { sentence } from "./see";
@@ -32,21 +32,31 @@ export class ControllerPanel extends Panel {
   private light = h("div", { className: "light", role: "status" });
   private sliders: Slider[] = [];
   private shape = "";
+  private share = h("progress", { max: 1, hidden: true });
 
   build(): void {
     this.shape = "";
+    this.share.ariaLabel = t("fullCertificate");
     const families = (store.catalogue?.families ?? []).map((f): [string, string] => [f.name, named(f.name)]);
     const choice = select(t("family"), families, store.setup.controller, (v) => {
       store.change({ controller: v, gains: v === "gains" ? this.present() : store.setup.gains });
+      if (v === "off") store.send({ kind: "StandUp", pitch: LEAN }); // or it would stand still for seconds
     }, "controller");
     const certify = button(t("fullCertificate"), () => store.send({ kind: "Start", job: "certify", file: "" }), { "data-key": "certify" });
     replace(
       this.root,
       h("div", { className: "column" }, choice, this.weights),
       h("div", { className: exported ? "column full" : "column" }, this.numbers),
-      exported ? null : h("div", { className: "column" }, this.light, certify),
+      exported ? null : h("div", { className: "column" }, this.light, certify, this.share),
     );
     this.update();
+  }
+
+  /** How far the full certificate is. */
+  certifying(share: number): void {
+    this.root.querySelector("[data-key=certify]")?.toggleAttribute("aria-busy", share < 1);
+    this.share.value = share;
+    this.share.hidden = share >= 1;
   }
 
   /** The gains of the present controller; none where it has none, and the session begins with the regulator's. */
@@ -88,13 +98,13 @@ export class ControllerPanel extends Panel {
         later({ gains });
       }));
       replace(this.weights, ...this.sliders.map((s) => s.root));
-    } else if (info?.weights) {
+    } else if (info?.weights && !exported) {
       const usual = [...(store.catalogue?.largest ?? []), store.catalogue?.command[store.changed?.look.command_unit ?? "V"] ?? 1];
       this.sliders = usual.map((size, i) => this.weight(size, i));
       const reset = button(t("ownWeights"), () => store.change({ largest: [] }), { className: "quiet", "data-key": "own-weights" });
       replace(this.weights, h("p", { className: "note" }, t("weights")), ...this.sliders.map((s) => s.root), reset);
     } else {
-      replace(this.weights, h("p", { className: "note" }, t("noWeights")));
+      replace(this.weights, store.setup.controller === "off" ? null : h("p", { className: "note" }, t(info?.weights ? "fixedWeights" : "noWeights")));
     }
   }
 
@@ -283,7 +293,7 @@ export class IdentifyPanel extends Panel {
       "div", { className: "row" },
       button(t("doctor"), () => start("doctor"), { title: t("doctorTip"), "data-key": "doctor" }),
       button(t("calibrate"), () => start("calibrate"), { title: t("calibrateTip"), "data-key": "calibrate" }),
-      button(t("compare"), () => store.send({ kind: "Save", what: "report", name: this.source }), { title: t("compareTip"), "data-key": "compare" }),
+      button(t("compare"), () => this.compare(), { title: t("compareTip"), "data-key": "compare" }),
     );
     const logs = ".csv,.txt,.log,.tsv,.dat,.json,.mat,.parquet,.mcap";
     replace(
@@ -292,6 +302,12 @@ export class IdentifyPanel extends Panel {
       h("div", { className: "column wide" }, this.result),
     );
     this.found();
+  }
+
+  private compare(): void {
+    store.send({ kind: "Save", what: "report", name: this.source });
+    const text = t([...this.shares.keys()].some((job) => job !== "design") ? "compareWaits" : "comparing");
+    store.hear({ kind: "Notice", level: "info", text, key: "" });
   }
 
   progress(job: Job, share: number): void {
@@ -355,11 +371,11 @@ export class KeepPanel extends Panel {
   }
 
   private async copy(): Promise<void> {
-    const address = location.href.split("#")[0] + toLink(store.setup);
+    const address = location.href.split("#")[0] + toLink(store.setup, store.last.push);
     history.replaceState(null, "", address);
     await navigator.clipboard?.writeText(address).catch(() => undefined);
     const field = h("input", { readOnly: true, value: address, "aria-label": t("link"), className: "address" });
-    this.links.prepend(h("p", { className: "note" }, t("linkCopied"), field));
+    this.links.prepend(h("p", { className: "note" }, `${t("linkCopied")} ${t(store.last.kept)}`, field));
     field.select();
   }
 

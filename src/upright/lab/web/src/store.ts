@@ -1,10 +1,13 @@
 // What the page knows: the latest snapshot, the traces of the last seconds, the set-up, and who wants to hear of it.
+import { LastPush } from "./link";
 import { DEFAULT_SETUP } from "./messages";
 import type { Analysed, Board, Catalogue, Changed, ClientMessage, Drag, Equations, JobResult, Light, ServerMessage, Setup, Snapshot, Strike } from "./messages";
 
 export const STATES = ["pitch", "pitch_rate", "wheel", "wheel_rate", "yaw", "yaw_rate"] as const;
 export const UNITS = ["rad", "rad/s", "rad", "rad/s", "rad", "rad/s"];
 export const SYMBOLS = ["ψ", "ψ̇", "θ", "θ̇", "φ", "φ̇"];
+
+export const LEAN = 0.02; // [rad] from which a robot without a controller starts: upright it would stand for seconds
 
 const LONGEST = 3200; // a minute at 50 Hz and some
 const GAP = 0.15; // [s] without a sample: this page, or the way to it, is too slow for every one
@@ -106,6 +109,8 @@ export class Store {
   files = "";
   invite = "";
   setup: Setup = DEFAULT_SETUP;
+  last = new LastPush(); // for a link
+  corrected: () => void = () => undefined; // called where the set-up is changed here
   recorded = 0; // [s] that a recording lasts; 0 in a session that lives
   send: (message: ClientMessage) => void = () => undefined;
   private listeners: Listener[] = [];
@@ -119,6 +124,7 @@ export class Store {
   /** Change the set-up and tell the session. */
   change(part: Partial<Setup>): void {
     this.expect(part);
+    this.corrected();
     this.send({ kind: "Change", setup: this.setup });
   }
 

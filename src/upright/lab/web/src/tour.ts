@@ -2,7 +2,7 @@
 import { button, h, replace } from "./dom";
 import { DEFAULT_SETUP } from "./messages";
 import type { Setup } from "./messages";
-import { store } from "./store";
+import { LEAN, store } from "./store";
 import { t, texts } from "./texts";
 
 interface Scene {
@@ -13,7 +13,7 @@ interface Scene {
 
 const THREE: Setup["bodies"] = ["twin", "nonlinear", "linear"];
 const SCENES: Scene[] = [
-  { setup: { controller: "off", bodies: THREE }, lean: 0.02 },
+  { setup: { controller: "off", bodies: THREE }, lean: LEAN },
   { setup: { controller: "off", kit: "ideal", bodies: ["nonlinear", "linear"] }, lean: 0.03 },
   { setup: { controller: "lqr", bodies: THREE }, lean: 0.1 },
   { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "front" },
