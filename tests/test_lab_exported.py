@@ -400,6 +400,9 @@ def test_it_is_pushed_by_mouse_key_and_button(page):
     page.wait_for_function("upright.store.snapshot.f[0] > 0.05")
     page.mouse.up()
     page.wait_for_function("upright.store.snapshot.f[0] === 0")
+    said, link = page.evaluate("[upright.store.last.kept, upright.page.local.link()]")
+    assert ("push=impulse:" in link) == (said == "knockPush")  # a short push goes as a knock, a long one not at all
+    assert said in ("knockPush", "heldPush")
     page.keyboard.down("b")
     page.wait_for_function("upright.store.snapshot.f[0] > 0.05")
     page.keyboard.up("b")

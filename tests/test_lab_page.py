@@ -374,6 +374,11 @@ def test_a_recording_replays_without_a_server(page, chromium, tmp_path):
     until(alone, "upright.store.snapshot?.t > 0.3")
     assert alone.inner_text(".status") == "Recording"
     assert max(map(abs, alone.evaluate("upright.store.traces.x[0][0]"))) < 0.5
+    whole = float(alone.get_attribute(".scrub", "max"))
+    assert whole == pytest.approx(alone.evaluate("upright.store.recorded"), abs=0.02)  # a step of the line
+    assert not alone.is_visible(".hint")  # a recording cannot be pushed
+    alone.locator(".scrub").fill(str(round(whole / 2, 2)))
+    until(alone, "upright.store.snapshot", lambda s: s["t"] >= whole / 2 - 0.05 and not s["paused"])
     alone.click("[data-key=pause]")
     until(alone, "upright.store.snapshot.paused")
     assert wrong == []
@@ -401,12 +406,14 @@ def test_a_link_restores_the_whole_setup(page, chromium, lab):
     page.evaluate("upright.store.change({controller: 'lqi', payload: 0.05, slope: 0.05, numbers: {body_mass: 0.65}})")
     until(page, "upright.store.changed.setup.controller === 'lqi'")
     tab(page, "Keep")
+    page.click("[data-key=impulse]")
     page.click("[data-key=link]")
     address = page.input_value(".address")
     other = chromium.new_context().new_page()
     other.goto(address)
     ready(other)
     until(other, "upright.store.setup", lambda restored: restored == setup(page))
+    until(other, "upright.store.last.push?.join()", lambda push: push == "impulse,0.05")  # the knock is repeated
     other.context.close()
 
 
@@ -768,6 +775,19 @@ def test_nothing_of_the_controller_before_stays_under_the_new_name(page):
     assert "computing" in at_once[2]
     until(page, "upright.store.analysed && upright.store.lit?.light !== 'none'")
     assert page.evaluate("shown.some(([words]) => words === before)") is False
+
+
+def test_what_is_said_follows_what_was_chosen(page):
+    tab(page, "Robot")
+    page.click("summary")
+    page.select_option("[data-key=robot]", "twipr")
+    until(page, "document.querySelector('#panel .note').textContent.startsWith('TWIPR')")
+    tab(page, "Controller")
+    page.select_option("[data-key=controller]", "off")
+    assert page.inner_text(".numbers") == "There is no controller, so there is no loop."
+    until(page, "upright.store.snapshot.x[0][8]")  # it starts with a lean, and falls
+    page.click("[data-key=impulse]")
+    until(page, "[...document.querySelectorAll('.toast')].some(e => e.textContent.startsWith('It lies'))")
 
 
 def test_a_slow_page_fills_its_traces_from_the_history(page):

@@ -196,7 +196,9 @@ def test_weights_and_gains_reach_the_controller(tmp_path):
     assert strict < usual < 0  # less lean is accepted, so more voltage answers it
     by_hand = replace(MODEL, controller="gains", gains=(-27.0, -2.4, -0.46, -1.07, -4.7, -0.2))
     hand, desk = a_session(tmp_path, by_hand)
-    assert only(Analysed, attended(hand, desk))[0].gain[0] == by_hand.gains
+    analysed = only(Analysed, attended(hand, desk))[0]
+    assert analysed.gain[0] == by_hand.gains
+    assert f" {analysed.delay * 1e3:.0f} ms more delay" in analysed.words  # the table's number and the sentence's
 
 
 def test_the_light_follows_and_a_spoilt_gain_is_red(tmp_path):
