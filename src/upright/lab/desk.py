@@ -229,10 +229,10 @@ def _work(pipe: Connection) -> None:
     shown = [-1.0]
 
     def report(fraction: float) -> None:
-        share = round(fraction, 2)
-        if share != shown[0]:
-            shown[0] = share
-            pipe.send(("progress", share))
+        fraction = round(fraction, 2)
+        if fraction != shown[0]:
+            shown[0] = fraction
+            pipe.send(("progress", fraction))
 
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     warnings.simplefilter("ignore")  # of a student's numbers: the result says what is wrong
