@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -72,7 +72,8 @@ def _page(claims: Sequence[Claim]) -> Page:
     failed = [f"{c.part} ({c.title.split(',')[0].split(':')[0]})" for c in claims if c.verdict == NOT_AS_PRINTED]
     missed = f" Not as printed: {'; '.join(failed)}." if failed else ""
     part = next(c for c in claims if c.part == "5c")
-    picture = next(item for item in part.items if isinstance(item, Figure))
+    drawn = next(item for item in part.items if isinstance(item, Figure))
+    picture = replace(drawn, title=f"Claim {part.part}, {HEAVY}: {drawn.title[:1].lower()}{drawn.title[1:]}")
     rows = [[f"{c.part} {c.title}", Verdict(c.verdict, LEVEL_OF[c.verdict]), c.first] for c in claims]
     robots = [Robot.preset(name) for name in (LIGHT, HEAVY)]
     parameters: list[list[Cell]] = [

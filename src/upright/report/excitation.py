@@ -109,7 +109,8 @@ def _energies(plan: ExcitationPlan) -> Table:
     rows: list[list[Cell]] = [
         [name.replace("common", "driving"), 100 * fraction] for name, fraction in plan.division.items()
     ]
-    return Table(["part", "fraction of the energy [%]"], rows, "Where the energy of the excitation is", 3)
+    caption = f"What reaches the motors, {plan.energy:.3g} {_energy_unit(plan)}, by part of the excitation"
+    return Table(["part", "fraction [%]"], rows, caption, 3)
 
 
 def _energy_unit(plan: ExcitationPlan) -> str:
@@ -121,7 +122,7 @@ def _energy(plan: ExcitationPlan) -> str:
     answer = "works against it, and leaves" if plan.energy < plan.added else "answers it; together they give"
     return (
         f"The excitation has an energy of {plan.added:.3g} {unit}, over both motors. The controller {answer} "
-        f"{plan.energy:.3g} {unit} at the motors."
+        f"{plan.energy:.3g} {unit} at the motors. It works most against slow parts, so these are larger in the drawing."
     )
 
 

@@ -190,6 +190,7 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
     figure, (ax,) = panels([f"{data[outcome].attrs['long_name']} [{unit.replace('rad', '°')}]"], across)
     few = np.linspace(0, len(x) - 1, min(len(x), DOTS)).astype(int)
     ax.plot(x[few], y[few], ".", markersize=3)
+    dots = "each dot is a robot" if len(few) == len(x) else f"a dot is a robot, {len(few)} of {len(x)} are drawn"
     if outcome == "peak_pitch":
         limit = math.degrees(FALLEN)
         ax.axhline(limit, linestyle="--", linewidth=1, color=AXIS)
@@ -197,8 +198,10 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
             "a fall", (1, limit), (-4, -11), xycoords=("axes fraction", "data"), textcoords="offset points", ha="right"
         )
         ax.set_ylim(0, 1.08 * limit)
+        if "fell" not in data or not data["fell"].values.any():
+            reached = f"{number(float(y.min()), 2)} to {number(float(y.max()), 2)}°"
+            return Figure(f"No robot fell: the largest pitch was {reached}", figure, sentence(dots))
     how = "grows" if size > 0 else "shrinks"
-    dots = "each dot is a robot" if len(few) == len(x) else f"a dot is a robot, {len(few)} of {len(x)} are drawn"
     return Figure(f"{_words(data, outcome)} {how} with {spoken(name)}: {dots}", figure)
 
 
@@ -277,7 +280,7 @@ def _basin_page(data: Dataset) -> Page:
     )  # fmt: skip
     kind = (origin.get("controller") or {}).get("kind", "")
     lead = (
-        f"{f'Under {kind} it' if kind else 'It'} recovers where it stands {origin['scenario']['seconds']:g} s later. "
+        f"Recovers: still standing {origin['scenario']['seconds']:g} s later{f', under {kind}' if kind else ''}. "
         "Next: `upright push-map`, which asks for pushes instead."
     )
     step = float(np.diff(data[across].values).mean()) if data[across].size > 1 else 0.0

@@ -93,7 +93,7 @@ def _plain(evidence: str) -> str:
     return (
         evidence.split("; ", maxsplit=1)[0]
         .split(". ", maxsplit=1)[0]
-        .replace("of the innovations", "of what the model cannot explain")
+        .replace("of the innovations", "of the deviation from the model")
     )
 
 
