@@ -263,6 +263,7 @@ function upload(label: string, accept: string, what: "log" | "robot"): HTMLEleme
 }
 
 export let latestLog = "";
+let opened: () => void = () => undefined; // called where a log was opened
 
 async function send(file: File, what: "log" | "robot"): Promise<void> {
   const address = `upload/${store.session}?what=${what}&name=${encodeURIComponent(file.name)}`;
@@ -271,7 +272,10 @@ async function send(file: File, what: "log" | "robot"): Promise<void> {
     const answer = await fetch(address, { method: "POST", body: file });
     const said = (await answer.json()) as { name?: string; error?: string };
     if (said.error) store.hear({ kind: "Notice", level: "error", text: said.error, key: "" });
-    else if (what === "log") latestLog = said.name ?? "";
+    else if (what === "log") {
+      latestLog = said.name ?? "";
+      opened();
+    }
   } catch {
     store.hear({ kind: "Notice", level: "error", text: t("lost"), key: "" });
   }
@@ -282,6 +286,11 @@ export class IdentifyPanel extends Panel {
   private result = h("div", { className: "result", role: "region", "aria-live": "polite" });
   private shares = new Map<Job, number>();
   private source = "";
+
+  constructor() {
+    super();
+    opened = () => this.build();
+  }
 
   build(): void {
     const choices: [string, string][] = [["", t("thisRun")]];
