@@ -3,17 +3,16 @@
     python benchmarks/certificate.py                      # 40 controllers on each side, six presets: half an hour
     python benchmarks/certificate.py --robots twipr --sides 10
     python benchmarks/certificate.py --defaults           # the light of every method on every preset with its kit
-    python benchmarks/certificate.py --outside 40         # robots outside the spreads, each with a log
+    python benchmarks/certificate.py --exactly 100        # drawn robots, each under controllers designed for itself
 
 A controller is designed for a robot and spoilt in one way, or not at all. Its certificate knows the robot by the
 spreads of its sources, all of them or a part as after a calibration. The truth is the fraction of falls among robots
 drawn from the same spreads with other seeds, up to `DRAWN` of them: fewer where the fraction is clear. Fractions from 1
 to 10 % are not scored.
 
-With `--outside` a robot differs in one way that its certificate does not know of: battery, slope, mass, delay, dead
-zone, motors, gyro's scale or noise, or in none. Its log is of `LOGGED` seconds under the same controller, driven and
-knocked, in the nonlinear model; the certificate has this log and the spreads of an older calibration. It falls where it
-does under any of the standard pushes, in runs of `SECONDS`.
+With `--exactly` every drawn robot is known exactly: what still falls, falls for want of motors, sensors or time, and
+what falls besides under the default falls since the robots of the spreads differ. Robots outside the spreads are those
+of `certificate_outside.py`.
 """
 
 from __future__ import annotations
@@ -25,24 +24,22 @@ import time
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy loads; many small products gain nothing by threads
 
 import numpy as np
 
 from upright.certify.certificate import certify
-from upright.certify.checks import Course, batteries, kernel_controller, standard_pushes, trials
+from upright.certify.checks import (
+    Course,
+    kernel_controller,
+    trials,
+)  # fmt: skip
 from upright.control import CONTROLLERS, LinearController, as_linear, lqg, make_controller
 from upright.errors import DesignFailed, InvalidRobot, UprightError
-from upright.experiment import Drive, Impulse, Slope
-from upright.fleet.ensemble import tables
-from upright.kernel.batch import FleetBatch, parameters_of
-from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot, find_kit
 from upright.robots.robot import preset_names
 from upright.robots.uncertainty import Uncertainty, draw
-from upright.signals import Log
 
 DESIGNS = ("lqr", "lqg", "hinf", "pid")
 KNOWN = (0.1, 0.2, 0.4, 1.0)  # parts of the spreads: as calibrations of different quality leave them, and none
@@ -166,149 +163,6 @@ def fraction(
     return fell / count, count
 
 
-def falls(
-    controller: LinearController, robot: Robot, truth: Robot, kit: Kit, rng: np.random.Generator, *,
-    assumed: Kit, slope: Sequence[Any] = (), known: bool = False,
-) -> bool:  # fmt: skip
-    """Whether the true robot falls in any of the pushes that its certificate tries with the kit it assumes, each a run
-    of `SECONDS` at three batteries, or at the true kit's where that is `known`; on a `slope`."""
-    low, full = batteries(robot, assumed) or (None, None)
-    tried: list[tuple[float | None, float | None]] = [(low, low), (full, full)]  # of the push, and of the run
-    if low is not None and full is not None:
-        tried = [(low, kit.battery.voltage)] if known else [*tried, (low, float(rng.uniform(low, full)))]
-    parameters, fell = parameters_of([truth]), False
-    for sized, volts in tried:
-        for standard in standard_pushes(robot, assumed, sized).values():
-            programme = tables([standard.push, *slope], (), parameters)
-            batch = FleetBatch(
-                parameters=parameters, controller=kernel_controller(controller, robot, kit).law, kit=kit,
-                seed=int(rng.integers(2**31)), kit_changes={} if volts is None else {"battery.voltage": [volts]},
-                pushes=programme.pushes, slope=programme.slope,
-            )  # fmt: skip
-            fell |= bool(simulate(batch, SECONDS, threads=1).fell.any())
-    return fell
-
-
-LOGGED = 12.0  # [s]
-OUTSIDE = ("none", "battery", "slope", "mass", "delay", "dead zone", "asymmetry", "gyro scale", "gyro noise")
-HOLDING = ("hinf", "lqg", "lqr")
-
-
-@dataclass(frozen=True)
-class Stranger:
-    """A robot that differs from what its certificate assumes by `size` in one way, and what came of it."""
-
-    robot: str
-    design: str
-    way: str
-    size: float
-    light: str
-    reason: str
-    fell: bool
-    logged: bool
-
-
-def stranger(number: int, samples: int) -> Stranger:
-    """Case `number` of `--outside`."""
-    rng = np.random.Generator(np.random.Philox(3 * SEED + number))
-    name, way = str(rng.choice(["nxtway-gs", "nxtway-gs-measured"])), OUTSIDE[number % len(OUTSIDE)]
-    robot, design = Robot.preset(name), str(rng.choice(HOLDING))
-    kit = find_kit(robot.kit)
-    controller = as_linear(make_controller(design, robot, kit, kit.period))
-    unknown = Uncertainty.of(robot).scaled(0.2)
-    truth = draw(robot, 1, SEED + number, unknown)[0]
-    true_kit, size, pushes = kit, 0.0, list[Any]()
-    gain, unequal, kits = 1.0, 0.0, dataclasses.replace
-    if way == "battery":
-        size = float(rng.uniform(1.8, 5.5))
-        true_kit = kits(kit, battery=kits(kit.battery, voltage=size))
-    elif way == "slope":
-        size = float(np.radians(rng.uniform(2.5, 14.0)) * rng.choice([-1, 1]))
-        pushes = [Slope(angle=size)]
-    elif way == "mass":
-        size = float(rng.choice([rng.uniform(0.2, 0.6), rng.uniform(1.5, 5.0)]))
-        loaded = ("body_mass", "pitch_inertia", "roll_inertia", "yaw_inertia")
-        truth = truth.replace(**{n: size * getattr(truth, n) for n in loaded})
-    elif way == "delay":
-        size = float(rng.integers(8, 60)) * 1e-3
-        true_kit = kits(kit, delay=kit.delay + size)
-    elif way == "dead zone":
-        size = float(rng.uniform(0.7, 4.0))
-        true_kit = kits(kit, motor=kits(kit.motor, dead_zone=size))
-    elif way == "asymmetry":
-        size = unequal = float(rng.uniform(0.3, 1.6) * rng.choice([-1, 1]))
-    elif way == "gyro scale":
-        size = gain = float(rng.choice([rng.uniform(0.25, 0.7), rng.uniform(1.4, 5.0)]))
-    elif way == "gyro noise":
-        size = float(rng.uniform(0.1, 3.0))
-        gyro = kits(kit.sensors["sensor/gyro"], noise=size / gain)
-        true_kit = kits(kit, sensors={**kit.sensors, "sensor/gyro": gyro})
-    met = _as_met(controller, gain, unequal)
-    log = _recorded(met, truth, true_kit, robot, pushes, (gain, unequal, number))
-    fell = falls(met, robot, truth, true_kit, rng, assumed=kit, slope=pushes, known=way == "battery")
-    if log is None:
-        return Stranger(name, design, way, size, "", "no log under a holding controller", fell, False)
-    given = certify(controller, robot, kit, samples=samples, seed=number, posterior=unknown, sweeps=False, log=log)
-    return Stranger(name, design, way, size, given.light, "; ".join(given.reasons), fell, True)
-
-
-def _as_met(controller: LinearController, gain: float, unequal: float) -> LinearController:
-    """The controller together with a gyro that counts `gain` times and motors that differ by `unequal`."""
-    read = np.array([gain if name == "sensor/gyro" else 1.0 for name in controller.reads])
-    sides = np.array([[1 - unequal / 2], [1 + unequal / 2]])
-    C, Dy, Dr = (sides * m for m in (controller.C, controller.Dy * read, controller.Dr))
-    return dataclasses.replace(controller, By=controller.By * read, C=C, Dy=Dy, Dr=Dr)
-
-
-def _recorded(
-    met: LinearController, truth: Robot, kit: Kit, robot: Robot, pushes: list[Any], wrong: tuple[float, float, int]
-) -> Log | None:
-    """The log of a robot that is driven and knocked; None where it falls."""
-    gain, unequal, number = wrong
-    names = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro", "command/left", "command/right")
-    parameters = parameters_of([truth])
-    knocks = [Impulse(impulse=0.06 * robot.body_mass, start=t, duration=0.02) for t in (2.0, 6.5)]
-    drives = [Drive(speed=0.08, start=3.0), Drive(speed=-0.16, start=5.0), Drive(speed=0.08, start=9.0)]
-    programme = tables([*knocks, *pushes], drives, parameters)
-    batch = FleetBatch(
-        parameters=parameters, controller=kernel_controller(met, robot, kit).law, kit=kit, seed=number,
-        pushes=programme.pushes, slope=programme.slope, reference=programme.reference,
-    )  # fmt: skip
-    result = simulate(batch, LOGGED, record=1, channels=names, threads=1)
-    if result.fell.any():
-        return None
-    columns = dict(zip(names, result.trace[0].T, strict=True))
-    full = kit.battery.voltage
-    load = np.minimum(np.abs(columns["command/left"]), full) + np.minimum(np.abs(columns["command/right"]), full)
-    columns["sensor/battery"] = full - kit.battery.sag * np.concatenate([[0.0], load[:-1]])  # the kernel records none
-    columns["sensor/gyro"] = gain * columns["sensor/gyro"]
-    columns["command/left"], columns["command/right"] = (
-        columns["command/left"] / (1 - unequal / 2), columns["command/right"] / (1 + unequal / 2),
-    )  # fmt: skip
-    return Log(np.arange(len(result.trace[0])) * met.period, columns)
-
-
-def strangers(first: int, count: int, samples: int, *, each: bool) -> None:
-    """Run and print `--outside`."""
-    cases: list[Stranger] = []
-    for number in range(first, first + count):
-        try:
-            cases.append(stranger(number, samples))
-        except UprightError as error:
-            print(f"{number}: {error}", flush=True)
-            continue
-        if each:
-            print(cases[-1], flush=True)
-    print(f"{'':<12}{'no log':>8}{'fell':>6}{'not green':>11}{'held':>6}{'green':>7}{'taken':>9}")
-    for way in (*OUTSIDE, "all"):
-        own = [c for c in cases if way in (c.way, "all")]
-        with_log = [c for c in own if c.logged]
-        fell, held = ([c for c in with_log if c.fell is happened] for happened in (True, False))
-        numbers = (len(own) - len(with_log), len(fell), sum(c.light != "green" for c in fell), len(held))
-        numbers += (sum(c.light == "green" for c in held), sum("as the log shows" in c.reason for c in with_log))
-        print(f"{way:<12}" + "".join(f"{n:>{w}}" for n, w in zip(numbers, (8, 6, 11, 6, 7, 9), strict=True)))
-
-
 def inside(robots: Sequence[str], first: int, sides: int, samples: int, *, each: bool) -> None:
     """Cases of each robot until there are `sides` on each side, or twelve times as many in all."""
     print(f"{'':<22}{'≥ 10 %':>8}{'red':>6}{'not':>5}{'≤ 1 %':>9}{'green':>7}{'amber':>7}{'red':>5}{'between':>9}")
@@ -360,6 +214,28 @@ def defaults(robots: Sequence[str], samples: int) -> None:
             print(f"{name:<22}{method:<20}{c.light:<7}{fell}; {c.reasons[0]}", flush=True)
 
 
+def exactly(robots: Sequence[str], count: int) -> None:
+    """Falls of drawn robots under the pushes for the nominal one: the default's, and those of own controllers."""
+    print(f"{'':<22}{'':<10}{'default':>9}{'its own':>9}{'of':>6}")
+    for name in robots:
+        robot = Robot.preset(name)
+        kit, drawn = find_kit(robot.kit), draw(robot, count, SEED)
+        for method in DESIGNS:
+            default = kernel_controller(make_controller(method, robot, kit, kit.period), robot, kit)
+            fell = int(trials(Course(default, robot, drawn, kit, SEED, threads=1)).fell.sum())
+            own = sum(_falls_under_its_own(method, robot, one, kit) for one in drawn)
+            print(f"{name:<22}{method:<10}{fell:>9}{own:>9}{count:>6}", flush=True)
+
+
+def _falls_under_its_own(method: str, nominal: Robot, robot: Robot, kit: Kit) -> bool:
+    """Also where nothing can be designed for it."""
+    try:
+        own = kernel_controller(make_controller(method, robot, kit, kit.period), robot, kit)
+    except UprightError:
+        return True
+    return bool(trials(Course(own, nominal, [robot], kit, SEED, threads=1)).fell.any())
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--robots", nargs="+", default=list(preset_names()))
@@ -368,13 +244,13 @@ def main() -> None:
     parser.add_argument("--samples", type=int, default=1000)
     parser.add_argument("--each", action="store_true", help="print every case")
     parser.add_argument("--defaults", action="store_true", help="instead: the light of every method on every preset")
-    parser.add_argument("--outside", type=int, default=0, metavar="COUNT", help="instead: robots outside the spreads")
+    parser.add_argument("--exactly", type=int, default=0, metavar="COUNT", help="instead: robots known exactly")
     asked = parser.parse_args()
     started = time.perf_counter()
     if asked.defaults:
         defaults(asked.robots, asked.samples)
-    elif asked.outside:
-        strangers(asked.first, asked.outside, asked.samples, each=asked.each)
+    elif asked.exactly:
+        exactly(asked.robots, asked.exactly)
     else:
         inside(asked.robots, asked.first, asked.sides, asked.samples, each=asked.each)
     print(f"{time.perf_counter() - started:.0f} s")

@@ -224,7 +224,7 @@ def test_the_largest_knock_is_that_of_single_runs() -> None:
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """A tuning of seconds: few robots and few finalists."""
-    for name, value in (("ROBOTS", 6), ("CHOICE", 100), ("FINALISTS", 1)):
+    for name, value in (("ROBOTS", 6), ("DRAWN", 12), ("CHOICE", 100), ("FINALISTS", 1)):
         monkeypatch.setattr(room, name, value)
 
 

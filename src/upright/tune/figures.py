@@ -73,6 +73,14 @@ def pushed(course: Course) -> Runs:
     )
 
 
+def hardest(course: Course) -> list[int]:
+    """The numbers of the robots of `course`, first the one that leans farthest in the standard pushes, all together."""
+    lean = np.zeros(len(course.robots))
+    for one in tried(course):
+        lean += np.concatenate([row.peak[:, 0] for row in one.rows])
+    return np.argsort(-lean, kind="stable").tolist()
+
+
 def _mean(parts: Sequence[Array], none: float) -> float:
     values = np.concatenate(parts)
     return float(values.mean()) if len(values) else none

@@ -62,15 +62,16 @@ NONE = CandidateScore(
 class Scorer:
     """Scores candidates of one `method` for `robot` on `kit`, all on the same `robots` and noise of `seed`.
 
-    `floor` are the margins that no candidate may have less of; None where nothing linear is known.
+    Falls, and the time on the floor, are counted among the `hard` ones too. `floor` are the margins that no candidate
+    may have less of; None where nothing linear is known.
     """
 
     def __init__(
         self, method: Method, robot: Robot, kit: Kit, robots: Sequence[Robot], *,
-        period: float, seed: int, threads: int | None, floor: LinearMargins | None,
+        period: float, seed: int, threads: int | None, floor: LinearMargins | None, hard: Sequence[Robot] = (),
     ) -> None:  # fmt: skip
         self.method, self.robot, self.kit, self.robots = method, robot, kit, robots
-        self.period, self.seed, self.threads, self.floor = period, seed, threads, floor
+        self.period, self.seed, self.threads, self.floor, self.hard = period, seed, threads, floor, hard
         self._delayed: list[tuple[LinearModel, float]] = []
 
     def __call__(self, weights: Mapping[str, float]) -> CandidateScore:
@@ -83,14 +84,15 @@ class Scorer:
             return replace(NONE, excess=excess)
         kernel = kernel_controller(controller, self.robot, self.kit)
         course = Course(kernel, self.robot, self.robots, self.kit, self.seed, self.threads)
-        runs = pushed(course)
-        over = 0.0
+        groups = [(pushed(replace(course, robots=some)), len(some)) for some in (self.robots, self.hard) if some]
+        count, (runs, _), over = sum(n for _, n in groups), groups[0], 0.0
         for trial in runs.trials:
             used = (trial.saturated / MOST_SATURATED, trial.travel / MOST_TRAVEL, trial.cycle / MOST_CYCLE)
             over = max(over, *(size - 1 for size in used))
         return CandidateScore(
-            fell=runs.fell / len(self.robots), down=runs.down, knock=knock(course), settling=runs.settling,
-            effort=runs.effort, over=over, modulus=modulus, excess=excess,
+            fell=sum(group.fell for group, _ in groups) / count,
+            down=sum(group.down * n for group, n in groups) / count,
+            knock=knock(course), settling=runs.settling, effort=runs.effort, over=over, modulus=modulus, excess=excess,
         )  # fmt: skip
 
     def _margins(self, controller: Controller) -> tuple[float, float]:

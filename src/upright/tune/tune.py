@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 from upright.atomic import place_of
 from upright.certify.agreement import AMBER, RED
 from upright.certify.certificate import FEWEST
+from upright.certify.checks import Course, kernel_controller
 from upright.certify.verdict import GREEN, LinearMargins, linear_margins
 from upright.control import CONTROLLERS, Controller, controller_hash, write_controller
 from upright.control.identity import request_hash
@@ -27,7 +28,7 @@ from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import draw
 from upright.tables import Listing, Shown
-from upright.tune.figures import ALIKE, Figures, figures
+from upright.tune.figures import ALIKE, Figures, figures, hardest
 from upright.tune.score import CandidateScore, Scorer
 from upright.tune.search import Candidate, SearchRecord, search
 
@@ -37,7 +38,8 @@ if TYPE_CHECKING:
 SEARCHED, CHOSEN, JUDGED = (k * 2**61 for k in (1, 2, 3))
 """Added to the seed: the robots and the noise of the search, of the rule, and of the figures that are shown."""
 
-ROBOTS = 48  # in the search: one that falls more or less shows as 2 %
+ROBOTS = 48  # in the search
+DRAWN = 400  # of which half of these are the hardest for the default: of 48 robots at random one or two decide
 CHOICE = 400  # robots on which the rule chooses: a share of 1 % shows
 BUDGET = 400
 MOST_BUDGET, MOST_SAMPLES = 100_000, 100_000
@@ -263,11 +265,15 @@ class _Task:
 
     def scorer(self) -> Scorer:
         """What scores candidates in the search."""
-        floor = self.margins(self.controller(self.defaults))
-        seed = SEARCHED + self.seed
+        default, seed = self.controller(self.defaults), SEARCHED + self.seed
+        drawn = draw(self.robot, DRAWN, seed)
+        kernel = kernel_controller(default, self.robot, self.kit)
+        order = hardest(Course(kernel, self.robot, drawn, self.kit, seed, self.threads))
+        hard, rest = order[: ROBOTS // 2], sorted(order[ROBOTS // 2 :])
         return Scorer(
-            self.method, self.robot, self.kit, draw(self.robot, ROBOTS, seed), period=self.kit.period, seed=seed,
-            threads=self.threads, floor=floor,
+            self.method, self.robot, self.kit, [drawn[i] for i in rest[: ROBOTS - len(hard)]],
+            hard=[drawn[i] for i in hard], period=self.kit.period, seed=seed, threads=self.threads,
+            floor=self.margins(default),
         )  # fmt: skip
 
     def margins(self, controller: Controller) -> LinearMargins | None:
@@ -288,7 +294,8 @@ class _Task:
     def request(self, budget: int) -> str:
         """The hash of all that determines the scores of a search."""
         versions = {name: version(name) for name in ("upright", "cma", "numpy")}
-        weights = {"budget": budget, "seed": self.seed, "robots": ROBOTS, "defaults": self.defaults, **versions}
+        counts = {"budget": budget, "seed": self.seed, "robots": [ROBOTS, DRAWN]}
+        weights = {**counts, "defaults": self.defaults, **versions}
         return request_hash(self.method.name, self.robot, self.kit, self.kit.period, **weights)
 
 

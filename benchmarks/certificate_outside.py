@@ -1,0 +1,217 @@
+"""Whether the certificate is right outside its spreads: robots that differ from what it assumes, each with a log.
+
+    python benchmarks/certificate_outside.py 40                  # 40 robots
+    python benchmarks/certificate_outside.py 40 --plain --each   # no posterior: the log is calibrated first
+
+A robot differs in one way that its certificate does not know of: battery, slope, mass, delay, dead zone, motors, gyro's
+scale or noise, or in none. Its log is of `LOGGED` seconds under the same controller, driven and knocked, in the
+nonlinear model; the certificate has this log and the spreads of an older calibration, or with `--plain` this log alone.
+It falls where it does under any of the pushes that the certificate asks for, in runs of `SECONDS`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import dataclasses
+import os
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before numpy loads; many small products gain nothing by threads
+
+import numpy as np
+from certificate import SECONDS, SEED
+
+from upright.certify.certificate import certify
+from upright.certify.checks import BATTERIES, RELEASE, PushTrial, batteries, kernel_controller, standard_pushes
+from upright.certify.recovery import KNOCK_DURATION
+from upright.control import LinearController, as_linear, make_controller
+from upright.errors import UprightError
+from upright.experiment import Drive, Hold, Impulse, Slope
+from upright.fleet.ensemble import tables
+from upright.kernel.batch import FleetBatch, parameters_of
+from upright.kernel.simulate import simulate
+from upright.robots import Kit, Robot, find_kit
+from upright.robots.uncertainty import Uncertainty, draw
+from upright.signals import Log
+
+
+def falls(
+    controller: LinearController, robot: Robot, truth: Robot, kit: Kit, rng: np.random.Generator, *,
+    assumed: Kit, asked: Sequence[PushTrial] = (), slope: Sequence[Any] = (), known: bool = False,
+) -> bool:  # fmt: skip
+    """Whether the true robot falls in any of the pushes that its certificate `asked` for (none: those for the robot and
+    the kit it assumes), each a run of `SECONDS` at three batteries, or at the true kit's where that is `known`; on a
+    `slope`."""
+    low, full = batteries(robot, assumed) or (None, None)
+    sizes = dict(zip((low, full), (_asked(asked, name) for name in BATTERIES), strict=True))
+    tried: list[tuple[float | None, float | None]] = [(low, low), (full, full)]  # of the push, and of the run
+    if low is not None and full is not None:
+        tried = [(low, kit.battery.voltage)] if known else [*tried, (low, float(rng.uniform(low, full)))]
+    parameters, fell = parameters_of([truth]), False
+    for sized, volts in tried:
+        for push in sizes[sized] or [one.push for one in standard_pushes(robot, assumed, sized).values()]:
+            programme = tables([push, *slope], (), parameters)
+            batch = FleetBatch(
+                parameters=parameters, controller=kernel_controller(controller, robot, kit).law, kit=kit,
+                seed=int(rng.integers(2**31)), kit_changes={} if volts is None else {"battery.voltage": [volts]},
+                pushes=programme.pushes, slope=programme.slope,
+            )  # fmt: skip
+            fell |= bool(simulate(batch, SECONDS, threads=1).fell.any())
+    return fell
+
+
+def _asked(trials: Sequence[PushTrial], battery: str) -> list[Hold | Impulse]:
+    """The pushes of a certificate at one battery."""
+    return [
+        Hold(pitch=t.size, until=RELEASE) if t.push.startswith("hold")
+        else Impulse(impulse=t.size, start=1.0, duration=KNOCK_DURATION)
+        for t in trials if t.battery == battery
+    ]  # fmt: skip
+
+
+LOGGED = 12.0  # [s]
+OUTSIDE = ("none", "battery", "slope", "mass", "delay", "dead zone", "asymmetry", "gyro scale", "gyro noise")
+HOLDING = ("hinf", "lqg", "lqr")
+REFUSED = "refused"
+
+
+@dataclass(frozen=True)
+class Stranger:
+    """A robot that differs from what its certificate assumes by `size` in one way, and what came of it."""
+
+    number: int
+    robot: str
+    design: str
+    way: str
+    size: float
+    light: str
+    reason: str
+    fell: bool
+    logged: bool
+
+
+def stranger(number: int, samples: int, *, plain: bool) -> Stranger:
+    """Robot `number`."""
+    rng = np.random.Generator(np.random.Philox(3 * SEED + number))
+    name, way = str(rng.choice(["nxtway-gs", "nxtway-gs-measured"])), OUTSIDE[number % len(OUTSIDE)]
+    robot, design = Robot.preset(name), str(rng.choice(HOLDING))
+    kit = find_kit(robot.kit)
+    controller = as_linear(make_controller(design, robot, kit, kit.period))
+    unknown = Uncertainty.of(robot).scaled(0.2)
+    truth = draw(robot, 1, SEED + number, unknown)[0]
+    true_kit, size, pushes = kit, 0.0, list[Any]()
+    gain, unequal, kits = 1.0, 0.0, dataclasses.replace
+    if way == "battery":
+        size = float(rng.uniform(1.8, 5.5))
+        true_kit = kits(kit, battery=kits(kit.battery, voltage=size))
+    elif way == "slope":
+        size = float(np.radians(rng.uniform(2.5, 14.0)) * rng.choice([-1, 1]))
+        pushes = [Slope(angle=size)]
+    elif way == "mass":
+        size = float(rng.choice([rng.uniform(0.2, 0.6), rng.uniform(1.5, 5.0)]))
+        loaded = ("body_mass", "pitch_inertia", "roll_inertia", "yaw_inertia")
+        truth = truth.replace(**{n: size * getattr(truth, n) for n in loaded})
+    elif way == "delay":
+        size = float(rng.integers(8, 60)) * 1e-3
+        true_kit = kits(kit, delay=kit.delay + size)
+    elif way == "dead zone":
+        size = float(rng.uniform(0.7, 4.0))
+        true_kit = kits(kit, motor=kits(kit.motor, dead_zone=size))
+    elif way == "asymmetry":
+        size = unequal = float(rng.uniform(0.3, 1.6) * rng.choice([-1, 1]))
+    elif way == "gyro scale":
+        size = gain = float(rng.choice([rng.uniform(0.25, 0.7), rng.uniform(1.4, 5.0)]))
+    elif way == "gyro noise":
+        size = float(rng.uniform(0.1, 3.0))
+        gyro = kits(kit.sensors["sensor/gyro"], noise=size / gain)
+        true_kit = kits(kit, sensors={**kit.sensors, "sensor/gyro": gyro})
+    met = _as_met(controller, gain, unequal)
+    log = _recorded(met, truth, true_kit, robot, pushes, (gain, unequal, number))
+    told = {"assumed": kit, "slope": pushes, "known": way == "battery"}
+    if log is None:
+        fell = falls(met, robot, truth, true_kit, rng, **told)
+        return Stranger(number, name, design, way, size, "", "no log under a holding controller", fell, False)
+    try:
+        given = certify(
+            controller, robot, kit, samples=samples, seed=number, posterior=None if plain else unknown, sweeps=False,
+            log=log, threads=1,
+        )  # fmt: skip
+    except UprightError as error:
+        fell = falls(met, robot, truth, true_kit, rng, **told)
+        return Stranger(number, name, design, way, size, REFUSED, str(error), fell, True)
+    fell = falls(met, robot, truth, true_kit, rng, asked=given.trials, **told)
+    return Stranger(number, name, design, way, size, given.light, "; ".join(given.reasons), fell, True)
+
+
+def _as_met(controller: LinearController, gain: float, unequal: float) -> LinearController:
+    """The controller together with a gyro that counts `gain` times and motors that differ by `unequal`."""
+    read = np.array([gain if name == "sensor/gyro" else 1.0 for name in controller.reads])
+    sides = np.array([[1 - unequal / 2], [1 + unequal / 2]])
+    C, Dy, Dr = (sides * m for m in (controller.C, controller.Dy * read, controller.Dr))
+    return dataclasses.replace(controller, By=controller.By * read, C=C, Dy=Dy, Dr=Dr)
+
+
+def _recorded(
+    met: LinearController, truth: Robot, kit: Kit, robot: Robot, pushes: list[Any], wrong: tuple[float, float, int]
+) -> Log | None:
+    """The log of a robot that is driven and knocked; None where it falls."""
+    gain, unequal, number = wrong
+    names = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro", "command/left", "command/right")
+    parameters = parameters_of([truth])
+    knocks = [Impulse(impulse=0.06 * robot.body_mass, start=t, duration=0.02) for t in (2.0, 6.5)]
+    drives = [Drive(speed=0.08, start=3.0), Drive(speed=-0.16, start=5.0), Drive(speed=0.08, start=9.0)]
+    programme = tables([*knocks, *pushes], drives, parameters)
+    batch = FleetBatch(
+        parameters=parameters, controller=kernel_controller(met, robot, kit).law, kit=kit, seed=number,
+        pushes=programme.pushes, slope=programme.slope, reference=programme.reference,
+    )  # fmt: skip
+    result = simulate(batch, LOGGED, record=1, channels=names, threads=1)
+    if result.fell.any():
+        return None
+    columns = dict(zip(names, result.trace[0].T, strict=True))
+    full = kit.battery.voltage
+    load = np.minimum(np.abs(columns["command/left"]), full) + np.minimum(np.abs(columns["command/right"]), full)
+    columns["sensor/battery"] = full - kit.battery.sag * np.concatenate([[0.0], load[:-1]])  # the kernel records none
+    columns["sensor/gyro"] = gain * columns["sensor/gyro"]
+    columns["command/left"], columns["command/right"] = (
+        columns["command/left"] / (1 - unequal / 2), columns["command/right"] / (1 + unequal / 2),
+    )  # fmt: skip
+    return Log(np.arange(len(result.trace[0])) * met.period, columns)
+
+
+def strangers(first: int, count: int, samples: int, *, each: bool, plain: bool) -> None:
+    """Run and print the robots from number `first` on."""
+    cases: list[Stranger] = []
+    for number in range(first, first + count):
+        cases.append(stranger(number, samples, plain=plain))
+        if each:
+            print(cases[-1], flush=True)
+    headings = ("no log", "fell", "not green", "held", "green", "refused", "taken")
+    print(f"{'':<12}" + "".join(f"{name:>11}" for name in headings))
+    for way in (*OUTSIDE, "all"):
+        own = [c for c in cases if way in (c.way, "all")]
+        with_log = [c for c in own if c.logged]
+        fell, held = ([c for c in with_log if c.fell is happened] for happened in (True, False))
+        numbers = (len(own) - len(with_log), len(fell), sum(c.light != "green" for c in fell), len(held))
+        numbers += (sum(c.light == "green" for c in held), sum(c.light == REFUSED for c in held))
+        numbers += (sum("as the log shows" in c.reason for c in with_log),)
+        print(f"{way:<12}" + "".join(f"{n:>11}" for n in numbers))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("count", type=int, nargs="?", default=40)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--samples", type=int, default=200)
+    parser.add_argument("--each", action="store_true", help="print every case")
+    parser.add_argument("--plain", action="store_true", help="no posterior, the log is calibrated")
+    asked, started = parser.parse_args(), time.perf_counter()
+    strangers(asked.first, asked.count, asked.samples, each=asked.each, plain=asked.plain)
+    print(f"{time.perf_counter() - started:.0f} s")
+
+
+if __name__ == "__main__":
+    main()
