@@ -66,7 +66,7 @@ def falls(
 def _asked(trials: Sequence[PushTrial], battery: str) -> list[Hold | Impulse]:
     """The pushes of a certificate at one battery."""
     return [
-        Hold(pitch=t.size, until=RELEASE) if t.push.startswith("hold")
+        Hold(pitch=-t.size if t.push.startswith("hold at -") else t.size, until=RELEASE) if t.push.startswith("hold")
         else Impulse(impulse=t.size, start=1.0, duration=KNOCK_DURATION)
         for t in trials if t.battery == battery
     ]  # fmt: skip
@@ -103,7 +103,7 @@ def stranger(number: int, samples: int, *, plain: bool) -> Stranger:
     unknown = Uncertainty.of(robot).scaled(0.2)
     truth = draw(robot, 1, SEED + number, unknown)[0]
     true_kit, size, pushes = kit, 0.0, list[Any]()
-    gain, unequal, kits = 1.0, 0.0, dataclasses.replace
+    gain, kits = 1.0, dataclasses.replace
     if way == "battery":
         size = float(rng.uniform(1.8, 5.5))
         true_kit = kits(kit, battery=kits(kit.battery, voltage=size))
@@ -116,20 +116,22 @@ def stranger(number: int, samples: int, *, plain: bool) -> Stranger:
         truth = truth.replace(**{n: size * getattr(truth, n) for n in loaded})
     elif way == "delay":
         size = float(rng.integers(8, 60)) * 1e-3
-        true_kit = kits(kit, delay=kit.delay + size)
+        later = {n: kits(s, delay=s.delay + size) for n, s in kit.sensors.items()}
+        true_kit = kits(kit, sensors=later)  # of commands it would be told, as no program is
     elif way == "dead zone":
         size = float(rng.uniform(0.7, 4.0))
         true_kit = kits(kit, motor=kits(kit.motor, dead_zone=size))
     elif way == "asymmetry":
-        size = unequal = float(rng.uniform(0.3, 1.6) * rng.choice([-1, 1]))
+        size = float(rng.uniform(0.3, 1.6) * rng.choice([-1, 1]))
+        true_kit = kits(kit, motor=kits(kit.motor, left=1 - size / 2, right=1 + size / 2))
     elif way == "gyro scale":
         size = gain = float(rng.choice([rng.uniform(0.25, 0.7), rng.uniform(1.4, 5.0)]))
     elif way == "gyro noise":
         size = float(rng.uniform(0.1, 3.0))
         gyro = kits(kit.sensors["sensor/gyro"], noise=size / gain)
         true_kit = kits(kit, sensors={**kit.sensors, "sensor/gyro": gyro})
-    met = _as_met(controller, gain, unequal)
-    log = _recorded(met, truth, true_kit, robot, pushes, (gain, unequal, number))
+    met = _as_met(controller, gain)
+    log = _recorded(met, truth, true_kit, robot, pushes, gain, number)
     told = {"assumed": kit, "slope": pushes, "known": way == "battery"}
     if log is None:
         fell = falls(met, robot, truth, true_kit, rng, **told)
@@ -146,19 +148,16 @@ def stranger(number: int, samples: int, *, plain: bool) -> Stranger:
     return Stranger(number, name, design, way, size, given.light, "; ".join(given.reasons), fell, True)
 
 
-def _as_met(controller: LinearController, gain: float, unequal: float) -> LinearController:
-    """The controller together with a gyro that counts `gain` times and motors that differ by `unequal`."""
+def _as_met(controller: LinearController, gain: float) -> LinearController:
+    """The controller together with a gyro that counts `gain` times."""
     read = np.array([gain if name == "sensor/gyro" else 1.0 for name in controller.reads])
-    sides = np.array([[1 - unequal / 2], [1 + unequal / 2]])
-    C, Dy, Dr = (sides * m for m in (controller.C, controller.Dy * read, controller.Dr))
-    return dataclasses.replace(controller, By=controller.By * read, C=C, Dy=Dy, Dr=Dr)
+    return dataclasses.replace(controller, By=controller.By * read, Dy=controller.Dy * read)
 
 
 def _recorded(
-    met: LinearController, truth: Robot, kit: Kit, robot: Robot, pushes: list[Any], wrong: tuple[float, float, int]
+    met: LinearController, truth: Robot, kit: Kit, robot: Robot, pushes: list[Any], gain: float, number: int
 ) -> Log | None:
     """The log of a robot that is driven and knocked; None where it falls."""
-    gain, unequal, number = wrong
     names = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro", "command/left", "command/right")
     parameters = parameters_of([truth])
     knocks = [Impulse(impulse=0.06 * robot.body_mass, start=t, duration=0.02) for t in (2.0, 6.5)]
@@ -176,9 +175,6 @@ def _recorded(
     load = np.minimum(np.abs(columns["command/left"]), full) + np.minimum(np.abs(columns["command/right"]), full)
     columns["sensor/battery"] = full - kit.battery.sag * np.concatenate([[0.0], load[:-1]])  # the kernel records none
     columns["sensor/gyro"] = gain * columns["sensor/gyro"]
-    columns["command/left"], columns["command/right"] = (
-        columns["command/left"] / (1 - unequal / 2), columns["command/right"] / (1 + unequal / 2),
-    )  # fmt: skip
     return Log(np.arange(len(result.trace[0])) * met.period, columns)
 
 

@@ -231,7 +231,8 @@ def test_a_calibration_hands_on_its_posterior_and_longer_dead_times() -> None:
     late = SimpleNamespace(name="delay/gyro", value=0.03, verdict="visible")
     calibration: Any = SimpleNamespace(names=names, covariance=covariance, robot=ROBOT, delays=(late,))
     found = learnt(calibration, KIT)
-    sizes = {s.name: s.high for s in found.uncertainty.spreads}
+    assert {s.kind for s in found.uncertainty.spreads} == {"lognormal"}  # as a calibration takes positive numbers
+    sizes = {s.name: s.high * s.low for s in found.uncertainty.spreads}  # to first order
     assert sizes == pytest.approx({"com_height": 1e-3, "torque_constant": 2e-3})
     assert np.array_equal(found.uncertainty.correlation, np.eye(2))
     # 30 ms from command to gyro, of which the kit's own dead time and half its jitter are the command's

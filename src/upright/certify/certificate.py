@@ -14,10 +14,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from upright.atomic import finite, write_json
-from upright.calibrate.calibrate import calibrate
 from upright.certify.agreement import RED, Agreement, agreement
 from upright.certify.checks import Course, PushTrial, RunCounter, Swept, delayed, kernel_controller, slower, trials
-from upright.certify.learnt import learnt
+from upright.certify.learnt import calibrated
 from upright.certify.narrowing import Narrowing, NeededSpread, narrowing, red
 from upright.certify.support import Support
 from upright.certify.taking import as_logged
@@ -25,7 +24,7 @@ from upright.certify.verdict import CONFIDENCE, MOST_FALLS, LinearMargins, judge
 from upright.control import find_controller
 from upright.control.controller import Controller
 from upright.control.identity import Identity, identity
-from upright.errors import InvalidController, InvalidLog, InvalidScenario, SpecMismatch
+from upright.errors import InvalidController, InvalidScenario, SpecMismatch
 from upright.fleet.binomial import upper_bound
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
@@ -219,20 +218,20 @@ def certify(
     nominal, unknown = at_medians(given, posterior)
     parts, recording = find_kit(kit or nominal.kit), None if log is None else raw_log(log, mapping)
     subject = {"robot": robot_facts(given), "kit": kit_facts(parts)}
+    wrong: tuple[Support, ...] = ()
     if recording and unknown is None and robots is None:
-        calibration = calibrate(recording, nominal, parts, progress=progress)
-        if calibration.refused:
-            raise InvalidLog(
-                f"the log does not describe {nominal.name}: {calibration.refused[0]}",
-                hint="upright doctor LOG; or certify without the log, or with the robot that it is of",
-            )
-        calibrated = learnt(calibration, parts)
-        nominal, parts, unknown = calibrated.robot, calibrated.kit, calibrated.uncertainty
+        assumed = find_controller(controller, nominal, parts, parts.period)
+        as_filed = draw(nominal, FEWEST, seed)
+        own, wrong = calibrated(
+            recording, Course(kernel_controller(assumed, nominal, parts), nominal, as_filed, parts, seed), progress
+        )
+        nominal, parts, unknown = own.robot, own.kit, own.uncertainty
     design = find_controller(controller, nominal, parts, parts.period)
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
     _check_family(family, nominal)
     course = Course(kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads)
     course, shown, taken = as_logged(recording, course) if recording else (course, (), ())
+    taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
     course = replace(course, progress=RunCounter(course.runs, progress)) if progress else course
     runs, fallen, beyond = trials(course)
     linear, period = linear_margins(design, course.met_robot, course.met_kit), design.spec.period

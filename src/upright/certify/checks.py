@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.certify.logged import Logged, loaded
+from upright.certify.logged import Logged, later, loaded
 from upright.certify.recovery import KNOCK_DURATION, largest_hold, largest_knock, means, recoverable
 from upright.control.controller import Controller
 from upright.control.law import Law, as_law
@@ -159,8 +159,7 @@ def _size(size: float, most: float) -> float:
     return float(f"{min(size, most):.3g}")
 
 
-PUSHES = 3
-"""Number of standard pushes."""
+PUSHES = 3  # number of standard pushes
 
 
 @dataclass
@@ -309,15 +308,15 @@ def tried(course: Course) -> Iterator[TriedPush]:
 
 def delayed(course: Course) -> tuple[Swept, ...]:
     """Falls under every standard push with `DELAYS` periods of additional dead time, unknown to the controller."""
-    kit = course.met_kit
-    return tuple(_swept(course, value, {"delay": [kit.delay + value]}, course.controller) for value in _extra(course))
+    kits = {value: later(course.met_kit, value) for value in _extra(course)}
+    return tuple(_swept(_on(course, kit), value, course.controller) for value, kit in kits.items())
 
 
 def slower(course: Course) -> tuple[Swept, ...]:
     """Falls under every standard push with the same gains at `SLOWER` times the period."""
     law, called = course.controller
     tried = [(period, KernelController(law.with_period(period), called)) for period in _periods(course)]
-    return tuple(_swept(course, period, {}, controller) for period, controller in tried)
+    return tuple(_swept(course, period, controller) for period, controller in tried)
 
 
 def watched(course: Course, push: Any, row: int, channels: Sequence[str]) -> Iterator[FleetResult]:
@@ -335,11 +334,16 @@ def _periods(course: Course) -> list[float]:
     return [period for period in tried if period >= course.met_kit.jitter]
 
 
-def _swept(course: Course, value: float, changes: Mapping[str, Any], controller: KernelController) -> Swept:
+def _on(course: Course, kit: Kit) -> Course:
+    """The same pushes on another kit."""
+    return replace(course, logged=replace(course.logged or Logged.alone(kit), kit=kit))
+
+
+def _swept(course: Course, value: float, controller: KernelController) -> Swept:
     some = course.robots[:SWEPT]
     fell = runs = 0
     for row, standard in enumerate(standard_pushes(course.robot, course.kit).values()):
-        for result in _runs(course, some, standard.push, row, changes, controller):
+        for result in _runs(course, some, standard.push, row, {}, controller):
             fell, runs = fell + int(result.fell.sum()), runs + len(result.fell)
     return Swept(value, runs, fell)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -10,11 +10,13 @@ from numpy.typing import NDArray
 
 from upright.certify.agreement import SETTLED, at_motors, recorded
 from upright.certify.checks import Course
+from upright.certify.logged import loaded
 from upright.control.delay import MOST_PERIODS, RAW, SampledRobot, sampled
 from upright.control.kalman import Filter, filtered, kalman_filter
 from upright.logs.recording import commanded
 from upright.physics.dynamics import turn_ratio
-from upright.robots import Kit
+from upright.robots import Kit, Robot
+from upright.robots.kit import Motor
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -23,7 +25,7 @@ FAR = 5.0  # usual sizes of an innovation beyond which a push is taken for its c
 PUSHED = 0.3  # [s] after it that are left out, in which the filter finds the state again
 MOST_PUSHED = 0.5  # of a log that may be left out; where more would be, it is no push
 FREEDOM = 4.0  # of Student's distribution, under which a push costs little
-SCALES = (0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.25, 1.4, 1.6, 1.8, 2.1, 2.5, 3.0, 4.0, 5.0)
+SCALES = (0.15, 0.2, 0.28, 0.4, 0.55, 0.75, 1.0, 1.3, 1.7, 2.2, 3.0, 4.0, 5.5)
 FINER = 4  # parts of a step of these, in which the likeliest is looked for at last
 
 
@@ -44,12 +46,7 @@ class FollowedLog:
     @classmethod
     def of(cls, estimator: Filter, readings: Array, motors: Array) -> FollowedLog:
         model = estimator.sampled
-        linear = model.linear
-        first, turn = np.nan_to_num(readings[0]), turn_ratio(model.robot)
-        start = np.zeros(len(linear.A))
-        start[2], start[4] = (first[0] + first[1]) / 2, (first[1] - first[0]) / (2 * turn)
-        for place, name in enumerate(linear.states):
-            start[place] += first[RAW.index(name[:-2])] if "@" in name else 0.0
+        linear, start = model.linear, first_state(model, readings[0])
         states, errors = filtered(linear.A, linear.C, estimator.L, readings, moved_by(model, motors), start)
         whiten = 1 / np.sqrt(np.diag(linear.C @ estimator.P @ linear.C.T + model.noise))
         keep: NDArray[np.bool_] = np.isfinite(errors).all(axis=1) & (np.arange(len(errors)) >= SETTLED / model.dt)
@@ -68,6 +65,15 @@ class FollowedLog:
         """The signature (rows·sensors, k) of commands (n, 2) that reached the motors besides those that are known."""
         moved = np.stack([moved_by(self.estimator.sampled, more) for more in motors], axis=2)
         return -self.answer(np.zeros((len(moved), 3, moved.shape[2])), moved)
+
+
+def first_state(model: SampledRobot, readings: Array) -> Array:
+    """The state (states,) at rest with these first readings (sensors,)."""
+    first, start = np.nan_to_num(readings), np.zeros(len(model.linear.A))
+    start[2], start[4] = (first[0] + first[1]) / 2, (first[1] - first[0]) / (2 * turn_ratio(model.robot))
+    for place, name in enumerate(model.linear.states):
+        start[place] += first[RAW.index(name[:-2])] if "@" in name else 0.0
+    return start
 
 
 def pushed(errors: Array, period: float) -> NDArray[np.bool_]:
@@ -97,10 +103,14 @@ def filtered_log(log: Log, course: Course, kit: Kit | None = None) -> tuple[Foll
 
 def surprise(path: FollowedLog) -> float:
     """−2 log likelihood, but for a constant, of the innovations under Student's distribution, which bears pushes."""
-    model = path.estimator.sampled
-    S = model.linear.C @ path.estimator.P @ model.linear.C.T + model.noise
-    there = np.isfinite(path.raw).all(axis=1) & (np.arange(len(path.raw)) >= SETTLED / model.dt)
-    e = path.raw[there]
+    return _surprise(path.estimator, path.raw)
+
+
+def _surprise(estimator: Filter, innovations: Array) -> float:
+    model = estimator.sampled
+    S = model.linear.C @ estimator.P @ model.linear.C.T + model.noise
+    there = np.isfinite(innovations).all(axis=1) & (np.arange(len(innovations)) >= SETTLED / model.dt)
+    e = innovations[there]
     squared = np.einsum("ij,jk,ik->i", e, np.linalg.inv(S), e)
     return float((FREEDOM + e.shape[1]) * np.log1p(squared / FREEDOM).sum() + len(e) * np.linalg.slogdet(S)[1])
 
@@ -110,12 +120,45 @@ def gyro_scale(log: Log, course: Course) -> float:
     noise of what the filter foretells."""
     kit, gyro = course.met_kit, course.met_kit.sensors[RAW[2]]
 
-    def cost(scale: float) -> float:
-        sensors = {**kit.sensors, RAW[2]: replace(gyro, gain=scale * gyro.gain)}
-        return surprise(filtered_log(log, course, replace(kit, sensors=sensors))[0])
+    def scaled(scale: float) -> tuple[Robot, Kit]:
+        return course.met_robot, replace(kit, sensors={**kit.sensors, RAW[2]: replace(gyro, gain=scale * gyro.gain)})
 
-    costs = [cost(scale) for scale in SCALES]
-    best = int(np.argmin(costs))
-    ends = SCALES[max(best - 1, 0)], SCALES[min(best + 1, len(SCALES) - 1)]
-    near = np.linspace(*ends, 2 * FINER + 1).tolist()
-    return near[int(np.argmin([cost(scale) for scale in near]))]
+    return _likeliest(log, scaled, SCALES)
+
+
+def body_load(log: Log, course: Course) -> float:
+    """The body's mass over the nominal one with which the log is likeliest; beside what the spreads explain, a
+    signature's would be lost: a lighter body looks like a lower one."""
+    return _likeliest(log, lambda factor: (loaded(course.met_robot, factor), course.met_kit), SCALES)
+
+
+def dead_zone(log: Log, course: Course, tried: Sequence[float]) -> float:
+    """The dead zone of the motors with which the log is likeliest, of those `tried` and between."""
+    kit = course.met_kit
+    return _likeliest(log, lambda v: (course.met_robot, replace(kit, motor=replace(kit.motor, dead_zone=v))), tried)
+
+
+def _likeliest(log: Log, changed: Callable[[float], tuple[Robot, Kit]], tried: Sequence[float]) -> float:
+    """Of the values that are `tried`, and between two of them, the one with which the log surprises least."""
+    place = int(np.argmin(_surprises(log, [changed(value) for value in tried])))
+    near = np.linspace(tried[max(place - 1, 0)], tried[min(place + 1, len(tried) - 1)], 2 * FINER + 1).tolist()
+    return near[int(np.argmin(_surprises(log, [changed(value) for value in near])))]
+
+
+def _surprises(log: Log, several: Sequence[tuple[Robot, Kit]]) -> list[float]:
+    """`surprise` of the filters of several robots with the same dead times, which follow the log side by side."""
+    estimators = [kalman_filter(sampled(*one, log.period, longest=MOST_PERIODS)) for one in several]
+    readings, sent = recorded(log, estimators[0].sampled.delay)
+    raw, motors, moved = commanded(log) == "command", dict[Motor, Array](), list[Array]()
+    for (robot, kit), estimator in zip(several, estimators, strict=True):
+        if kit.motor not in motors:
+            motors[kit.motor] = at_motors(sent, kit, robot.command_unit, sent=raw)
+        moved.append(moved_by(estimator.sampled, motors[kit.motor]))
+    A, C = (np.stack([getattr(e.sampled.linear, name) for e in estimators]) for name in ("A", "C"))
+    L, z = np.stack([e.L for e in estimators]), np.stack([first_state(e.sampled, readings[0]) for e in estimators])
+    errors = np.empty((len(readings), *C.shape[:2]))
+    for i, (reading, added) in enumerate(zip(readings, np.stack(moved, axis=1), strict=True)):
+        errors[i] = reading - np.matmul(C, z[:, :, None])[:, :, 0]
+        z = z + np.matmul(L, np.nan_to_num(errors[i])[:, :, None])[:, :, 0]
+        z = np.matmul(A, z[:, :, None])[:, :, 0] + added
+    return [_surprise(estimator, errors[:, k]) for k, estimator in enumerate(estimators)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +31,11 @@ class Logged:
     batteries: tuple[float, ...] = ()
     slopes: tuple[float, ...] = ()
 
+    @classmethod
+    def alone(cls, kit: Kit) -> Logged:
+        """Another kit, and nothing else."""
+        return cls(kit=kit, load=1.0, loads=np.ones(1), changes={})
+
     def part(self, first: int, count: int) -> dict[str, Array]:
         """The changes of `count` robots from number `first` on; more robots than were drawn for begin again."""
         return {name: rows(values, first, count) for name, values in self.changes.items()}
@@ -41,6 +46,13 @@ class Logged:
         columns = [NAMES.index(name) for name in LOADED]
         result[:, columns] *= rows(self.loads, first, len(parameters))[:, None]
         return result
+
+
+def later(kit: Kit, more: float) -> Kit:
+    """The kit whose readings all come so much later [s]. To the loop that is further dead time that no controller knows
+    of: of commands that arrive later a simulated one would be told, and a program is not."""
+    sensors = {name: replace(sensor, delay=max(sensor.delay + more, 0.0)) for name, sensor in kit.sensors.items()}
+    return replace(kit, sensors=sensors)
 
 
 def rows(values: Array, first: int, count: int) -> Array:

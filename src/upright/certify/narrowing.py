@@ -114,7 +114,7 @@ def red(fell: int, runs: int = TRIED) -> bool:
 
 
 def ranking(unknown: Uncertainty, parameters: Array, fell: NDArray[np.bool_]) -> Sequence[Spread]:
-    """The spreads, first the one by which the fraction that falls sinks most where it is known so well as `WELL` says."""
+    """The spreads, first the one by which the fraction that falls sinks most where it is known as well as `WELL`."""
     rest: dict[str, float] = {}
     for spread in (s for s in unknown.spreads if s.name in NAMES and s.high != s.low * (s.kind == "uniform")):
         z = _quantile(spread, parameters[:, NAMES.index(spread.name)])

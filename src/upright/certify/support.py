@@ -16,9 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.certify.agreement import at_motors
 from upright.certify.checks import Course, batteries
-from upright.certify.following import FollowedLog, filtered_log, gyro_scale, moved_by
+from upright.certify.following import FollowedLog, body_load, dead_zone, filtered_log, gyro_scale, moved_by
 from upright.control.delay import MOST_PERIODS, sampled
 from upright.logs.recording import commanded
 from upright.robots import Kit, Robot
@@ -38,6 +37,7 @@ GYRO_SCALE = 0.2  # [1]
 SCALE_KNOWN = 0.1  # of it: within their spreads robots move the likeliest scale by as much
 GYRO_NOISE = 2.0  # times the kit's: a guess counts as right within a factor of two
 LOAD = 0.3  # [1] of the body's mass beyond its spread, with which the errors of its inertia and height go
+LOAD_KNOWN = 0.2  # of it: as far as the likeliest mass of robots within their spreads lies from theirs
 LEVEL = math.radians(1.0)  # [rad] of a floor that counts as level
 EARLIER = -2.0  # [periods] of less delay, which harms no loop
 LATER = 0.5  # [periods] of further delay that count as none
@@ -48,6 +48,7 @@ LEAST_LOAD = 0.05  # of the battery's voltage, by which commands must vary to sh
 DELAYS = tuple(0.5 * k for k in range(-2, 17))  # [periods] that are tried
 BETWEEN = 4  # parts of a step of these grids, in which the best value is looked for at last
 ZONES = (0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0)  # times the kit's dead zone that are tried
+ZONE_KNOWN = 0.1  # of it
 LEAST_ZONE = 0.01  # of the largest command, where the kit has none
 
 
@@ -166,7 +167,7 @@ def _jitter(log: Log, kit: Kit) -> list[Support]:
 
 def _dynamics(log: Log, course: Course) -> list[Support]:
     """What the filter's innovations say."""
-    robot, kit, unit = course.met_robot, course.met_kit, course.robot.command_unit
+    robot, kit = course.met_robot, course.met_kit
     path, sent, motors = filtered_log(log, course)
     raw = commanded(log) == "command"
     names, columns = _signatures(path, motors)
@@ -176,19 +177,20 @@ def _dynamics(log: Log, course: Course) -> list[Support]:
     fitted = {name: (float(v), NORMAL * float(e)) for name, v, e in zip(names, values, errors, strict=True)}
     lag = tuple(log.period * x for x in fitted["gyro delay"])
     mass, spread = robot.body_mass, float(np.std([r.body_mass for r in course.robots]))
-    most_load = max(LOAD * mass, 2 * spread)
+    heavy, most_load = mass * body_load(log, course), max(LOAD * mass, 2 * spread)
+    about_mass = {"least": mass - most_load, "most": mass + most_load}
     scale, within = gyro_scale(log, course), {"least": 1 - GYRO_SCALE, "most": 1 + GYRO_SCALE}
     numbers = [
         _of("motors' strength", "1", 1.0, fitted["strength"], STRENGTH),
         _of("difference of the motors", "1", 0.0, fitted["asymmetry"], UNEQUAL),
         replace(_of("gyro's scale", "1", scale, (0.0, SCALE_KNOWN * scale), 0.0), **within),
         replace(_of("gyro's further delay", "s", 0.0, lag, LATER * log.period), least=EARLIER * log.period),
-        _of("body's mass", "kg", mass, tuple(mass * x for x in fitted["load"]), most_load),
+        replace(_of("body's mass", "kg", heavy, (0.0, LOAD_KNOWN * heavy), 0.0), **about_mass),
         _slope(path, log.period, course),
         *_noise(log, kit, path),
     ]  # fmt: skip
     if raw:
-        numbers += [_delay(fit, path, motors, log.period), _dead_zone(fit, path, sent, motors, kit, unit)]
+        numbers += [_delay(fit, path, motors, log.period), _dead_zone(log, course, sent, motors)]
     return numbers
 
 
@@ -288,17 +290,14 @@ def _delay(fit: _Fit, path: FollowedLog, motors: Array, period: float) -> Suppor
     return Support("further delay", "s", value, low - half, high + half, EARLIER * period, LATER * period)
 
 
-def _dead_zone(fit: _Fit, path: FollowedLog, sent: Array, motors: Array, kit: Kit, unit: str) -> Support:
-    least = LEAST_ZONE * float(np.abs(motors).max())
-    unit_zone = max(kit.motor.dead_zone, least)
+def _dead_zone(log: Log, course: Course, sent: Array, motors: Array) -> Support:
+    kit, unit = course.met_kit, course.robot.command_unit
+    unit_zone = max(kit.motor.dead_zone, LEAST_ZONE * float(np.abs(motors).max()))
     most = 0.9 * float(np.abs(sent).max())  # a dead zone beyond all commands is a strength of zero
     zones = [x * unit_zone for x in ZONES if x <= 1 or x * unit_zone < most]
-
-    def through(zone: float) -> Array:
-        return at_motors(sent, replace(kit, motor=replace(kit.motor, dead_zone=zone)), unit)
-
-    value, low, high = _profile(fit, path, zones, through, motors)
-    return Support("dead zone", unit, value, low, high, 0.0, 2 * unit_zone)
+    value = dead_zone(log, course, zones)
+    wide = max(ZONE_KNOWN * value, LEAST_ZONE * float(np.abs(sent).max()))
+    return Support("dead zone", unit, value, value - wide, value + wide, 0.0, 2 * unit_zone)
 
 
 def _slope(path: FollowedLog, period: float, course: Course) -> Support:

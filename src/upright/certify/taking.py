@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from upright.certify.checks import Course
 from upright.certify.following import filtered_log, surprise
-from upright.certify.logged import Logged
+from upright.certify.logged import Logged, later
 from upright.certify.support import NORMAL, Support, supported
 from upright.robots import Kit
 from upright.signals import Log
@@ -24,7 +24,8 @@ from upright.signals import Log
 Array = NDArray[np.float64]
 
 TURNS = 8  # of Gauss and Newton's method, in each of which a number may be added
-GYRO = "sensor/gyro"
+LEAST_GAIN = 20.0  # of −2 log likelihood: robots as they were assumed gain 3 to 10 by another mass
+GYRO, ENCODER = "sensor/gyro", "sensor/encoder_left"
 LEAST_FACTOR, MOST_UNEQUAL = 0.05, 0.95  # of a scale, a strength or a mass; of half the difference of two motors
 LIGHTER = 1.0  # times what is missing of a body's mass: where rotors are heavy, a log shows half of what is missing
 NOT_LEARNT = frozenset({"jitter"})  # the kernel draws none longer than a period
@@ -65,7 +66,7 @@ def _next(log: Log, course: Course, shown: Sequence[Support], names: set[str]) -
     known = [s for s in shown if s.name in names]
     tried = [course, *(_learnt(course, [*known, s]) for s in strays)]
     now, *then = (surprise(filtered_log(log, one)[0]) for one in tried)
-    return {strays[int(np.argmin(then))].name} if min(then) < now else set()
+    return {strays[int(np.argmin(then))].name} if min(then) < now - LEAST_GAIN else set()
 
 
 def _in_place_of(assumed: Support, last: Support, course: Course) -> Support:
@@ -73,10 +74,11 @@ def _in_place_of(assumed: Support, last: Support, course: Course) -> Support:
     kit, before, logged = course.met_kit, course.kit, course.logged
     motor, gyro = kit.motor, kit.sensors[GYRO]
     mean, difference = (motor.left + motor.right) / 2, motor.right - motor.left
+    encoder, turning = (kit.sensors[name].delay - before.sensors[name].delay for name in (ENCODER, GYRO))
     totals = {
-        "battery's sag": kit.battery.sag, "further delay": kit.delay - before.delay, "dead zone": motor.dead_zone,
+        "battery's sag": kit.battery.sag, "further delay": encoder, "dead zone": motor.dead_zone,
         "gyro's scale": gyro.gain / before.sensors[GYRO].gain, "gyro's noise": gyro.noise,
-        "gyro's further delay": gyro.delay - before.sensors[GYRO].delay, "motors' strength": mean,
+        "gyro's further delay": turning - encoder, "motors' strength": mean,
         "difference of the motors": difference / mean,
         "body's mass": course.robot.body_mass * (logged.load if logged else 1.0),
     }  # fmt: skip
@@ -96,7 +98,7 @@ def _strays(s: Support) -> bool:
 def _learnt(course: Course, shown: Sequence[Support]) -> Course:
     """The course moved by what the filter of it shows."""
     n, kit = len(course.robots), course.met_kit
-    logged = course.logged or Logged(kit=kit, load=1.0, loads=np.ones(1), changes={})
+    logged = course.logged or Logged.alone(kit)
     changes = dict(logged.changes)
     for s in shown:
         rng = np.random.Generator(np.random.Philox([course.seed, sum(s.name.encode())]))
@@ -129,8 +131,7 @@ def _fitted(kit: Kit, s: Support, drawn: Array) -> tuple[Kit, dict[str, Array]]:
         case "battery's sag":
             result = replace(kit, battery=replace(kit.battery, sag=value)), {}
         case "further delay":
-            further = max(kit.delay + s.value, 0.0)
-            result = replace(kit, delay=further), {"delay": np.maximum(kit.delay + drawn, 0.0)}
+            result = later(kit, s.value), dict[str, Array]()
         case "dead zone":
             result = replace(kit, motor=replace(motor, dead_zone=value)), {"motor.dead_zone": zero}
         case "gyro's scale":

@@ -43,7 +43,7 @@ CHOSEN = ("body_depth", "body_height", "stiction_rate")
 BLOCK = 4096
 """Robots whose numbers are drawn together: one counter of Philox (Salmon et al. 2011) for each block and try."""
 
-TRIES = 200
+TRIES = 1000
 MOST_DRAWN = 100_000
 """Robots that are drawn as objects, each of 2 kB and designed for one by one; a fleet takes more as plain numbers."""
 
