@@ -36,15 +36,17 @@ def calibrated(log: Log, course: Course, progress: Progress | None = None) -> tu
     the calibration is refused.
     """
     met, _, taken = as_logged(log, course)
-    tried = [(_corrected(log, met), _weighed(met), met.met_kit)] if taken else []
-    for one, robot, kit in [*tried, (log, course.robot, course.kit)]:
-        found = calibrate(one, robot, kit, progress=progress)
+    if taken:
+        found = calibrate(_corrected(log, met), _weighed(met), met.met_kit, progress=progress)
         if not found.refused:
-            return learnt(found, course.kit), taken if kit is not course.kit else ()
-    raise InvalidLog(
-        f"the log does not describe {course.robot.name}: {found.refused[0]}",
-        hint="upright doctor LOG; or certify without the log, or with the robot that it is of",
-    )
+            return learnt(found, course.kit), taken
+    found = calibrate(log, course.robot, course.kit, progress=progress)
+    if found.refused:
+        raise InvalidLog(
+            f"the log does not describe {course.robot.name}: {found.refused[0]}",
+            hint="upright doctor LOG; or certify without the log, or with the robot that it is of",
+        )
+    return learnt(found, course.kit), ()
 
 
 def _corrected(log: Log, met: Course) -> Log:
