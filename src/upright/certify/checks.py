@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.certify.logged import Logged, later, loaded
+from upright.certify.logged import Logged, delaying, loaded
 from upright.certify.recovery import KNOCK_DURATION, largest_hold, largest_knock, means, recoverable
 from upright.control.controller import Controller
 from upright.control.law import Law, as_law
@@ -308,7 +308,7 @@ def tried(course: Course) -> Iterator[TriedPush]:
 
 def delayed(course: Course) -> tuple[Swept, ...]:
     """Falls under every standard push with `DELAYS` periods of additional dead time, unknown to the controller."""
-    kits = {value: later(course.met_kit, value) for value in _extra(course)}
+    kits = {value: delaying(course.met_kit, value) for value in _extra(course)}
     return tuple(_swept(_on(course, kit), value, course.controller) for value, kit in kits.items())
 
 

@@ -37,16 +37,16 @@ def calibrated(log: Log, course: Course, progress: Progress | None = None) -> tu
     """
     met, _, taken = as_logged(log, course)
     if taken:
-        found = calibrate(_corrected(log, met), _weighed(met), met.met_kit, progress=progress)
-        if not found.refused:
-            return learnt(found, course.kit), taken
-    found = calibrate(log, course.robot, course.kit, progress=progress)
-    if found.refused:
+        calibration = calibrate(_corrected(log, met), _weighed(met), met.met_kit, progress=progress)
+        if not calibration.refused:
+            return learnt(calibration, course.kit), taken
+    calibration = calibrate(log, course.robot, course.kit, progress=progress)
+    if calibration.refused:
         raise InvalidLog(
-            f"the log does not describe {course.robot.name}: {found.refused[0]}",
+            f"the log does not describe {course.robot.name}: {calibration.refused[0]}",
             hint="upright doctor LOG; or certify without the log, or with the robot that it is of",
         )
-    return learnt(found, course.kit), ()
+    return learnt(calibration, course.kit), ()
 
 
 def _corrected(log: Log, met: Course) -> Log:

@@ -48,7 +48,7 @@ class Logged:
         return result
 
 
-def later(kit: Kit, more: float) -> Kit:
+def delaying(kit: Kit, more: float) -> Kit:
     """The kit whose readings all come so much later [s]. To the loop that is further dead time that no controller knows
     of: of commands that arrive later a simulated one would be told, and a program is not."""
     sensors = {name: replace(sensor, delay=max(sensor.delay + more, 0.0)) for name, sensor in kit.sensors.items()}

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from upright.certify.checks import Course
 from upright.certify.following import filtered_log, surprise
-from upright.certify.logged import Logged, later
+from upright.certify.logged import Logged, delaying
 from upright.certify.support import NORMAL, Support, supported
 from upright.robots import Kit
 from upright.signals import Log
@@ -131,7 +131,7 @@ def _fitted(kit: Kit, s: Support, drawn: Array) -> tuple[Kit, dict[str, Array]]:
         case "battery's sag":
             result = replace(kit, battery=replace(kit.battery, sag=value)), {}
         case "further delay":
-            result = later(kit, s.value), dict[str, Array]()
+            result = delaying(kit, s.value), dict[str, Array]()
         case "dead zone":
             result = replace(kit, motor=replace(motor, dead_zone=value)), {"motor.dead_zone": zero}
         case "gyro's scale":
