@@ -165,7 +165,7 @@ def test_what_nobody_survived_has_a_dash_and_no_number() -> None:
     page = page_of(replace(certificate(), trials=(trial,))).html()
     *_, row = page.partition("<h2>Pushes</h2>")[2].partition("</table>")[0].split("<tr>")
     cells = re.findall(r"<td[^>]*>([^<]*)</td>", row)
-    assert cells == ["hold", "low", "100", "100", "0", "–", "–", "–", "–", "–"]
+    assert cells == ["hold", "low", "100", "0", "–", "–", "–", "–", "–"]
 
 
 def test_a_certificate_has_a_figure() -> None:

@@ -35,7 +35,7 @@ FORGIVEN = 5.0  # [s] beyond which a session makes nothing good: the machine has
 REMEMBERED = 6000  # ticks whose lateness is kept, to be asked for
 SCORED = 0.25  # [s] between two boards
 SPENT = 0.8  # part of the wall time that all sessions may compute; the rest is for words and the desk
-RELIEF = 6.0  # times as long as such a session overran a tick it waits for its next turn
+RELIEF = 3.0  # times as long as such a session overran a tick it waits for its next turn
 SCANT = 0.15  # of it that one session may have in a tick whose time has run out
 AT_ONCE, PIECE = 5, 0.02  # periods of a `Step`, and [s] of simulated time, between two looks at the clock
 
