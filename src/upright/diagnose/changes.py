@@ -46,8 +46,7 @@ def scales(run: FilterRun, onsets: Array) -> list[Signature]:
     """Readings of the wrong scale from an onset on: the amplitude is the fraction of the reading that is too much."""
     several = scaled_sensors(run)
     shifts = [sum(_grown(run, name, onsets) for name in names) for names in several.values()]
-    nothing = np.zeros((len(run.t), 4, len(several) * len(onsets)))
-    response = answer(run, nothing, np.concatenate(shifts, axis=1))[run.readings]
+    response = propagated(run, None, np.concatenate(shifts, axis=1))[run.readings]
     return _several("scale", dict.fromkeys(several), onsets, response)
 
 
@@ -172,7 +171,7 @@ def free_steps(run: FilterRun, onsets: Array) -> dict[str, Array]:
     after = run.log.t[run.sample][:, None] >= onsets
     rows = [i for i, name in enumerate(run.rows) if name != "sensor/compass"]
     shift = np.concatenate([after * (run.row == i)[:, None] for i in rows], axis=1)
-    response = answer(run, np.zeros((len(run.t), 4, shift.shape[1])), shift)[use]
+    response = propagated(run, None, shift)[use]
     names = [run.rows[i].removeprefix("sensor/").replace("_", " ") for i in rows]
     return free | {name: response[:, i * n : (i + 1) * n] for i, name in enumerate(names)}
 

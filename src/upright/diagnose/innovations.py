@@ -205,7 +205,7 @@ def tangent(run: FilterRun) -> Tangent:
     phi[:, 2, 2] = phi[:, 4, 4] = 1.0
     for i, state in enumerate(_MOVED):
         phi[:, :, state] = slopes[i]
-    return Tangent(phi, np.moveaxis(slopes[count:], 0, 2))
+    return Tangent(phi, np.ascontiguousarray(np.moveaxis(slopes[count:], 0, 2)))
 
 
 def misfits(run: FilterRun, spreads: Mapping[str, float]) -> Array:
@@ -228,13 +228,16 @@ def _flown(robot: Robot, p: Any, x: Array, u: Array, w: Array, spans: Array) -> 
     (lanes, n, 2), in steps that are short enough for `robot`."""
     fastest = float(np.abs(linearise(robot).poles()).max())
     steps = substeps(float(spans.max()), fastest, PREDICTED, numbers=robot.numbers())
-    force = w[..., 0] + 1e-12  # a moment alone is a force of next to nothing, far up
-    push = Disturbance(force, w[..., 1] / force)
-    left, right = u[..., 0], u[..., 1]
-    state = tuple(x[..., i] for i in range(6))
+    lasting = spans > 0  # readings of one sample follow each other at once
+    force = w[:, lasting, 0] + 1e-12  # a moment alone is a force of next to nothing, far up
+    push = Disturbance(force, w[:, lasting, 1] / force)
+    left, right = u[:, lasting, 0], u[:, lasting, 1]
+    state = tuple(x[:, lasting, i] for i in range(6))
     for _ in range(steps):
-        state = rk4_step(lambda s: derivative(s, (left, right), p, push, np), state, spans / steps)  # type: ignore[arg-type]
-    return np.stack(state, axis=-1)
+        state = rk4_step(lambda s: derivative(s, (left, right), p, push, np), state, spans[lasting] / steps)  # type: ignore[arg-type]
+    end = x.copy()
+    end[:, lasting] = np.stack(state, axis=-1)
+    return end
 
 
 def answer(run: FilterRun, entered: Array, shifted: Array | None = None) -> Array:
@@ -246,11 +249,14 @@ def answer(run: FilterRun, entered: Array, shifted: Array | None = None) -> Arra
     return propagated(run, run.tangent.gamma @ entered, shifted)
 
 
-def propagated(run: FilterRun, pushed: Array, shifted: Array | None = None) -> Array:
+def propagated(run: FilterRun, pushed: Array | None, shifted: Array | None = None) -> Array:
     """The same for what a fault adds to the state over each span, `pushed` (events, 6, faults)."""
-    n, faults = len(run.t), pushed.shape[2]
-    error, response = np.zeros((run.gains.shape[1], faults)), np.zeros((n, faults))
-    for i in range(n):
-        error[:6] = run.tangent.phi[i] @ error[:6] + pushed[i]
-        response[i] = run.corrected(i, error, 0.0 if shifted is None else shifted[i])
-    return response
+    from upright.diagnose.propagation import propagate
+
+    given = shifted if pushed is None else pushed
+    assert given is not None, "a fault enters the state, readings, or both"
+    into = np.zeros((1, 6, given.shape[-1])) if pushed is None else pushed
+    onto = np.zeros((1, given.shape[-1])) if shifted is None else shifted
+    deviation = np.where(run.readings, np.sqrt(run.variance), np.nan)
+    arrays = (run.tangent.phi, into, onto, run.reads[run.row], run.gains, deviation)
+    return propagate(*(np.ascontiguousarray(array, dtype=np.float64) for array in arrays))

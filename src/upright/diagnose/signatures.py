@@ -47,7 +47,8 @@ LARGEST_SPREAD = 0.08
 class Bank:
     """The window's whitened innovations `y` at the times `then`, the `scale` of ordinary ones, the signatures of all
     faults, those of `pushes`, and the latter's values as a `matrix` (readings, pushes) with its column `squares`.
-    `free` are steps at all onsets by the channel that they enter by: together a disturbance of any shape."""
+    `free` are steps at all onsets by the channel that they enter by: together a disturbance of any shape. `basis` is
+    that of the unknown parameters, which all of these are beside."""
 
     y: Array
     then: Array
@@ -58,6 +59,7 @@ class Bank:
     squares: Array
     free: Mapping[str, Array]
     steps: Array
+    basis: Array
 
 
 def bank(run: FilterRun, scale: float, *, pushes_only: bool = False) -> Bank:
@@ -74,8 +76,8 @@ def bank(run: FilterRun, scale: float, *, pushes_only: bool = False) -> Bank:
         left = beside(basis, np.array([one.values for one in faults]).reshape(len(faults), int(use.sum())).T).T
         faults = [replace(one, values=values) for one, values in zip(faults, left, strict=True)]
         free = {channel: beside(basis, values) for channel, values in free_steps(run, onsets).items()}
-    pushes = _pushes(run, np.arange(start, float(run.t[-1]), PUSH_STEP), last)
-    matrix = beside(basis, np.array([one.values for one in pushes]).reshape(len(pushes), int(use.sum())).T)
+    pushes, matrix = _pushes(run, np.arange(start, float(run.t[-1]), PUSH_STEP), last)
+    matrix = beside(basis, matrix)
     squares = np.maximum((matrix**2).sum(axis=0), 1e-12)
     y = beside(basis, run.whitened)
     if faults:
@@ -83,7 +85,7 @@ def bank(run: FilterRun, scale: float, *, pushes_only: bool = False) -> Bank:
         faults = [one for one in faults if one.fault != "payload"] + placed(loads, y, free["moment"], onsets)
     return Bank(
         y=y, then=run.t[use], scale=scale, faults=faults, pushes=pushes, matrix=matrix, squares=squares, free=free,
-        steps=onsets,
+        steps=onsets, basis=basis,
     )  # fmt: skip
 
 
@@ -119,7 +121,7 @@ def beside(basis: Array, values: Array) -> Array:
     return left
 
 
-def _pushes(run: FilterRun, onsets: Array, latest: float) -> list[Signature]:
+def _pushes(run: FilterRun, onsets: Array, latest: float) -> tuple[list[Signature], Array]:
     """Forces of some time at some heights, free in size, that begin before the `latest` [s]; none where the window is
     shorter than the shortest."""
     starts = int((onsets < latest).sum())
@@ -141,8 +143,8 @@ def finer(run: FilterRun, known: Bank, pushes: Sequence[tuple[float, float]]) ->
         for j in (stop + near).round(6)
         if j >= i + FINE_STEP
     ]
-    more = _forces(run, onsets, list(dict.fromkeys(edges)), FINE_HEIGHTS)
-    matrix = beside(unknown_parameters(run), np.array([one.values for one in more]).T)
+    more, matrix = _forces(run, onsets, list(dict.fromkeys(edges)), FINE_HEIGHTS)
+    matrix = beside(known.basis, matrix)
     whole = np.concatenate([known.matrix, matrix], axis=1)
     squares = np.concatenate([known.squares, np.maximum((matrix**2).sum(axis=0), 1e-12)])
     return replace(known, pushes=[*known.pushes, *more], matrix=whole, squares=squares)
@@ -150,10 +152,11 @@ def finer(run: FilterRun, known: Bank, pushes: Sequence[tuple[float, float]]) ->
 
 def _forces(
     run: FilterRun, onsets: Array, edges: Sequence[tuple[int, int]], heights: Sequence[float]
-) -> list[Signature]:
-    """Forces between two of the `onsets` each, at heights over that of the centre of mass."""
+) -> tuple[list[Signature], Array]:
+    """Forces between two of the `onsets` each, at heights over that of the centre of mass; their values together
+    (readings, forces)."""
     if not edges:
-        return []
+        return [], np.zeros((int(run.readings.sum()), 0))
     n = len(onsets)
     on = np.clip((run.t[:, None] - onsets) / np.maximum(run.spans, 1e-9)[:, None], 0.0, 1.0)
     entered = np.zeros((len(run.t), 4, 2 * n))
@@ -161,11 +164,13 @@ def _forces(
     steps = answer(run, entered)[run.readings]
     first, last = np.array(edges).T
     force, moment = steps[:, first] - steps[:, last], steps[:, n + first] - steps[:, n + last]
+    arms = [height * run.robot.com_height for height in heights]
+    together = np.concatenate([force + h * moment for h in arms], axis=1)
+    kinds = [(float(onsets[i]), float(onsets[j]), h) for h in arms for i, j in edges]
     return [
-        Signature(fault="push", onset=float(onsets[i]), stop=float(onsets[j]), size=h, values=one)
-        for h in (height * run.robot.com_height for height in heights)
-        for i, j, one in zip(first, last, (force + h * moment).T, strict=True)
-    ]
+        Signature(fault="push", onset=onset, stop=stop, size=h, values=one)
+        for (onset, stop, h), one in zip(kinds, together.T, strict=True)
+    ], together
 
 
 def _loads(run: FilterRun, onsets: Array) -> list[Signature]:
@@ -190,10 +195,9 @@ def biases(run: FilterRun, onsets: Array) -> list[Signature]:
     """An offset of the gyro, as a step or as a ramp, from each onset on."""
     gyro = (run.row == run.rows.index("sensor/gyro"))[:, None]
     elapsed = np.maximum(run.t[:, None] - onsets, 0.0)
-    nothing = np.zeros((len(run.t), 4, len(onsets)))
     offsets: list[Signature] = []
     for way, shift in (("step", (elapsed > 0) * 1.0), ("ramp", elapsed)):
-        response = answer(run, nothing, shift * gyro)[run.readings].T
+        response = propagated(run, None, shift * gyro)[run.readings].T
         offsets += [
             Signature(fault="bias", way=way, onset=float(t), values=one)
             for t, one in zip(onsets, response, strict=True)

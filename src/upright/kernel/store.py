@@ -35,7 +35,7 @@ SOURCES = (
     "compiled/electronics.py", "robots/kit.py",
 )  # fmt: skip
 """What decides about compiled functions; the last two about the rows of a sensor's numbers."""
-ALSO = ("calibrate/kept.py", "calibrate/motion.py", "calibrate/predictor.py")
+ALSO = ("calibrate/kept.py", "calibrate/motion.py", "calibrate/predictor.py", "diagnose/propagation.py")
 """What else decides about functions that Numba itself compiles and calls."""
 
 _CHECKSUM = hashlib.sha256().digest_size  # bytes before the code of a file
