@@ -122,7 +122,7 @@ class FaultyBody:
             sent = tuple(min(max(gain * u, -left * self.most), left * self.most) for u in sent)
         got = self.inner.step(sent, disturbance)
         self.count += 1
-        return replace(got, values=self._seen(got.values, on, t))
+        return got._replace(numbers=tuple(self._seen(got.values, on, t).tolist()))
 
     def close(self) -> None:
         self.inner.close()

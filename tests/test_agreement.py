@@ -183,7 +183,7 @@ class Hardware:
         self.steps, self._skip = 0, len(self.body.spec.channels) - len(channels)
 
     def _seen(self, now: Sample) -> Sample:
-        return dataclasses.replace(now, values=now.values[self._skip :])
+        return now._replace(numbers=now.numbers[self._skip :])
 
     def reset(self, start: Any = (0.0,) * 6, seed: int = 0) -> Sample:
         return self._seen(self.body.reset(start, seed))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol, runtime_checkable
+from typing import NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,15 +44,21 @@ class BodySpec:
     pushable: bool = True
 
 
-@dataclass(frozen=True)
-class Sample:
-    """What one step gives: time `t` [s], `values` in the order of the spec's channels (read-only), the command
-    (left, right) that was really `applied` on the way here, and whether the robot has `fallen`."""
+class Sample(NamedTuple):
+    """What one step gives: time `t` [s], `numbers` in the order of the spec's channels, the command (left, right) that
+    was really `applied` on the way here, and whether the robot has `fallen`."""
 
     t: float
-    values: Array
+    numbers: tuple[float, ...]
     applied: tuple[float, float]
     fallen: bool = False
+
+    @property
+    def values(self) -> Array:
+        """The numbers as a read-only array; most steps of a run need none."""
+        array = np.array(self.numbers)
+        array.setflags(write=False)
+        return array
 
 
 @runtime_checkable
@@ -73,10 +79,8 @@ class Body(Protocol):
 
 
 def sample(t: float, values: Sequence[float], applied: Sequence[float], fallen: bool) -> Sample:
-    """A `Sample` of read-only values."""
-    array = np.array(values, dtype=np.float64)
-    array.setflags(write=False)
-    return Sample(t, array, (float(applied[0]), float(applied[1])), bool(fallen))
+    """A `Sample` of plain numbers."""
+    return Sample(t, tuple(map(float, values)), (float(applied[0]), float(applied[1])), bool(fallen))
 
 
 MOST = 1e12

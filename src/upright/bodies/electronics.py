@@ -63,7 +63,7 @@ class Electronics:
         self._line.reset(rng)
         self._voltage, self._driven = self.kit.battery.voltage, None
         for index, channel in self._sensors:
-            channel.reset(rng, self._voltage if index is None else float(first.values[index]))
+            channel.reset(rng, self._voltage if index is None else first.numbers[index])
         return self._sample(first)
 
     def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
@@ -73,7 +73,7 @@ class Electronics:
             self._applied, self._voltage = drive(arrived, self.kit, self.spec.command_unit)
         applied = self._applied
         inner = self.body.step(applied if self._alike else self._turned(applied), disturbance)
-        return self._sample(inner if self._alike else replace(inner, applied=applied))
+        return self._sample(inner if self._alike else inner._replace(applied=applied))
 
     def _turned(self, applied: tuple[float, float]) -> tuple[float, ...]:
         """What each motor makes of what is applied to it."""
@@ -83,7 +83,7 @@ class Electronics:
         self.body.close()
 
     def _sample(self, inner: Sample) -> Sample:
-        raw = inner.values.tolist()
+        raw = inner.numbers
         truth = [raw[i] for i in self._truth]
         readings = [channel.read(self._voltage if i is None else raw[i]) for i, channel in self._sensors]
         return sample(inner.t, (*truth, *readings), inner.applied, inner.fallen)
@@ -130,26 +130,26 @@ class _Channel:
         self._delay = round(sensor.delay / period)
         self._every = max(1, round(sensor.period / period))
         self._root = math.sqrt(period * self._every)
+        self._walks, self._noisy = bool(sensor.bias_walk), bool(sensor.noise)
 
     def reset(self, rng: np.random.Generator, first: float) -> None:
-        self._rng, self._count = rng, 0
+        self._random, self._wait = rng.standard_normal, 0
         self._line = deque([first] * (self._delay + 1), maxlen=self._delay + 1)
         self._touch = first
-        self._bias = self._sensor.bias * float(rng.standard_normal()) if self._sensor.bias else 0.0
+        self._bias = self._sensor.bias * float(self._random()) if self._sensor.bias else 0.0
 
     def read(self, value: float) -> float:
         if self._play:
             (value,) = _SLACKEN(self._touch, value, self._play)
             self._touch = value
-        self._line.append(value)
-        if self._count % self._every == 0:
-            self._held = self._fresh(self._line[0])
-        self._count += 1
+        if self._delay:
+            self._line.append(value)
+            value = self._line[0]
+        if self._wait:
+            self._wait -= 1
+            return self._held
+        self._wait = self._every - 1
+        step = self._root * self._random() if self._walks else 0.0
+        normal = self._random() if self._noisy else 0.0
+        self._held, self._bias = _MEASURE(value, self._bias, normal, step, *self._numbers)
         return self._held
-
-    def _fresh(self, value: float) -> float:
-        s, random = self._sensor, self._rng.standard_normal
-        step = self._root * float(random()) if s.bias_walk else 0.0
-        normal = float(random()) if s.noise else 0.0
-        reading, self._bias = _MEASURE(value, self._bias, normal, step, *self._numbers)
-        return reading

@@ -51,7 +51,7 @@ class World:
     @property
     def yaw(self) -> float:
         """The true heading [rad]."""
-        return float(self._now.values[self._names.index("truth/yaw")])
+        return self._now.numbers[self._names.index("truth/yaw")]
 
     def step(self, duties: Sequence[float], driven: bool) -> None:
         """One period under both `duties` [%]; `driven` lets the robot go for good."""
@@ -63,7 +63,7 @@ class World:
 
     def raw(self) -> dict[str, float]:
         """What each sensor reads now, by channel, in the target's raw units; the gyro with its offset."""
-        channels = dict(zip(self._names, self._now.values.tolist(), strict=True))
+        channels = dict(zip(self._names, self._now.numbers, strict=True))
         battery = self._kit.battery.voltage
         if not self.released:
             noise = self._kit.sensors[GYRO].noise * float(self._rng.standard_normal())

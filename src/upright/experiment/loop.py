@@ -55,7 +55,7 @@ class Stepper:
         controller.applied(now.applied)
         self.now, self.command = now, command
         return [
-            *before.values.tolist(), *command, *now.applied, *acting, *reference.tolist(), *controller.estimate(),
+            *before.numbers, *command, *now.applied, *acting, *reference.tolist(), *controller.estimate(),
         ]  # fmt: skip
 
     def log(self, rows: ArrayLike, scenario: dict[str, Any]) -> Log:

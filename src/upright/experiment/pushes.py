@@ -48,9 +48,8 @@ class Impulse:
         _check(self, positive=("duration",))
 
     def at(self, t: float, robot: Robot) -> Disturbance:
-        return Push(
-            force=self.impulse / self.duration, start=self.start, duration=self.duration, height=self.height
-        ).at(t, robot)
+        on = _within(t, self.start, self.duration)
+        return Disturbance(self.impulse / self.duration if on else 0.0, _height(self.height, robot))
 
 
 @dataclass(frozen=True, kw_only=True)

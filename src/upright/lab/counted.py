@@ -43,7 +43,7 @@ class Counted(Electronics):
         sensors = zip(self.kit.sensors.values(), self._sensors, strict=True)
         for purpose, (sensor, (index, channel)) in enumerate(sensors):
             every = max(1, round(sensor.period / period))
-            value = self._voltage if index is None else float(first.values[index])
+            value = self._voltage if index is None else first.numbers[index]
             channel.reset(_source(standard_normal=_drawn(sensor, every, purpose, seed).__next__), value)
         return self._sample(first)
 

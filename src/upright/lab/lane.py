@@ -66,7 +66,7 @@ class Lane:
 
     def state(self) -> list[float]:
         """The true state (6,), with the wheel's and the heading's whole way."""
-        x = [a + b for a, b in zip(self._loop.now.values[:6].tolist(), self.offset, strict=True)]
+        x = [a + b for a, b in zip(self._loop.now.numbers[:6], self.offset, strict=True)]
         if self.fallen:
             x[0], x[1], x[3], x[5] = math.copysign(LYING, x[0]), 0.0, 0.0, 0.0
         return x
