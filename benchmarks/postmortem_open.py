@@ -205,8 +205,7 @@ def walled(twin: Twin, robot: Robot, place: float, height: float) -> None:
         f'<geom name="wall" type="box" pos="{place + 0.05} 0 {height / 2}" size="0.05 1 {height / 2}" contype="1" '
         f'conaffinity="0" condim="3" priority="2" friction="{WALL_FRICTION} 0 0"/>'
     )
-    twin._model = mujoco.MjModel.from_xml_string(text.replace('<body name="body"', box + '<body name="body"', 1))
-    twin._data = mujoco.MjData(twin._model)
+    twin._holds(text.replace('<body name="body"', box + '<body name="body"', 1))
     twin.reset()
 
 

@@ -53,6 +53,7 @@ class Twin:
         grip: float = 10.0,
     ) -> None:
         self._count = _steps_per_period(period, timestep)
+        self._more = [mujoco.mj_step] * (self._count - 1)
         contact = {"contact_time": contact_time, "impedance": impedance, "impratio": impratio, "grip": grip}
         _check_contact(timestep, **contact)
         text = mjcf(robot, timestep=period / self._count, **contact)
@@ -60,13 +61,16 @@ class Twin:
         self.spec = BodySpec(
             kind="twin", robot=robot, channels=channels, period=period, command_unit=robot.command_unit
         )
-        self._model = mujoco.MjModel.from_xml_string(text)
-        self._data = data = mujoco.MjData(self._model)
-        # arrays that MuJoCo writes into and reads from, asked for once
-        self._q, self._v, self._sensed, self._wrong = data.qpos, data.qvel, data.sensordata, data.warning.number
+        self._holds(text)
         lightest = robot.wheel_inertia + robot.gear_ratio**2 * robot.rotor_inertia
         self._wildest = _WILD * lightest / motor_gain(robot)
         self.reset()
+
+    def _holds(self, text: str) -> None:
+        """MuJoCo's model of this description, and its arrays, asked for once."""
+        self._model = mujoco.MjModel.from_xml_string(text)
+        self._data = data = mujoco.MjData(self._model)
+        self._q, self._v, self._sensed, self._wrong = data.qpos, data.qvel, data.sensordata, data.warning.number
 
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (nothing here is random)
         x = checked(start, 6, "start")
@@ -84,7 +88,7 @@ class Twin:
         data.qvel[3:6] = -yaw_rate * math.sin(pitch), pitch_rate, yaw_rate * math.cos(pitch)
         data.qvel[6:8] = [rate - pitch_rate for rate in rates]
         self._settle()
-        self._steps, self._yaw = 0, yaw
+        self._steps, self._yaw, self._ready = 0, yaw, False
         return self._sample((0.0, 0.0))
 
     def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
@@ -94,15 +98,17 @@ class Twin:
             raise _unstable(self._steps * self.spec.period, u)
         self._data.ctrl[:] = u
         self._slope_is(slope)
+        first = mujoco.mj_step2 if self._ready else mujoco.mj_step  # positions and velocities are computed already
         if force or self.spec.robot.wheel_friction or self.spec.robot.rolling_friction:
-            for _ in range(self._count):
+            for advance in (first, *self._more):
                 self._load(force, height)
-                mujoco.mj_step(self._model, self._data)
+                advance(self._model, self._data)
         else:
             self._data.qfrc_applied[:] = 0.0
-            mujoco.mj_step(self._model, self._data, self._count)
+            first(self._model, self._data)
+            mujoco.mj_step(self._model, self._data, self._count - 1)
         mujoco.mj_forward(self._model, self._data)  # sensors belong to the end of the step, not to its start
-        self._steps += 1
+        self._steps, self._ready = self._steps + 1, True
         return self._sample(u)
 
     def close(self) -> None:
@@ -110,7 +116,7 @@ class Twin:
 
     def _slope_is(self, slope: float) -> None:
         if slope != self._slope:
-            self._slope, g = slope, self.spec.robot.gravity
+            self._slope, self._ready, g = slope, False, self.spec.robot.gravity
             self._model.opt.gravity[:] = -g * math.sin(slope), 0.0, -g * math.cos(slope)
 
     def _settle(self) -> None:

@@ -221,7 +221,7 @@ class Pulled:
         if not self.twist:
             return self.body.step(command, disturbance)
         result = self.body.step((command[0] + self.twist, command[1] - self.twist), disturbance)
-        return replace(result, applied=(float(command[0]), float(command[1])))
+        return result._replace(applied=(float(command[0]), float(command[1])))
 
     def close(self) -> None:
         self.body.close()
