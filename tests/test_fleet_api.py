@@ -29,7 +29,8 @@ from upright.fleet.results import labelled, load, origin_of, save, summarise
 from upright.fleet.vary import variation, varied, with_number
 from upright.kernel.batch import parameters_of
 from upright.plotting import colour_map
-from upright.report.fleet import basin_figure, page_of, push_map_figures
+from upright.report.fleet import page_of
+from upright.report.maps import basin_figure, push_map_figures
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Family, Uncertainty
 

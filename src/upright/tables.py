@@ -105,6 +105,14 @@ def spoken(name: str) -> str:
     return f"{of} {kind}" if of else SPOKEN.get(kind, kind.replace("_", " "))
 
 
+_RADIANS = re.compile(r"([+−-]?)(\d+\.\d+) rad\b(?!/)")
+
+
+def in_degrees(text: str) -> str:
+    """The same words with angles in degrees: "hold at +0.19 rad" as hold at +11°."""
+    return _RADIANS.sub(lambda m: f"{m[1]}{math.degrees(float(m[2])):.2g}°".replace("-", "−"), text)
+
+
 def least(value: float, digits: int = 3) -> str:
     """A number of which it is said that others are at least as large: never rounded up.
 

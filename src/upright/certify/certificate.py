@@ -33,7 +33,7 @@ from upright.reading import check_types, read_json, understood
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.facts import Facts, differences, kit_facts, robot_facts
 from upright.robots.uncertainty import Uncertainty, at_medians, draw
-from upright.tables import Shown
+from upright.tables import Shown, in_degrees
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -136,10 +136,12 @@ class Certificate(Shown):
     def plot(self) -> Figure:
         """How many robots fell [%], or the travel [m] of 95 % of them where none did: a bar for every push at every
         battery, the worst first. Above falls stands the bound on all pushes together, which the limit is for."""
-        from upright.plotting import COLOURS, bars
+        from upright.plotting import COLOURS, bars, number
 
         fell = any(t.fell for t in self.trials)
-        each = {f"{t.push}, {t.battery} battery": 100 * t.fell / t.runs if fell else t.travel for t in self.trials}
+        pushes = [f"{in_degrees(t.push)}, {t.battery} battery" for t in self.trials]
+        sizes = [100 * t.fell / t.runs if fell else t.travel for t in self.trials]
+        each = dict(zip(pushes, sizes, strict=True))
         worst = sorted(each, key=lambda name: -each[name])
         label, limit = ("robots that fell [%]", 100 * MOST_FALLS) if fell else ("travel [m]", math.nan)
         together = {"any push, at most (95 %)": 100 * self.bound} if fell else {}
@@ -147,6 +149,7 @@ class Certificate(Shown):
         figure = bars([*each], [*each.values()], label, "push", limit=limit)
         if together:  # a bound is no count
             figure.axes[0].patches[0].set(facecolor="none", edgecolor=COLOURS[0], hatch="///")
+            figure.axes[0].texts[0].set_text(number(100 * self.bound, 2))
         return figure
 
     def to_json(self) -> dict[str, Any]:

@@ -50,8 +50,8 @@ robot's file may state others (`Robot.conditions`)."""
 DELAYS = (0.25, 0.5, 1.0, 1.5, 2.0)
 """Additional dead times that are tried, in periods."""
 
-SLOWER = (0.5, 0.8, 1.25, 1.5, 2.0)
-"""Periods that are tried, as multiples of the controller's own."""
+SLOWER = (0.5, 0.8, 1.0, 1.25, 1.5, 2.0)
+"""Periods that are tried, as multiples of the controller's own, which is among them for comparison."""
 
 SWEPT = 100
 """Number of drawn robots in the sweeps."""

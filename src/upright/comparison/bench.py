@@ -21,7 +21,7 @@ from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import draw
 from upright.signals import Log
-from upright.tables import Listing, Shown
+from upright.tables import Listing, Shown, in_degrees
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -129,7 +129,7 @@ class Bench(Shown):
         from upright.plotting import legend, line, panels
 
         pushes = list(dict.fromkeys(push for _, push in self.logs))
-        figure, axes = panels([f"pitch, {push.replace(' rad', ' rad of lean')} [°]" for push in pushes])
+        figure, axes = panels([f"pitch, {in_degrees(push)} of lean [°]" for push in pushes])
         shown = {key: log for key, log in self.logs.items() if not controllers or key[0] in controllers}
         for (controller, push), log in shown.items():
             line(axes[pushes.index(push)], controller, log.t, np.degrees(log["truth/pitch"]))

@@ -109,9 +109,10 @@ def of_push(evidence: Evidence, push: PushEstimate, lean: float) -> str:
     way = "forward" if push.impulse > 0 else "backward"
     caused, largest = (math.degrees(angle) for angle in (lean, min(evidence.toppling.largest, LEANING)))
     return (
-        f"a push {way} of {abs(push.impulse):.2g} N s within {push.stop - push.start:.2g} s at t = {push.start:.2f} s "
-        f"explains {most(evidence.pushes_only.explained)} of the innovations. With later pushes it causes a lean "
-        f"of {caused:.2g}°, its speed included; the motors bring back {largest:.2g}° at most"
+        f"a push {way} of {abs(push.impulse):.2g} N s at t = {push.start:.2f} s, "
+        f"{1e3 * (push.stop - push.start):.2g} ms long, explains {most(evidence.pushes_only.explained)} of the "
+        f"innovations. With later pushes it causes a lean of {caused:.2g}°, its speed included; the motors bring back "
+        f"{largest:.2g}° at most"
     )
 
 

@@ -59,10 +59,22 @@ def distribution(data: Dataset, outcome: str, bins: int = 60) -> Figure:
     if unit in ("rad", "rad/s"):
         values, unit = np.degrees(values), unit.replace("rad", "°")
     words = str(data[outcome].attrs["long_name"])
-    figure, (ax,) = panels(["fraction of robots [1]"], f"{words} [{unit}]", height=1.4)
+    if unit == "1":
+        values, unit = 100 * values, "%"
+    figure, (ax,) = panels(["robots [%]"], f"{words} [{unit}]", height=1.4)
     if len(values):
-        ax.hist(values, bins, weights=np.full(len(values), 1 / len(values)), histtype="stepfilled", alpha=0.8)
+        ax.hist(values, _borders(values, bins), weights=np.full(len(values), 100 / len(values)), histtype="stepfilled",
+                alpha=0.8)  # fmt: skip
     return figure
+
+
+def _borders(values: NDArray[np.float64], bins: int) -> int | list[float]:
+    """Borders between the values where these are few, as of counted periods; other bins would look like a comb."""
+    few = np.unique(np.round(values, 9))
+    step = float(np.diff(few).min()) if len(few) > 1 else 0.0
+    if not step or np.ptp(few) > bins * step:
+        return bins
+    return [float(few[0]) + step * (k - 0.5) for k in range(round(float(np.ptp(few)) / step) + 2)]
 
 
 def stood(data: Dataset, outcome: str) -> NDArray[np.float64]:

@@ -18,7 +18,7 @@ from upright.identify.methods import IDENTIFIERS, find_identifier
 from upright.identify.order import OrderChoice
 from upright.identify.prediction import prediction_fits
 from upright.identify.samples import Samples, samples
-from upright.identify.study import Study
+from upright.identify.study import Pole, Study
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
 from upright.physics.linear import unstable_pole
@@ -28,6 +28,7 @@ from upright.signals import Log
 from upright.tables import Shown
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 ALL = "all"
@@ -78,6 +79,7 @@ class MethodComparison(Shown):
             ax.hlines(rows, [p.low for p in poles], [p.high for p in poles], linewidth=2.5, color=colour)
             mark = "o" if holds else "x"
             ax.plot([p.value for p in poles], rows, mark, markersize=7, color=colour, label=f"its regulator {name}")
+        _beside(ax, [m.pole for m in self.models.values()])
         return legend(figure)
 
     def __str__(self) -> str:
@@ -86,6 +88,16 @@ class MethodComparison(Shown):
             lines.append(f"  {name:<20} {m.pole.value:8.3g} 1/s {interval(m.pole):<18} {self.trials[name]}")
             lines += [f"  {'':<20} {free}" for free in (m.pole.in_words(),) if free]
         return "\n".join([*lines, *(f"  {name:<20} {why}" for name, why in self.failed.items()), *self.notes])
+
+
+def _beside(ax: Axes, poles: Sequence[Pole]) -> None:
+    """The numbers of each interval at its right end, since a short one hides under its mark."""
+    for row, p in enumerate(poles):
+        if math.isfinite(p.high):
+            text = f"{p.low:.3g} to {p.high:.3g}".replace("-", "−")
+            ax.annotate(text, (max(p.high, p.value), row), (8, 0), textcoords="offset points", va="center")
+    low, high = ax.get_xlim()
+    ax.set_xlim(low, high + 0.2 * (high - low))
 
 
 def identify(

@@ -130,9 +130,10 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     stood = not any(numbers.fell for numbers in comparison.metrics.values())
     force = Hold(pitch=PUSHES[side], until=RELEASE).force(robot)
     fits = {name: cell_text(fit["pitch"], 2) for name, fit in comparison.fits.items()}
+    why = _why_long(comparison, measured)
     summary = (
         f"Held at {cell_text(PUSHES[side])} rad by {cell_text(force, 2)} N at the centre of mass and released, pitch "
-        f"settles to 5 % in {_times(measured.settling)}. Its fit to the twin is {fits['nonlinear']} % for the "
+        f"settles to 5 % in {_times(measured.settling)}.{why} Its fit to the twin is {fits['nonlinear']} % for the "
         f"nonlinear and {fits['linear']} % for the linear model. {trial.why}"
     )
     figures = _figures(comparison, measured, FIGURES[side])
@@ -146,11 +147,28 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     return Claim(part, title, verdict, summary, numbers, items, logs)
 
 
+def _why_long(comparison: Comparison, measured: Measured) -> str:
+    """Why the twin takes far longer, where only its swing at rest leaves the band."""
+    models = max(measured.settling[name] for name in ("nonlinear", "linear"))
+    if not measured.settling["twin"] > 2 * models:
+        return ""
+    swing, band = _swing(comparison)
+    return (
+        f" The twin's small swing at rest, up to {cell_text(1000 * swing, 2)} mrad, leaves and enters the band of "
+        f"{cell_text(1000 * band, 2)} mrad; the models have none."
+    )
+
+
+def _swing(comparison: Comparison) -> tuple[float, float]:
+    """Of the twin's pitch [rad]: how far it swings in the last two seconds, and the 5 % band after the release."""
+    twin = comparison.logs["twin"]
+    swing = float(np.abs(twin.between(SECONDS - 2.0, SECONDS)["truth/pitch"]).max())
+    return swing, 0.05 * float(np.abs(twin.between(RELEASE, SECONDS)["truth/pitch"]).max())
+
+
 def _restless(comparison: Comparison) -> str:
     """The twin's residual oscillation, which affects its settling time as much as its dynamics do."""
-    twin = comparison.logs["twin"].between(SECONDS - 2.0, SECONDS)
-    swing = float(np.abs(twin["truth/pitch"]).max())
-    band = 0.05 * float(np.abs(comparison.logs["twin"].between(RELEASE, SECONDS)["truth/pitch"]).max())
+    swing, band = _swing(comparison)
     outside = "wider" if swing > band else "narrower"
     return (
         "The twin never settles completely. Encoder and driver resolution, the motors' dead zone and gyro noise keep "

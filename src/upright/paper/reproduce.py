@@ -25,8 +25,11 @@ LIGHT, HEAVY = "nxtway-gs", "herrera2015"
 TITLE = "Herrera et al. (2015): {} of {} claims reproduced"
 LEAD = (
     "Herrera, Chamorro, Gómez and Camacho model the LEGO NXT balancing robot twice, put robot and models under one "
-    "regulator, and push them. This page repeats each step. A simulated twin stands in for their robot."
+    "regulator, and push them. This page repeats each step; a simulated twin stands in for their robot."
 )
+
+
+AFTER = " Next: `upright reproduce --log LOG --robot ROBOT` does the same with a log of your own robot."
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -91,7 +94,8 @@ def _page(claims: Sequence[Claim]) -> Page:
     held = counted[REPRODUCED]
     title = TITLE.format(held, held + counted[NOT_AS_PRINTED])
     verdict = Verdict("all as printed", "good") if not failed else Verdict(f"{len(failed)} not as printed", "warn")
-    return Page(title, sections, f"{LEAD}{missed}", _versions(), verdict=verdict, picture=picture, numbers=numbers)
+    facts = {"command": "upright reproduce", **_versions()}
+    return Page(title, sections, f"{LEAD}{missed}{AFTER}", facts, verdict=verdict, picture=picture, numbers=numbers)
 
 
 def chapters(progress: Progress = unwatched) -> list[Claim]:

@@ -24,9 +24,11 @@ def page_of(result: Analysis | Designed) -> Page:
         return page_of(result.analysis)
     analysis = result
     first, *rest = analysis.words()
+    first = sentence(first, "")
     sections = [Section("All margins", [first, *rest, *_margins(analysis)] if analysis.stable else _margins(analysis))]
     if analysis.stable:
-        last = f"Bode diagram: last gain crossover at {analysis.both().crossover:.3g} rad/s"
+        both = analysis.both()
+        last = f"Bode diagram: beyond {both.crossover:.3g} rad/s the gain stays below 1, the dashed line"
         sections = [Section("Frequency response", [_nyquist(analysis), Figure(last, analysis.plot())]), *sections]
         sections += [Section("Closed-loop poles", [_poles(analysis)])]
     facts = {"controller": analysis.hash[:12], "period": f"{analysis.period * 1e3:g} ms"}
@@ -104,7 +106,10 @@ def _against_targets(analysis: Analysis) -> Figure:
     ax.axvline(100, linestyle="--", linewidth=1.2, color=AXIS, label="usual target")
     ax.set_xlim(0, max(110.0, 1.05 * parts.max()))
     met = int((parts >= 100).sum())
-    return Figure(f"{met} of {len(parts)} margins reach the usual target", legend(figure))
+    return Figure(f"{met} of {len(parts)} margins reach the usual target", legend(figure), _DECIBELS)
+
+
+_DECIBELS = "Strengths of the motors are compared in decibels: no change at all is 0 % of the target."
 
 
 def _numbers(analysis: Analysis) -> list[tuple[str, str]]:
@@ -124,7 +129,7 @@ def _margins(analysis: Analysis) -> list[Item]:
     header = ["broken at", "gain from", "gain to", "phase [°]", "delay [ms]", "disk α", "Ms", "Mt"]
     numbers: list[list[Cell]] = [
         ["disk α of both motors at once", analysis.disk],
-        ["delay margin [ms]", analysis.delay * 1e3],
+        ["delay margin of both motors, tried on the sampled robot [ms]", analysis.delay * 1e3],
         ["b(P, C), stability margin of the normalised coprime factors", analysis.coprime],
         ["largest ν-gap of the drawn robots", analysis.gap],
         ["largest |pole|", float(np.abs(analysis.poles).max())],

@@ -8,6 +8,7 @@ from upright.comparison.bench import DRAWN, TOLERANCE, Bench
 from upright.plotting import number
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
+from upright.tables import in_degrees
 
 
 def page_of(bench: Bench) -> Page:
@@ -37,9 +38,13 @@ def page_of(bench: Bench) -> Page:
     lead += "Next: `upright certify` the best one with slightly different robots."
     return Page(
         heading, sections, lead, facts,
-        bench.body == "twin", verdict=verdict, picture=Figure(title, bench.plot()) if knocked else responses(bench),
+        bench.body == "twin", verdict=verdict,
+        picture=Figure(title, bench.plot(), _SMALLER) if knocked else responses(bench),
         numbers=numbers if knocked else (),
     )  # fmt: skip
+
+
+_SMALLER = "Of the knocks from the front and from the back, the smaller one. The tables have both."
 
 
 def responses(bench: Bench) -> Figure:
@@ -60,21 +65,32 @@ def tables(bench: Bench) -> list[Table]:
     header = [
         "controller",
         "holds",
-        "peak [rad]",
+        "peak [°]",
         "settles [s]",
-        "travel [rad]",
+        "wheels turn [°]",
         "effort",
-        "saturated",
+        "saturated [%]",
         "knock [N s]",
-        "falls",
+        "falls [%]",
     ]
+    place = {name: k for k, name in enumerate(bench.ranked())}
+    ordered = sorted(bench.rows, key=lambda row: place.get(row.controller, len(place)))
     made: list[Table] = []
     for push in dict.fromkeys(row.push for row in bench.rows):
         cells: list[list[Cell]] = [
-            [r.controller, r.outcome, r.peak, r.settling, r.travel, r.effort, r.saturated, r.impulse, r.spread]
-            for r in bench.rows
+            [r.controller, r.outcome, _degrees(r.peak), r.settling, _degrees(r.travel), r.effort,
+             _percent(r.saturated), r.impulse, _percent(r.spread)]
+            for r in ordered
             if r.push == push
-        ]
-        caption = f"{push}: held until 3 s. Knock: the largest survived [N s]; falls: fraction of {DRAWN} drawn robots"
+        ]  # fmt: skip
+        caption = f"Pushed from the {in_degrees(push)} of lean, held until 3 s; falls are those of {DRAWN} drawn robots"
         made.append(Table(header, cells, caption, digits=3))
     return made
+
+
+def _degrees(angle: float | None) -> float | None:
+    return None if angle is None else math.degrees(angle)
+
+
+def _percent(part: float | None) -> float | None:
+    return None if part is None else 100 * part

@@ -135,6 +135,8 @@ def _by_name(c: Calibration) -> Figure | None:
         "Left or right of the middle: the log moved the value. Grey bars are about as long as the shaded band: the log "
         "adds little. One that reaches beyond it belongs to a positive number, whose interval is wider upwards."
     )
+    short = [e for e in c.parameters if 0 < e.prior_spread < math.inf and e.high - e.low < 0.1 * e.prior_spread]
+    note += " A dot without a bar: its interval is shorter than the dot." if short else ""
     return Figure("What this log tells of each parameter, beside what was known before", _bars(c), note)
 
 
@@ -193,7 +195,7 @@ def _lead(c: Calibration) -> str:
     logs = ", ".join(c.sources) or "the log"
     text = f"{c.robot.name} was fitted to {c.samples} rows of {logs}."
     if math.isfinite(lowest):
-        text += f" It predicts every sensor: R² at least {least(lowest, 2)} ({sensor}), wanted 0.9."
+        text += f" It predicts every sensor: R² at least {least(lowest)} ({sensor}), wanted 0.9."
         text = text if lowest >= GOOD else text.replace("predicts every sensor", "predicts the sensors in part")
     unknown = sum(e.verdict != VISIBLE for e in c.parameters)
     return text + (" Next: `upright excite` plans a run that tells more parameters." if unknown else "")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from upright.certify.verdict import MOST_FALLS
 from upright.fleet.binomial import clopper_pearson
+from upright.fleet.results import origin_of
 from upright.fleet.tally import Cases, labelled
 from upright.plotting import AXIS, legend, number
 from upright.report.figure import Figure
@@ -16,6 +17,7 @@ from upright.tables import spoken
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Drawing
+    from xarray import Dataset
 
 
 def page_of(cases: Cases) -> Page:
@@ -85,8 +87,10 @@ def _lead(cases: Cases) -> str:
     robots = " and ".join(dict.fromkeys(str(case.labels.get("robot", "")) for case in cases))
     many = f"{sizes[0]} random variations of {robots or 'the robot'}" if len(sizes) == 1 else f"variations of {robots}"
     scenes = list(dict.fromkeys(str(case.labels.get("scenario", "")) for case in cases))
-    scene = f" in scenario {scenes[0]}" if len(scenes) == 1 and scenes[0] else ""
-    scene += f", {pushed(cases.pushes)}" if len(scenes) == 1 and cases.pushes else ""
+    known = len(scenes) == 1 and cases.pushes
+    scene = (
+        f", {pushed(cases.pushes)}" if known else f" in scenario {scenes[0]}" if len(scenes) == 1 and scenes[0] else ""
+    )
     first = f"{len(cases)} cases, each with {many}{scene}."
     apart = {name for name, *_ in _apart(cases)}
     alike = [spoken(name) for name in cases.varied() if name not in apart]
@@ -105,7 +109,7 @@ def _numbers(cases: Cases, fallen: int, all_of_them: int) -> list[tuple[str, str
         chance = levels[level]
         within = f"{number(100 * chance.low, 3)} to {number(100 * chance.high, 3)} %"
         numbers.append((_percent(chance.value), f"fall with {labelled(name, level)} (95 % interval {within})"))
-    return numbers
+    return [*numbers, (f"{sum(case.n for case in cases)}", f"robots in all, in {len(cases)} cases")]
 
 
 def _claim(cases: Cases) -> str:
@@ -126,13 +130,31 @@ def _table(cases: Cases) -> Table:
     }
     shown = [name for name in cases.shown() if name in kinds]
     rows: list[list[Cell]] = []
-    for name, case in zip(cases.names(), cases, strict=True):
+    names, first = cases.names(), cases.worst_first()
+    order = [*(cases.index(case) for case in first), *(k for k, case in enumerate(cases) if case not in first)]
+    for name, case in ((names[k], cases[k]) for k in order):
         means = [(case.mean(o), kinds[o][1]) for o in shown]
         fell = None if case.fell is None else 100 * case.fell / case.n
         rows.append([name, fell, *(None if mean is None else factor * mean for mean, factor in means)])
     header = ["case", "fell [%]", *(kinds[o][0] for o in shown)]
-    return Table(header, rows, "Falls, and means of the robots that stood: largest pitch, settling time, effort", 3)
+    return Table(
+        header, rows, "Falls, most first; and means of the robots that stood: largest pitch, settling time, effort", 3
+    )
 
 
 def _percent(part: float) -> str:
     return f"{number(100 * part, 2)} %"
+
+
+def provenance(data: Dataset) -> dict[str, str]:
+    """Robot, controller, seed and versions for a page's foot."""
+    origin = origin_of(data)
+    controller, versions = origin.get("controller", {}), origin.get("versions", {})
+    facts = {
+        "robot": str(origin.get("robot", {}).get("name", "")),
+        "kit": str((origin.get("kit") or {}).get("name", "ideal")),
+        "controller": f"{controller.get('kind', '')} {str(controller.get('hash', ''))[:12]}".strip(),
+        "seed": str(origin.get("seed", "")),
+        "versions": ", ".join(f"{name} {number}" for name, number in sorted(versions.items())),
+    }
+    return {name: text for name, text in facts.items() if text}

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Sequence
 
 import numpy as np
 
 from upright.doctor.doctor import Diagnosis
-from upright.doctor.finding import GYRO, LEFT
+from upright.doctor.finding import GYRO, LEFT, Finding
 from upright.parity.parity import Parity
 from upright.physics.linear import Complex, LinearModel
 from upright.plotting import AXIS, COLOURS, PANEL, bars, legend, number, numbered, panels, plane, points
@@ -41,8 +40,7 @@ def _diagnosis(result: Diagnosis) -> Page:
     remarks = len(result.findings) - faults
     level = {"error": "bad", "warning": "warn", "note": "info"}
     rows: list[list[Cell]] = [
-        [Verdict(f.severity, level[f.severity]), f.channel.replace("_", " "), sentence(f.evidence), f.repair]
-        for f in result.findings
+        [Verdict(f.severity, level[f.severity]), _channel(f), sentence(f.evidence), f.repair] for f in result.findings
     ]
     columns: list[list[Cell]] = [[name, source.column] for name, source in result.mapping.channels.items()]
     drawn = result.plot()
@@ -63,16 +61,11 @@ def _diagnosis(result: Diagnosis) -> Page:
             "to repair", "bad" if any(f.severity == "error" for f in result.findings) else "warn"),
         picture=Figure(f"The readings of the log{poses and f'; the robot is {poses}'}", drawn) if drawn else None,
         numbers=[
-            (f"{passed} of {len(checks)}", "checks passed: " + _listed([name for name, _ in checks])),
+            (f"{passed} of {len(checks)}", "checks passed, from time stamps to falls; all are listed below"),
             (f"{result.seconds:.4g} s", f"length: {result.rows} rows, one every {result.period * 1e3:.4g} ms"),
-            *([(str(remarks), f"remark{'' if remarks == 1 else 's'}, not a fault" + ("" if remarks == 1 else "s"))]
-              if faults or not remarks else []),
+            (str(remarks), f"remark{'' if remarks == 1 else 's'}, not a fault" + ("" if remarks == 1 else "s")),
         ],
     )  # fmt: skip
-
-
-def _listed(names: Sequence[str]) -> str:
-    return f"{', '.join(names[:3])}, …"
 
 
 def _checks(result: Diagnosis) -> list[tuple[str, Verdict]]:
@@ -90,8 +83,20 @@ def _mapped(name: str) -> str:
     return "the names of upright" if name == "ours" else f"those of '{name}'"
 
 
+def _channel(finding: Finding) -> str:
+    return finding.channel.removeprefix("sensor/").replace("_", " ")
+
+
+AGREED = {
+    "signs and sides": "commands, wheels and gyro agree", "rates and angles": "no rate is an angle, no angle a rate",
+    "delays": "no reading comes late",
+}  # fmt: skip
+"""What it means that a check without a number of its own found nothing."""
+
+
 def _values(result: Diagnosis) -> dict[str, str]:
     """What was measured for a check, where that is a number or a word."""
+    passed = {name: verdict.text for name, verdict in _checks(result)}
     record, values = result.read, dict[str, str]()
     steps = np.diff(record.t)
     ordinary = steps[(steps > 0) & (steps < ORDINARY * result.period)]
@@ -114,6 +119,8 @@ def _values(result: Diagnosis) -> dict[str, str]:
         sides = [record[name] for name in record.commands]
         largest = max(float(np.nanmax(np.abs(side), initial=0.0)) for side in sides)
         values["motors at their limit"] = f"largest {cell_text(largest, 2)} {record.units.get(record.commands[0], '')}"
+    for check, agreed in AGREED.items():
+        values[check] = agreed if passed[check] == "ok" else ""
     values["falls and slips"] = ", ".join(dict.fromkeys(segment.kind for segment in result.segments))
     return values
 
@@ -124,7 +131,8 @@ def _advice(result: Diagnosis, faults: int) -> str:
     first = next(iter(result.findings), None)
     of = f" {first.channel.removeprefix('sensor/').replace('_', ' ')}: {first.evidence.rstrip('.')}." if first else ""
     more = f" {len(result.findings) - 1} more below." if len(result.findings) > 1 else ""
-    text = f"Worst,{of}" if faults else f"All checks pass.{f' A remark on the{of}{more}' if first else ''}"
+    remark = f" One remark, on the {of.strip().partition(':')[0]}: {first.repair.rstrip('.')}." if first else ""
+    text = f"Worst,{of}" if faults else f"All checks pass.{remark}{more}"
     text += f" {sentence(first.repair)}" if faults and first and first.repair else ""
     fixes = any(f.fixes for f in result.findings)
     next_one = f"`upright doctor {name} --fix repaired.csv`" if fixes else f"`upright calibrate {name} --robot ROBOT`"

@@ -113,11 +113,12 @@ def _worse(comparison: Comparison) -> str:
     window = np.full(max(1, round(AVERAGED / float(np.median(np.diff(t))))), 1.0)
     mean = [np.convolve(y, window / len(window), "valid") for y in (one, other)]
     averaged = nrmse_fit(*mean)
-    text = f" {sentence(words(name), '')} fits {_percent(fits[name])}"
     if averaged < FAIR:
-        return f"{text}."
-    noise = "since noise shakes each run in its own way"
-    return f"{text}, {noise}; averaged over {AVERAGED:g} s it fits {_percent(averaged)}."
+        return f" {sentence(words(name), '')} fits {_percent(fits[name])} only."
+    return (
+        f" {sentence(words(name), '')} agrees once noise is averaged: {_percent(averaged)} over {AVERAGED:g} s. "
+        f"Sample by sample it fits {_percent(fits[name])}, since each run has noise of its own."
+    )
 
 
 def _verdict(comparison: Comparison) -> Verdict | None:
@@ -159,9 +160,12 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
     ]
     apart = _apart(comparison, "pitch") if "pitch" in comparison.signals else {}
     fits += [(degrees(size), f"largest difference of pitch: {label}") for label, size in list(apart.items())[:1]]
+    peaks = {label: degrees(m.pitch_peak) for label, m in comparison.metrics.items() if not m.fell}
+    if len(peaks) == len(comparison.logs) == 2:
+        return [*fits, (" and ".join(peaks.values()), f"largest pitch of {' and '.join(peaks)}")]
     return fits + [
         (degrees(m.pitch_peak), f"{label}: largest pitch") if not m.fell else ("fell", label)
-        for label, m in list(comparison.metrics.items())[: 4 - len(fits)]
+        for label, m in list(comparison.metrics.items())[: 3 - len(fits)]
     ]  # fmt: skip
 
 
@@ -183,7 +187,7 @@ def _apart(comparison: Comparison, name: str) -> dict[str, float]:
 
 
 def _settles(seconds: float) -> str:
-    return "never" if math.isnan(seconds) else f"{seconds:.2g} s"
+    return "never" if math.isnan(seconds) else f"{cell_text(seconds, 3)} s"
 
 
 def state_figure(comparison: Comparison, name: str) -> Figure:

@@ -1,4 +1,4 @@
-"""Pages of fleets, push maps and basins: maps over two axes in colour, their slices, and distributions."""
+"""Pages of fleets: an outcome over what was varied, and distributions; `maps` has those of push maps and basins."""
 
 from __future__ import annotations
 
@@ -12,146 +12,42 @@ from numpy.typing import NDArray
 from upright.bodies.body import FALLEN
 from upright.certify.verdict import MOST_FALLS
 from upright.fleet.binomial import upper_bound
+from upright.fleet.ensemble import SETTLED
 from upright.fleet.fleet import Fleet, distribution, stood
 from upright.fleet.results import OUTCOMES, Summary, origin_of, summarise
-from upright.plotting import AXIS, bars, colour_map, edges, legend, line, number, panels, round_levels
-from upright.report.campaign import falls_verdict, pushed
+from upright.plotting import AXIS, bars, line, number, panels
+from upright.report.campaign import falls_verdict, provenance, pushed
 from upright.report.figure import Figure
-from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
+from upright.report.maps import basin_page, push_map_page
+from upright.report.page import Cell, Page, Section, Table, cell_text
 from upright.tables import sentence, spoken
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from xarray import Dataset
 
 Array = NDArray[np.float64]
 
-LEVELS = 10
-"""Colours of a map: few enough to be distinguished side by side, and to be named at the bar."""
-
-
 FRACTION: dict[str, Any] = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points"}
+
 PARTS, DOTS = 12, 500
 """Groups of as many robots each, of which the fraction that fell is drawn; and robots drawn as dots at most."""
-
-
-def push_map_figures(data: Dataset) -> list[Figure]:
-    """For each direction the map and, through its middle heights, its slices with the band."""
-    figures: list[Figure] = []
-    for direction in data["direction"].values.tolist():
-        part = data.sel(direction=direction)
-        figures += [_map(part, direction), _slices(part, direction)]
-    return figures
-
-
-def _map(part: Any, direction: str) -> Figure:
-    impulse: Array = part["impulse"].values
-    low, high = float(np.nanmin(impulse)), float(np.nanquantile(impulse, 0.98))
-    row, column = np.unravel_index(int(np.nanargmin(impulse)), impulse.shape)
-    height, duration = float(part["height"].values[row]), float(part["duration"].values[column])
-    title = f"Pushed {direction}: the largest push that it survives, {low:.2g} N s or more"
-    note = (
-        f"Weakest: a push of {1e3 * duration:.2g} ms, {height:.2g} m above the axle, with {low / duration:.3g} N all "
-        "that time."
-    )
-    note += " The lightest colour includes all larger impulses." if float(np.nanmax(impulse)) > high else ""
-    apart = float(part["island"].values.mean())
-    if apart:
-        note += f" At {100 * apart:.2g} % of the points a larger push is survived again; the first border is drawn."
-    drawing = colour_map(
-        part["duration"].values, part["height"].values, impulse.T, x_label="duration of the push [s]",
-        y_label="height above the axle [m]", label="impulse [N s]", levels=_levels(low, high), smooth=True,
-    )  # fmt: skip
-    drawing.axes[0].plot(
-        duration, height, "o", color="white", markeredgecolor="black", markersize=9, clip_on=False, zorder=5
-    )
-    inwards = [
-        (-1 if part[name].values.mean() < at else 1) for name, at in (("duration", duration), ("height", height))
-    ]
-    drawing.axes[0].annotate(
-        "weakest", (duration, height), (28 * inwards[0], 24 * inwards[1]), textcoords="offset points", color="white",
-        ha="left" if inwards[0] > 0 else "right", arrowprops={"arrowstyle": "-", "color": "white"},
-    )  # fmt: skip
-    return Figure(title, drawing, note)
-
-
-def _levels(low: float, high: float) -> list[float]:
-    """Round borders between colours: equal steps, or where the values span more than a factor of three equal ratios."""
-    if low <= 0 or high < 3 * low:
-        return round_levels(low, high, LEVELS)
-    powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
-    steps = [m * 10.0**p for p in powers for m in (1, 1.5, 2, 3, 4, 6, 8)]
-    steps = steps if high < 30 * low else [10.0**p for p in powers]
-    first = max(k for k, step in enumerate(steps) if step <= low)
-    return steps[first : 1 + min(k for k, step in enumerate(steps) if step >= high)]
-
-
-def _slices(part: Any, direction: str) -> Figure:
-    rows = np.unique(np.rint(np.array([0.25, 0.5, 1.0]) * (part.sizes["height"] - 1)).astype(int)).tolist()
-    labels = [f"impulse survived at {float(part['height'].values[row]):.3g} m [N s]" for row in rows]
-    figure, axes = panels(labels, "duration of the push [s]")
-    bands = {"low": "2.5 % of robots survive less", "high": "97.5 % of robots survive less"} if "low" in part else {}
-    for ax, row in zip(axes, rows, strict=True):
-        for name, text in {"impulse": "nominal robot", **bands}.items():
-            line(ax, text, part["duration"].values, part[name].values[row])
-    title = f"Pushed {direction}: largest impulse over the duration of the push"
-    if bands:
-        width = float(np.nanmedian((part["high"].values - part["low"].values) / part["impulse"].values))
-        title = f"Pushed {direction}: 95 % of similar robots lie in a band of {100 * width:.2g} % of the limit"
-    return Figure(title, legend(figure))
-
-
-def basin_figure(data: Dataset) -> Figure:
-    """The fraction that recovers over two states."""
-    recovered: Array = data["recovered"].values
-    across, up = (str(name) for name in data["recovered"].dims)
-    names = [f"{name.replace('_', ' ')} [{data[name].attrs['unit']}]" for name in (across, up)]
-    family = len(np.unique(recovered)) > 2
-    low, high = rest_range(data)
-    title = "States from which the robot recovers"
-    if math.isfinite(low):
-        title = f"The robot recovers from the green area. Bar: let go with {up.replace('_', ' ')} zero"
-    scale = {n: 180 / math.pi if data[n].attrs["unit"] in ("rad", "rad/s") else 1.0 for n in (across, up)}
-    names = [text.replace("[rad", "[°") for text in names]
-    x, y = (scale[n] * data[n].values for n in (across, up))
-    drawing = colour_map(
-        x, y, recovered, x_label=names[0], y_label=names[1],
-        label="recovers [1]" if family else "", names=() if family else ("falls", "recovers"),
-        levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0], smooth=not family,
-    )  # fmt: skip
-    _zoom(drawing.axes[0], x, y, recovered)
-    if math.isfinite(low):
-        ends = [scale[across] * low, scale[across] * high]
-        drawing.axes[0].plot(ends, [0, 0], "k|-", linewidth=2, markersize=12)
-        for end, side in zip(ends, ("right", "left"), strict=True):
-            text = f"{number(round(end, 1), 2)}{'°' if scale[across] > 1 else ''}"
-            drawing.axes[0].annotate(
-                text, (end, 0), (-6 if side == "right" else 6, 4), textcoords="offset points", ha=side, color="black"
-            )
-    drawing.axes[0].locator_params(axis="x", nbins=5)
-    apart = float(data["island"].values.mean())
-    note = f"{100 * apart:.2g} % of these states are islands: from states between them and rest the robot falls."
-    return Figure(title + (", mean over the robots drawn" if family else ""), drawing, note if apart else "")
-
-
-def _zoom(ax: Axes, x: Array, y: Array, recovered: Array) -> None:
-    """Show what recovers and as much again around it."""
-    for values, some, limit in ((x, recovered.max(axis=1), ax.set_xlim), (y, recovered.max(axis=0), ax.set_ylim)):
-        inside = values[some > 0]
-        if len(inside) > 1:
-            room = 0.5 * float(np.ptp(inside))
-            low, high = edges(values)
-            limit(max(low, float(inside.min()) - room), min(high, float(inside.max()) + room))
 
 
 def histogram(data: Dataset, name: str) -> Figure:
     """How an outcome is distributed over the robots that stood."""
     values, words = stood(data, name), str(data[name].attrs["long_name"])
     scale, unit = _scale(str(data[name].attrs["unit"]))
+    scale, unit = (100.0, "%") if unit == "1" else (scale, unit)
     middle, high = (scale * np.quantile(values, (0.5, 0.95))).tolist() if len(values) else (math.nan, math.nan)
-    after = "" if unit == "1" else f" {unit}"
+    after = unit if unit == "°" else f" {unit}"
     title = f"{sentence(words, ':')} half below {middle:.3g}{after}, 95 % below {high:.3g}{after}"
-    return Figure(title, distribution(data, name))
+    return Figure(title, distribution(data, name), _GROUPS if name == "settling" else "")
+
+
+_GROUPS = (
+    f"Settled: from here on pitch stays within {math.degrees(SETTLED):.2g}°. A robot whose next swing leaves this band "
+    "too settles a swing later; so there may be groups with a gap between them."
+)
 
 
 def _scale(unit: str) -> tuple[float, str]:
@@ -231,94 +127,10 @@ def page_of(result: Fleet | Dataset) -> Page:
     if isinstance(result, Fleet):
         return _fleet_page(result.data, result.summary)
     if "impulse" in result:
-        return _push_map_page(result)
+        return push_map_page(result)
     if "recovered" in result:
-        return _basin_page(result)
+        return basin_page(result)
     return _fleet_page(result, summarise(result))
-
-
-def _push_map_page(data: Dataset) -> Page:
-    origin = origin_of(data)
-    search, name = origin["push_map"], origin["robot"]["name"]
-    impulse = data["impulse"]
-    row, column, way = np.unravel_index(int(np.nanargmin(values := impulse.transpose(
-        "height", "duration", "direction").values)), values.shape)  # fmt: skip
-    low, duration = float(values[row, column, way]), float(data["duration"].values[column])
-    height = float(data["height"].values[row])
-    lead = (
-        f"Found by pushing one robot {' and '.join(data['direction'].values.tolist())}, harder and harder, within "
-        f"{100 * search['tolerance']:g} %. It survives a push if "
-        f"it still stands {search['watch']:g} s later. {low:.2g} N s stops a tennis ball of {low / BALL:.2g} m/s. "
-        "Next: `upright certify`, for slightly different robots."
-    )
-    first, *rest = push_map_figures(data)
-    ways = data["direction"].values.tolist()
-    least = {d: float(impulse.sel(direction=d).min()) for d in ways}
-    numbers = [(f"{low:.2g} N s", f"survived where a push is worst, {height:.2g} m above the axle")]
-    numbers += [(f"{low / duration:.3g} N", f"is the force of that push, for {1e3 * duration:.2g} ms")]
-    numbers += [(f"{cell_text(least[d], 3)} N s", f"survived at the worst place, {d}") for d in ways
-                if least[d] > 1.05 * low]  # fmt: skip
-    sections = [Section("Maps and slices", rest)]
-    title = f"{name} survives every push up to {cell_text(low, 2)} N s"
-    verdict = Verdict("limits of one robot", "info")
-    return Page(title, sections, lead, provenance(data), False, verdict=verdict, picture=first, numbers=numbers)
-
-
-BALL = 0.058  # [kg] of a tennis ball
-
-
-def _basin_page(data: Dataset) -> Page:
-    origin = origin_of(data)
-    low, high = rest_range(data)
-    across, up = (str(name) for name in data["recovered"].dims)
-    words = across.replace("_", " ")
-    held = f"{_in_degrees(low, data, across)} to {_in_degrees(high, data, across)}"
-    name, percent = origin["robot"]["name"], f"{100 * float(data['recovered'].values.mean()):.3g} %"
-    known = math.isfinite(low)
-    title = f"{name}, let go at rest, recovers from a {words} of {held}" if known else (
-        f"{name} recovers from {percent} of these states"
-    )  # fmt: skip
-    kind = (origin.get("controller") or {}).get("kind", "")
-    lead = (
-        f"Recovers: still standing {origin['scenario']['seconds']:g} s later{f', under {kind}' if kind else ''}. "
-        "Next: `upright push-map`, which asks for pushes instead."
-    )
-    step = float(np.diff(data[across].values).mean()) if data[across].size > 1 else 0.0
-    numbers = [(percent, "of the states tried recover")]
-    if known:
-        reach = data[up].values[(data["recovered"].values[int(np.abs(data[across].values).argmin())] > 0.5)]
-        least, most = float(reach.min()), float(reach.max())
-        alike = math.isclose(-least, most, rel_tol=1e-6)
-        ends = f"±{_in_degrees(most, data, up)}" if alike else (
-            f"{_in_degrees(least, data, up)} to {_in_degrees(most, data, up)}"
-        )  # fmt: skip
-        numbers = [(ends, f"{up.replace('_', ' ')} from which it recovers, where {words} is zero")]
-        numbers += [(_in_degrees(step, data, across), "step of the grid, so these angles are exact to this")]
-    return Page(
-        title, [], lead, provenance(data), False, verdict=Verdict("limits of one robot", "info"),
-        picture=basin_figure(data), numbers=numbers,
-    )  # fmt: skip
-
-
-def _in_degrees(value: float, data: Dataset, name: str) -> str:
-    """A value of an axis, angles in degrees."""
-    unit = str(data[name].attrs["unit"])
-    if unit not in ("rad", "rad/s"):
-        return f"{cell_text(value, 2)} {unit}"
-    size = math.degrees(value)
-    return f"{round(size) if abs(size) >= 10 else cell_text(size, 2)}{unit.replace('rad', '°')}".replace("-", "−")
-
-
-def rest_range(data: Dataset) -> tuple[float, float]:
-    """From where to where, round zero, the first state recovers while the second is zero; NaN where it does not."""
-    across, up = (data[str(name)].values for name in data["recovered"].dims)
-    row: NDArray[np.bool_] = data["recovered"].values[:, int(np.abs(up).argmin())] > 0.5
-    middle = int(np.abs(across).argmin())
-    if not row[middle] or not across[0] <= 0 <= across[-1] or not up[0] <= 0 <= up[-1]:
-        return math.nan, math.nan
-    lost = np.flatnonzero(~row)
-    low, high = lost[lost < middle].max(initial=-1) + 1, lost[lost > middle].min(initial=len(row)) - 1
-    return float(across[low]), float(across[high])
 
 
 def _fleet_page(data: Dataset, summary: Summary) -> Page:
@@ -328,6 +140,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     rows: list[list[Cell]] = []
     for name, quantiles in summary.quantiles.items():
         scale, unit = _scale(summary.units[name])
+        scale, unit = (100.0, "%") if unit == "1" else (scale, unit)
         rows.append([str(data[name].attrs["long_name"]), unit, *(scale * value for value in quantiles)])
     table = Table(["robots that stood", "unit", "5 %", "median", "95 %"], rows, "Quantiles over the robots")
     chance = summary.chance
@@ -378,17 +191,3 @@ def _where(pushes: Sequence[Mapping[str, Any]] | None) -> str:
             at = "at the centre of mass" if height is None else f"{height:g} m above the axle"
             return f" The push takes {1e3 * push.get('duration', 0.01):g} ms, {at}."
     return ""
-
-
-def provenance(data: Dataset) -> dict[str, str]:
-    """Robot, controller, seed and versions for a page's foot."""
-    origin = origin_of(data)
-    controller, versions = origin.get("controller", {}), origin.get("versions", {})
-    facts = {
-        "robot": str(origin.get("robot", {}).get("name", "")),
-        "kit": str((origin.get("kit") or {}).get("name", "ideal")),
-        "controller": f"{controller.get('kind', '')} {str(controller.get('hash', ''))[:12]}".strip(),
-        "seed": str(origin.get("seed", "")),
-        "versions": ", ".join(f"{name} {number}" for name, number in sorted(versions.items())),
-    }
-    return {name: text for name, text in facts.items() if text}

@@ -92,20 +92,37 @@ def _pole_figure(compared: MethodComparison) -> Figure:
         return Figure("The unstable pole by each method, with its 95 % interval", compared.plot())
     inside = [n for n, m in compared.models.items() if m.pole.low <= compared.true_pole <= m.pole.high]
     missed = [n for n in compared.models if n not in inside]
-    title = f"The intervals of {joined(inside)} hold the true pole" if inside else "No interval holds the true pole"
+    title = (
+        f"The intervals of {joined(inside)} contain the true pole" if inside else "No interval contains the true pole"
+    )
     if len(inside) == 1:
-        title = f"The interval of {inside[0]} holds the true pole"
+        title = f"The interval of {inside[0]} contains the true pole"
     return Figure(title + (f"; those of {joined(missed)} do not" if missed else ""), compared.plot())
 
 
 def _numbers(compared: MethodComparison) -> list[tuple[str | Verdict, str]]:
-    """For each method whether its regulator holds the robot; of one method its pole and what its regulator does."""
+    """How many regulators hold the robot, the best method's pole and the lean that its regulator allows; of one method
+    its pole and what its regulator does."""
     if len(compared.models) < 2 or not compared.trials:
         poles: list[tuple[str | Verdict, str]] = [
             (f"{cell_text(m.pole.value, 3)} 1/s", f"unstable pole by {n}") for n, m in compared.models.items()
         ]
         return [*poles, *((_did(t), _leans(n, t)) for n, t in compared.trials.items())][:3]
-    return [(_did(trial), _leans(name, trial)) for name, trial in compared.trials.items()]
+    ranked = _ranked(compared)
+    held: tuple[str | Verdict, str] = (
+        f"{len(ranked)} of {len(compared.trials)}",
+        "methods whose regulator holds the robot",
+    )
+    if not ranked:
+        return [held]
+    best = _best(compared)
+    pole, lean = compared.models[best].pole, compared.trials[best].largest or 0.0
+    true = f"; true: {cell_text(compared.true_pole, 3)}" if math.isfinite(compared.true_pole) else ""
+    return [
+        held,
+        (f"{cell_text(pole.value, 3)} 1/s", f"unstable pole by {best}{true}"),
+        (f"{cell_text(math.degrees(lean), 3)}°", f"largest lean under the regulator of {best}, let go at 2.9°"),
+    ]
 
 
 def _did(trial: LoopTrial) -> Verdict:

@@ -118,9 +118,8 @@ def _rest(comparison: Comparison, label: str) -> float:
 
 
 def degrees(angle: float) -> str:
-    """An angle [rad] without its sign, in degrees: two digits, or a whole number."""
-    size = math.degrees(abs(angle))
-    return f"{size:.0f}°" if size >= 10 else f"{size:.1f}°" if size >= 0.95 else f"{cell_text(size, 2)}°"
+    """An angle [rad] without its sign, in degrees, with as many digits as the table has."""
+    return f"{cell_text(math.degrees(abs(angle)), 3)}°"
 
 
 def words(name: str) -> str:

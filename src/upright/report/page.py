@@ -17,13 +17,15 @@ from xml.etree import ElementTree
 from upright.atomic import write_text
 from upright.errors import UnknownName, UprightError
 from upright.report.figure import Figure
-from upright.report.terms import terms_of
+from upright.report.terms import explained
 from upright.tables import power_of_ten
 
 if TYPE_CHECKING:
     from jinja2 import Template
 
 LEVELS = ("good", "warn", "bad", "info")
+NEXT = " Next: "  # in a lead: what follows stands at the end of the page
+PHONE, WRAPPED, BRIEF = 44, 20, 15  # letters of a row on a phone, of a text that it breaks, and of one that it does not
 
 
 @dataclass(frozen=True)
@@ -39,6 +41,7 @@ class Verdict:
             raise UnknownName("level of a verdict", self.level, LEVELS)
 
 
+_MINUS = re.compile(r"(?<!\S)-(?=\d)")
 Cell = str | float | bool | Verdict | None
 
 
@@ -66,6 +69,19 @@ class Table:
     def cells(self) -> list[list[tuple[str, str]]]:
         """The cells as text, each with its class in the style sheet."""
         return [[(cell_text(cell, self.digits), _class_of(cell)) for cell in row] for row in self.rows]
+
+    @property
+    def stacked(self) -> bool:
+        """Whether a phone shows each row as a card, since the columns do not fit beside each other."""
+        columns = zip(*([(name, "") for name in self.header], *self.cells()), strict=True)
+        widths = [[min(len(text), 99 if kind == "number" else WRAPPED) for text, kind in cells] for cells in columns]
+        broken = any(len(text) > 2 * WRAPPED for row in self.cells() for text, _ in row[1:])
+        wide = len(self.header) > 3 and sum(max(column) + 1 for column in widths) > PHONE
+        return len(self.header) > 2 and (broken or wide)
+
+    def brief(self) -> list[bool]:
+        """For each column whether its cells are short, so that two of them stand beside each other on a card."""
+        return [all(len(text) <= BRIEF for text, _ in cells) for cells in zip(*self.cells(), strict=True)]
 
 
 @dataclass(frozen=True)
@@ -143,6 +159,22 @@ class Page:
     numbers: Sequence[tuple[str | Verdict, str]] = ()
 
     @property
+    def answer(self) -> str:
+        """The lead without what to run next."""
+        return self.lead.partition(NEXT)[0]
+
+    @property
+    def following(self) -> str:
+        """What to run next, which stands at the end of the page."""
+        return self.lead.partition(NEXT)[2]
+
+    def made(self) -> list[tuple[str, str]]:
+        """What the page came from, its command first and as code."""
+        facts = {name: value for name, value in self.provenance.items() if name != "command"}
+        command = self.provenance.get("command", "")
+        return [*([("command", f"`{command}`")] if command else []), *facts.items()]
+
+    @property
     def columns(self) -> int:
         """Numbers beside each other, so that rows are full where that can be."""
         n = len(self.numbers)
@@ -154,7 +186,7 @@ class Page:
             page=self,
             anchors=_anchors([section.heading for section in self.sections]),
             style=_read("style.css"),
-            terms_of=terms_of,
+            explained=explained,
         )
 
     def write(self, path: str | Path) -> Path:
@@ -173,7 +205,7 @@ def cell_text(cell: Cell, digits: int = 4) -> str:
     if isinstance(cell, Verdict):
         return cell.text
     if isinstance(cell, str):
-        return cell
+        return _MINUS.sub("−", cell)
     if isinstance(cell, bool):
         return "yes" if cell else "no"
     if isinstance(cell, int):
@@ -197,12 +229,20 @@ _UNIT = re.compile(
 def symbols(text: str) -> str:
     """Text as HTML: a letter with an index, such as J_ψ, gets a subscript, and a name in backticks is code."""
     parts = _CODE.split(escape(text))  # prose and code by turns
-    return "".join(_code(p) if i % 2 else _INDEX.sub(r"\1<sub>\2</sub>", p) for i, p in enumerate(parts))
+    return "".join(
+        _code(p) if i % 2 else _INDEX.sub(r"\1<sub>\2</sub>", _MINUS.sub("−", p)) for i, p in enumerate(parts)
+    )
 
 
 def _code(text: str) -> str:
     """A command, whose lines break between its words alone."""
     return f"<code>{' '.join(f'<span>{word}</span>' if '-' in word else word for word in text.split(' '))}</code>"
+
+
+def united(name: str) -> str:
+    """A column's name as HTML; its unit may stand on a line of its own, but is never broken."""
+    head, bracket, unit = name.rpartition(" [")
+    return f'{symbols(head)} <span class="unit">[{symbols(unit)}</span>' if bracket else symbols(name)
 
 
 _INDEX = re.compile(r"\b([A-Za-zα-ωΔ]\u0307?)_(\w)\b")
@@ -228,4 +268,5 @@ def _template() -> Template:
     )
     environment.filters["symbols"] = symbols
     environment.filters["bound"] = bound
+    environment.filters["united"] = united
     return environment.get_template("page.html")

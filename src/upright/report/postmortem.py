@@ -68,8 +68,18 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     """How long the fall took, and the causes after the first."""
     known = result.fell and math.isfinite(result.onset)
     numbers = [(f"{result.fell_at - result.onset:.2g} s", "from the first sign to the fall")] if known else []
+    lost = _lost(result)
+    if known and lost is not None:
+        numbers.append((f"{lost - result.onset:.2g} s", "until no motor could save it: the second panel passes 1"))
     likely = [c for k, c in enumerate(result.causes[:3]) if c.likelihood >= (WORTH if k else SHOWN)]
     return numbers + [(f"{100 * c.likelihood:.0f} %", f"probability of the cause: {c.name}") for c in likely]
+
+
+def _lost(result: PostMortem) -> float | None:
+    """When the lean passed for good the largest one to recover from [s], within the time that is examined."""
+    s = result.series
+    beyond = (s.t >= result.onset) & (s.t <= result.fell_at) & (s.reserve >= 1)
+    return float(s.t[beyond.argmax()]) if beyond.any() else None
 
 
 SURE = 0.5  # probability from which a cause is named
@@ -80,12 +90,12 @@ def _lead(result: PostMortem) -> str:
     """When it fell, why, and what to do."""
     if not result.fell:
         return "The robot did not fall in this log."
-    text = f"It fell at t = {result.fell_at:.2f} s of the log: from there on the lean stays beyond 40°."
+    text = f"It fell at t = {result.fell_at:.2f} s of the log, where the lean passes 40°."
     best = result.causes[0] if result.causes else None
     if not best:
         return text
     text += f" {sentence(_plain(best.evidence))}" if best.evidence else ""
-    return f"{text} What to do: {best.repair.rstrip('.')}." if best.repair else text
+    return f"{text} Next: {sentence(best.repair.rstrip('.'))}" if best.repair else text
 
 
 def _plain(evidence: str) -> str:
@@ -113,8 +123,8 @@ def _causes(result: PostMortem) -> Table:
 
 def _figure(result: PostMortem) -> Figure:
     s = result.series
-    labels = ["pitch [°]", "lean / largest lean to recover from [1]", "command asked for / largest command [1]",
-              "readings beside the model: squared error / expected [1]"]  # fmt: skip
+    labels = ["pitch [°]", "lean / largest lean to recover from [1]", "command / largest command [1]",
+              "error of the readings² / expected [1]"]  # fmt: skip
     figure, axes = panels(labels)
     pitch, reach, command, nis = axes
     degrees = np.degrees(s.pitch)
@@ -152,4 +162,4 @@ BEFORE, AFTER = 0.4, 0.2  # [s] shown before the onset, at least, and after the 
 def _level(ax: Axes, t: Array, level: float, name: str) -> None:
     """A dashed line across, with its name at its left end."""
     line(ax, "_level", t[[0, -1]], [level] * 2, style=5)
-    ax.annotate(name, (0.005, level), (0, 2), xycoords=("axes fraction", "data"), textcoords="offset points")
+    ax.annotate(name, (0.005, level), (0, 4), xycoords=("axes fraction", "data"), textcoords="offset points")

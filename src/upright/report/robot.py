@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+TURN = 1.25  # [rad] of the wheel there, beyond the body
 LEAN = 0.35  # [rad] in the labelled drawing: enough to see ψ
 LETTERS = 9.0  # [pt]
 FLOOR = 0.05  # [m] between the marks on the floor of a filmstrip
@@ -26,7 +27,7 @@ def labelled(robot: Robot) -> Figure:
     """The robot from its side, leaning, with ψ, θ, L and R, and from above, with φ and W."""
     figure, (side, top) = empty(2, height=2.9)
     R, L = robot.wheel_radius, robot.com_height
-    stand(side, robot, LEAN, 0.0)
+    stand(side, robot, LEAN, TURN)
     height, centre = height_of(robot), (L * math.sin(LEAN), R + L * math.cos(LEAN))
     tip = (height * math.sin(LEAN), R + height * math.cos(LEAN))
     side.plot([0, 0], [R, R + 1.05 * height], linestyle="--", color=INK, linewidth=0.8)
@@ -41,8 +42,10 @@ def labelled(robot: Robot) -> Figure:
     )
     side.annotate("", (R * math.cos(0.9), R - R * math.sin(0.9)), (0, R), arrowprops={"arrowstyle": "->", "color": INK})
     side.text(-1.25 * R, 0.35 * R, "R", ha="right")
-    side.add_patch(Arc((0, R), 2.6 * R, 2.6 * R, theta1=180, theta2=250, color=COLOURS[2]))
-    side.text(-1.55 * R, 1.1 * R, "θ", color=COLOURS[2], ha="right")
+    side.add_patch(Arc((0, R), 2.6 * R, 2.6 * R, theta1=90 - math.degrees(TURN), theta2=90, color=COLOURS[2]))
+    at = (1.3 * R * math.sin(TURN), R + 1.3 * R * math.cos(TURN))
+    side.plot([0, at[0]], [R, at[1]], linestyle="--", color=COLOURS[2], linewidth=0.8)
+    side.text(at[0] + 0.12 * R, at[1], "θ, turn of the wheel", color=COLOURS[2], va="center")
     side.set_title("from the side", loc="center", fontsize=LETTERS)
     _above(top, robot)
     return figure

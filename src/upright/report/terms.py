@@ -1,14 +1,20 @@
-"""The words of a page that need a line of explanation: each is defined here, once, and stands at the foot of the pages
-that use it."""
+"""The words of a page that need a line of explanation: each is defined here, once. It is a link where a page first uses
+it, and the definitions stand at the foot."""
 
 from __future__ import annotations
 
 import re
-from html import unescape
+from html import escape, unescape
 
 TERMS: dict[str, tuple[str, str]] = {
-    r"twins?": ("twin", "A simulation by a physics engine that stands in for hardware. Its equations are not those of "
-        "the model under test. Results of a twin are not results of a real robot."),
+    r"twins?": ("twin", "A simulation by a physics engine (MuJoCo) that stands in for hardware. Its equations are not "
+        "those of the model under test. Results of a twin are not results of a real robot."),
+    r"nonlinear": ("nonlinear", "The full equations of motion, with the "
+        "sine and cosine of the lean."),
+    r"linear": ("linear", "The equations near the upright rest, where sines are "
+        "replaced by angles."),
+    r"kit": ("kit", "The electronics of a robot: sensors with their noise and delay, motors with their "
+        "limits, and the period of the controller."),
     r"R²": ("R²", "1: predicted exactly. 0: no better than the mean of the readings."),
     r"fits?": ("fit", "100 (1 − rms error / standard deviation). 100 %: the curves are equal. 0 %: no better than the "
         "mean."),
@@ -16,23 +22,92 @@ TERMS: dict[str, tuple[str, str]] = {
     r"NIS": ("NIS", "Mean of the squared innovations over what the filter expects; 1 is usual."),
     r"Ms": ("Ms", "Peak of the sensitivity: 1 over the least distance of the Nyquist curve from −1. Usual target: at "
         "most 2."),
+    r"Mt": ("Mt", "Peak of the complementary sensitivity: the largest gain of the closed loop."),
+    r"disk α": ("disk α", "Size of a disk of gains and phases at once that the loop survives; 2 is the most."),
+    r"ν-gap": ("ν-gap", "How different two robots are for a controller: 0 the same, 1 not comparable."),
     r"Nyquist": ("Nyquist curve", "The gain of the open loop in the complex plane. Far from −1 the loop has large "
         "margins."),
+    r"[Bb]ode": ("Bode diagram", "Gain and phase of the open loop over the frequency."),
+    r"gain crossover": ("gain crossover", "The frequency at which the gain of the open loop is 1."),
     r"phase margin": ("phase margin", "How much later the loop may answer, as an angle. Usual target: at least 30°."),
     r"gain margin": ("gain margin", "By what factor the motors may be weaker or stronger."),
     r"delay margin": ("delay margin", "How much later a reading or a command may come, before the loop is unstable."),
-    r"unstable poles?": ("unstable pole", "The rate at which a small lean grows: it doubles in 0.69 / pole."),
+    r"unstable poles?|poles (?:is|are) unstable": ("unstable pole", "The rate at which a small lean grows: it doubles "
+        "in 0.69 / pole."),
     r"N s": ("N s", "Newton second: force times duration. 0.2 N s is a push of 10 N for 20 ms."),
+    r"knocks?|knocked": ("knock", "A push so short that only its impulse counts [N s]."),
     r"dead zone": ("dead zone", "The largest command that does not move the motor."),
     r"[Cc]oulomb friction": ("Coulomb friction", "Dry friction: of one size at every speed, against the motion."),
     r"multisine": ("multisine", "A sum of sines, so that one run excites many frequencies."),
-    r"lq[gr]|LQ[GR]": ("lqr, lqg", "State feedback that is optimal for a quadratic cost; lqg adds a Kalman filter."),
+    r"lqr": ("lqr", "Linear quadratic regulator: the state feedback that is optimal for a quadratic cost."),
+    r"lqi": ("lqi", "An lqr with an integrator, so that the robot returns to its place."),
+    r"lqg": ("lqg", "An lqr that gets its state from a Kalman filter."),
+    r"pid": ("pid", "Proportional, integral and derivative gains on pitch and wheels."),
+    r"hinf": ("hinf", "H∞ loop shaping: the loop's shape is chosen, then made as robust as possible."),
+    r"mpc": ("mpc", "Model predictive control: plans each command some periods ahead, within the motors' limits."),
+    r"sliding": ("sliding", "Sliding mode: drives the state onto a surface on which it comes to rest."),
+    r"robust": ("robust", "State feedback that is stable for all robots of the spreads at once."),
     r"BIC": ("BIC", "Bayesian information criterion: of several models the least is the best."),
+    r"effort": ("effort", "Integral of the squared commands of both motors: how hard they work."),
+    r"saturated": ("saturated", "A command larger than the motors can follow."),
+    r"rms|RMS": ("rms", "Root of the mean square: the usual size of what swings."),
+    r"dithers?": ("dither", "A small signal added to the commands, so that a log shows more."),
 }  # fmt: skip
 """Pattern in the text → the term and its definition."""
+SILENT = ("svg", "code", "script", "h1", "h2", "summary", "a", "title", "math", "pre", "output", "th")
+"""In these a term is not marked as a link."""
+_TAG = re.compile(r"(<[^>]*>)")
 
 
-def terms_of(markup: str) -> list[tuple[str, str]]:
-    """The terms that the text of some HTML uses, each with its definition."""
-    text = unescape(re.sub(r"<[^>]*>", " ", re.sub(r"<(title|desc)\b.*?</\1>", " ", markup, flags=re.DOTALL)))
-    return [term for pattern, term in TERMS.items() if re.search(rf"(?<!\w)(?:{pattern})(?!\w)", text)]
+def explained(markup: str, twin: bool = True, more: str = "") -> tuple[str, list[tuple[str, str, str]]]:
+    """HTML with the first use of each term as a link to its definition; and the terms that it uses, each with its
+    definition and the name of its place. `twin` tells whether "twin" is one of them; `more` is further text of the
+    page."""
+    used = [(pattern, *term) for pattern, term in _used(f"{markup} {more}").items() if twin or term[0] != "twin"]
+    anchors = {name: "word-" + re.sub(r"\W+", "-", name) for _, name, _ in used}
+    left = {re.compile(_whole(pattern)): (name, meaning) for pattern, name, meaning in used}
+    inside: list[str] = []
+    parts = _TAG.split(markup)
+    for k, part in enumerate(parts):
+        if k % 2:
+            _follow(part, inside)
+        elif not inside:
+            text = part
+            for pattern, (name, meaning) in list(left.items()):
+                link = f'<a class="term" href="#{anchors[name]}" title="{escape(meaning)}">\\g<0></a>'
+                text, marked = _outside(text, pattern, link)
+                if marked:
+                    del left[pattern]
+            parts[k] = text
+    return "".join(parts), [(name, meaning, anchors[name]) for _, name, meaning in used]
+
+
+def _outside(text: str, pattern: re.Pattern[str], link: str) -> tuple[str, int]:
+    """The first place of a pattern replaced, but not inside a link that was put there before."""
+    pieces = re.split(r"(<a .*?</a>)", text)
+    for k in range(0, len(pieces), 2):
+        pieces[k], count = pattern.subn(link, pieces[k], count=1)
+        if count:
+            return "".join(pieces), 1
+    return text, 0
+
+
+def _follow(tag: str, inside: list[str]) -> None:
+    """Keep the stack of open elements of one name in which nothing is marked."""
+    match = re.match(r"</?(\w+)", tag)
+    name = match[1] if match and not tag.endswith("/>") else ""
+    silent = name == inside[0] if inside else name in SILENT or 'class="badge' in tag
+    if silent and tag.startswith("</"):
+        del inside[-1:]
+    elif silent:
+        inside.append(name)
+
+
+def _used(markup: str) -> dict[str, tuple[str, str]]:
+    text = unescape(_TAG.sub(" ", re.sub(r"<(title|desc)\b.*?</\1>", " ", markup, flags=re.DOTALL)))
+    return {pattern: term for pattern, term in TERMS.items() if re.search(_whole(pattern), text)}
+
+
+def _whole(pattern: str) -> str:
+    """The pattern as whole words, whatever kind of space stands between them."""
+    return rf"(?<![\w-])(?:{pattern.replace(' ', chr(92) + 's')})(?![\w-])"

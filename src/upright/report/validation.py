@@ -33,16 +33,19 @@ _OWN = (
 )
 _LOOP = (
     "The closed loop starts from the first state of the log. It gets the law, what was added to it, and no reading. "
-    "Without the noise of the readings, wheels and heading drift away from the log; a push that the log does not hold "
-    "throws it off at once. Neither speaks against the robot."
+    "Small errors of that state and the missing noise add up: it swings and drifts away from the log. A push that the "
+    "log does not record throws it off at once. Neither speaks against the robot."
 )
 _SHIFTS = (
-    "Each parameter is moved alone by one Gauss–Newton step. Listed are those after which half seconds are predicted "
-    "better by a tenth of what they leave. Steps are in standard deviations of what is known."
+    "Each parameter is moved alone to where it fits the log best (one Gauss–Newton step). Listed are those that shrink "
+    "the squared error of half seconds by a tenth or more. Steps are in standard deviations of what is known."
 )
 
 
-_NONE = "No parameter, moved alone, would remove a tenth of what half seconds leave."
+_NONE = (
+    "None: no single parameter accounts for the error that is left over half seconds. Moving any one alone would "
+    "shrink the squared error by less than a tenth."
+)
 
 
 def page_of(result: Validation) -> Page:
@@ -104,7 +107,12 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
     if shifts:
         first = max(shifts, key=lambda s: s.explains)
         numbers.append((f"{first.name.replace('_', ' ')}", "is the parameter to doubt first"))
+    elif len(numbers) < MOST:
+        numbers.append(("none", "of the parameters, moved alone, would explain what is left"))
     return numbers
+
+
+MOST = 3  # numbers on the first screen
 
 
 def _first(loop: Sequence[ChannelFit]) -> ChannelFit | None:
@@ -114,14 +122,15 @@ def _first(loop: Sequence[ChannelFit]) -> ChannelFit | None:
 
 
 def _lost(loop: Sequence[ChannelFit]) -> str:
-    """What ended the whole run: drift shows in the wheels first, and a push in the gyro."""
+    """What ended the whole run: drift shows in the wheels first, a push in the gyro; a pitch that leaves before the
+    gyro swings by itself."""
     first = _first(loop)
     assert first
-    return "the wheels drift off" if "encoder" in first.name else f"{_the(first)} leaves, as a push would make it"
-
-
-def _the(c: ChannelFit) -> str:
-    return f"the {short(c.name)}"
+    if "encoder" in first.name:
+        return "the wheels drift off"
+    if "gyro" in first.name:
+        return "the gyro leaves, as a push would make it"
+    return f"the simulated {short(first.name)} swings by itself, away from the log"
 
 
 def _sections(log: LogJudged, several: bool) -> list[Section]:

@@ -1,0 +1,259 @@
+"""Pages of push maps and basins: maps over two axes in colour, and their slices."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.fleet.results import origin_of
+from upright.plotting import COLOURS, GRID, colour_map, edges, legend, line, number, panels, round_levels
+from upright.report.campaign import provenance
+from upright.report.figure import Figure
+from upright.report.page import Page, Section, Verdict, cell_text
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure as MplFigure
+    from xarray import Dataset
+
+Array = NDArray[np.float64]
+
+
+LEVELS = 10
+"""Colours of a map: few enough to be distinguished side by side, and to be named at the bar."""
+
+
+def push_map_figures(data: Dataset) -> list[Figure]:
+    """For each direction the map and, through its middle heights, its slices with the band."""
+    figures: list[Figure] = []
+    ways = data["direction"].values.tolist()
+    for k, direction in enumerate(ways):
+        part = data.sel(direction=direction)
+        if not k or _apart(data, direction) > ALIKE:
+            figures += [_map(part, direction), _slices(part, direction)]
+    return figures
+
+
+ALIKE = 0.1  # of a limit: from another direction a map that differs by no more everywhere is not drawn again
+
+
+def _apart(data: Dataset, direction: str) -> float:
+    """By which part of its limit a direction differs most from the first one."""
+    first, other = (data["impulse"].sel(direction=way).values for way in (data["direction"].values[0], direction))
+    return float(np.nanmax(np.abs(other / first - 1)))
+
+
+def _alike(data: Dataset) -> list[str]:
+    """A sentence on the directions that are not drawn, since they are like the first."""
+    first, *others = data["direction"].values.tolist()
+    return [f"Pushed {way} the limits are within {100 * part:.2g} % of those {first}, so they are not drawn again."
+            for way in others if (part := _apart(data, way)) <= ALIKE]  # fmt: skip
+
+
+def _map(part: Any, direction: str) -> Figure:
+    impulse: Array = part["impulse"].values
+    low, high = float(np.nanmin(impulse)), float(np.nanquantile(impulse, 0.98))
+    row, column = np.unravel_index(int(np.nanargmin(impulse)), impulse.shape)
+    height, duration = float(part["height"].values[row]), float(part["duration"].values[column])
+    title = f"Pushed {direction}: the largest push that it survives, {low:.2g} N s or more"
+    note = (
+        f"Weakest: a push of {1e3 * duration:.2g} ms, {height:.2g} m above the axle, with {low / duration:.3g} N all "
+        "that time."
+    )
+    note += " The lightest colour includes all larger impulses." if float(np.nanmax(impulse)) > high else ""
+    apart = float(part["island"].values.mean())
+    if apart:
+        note += f" At {100 * apart:.2g} % of the points a larger push is survived again; the first border is drawn."
+    drawing = colour_map(
+        part["duration"].values, part["height"].values, impulse.T, x_label="duration of the push [s]",
+        y_label="height above the axle [m]", label="impulse [N s]", levels=_levels(low, high), smooth=True,
+    )  # fmt: skip
+    drawing.axes[0].plot(
+        duration, height, "o", color="white", markeredgecolor="black", markersize=9, clip_on=False, zorder=5
+    )
+    inwards = [
+        (-1 if part[name].values.mean() < at else 1) for name, at in (("duration", duration), ("height", height))
+    ]
+    drawing.axes[0].annotate(
+        "weakest", (duration, height), (28 * inwards[0], 24 * inwards[1]), textcoords="offset points", color="white",
+        ha="left" if inwards[0] > 0 else "right", arrowprops={"arrowstyle": "-", "color": "white"},
+    )  # fmt: skip
+    return Figure(title, drawing, note)
+
+
+def _levels(low: float, high: float) -> list[float]:
+    """Round borders between colours: equal steps, or where the values span more than a factor of three equal ratios."""
+    if low <= 0 or high < 3 * low:
+        return round_levels(low, high, LEVELS)
+    powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
+    steps = [m * 10.0**p for p in powers for m in (1, 1.5, 2, 3, 4, 6, 8)]
+    steps = steps if high < 30 * low else [10.0**p for p in powers]
+    first = max(k for k, step in enumerate(steps) if step <= low)
+    return steps[first : 1 + min(k for k, step in enumerate(steps) if step >= high)]
+
+
+def _slices(part: Any, direction: str) -> Figure:
+    rows = np.unique(np.rint(np.array([0.25, 0.5, 1.0]) * (part.sizes["height"] - 1)).astype(int)).tolist()
+    labels = [f"impulse survived, {float(part['height'].values[row]):.2g} m above the axle [N s]" for row in rows]
+    figure, axes = panels(labels, "duration of the push [s]")
+    bands = {"low": "2.5 % of robots survive less", "high": "97.5 % of robots survive less"} if "low" in part else {}
+    for ax, row in zip(axes, rows, strict=True):
+        for name, text in {"impulse": "nominal robot", **bands}.items():
+            line(ax, text, part["duration"].values, part[name].values[row])
+    title = f"Pushed {direction}: largest impulse over the duration of the push"
+    if bands:
+        less, more = (float(np.nanmedian(part[name].values / part["impulse"].values)) for name in ("low", "high"))
+        title = (
+            f"Pushed {direction}: 95 % of similar robots survive {number(100 * less, 2)} to {number(100 * more, 2)} % "
+            "of what this one does"
+        )
+    return Figure(title, legend(figure))
+
+
+def basin_figure(data: Dataset) -> Figure:
+    """The fraction that recovers over two states."""
+    recovered: Array = data["recovered"].values
+    across, up = (str(name) for name in data["recovered"].dims)
+    names = [f"{name.replace('_', ' ')} [{data[name].attrs['unit']}]" for name in (across, up)]
+    family = len(np.unique(recovered)) > 2
+    low, high = rest_range(data)
+    title = "States from which the robot recovers"
+    if math.isfinite(low):
+        title = f"The robot recovers from the green area; black line: let go with {up.replace('_', ' ')} zero"
+    scale = {n: 180 / math.pi if data[n].attrs["unit"] in ("rad", "rad/s") else 1.0 for n in (across, up)}
+    names = [text.replace("[rad", "[°") for text in names]
+    x, y = (scale[n] * data[n].values for n in (across, up))
+    drawing = colour_map(
+        x, y, recovered, x_label=names[0], y_label=names[1],
+        label="recovers [1]" if family else "", names=() if family else ("falls", "recovers"),
+        levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0], smooth=not family,
+    )  # fmt: skip
+    _zoom(drawing.axes[0], x, y, recovered)
+    if math.isfinite(low):
+        ends = [scale[across] * low, scale[across] * high]
+        drawing.axes[0].plot(ends, [0, 0], "k|-", linewidth=2, markersize=12)
+        for end, side in zip(ends, ("right", "left"), strict=True):
+            text = f"{number(round(end, 1), 2)}{'°' if scale[across] > 1 else ''}"
+            drawing.axes[0].annotate(
+                text, (end, 0), (-6 if side == "right" else 6, 4), textcoords="offset points", ha=side, color="black"
+            )
+    drawing.axes[0].locator_params(axis="x", nbins=5)
+    if not family:
+        _named_areas(drawing)
+    apart = float(data["island"].values.mean())
+    note = f"{100 * apart:.2g} % of these states are islands: from states between them and rest the robot falls."
+    return Figure(title + (", mean over the robots drawn" if family else ""), drawing, note if apart else "")
+
+
+def _named_areas(drawing: MplFigure) -> None:
+    """Two areas need a key and no scale of colours."""
+    ax, beside = drawing.axes
+    drawing.delaxes(beside)
+    for name, colour in (("recovers", COLOURS[2]), ("falls", GRID)):
+        ax.plot([], [], "s", color=colour, label=name)
+    legend(drawing)
+
+
+def _zoom(ax: Axes, x: Array, y: Array, recovered: Array) -> None:
+    """Show what recovers and as much again around it."""
+    for values, some, limit in ((x, recovered.max(axis=1), ax.set_xlim), (y, recovered.max(axis=0), ax.set_ylim)):
+        inside = values[some > 0]
+        if len(inside) > 1:
+            room = 0.5 * float(np.ptp(inside))
+            low, high = edges(values)
+            limit(max(low, float(inside.min()) - room), min(high, float(inside.max()) + room))
+
+
+def push_map_page(data: Dataset) -> Page:
+    origin = origin_of(data)
+    search, name = origin["push_map"], origin["robot"]["name"]
+    impulse = data["impulse"]
+    row, column, way = np.unravel_index(int(np.nanargmin(values := impulse.transpose(
+        "height", "duration", "direction").values)), values.shape)  # fmt: skip
+    low, duration = float(values[row, column, way]), float(data["duration"].values[column])
+    height = float(data["height"].values[row])
+    lead = (
+        f"Found by pushing one robot {' and '.join(data['direction'].values.tolist())}, harder and harder, within "
+        f"{100 * search['tolerance']:g} %. It survives a push if "
+        f"it still stands {search['watch']:g} s later. {low:.2g} N s stops a tennis ball of {low / BALL:.2g} m/s. "
+        "Next: `upright certify`, for slightly different robots."
+    )
+    first, *rest = push_map_figures(data)
+    ways = data["direction"].values.tolist()
+    least = {d: float(impulse.sel(direction=d).min()) for d in ways}
+    numbers = [(f"{low:.2g} N s", f"survived where a push is worst, {height:.2g} m above the axle")]
+    numbers += [(f"{low / duration:.3g} N", f"is the force of that push, for {1e3 * duration:.2g} ms")]
+    numbers += [(f"{cell_text(least[d], 3)} N s", f"survived at the worst place, {d}") for d in ways
+                if least[d] > 1.05 * low]  # fmt: skip
+    long = float(impulse.isel(duration=-1).min())
+    numbers += [
+        (
+            f"{cell_text(long, 2)} N s",
+            f"survived everywhere if the push lasts {number(float(data['duration'].values[-1]), 2)} s",
+        )
+    ]
+    sections = [Section("The limit over the duration of the push", [*rest, *_alike(data)])]
+    title = f"{name} survives every push up to {cell_text(low, 2)} N s"
+    verdict = Verdict("limits of one robot", "info")
+    return Page(title, sections, lead, provenance(data), False, verdict=verdict, picture=first, numbers=numbers)
+
+
+BALL = 0.058  # [kg] of a tennis ball
+
+
+def basin_page(data: Dataset) -> Page:
+    origin = origin_of(data)
+    low, high = rest_range(data)
+    across, up = (str(name) for name in data["recovered"].dims)
+    words = across.replace("_", " ")
+    held = f"{_in_degrees(low, data, across)} to {_in_degrees(high, data, across)}"
+    name, percent = origin["robot"]["name"], f"{100 * float(data['recovered'].values.mean()):.3g} %"
+    known = math.isfinite(low)
+    title = f"{name}, let go at rest, recovers from a {words} of {held}" if known else (
+        f"{name} recovers from {percent} of these states"
+    )  # fmt: skip
+    kind = (origin.get("controller") or {}).get("kind", "")
+    lead = (
+        f"Recovers: still standing {origin['scenario']['seconds']:g} s later{f', under {kind}' if kind else ''}. "
+        "Next: `upright push-map`, which asks for pushes instead."
+    )
+    step = float(np.diff(data[across].values).mean()) if data[across].size > 1 else 0.0
+    numbers = [(percent, "of the states tried recover")]
+    if known:
+        reach = data[up].values[(data["recovered"].values[int(np.abs(data[across].values).argmin())] > 0.5)]
+        least, most = float(reach.min()), float(reach.max())
+        alike = math.isclose(-least, most, rel_tol=1e-6)
+        ends = f"±{_in_degrees(most, data, up)}" if alike else (
+            f"{_in_degrees(least, data, up)} to {_in_degrees(most, data, up)}"
+        )  # fmt: skip
+        numbers = [(ends, f"{up.replace('_', ' ')} from which it recovers, where {words} is zero")]
+        exact = f"so far apart were the values of {words} that were tried: the limits may be off by this"
+        numbers += [(_in_degrees(step, data, across), exact), (percent, "of the states tried recover; the others fall")]
+    return Page(
+        title, [], lead, provenance(data), False, verdict=Verdict("limits of one robot", "info"),
+        picture=basin_figure(data), numbers=numbers,
+    )  # fmt: skip
+
+
+def _in_degrees(value: float, data: Dataset, name: str) -> str:
+    """A value of an axis, angles in degrees."""
+    unit = str(data[name].attrs["unit"])
+    if unit not in ("rad", "rad/s"):
+        return f"{cell_text(value, 2)} {unit}"
+    size = math.degrees(value)
+    return f"{round(size) if abs(size) >= 10 else cell_text(size, 2)}{unit.replace('rad', '°')}".replace("-", "−")
+
+
+def rest_range(data: Dataset) -> tuple[float, float]:
+    """From where to where, round zero, the first state recovers while the second is zero; NaN where it does not."""
+    across, up = (data[str(name)].values for name in data["recovered"].dims)
+    row: NDArray[np.bool_] = data["recovered"].values[:, int(np.abs(up).argmin())] > 0.5
+    middle = int(np.abs(across).argmin())
+    if not row[middle] or not across[0] <= 0 <= across[-1] or not up[0] <= 0 <= up[-1]:
+        return math.nan, math.nan
+    lost = np.flatnonzero(~row)
+    low, high = lost[lost < middle].max(initial=-1) + 1, lost[lost > middle].min(initial=len(row)) - 1
+    return float(across[low]), float(across[high])
