@@ -45,10 +45,10 @@ def application(foreign: Foreign, hub: Hub, book: Book) -> FastAPI:
     async def index() -> Response:
         return HTMLResponse(page_text())
 
-    async def asset(name: str) -> Response:
+    def asset(name: str) -> Response:  # in a thread, as what reads a disk is
         return _asset(name)
 
-    async def download(session: str, name: str) -> Response:
+    def download(session: str, name: str) -> Response:
         return _download(hub, session, name)
 
     async def upload(session: str, request: Request, what: str = "log", name: str = "") -> Response:
@@ -101,7 +101,7 @@ def _asset(name: str) -> Response:
 
 def _download(hub: Hub, session: str, name: str) -> Response:
     folder = hub.folder(session)
-    known = {entry.name for entry in folder.iterdir()} if folder else set()
+    known = {entry.name for entry in folder.iterdir()} if folder and folder.is_dir() else set()
     if folder is None or name not in known or name.startswith("."):
         return Response("not found", 404)
     return FileResponse(folder / name, filename=name, content_disposition_type="attachment")

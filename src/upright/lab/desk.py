@@ -10,12 +10,14 @@ from __future__ import annotations
 import multiprocessing
 import os
 import pickle
-import sys
 import threading
 import time
 import warnings
+from collections import deque
 from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
 from pathlib import Path
+from queue import SimpleQueue
 from typing import Any, Protocol
 
 from upright.errors import UprightError
@@ -159,24 +161,17 @@ class ProcessDesk:
 
 
 class _Clerk:
-    """One process that does one job at a time."""
+    """One process that does one job at a time, and a thread that waits for it: the loop does not, however long the
+    process takes to start, to read what it is given, to answer or to end."""
 
     def __init__(self) -> None:
-        context = multiprocessing.get_context("spawn")
-        self._pipe, theirs = context.Pipe()
-        self._process = context.Process(target=_work, args=(theirs,), daemon=True)
-        starting = threading.Thread(target=self._start)
-        starting.start()
-        starting.join()
-        theirs.close()
         self.idle, self.dead, self._key, self._since, self._before = True, False, ("", ""), 0.0, 0.0
         self.job: tuple[str, tuple[Any, ...]] = ("", ())
-
-    def _start(self) -> None:
-        """From a thread, whose modesty the process has from its beginning on where the system counts it by threads."""
-        if sys.platform == "linux":
-            os.nice(MODEST)
-        self._process.start()
+        self._given: SimpleQueue[tuple[str, tuple[Any, ...]] | None] = SimpleQueue()
+        self._words: deque[tuple[str, Any]] = deque()
+        self._process: BaseProcess | None = None
+        self._ended = False
+        threading.Thread(target=self._attend, daemon=True).start()
 
     def forget(self, key: Key) -> None:
         """Say nothing more of the job of that key."""
@@ -185,20 +180,48 @@ class _Clerk:
     def give(self, key: Key, task: str, args: tuple[Any, ...]) -> None:
         self.idle, self._key, self._since, self._before = False, key, time.monotonic(), self._computed()
         self.job = task, args
-        self._pipe.send((task, args))
+        self._given.put(self.job)
 
     def poll(self, patience: float) -> list[Word]:
         words: list[Word] = []
-        try:
-            while not self.idle and self._pipe.poll():
-                status, result = self._pipe.recv()
-                words.append((self._key, status, result))
-                self.idle = status != "progress"
-        except (EOFError, OSError):
-            return [*words, self._gone("the process that computed it died, perhaps of too large a file")]
+        while self._words and not self.idle:
+            status, result = self._words.popleft()
+            if status == "gone":
+                return [*words, self._gone("the process that computed it died, perhaps of too large a file")]
+            words.append((self._key, status, result))
+            self.idle = status != "progress"
         if not self.idle and self._overdue(patience):
             return [*words, self._gone(f"it took longer than {patience:g} s and was stopped")]
         return words
+
+    def kill(self) -> None:
+        self._ended = True
+        self._given.put(None)
+        if self._process:
+            self._process.kill()
+
+    def _attend(self) -> None:
+        context = multiprocessing.get_context("spawn")
+        pipe, theirs = context.Pipe()
+        process = context.Process(target=_work, args=(theirs,), daemon=True)
+        try:
+            process.start()
+            self._process = process
+            theirs.close()
+            if hasattr(os, "setpriority") and process.pid:
+                os.setpriority(os.PRIO_PROCESS, process.pid, MODEST)
+            while not self._ended and (job := self._given.get()):
+                pipe.send(job)
+                status = "progress"
+                while status == "progress":
+                    status, result = pipe.recv()
+                    self._words.append((status, result))
+        except (EOFError, OSError):
+            self._words.append(("gone", None))
+        if self._process:
+            process.kill()
+            process.join()
+        pipe.close()
 
     def _overdue(self, patience: float) -> bool:
         elapsed = time.monotonic() - self._since
@@ -206,6 +229,8 @@ class _Clerk:
 
     def _computed(self) -> float:
         """Seconds that the process has computed, or of the clock where the system does not say."""
+        if self._process is None:
+            return 0.0
         try:
             fields = Path(f"/proc/{self._process.pid}/stat").read_text("utf-8").rpartition(")")[2].split()
         except OSError:
@@ -216,11 +241,6 @@ class _Clerk:
         self.kill()
         self.idle = self.dead = True
         return (self._key, "failed", f"{self._key[1]}: {why}")
-
-    def kill(self) -> None:
-        self._process.kill()
-        self._process.join(1.0)
-        self._pipe.close()
 
 
 def _work(pipe: Connection) -> None:
@@ -236,7 +256,7 @@ def _work(pipe: Connection) -> None:
 
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     warnings.simplefilter("ignore")  # of a student's numbers: the result says what is wrong
-    _be_modest()
+    limit_memory(MEMORY)
     while True:
         try:
             task, args = pipe.recv()
@@ -245,12 +265,6 @@ def _work(pipe: Connection) -> None:
             pipe.send((status, result))
         except (EOFError, OSError, KeyboardInterrupt):
             return
-
-
-def _be_modest() -> None:
-    if hasattr(os, "nice") and sys.platform != "linux":
-        os.nice(MODEST)
-    limit_memory(MEMORY)
 
 
 def _done(task: str, args: tuple[Any, ...], report: Progress) -> tuple[str, Any]:

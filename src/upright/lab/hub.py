@@ -7,10 +7,10 @@ import secrets
 import shutil
 import time
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import KW_ONLY, dataclass, field, replace
 from functools import partial
 from pathlib import Path
-from threading import Thread
 from typing import Any
 
 from upright.atomic import TemporaryFolder
@@ -49,7 +49,8 @@ class Client:
 
 @dataclass
 class Entry:
-    """A session, the stage on which it runs, its folder, the set-up that last ran well, and its clients."""
+    """A session, the stage on which it runs, its folder (made with its first file), the set-up that last ran well, and
+    its clients."""
 
     stage: int
     folder: Path
@@ -71,6 +72,7 @@ class Hub:
         self.door, self.scores = door, Scores()
         self._folder = TemporaryFolder()
         self.root = self._folder.path
+        self._removing = ThreadPoolExecutor(1)  # of files: a disk may be slow, and the event loop waits for none
         self.entries: dict[str, Entry] = {}
         self.stats: asyncio.Queue[Any] = asyncio.Queue()
         self._stages = list(stages)
@@ -87,6 +89,7 @@ class Hub:
         """Stop the stages and remove every session's folder."""
         for stage in self._stages:
             stage.close()
+        self._removing.shutdown(cancel_futures=True)
         self._folder.cleanup()
 
     def receive(self, client: Client, text: str) -> None:
@@ -182,7 +185,6 @@ class Hub:
         self._make_room(role)
         name = secrets.token_hex(16)
         folder = self.root / name
-        folder.mkdir(mode=0o700)
         stage = min(range(len(self._stages)), key=lambda i: sum(e.stage == i for e in self.entries.values()))
         setup = hello.setup or self._setup
         if role == "student":
@@ -207,7 +209,7 @@ class Hub:
         entry = self.entries.pop(name)
         self.scores.forget(name)
         self._stages[entry.stage].say("close", name)
-        Thread(target=shutil.rmtree, args=(entry.folder, True), daemon=True).start()  # a disk may be slow
+        self._removing.submit(shutil.rmtree, entry.folder, True)
 
     def _broadcast(self, client: Client, message: Broadcast) -> None:
         if client.role != "teacher":

@@ -235,8 +235,9 @@ def perform(pipe: Connection, options: Options, at_work: Any) -> None:
 
     `at_work` is memory that outlives the process: its `value` is the name of the session that is being computed.
     """
-    if hasattr(os, "setsid"):
-        os.setsid()  # Ctrl-C is the server's, and its jobs end with the stage
+    if hasattr(os, "setpgid"):
+        os.setpgid(0, 0)  # Ctrl-C is the server's, and its jobs end with the stage; no session of its own: Linux gives
+        # each session an equal part of the machine, so a job's `nice` would count beside its stage alone
     warnings.simplefilter("ignore")  # of numbers that students ask for: what comes of them is said to the page
     for slow in ("upright.bodies.twin", "upright.lab.session"):
         import_module(slow)  # before the first page asks for them

@@ -221,11 +221,23 @@ def keep_hand_in(report: Report, done: HandIn, path: Path) -> Path:  # noqa: ARG
     return write_hand_in(done, path)
 
 
+def _in_folder(keep: Callable[..., Path]) -> Callable[..., Path]:
+    """`keep`, whose last argument is a path, after making the session's folder."""
+
+    def made(report: Report, *args: Any) -> Path:
+        args[-1].parent.mkdir(mode=0o700, exist_ok=True)
+        return keep(report, *args)
+
+    return made
+
+
+_KEEPING: dict[str, Callable[..., Path]] = {
+    "csv": keep_log, "parquet": keep_log, "report": keep_report, "comparison": keep_comparison,
+    "handin": keep_hand_in, "controller": keep_controller, "robot": keep_robot, "replay": keep_replay,
+}  # fmt: skip
+
 TASKS: dict[str, Callable[..., Any]] = {
     "design": design, "light": light, "certify": certify, "doctor": doctor, "calibrate": calibrate, "robot": robot,
-    "keep csv": keep_log, "keep parquet": keep_log, "keep report": keep_report, "keep comparison": keep_comparison,
-    "keep handin": keep_hand_in,
-    "keep controller": keep_controller,
-    "keep robot": keep_robot, "keep replay": keep_replay,
+    **{f"keep {what}": _in_folder(keep) for what, keep in _KEEPING.items()},
 }  # fmt: skip
 """By the name that a session submits them under."""

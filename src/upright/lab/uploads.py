@@ -5,8 +5,10 @@ from __future__ import annotations
 import asyncio
 import re
 import shutil
-from collections.abc import AsyncIterator
+from collections.abc import AsyncGenerator, AsyncIterator, Generator
+from contextlib import asynccontextmanager, contextmanager
 from pathlib import Path
+from typing import BinaryIO
 
 from upright.atomic import writing
 from upright.errors import UprightError
@@ -44,22 +46,20 @@ def safe_name(name: str, what: str) -> str:
 
 
 async def receive(chunks: AsyncIterator[bytes], folder: Path, name: str, what: str) -> Path:
-    """Write what arrives into `folder`; nothing of a file that is refused stays there."""
+    """Write what arrives into `folder`, which is made where it is missing; nothing of a file that is refused stays.
+
+    A disk may take seconds, so the server's loop waits for none: everything that touches one runs in a thread.
+    """
     target = folder / safe_name(name, what)
     size = 0
     try:
-        if len(list(folder.iterdir())) - target.exists() >= MOST_FILES:
-            raise UploadRefused(f"{MOST_FILES} files lie here already", hint="reload the page without its session")
-        if shutil.disk_usage(folder).free < SPARED + LARGEST:
-            raise UploadRefused("the disk of this lab is nearly full", hint="tell whoever started it")
-        async with asyncio.timeout(PATIENCE):
-            with writing(target) as stream:
-                async for chunk in chunks:
-                    size += len(chunk)
-                    if size > LARGEST:
-                        most = f"{name[:60]} is larger than {LARGEST >> 20} MB"
-                        raise UploadRefused(most, hint="cut it, or use the CLI")
-                    stream.write(chunk)
+        async with asyncio.timeout(PATIENCE), _filled(target) as stream:
+            async for chunk in chunks:
+                size += len(chunk)
+                if size > LARGEST:
+                    most = f"{name[:60]} is larger than {LARGEST >> 20} MB"
+                    raise UploadRefused(most, hint="cut it, or use the CLI")
+                await asyncio.to_thread(stream.write, chunk)
     except TimeoutError:
         raise UploadRefused(f"{name[:60]} did not arrive within {PATIENCE:g} s", hint="send it again") from None
     except UploadRefused:
@@ -68,3 +68,28 @@ async def receive(chunks: AsyncIterator[bytes], folder: Path, name: str, what: s
         why = f"{name[:60]} could not be kept"
         raise UploadRefused(why, likely="a session that has ended, or a full disk") from None
     return target
+
+
+@contextmanager
+def _admitted(target: Path) -> Generator[BinaryIO]:
+    """`writing`, where there is room for one more file."""
+    target.parent.mkdir(mode=0o700, exist_ok=True)
+    if len(list(target.parent.iterdir())) - target.exists() >= MOST_FILES:
+        raise UploadRefused(f"{MOST_FILES} files lie here already", hint="reload the page without its session")
+    if shutil.disk_usage(target.parent).free < SPARED + LARGEST:
+        raise UploadRefused("the disk of this lab is nearly full", hint="tell whoever started it")
+    with writing(target) as stream:
+        yield stream
+
+
+@asynccontextmanager
+async def _filled(target: Path) -> AsyncGenerator[BinaryIO]:
+    """`_admitted`, entered and left in a thread."""
+    manager = _admitted(target)
+    stream = await asyncio.to_thread(manager.__enter__)
+    try:
+        yield stream
+    except BaseException as error:
+        await asyncio.to_thread(manager.__exit__, type(error), error, error.__traceback__)
+        raise
+    await asyncio.to_thread(manager.__exit__, None, None, None)
