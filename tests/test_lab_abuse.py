@@ -6,9 +6,11 @@ import asyncio
 import json
 import os
 import signal
+import threading
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from multiprocessing.process import BaseProcess
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -419,6 +421,40 @@ def test_a_robot_is_kept_as_long_as_it_was_used(classroom):
     assert ana.session not in classroom.hub.entries
     assert Entry(0, Path(), MODEL, left=entry.came + 300.0, came=entry.came).kept == pytest.approx(300.0)
     assert Entry(0, Path(), MODEL, left=entry.came + 1e5, came=entry.came).kept == FORGOTTEN
+
+
+def test_a_clerk_that_starts_or_reads_slowly_holds_up_nobody(monkeypatch):
+    """A job's process starts modestly, and a log of a minute does not fit into its pipe: the loop waits for neither."""
+    ready = threading.Event()
+    start = BaseProcess.start
+    monkeypatch.setattr(BaseProcess, "start", lambda process: (ready.wait(30.0), start(process)))
+    clerk = desk_module._Clerk()
+    try:
+        clerk.give(("ana", "keep csv"), "keep csv", (bytes(10 << 20), Path()))
+        assert clerk.poll(30.0) == []  # we are here, and its process has not started
+        ready.set()
+        end = time.monotonic() + 60
+        while not (words := clerk.poll(30.0)):
+            assert time.monotonic() < end
+            time.sleep(0.01)
+        assert words[0][:2] == (("ana", "keep csv"), "failed")  # ten megabytes of nothing are no log
+    finally:
+        ready.set()
+        clerk.kill()
+
+
+def test_a_stage_belongs_to_the_servers_session():
+    """Linux gives each session an equal part of the machine: in one of its own, a job's `nice` would count beside its
+    stage alone. Its group is its own, so that Ctrl-C is the server's and its jobs end with it."""
+    link = stage_process.StageProcess(Options())
+    try:
+        link.say("stats", "")
+        assert link._pipe.poll(60.0)  # it runs
+        pid = link._process.pid or 0
+        assert os.getsid(pid) == os.getsid(0)
+        assert os.getpgid(pid) == pid
+    finally:
+        link.close()
 
 
 def test_a_job_has_its_seconds_of_computing_on_a_busy_machine_too(monkeypatch):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import os
 import resource
 import signal
 import socket
@@ -276,3 +277,24 @@ def test_text_that_is_no_utf_8_is_answered_and_prints_nothing(served, capfd):
                 data += more
         assert (1007).to_bytes(2, "big") in data
     assert capfd.readouterr().err == ""
+
+
+def test_a_slow_disk_holds_up_nobody_but_the_file(tmp_path, monkeypatch):
+    """A file's move may wait for the disk for seconds; meanwhile the server's loop goes round."""
+    moved = threading.Event()
+    move = os.replace
+
+    def slow(*args: Any) -> None:
+        assert moved.wait(30.0)
+        move(*args)
+
+    monkeypatch.setattr("os.replace", slow)
+
+    async def story() -> Path:
+        arriving = asyncio.create_task(receive(chunks(3), tmp_path, "run.csv", "log"))
+        done, _ = await asyncio.wait([arriving], timeout=0.5)  # the loop comes back here, and nothing has arrived
+        assert not done
+        moved.set()
+        return await arriving
+
+    assert asyncio.run(story()).read_bytes() == b"".join(bytes([i]) * 1000 for i in range(3))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import gc
 import ipaddress
 import logging
 import socket
@@ -108,6 +109,7 @@ def serve(lab: Lab, sock: socket.socket, ready: Callable[[], None] | None = None
         server = server_of(lab, hub)
         if ready:
             server.startup = _then(server.startup, ready)
+        gc.freeze()  # what is there now stays: a search among all of it would hold up every page
         with contextlib.suppress(KeyboardInterrupt):  # Ctrl-C is how a lab ends
             server.run(sockets=[sock])
     finally:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import asyncio
 import re
 import shutil
+import threading
 from collections.abc import AsyncGenerator, AsyncIterator, Generator
-from contextlib import asynccontextmanager, contextmanager
+from contextlib import ExitStack, asynccontextmanager, contextmanager
 from pathlib import Path
 from typing import BinaryIO
 
@@ -23,6 +24,9 @@ SPARED = 1 << 30
 
 PATIENCE = 120.0
 """[s] in which a file must have arrived."""
+
+_COUNTING = threading.Lock()
+"""Held from the count of a folder's files until there is one more."""
 
 SUFFIXES = {
     "log": {".csv", ".txt", ".log", ".tsv", ".dat", ".json", ".mat", ".parquet", ".mcap"},
@@ -74,11 +78,13 @@ async def receive(chunks: AsyncIterator[bytes], folder: Path, name: str, what: s
 def _admitted(target: Path) -> Generator[BinaryIO]:
     """`writing`, where there is room for one more file."""
     target.parent.mkdir(mode=0o700, exist_ok=True)
-    if len(list(target.parent.iterdir())) - target.exists() >= MOST_FILES:
-        raise UploadRefused(f"{MOST_FILES} files lie here already", hint="reload the page without its session")
-    if shutil.disk_usage(target.parent).free < SPARED + LARGEST:
-        raise UploadRefused("the disk of this lab is nearly full", hint="tell whoever started it")
-    with writing(target) as stream:
+    with ExitStack() as stack:
+        with _COUNTING:
+            if len(list(target.parent.iterdir())) - target.exists() >= MOST_FILES:
+                raise UploadRefused(f"{MOST_FILES} files lie here already", hint="reload the page without its session")
+            if shutil.disk_usage(target.parent).free < SPARED + LARGEST:
+                raise UploadRefused("the disk of this lab is nearly full", hint="tell whoever started it")
+            stream = stack.enter_context(writing(target))
         yield stream
 
 
