@@ -91,13 +91,13 @@ class MethodComparison(Shown):
 
 
 def _beside(ax: Axes, poles: Sequence[Pole]) -> None:
-    """The numbers of each interval at its right end, since a short one hides under its mark."""
+    """The numbers of each interval beside it, towards the middle, since a short one hides under its mark."""
+    middle = sum(ax.get_xlim()) / 2
     for row, p in enumerate(poles):
         if math.isfinite(p.high):
-            text = f"{p.low:.3g} to {p.high:.3g}".replace("-", "−")
-            ax.annotate(text, (max(p.high, p.value), row), (8, 0), textcoords="offset points", va="center")
-    low, high = ax.get_xlim()
-    ax.set_xlim(low, high + 0.2 * (high - low))
+            text, left = f"{p.low:.3g} to {p.high:.3g}".replace("-", "−"), p.value > middle
+            at, off, side = (min(p.low, p.value), -8, "right") if left else (max(p.high, p.value), 8, "left")
+            ax.annotate(text, (at, row), (off, 0), textcoords="offset points", va="center", ha=side)
 
 
 def identify(

@@ -95,7 +95,7 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
         )
         ax.set_ylim(0, 1.08 * limit)
         if "fell" not in data or not data["fell"].values.any():
-            reached = f"{number(float(y.min()), 2)} to {number(float(y.max()), 2)}°"
+            reached = f"{number(float(y.min()), 3)} to {number(float(y.max()), 3)}°"
             return Figure(f"No robot fell: the largest pitch was {reached}", figure, sentence(dots))
     how = "grows" if size > 0 else "shrinks"
     return Figure(f"{_words(data, outcome)} {how} with {spoken(name)}: {dots}", figure)
@@ -141,8 +141,8 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     for name, quantiles in summary.quantiles.items():
         scale, unit = _scale(summary.units[name])
         scale, unit = (100.0, "%") if unit == "1" else (scale, unit)
-        rows.append([str(data[name].attrs["long_name"]), unit, *(scale * value for value in quantiles)])
-    table = Table(["robots that stood", "unit", "5 %", "median", "95 %"], rows, "Quantiles over the robots")
+        rows.append([f"{data[name].attrs['long_name']} [{unit}]", *(scale * value for value in quantiles)])
+    table = Table(["robots that stood", "5 %", "median", "95 %"], rows, "Quantiles over the robots", 3)
     chance = summary.chance
     pushes = origin_of(data).get("scenario", {}).get("push")
     robot = origin_of(data)["robot"]["name"]
@@ -156,7 +156,10 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     ]
     if "peak_pitch" in summary.quantiles and np.isfinite(summary.quantiles["peak_pitch"][2]):
         peak, fall = math.degrees(summary.quantiles["peak_pitch"][2]), math.degrees(FALLEN)
-        numbers.append((f"{peak:.2g}°", f"largest pitch of 95 % of those that stood; {fall:.0f}° counts as a fall"))
+        numbers.append((f"{peak:.3g}°", f"largest pitch of 95 % of those that stood; {fall:.0f}° counts as a fall"))
+    if "settling" in summary.quantiles and np.isfinite(summary.quantiles["settling"]).all():
+        _, half, most = summary.quantiles["settling"]
+        numbers.append((f"{half:.3g} s", f"after the last push half of them have settled; 95 % after {most:.3g} s"))
     outcomes = [*(["fell"] if some else []), *names[:1]]
     causes = [figure for name in outcomes for figure in (over_strongest(data, name), influence(data, name)) if figure]
     picture, *others = [*causes, *(histogram(data, name) for name in names), None]

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 LEVELS = ("good", "warn", "bad", "info")
 NEXT = " Next: "  # in a lead: what follows stands at the end of the page
-PHONE, WRAPPED, BRIEF = 44, 20, 15  # letters of a row on a phone, of a text that it breaks, and of one that it does not
+PHONE, WRAPPED, BRIEF = 44, 20, 21  # letters of a row on a phone, of a text that it breaks, of half a row with its name
 
 
 @dataclass(frozen=True)
@@ -80,8 +80,9 @@ class Table:
         return len(self.header) > 2 and (broken or wide)
 
     def brief(self) -> list[bool]:
-        """For each column whether its cells are short, so that two of them stand beside each other on a card."""
-        return [all(len(text) <= BRIEF for text, _ in cells) for cells in zip(*self.cells(), strict=True)]
+        """For each column whether name and cells are short, so that two of them stand beside each other on a card."""
+        columns = zip(self.header, zip(*self.cells(), strict=True), strict=True)
+        return [max(len(text) for text, _ in cells) + len(name) <= BRIEF for name, cells in columns]
 
 
 @dataclass(frozen=True)

@@ -54,7 +54,7 @@ TERMS: dict[str, tuple[str, str]] = {
     r"dithers?": ("dither", "A small signal added to the commands, so that a log shows more."),
 }  # fmt: skip
 """Pattern in the text → the term and its definition."""
-SILENT = ("svg", "code", "script", "h1", "h2", "summary", "a", "title", "math", "pre", "output", "th")
+SILENT = ("svg", "code", "script", "dd", "li", "h1", "h2", "summary", "a", "title", "math", "pre", "output", "th")
 """In these a term is not marked as a link."""
 _TAG = re.compile(r"(<[^>]*>)")
 
