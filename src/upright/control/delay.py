@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -110,7 +110,7 @@ class _Between:
     """x(t + h) for 0 ≤ h ≤ dt: Φ(h) x + Γ⁻(h) a⁻ + Γ(h) a + ε(h) F."""
 
     def __init__(self, robot: Robot, dt: float, dead: float) -> None:
-        self.model, self.dt, self.height = linearise(rolling(robot)), dt, robot.com_height
+        self.robot, self.dt = robot, dt
         self.delay = math.floor(dead / dt + _SAME)
         rest = dead - self.delay * dt
         self.rest = rest if rest > _SAME * dt else 0.0
@@ -118,16 +118,18 @@ class _Between:
     @cache  # noqa: B019 (it lives as long as one design)
     def __call__(self, h: float) -> tuple[Array, Array, Array, Array]:
         first, second = min(h, self.rest), max(h - self.rest, 0.0)
-        phi, old, push = self.held(first)
-        phi2, new, push2 = self.held(second)
+        phi, old, push = _held(self.robot, first)
+        phi2, new, push2 = _held(self.robot, second)
         return phi2 @ phi, phi2 @ old, new, phi2 @ push + push2
 
-    def held(self, h: float) -> tuple[Array, Array, Array]:
-        """Φ, Γ and ε of one command over `h` [s]."""
-        if h <= 0:
-            return np.eye(6), np.zeros((6, 2)), np.zeros(6)
-        held = self.model.c2d(h)
-        return held.A, held.B, held.E[:, 0] + self.height * held.E[:, 1]
+
+@lru_cache(maxsize=256)  # the delays at which a margin is tried have most of their parts in common
+def _held(robot: Robot, h: float) -> tuple[Array, Array, Array]:
+    """Φ, Γ and ε of one command over `h` [s]."""
+    if h <= 0:
+        return np.eye(6), np.zeros((6, 2)), np.zeros(6)
+    held = linearise(rolling(robot)).c2d(h)
+    return held.A, held.B, held.E[:, 0] + robot.com_height * held.E[:, 1]
 
 
 def rolling(robot: Robot, rate: float = 3.0) -> Robot:
@@ -214,7 +216,7 @@ def _ahead(between: _Between, plant: LinearModel) -> Array:
     whole: Array = np.linalg.matrix_power(plant.A, between.delay)[:6]
     if not between.rest:
         return whole
-    phi, held, _ = between.held(between.rest)
+    phi, held, _ = _held(between.robot, between.rest)
     arrived = phi @ whole
     arrived[:, 6:8] += held
     return arrived

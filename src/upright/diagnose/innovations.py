@@ -90,12 +90,12 @@ class FilterRun(FilteredLog):
         names = ("t", "row", "sample", "innovation", "variance", "gains", "before", "after", "command")
         return replace(self, **{name: getattr(self, name)[keep] for name in names})
 
-    def corrected(self, i: int, error: Array, shift: Array | float = 0.0) -> Array | float:
-        """What errors (states, faults) of the state and a `shift` of the reading add to the whitened innovation of
-        event i; `error` is corrected in place, as the filter does."""
+    def corrected(self, i: int, error: Array) -> Array | float:
+        """What errors (states, faults) of the state add to the whitened innovation of event i; `error` is corrected in
+        place, as the filter does."""
         if self.row[i] < 0 or not np.isfinite(self.variance[i]):
             return 0.0
-        innovation = -(self.reads[self.row[i]] @ error) - shift
+        innovation = -(self.reads[self.row[i]] @ error)
         error += self.gains[i][:, None] * innovation
         return innovation / math.sqrt(self.variance[i])
 
