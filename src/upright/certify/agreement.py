@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.bodies.electronics import drive
 from upright.certify.checks import Course, standard_pushes, watched
 from upright.control.delay import RAW, sampled
 from upright.control.kalman import Filter, filtered, kalman_filter
@@ -22,6 +22,7 @@ from upright.errors import InvalidLog, SpecMismatch
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
 from upright.physics.dynamics import turn_ratio
+from upright.physics.electronics import driven
 from upright.robots import Kit
 from upright.signals import Log
 
@@ -121,8 +122,18 @@ def recorded(log: Log, delay: int) -> tuple[Array, Array]:
 
 def at_motors(commands: Array, kit: Kit, unit: str, *, sent: bool = True) -> Array:
     """What both motors make (n, 2) of commands that were `sent`, or that the driver has applied already."""
-    applied = np.array([drive(row, kit, unit)[0] for row in commands.tolist()]) if sent else commands
+    applied = np.stack(driven(commands.T, kit.motor, kit.battery, Arrays, volts=unit == "V"), 1) if sent else commands
     return applied * [kit.motor.left, kit.motor.right]
+
+
+class Arrays:
+    """The namespace of `physics.electronics` for arrays."""
+
+    absolute, whole, nearest = np.abs, np.trunc, np.rint
+
+    @staticmethod
+    def choose(left: Any, right: Any, then: Any, other: Any) -> Any:
+        return np.where(left < right, then, other)
 
 
 def _reading(log: Log, name: str) -> Array:

@@ -27,6 +27,8 @@ MOST_PUSHED = 0.5  # of a log that may be left out; where more would be, it is n
 FREEDOM = 4.0  # of Student's distribution, under which a push costs little
 SCALES = (0.15, 0.2, 0.28, 0.4, 0.55, 0.75, 1.0, 1.3, 1.7, 2.2, 3.0, 4.0, 5.5)
 FINER = 4  # parts of a step of these, in which the likeliest is looked for at last
+ZOOMS = 2  # of the search for a dead zone: a hundredth of it more or less swallows other commands
+AT_ONCE = 12  # signatures in memory
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,14 +59,25 @@ class FollowedLog:
     def answer(self, readings: Array, moved: Array) -> Array:
         """What more of `readings` (n, 3, k), and of what commands add, `moved` (n, states, k), adds to the whitened
         innovations (rows·sensors, k)."""
+        return (self._answer(readings, moved) * self.whiten[:, None])[self.keep].reshape(-1, moved.shape[2])
+
+    def _answer(self, readings: Array, moved: Array) -> Array:
         linear, k = self.estimator.sampled.linear, moved.shape[2]
-        _, errors = filtered(linear.A, linear.C, self.estimator.L, readings, moved, np.zeros((len(linear.A), k)))
-        return (errors * self.whiten[:, None])[self.keep].reshape(-1, k)
+        return filtered(linear.A, linear.C, self.estimator.L, readings, moved, np.zeros((len(linear.A), k)))[1]
 
     def unknown(self, motors: Sequence[Array]) -> Array:
         """The signature (rows·sensors, k) of commands (n, 2) that reached the motors besides those that are known."""
         moved = np.stack([moved_by(self.estimator.sampled, more) for more in motors], axis=2)
         return -self.answer(np.zeros((len(moved), 3, moved.shape[2])), moved)
+
+    def surprises(self, motors: Sequence[Array]) -> list[float]:
+        """`surprise` of as many logs, whose motors made these (n, 2) besides what is known."""
+        model, result = self.estimator.sampled, list[float]()
+        for first in range(0, len(motors), AT_ONCE):
+            moved = np.stack([moved_by(model, more) for more in motors[first : first + AT_ONCE]], axis=2)
+            errors = self.raw[:, :, None] + self._answer(np.zeros((len(moved), 3, moved.shape[2])), moved)
+            result += [_surprise(self.estimator, errors[:, :, k]) for k in range(errors.shape[2])]
+        return result
 
 
 def first_state(model: SampledRobot, readings: Array) -> Array:
@@ -132,20 +145,25 @@ def body_load(log: Log, course: Course) -> float:
     return _likeliest(log, lambda factor: (loaded(course.met_robot, factor), course.met_kit), SCALES)
 
 
-def dead_zone(log: Log, course: Course, tried: Sequence[float]) -> float:
-    """The dead zone of the motors with which the log is likeliest, of those `tried` and between."""
-    kit = course.met_kit
-    return _likeliest(log, lambda v: (course.met_robot, replace(kit, motor=replace(kit.motor, dead_zone=v))), tried)
+def dead_zone(path: FollowedLog, motors: Array, made: Callable[[float], Array], tried: Sequence[float]) -> float:
+    """The dead zone with which the log is likeliest, of those `tried` and between: `motors` (n, 2) are what the filter
+    of `path` counts with, `made` what the motors make with another one."""
+    near = list(tried)
+    for _ in range(1 + ZOOMS):
+        tried, costs = near, path.surprises([made(zone) - motors for zone in near])
+        best = int(np.argmin(costs))
+        near = np.linspace(near[max(best - 1, 0)], near[min(best + 1, len(near) - 1)], 2 * FINER + 1).tolist()
+    return tried[best]
 
 
 def _likeliest(log: Log, changed: Callable[[float], tuple[Robot, Kit]], tried: Sequence[float]) -> float:
     """Of the values that are `tried`, and between two of them, the one with which the log surprises least."""
-    place = int(np.argmin(_surprises(log, [changed(value) for value in tried])))
+    place = int(np.argmin(surprises(log, [changed(value) for value in tried])))
     near = np.linspace(tried[max(place - 1, 0)], tried[min(place + 1, len(tried) - 1)], 2 * FINER + 1).tolist()
-    return near[int(np.argmin(_surprises(log, [changed(value) for value in near])))]
+    return near[int(np.argmin(surprises(log, [changed(value) for value in near])))]
 
 
-def _surprises(log: Log, several: Sequence[tuple[Robot, Kit]]) -> list[float]:
+def surprises(log: Log, several: Sequence[tuple[Robot, Kit]]) -> list[float]:
     """`surprise` of the filters of several robots with the same dead times, which follow the log side by side."""
     estimators = [kalman_filter(sampled(*one, log.period, longest=MOST_PERIODS)) for one in several]
     readings, sent = recorded(log, estimators[0].sampled.delay)

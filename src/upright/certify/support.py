@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.certify.agreement import at_motors
 from upright.certify.checks import Course, batteries
 from upright.certify.following import FollowedLog, body_load, dead_zone, filtered_log, gyro_scale, moved_by
 from upright.control.delay import MOST_PERIODS, sampled
@@ -47,7 +48,7 @@ FEWEST_VOLTS = 20  # readings of a battery from which its sag is fitted
 LEAST_LOAD = 0.05  # of the battery's voltage, by which commands must vary to show a sag
 DELAYS = tuple(0.5 * k for k in range(-2, 17))  # [periods] that are tried
 BETWEEN = 4  # parts of a step of these grids, in which the best value is looked for at last
-ZONES = (0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0)  # times the kit's dead zone that are tried
+ZONES = 65  # dead zones that are tried, with as many commands between one and the next
 ZONE_KNOWN = 0.1  # of it
 LEAST_ZONE = 0.01  # of the largest command, where the kit has none
 
@@ -190,7 +191,7 @@ def _dynamics(log: Log, course: Course) -> list[Support]:
         *_noise(log, kit, path),
     ]  # fmt: skip
     if raw:
-        numbers += [_delay(fit, path, motors, log.period), _dead_zone(log, course, sent, motors)]
+        numbers += [_delay(fit, path, motors, log.period), _dead_zone(path, course, sent, motors)]
     return numbers
 
 
@@ -290,12 +291,17 @@ def _delay(fit: _Fit, path: FollowedLog, motors: Array, period: float) -> Suppor
     return Support("further delay", "s", value, low - half, high + half, EARLIER * period, LATER * period)
 
 
-def _dead_zone(log: Log, course: Course, sent: Array, motors: Array) -> Support:
+def _dead_zone(path: FollowedLog, course: Course, sent: Array, motors: Array) -> Support:
     kit, unit = course.met_kit, course.robot.command_unit
+    sizes = np.abs(sent)
     unit_zone = max(kit.motor.dead_zone, LEAST_ZONE * float(np.abs(motors).max()))
-    most = 0.9 * float(np.abs(sent).max())  # a dead zone beyond all commands is a strength of zero
-    zones = [x * unit_zone for x in ZONES if x <= 1 or x * unit_zone < most]
-    value = dead_zone(log, course, zones)
+    most = 0.9 * float(sizes.max())  # a dead zone beyond all commands is a strength of zero
+    zones = np.unique([0.0, unit_zone, *np.quantile(sizes, np.linspace(0.0, 1.0, ZONES))])
+
+    def made(zone: float) -> Array:
+        return at_motors(sent, replace(kit, motor=replace(kit.motor, dead_zone=zone)), unit, sent=True)
+
+    value = dead_zone(path, motors, made, [z for z in zones.tolist() if z <= unit_zone or z < most])
     wide = max(ZONE_KNOWN * value, LEAST_ZONE * float(np.abs(sent).max()))
     return Support("dead zone", unit, value, value - wide, value + wide, 0.0, 2 * unit_zone)
 

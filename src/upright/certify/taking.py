@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.certify.checks import Course
-from upright.certify.following import filtered_log, surprise
+from upright.certify.following import filtered_log, surprise, surprises
 from upright.certify.logged import Logged, delaying
 from upright.certify.support import NORMAL, Support, supported
 from upright.robots import Kit
@@ -25,6 +25,8 @@ Array = NDArray[np.float64]
 
 TURNS = 8  # of Gauss and Newton's method, in each of which a number may be added
 LEAST_GAIN = 20.0  # of −2 log likelihood: robots as they were assumed gain 3 to 10 by another mass
+WITHIN = 100  # robots within their spreads, which may foretell the log as well
+AS_WELL = 0.05  # of them; where as many do, their spreads explain what a number would
 GYRO, ENCODER = "sensor/gyro", "sensor/encoder_left"
 LEAST_FACTOR, MOST_UNEQUAL = 0.05, 0.95  # of a scale, a strength or a mass; of half the difference of two motors
 LIGHTER = 1.0  # times what is missing of a body's mass: where rotors are heavy, a log shows half of what is missing
@@ -38,8 +40,8 @@ def as_logged(log: Log, course: Course) -> tuple[Course, tuple[Support, ...], tu
     beside what had been assumed. Raises like `supported`.
 
     What is read off directly is taken over first, then one number after the other: the one with which the filter
-    foretells the log best, since the rest may only be its image. A number with which it foretells no better is not
-    taken over, and not said.
+    foretells the log best, since the rest may only be its image. A number with which it foretells no better than robots
+    within their spreads do is not taken over, and not said.
     """
     shown = first = supported(log, course)
     names, settled = set[str](), False
@@ -66,7 +68,9 @@ def _next(log: Log, course: Course, shown: Sequence[Support], names: set[str]) -
     known = [s for s in shown if s.name in names]
     tried = [course, *(_learnt(course, [*known, s]) for s in strays)]
     now, *then = (surprise(filtered_log(log, one)[0]) for one in tried)
-    return {strays[int(np.argmin(then))].name} if min(then) < now - LEAST_GAIN else set()
+    within = surprises(log, [(course.met(robot), course.met_kit) for robot in course.robots[:WITHIN]])
+    best = min(now - LEAST_GAIN, float(np.quantile(within, AS_WELL)))
+    return {strays[int(np.argmin(then))].name} if min(then) < best else set()
 
 
 def _in_place_of(assumed: Support, last: Support, course: Course) -> Support:

@@ -74,6 +74,9 @@ OFFSET_FREE = Disturbed(push_walk=0.1)
 more slowly the later it is seen (`offset_free`). Believed as fast as by `DISTURBED`, 0.5 ms more dead time fells
 TWIPR."""
 
+BADLY_SCALED = (0.0, 1e-14, 1e-12)
+"""Variances added to every state: without any, one in a thousand robots with long dead times has no solution."""
+
 PROMPT = 0.025  # [s] from command to reading, up to which a push is believed as fast as `OFFSET_FREE` says
 
 
@@ -95,7 +98,7 @@ def kalman_filter(model: SampledRobot, disturbed: Disturbed = DISTURBED) -> Filt
     """The steady filter; raises `DesignFailed` where it has no solution."""
     W = disturbed.noise(model)
     try:
-        return Filter(model, W, *steady_kalman(model.linear.A, model.linear.C, W, model.noise))
+        return Filter(model, W, *steady_kalman(model.linear.A, model.linear.C, W, model.noise, BADLY_SCALED))
     except DesignFailed:
         raise DesignFailed(
             f"no steady Kalman filter for '{model.robot.name}' at {model.dt:g} s",
