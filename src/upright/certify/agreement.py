@@ -122,7 +122,9 @@ def recorded(log: Log, delay: int) -> tuple[Array, Array]:
 
 def at_motors(commands: Array, kit: Kit, unit: str, *, sent: bool = True) -> Array:
     """What both motors make (n, 2) of commands that were `sent`, or that the driver has applied already."""
-    applied = np.stack(driven(commands.T, kit.motor, kit.battery, Arrays, volts=unit == "V"), 1) if sent else commands
+    applied = (
+        np.stack(driven([*commands.T], kit.motor, kit.battery, Arrays, volts=unit == "V"), 1) if sent else commands
+    )
     return applied * [kit.motor.left, kit.motor.right]
 
 

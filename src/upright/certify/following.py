@@ -148,12 +148,12 @@ def body_load(log: Log, course: Course) -> float:
 def dead_zone(path: FollowedLog, motors: Array, made: Callable[[float], Array], tried: Sequence[float]) -> float:
     """The dead zone with which the log is likeliest, of those `tried` and between: `motors` (n, 2) are what the filter
     of `path` counts with, `made` what the motors make with another one."""
-    near = list(tried)
+    best, near = 0.0, list(tried)
     for _ in range(1 + ZOOMS):
-        tried, costs = near, path.surprises([made(zone) - motors for zone in near])
-        best = int(np.argmin(costs))
-        near = np.linspace(near[max(best - 1, 0)], near[min(best + 1, len(near) - 1)], 2 * FINER + 1).tolist()
-    return tried[best]
+        place = int(np.argmin(path.surprises([made(zone) - motors for zone in near])))
+        best, ends = near[place], (near[max(place - 1, 0)], near[min(place + 1, len(near) - 1)])
+        near = np.linspace(*ends, 2 * FINER + 1).tolist()
+    return best
 
 
 def _likeliest(log: Log, changed: Callable[[float], tuple[Robot, Kit]], tried: Sequence[float]) -> float:

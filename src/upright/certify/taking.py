@@ -7,6 +7,7 @@ understood, and counts against the certificate.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -23,10 +24,10 @@ from upright.signals import Log
 
 Array = NDArray[np.float64]
 
-TURNS = 8  # of Gauss and Newton's method, in each of which a number may be added
+TURNS = 12  # of Gauss and Newton's method
 LEAST_GAIN = 20.0  # of −2 log likelihood: robots as they were assumed gain 3 to 10 by another mass
-WITHIN = 100  # robots within their spreads, which may foretell the log as well
-AS_WELL = 0.05  # of them; where as many do, their spreads explain what a number would
+TRIED = 5  # values of a number's interval
+WITHIN = 100  # robots within their spreads: where one foretells the log as well, they explain what a number would
 GYRO, ENCODER = "sensor/gyro", "sensor/encoder_left"
 LEAST_FACTOR, MOST_UNEQUAL = 0.05, 0.95  # of a scale, a strength or a mass; of half the difference of two motors
 LIGHTER = 1.0  # times what is missing of a body's mass: where rotors are heavy, a log shows half of what is missing
@@ -40,37 +41,51 @@ def as_logged(log: Log, course: Course) -> tuple[Course, tuple[Support, ...], tu
     beside what had been assumed. Raises like `supported`.
 
     What is read off directly is taken over first, then one number after the other: the one with which the filter
-    foretells the log best, since the rest may only be its image. A number with which it foretells no better than robots
+    foretells the log best, since the rest may only be its image. The next one is looked for where those taken over
+    stand. A number with which it foretells no better than robots
     within their spreads do is not taken over, and not said.
     """
     shown = first = supported(log, course)
-    names, settled = set[str](), False
+    names, stands, now = set[str](), True, surprise(filtered_log(log, course)[0])
     for _ in range(TURNS):
-        new = _next(log, course, shown, names)
-        if not new and (settled or not names):
+        new = _next(log, course, shown, names, now) if stands else set[str]()
+        if stands and not new:
             break
-        names |= new
-        course = _learnt(course, [s for s in shown if s.name in names])
-        shown = supported(log, course)
-        settled = not new and not any(s.outside for s in shown if s.name in names)
+        moved, then = _likeliest(log, course, [s for s in shown if s.name in names | new])
+        stands = not new and then > now - LEAST_GAIN
+        if new or then < now:
+            names |= new
+            course, now, shown = moved, then, supported(log, moved)
     shown = tuple(s for s in shown if s.name in (*names, *DIRECT, *NOT_LEARNT) or not _strays(s))
     last = {s.name: s for s in shown}
     return course, shown, tuple(_in_place_of(s, last.get(s.name, s), course) for s in first if s.name in names)
 
 
-def _next(log: Log, course: Course, shown: Sequence[Support], names: set[str]) -> set[str]:
-    """Which numbers to take over besides those of these `names`."""
+def _next(log: Log, course: Course, shown: Sequence[Support], names: set[str], now: float) -> set[str]:
+    """Which numbers to take over besides those of these `names`, with which the log surprises by `now`."""
     strays = [s for s in shown if _strays(s) and s.name not in (*names, *NOT_LEARNT)]
     if direct := {s.name for s in strays if s.name in DIRECT}:
         return direct
     if not strays:
         return set()
     known = [s for s in shown if s.name in names]
-    tried = [course, *(_learnt(course, [*known, s]) for s in strays)]
-    now, *then = (surprise(filtered_log(log, one)[0]) for one in tried)
+    then = [surprise(filtered_log(log, _learnt(course, [*known, s]))[0]) for s in strays]
     within = surprises(log, [(course.met(robot), course.met_kit) for robot in course.robots[:WITHIN]])
-    best = min(now - LEAST_GAIN, float(np.quantile(within, AS_WELL)))
-    return {strays[int(np.argmin(then))].name} if min(then) < best else set()
+    return {strays[int(np.argmin(then))].name} if min(then) < min(now - LEAST_GAIN, *within) else set()
+
+
+def _likeliest(log: Log, course: Course, numbers: Sequence[Support]) -> tuple[Course, float]:
+    """The course moved to these `numbers`, each at the value within its interval with which the log surprises least,
+    and that surprise."""
+    result, now = list(numbers), math.inf
+    for place, s in enumerate(result):
+        values = [] if s.name in DIRECT else np.linspace(s.low, s.high, TRIED).tolist()
+        for value in (s.value, *values):
+            shifted = replace(s, value=value, low=s.low + value - s.value, high=s.high + value - s.value)
+            then = surprise(filtered_log(log, _learnt(course, [*result[:place], shifted, *result[place + 1 :]]))[0])
+            if then < now:
+                result[place], now = shifted, then
+    return _learnt(course, result), now
 
 
 def _in_place_of(assumed: Support, last: Support, course: Course) -> Support:
