@@ -23,13 +23,12 @@ import numpy as np
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.control import Estimated, kalman, lqr, make_controller
-from upright.control.delay import rolling
 from upright.control.excited import Excited, random_binary
 from upright.errors import UprightError
 from upright.experiment import run
 from upright.identify.identify import identify_one, study_of
 from upright.identify.judge import judge_of, loop_trial
-from upright.physics.linear import unstable_pole
+from upright.physics.linear import rolling, unstable_pole
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log
 

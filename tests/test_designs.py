@@ -28,7 +28,7 @@ from upright.control import (
     write_controller,
 )
 from upright.control.controller import TRUE_STATE
-from upright.control.delay import RAW, rolling, sampled
+from upright.control.delay import RAW, sampled
 from upright.control.excited import Excited, random_binary
 from upright.control.kalman import DISTURBED, kalman_filter
 from upright.control.linear_controller import MATRICES
@@ -42,7 +42,7 @@ from upright.control.standup import Lift, StandUpController, lift
 from upright.errors import DesignFailed, InvalidController, SpecMismatch, UprightError
 from upright.experiment import Drive, Hold, Impulse, Turn, run
 from upright.physics.dynamics import accelerations
-from upright.physics.linear import linearise
+from upright.physics.linear import linearise, rolling
 from upright.robots import Kit, Robot, Sensor, preset_names
 
 NXT = Robot.preset("nxtway-gs")

@@ -18,7 +18,6 @@ from upright.bodies.twin import Twin
 from upright.calibrate.calibration import Estimate
 from upright.cli.main import USER_ERROR, main
 from upright.control import Estimated, kalman, lqr, make_controller, read_controller
-from upright.control.delay import rolling
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidLog, InvalidModel, UnknownName, UprightError
 from upright.experiment import run
@@ -32,7 +31,7 @@ from upright.identify.rebuilt import _errors, rebuilt
 from upright.identify.samples import Part, samples
 from upright.identify.study import Study
 from upright.logs.raw import raw_log
-from upright.physics.linear import LinearModel, linearise, unstable_pole
+from upright.physics.linear import LinearModel, linearise, rolling, unstable_pole
 from upright.report.identification import page_of
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log

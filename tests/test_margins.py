@@ -15,13 +15,13 @@ from upright.certify.mu import upper_bound
 from upright.certify.scaling import balanced
 from upright.certify.verdict import linear_margins
 from upright.control import Controller, make_controller
-from upright.control.delay import RAW, rolling, sampled
+from upright.control.delay import RAW, sampled
 from upright.control.linear_controller import as_linear
 from upright.control.lqr import lqr
 from upright.control.state_space import continuous, controller_of, discrete
 from upright.errors import InvalidModel
 from upright.physics.dynamics import turn_ratio
-from upright.physics.linear import LinearModel, linearise
+from upright.physics.linear import LinearModel, linearise, rolling
 from upright.physics.sensing import sensor_matrix
 from upright.report import report
 from upright.robots import Kit, Robot

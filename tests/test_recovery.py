@@ -13,7 +13,6 @@ from upright.bodies.body import FALLEN
 from upright.certify.checks import HELD, KNOCKED, MOST_HOLD, MOST_KNOCK, RELEASE, standard_pushes
 from upright.certify.recovery import KNOCK_DURATION, largest_hold, largest_knock, means, recoverable
 from upright.control import LinearController
-from upright.control.delay import rolling
 from upright.control.reach import largest_pitch
 from upright.experiment import Hold, Impulse
 from upright.fleet.ensemble import tables
@@ -21,7 +20,7 @@ from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
 from upright.physics.dynamics import Disturbance, accelerations
 from upright.physics.integrate import rk4_step
-from upright.physics.linear import linearise
+from upright.physics.linear import linearise, rolling
 from upright.robots import Kit, Robot, find_kit
 from upright.robots.robot import preset_names
 from upright.signals import STATE_NAMES

@@ -7,7 +7,7 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.certify import robot_loop
-from upright.control.delay import rolling, sampled
+from upright.control.delay import sampled
 from upright.control.family import family, halves, plane, sides
 from upright.control.guaranteed import excess, guaranteed
 from upright.control.kalman import RECOVERED, kalman_filter
@@ -16,7 +16,7 @@ from upright.control.observed import observed
 from upright.control.robust import WORTH, Costs, Robust, robust
 from upright.errors import DesignFailed
 from upright.experiment import Drive, Hold, Turn, run
-from upright.physics.linear import linearise
+from upright.physics.linear import linearise, rolling
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import STATE_NAMES

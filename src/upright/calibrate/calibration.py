@@ -12,9 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.atomic import finite
-from upright.control.delay import rolling
 from upright.errors import InvalidRobot
-from upright.physics.linear import unstable_pole
+from upright.physics.linear import rolling, unstable_pole
 from upright.robots import Kit, Robot
 from upright.tables import Listing, Shown
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from upright.control.controller import TRUE_STATE
 from upright.errors import DesignFailed, SpecMismatch
 from upright.physics.dynamics import turn_ratio
-from upright.physics.linear import LinearModel, delay_line, linearise
+from upright.physics.linear import LinearModel, delay_line, linearise, rolling
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
@@ -130,20 +130,6 @@ def _held(robot: Robot, h: float) -> tuple[Array, Array, Array]:
         return np.eye(6), np.zeros((6, 2)), np.zeros(6)
     held = linearise(rolling(robot)).c2d(h)
     return held.A, held.B, held.E[:, 0] + robot.com_height * held.E[:, 1]
-
-
-def rolling(robot: Robot, rate: float = 3.0) -> Robot:
-    """The robot with its dry friction replaced by the damping that brakes alike at `rate` [rad/s].
-
-    At rest a smoothed dry friction has its steepest slope, which would pass for a brake that no moving robot has.
-    """
-    if not (robot.coulomb_friction or robot.rolling_friction):
-        return robot
-    alike = math.hypot(rate, robot.stiction_rate)
-    return robot.without_dry_friction().replace(
-        motor_friction=robot.motor_friction + robot.coulomb_friction / alike,
-        wheel_friction=robot.wheel_friction + robot.rolling_friction / alike,
-    )
 
 
 def _assembled(

@@ -8,10 +8,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from upright.control.delay import rolling
 from upright.control.feedback import StateFeedback
 from upright.errors import DesignFailed
-from upright.physics.linear import LinearModel, linearise
+from upright.physics.linear import LinearModel, linearise, rolling
 from upright.robots import Robot, find_robot
 
 Array = NDArray[np.float64]

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.control.delay import SampledRobot, rolling
+from upright.control.delay import SampledRobot
 from upright.control.design import Design
 from upright.control.kalman import Filter, one_step
 from upright.control.linear_controller import LinearController
-from upright.physics.linear import delay_line, linearise
+from upright.physics.linear import delay_line, linearise, rolling
 from upright.robots import Robot
 
 Array = NDArray[np.float64]

@@ -21,7 +21,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.control.delay import RAW, SampledRobot, rolling, sampled
+from upright.control.delay import RAW, SampledRobot, sampled
 from upright.control.design import Design
 from upright.control.kalman import DISTURBED, Disturbed, Filter, kalman_filter
 from upright.control.linear_controller import LinearController
@@ -29,6 +29,7 @@ from upright.control.lqi import unwound
 from upright.control.observer import Extra, output_feedback
 from upright.errors import DesignFailed
 from upright.physics.dynamics import motor_damping, motor_gain
+from upright.physics.linear import rolling
 from upright.robots import Kit, Robot, find_kit, find_robot
 
 Array = NDArray[np.float64]

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from upright.control.delay import rolling
 from upright.control.mpc import largest_command
 from upright.errors import DesignFailed
 from upright.physics.dynamics import motor_gain
-from upright.physics.linear import linearise
+from upright.physics.linear import linearise, rolling
 from upright.robots import Kit, Robot
 
 

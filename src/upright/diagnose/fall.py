@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.control.delay import rolling
 from upright.control.mpc import largest_command
 from upright.diagnose.innovations import FULL_RANGE, FilterRun
 from upright.doctor.finding import FALLING, Segment
@@ -16,7 +15,7 @@ from upright.doctor.poses import segments
 from upright.doctor.wheels import record_of
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
-from upright.physics.linear import linearise
+from upright.physics.linear import linearise, rolling
 from upright.robots import Kit, Robot
 from upright.signals import Log
 

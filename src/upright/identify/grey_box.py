@@ -8,11 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.calibration import Calibration
-from upright.control.delay import rolling
 from upright.identify.coordinates import COMMANDS, PHYSICAL, growth_rate, half_model, with_sent
 from upright.identify.samples import Part
 from upright.identify.study import MethodFit, Pole, Study
-from upright.physics.linear import LinearModel, linearise
+from upright.physics.linear import LinearModel, linearise, rolling
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
 

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.atomic import finite
-from upright.control.delay import rolling
 from upright.errors import UprightError, check_within
 from upright.identify.identified import WITH_FRICTION, Identified, assembled, interval
 from upright.identify.judge import Judge, LoopTrial, judge_of, loop_trial
@@ -21,7 +20,7 @@ from upright.identify.samples import Samples, samples
 from upright.identify.study import Pole, Study
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
-from upright.physics.linear import unstable_pole
+from upright.physics.linear import rolling, unstable_pole
 from upright.progress import Progress
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log

@@ -13,7 +13,7 @@ from upright.control import CONTROLLERS, Controller, ControllerSpec, Method, Sta
 from upright.errors import InvalidController, InvalidPlugin, InvalidRobot, UnknownName, UprightError
 from upright.lab.messages import FamilyInfo, Setup
 from upright.physics.dynamics import CALM, Disturbance, motor_gain
-from upright.physics.linear import linearise
+from upright.physics.linear import linearise, rolling
 from upright.robots import PARAMETERS, Kit, Robot, kit_names
 
 EXPORTED, FINE, COARSE = 0.001, 0.002, 0.01
@@ -236,7 +236,7 @@ def body_of(name: str, plant: Plant, setup: Setup, period: float, calibrated: Ro
         return Pulled(Twin(plant.robot, period, timestep=TWIN_STEP, contact_time=2 * TWIN_STEP, grip=setup.grip))
     if name == "linear":
         # The linear model is of what the controller knows: no payload, no other floor.
-        return Pulled(LinearBody(linearise(plant.nominal), plant.nominal, period))
+        return Pulled(LinearBody(linearise(rolling(plant.nominal)), plant.nominal, period))
     robot = calibrated if name == "calibrated" and calibrated else plant.robot
     body = NonlinearBody(robot, "published" if name == "published" else "complete", period)
     if body.substeps > QUICKEST * period:

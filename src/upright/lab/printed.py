@@ -17,7 +17,7 @@ from upright.control.law import as_law, program
 from upright.errors import InvalidController
 from upright.lab.plant import EXPORTED, is_bare
 from upright.physics.dynamics import turn_ratio
-from upright.physics.linear import linearise
+from upright.physics.linear import linearise, rolling
 from upright.robots import Kit, Robot
 from upright.signals.signal import TRUTH
 
@@ -28,7 +28,7 @@ def printed_robot(robot: Robot, kit: Kit, period: float = EXPORTED) -> tuple[str
     """Its motion as JavaScript, and what `simulator.js` needs beside it; raises an `UprightError` for a robot that
     cannot be simulated."""
     text = motion(robot, "complete", period, NonlinearBody(robot, period=period).substeps)
-    model = linearise(robot).c2d(period)
+    model = linearise(rolling(robot)).c2d(period)
     linear = {name: getattr(model, name).tolist() for name in "ABE"}
     linear |= {"turn": turn_ratio(robot), "radius": robot.wheel_radius, "gravity": robot.gravity, "period": period}
     return text, {"period": period, "kit": kit_numbers(kit, robot, period), "linear": linear}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cmath
+import math
 from collections.abc import Sequence
 from dataclasses import KW_ONLY, dataclass, field, replace
 from functools import lru_cache
@@ -262,6 +263,21 @@ def linearise(
     if model not in MODELS:
         raise InvalidModel(f"no model is called '{model}'", expected=" or ".join(MODELS))
     return _tangent(find_robot(robot), tuple(map(float, x)), tuple(map(float, u)), model)
+
+
+def rolling(robot: Robot, rate: float = 3.0) -> Robot:
+    """The robot with its dry friction replaced by the damping that brakes alike at `rate` [rad/s].
+
+    At rest a smoothed dry friction has its steepest slope, which would pass for a brake that no moving robot has: a
+    linear model of the robot in motion, for a design or as a body, is the tangent of this one.
+    """
+    if not (robot.coulomb_friction or robot.rolling_friction):
+        return robot
+    alike = math.hypot(rate, robot.stiction_rate)
+    return robot.without_dry_friction().replace(
+        motor_friction=robot.motor_friction + robot.coulomb_friction / alike,
+        wheel_friction=robot.wheel_friction + robot.rolling_friction / alike,
+    )
 
 
 @lru_cache(maxsize=256)  # a margin asks for that of one robot hundreds of times
