@@ -52,7 +52,9 @@ def _fell(record: Record, segment: Segment) -> Finding:
     evidence = (
         f"from t = {moment(segment.start)} s the pitch turns by {turn:.2g} rad at up to {fastest:.2g} rad/s, {how}"
     )
-    repair = f"use t < {moment(segment.start - _BEFORE)} s"
+    before = segment.start - _BEFORE - record.t[0]
+    usable = before >= _LEAST * m.period
+    repair = f"use t < {moment(segment.start - _BEFORE)} s" if usable else "record the robot while it stands, too"
     return warning("segment/fall", m.gyro_name, evidence, repair, span=(segment.start, segment.stop))
 
 

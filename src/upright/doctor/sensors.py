@@ -52,7 +52,9 @@ def dead(record: Record) -> list[Finding]:
             findings.append(warning("channel/holes", name, evidence, "interpolate them linearly", fix))
         elif np.ptp(values) == 0 and name in moving:
             evidence = f"it is {values[0]:.4g} in all {len(fine)} rows"
-            findings.append(error("channel/constant", name, evidence, "check the cable and the mapped column"))
+            silent = name in commands and values[0] == 0
+            repair = "run it with a controller, or check" if silent else "check the cable and"
+            findings.append(error("channel/constant", name, evidence, f"{repair} the mapped column"))
     return findings
 
 

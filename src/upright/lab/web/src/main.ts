@@ -48,7 +48,7 @@ class Page {
   private kit = new KitPanel();
   private identify = new IdentifyPanel();
   private keep = new KeepPanel(() => this.room.picture());
-  private tour = new Tour();
+  private tour = new Tour((speed) => this.run(speed));
   private classes = new ClassPanel();
   private tab: Tab = "Controller";
   private seconds = 10;
@@ -188,13 +188,18 @@ class Page {
     this.room.draw(0); // at once, so that no empty room is seen
   }
 
+  /** From now on so many times as fast as the clock. */
+  private run(speed: number, paused = false): void {
+    this.speed = speed;
+    const box = this.app.querySelector<HTMLSelectElement>("[data-key=speed]");
+    if (box) box.value = String(speed);
+    store.send({ kind: "Play", paused, speed });
+  }
+
   private transport(): HTMLElement {
     this.pauseButton.onclick = () => this.pause();
     const speeds: [string, string][] = [["0.05", "1/20"], ["0.1", "1/10"], ["0.25", "1/4"], ["0.5", "1/2"], ["1", "1"]];
-    const speed = select(t("speed"), speeds, String(this.speed), (v) => {
-      this.speed = Number(v);
-      store.send({ kind: "Play", paused: store.snapshot?.paused ?? false, speed: this.speed });
-    }, "speed");
+    const speed = select(t("speed"), speeds, String(this.speed), (v) => this.run(Number(v), store.snapshot?.paused), "speed");
     const step = button(t("step"), () => store.send({ kind: "Step", periods: 1 }), { "data-key": "step" });
     const line = t(store.recorded ? "timeLine" : "back");
     this.scrub.setAttribute("aria-label", line);
@@ -394,7 +399,7 @@ class Page {
   }
 
   private help(): void {
-    const rows = texts().keys.map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, what)));
+    const rows = texts().keys.filter(([key]) => !exported || key !== "N, P").map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, what)));
     const dialog = h("dialog", { className: "help", "aria-label": t("help"), onclose: () => dialog.remove() },
       h("h2", {}, t("help")), h("table", {}, h("tbody", {}, ...rows)), button(t("close"), () => dialog.close(), { className: "main" }));
     this.app.append(dialog);

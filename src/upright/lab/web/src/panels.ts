@@ -365,7 +365,10 @@ export class KeepPanel extends Panel {
     const name = h("input", { type: "text", id, maxLength: 40, autocomplete: "name", value: session.getItem("name") ?? "", "data-key": "student" });
     const send = () => {
       if (name.value.trim()) store.send({ kind: "Save", what: "handin", name: name.value.trim() });
-      else name.focus();
+      else {
+        name.focus();
+        store.hear({ kind: "Notice", level: "info", text: t("nameMissing"), key: "" });
+      }
     };
     return h("div", { className: "row hand-in" }, h("label", { "for": id }, t("yourName")), name, button(t("handIn"), send, { "data-key": "keep-handin" }));
   }

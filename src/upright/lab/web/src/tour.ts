@@ -8,13 +8,14 @@ import { t, texts } from "./texts";
 interface Scene {
   setup: Partial<Setup>;
   lean: number;
+  speed?: number; // of a fall, which takes half a second
   strike?: "front" | "back";
 }
 
 const THREE: Setup["bodies"] = ["twin", "nonlinear", "linear"];
 const SCENES: Scene[] = [
-  { setup: { controller: "off", bodies: THREE }, lean: LEAN },
-  { setup: { controller: "off", kit: "ideal", bodies: ["nonlinear", "linear"] }, lean: 0.03 },
+  { setup: { controller: "off", bodies: THREE }, lean: LEAN, speed: 0.1 },
+  { setup: { controller: "off", kit: "ideal", bodies: ["nonlinear", "linear"] }, lean: 0.03, speed: 0.1 },
   { setup: { controller: "lqr", bodies: THREE }, lean: 0.1 },
   { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "front" },
   { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "back" },
@@ -26,6 +27,9 @@ const SCENES: Scene[] = [
 export class Tour {
   root = h("div", { className: "panel-body tour" });
   private at = 0;
+
+  /** `run` sets the speed. */
+  constructor(private run: (speed: number) => void) {}
 
   build(): void {
     const step = texts().tour[this.at];
@@ -52,9 +56,9 @@ export class Tour {
   }
 
   private set(): void {
-    const { setup, lean, strike } = SCENES[this.at];
+    const { setup, lean, speed, strike } = SCENES[this.at];
     store.change({ ...DEFAULT_SETUP, ...setup });
-    store.send({ kind: "Play", paused: false, speed: 1 });
+    this.run(speed ?? 1);
     store.send({ kind: "StandUp", pitch: lean });
     if (strike) window.setTimeout(() => store.send({ kind: "Strike", what: strike, size: strike === "front" ? 0.1 : -0.12 }), 1000);
   }
