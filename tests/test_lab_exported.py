@@ -14,7 +14,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from upright.bodies import Electronics, LinearBody, NonlinearBody
+from upright.bodies import Electronics, NonlinearBody, make_body
 from upright.classwork.grading import grade_file
 from upright.classwork.tasks import TASKS
 from upright.classwork.worksheet import fragment
@@ -31,7 +31,6 @@ from upright.lab.export import export
 from upright.lab.handin import read_hand_in
 from upright.lab.printed import printed_law, printed_robot, reading
 from upright.lab.rerun import rerun
-from upright.physics.linear import linearise
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
 
@@ -176,7 +175,7 @@ def test_every_fault_of_a_kit_is_in_the_page(tmp_path):
 
 @pytest.mark.needs("node")
 def test_the_ghost_is_the_linear_body(tmp_path):
-    """TWIPR's falls, here as in Python: it knows no dry friction but the slope of it at rest."""
+    """Of a robot with dry friction, which is TWIPR, too."""
     for name, family, rows in (("nxtway-gs", "lqg", 100), ("twipr", "lqi", 50)):
         robot = Robot.preset(name)
         usual = Kit.preset(robot.kit_name)
@@ -186,7 +185,7 @@ def test_the_ghost_is_the_linear_body(tmp_path):
         code = part(robot, kit, printed_law(controller, kit), push, rows * kit.period)
         before, after = code.index("const motion"), code.index("const law")
         page = pages_of(tmp_path, f"{code[:before]}const motion = linearMotion({linear});{code[after:]}")[0]
-        body = Electronics(LinearBody(linearise(robot), robot), kit)
+        body = Electronics(make_body("linear", robot), kit)
         log = run(body, controller, push, seconds=rows * kit.period, start=START)
         python = np.column_stack([log[f"truth/{state}"] for state in STATE_NAMES])
         assert np.abs(python - np.array(page)).max() < 1e-9
