@@ -7,6 +7,7 @@ import json
 import math
 from collections.abc import Sequence
 from functools import cache
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from upright.bodies.body import Sample
 from upright.certify.agreement import LARGER, RED, Agreement, agreement
 from upright.certify.certificate import Certificate, certify
 from upright.certify.checks import Course, kernel_controller
+from upright.certify.learnt import unpushed
 from upright.certify.logged import loaded
 from upright.certify.support import Support, supported
 from upright.certify.taking import as_logged
@@ -147,6 +149,14 @@ def test_a_body_half_as_heavy_is_seen_and_falls_under_a_push_that_was_sized_for_
     assert given.taken[0].value < 0.75 * ROBOT.body_mass
     assert given.light == RED
     assert "body's mass" in given.reasons[1]
+
+
+def test_a_knocked_robot_is_calibrated_from_what_lies_between_the_knocks() -> None:
+    parts = unpushed(plain_log(), course())
+    gone = [(a.t[-1], b.t[0]) for a, b in pairwise(parts)]
+    assert len(gone) == 1  # before the first knock, at 1.5 s, there is too little
+    assert gone[0][0] == pytest.approx(KNOCKS[1].start, abs=0.03)  # a period, and another of dead time
+    assert 0.3 < gone[0][1] - gone[0][0] < 0.7  # the 0.3 s in which a filter finds the state again, after the last
 
 
 @pytest.mark.slow

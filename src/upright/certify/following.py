@@ -89,12 +89,12 @@ def first_state(model: SampledRobot, readings: Array) -> Array:
     return start
 
 
-def pushed(errors: Array, period: float) -> NDArray[np.bool_]:
-    """Rows (n,) at and after innovations (n, sensors) far beyond their usual size: somebody pushed the robot."""
+def pushed(errors: Array, period: float, far: float = FAR) -> NDArray[np.bool_]:
+    """Rows (n,) at and after innovations (n, sensors) `far` beyond their usual size: somebody pushed the robot."""
     there = np.isfinite(errors).all(axis=1) & (np.arange(len(errors)) >= SETTLED / period)
     usual = 1.4826 * np.median(np.abs(errors[there]), axis=0) if there.any() else np.ones(errors.shape[1])
-    far = (np.abs(np.nan_to_num(errors)) > FAR * usual).any(axis=1)
-    after: NDArray[np.bool_] = np.convolve(far, np.ones(max(1, round(PUSHED / period))))[: len(errors)] > 0
+    beyond = (np.abs(np.nan_to_num(errors)) > far * usual).any(axis=1)
+    after: NDArray[np.bool_] = np.convolve(beyond, np.ones(max(1, round(PUSHED / period))))[: len(errors)] > 0
     return after if after[there].mean() < MOST_PUSHED else np.zeros(len(errors), dtype=np.bool_)
 
 
