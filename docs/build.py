@@ -26,7 +26,7 @@ import build as notebooks  # noqa: E402
 
 PARTS = {
     "Start": ("start", "first-robot", "lab"),
-    "Course": ("notebooks/index", "lesson.es", "lesson.en", "worksheet.es", "worksheet.en"),
+    "Course": ("notebooks/index", "lesson.en", "lesson.es", "worksheet.en", "worksheet.es"),
     "How to": ("how-to", "add-a-robot", "add-a-body", "add-a-controller", "examples/index"),
     "Concepts": (
         "model", "twin", "logs", "calibrate", "identify", "excite", "tune", "certificate", "post-mortem", "fleet",
@@ -70,8 +70,11 @@ def build(site: Path, *, draft: bool = False) -> int:
         _reference(source)
         _glossary(source)
         _course(source, draft)
-        if not draft:
-            _gallery(source)
+        gallery = source / "gallery.md"
+        if draft:
+            _write(gallery, gallery.read_text("utf-8").replace(".*\n", f".*\n\n{WITHOUT}\n", 1))
+        else:
+            _gallery(gallery)
             index = source / "index.md"
             _write(index, PICTURE.sub(TRY, index.read_text("utf-8")))
             lab = source / "lab.md"
@@ -109,7 +112,8 @@ def _pages(source: Path) -> None:
     for picture in [*HERE.glob("*.gif"), *HERE.glob("*.webp")]:
         shutil.copy(picture, source)
     for name, path in OUTSIDE.items():
-        _write(source / f"{name}.md", (ROOT / path).read_text("utf-8").replace("](docs/", "]("))
+        text = (ROOT / path).read_text("utf-8").replace("](docs/", "](")
+        _write(source / f"{name}.md", "---\nnosearch: true\n---\n" * (name == "changes") + text)
     for linked in re.findall(r"\]\(((?:src|benchmarks)/[^)#]+\.py)\)", "".join(_texts(source))):
         (source / linked).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / linked, source / linked)
@@ -184,17 +188,19 @@ def _glossary(source: Path) -> None:
 
 
 NOW = '<p><a class="now" href="try/index.html">Push it yourself, now, in this browser</a></p>'
-PICTURE = re.compile(r"!\[[^]]*\]\(push\.gif\)")
+PICTURE = re.compile(r"\[!\[[^]]*\]\(lab\.webp\)\]\(lab\.md#[\w-]+\)\n\n\[.*\n")
 SHOWN = '<img src="_images/lab.webp" alt="The lab: a robot is knocked and stays up">'
-TRY = f'{NOW}<p><a href="try/index.html">{SHOWN}</a></p>'
-"""The first picture of the site leads to the lab, in the place of one that only moves."""
+TRY = f'<p><a href="try/index.html">{SHOWN}</a></p>{NOW}\n'
+"""The first picture of the site leads to the lab itself, in the place of the page about it."""
 
 FENCE = re.compile(r"^```python\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
 
 
-def _gallery(source: Path) -> None:
+WITHOUT = "```{note}\nThis is a draft. `python docs/build.py` draws the picture below each example.\n```"
+
+
+def _gallery(page: Path) -> None:
     """Each example of the gallery is executed, and the `figure` that it makes stands below it."""
-    page = source / "gallery.md"
     names: dict[str, object] = {"__name__": "gallery"}
     count = iter(range(1000))
 
@@ -203,7 +209,7 @@ def _gallery(source: Path) -> None:
         exec(compile(fence[1], "gallery.md", "exec"), names)
         figure = names["figure"]
         path = f"gallery-{next(count)}.svg"
-        figure.savefig(source / path)  # type: ignore[attr-defined]
+        figure.savefig(page.with_name(path))  # type: ignore[attr-defined]
         return f"{fence[0]}\n![What this example draws]({path})\n"
 
     _write(page, FENCE.sub(drawn, page.read_text("utf-8")))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+from html import escape, unescape
 from pathlib import Path
 from typing import Any
 
@@ -80,6 +81,66 @@ def accessible(_app: Sphinx, _page: str, _template: str, context: dict[str, Any]
             context[name] = context.get(name, "").replace(old, new)
 
 
+COMMANDS = re.compile(
+    r'(<div class="highlight-sh[^>]*><div class="highlight"><pre[^>]*><span></span>)(.*?)(?=</pre>)', re.S
+)
+TABLE = re.compile(r'<table class="docutils align-default">.*?</table>', re.DOTALL)
+COLUMN, PHONE, MANY, BRIEF = 90, 40, 7, 14
+"""Letters of a line of code, of a line of a table on a phone, columns in the usual type, letters of half a card."""
+
+
+DARK = (
+    r'<img\1src="_images/lab.webp" class="only-light" loading="lazy"\2>'
+    r'<img\1src="_static/lab-dark.webp" class="only-dark" loading="lazy"\2>'
+)
+"""The picture of the lab, as dark as the page."""
+
+
+def readable(_app: Sphinx, _page: str, _template: str, context: dict[str, Any], _tree: object) -> None:
+    """Commands are never cut, and a table that is too wide for a phone is a card for each of its rows there."""
+    body = COMMANDS.sub(lambda block: block[1] + wrapped(block[2]), context.get("body", ""))
+    body = TABLE.sub(lambda table: stacked(table[0]), body)
+    context["body"] = re.sub(r'<img([^>]*?)src="_images/lab.webp"([^>]*)>', DARK, body)
+
+
+def wrapped(shell: str) -> str:
+    """Each line as a block with a hanging indent, which breaks between words; what is copied stays one line."""
+    lines = shell.splitlines(keepends=True)
+    plain = [unescape(re.sub(r"<[^>]+>", "", line)) for line in lines]
+    apart = " apart" * any(len(line) > COLUMN and " # " in line for line in plain)
+    made: list[str] = []
+    for line in lines:
+        command, mark, comment = line.rstrip("\n").partition('<span class="c1">')
+        parts = filter(None, re.split(r'(<span class="w">.*?</span>)', command))
+        words = "".join(part if 'class="w"' in part else f'<span class="word">{part}</span>' for part in parts)
+        words = words and f'<span class="command">{words}</span>'
+        made.append(f'<span class="line{apart}">{words}{mark}{comment}\n</span>')
+    return "".join(made)
+
+
+def stacked(table: str) -> str:
+    """A table as it is; where it is wide, each cell with the title of its column, and with its role in the table."""
+    rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row, re.DOTALL) for row in table.split("</tr>")[:-1]]
+    texts = [[unescape(re.sub(r"<[^>]+>", "", cell)).strip() for cell in row] for row in rows]
+    columns = list(zip(*texts, strict=True))
+    kind = " many" if len(columns) > MANY else ""
+    if sum(3 + max(len(word) for text in column for word in [*text.split(), ""]) for column in columns) <= PHONE:
+        return table.replace("align-default", f"align-default{kind}", 1) if kind else table
+    labels = texts[0]
+    brief = [max(map(len, column)) <= BRIEF for column in columns]
+    cells = iter([k for _ in texts[1:] for k in range(len(labels))])
+
+    def cell(found: re.Match[str]) -> str:
+        k = next(cells)
+        classes = " brief" * brief[k] + " none" * (found[2] in ("", "–", "<p>–</p>"))
+        return f'<td role="cell" class="{classes.strip()}" data-label="{escape(labels[k])}">{found[2]}</td>'
+
+    table = re.sub(r"<td([^>]*)>(.*?)</td>", cell, table, flags=re.DOTALL)
+    for tag, role in (("thead", "rowgroup"), ("tbody", "rowgroup"), ("tr", "row"), ("th", "columnheader")):
+        table = re.sub(rf"<{tag}\b", f'<{tag} role="{role}"', table)
+    return table.replace('<table class="', f'<table role="table" class="stacked{kind} ', 1)
+
+
 SPANISH = {
     "Search": "Buscar", "On this page": "En esta página", "Contents": "Contenido", "Back to top": "Volver arriba",
     "Next": "Siguiente", "Previous": "Anterior", "Home": "Inicio", "Start": "Inicio", "Course": "Curso",
@@ -106,5 +167,6 @@ def spanish(_app: Sphinx, page: str, _template: str, context: dict[str, Any], _t
 def setup(app: Sphinx) -> None:
     app.connect("autodoc-process-docstring", restructured)
     app.connect("html-page-context", accessible, priority=900)  # after furo, which makes the tree
+    app.connect("html-page-context", readable, priority=905)
     app.connect("html-page-context", spanish, priority=910)
     app.add_html_math_renderer("mathml", (inline, None), (display, None))

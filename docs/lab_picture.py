@@ -1,6 +1,7 @@
-"""Makes docs/lab.webp, the moving picture of the lab: run `python docs/lab_picture.py` after a change of the page.
+"""Makes docs/lab.webp, the moving picture of the lab, and a dark one for the site: run `python docs/lab_picture.py`.
 
-Needs Chromium and Playwright. The page is paused and stepped, so that a slow machine makes the same picture.
+To be run after a change of the page. Needs Chromium and Playwright. The page is paused and stepped, so that a slow
+machine makes the same picture.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 import io
 import tempfile
 from pathlib import Path
+from typing import Literal
 
 from PIL import Image
 from playwright.sync_api import sync_playwright
@@ -18,13 +20,16 @@ FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader
 EVERY = 8  # periods of 10 ms between two pictures
 PICTURES = 56
 WIDTH = 800  # [px] of the picture
+HERE = Path(__file__).resolve().parent
 
-if __name__ == "__main__":
+
+def film(scheme: Literal["light", "dark"], target: Path) -> None:
+    """The lab in a colour scheme, knocked forward and back."""
     pictures: list[Image.Image] = []
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as driver:
         page_file = export(folder, ["nxtway-gs"], ["lqg"])
         browser = driver.chromium.launch(executable_path="/usr/bin/chromium", args=FLAGS)
-        page = browser.new_page(viewport={"width": 1200, "height": 675}, color_scheme="light")
+        page = browser.new_page(viewport={"width": 1200, "height": 675}, color_scheme=scheme)
         page.goto(page_file.as_uri())
         page.wait_for_selector("canvas.room")  # which takes the side view's place
         page.evaluate("upright.store.send({ kind: 'Step', periods: 200 })")
@@ -39,6 +44,10 @@ if __name__ == "__main__":
             pictures.append(shot.resize((WIDTH, round(WIDTH * shot.height / shot.width)), Image.Resampling.LANCZOS))
         browser.close()
     first, *others = pictures
-    target = Path(__file__).with_name("lab.webp")
     first.save(target, save_all=True, append_images=others, duration=10 * EVERY, loop=0, quality=55, method=6)
     print(f"wrote {target}: {target.stat().st_size / 1e3:.0f} kB")
+
+
+if __name__ == "__main__":
+    film("light", HERE / "lab.webp")
+    film("dark", HERE / "_static" / "lab-dark.webp")

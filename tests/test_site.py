@@ -35,6 +35,12 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+CUT = """[...document.querySelectorAll('.highlight-sh pre, article .table-wrapper')]
+    .filter((wide) => wide.scrollWidth > wide.clientWidth + 1).map((wide) => wide.textContent)"""
+COPIED = """[...document.querySelectorAll('.highlight-sh pre')].flatMap((block) => {
+    getSelection().selectAllChildren(block); return getSelection().toString().split('\\n') })"""
+
+
 def links(page: Path) -> list[tuple[str, str]]:
     """Tag and target of every link of a page."""
     return [(tag, html.unescape(target)) for tag, _, target in LINK.findall(page.read_text("utf-8"))]
@@ -99,6 +105,11 @@ def test_in_a_browser_from_a_folder(site: Path, browser: Any, width: int) -> Non
     for name in SHOWN:
         page.goto((site / name).as_uri())
         assert page.evaluate("document.documentElement.scrollWidth") == width, name  # what is wide scrolls by itself
+        assert page.evaluate(CUT) == [], name
+    page.goto((site / "start.html").as_uri())
+    copied = page.evaluate(COPIED)  # each command is shown over some lines, and copied as one
+    push = "upright simulate --robot nxtway-gs --body twin --push hold:0.1,until=4"
+    assert f"{push} -o twin.parquet --report push.html" in copied
     page.goto((site / "search.html").as_uri() + "?q=kalman")
     page.wait_for_selector("#search-results li a")
     page.close()

@@ -17,8 +17,9 @@ _WORDS = {
     "es": (
         "# Hoja de trabajo: un robot que se equilibra\n\n*Para estudiantes.*",
         "Abra el laboratorio (`upright lab`, o la dirección que muestra su docente). Cada tarea empieza con su "
-        "enlace, que prepara el robot. En una clase, pegue la parte desde `#setup` tras la dirección.",
-        "Tarea", "Enlace", "Haga", "Piense", "Respuesta",
+        "enlace, que prepara el robot. En una clase, copie el enlace y pegue la parte desde `#setup` tras la "
+        "dirección.",
+        "Tarea", "Preparar la tarea", "Haga", "Piense", "Respuesta",
         "## Qué se entrega",
         "Para cada tarea: pulse *Poner de pie*, haga lo que se pide antes de un minuto y sin cambiar nada más, y luego "
         "*Guardar* → *Entregar* con su nombre. El archivo contiene la configuración y sus acciones; con `upright "
@@ -27,8 +28,8 @@ _WORDS = {
     "en": (
         "# Worksheet: a robot that balances\n\n*For students.*",
         "Open the lab (`upright lab`, or the address that your teacher shows). Each task begins with its link, which "
-        "sets the robot up. In a class, paste the part from `#setup` on behind the address.",
-        "Task", "Link", "Do", "Think", "Answer",
+        "sets the robot up. In a class, copy the link, and paste its part from `#setup` on behind the address.",
+        "Task", "Set up task", "Do", "Think", "Answer",
         "## What to hand in",
         "For each task: press *Stand up*, do what is asked within a minute and without any other change, then *Keep* → "
         "*Hand in* under your name. The file holds the set-up and what you did; `upright grade` runs it again on "
@@ -48,7 +49,7 @@ def worksheet(language: str) -> str:
     for number, one in enumerate(TASKS, 1):
         name, what, question = one.texts[language]
         lines = [
-            f"{link}: <{LAB}{fragment(one)}>",
+            f"[{link} {number}]({LAB}{fragment(one)})",
             f"**{do}.** {what}",
             f"**{think}.** {question}",
             f"{answer}: " + "_" * 60,
