@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import ctypes
 import dataclasses
 import json
 import math
 import re
+import sys
 import tomllib
 from collections.abc import Generator
 from contextlib import contextmanager, suppress
@@ -118,6 +120,12 @@ def limit_memory(size: int) -> None:
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         hard = resource.getrlimit(resource.RLIMIT_AS)[1]
         resource.setrlimit(resource.RLIMIT_AS, (size, hard))
+
+
+def give_back() -> None:
+    """Memory that is free goes back to the system, where the C library would keep it (glibc; about 1 ms)."""
+    if sys.platform == "linux" and (trim := getattr(ctypes.CDLL(None), "malloc_trim", None)):
+        trim(0)
 
 
 _PLAIN: dict[str, Any] = {"str": str, "float": (int, float), "int": int, "bool": bool}

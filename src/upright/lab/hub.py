@@ -21,6 +21,7 @@ from upright.lab.connections import Bucket
 from upright.lab.mailbox import Mailbox
 from upright.lab.messages import VERSION, Ack, Board, Broadcast, Change, Hello, Notice, Refused, Setup, Welcome
 from upright.lab.stage_process import StageLink, Words
+from upright.reading import give_back
 
 BURST, STEADY = 300.0, 130.0  # messages of `SHORT` characters at once, and a second, from one client
 OPENED, OPENING = 2.0 * MOST_STUDENTS, 0.2  # robots that one address may have made at once, and a second
@@ -209,7 +210,7 @@ class Hub:
         entry = self.entries.pop(name)
         self.scores.forget(name)
         self._stages[entry.stage].say("close", name)
-        self._removing.submit(shutil.rmtree, entry.folder, True)
+        self._removing.submit(_removed, entry.folder)
 
     def _broadcast(self, client: Client, message: Broadcast) -> None:
         if client.role != "teacher":
@@ -268,6 +269,12 @@ class Hub:
         for entry in self.entries.values():
             for client in entry.clients.values():
                 client.box.board(text)
+
+
+def _removed(folder: Path) -> None:
+    """Of a session that has ended: nothing is left, neither of its files nor of its messages."""
+    shutil.rmtree(folder, ignore_errors=True)
+    give_back()
 
 
 def _light(setup: Setup) -> Setup:

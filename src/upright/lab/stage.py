@@ -7,10 +7,8 @@ can trouble another: each has its own part of the computing time, and what fails
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import gc
 import os
-import sys
 import time
 import warnings
 from collections import deque
@@ -27,6 +25,7 @@ from upright.lab.codec import encode
 from upright.lab.desk import ProcessDesk
 from upright.lab.messages import Notice, Setup, Step
 from upright.lab.seat import AWHILE, Seat, paid, within
+from upright.reading import give_back
 
 if TYPE_CHECKING:
     from upright.lab.session import Session
@@ -132,7 +131,7 @@ class Stage:
         if kind == "close":
             self._desk.forget(name)
             self._seats.pop(name).close()
-            _give_back()
+            give_back()
         elif kind == "watch":
             client, count = rest
             seat.at, seat.watched, seat.shown = (now if not seat.watched else seat.at), count, ()
@@ -261,12 +260,6 @@ def perform(pipe: Connection, options: Options, at_work: Any) -> None:
                 pipe.send(words)
             due = due if now - due < BEHIND else now
     stage.close()
-
-
-def _give_back() -> None:
-    """Memory that is free goes back to the system, where the C library keeps it otherwise (glibc; about 1 ms)."""
-    if sys.platform == "linux" and (trim := getattr(ctypes.CDLL(None), "malloc_trim", None)):
-        trim(0)
 
 
 def _listen(pipe: Connection, stage: Stage, until: float) -> None:
