@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 import dataclasses
 import json
 import math
@@ -124,6 +123,8 @@ def limit_memory(size: int) -> None:
 
 def give_back() -> None:
     """Memory that is free goes back to the system, where the C library would keep it (glibc; about 1 ms)."""
+    import ctypes
+
     if sys.platform == "linux" and (trim := getattr(ctypes.CDLL(None), "malloc_trim", None)):
         trim(0)
 
