@@ -75,11 +75,6 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     items.sort(key=place)
 
 
-def pytest_xdist_auto_num_workers() -> int:
-    """One process more than there are cores: many tests wait for a browser, a server or a line."""
-    return (os.cpu_count() or 1) + 1
-
-
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
     """By files, not by `xdist_group`: pytest-xdist 3.8 reads those marks into an attribute that pytest 9.2 no longer
     has, and then every process computes for itself what groups should share."""

@@ -320,7 +320,8 @@ class FakeClerk:
 
     done: ClassVar[list[tuple[str, str]]] = []
 
-    def __init__(self) -> None:
+    def __init__(self, modest: int) -> None:
+        assert modest
         self.idle, self.dead, self._key = True, False, ("", "")
         self.job: tuple[str, tuple[Any, ...]] = ("", ())
 

@@ -33,7 +33,7 @@ BRIEF = 30.0  # [s] the same for what the one clerk does
 BUSY = 5.0  # times as long a job may last by the clock, on a machine where others compute too
 MOST_ALONE = 2  # jobs at a time, since the loop has the first claim on the machine
 REST = 2.0  # [s] between the beginnings of two such jobs of one session: each takes a process
-MODEST = 15  # of nice: three jobs together leave nine tenths to the loop
+MODEST = 15  # of nice in a class: three jobs together leave nine tenths to the loop
 LASTING, REMEMBERED = ("light",), 64  # tasks alone in a process whose results are kept, and how many of them
 MEMORY = 4 << 30  # [bytes] of addresses for one job: a hostile file must not take the machine
 
@@ -65,9 +65,10 @@ class InlineDesk:
 
 
 class ProcessDesk:
-    """A desk of processes; `poll` says what they have done since."""
+    """A desk of processes, `modest` by so much of nice; `poll` says what they have done since."""
 
-    def __init__(self) -> None:
+    def __init__(self, modest: int = MODEST) -> None:
+        self._modest = modest
         self._quick: _Clerk | None = None
         self._waiting: dict[Key, tuple[str, tuple[Any, ...]]] = {}
         self._alone: dict[Key, _Clerk] = {}
@@ -134,7 +135,7 @@ class ProcessDesk:
 
     def _begin(self) -> None:
         if self._waiting and (self._quick is None or self._quick.idle):
-            self._quick = self._quick or _Clerk()
+            self._quick = self._quick or _Clerk(self._modest)
             self._give(self._quick, self._waiting, list(self._waiting))
         while len(self._alone) < MOST_ALONE:
             busy = {session for session, _ in self._alone}
@@ -142,7 +143,7 @@ class ProcessDesk:
             free = [key for key in self._queue if key[0] not in busy and self._rested.get(key[0], 0.0) <= now]
             if not free:
                 return
-            clerk = _Clerk()
+            clerk = _Clerk(self._modest)
             key = self._give(clerk, self._queue, free)
             self._alone[key], self._rested[key[0]] = clerk, now + REST
 
@@ -164,7 +165,8 @@ class _Clerk:
     """One process that does one job at a time, and a thread that waits for it: the loop does not, however long the
     process takes to start, to read what it is given, to answer or to end."""
 
-    def __init__(self) -> None:
+    def __init__(self, modest: int = MODEST) -> None:
+        self._modest = modest
         self.idle, self.dead, self._key, self._since, self._before = True, False, ("", ""), 0.0, 0.0
         self.job: tuple[str, tuple[Any, ...]] = ("", ())
         self._given: SimpleQueue[tuple[str, tuple[Any, ...]] | None] = SimpleQueue()
@@ -209,7 +211,7 @@ class _Clerk:
             self._process = process
             theirs.close()
             if hasattr(os, "setpriority") and process.pid:
-                os.setpriority(os.PRIO_PROCESS, process.pid, MODEST)
+                os.setpriority(os.PRIO_PROCESS, process.pid, self._modest)
             while not self._ended and (job := self._given.get()):
                 pipe.send(job)
                 status = "progress"

@@ -16,6 +16,7 @@ from upright.errors import UprightError
 from upright.lab.classroom import Door
 from upright.lab.codec import LARGEST
 from upright.lab.connections import WAITING, Book, files, protocols
+from upright.lab.desk import MODEST
 from upright.lab.hub import Hub
 from upright.lab.recording import page_text
 from upright.lab.stage import Options
@@ -23,7 +24,7 @@ from upright.lab.stage_process import StageProcess
 
 LOOPBACK = "127.0.0.1"
 PORT = 8765
-ALONE, CLASS = Options(rate=50.0), Options(rate=36.0, coarse=True, certified=False, longest=0.5)
+ALONE, CLASS = Options(rate=50.0), Options(rate=36.0, coarse=True, certified=False, longest=0.5, modest=MODEST)
 CLASS_STAGES = 2  # processes among which thirty robots are shared
 
 

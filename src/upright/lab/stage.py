@@ -44,13 +44,15 @@ AT_ONCE, PIECE = 5, 0.02  # periods of a `Step`, and [s] of simulated time, betw
 
 @dataclass(frozen=True)
 class Options:
-    """How a stage runs: ticks a second, whether bodies take coarse steps, whether the light follows every change, and
-    the processor time [s] after which a message of a session is given up."""
+    """How a stage runs: ticks a second, whether bodies take coarse steps, whether the light follows every change, the
+    processor time [s] after which a message of a session is given up, and how `modest` jobs are (of nice): beside one
+    user's loop they may take a part of a busy machine."""
 
     rate: float = 50.0
     coarse: bool = False
     certified: bool = True
     longest: float = 5.0
+    modest: int = 5
 
 
 class Stage:
@@ -67,7 +69,7 @@ class Stage:
         wall: Callable[[], float] = time.monotonic,
         at_work: Callable[[str], None] = lambda name: None,  # noqa: ARG005
     ) -> None:
-        self._options, self._at_work, self._desk = options, at_work, ProcessDesk()
+        self._options, self._at_work, self._desk = options, at_work, ProcessDesk(options.modest)
         self._used, self._wall = used, wall
         self._seats: dict[str, Seat] = {}
         self._door = Seat(Path(), CLASS_SETUP)  # who comes in pays from here: new sessions cannot be had for nothing
