@@ -184,13 +184,15 @@ def nyquist(response: ArrayLike, distance: float, reach: float = 3.0) -> Figure:
 
 
 @styled
-def bars(names: Sequence[str], values: ArrayLike, x_label: str, y_label: str, *, limit: float = np.nan) -> Figure:
+def bars(
+    names: Sequence[str], values: ArrayLike, x_label: str, y_label: str, *, limit: float = np.nan, digits: int = 3
+) -> Figure:
     """One bar for each name, with its number beside it; NaN has a dash and no bar. A `limit` is a dashed line."""
     lengths = np.asarray(values, dtype=np.float64)
     figure, ax = rows_of(names, x_label, y_label)
     ax.barh(np.arange(len(names)), np.nan_to_num(lengths), height=0.6, color=COLOURS[0])
     for row, value in enumerate(lengths.tolist()):
-        text = number(value, 3) if np.isfinite(value) else "–"
+        text = number(value, digits) if np.isfinite(value) else "–"
         ax.annotate(text, (value if np.isfinite(value) else 0.0, row), (4, 0), textcoords="offset points", va="center")
     ax.set_xlim(0, 1.12 * (float(np.nanmax([*lengths, limit, 0.0])) or 1.0))
     ax.axvline(limit, linestyle="--", linewidth=1, color=AXIS)

@@ -113,28 +113,47 @@ class Bench(Shown):
         worst = {name: min(values) for name, values in rows.items()}
         return dict(sorted(worst.items(), key=lambda item: -np.nan_to_num(item[1], nan=-1.0)))
 
+    def places(self) -> dict[str, int]:
+        """The place of each controller by the impulse that it survives; those within `TOLERANCE` of the best of a place
+        share it."""
+        places, best, place = dict[str, int](), math.nan, 0
+        for k, (name, size) in enumerate(self.ranked().items(), 1):
+            if not size >= best * (1 - TOLERANCE):
+                best, place = size, k
+            places[name] = place
+        return places
+
     def plot(self) -> Figure:
-        """The largest impulse that each controller survives, the best first."""
+        """The largest impulse that each controller survives, the best first, in the order of their `places`; the first
+        place is green, and the next ones are dark and pale by turns."""
         from upright.plotting import COLOURS, bars
 
-        ranked = self.ranked()
-        figure = bars(list(ranked), list(ranked.values()), "largest impulse survived [N s]", "controller")
-        best = next(iter(ranked.values()), np.nan)
-        for bar, size in zip(figure.axes[0].patches, ranked.values(), strict=True):
-            bar.set_color(COLOURS[2] if size >= best * (1 - TOLERANCE) else COLOURS[0])
+        ranked, places = self.ranked(), self.places()
+        names, x_label = [f"{place}. {name}" for name, place in places.items()], "largest impulse survived [N s]"
+        figure = bars(names, list(ranked.values()), x_label, "controller", digits=2)
+        turns = sorted(set(places.values()))
+        for bar, place in zip(figure.axes[0].patches, places.values(), strict=True):
+            turn = turns.index(place)
+            bar.set_color(COLOURS[0] if turn else COLOURS[2])
+            bar.set_alpha(0.6 if turn and not turn % 2 else 1.0)
         return figure
 
     def plot_responses(self, *controllers: str) -> Figure:
-        """Pitch under each of some controllers (default: all), one panel for each push; a fall ends its line."""
+        """Pitch under each of some controllers (default: all), one panel for each push; a fall ends its line. The first
+        one has the solid line."""
         from upright.plotting import legend, line, panels
 
         pushes = list(dict.fromkeys(push for _, push in self.logs))
         figure, axes = panels([f"pitch, {in_degrees(push)} of lean [°]" for push in pushes])
-        shown = {key: log for key, log in self.logs.items() if not controllers or key[0] in controllers}
-        for (controller, push), log in shown.items():
+        order = controllers or tuple(dict.fromkeys(name for name, _ in self.logs))
+        most = 0.0
+        for controller, push in ((c, p) for c in order for p in pushes if (c, p) in self.logs):
+            log = self.logs[controller, push]
             line(axes[pushes.index(push)], controller, log.t, np.degrees(log["truth/pitch"]))
+            most = max(most, float(np.nanmax(np.abs(log["truth/pitch"]), initial=0.0)))
+        limit = math.degrees(min(RANGE, 1.15 * most or RANGE))
         for ax in axes:
-            ax.set_ylim(-math.degrees(RANGE), math.degrees(RANGE))
+            ax.set_ylim(-limit, limit)
         return legend(figure)
 
 

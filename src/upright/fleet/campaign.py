@@ -22,7 +22,7 @@ import numpy as np
 from upright.atomic import make_folder, place_of, write_bytes, write_json
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.fleet.ensemble import OUTCOMES, Ensemble
-from upright.fleet.results import labelled, load, write_parquet
+from upright.fleet.results import labelled, load, unit_of, write_parquet
 from upright.fleet.tally import Cases, tally
 from upright.fleet.workers import connected, run_all
 
@@ -141,7 +141,15 @@ def summaries(campaign: Campaign, folder: Path) -> Cases:
     for chunk in campaign.chunks():
         paths.setdefault(chunk.case, []).append(chunk_path(folder, chunk.number))
     cases = Cases(tally(case.labels, case.n, paths[i]) for i, case in enumerate(campaign.cases))
-    cases.pushes = campaign.cases[0].ensemble.origin()["scenario"]["push"]
+    first = campaign.cases[0].ensemble
+    origin, family = first.origin(), first.family
+    cases.pushes = origin["scenario"]["push"]
+    cases.spreads = (origin.get("vary") or {}).get("spreads", ())
+    numbers = {*family.names, *(n for case in cases for n, value in case.labels.items() if not isinstance(value, str))}
+    commands: dict[str, str] = dict.fromkeys(
+        ("motor.limit", "motor.dead_zone", "motor.quantum"), family.robot.command_unit
+    )
+    cases.units = {name: commands.get(name) or unit_of(name, family.kit) for name in numbers}
     return cases
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -63,10 +64,12 @@ class CaseSummary:
 
 
 class Cases(Shown, tuple[CaseSummary, ...]):
-    """The summaries of a campaign, in the order of its plan. `pushes` are those of the first case, as its origin has
-    them."""
+    """The summaries of a campaign, in the order of its plan. `pushes` and `spreads` (what varies) are those of the
+    first case, as its origin has them; `units` are those of labels and of what varies."""
 
     pushes: Sequence[Mapping[str, Any]] = ()
+    spreads: Sequence[Mapping[str, Any]] = ()
+    units: Mapping[str, str] = MappingProxyType({})
 
     def shown(self) -> list[str]:
         """The outcomes of a table, as far as this campaign keeps them."""
@@ -80,7 +83,12 @@ class Cases(Shown, tuple[CaseSummary, ...]):
     def names(self) -> list[str]:
         """What tells each case from the others."""
         differ = list(self.varied()) or list(dict.fromkeys(name for case in self for name in case.labels))
-        return [", ".join(labelled(name, case.labels.get(name, "")) for name in differ) for case in self]
+        return [", ".join(self.labelled(name, case.labels.get(name, "")) for name in differ) for case in self]
+
+    def labelled(self, name: str, value: str | float) -> str:
+        """A label of a case in words, with its unit; the name of a controller or a robot speaks for itself."""
+        unit = self.units.get(name, "")
+        return value if isinstance(value, str) else f"{spoken(name)} {_short(value)}{f' {unit}' if unit else ''}"
 
     def effects(self) -> dict[str, dict[str | float, Interval]]:
         """For each label that differs the fraction that fell at each of its values, in all cases together, with its
@@ -95,8 +103,17 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         return dict(sorted(effects.items(), key=lambda item: -_reach(item[1])))
 
     def worst_first(self) -> list[CaseSummary]:
-        """The cases whose falls are counted, the largest fraction that fell first."""
-        return sorted((c for c in self if c.fell is not None), key=lambda c: -(c.fell or 0) / c.n)
+        """The cases whose falls are counted, the largest fraction that fell first; those that differ by less than a
+        part `TIED` of their interval are in the order of the plan."""
+        ranked = sorted((c for c in self if c.chance), key=lambda c: -c.chance.value if c.chance else 0.0)
+        place = {id(case): k for k, case in enumerate(self)}
+        groups: list[list[CaseSummary]] = []
+        for case in ranked:
+            if groups and _tied(groups[-1][0], case):
+                groups[-1].append(case)
+            else:
+                groups.append([case])
+        return [case for group in groups for case in sorted(group, key=lambda c: place[id(c)])]
 
     def plot(self) -> Figure:
         """The fraction that fell in each case [%] with its 95 % interval, the `DRAWN` worst first; the label with the
@@ -111,7 +128,7 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         marks = [case.labels.get(first, "") for case in worst]
         for k, level in enumerate(levels if 1 < len(levels) < len(COLOURS) else [None]):
             rows = np.array([i for i, mark in enumerate(marks) if level is None or mark == level], dtype=int)
-            name = "estimate and 95 % interval" if level is None else labelled(first, level)
+            name = "estimate and 95 % interval" if level is None else self.labelled(first, level)
             ax.hlines(rows, percent[rows, 1], percent[rows, 2], linewidth=2.5, color=COLOURS[k])
             ax.plot(percent[rows, 0], rows, "o", markersize=6, color=COLOURS[k], label=name)
         ax.set_xlim(0, max(1.0, 1.1 * float(np.nanmax(percent, initial=0.0))))
@@ -141,9 +158,12 @@ class Cases(Shown, tuple[CaseSummary, ...]):
 DRAWN = 40  # cases at most in a figure
 
 
-def labelled(name: str, value: str | float) -> str:
-    """A label of a case in words; the name of a controller or a robot speaks for itself."""
-    return value if isinstance(value, str) else f"{spoken(name)} {_short(value)}"
+TIED = 0.25  # [1] of a 95 % interval: chance alone makes larger differences
+
+
+def _tied(worse: CaseSummary, case: CaseSummary) -> bool:
+    one, other = worse.chance, case.chance
+    return one is not None and other is not None and one.value - other.value < TIED * (one.high - one.low)
 
 
 def _reach(levels: Mapping[str | float, Interval]) -> float:

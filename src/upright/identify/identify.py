@@ -90,13 +90,19 @@ class MethodComparison(Shown):
 
 
 def _beside(ax: Axes, poles: Sequence[Pole]) -> None:
-    """The numbers of each interval beside it, towards the middle, since a short one hides under its mark."""
-    middle = sum(ax.get_xlim()) / 2
+    """The numbers of each interval in a column on the right, since a short one hides under its mark."""
+    from upright.plotting import WIDTH
+
+    box = ax.get_position()
+    ax.set_position((box.x0, box.y0, box.width - COLUMN / WIDTH, box.height))
     for row, p in enumerate(poles):
         if math.isfinite(p.high):
-            text, left = f"{p.low:.3g} to {p.high:.3g}".replace("-", "−"), p.value > middle
-            at, off, side = (min(p.low, p.value), -8, "right") if left else (max(p.high, p.value), 8, "left")
-            ax.annotate(text, (at, row), (off, 0), textcoords="offset points", va="center", ha=side)
+            text = f"{p.low:.3g} to {p.high:.3g}".replace("-", "−")
+            ax.annotate(text, (1, row), (8, 0), xycoords=ax.get_yaxis_transform(), textcoords="offset points",
+                        va="center")  # fmt: skip
+
+
+COLUMN = 1.2  # [inches] for the numbers of an interval
 
 
 def identify(

@@ -24,7 +24,7 @@ class Claim:
     """One claim: `part` of the paper, `title`, `verdict`, a `summary` with its numbers, and the evidence.
 
     `numbers` are plain JSON; `items` the figures and tables of the page;
-    `logs` the runs behind it, by file name without suffix.
+    `logs` the runs behind it, by file name without suffix. `aside` says on the page what the verdict does not cover.
     """
 
     part: str
@@ -34,6 +34,12 @@ class Claim:
     numbers: Mapping[str, Any]
     items: Sequence[Item] = ()
     logs: Mapping[str, Log] = field(default_factory=dict[str, Log])
+    aside: str = ""
+
+    @property
+    def badge(self) -> Verdict:
+        """The verdict as a page shows it."""
+        return Verdict(f"{self.verdict} ({self.aside})" if self.aside else self.verdict, LEVEL_OF[self.verdict])
 
     @property
     def first(self) -> str:
@@ -46,12 +52,11 @@ class Claim:
 
     def section(self) -> Section:
         """The claim as a section of the page: the figures that come first, or else the first, then the rest folded."""
-        verdict = Verdict(self.verdict, LEVEL_OF[self.verdict])
         figures = [item for item in self.items if isinstance(item, Figure)]
         shown = list(itertools.takewhile(lambda item: isinstance(item, Figure), self.items)) or figures[:1]
         rest = [item for item in self.items if item not in shown]
         folded = [Details("Tables, figures and derivations", rest)] if rest else []
-        return Section(f"{self.part} {self.title}", [self.summary, *shown, *folded], verdict)
+        return Section(f"{self.part} {self.title}", [self.summary, *shown, *folded], self.badge)
 
     def to_json(self) -> dict[str, Any]:
         named = {"part": self.part, "title": self.title, "verdict": self.verdict, "summary": self.summary}

@@ -144,7 +144,8 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     numbers = {"force": force, "hold": PUSHES[side], **comparison.to_json()}
     logs = {f"{robot.name}-{side}-{name}": log for name, log in comparison.logs.items()}
     verdict = REPRODUCED if stood else NOT_AS_PRINTED
-    return Claim(part, title, verdict, summary, numbers, items, logs)
+    aside = "shape; the twin settles later" if why and stood else ""
+    return Claim(part, title, verdict, summary, numbers, items, logs, aside)
 
 
 def _why_long(comparison: Comparison, measured: Measured) -> str:

@@ -11,11 +11,12 @@ from typing import Any
 from upright.atomic import make_folder, write_json
 from upright.control import lqr
 from upright.paper import as_built, controllers, equations, linear_model, printed, pushes, regulator, sensors, turning
-from upright.paper.claim import BEYOND, LEVEL_OF, NOT_AS_PRINTED, REPRODUCED, Claim
+from upright.paper.claim import BEYOND, NOT_AS_PRINTED, REPRODUCED, Claim
 from upright.paper.pushes import RegulatedRobot
 from upright.progress import Progress, unwatched
 from upright.report import Details, Figure, Page, Section, Table, Verdict
-from upright.report.page import Cell
+from upright.report.comparing import FAIR
+from upright.report.page import Cell, cell_text
 from upright.report.robot import labelled
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.tables import Shown
@@ -70,14 +71,16 @@ def _page(claims: Sequence[Claim]) -> Page:
     """What holds and what does not, figure 5, then each claim with its evidence folded."""
     counted = {verdict: sum(c.verdict == verdict for c in claims) for verdict in (REPRODUCED, NOT_AS_PRINTED, BEYOND)}
     judged = counted[REPRODUCED] + counted[NOT_AS_PRINTED]
-    numbers = [(f"{counted[v]} of {judged}", f"claims {v}") for v in (REPRODUCED, NOT_AS_PRINTED)]
+    partly = sum(bool(c.aside) for c in claims if c.verdict == REPRODUCED)
+    beside = {REPRODUCED: f", {partly} of them in shape only" if partly else ""}
+    numbers = [(f"{counted[v]} of {judged}", f"claims {v}{beside.get(v, '')}") for v in (REPRODUCED, NOT_AS_PRINTED)]
     numbers.append((str(counted[BEYOND]), "further checks, beyond the paper"))
     failed = [f"{c.part} ({c.title.split(',')[0].split(':')[0]})" for c in claims if c.verdict == NOT_AS_PRINTED]
     missed = f" Not as printed: {'; '.join(failed)}." if failed else ""
     part = next(c for c in claims if c.part == "5c")
     drawn = next(item for item in part.items if isinstance(item, Figure))
-    picture = replace(drawn, title=f"Claim {part.part}, {HEAVY}: {drawn.title[:1].lower()}{drawn.title[1:]}")
-    rows = [[f"{c.part} {c.title}", Verdict(c.verdict, LEVEL_OF[c.verdict]), c.first] for c in claims]
+    picture = replace(drawn, title=_finding(part))
+    rows = [[f"{c.part} {c.title}", c.badge, c.first] for c in claims]
     robots = [Robot.preset(name) for name in (LIGHT, HEAVY)]
     parameters: list[list[Cell]] = [
         [symbol, name.replace("_", " "), unit, *(getattr(robot, name) for robot in robots)]
@@ -96,6 +99,14 @@ def _page(claims: Sequence[Claim]) -> Page:
     verdict = Verdict("all as printed", "good") if not failed else Verdict(f"{len(failed)} not as printed", "warn")
     facts = {"command": "upright reproduce", **_versions()}
     return Page(title, sections, f"{LEAD}{missed}{AFTER}", facts, verdict=verdict, picture=picture, numbers=numbers)
+
+
+def _finding(part: Claim) -> str:
+    """What the picture of a push shows, with the figure of the paper that it repeats."""
+    logs = part.numbers["logs"]
+    fits = [logs[name]["fit"]["pitch"] for name in ("nonlinear", "linear")]
+    follow = "both models follow the twin" if min(fits) >= FAIR else "the models do not both follow the twin"
+    return f"Claim {part.part}: {follow} of {HEAVY}; pitch fits {cell_text(min(fits), 2)} % or more (figure 5 again)"
 
 
 def chapters(progress: Progress = unwatched) -> list[Claim]:

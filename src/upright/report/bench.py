@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from upright.comparison.bench import DRAWN, TOLERANCE, Bench
 from upright.plotting import number
 from upright.report.figure import Figure
-from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
-from upright.tables import in_degrees
+from upright.report.page import Cell, Details, Page, Section, Table, Verdict, cell_text
+from upright.tables import in_degrees, joined
 
 
 def page_of(bench: Bench) -> Page:
@@ -18,22 +19,27 @@ def page_of(bench: Bench) -> Page:
     best, largest = next(iter(ranked.items()), ("", math.nan))
     verdict = Verdict(f"{len(held)} of {len(ranked)} hold the robot", "good" if held else "warn")
     knocked = not math.isnan(largest)
-    alike = sum(size >= largest * (1 - TOLERANCE) for size in ranked.values())
-    ties = f"the best {alike}, in green, tie" if alike > 1 else f"{best}, in green, is the best"
+    places = bench.places()
+    firsts = [name for name, place in places.items() if place == 1]
+    ties = f"the best {len(firsts)}, in green, tie" if len(firsts) > 1 else f"{best}, in green, is the best"
     title = f"Largest knock that each controller survives: {ties}"
     last, least = list(ranked.items())[-1] if ranked else ("", math.nan)
     numbers = [
-        (f"{cell_text(size, 3)} N s", f"largest knock survived by {name}")
+        (f"{cell_text(size, 2)} N s", f"largest knock survived by {name}")
         for name, size in ((best, largest), (last, least))
     ]
     if knocked and best != last:
         numbers = [(size, f"{words}, the {end}") for (size, words), end in zip(numbers, ("most", "least"), strict=True)]
-        numbers.append((f"{number(100 * TOLERANCE, 2)} %", "resolution of the search: closer controllers tie"))
+        numbers.append(
+            (f"{number(100 * TOLERANCE, 2)} %", "resolution of the search: closer controllers share a place")
+        )
     facts = {"robot": bench.robot, "kit": bench.kit, "body": bench.body, "seed": str(bench.seed)}
-    sections = [Section("Tables", tables(bench))]
+    full = [*tables(bench), *_unsettled(bench)]
+    sections = [Section("Tables", [_summary(bench), Details("Numbers under each push", full)])]
     if knocked:
         sections = [Section("Responses", [responses(bench)]), *sections]
-    heading = f"{best} survives the largest knock on {bench.robot}" if knocked else f"Controllers of {bench.robot}"
+    who = f"{joined(firsts)} survive" if 1 < len(firsts) <= FEW else f"{best} survives"
+    heading = f"{who} the largest knock on {bench.robot}" if knocked else f"Controllers of {bench.robot}"
     lead = f"{len(ranked)} controllers on a {bench.body} of {bench.robot} with kit {bench.kit}, under the same pushes. "
     lead += "Next: `upright certify` the best one with slightly different robots."
     return Page(
@@ -44,17 +50,46 @@ def page_of(bench: Bench) -> Page:
     )  # fmt: skip
 
 
-_SMALLER = "Of the knocks from the front and from the back, the smaller one. The tables have both."
+_SMALLER = (
+    "Of the knocks from the front and from the back, the smaller one; the tables have both. "
+    f"Controllers within {number(100 * TOLERANCE, 2)} % of each other share a place and a colour."
+)
+
+
+def _summary(bench: Bench) -> Table:
+    """What counts of each controller, under the worse push."""
+    rows: list[list[Cell]] = []
+    for name, size in bench.ranked().items():
+        spreads = [row.spread for row in bench.rows if row.controller == name and row.spread is not None]
+        rows.append([name, size, 100 * max(spreads) if spreads else None])
+    caption = f"Under the worse push: largest knock, and falls of {DRAWN} drawn robots"
+    return Table(["controller", "knock [N s]", "falls [%]"], rows, caption, 2, even=True)
+
+
+def _unsettled(bench: Bench) -> list[str]:
+    """Why some have no settling time though they hold."""
+    lost = {row.controller: None for row in bench.rows if row.holds and not math.isfinite(row.settling or math.nan)}
+    return [f"No settling time of {joined(list(lost))}: pitch still swings beyond 5 % of its peak."] if lost else []
 
 
 def responses(bench: Bench) -> Figure:
     """Pitch under every controller and push."""
     fell = [row.controller for row in bench.rows if row.outcome.startswith("fell")]
-    title = f"Pitch under each push; these fall: {', '.join(dict.fromkeys(fell))}" if fell else "Pitch under each push"
     ranked = list(bench.ranked())
     few = ranked if len(ranked) <= FEW else [*ranked[: FEW - 1], ranked[-1]]
     some = "" if few == ranked else f"The first {FEW - 1} by the knock that they survive, and the last."
+    title = f"Pitch under each push; these fall: {', '.join(dict.fromkeys(fell))}" if fell else _leans(bench, few)
     return Figure(title, bench.plot_responses(*few), some)
+
+
+def _leans(bench: Bench, names: Sequence[str]) -> str:
+    """Who of these leans most and who least, under the worse push."""
+    peaks = {n: max(abs(row.peak or 0.0) for row in bench.rows if row.controller == n) for n in names}
+    ranked = sorted(peaks, key=lambda name: -peaks[name])
+    if len(ranked) < 2 or not peaks[ranked[-1]]:
+        return "Pitch under each push"
+    most, least = (f"{name} ({number(math.degrees(peaks[name]), 2)}°)" for name in (ranked[0], ranked[-1]))
+    return f"Pitch under each push: {most} leans most, {least} least"
 
 
 FEW = 4  # curves that can be told apart in one panel
@@ -68,7 +103,7 @@ def tables(bench: Bench) -> list[Table]:
         "peak [°]",
         "settles [s]",
         "wheels turn [°]",
-        "effort",
+        f"effort [{_effort_unit(bench)}]",
         "saturated [%]",
         "knock [N s]",
         "falls [%]",
@@ -86,6 +121,12 @@ def tables(bench: Bench) -> list[Table]:
         caption = f"Pushed from the {in_degrees(push)} of lean, held until 3 s; falls are those of {DRAWN} drawn robots"
         made.append(Table(header, cells, caption, digits=3))
     return made
+
+
+def _effort_unit(bench: Bench) -> str:
+    """As the motors are commanded: in volts, or by torque."""
+    units = {log.unit("command/left") for log in bench.logs.values() if "command/left" in log}
+    return "N² m² s" if units == {"N m"} else "V² s"
 
 
 def _degrees(angle: float | None) -> float | None:

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 from upright.certify.verdict import MOST_FALLS
 from upright.fleet.binomial import clopper_pearson
 from upright.fleet.results import origin_of
-from upright.fleet.tally import Cases, labelled
+from upright.fleet.tally import Cases
 from upright.plotting import AXIS, legend, number
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict
-from upright.tables import spoken
+from upright.tables import joined, spoken
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Drawing
@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 def page_of(cases: Cases) -> Page:
     """The campaign's page, not yet written."""
     sections = [Section("Cases", [_table(cases)])]
+    if _one_robot(cases) and len(cases.spreads) > NAMED:
+        sections.append(Section("What varies", [_spreads(cases)], folded=True))
     counted = cases.worst_first()
     if not counted:
         return Page(f"{len(cases)} cases", sections, "This campaign does not keep who fell.", twin_note=False)
@@ -54,8 +56,14 @@ def falls_verdict(fallen: int, all_of_them: int) -> Verdict:
 
 def pushed(pushes: Sequence[Mapping[str, Any]] | None) -> str:
     """What was done to them."""
-    sizes = {"impulse": "pushed by {:g} N s", "force": "pushed by {:g} N", "pitch": "held at {:g} rad and released"}
-    words = [text.format(push[name]) for push in pushes or () for name, text in sizes.items() if push.get(name)]
+    sizes = {"impulse": "N s", "force": "N"}
+    words: list[str] = []
+    for push in pushes or ():
+        for name, unit in sizes.items():
+            if size := push.get(name):
+                words.append(f"pushed {'forward' if size > 0 else 'backward'} by {number(abs(size))} {unit}")
+        if push.get("pitch"):
+            words.append(f"held at {number(math.degrees(push['pitch']), 2)}° and released")
     return " and ".join(words[:3]) or ("pushed" if pushes else "without a push")
 
 
@@ -67,7 +75,7 @@ def _title(cases: Cases, part: float) -> str:
     if not apart:
         return f"{_percent(part)} of the robots fall, in all {len(cases)} cases about alike"
     (name, (best, least), (worst, most)) = apart[0]
-    good, bad = labelled(name, best), labelled(name, worst)
+    good, bad = cases.labelled(name, best), cases.labelled(name, worst)
     return f"{_percent(least)} of the robots fall with {good}, {_percent(most)} with {bad}"
 
 
@@ -94,9 +102,56 @@ def _lead(cases: Cases) -> str:
     first = f"{len(cases)} cases, each with {many}{scene}."
     apart = {name for name, *_ in _apart(cases)}
     alike = [spoken(name) for name in cases.varied() if name not in apart]
-    second = f" It makes no clear difference which {', '.join(alike)} they have." if alike else ""
+    second = f" Which {joined(alike)} they have makes no clear difference to falls." if alike else ""
     fell = any(case.fell for case in cases)
-    return f"{first}{second}" + (" Next: `upright tune` the best controller." if fell else "")
+    return f"{first}{_varying(cases)}{second}" + (" Next: `upright tune` the best controller." if fell else "")
+
+
+def _one_robot(cases: Cases) -> bool:
+    return len({case.labels.get("robot", "") for case in cases}) == 1
+
+
+NAMED = 4  # varied numbers that a sentence names
+
+
+def _varying(cases: Cases) -> str:
+    """What varies and by how much, as a sentence with a space before it: first the ranges that somebody chose, then the
+    widest."""
+    if not cases.spreads or not _one_robot(cases):
+        return ""
+    ranked = sorted(cases.spreads, key=lambda s: (s["kind"] != "uniform", -_width(s)))[:NAMED]
+    named = [f"{spoken(s['name'])} {_size(s, cases.units.get(s['name'], ''))}" for s in ranked]
+    many, left = len(cases.spreads), len(cases.spreads) > NAMED
+    normal = any(s["kind"] == "normal" for s in ranked)
+    said = f" {many} numbers vary, such as {joined(named)}" if left else f" What varies: {joined(named)}"
+    return f"{said}{' (one standard deviation)' if normal else ''}."
+
+
+def _width(spread: Mapping[str, Any]) -> float:
+    """A spread relative to its middle [1]."""
+    if spread["kind"] == "lognormal":
+        return math.exp(spread["high"]) - 1
+    return abs(spread["high"] / spread["low"]) if spread["low"] else math.inf
+
+
+def _size(spread: Mapping[str, Any], unit: str) -> str:
+    """How wide a distribution is: "0 to 0.01 s", "±5 %" of a normal one, "by a factor of 2" of a log-normal one."""
+    low, high = spread["low"], spread["high"]
+    if spread["kind"] == "lognormal":
+        return f"by a factor of {number(math.exp(high), 2)}"
+    if spread["kind"] == "normal":
+        return f"±{number(100 * _width(spread), 2)} %" if low else f"±{number(high, 2)} {unit}"
+    return f"from {number(low, 3)} to {number(high, 3)} {unit}".strip()
+
+
+def _spreads(cases: Cases) -> Table:
+    """Each number that varies, with its middle and its spread."""
+    rows: list[list[Cell]] = []
+    for spread in cases.spreads:
+        unit = cases.units.get(spread["name"], "")
+        middle = (spread["low"] + spread["high"]) / 2 if spread["kind"] == "uniform" else spread["low"]
+        rows.append([f"{spoken(spread['name'])} [{unit or '1'}]", middle, _size(spread, unit)])
+    return Table(["number", "middle", "varies"], rows, "±: one standard deviation; a factor: of one, too")
 
 
 def _numbers(cases: Cases, fallen: int, all_of_them: int) -> list[tuple[str, str]]:
@@ -108,8 +163,13 @@ def _numbers(cases: Cases, fallen: int, all_of_them: int) -> list[tuple[str, str
     for level in ranked if len(ranked) <= 2 else (ranked[0], ranked[-1]):
         chance = levels[level]
         within = f"{number(100 * chance.low, 3)} to {number(100 * chance.high, 3)} %"
-        numbers.append((_percent(chance.value), f"fall with {labelled(name, level)} (95 % interval {within})"))
-    return [*numbers, (f"{sum(case.n for case in cases)}", f"robots in all, in {len(cases)} cases")]
+        numbers.append((_percent(chance.value), f"fall with {cases.labelled(name, level)} (95 % interval {within})"))
+    times = {case.mean("settling"): label for case, label in zip(cases, cases.names(), strict=True)}
+    known = sorted(time for time in times if time is not None)
+    if known and known[-1] > 1.05 * known[0]:
+        ends = f"{number(known[0], 3)} to {number(known[-1], 3)} s"
+        numbers.append((ends, f"mean time to settle, from {times[known[0]]} to {times[known[-1]]}"))
+    return numbers
 
 
 def _claim(cases: Cases) -> str:
@@ -137,9 +197,8 @@ def _table(cases: Cases) -> Table:
         fell = None if case.fell is None else 100 * case.fell / case.n
         rows.append([name, fell, *(None if mean is None else factor * mean for mean, factor in means)])
     header = ["case", "fell [%]", *(kinds[o][0] for o in shown)]
-    return Table(
-        header, rows, "Falls, most first; and means of the robots that stood: largest pitch, settling time, effort", 3
-    )
+    caption = "Falls, most first; and means of the robots that stood: largest pitch, settling time, effort"
+    return Table(header, rows, caption, 3, even=True)
 
 
 def _percent(part: float) -> str:

@@ -193,8 +193,9 @@ def _linear(model: LinearModel) -> Page:
     unstable = _unstable(model)
     rows: list[list[Cell]] = [[p.real, p.imag] for p in poles.tolist()]
     named = [SYMBOLS.get(state, state) for state in model.states]
+    rates = [f"d{name}/dt" if model.continuous else f"next {name}" for name in named]
     matrices = [
-        Table(["", *names], [[state, *row] for state, row in zip(named, matrix.tolist(), strict=True)], caption, 3)
+        Table(["", *names], [[state, *row] for state, row in zip(rates, matrix.tolist(), strict=True)], caption, 3)
         for caption, names, matrix in (
             ("A: from each state (column) to the rates of change (rows)", named, model.A) if model.continuous else
             ("A: from each state (column) to the next state (rows)", named, model.A),

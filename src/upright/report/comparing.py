@@ -12,7 +12,7 @@ from upright.comparison import Comparison
 from upright.comparison.comparison import NEGLIGIBLE
 from upright.comparison.metrics import nrmse_fit
 from upright.experiment import outcome_of
-from upright.plotting import AXIS
+from upright.plotting import AXIS, line
 from upright.report.figure import Figure
 from upright.report.metrics import at_rest, degrees, fit_tables, how, listed_metrics, words
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
@@ -59,8 +59,11 @@ def _title(comparison: Comparison, first: str) -> str:
     fell = [label for label, m in comparison.metrics.items() if m.fell]
     if len(labels) == 1:
         log = comparison.logs[labels[0]]
-        robot, count = log.origin.get("robot", {}).get("name", "") or "The robot", len(comparison.pushed)
-        under = f" under {'a push of' if count == 1 else f'{count} pushes of up to'} {_force(log)}" if count else ""
+        robot, pushes = log.origin.get("robot", {}).get("name", "") or "The robot", comparison.pushed
+        lasting = f" for {min(pushes[0][1], log.t[-1]) - pushes[0][0]:.3g} s" if len(pushes) == 1 else ""
+        under = (
+            f", pushed {f'{len(pushes)} times ' if not lasting else ''}with {_force(log)}{lasting}" if pushes else ""
+        )
         return f"{robot} {outcome_of(log)}{under}"
     if fell and len(fell) < len(labels):
         return f"{', '.join(fell)} fell; {', '.join(label for label in labels if label not in fell)} did not"
@@ -103,22 +106,41 @@ def _force(log: Log) -> str:
 
 def _worse(comparison: Comparison) -> str:
     """What fits badly although pitch fits, and whether noise alone explains it: then averages over a while fit."""
-    if len(comparison.fits) != 1 or "pitch" not in comparison.signals:
+    worst = _worst(comparison)
+    if not worst:
         return ""
+    name, label, averaged = worst
+    plain = _percent(comparison.fits[label][name])
+    if averaged < FAIR:
+        return f" {sentence(words(name), '')} fits {plain} only."
+    return (
+        f" {sentence(words(name), '')} has a {_grade(averaged)} fit once noise is averaged: {_percent(averaged)} over "
+        f"{AVERAGED:g} s. Sample by sample it fits {plain}, since each run has noise of its own."
+    )
+
+
+def _worst(comparison: Comparison) -> tuple[str, str, float] | None:
+    """Of two runs whose pitch fits the state that fits badly, the run, and the fit [%] of the means over `AVERAGED`."""
+    if len(comparison.fits) != 1 or "pitch" not in comparison.signals:
+        return None
     ((label, fits),) = comparison.fits.items()
     name = min(fits, key=lambda name: fits[name] if math.isfinite(fits[name]) else math.inf)
     if not fits[name] < FAIR <= fits["pitch"]:
-        return ""
+        return None
     t, one, other = _both(comparison, name, label)
+    return name, label, nrmse_fit(_averaged(t, one)[1], _averaged(t, other)[1])
+
+
+def _averaged(t: Array, y: Array) -> tuple[Array, Array]:
+    """Means over `AVERAGED` and the times of their middles."""
     window = np.full(max(1, round(AVERAGED / float(np.median(np.diff(t))))), 1.0)
-    mean = [np.convolve(y, window / len(window), "valid") for y in (one, other)]
-    averaged = nrmse_fit(*mean)
-    if averaged < FAIR:
-        return f" {sentence(words(name), '')} fits {_percent(fits[name])} only."
-    return (
-        f" {sentence(words(name), '')} agrees once noise is averaged: {_percent(averaged)} over {AVERAGED:g} s. "
-        f"Sample by sample it fits {_percent(fits[name])}, since each run has noise of its own."
-    )
+    window /= len(window)
+    return np.convolve(t, window, "valid"), np.convolve(y, window, "valid")
+
+
+def _grade(fit: float) -> str:
+    """How good a fit [%] is, in one word."""
+    return "good" if fit >= CLOSE else "fair" if fit >= FAIR else "poor"
 
 
 def _verdict(comparison: Comparison) -> Verdict | None:
@@ -130,10 +152,10 @@ def _verdict(comparison: Comparison) -> Verdict | None:
     fits = _fits(comparison, first)
     if fits:
         worst = min(fits.values())
-        text = f"good fit: {CLOSE:g} % or more" if worst >= CLOSE else f"fair fit: less than {CLOSE:g} %"
-        if worst < FAIR:
-            return Verdict(f"poor fit: less than {FAIR:g} %", "bad")
-        return Verdict(text, "good" if worst >= CLOSE else "warn")
+        limits = {"good": (f"{CLOSE:g} % or more", "good"), "fair": (f"less than {CLOSE:g} %", "warn"),
+                  "poor": (f"less than {FAIR:g} %", "bad")}  # fmt: skip
+        text, level = limits[_grade(worst)]
+        return Verdict(f"{_grade(worst)} fit: {text}", level)
     return None if any(f is None for f in fell) else Verdict("stood", "good")
 
 
@@ -150,7 +172,7 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
         rest, limit = at_rest(comparison, label)
         return [
             (degrees(m.pitch_peak), "largest pitch"),
-            (_settles(rest), f"after the release, until pitch stays within ±{degrees(limit)}, as at rest"),
+            (_settles(rest), f"after the release, until pitch has settled: it stays within ±{degrees(limit)}"),
             (degrees(m.wheel_travel), "largest turn of the wheels"),
         ]
     fits = [
@@ -159,7 +181,10 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
         if math.isfinite(fit.get("pitch", math.nan))
     ]
     apart = _apart(comparison, "pitch") if "pitch" in comparison.signals else {}
-    fits += [(degrees(size), f"largest difference of pitch: {label}") for label, size in list(apart.items())[:1]]
+    fits += [
+        (degrees(size), f"largest difference in pitch between {comparison.reference} and {label}")
+        for label, size in list(apart.items())[:1]
+    ]
     peaks = {label: degrees(m.pitch_peak) for label, m in comparison.metrics.items() if not m.fell}
     if len(peaks) == len(comparison.logs) == 2:
         return [*fits, (" and ".join(peaks.values()), f"largest pitch of {' and '.join(peaks)}")]
@@ -199,6 +224,10 @@ def state_figure(comparison: Comparison, name: str) -> Figure:
     if name == "pitch" and len(comparison.fits) == 1:
         _gap(comparison, figure.axes[0])
     limits, note = _limits(comparison, name)
+    worst = _worst(comparison)
+    if worst and worst[0] == name and worst[2] >= FAIR:
+        _means(comparison, name, figure.axes[0])
+        note = f"Lines: means over {AVERAGED:g} s. Pale: every sample, with the noise of each run. {note}".strip()
     if limits:
         scale = 180 / math.pi if "[°" in figure.axes[0].get_ylabel() else 1.0
         figure.axes[0].set_ylim(*(scale * limit for limit in limits))
@@ -221,8 +250,19 @@ def _in_degrees(figure: MplFigure) -> None:
         ax.autoscale_view()
 
 
+def _means(comparison: Comparison, name: str, ax: Axes) -> None:
+    """Means over a while on top of the samples, which are pale then."""
+    factor = 180 / math.pi if "[°" in ax.get_ylabel() else 1.0
+    for drawn in ax.lines:
+        if str(drawn.get_label()) in comparison.logs:
+            drawn.set(alpha=0.3, linewidth=0.8, linestyle="-", label="_samples")
+    for style, (label, log) in enumerate(comparison.logs.items()):
+        t, mean = _averaged(log.t, log[f"{comparison.sources[label]}/{name}"])
+        line(ax, label, t, factor * mean, style=style)
+
+
 def _band(comparison: Comparison, ax: Axes) -> None:
-    """Dotted: what counts as calm after the release."""
+    """Dotted: what counts as settled after the release."""
     ((label, log),) = comparison.logs.items()
     calm, limit = at_rest(comparison, label)
     if math.isfinite(calm):
@@ -266,6 +306,10 @@ def _claim(comparison: Comparison, name: str) -> str:
             return f"Pitch of {comparison.reference} and {label} differs by at most {degrees(size)}"
         several = ", ".join(f"{label} {degrees(size)}" for label, size in apart.items())
         return f"Pitch beside that of {comparison.reference}, largest difference: {several}"
+    worst = _worst(comparison)
+    if worst and worst[0] == name and worst[2] >= FAIR:
+        over = f"{sentence(words(name), '')} averaged over {AVERAGED:g} s"
+        return f"{over}: {worst[1]} fits {comparison.reference} {_percent(worst[2])}"
     fits = (f"{label} {_percent(fits[name])}" for label, fits in comparison.fits.items())
     return f"{sentence(words(name), '')}, fit to {comparison.reference}: {', '.join(fits)}"
 
@@ -276,8 +320,8 @@ def _alone(comparison: Comparison, name: str) -> str:
     if name == "pitch" and comparison.pushed and not comparison.metrics[label].fell:
         calm, limit = at_rest(comparison, label)
         if math.isnan(calm):
-            return "Pitch does not come to rest within the run"
-        return f"Pitch is calm, within the dotted ±{degrees(limit)}, {_settles(calm)} after the release"
+            return "Pitch does not settle within the run"
+        return f"Pitch has settled, within the dotted ±{degrees(limit)}, {_settles(calm)} after the release"
     source = f"{comparison.sources[label]}/{name}"
     size, per = degrees(float(np.nanmax(np.abs(log[source]), initial=0.0))), log.unit(source).removeprefix("rad")
     return f"{sentence(words(name), '')} reaches {size}{per}"

@@ -67,8 +67,11 @@ def _lead(plan: ExcitationPlan) -> str:
     most = f" It sharpens {names} most." if names else ""
     better = [spoken(p.name) for p in plan.predicted if p.after < VISIBLE * p.before and p.dither < BETTER * p.after]
     most += f" A random signal of the same energy would be better for {joined(better)}." if better else ""
+    from upright.excite.search import COMBINED
+
+    way = "a mix of random steps, sines, drives and turns" if plan.way == COMBINED else f"a {plan.way}"
     return (
-        f"While {plan.controller} balances the robot, a {plan.way} is added to its commands.{most} "
+        f"While {plan.controller} balances the robot, {way} is added to its commands.{most} "
         "Next: `upright simulate --excite plan.json`, or your robot; then `upright calibrate` that log."
     )
 
@@ -178,9 +181,10 @@ def _named(p: Predicted) -> str:
 
 def _checked_words(plan: ExcitationPlan) -> str:
     c = plan.checked
+    times = "this excitation" if plan.margin == 1 else f"{plan.margin:g} times this excitation"
     return (
         f"{c.samples} robots drawn from the uncertainty of {plan.robot}, in the nonlinear model with kit {plan.kit} "
-        f"and {plan.margin:g} times this excitation: {c.fell} fell. With 95 % confidence the probability of a fall is "
+        f"and {times}: {c.fell} fell. With 95 % confidence the probability of a fall is "
         f"below {100 * c.bound:.2g} %. The other values are 95 % quantiles of the robots."
     )
 

@@ -15,12 +15,12 @@ from upright.fleet.binomial import upper_bound
 from upright.fleet.ensemble import SETTLED
 from upright.fleet.fleet import Fleet, distribution, stood
 from upright.fleet.results import OUTCOMES, Summary, origin_of, summarise
-from upright.plotting import AXIS, bars, line, number, panels
+from upright.plotting import AXIS, INK, bars, legend, line, number, panels
 from upright.report.campaign import falls_verdict, provenance, pushed
 from upright.report.figure import Figure
 from upright.report.maps import basin_page, push_map_page
 from upright.report.page import Cell, Page, Section, Table, cell_text
-from upright.tables import sentence, spoken
+from upright.tables import joined, sentence, spoken
 
 if TYPE_CHECKING:
     from xarray import Dataset
@@ -29,19 +29,37 @@ Array = NDArray[np.float64]
 
 FRACTION: dict[str, Any] = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points"}
 
-PARTS, DOTS = 12, 500
-"""Groups of as many robots each, of which the fraction that fell is drawn; and robots drawn as dots at most."""
+PARTS, DOTS, SHOWN = 12, 500, 0.995
+"""Groups of as many robots each, of which the fraction that fell is drawn; robots drawn as dots at most; and the part
+of the robots that a distribution with a long tail shows."""
 
 
 def histogram(data: Dataset, name: str) -> Figure:
     """How an outcome is distributed over the robots that stood."""
-    values, words = stood(data, name), str(data[name].attrs["long_name"])
+    values, words = stood(data, name), _called(data, name)
     scale, unit = _scale(str(data[name].attrs["unit"]))
     scale, unit = (100.0, "%") if unit == "1" else (scale, unit)
     middle, high = (scale * np.quantile(values, (0.5, 0.95))).tolist() if len(values) else (math.nan, math.nan)
     after = unit if unit == "°" else f" {unit}"
     title = f"{sentence(words, ':')} half below {middle:.3g}{after}, 95 % below {high:.3g}{after}"
-    return Figure(title, distribution(data, name), _GROUPS if name == "settling" else "")
+    drawing, note = distribution(data, name), _GROUPS if name == "settling" else ""
+    (ax,) = drawing.axes
+    ax.set_xlabel(ax.get_xlabel().replace(str(data[name].attrs["long_name"]), words))
+    if len(values) and np.ptp(values) > 0:
+        for place, text, style in ((middle, "half", "-"), (high, "95 %", "--")):
+            ax.axvline(place, linestyle=style, linewidth=1.2, color=INK, label=f"{text} of the robots are below")
+        low, end, most = (scale * np.quantile(values, (0.0, SHOWN, 1.0))).tolist()
+        if most - end > 0.1 * (most - low):
+            ax.set_xlim(low - 0.03 * (end - low), end + 0.03 * (end - low))
+            note = f"{note} Not drawn: the last {100 * (1 - SHOWN):.2g} % of them, up to {most:.3g}{after}.".strip()
+        legend(drawing)
+    return Figure(title, drawing, note)
+
+
+def _called(data: Dataset, name: str) -> str:
+    """An outcome in words; where there was one push, it is not the last one."""
+    words, pushes = str(data[name].attrs["long_name"]), origin_of(data).get("scenario", {}).get("push") or ()
+    return words.replace("the last push", "the push") if len(pushes) == 1 else words
 
 
 _GROUPS = (
@@ -87,18 +105,22 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
     few = np.linspace(0, len(x) - 1, min(len(x), DOTS)).astype(int)
     ax.plot(x[few], y[few], ".", markersize=3)
     dots = "each dot is a robot" if len(few) == len(x) else f"a dot is a robot, {len(few)} of {len(x)} are drawn"
+    how = "grows" if size > 0 else "shrinks"
     if outcome == "peak_pitch":
         limit = math.degrees(FALLEN)
-        ax.axhline(limit, linestyle="--", linewidth=1, color=AXIS)
-        ax.annotate(
-            "a fall", (1, limit), (-4, -11), xycoords=("axes fraction", "data"), textcoords="offset points", ha="right"
-        )
-        ax.set_ylim(0, 1.08 * limit)
+        far = f"; a fall, {limit:.0f}°, is far above" if float(y.max()) < limit / 2 else ""
+        if not far:
+            ax.axhline(limit, linestyle="--", linewidth=1, color=AXIS)
+            ax.annotate("a fall", (1, limit), (-4, -11), ha="right", **FRACTION)
+            ax.set_ylim(0, 1.08 * limit)
         if "fell" not in data or not data["fell"].values.any():
             reached = f"{number(float(y.min()), 3)} to {number(float(y.max()), 3)}°"
-            return Figure(f"No robot fell: the largest pitch was {reached}", figure, sentence(dots))
-    how = "grows" if size > 0 else "shrinks"
+            clear = f" and {how} with {spoken(name)}" if abs(size) > CLEAR else ""
+            return Figure(f"No robot fell: the largest pitch is {reached}{clear}", figure, sentence(f"{dots}{far}"))
     return Figure(f"{_words(data, outcome)} {how} with {spoken(name)}: {dots}", figure)
+
+
+CLEAR = 0.5  # [1] of a rank correlation: below, dots show no clear trend
 
 
 def _words(data: Dataset, outcome: str) -> str:
@@ -141,12 +163,12 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     for name, quantiles in summary.quantiles.items():
         scale, unit = _scale(summary.units[name])
         scale, unit = (100.0, "%") if unit == "1" else (scale, unit)
-        rows.append([f"{data[name].attrs['long_name']} [{unit}]", *(scale * value for value in quantiles)])
+        rows.append([f"{_called(data, name)} [{unit}]", *(scale * value for value in quantiles)])
     table = Table(["robots that stood", "5 %", "median", "95 %"], rows, "Quantiles over the robots", 3)
     chance = summary.chance
     pushes = origin_of(data).get("scenario", {}).get("push")
     robot = origin_of(data)["robot"]["name"]
-    lead = f"{_differ(data, robot)}.{_where(pushes)} Next: `upright push-map`, which finds the largest push."
+    lead = f"{_differ(data, robot)}{_where(pushes)} Next: `upright push-map`, which finds the largest push."
     bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %" if summary.fell else ""
     numbers = [
         (
@@ -156,10 +178,11 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     ]
     if "peak_pitch" in summary.quantiles and np.isfinite(summary.quantiles["peak_pitch"][2]):
         peak, fall = math.degrees(summary.quantiles["peak_pitch"][2]), math.degrees(FALLEN)
-        numbers.append((f"{peak:.3g}°", f"largest pitch of 95 % of those that stood; {fall:.0f}° counts as a fall"))
+        numbers.append((f"{peak:.3g}°", f"largest pitch of 95 % of those that stood; at {fall:.0f}° a robot lies"))
     if "settling" in summary.quantiles and np.isfinite(summary.quantiles["settling"]).all():
         _, half, most = summary.quantiles["settling"]
-        numbers.append((f"{half:.3g} s", f"after the last push half of them have settled; 95 % after {most:.3g} s"))
+        after = _called(data, "settling").removeprefix("settling time ")
+        numbers.append((f"{half:.3g} s", f"{after} half of them have settled; 95 % after {most:.3g} s"))
     outcomes = [*(["fell"] if some else []), *names[:1]]
     causes = [figure for name in outcomes for figure in (over_strongest(data, name), influence(data, name)) if figure]
     picture, *others = [*causes, *(histogram(data, name) for name in names), None]
@@ -171,12 +194,20 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
 
 
 def _differ(data: Dataset, robot: str) -> str:
-    """Whose relatives, in what they differ, and what holds them."""
+    """Whose relatives, in what they differ, and what holds them; few varied numbers are named as all that vary."""
     names = [s["name"] for s in (origin_of(data).get("vary") or {}).get("spreads", [])]
     varied = [f"{spoken(n)}{_range(data, n)}" for n in names]
-    what = f" in {', '.join(varied[:4])}{', …' if len(varied) > 4 else ''}" if varied else ""
     kind = (origin_of(data).get("controller") or {}).get("kind", "")
-    return f"Robots that differ from {robot}{what}{f', under {kind}' if kind else ''}"
+    under = f", under {kind}" if kind else ""
+    if 0 < len(names) <= FEW:
+        what = f"Robots that differ from {robot} only in {joined(varied)}{under}."
+        return f"{what} `--vary spread` varies all its numbers."
+    if not names:
+        return f"Robots with the numbers of {robot}{under}; only noise differs."
+    return f"Robots that differ from {robot} in {len(names)} numbers: {', '.join(varied[:FEW])}, …{under}."
+
+
+FEW = 3  # varied numbers that a sentence names
 
 
 def _range(data: Dataset, name: str) -> str:

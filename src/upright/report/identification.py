@@ -210,8 +210,16 @@ def pole_table(compared: MethodComparison) -> Table:
 def _pole_row(name: str, model: Identified) -> list[Cell]:
     p = model.pole
     known = f"{cell_text(p.low, 3)} to {cell_text(p.high, 3)}" if math.isfinite(p.low) else "none"
-    bias = f"{cell_text(p.bias, 2)} ± {cell_text(2 * p.bias_error, 2)}" if math.isfinite(p.bias) else "–"
+    bias = _with_error(p.bias, 2 * p.bias_error) if math.isfinite(p.bias) else "–"
     return [name, p.value, known, bias, p.corrected]
+
+
+def _with_error(value: float, error: float) -> str:
+    """A value as far as its error tells its digits: two of the error."""
+    if not (math.isfinite(error) and error > 0):
+        return cell_text(value, 2)
+    decimals = max(0, 1 - math.floor(math.log10(error)))
+    return f"{round(value, decimals) + 0.0:.{decimals}f} ± {error:.{decimals}f}".replace("-", "−")
 
 
 NEAR = 0.3  # from 1: the motions that a regulator has to know; faster ones fade within a few periods

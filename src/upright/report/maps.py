@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,6 +14,8 @@ from upright.plotting import COLOURS, GRID, colour_map, edges, legend, line, num
 from upright.report.campaign import provenance
 from upright.report.figure import Figure
 from upright.report.page import Page, Section, Verdict, cell_text
+from upright.robots import PARAMETERS, Kit, Robot
+from upright.robots.kit import Battery, Motor
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -140,12 +143,21 @@ def basin_figure(data: Dataset) -> Figure:
             drawing.axes[0].annotate(
                 text, (end, 0), (-6 if side == "right" else 6, 4), textcoords="offset points", ha=side, color="black"
             )
-    drawing.axes[0].locator_params(axis="x", nbins=5)
+    _ticks(drawing.axes[0], scale[across] > 1)
     if not family:
         _named_areas(drawing)
     apart = float(data["island"].values.mean())
     note = f"{100 * apart:.2g} % of these states are islands: from states between them and rest the robot falls."
     return Figure(title + (", mean over the robots drawn" if family else ""), drawing, note if apart else "")
+
+
+def _ticks(ax: Axes, degrees: bool) -> None:
+    """Every 10° where a phone has room for that, else five."""
+    low, high = ax.get_xlim()
+    if degrees and 30 <= high - low <= 90:
+        ax.set_xticks(np.arange(10 * math.ceil(low / 10), high, 10).tolist())
+    else:
+        ax.locator_params(axis="x", nbins=5)
 
 
 def _named_areas(drawing: MplFigure) -> None:
@@ -229,13 +241,30 @@ def basin_page(data: Dataset) -> Page:
         ends = f"±{_in_degrees(most, data, up)}" if alike else (
             f"{_in_degrees(least, data, up)} to {_in_degrees(most, data, up)}"
         )  # fmt: skip
-        numbers = [(ends, f"{up.replace('_', ' ')} from which it recovers, where {words} is zero")]
-        exact = f"so far apart were the values of {words} that were tried: the limits may be off by this"
-        numbers += [(_in_degrees(step, data, across), exact), (percent, "of the states tried recover; the others fall")]
+        even = math.isclose(-low, high, rel_tol=1e-6)
+        span = f"±{_in_degrees(high, data, across)}" if even else held
+        numbers = [(span, f"{words} from which it recovers, let go at rest; to {_in_degrees(step, data, across)}")]
+        best = _savable(origin) if across == "pitch" else math.inf
+        if best < math.pi / 2:
+            text = "from here full command of the motors saves the linear robot; no controller does from further"
+            numbers.append((f"±{_in_degrees(best, data, across)}", text))
+        numbers.append((ends, f"{up.replace('_', ' ')} from which it recovers, where {words} is zero"))
     return Page(
         title, [], lead, provenance(data), False, verdict=Verdict("limits of one robot", "info"),
         picture=basin_figure(data), numbers=numbers,
     )  # fmt: skip
+
+
+def _savable(origin: Mapping[str, Any]) -> float:
+    """The largest pitch [rad] at rest from which any controller could save the linear robot, by `control.reach`."""
+    from upright.control.reach import largest_pitch
+
+    kit, numbers = origin.get("kit"), origin["robot"]
+    if not kit:
+        return math.inf
+    robot = Robot(name=numbers["name"], drive=numbers["drive"], **{n: numbers[n] for n in PARAMETERS})
+    parts = Kit(name=kit["name"], motor=Motor(**kit["motor"]), battery=Battery(**kit["battery"]), delay=kit["delay"])
+    return largest_pitch(robot, parts)
 
 
 def _in_degrees(value: float, data: Dataset, name: str) -> str:

@@ -1,4 +1,4 @@
-"""Numbers of the runs on a comparison's page: metrics, fits, and the time after which a run is calm."""
+"""Numbers of the runs on a comparison's page: metrics, fits, and the time after which a run has settled."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import numpy as np
 
 from upright.comparison import Comparison
 from upright.comparison.comparison import DIVERGED, METRICS
+from upright.fleet.ensemble import SETTLED
 from upright.report.page import Cell, Table, cell_text
 
 STEADY, WIDE = 1.6, 0.5
@@ -17,6 +18,8 @@ STEADY, WIDE = 1.6, 0.5
 peak it is no rest."""
 SAID = {"saturated": "motors at their limit", "wheel_travel": "largest turn of the wheels"}
 """Metrics that a page calls otherwise than a terminal does."""
+BANDS = {"settling 2 %": 0.02, "settling 5 %": 0.05}
+"""Settling times that noise may decide → their band, relative to the largest deviation."""
 PERCENT = {"1": (100.0, "%"), "rad": (180 / math.pi, "°")}
 """Unit of a metric → its factor and unit on a page."""
 
@@ -30,17 +33,17 @@ def metrics_table(comparison: Comparison) -> Table:
         rows.append([SAID.get(name, text), unit, *(factor * value if factor else value for value in values)])
     if comparison.pushed:
         calm = [at_rest(comparison, label) for label in comparison.logs]
-        within = f"calm after the release, within ±{degrees(max(limit for _, limit in calm))}"
+        within = f"settling after the release, to ±{degrees(max(limit for _, limit in calm))}"
         rows.insert(0, [within, "s", *(seconds for seconds, _ in calm)])
     return Table(["", "unit", *comparison.logs], rows, "Metrics of each run", digits=3)
 
 
 def listed_metrics(comparison: Comparison) -> Table:
     """The metrics without settling times that noise decides."""
-    table, bands = metrics_table(comparison), {"settling 2 %": 0.02, "settling 5 %": 0.05}
+    table = metrics_table(comparison)
     rows: list[Sequence[Cell]] = []
     for row in table.rows:
-        band = bands.get(str(row[0]))
+        band = BANDS.get(str(row[0]))
         lost = [band is not None and _noisy(comparison, label, band) for label in comparison.logs]
         cells = ["noise" if gone else cell for gone, cell in zip(lost, row[2:], strict=True)]
         if not all(lost):
@@ -75,7 +78,7 @@ def how(comparison: Comparison) -> str:
     times = {label: f"{time:.4g} s" if math.isfinite(time) else "never" for label, time in comparison.releases.items()}
     same = len(set(times.values())) == 1
     release = next(iter(times.values())) if same else ", ".join(f"{label} {text}" for label, text in times.items())
-    listed = any(str(row[0]).startswith("settling") for row in listed_metrics(comparison).rows)
+    listed = any(str(row[0]) in BANDS for row in listed_metrics(comparison).rows)
     settling = (
         "Settling: the time until pitch stays within 2 % (5 %) of its largest deviation; “noise” where it swings "
         "further at rest, so that chance would decide."
@@ -93,13 +96,16 @@ def how(comparison: Comparison) -> str:
 def at_rest(comparison: Comparison, label: str) -> tuple[float, float]:
     """From how long after the release on pitch stays near zero [s], and what near means for all runs [rad].
 
-    That is 5 % of its largest value, or its wobble at rest where that is more: then the noise of the sensors decides.
+    That is `SETTLED`, as in a fleet, where pitch went clearly beyond it and sways less at rest. Else it is 5 % of its
+    largest value, or its wobble at rest where that is more: then the noise of the sensors decides.
     """
     limits = {name: _rest(comparison, name) for name in comparison.logs}
     limit = max((own for own in limits.values() if math.isfinite(own)), default=math.nan)
     if math.isnan(limits[label]):
         return math.nan, 0.05 * abs(comparison.metrics[label].pitch_peak)
     released = comparison.logs[label].between(comparison.releases[label], math.inf)
+    peak = float(np.max(np.abs(released[f"{comparison.sources[label]}/pitch"])))
+    limit = SETTLED if limit <= SETTLED <= WIDE * peak else limit
     beyond = np.flatnonzero(np.abs(released[f"{comparison.sources[label]}/pitch"]) > limit)
     return (float(released.t[beyond[-1]] - released.t[0]) if len(beyond) else 0.0), limit
 

@@ -49,13 +49,14 @@ Cell = str | float | bool | Verdict | None
 class Table:
     """Rows under `header`; numbers are right-aligned and shown to `digits` significant digits, NaN and None as '–'.
 
-    A `Verdict` as a cell has its colour.
+    A `Verdict` as a cell has its colour. With `even` the numbers of a column have as many decimals as its largest.
     """
 
     header: Sequence[str]
     rows: Sequence[Sequence[Cell]]
     caption: str = ""
     digits: int = 4
+    even: bool = False
     kind: ClassVar[str] = "table"
 
     def __post_init__(self) -> None:
@@ -68,7 +69,11 @@ class Table:
 
     def cells(self) -> list[list[tuple[str, str]]]:
         """The cells as text, each with its class in the style sheet."""
-        return [[(cell_text(cell, self.digits), _class_of(cell)) for cell in row] for row in self.rows]
+        places = [_decimals(column, self.digits) if self.even else None for column in zip(*self.rows, strict=True)]
+        return [
+            [(_with_decimals(cell, self.digits, n), _class_of(cell)) for cell, n in zip(row, places, strict=True)]
+            for row in self.rows
+        ]
 
     @property
     def stacked(self) -> bool:
@@ -215,6 +220,21 @@ def cell_text(cell: Cell, digits: int = 4) -> str:
         return "–"
     mantissa, e, power = f"{cell:.{digits}g}".partition("e")
     return (f"{mantissa} · {power_of_ten(int(power))}" if e else mantissa).replace("-", "−").replace("inf", "∞")
+
+
+def _decimals(cells: Sequence[Cell], digits: int) -> int | None:
+    """The decimals that the largest number of a column has with as many digits, if any number needs them."""
+    sizes = [abs(cell) for cell in cells if isinstance(cell, float) and math.isfinite(cell)]
+    if not any(sizes) or max(sizes) >= 10**digits or max(sizes) < 10**-digits:
+        return None
+    most = max(0, digits - 1 - math.floor(math.log10(max(sizes))))
+    return min(most, max(len(f"{size:.{digits}g}".partition(".")[2]) for size in sizes))
+
+
+def _with_decimals(cell: Cell, digits: int, decimals: int | None) -> str:
+    if decimals is None or not isinstance(cell, float) or not math.isfinite(cell):
+        return cell_text(cell, digits)
+    return f"{cell:.{decimals}f}".replace("-", "−")
 
 
 def bound(text: str) -> str:

@@ -37,11 +37,11 @@ def labelled(robot: Robot) -> Figure:
         0.9 * height * math.sin(LEAN / 2), R + 0.9 * height * math.cos(LEAN / 2), "ψ", color=COLOURS[1], ha="center"
     )
     side.plot([centre[0]], [centre[1]], "o", markersize=5, color=COLOURS[4])
-    side.annotate(
-        "L, centre of mass", (L * math.sin(LEAN), R + L * math.cos(LEAN)), (14, -4), textcoords="offset points"
-    )
+    side.annotate("centre of mass", centre, (14, -4), textcoords="offset points")
+    side.annotate("", centre, (0, R), arrowprops={"arrowstyle": "<->", "color": INK, "shrinkA": 0, "shrinkB": 0})
+    side.text(0.5 * centre[0] + 0.15 * R, R + 0.42 * (centre[1] - R), "L", va="center")
     side.annotate("", (R * math.cos(0.9), R - R * math.sin(0.9)), (0, R), arrowprops={"arrowstyle": "->", "color": INK})
-    side.text(-1.25 * R, 0.35 * R, "R", ha="right")
+    side.text(0.5 * R * math.cos(0.9) + 0.1 * R, R - 0.5 * R * math.sin(0.9), "R", va="center")
     side.add_patch(Arc((0, R), 2.6 * R, 2.6 * R, theta1=90 - math.degrees(TURN), theta2=90, color=COLOURS[2]))
     at = (1.3 * R * math.sin(TURN), R + 1.3 * R * math.cos(TURN))
     side.plot([0, at[0]], [R, at[1]], linestyle="--", color=COLOURS[2], linewidth=0.8)
