@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import textwrap
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import KW_ONLY, dataclass, field
 from typing import Any
 
 from upright.report import Details, Figure, Section, Verdict
@@ -34,6 +34,7 @@ class Claim:
     numbers: Mapping[str, Any]
     items: Sequence[Item] = ()
     logs: Mapping[str, Log] = field(default_factory=dict[str, Log])
+    _: KW_ONLY
     aside: str = ""
 
     @property

@@ -145,7 +145,7 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     logs = {f"{robot.name}-{side}-{name}": log for name, log in comparison.logs.items()}
     verdict = REPRODUCED if stood else NOT_AS_PRINTED
     aside = "shape; the twin settles later" if why and stood else ""
-    return Claim(part, title, verdict, summary, numbers, items, logs, aside)
+    return Claim(part, title, verdict, summary, numbers, items, logs, aside=aside)
 
 
 def _why_long(comparison: Comparison, measured: Measured) -> str:

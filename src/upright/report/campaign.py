@@ -123,8 +123,8 @@ def _varying(cases: Cases) -> str:
     named = [f"{spoken(s['name'])} {_size(s, cases.units.get(s['name'], ''))}" for s in ranked]
     many, left = len(cases.spreads), len(cases.spreads) > NAMED
     normal = any(s["kind"] == "normal" for s in ranked)
-    said = f" {many} numbers vary, such as {joined(named)}" if left else f" What varies: {joined(named)}"
-    return f"{said}{' (one standard deviation)' if normal else ''}."
+    words = f" {many} numbers vary, such as {joined(named)}" if left else f" What varies: {joined(named)}"
+    return f"{words}{' (one standard deviation)' if normal else ''}."
 
 
 def _width(spread: Mapping[str, Any]) -> float:
@@ -168,7 +168,7 @@ def _numbers(cases: Cases, fallen: int, all_of_them: int) -> list[tuple[str, str
     known = sorted(time for time in times if time is not None)
     if known and known[-1] > 1.05 * known[0]:
         ends = f"{number(known[0], 3)} to {number(known[-1], 3)} s"
-        numbers.append((ends, f"mean time to settle, from {times[known[0]]} to {times[known[-1]]}"))
+        numbers.append((ends, f"mean time to settle, longest with {times[known[-1]]}"))
     return numbers
 
 

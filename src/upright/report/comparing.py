@@ -320,7 +320,7 @@ def _alone(comparison: Comparison, name: str) -> str:
     if name == "pitch" and comparison.pushed and not comparison.metrics[label].fell:
         calm, limit = at_rest(comparison, label)
         if math.isnan(calm):
-            return "Pitch does not settle within the run"
+            return "Pitch does not come to rest within the run"
         return f"Pitch has settled, within the dotted ±{degrees(limit)}, {_settles(calm)} after the release"
     source = f"{comparison.sources[label]}/{name}"
     size, per = degrees(float(np.nanmax(np.abs(log[source]), initial=0.0))), log.unit(source).removeprefix("rad")

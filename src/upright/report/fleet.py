@@ -44,7 +44,7 @@ def histogram(data: Dataset, name: str) -> Figure:
     title = f"{sentence(words, ':')} half below {middle:.3g}{after}, 95 % below {high:.3g}{after}"
     drawing, note = distribution(data, name), _GROUPS if name == "settling" else ""
     (ax,) = drawing.axes
-    ax.set_xlabel(ax.get_xlabel().replace(str(data[name].attrs["long_name"]), words))
+    ax.xaxis.label.set_text(ax.get_xlabel().replace(str(data[name].attrs["long_name"]), words))
     if len(values) and np.ptp(values) > 0:
         for place, text, style in ((middle, "half", "-"), (high, "95 %", "--")):
             ax.axvline(place, linestyle=style, linewidth=1.2, color=INK, label=f"{text} of the robots are below")
@@ -63,7 +63,7 @@ def _called(data: Dataset, name: str) -> str:
 
 
 _GROUPS = (
-    f"Settled: from here on pitch stays within {math.degrees(SETTLED):.2g}°. A robot whose next swing leaves this band "
+    f"Settled: from here on pitch stays within {math.degrees(SETTLED):.3g}°. A robot whose next swing leaves this band "
     "too settles a swing later; so there may be groups with a gap between them."
 )
 

@@ -243,10 +243,11 @@ def basin_page(data: Dataset) -> Page:
         )  # fmt: skip
         even = math.isclose(-low, high, rel_tol=1e-6)
         span = f"±{_in_degrees(high, data, across)}" if even else held
-        numbers = [(span, f"{words} from which it recovers, let go at rest; to {_in_degrees(step, data, across)}")]
+        text = f"{words} from which it recovers, let go at rest; in brackets a step of the grid"
+        numbers = [(f"{span} (±{_in_degrees(step, data, across)})", text)]
         best = _savable(origin) if across == "pitch" else math.inf
         if best < math.pi / 2:
-            text = "from here full command of the motors saves the linear robot; no controller does from further"
+            text = "largest lean from which any controller could save it, by the linear model"
             numbers.append((f"±{_in_degrees(best, data, across)}", text))
         numbers.append((ends, f"{up.replace('_', ' ')} from which it recovers, where {words} is zero"))
     return Page(
