@@ -94,7 +94,9 @@ def _beside(ax: Axes, poles: Sequence[Pole]) -> None:
     from upright.plotting import WIDTH
 
     box = ax.get_position()
+    left, above = ax.yaxis.label.get_position()
     ax.set_position((box.x0, box.y0, box.width - COLUMN / WIDTH, box.height))
+    ax.yaxis.set_label_coords(left * box.width / ax.get_position().width, above)
     for row, p in enumerate(poles):
         if math.isfinite(p.high):
             text = f"{p.low:.3g} to {p.high:.3g}".replace("-", "−")

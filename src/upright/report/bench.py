@@ -89,7 +89,7 @@ def _leans(bench: Bench, names: Sequence[str]) -> str:
     if len(ranked) < 2 or not peaks[ranked[-1]]:
         return "Pitch under each push"
     most, least = (f"{name} ({number(math.degrees(peaks[name]), 2)}°)" for name in (ranked[0], ranked[-1]))
-    return f"Pitch under each push: {most} leans most, {least} least"
+    return f"Pitch under each push: of these {most} leans most, {least} least"
 
 
 FEW = 4  # curves that can be told apart in one panel
