@@ -79,7 +79,7 @@ def _page(claims: Sequence[Claim]) -> Page:
     missed = f" Not as printed: {'; '.join(failed)}." if failed else ""
     part = next(c for c in claims if c.part == "5c")
     drawn = next(item for item in part.items if isinstance(item, Figure))
-    picture = replace(drawn, title=_finding(part))
+    picture = replace(drawn, title=_finding(part, drawn.title))
     rows = [[f"{c.part} {c.title}", c.badge, c.first] for c in claims]
     robots = [Robot.preset(name) for name in (LIGHT, HEAVY)]
     parameters: list[list[Cell]] = [
@@ -101,9 +101,11 @@ def _page(claims: Sequence[Claim]) -> Page:
     return Page(title, sections, f"{LEAD}{missed}{AFTER}", facts, verdict=verdict, picture=picture, numbers=numbers)
 
 
-def _finding(part: Claim) -> str:
-    """What the picture of a push shows, with the figure of the paper that it repeats."""
-    logs = part.numbers["logs"]
+def _finding(part: Claim, plain: str) -> str:
+    """What the picture of a push shows, with the figure of the paper that it repeats; without runs its `plain` title."""
+    logs = part.numbers.get("logs")
+    if not logs:
+        return plain
     fits = [logs[name]["fit"]["pitch"] for name in ("nonlinear", "linear")]
     follow = "both models follow the twin" if min(fits) >= FAIR else "the models do not both follow the twin"
     return f"Claim {part.part}: {follow} of {HEAVY}; pitch fits {cell_text(min(fits), 2)} % or more (figure 5 again)"
