@@ -102,7 +102,7 @@ def _page(claims: Sequence[Claim]) -> Page:
 
 
 def _finding(part: Claim, plain: str) -> str:
-    """What the picture of a push shows, with the figure of the paper that it repeats; without runs its `plain` title."""
+    """What the picture of a push shows, and which figure it repeats; without runs its `plain` title."""
     logs = part.numbers.get("logs")
     if not logs:
         return plain
