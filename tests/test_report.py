@@ -144,6 +144,25 @@ def test_the_comparison_page_draws_each_state_and_the_commands_and_says_twin(com
     assert "not results of a real robot" in html  # the note on twins
 
 
+@pytest.mark.parametrize(
+    ("text", "whole"),
+    [
+        ("at most 129 % of", "129~%"), ("of ± 6.4 %", "±~6.4~%"), ("effort [V² / s]", "V²~/~s"),
+        ("0.19 N s more", "0.19~N~s more"), ("2 · 10⁻⁵ kg m²", "2~·~10⁻⁵~kg~m²"), ("5 N m s/rad", "5~N~m~s/rad"),
+        ("of 3 sensors", "of 3 sensors"), ("4 more", "4 more"), ("`-n 5 s`", "-n 5 s"),
+    ],
+)  # fmt: skip
+def test_no_line_breaks_between_a_number_and_its_unit_or_inside_a_unit(text, whole):
+    """One rule for prose, tables, captions and numbers; a command can be copied with its spaces."""
+    several = [text, Table([text, "b"], [[text, 1.0]], text)]
+    html = Page(text, [Section(text, several)], text, numbers=[(text, text)]).html()
+    shown = re.sub(r"</?(span|code|a)\b[^>]*>", "", html.partition("<body>")[2]).replace("\u00a0", "~")
+    if "`" not in text:
+        assert shown.count(whole) >= 8
+    else:
+        assert whole in shown
+
+
 def test_the_same_page_is_the_same_bytes(comparison, tmp_path):
     first, second = (report(comparison, tmp_path / name) for name in ("a.html", "b.html"))
     assert first.read_bytes() == second.read_bytes()

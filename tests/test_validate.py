@@ -81,6 +81,25 @@ def test_a_loop_of_a_law_that_reads_estimates_is_not_taken_for_the_programs() ->
     assert given.caution == ""
 
 
+def test_the_free_loop_reads_nothing_of_the_log_where_one_encoder_stands_for_both() -> None:
+    """Both wheels turn alike, so one encoder is simulated: the law must not read the log's other one. The scenario
+    pushes at 3.0 s for 10 ms; in the simulation, which gets no push, the gyro stays what it was."""
+    controller = lqg(ROBOT, KIT, KIT.period)
+    body = up.Electronics(up.NonlinearBody(ROBOT, period=0.001), KIT)
+    log = up.run(body, controller, up.Impulse(impulse=0.06, start=3.0), seconds=5.0, seed=2)
+    both = log["sensor/encoder_left"]
+    log = up.Log(log.t, {**log.channels, "sensor/encoder_right": both}, log.units, log.origin)
+    result = up.validate(ROBOT, log, KIT, controller)
+    loop = result.logs[0].simulated
+    assert loop is not None
+    assert loop.fell is None  # without noise and push a designed loop stands
+    assert [start for start, _ in loop.pushes] == [3.0]
+    gyro = loop.simulated[:, loop.names.index("sensor/gyro")]
+    before, after = (np.nanmax(np.abs(gyro[rows])) for rows in (loop.t < 2.9, loop.t > 3.0))
+    assert after < 2 * before + 0.02  # the knock is worth 0.5 rad/s and more; the gyro's step is 0.017
+    assert "push at 3 s" in " ".join(label for _, label in report_page(result).numbers)
+
+
 def test_a_log_of_ours_names_its_controller() -> None:
     """The program of the log, filter and all, gives its commands again; where the log lies about it, it does not."""
     log = log_of("excited")

@@ -133,19 +133,24 @@ class Certificate(Shown):
             return ""
         return f"another {what}: {f'{what} {name} instead of {certified}, ' if name != certified else ''}{others}"
 
+    def worst_first(self) -> list[PushTrial]:
+        """The trials in the order of the figure: most falls first, or the longest travel where nothing fell."""
+        fell = any(t.fell for t in self.trials)
+        return sorted(self.trials, key=lambda t: -t.fell / t.runs if fell else -t.travel)
+
     def plot(self) -> Figure:
         """How many robots fell [%], or the travel [m] of 95 % of them where none did: a bar for every push at every
         battery, the worst first. Above falls stands the bound on all pushes together, which the limit is for."""
         from upright.plotting import COLOURS, bars, number
 
         fell = any(t.fell for t in self.trials)
-        pushes = [f"{in_degrees(t.push)}, {t.battery} battery" for t in self.trials]
-        sizes = [100 * t.fell / t.runs if fell else t.travel for t in self.trials]
-        each = dict(zip(pushes, sizes, strict=True))
-        worst = sorted(each, key=lambda name: -each[name])
+        each = {
+            f"{in_degrees(t.push)}, {t.battery} battery": 100 * t.fell / t.runs if fell else t.travel
+            for t in self.worst_first()
+        }
         label, limit = ("robots that fell [%]", 100 * MOST_FALLS) if fell else ("travel [m]", math.nan)
         together = {"any push, at most (95 %)": 100 * self.bound} if fell else {}
-        each = together | {name: each[name] for name in worst}
+        each = together | each
         figure = bars([*each], [*each.values()], label, "push", limit=limit)
         if together:  # a bound is no count
             figure.axes[0].patches[0].set(facecolor="none", edgecolor=COLOURS[0], hatch="///")

@@ -98,8 +98,8 @@ def judge(
         return GREEN, (message, logged[0])
     if linear is None:
         return GREEN, (message, "no linear margins are known")
-    delay = "any delay" if math.isinf(linear.delay) else f"{linear.delay * 1e3:.1f} ms more delay"
-    return GREEN, (message, f"stable with {delay}{placed(linear.delay_at)}")
+    delay = "with any delay" if math.isinf(linear.delay) else f"up to {linear.delay * 1e3:.1f} ms more delay"
+    return GREEN, (message, f"stable {delay}{placed(linear.delay_at)}")
 
 
 def _falls(samples: int, fell: int, beyond: int, runs: Sequence[PushTrial]) -> list[str]:

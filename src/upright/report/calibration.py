@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from upright.calibrate.calibration import NORMAL, VERDICTS, VISIBLE, Calibration, Estimate
-from upright.plotting import COLOURS, INK, legend, line, panels, rows_of, span
+from upright.plotting import COLOURS, INK, SMALL, legend, line, number, panels, rows_of, span
 from upright.report.figure import Figure
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import least, sentence, spoken
@@ -58,7 +58,7 @@ def _verdict(c: Calibration) -> Verdict:
         return Verdict("refused", "bad")
     if wrong:
         return Verdict(f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}", "warn")
-    rest = f"; {kept} of {len(c.parameters)} unchanged" if kept else ""
+    rest = f"; {kept} of {len(c.parameters)} little learned" if kept else ""
     return Verdict(f"predicts the log{rest}", "warn" if 2 * kept > len(c.parameters) else "good")
 
 
@@ -116,10 +116,19 @@ def _prior(e: Estimate) -> str:
 def _measured(c: Calibration) -> list[Item]:
     if not c.free:
         return []
-    lowest, _ = _least(c)
-    title = f"Measured and predicted for half a second at a time: R² is {least(lowest)} or more"
+    title = f"Measured and predicted for half a second at a time: R² of {_each(c)}"
     note = "Each half second starts from a fitted state and gets only the commands."
     return [Figure(title, c.plot_prediction(), note)]
+
+
+def _each(c: Calibration) -> str:
+    """The least R² of each kind of sensor, in words: that of a sensor that is not drawn has its own."""
+    kinds: dict[str, list[float]] = {}
+    for name, r2 in c.segments.items():
+        if name.startswith("sensor/"):
+            kinds.setdefault(name.removeprefix("sensor/").partition("_")[0], []).append(r2)
+    words = [f"{kind}{'s' if len(values) > 1 else ''} ≥ {least(min(values))}" for kind, values in kinds.items()]
+    return ", ".join(words).replace("_", " ")
 
 
 def _least(c: Calibration) -> tuple[float, str]:
@@ -132,8 +141,8 @@ def _by_name(c: Calibration) -> Figure | None:
     if not any(0 < e.prior_spread < math.inf for e in c.parameters):
         return None
     note = (
-        "Left or right of the middle: the log moved the value. Grey bars are about as long as the shaded band: the log "
-        "adds little. One that reaches beyond it belongs to a positive number, whose interval is wider upwards."
+        "Left or right of the middle: the log moved the value. Numbers: how much is left of the uncertainty before. "
+        "Little learned: the log does not halve it, or not reliably."
     )
     short = [e for e in c.parameters if 0 < e.prior_spread < math.inf and e.high - e.low < 0.1 * e.prior_spread]
     note += " A dot without a bar: its interval is shorter than the dot." if short else ""
@@ -146,7 +155,7 @@ def _bars(c: Calibration) -> MplFigure:
     sorts = {
         "measured by this log": (measured, COLOURS[2]),
         "bounded by this log": ([*rough, *bounded], COLOURS[0]),
-        "unchanged: as in the file": ([e for e in c.parameters if e not in (*measured, *rough, *bounded)], INK),
+        "little learned": ([e for e in c.parameters if e not in (*measured, *rough, *bounded)], INK),
     }
     kept = {k: ([e for e in group if 0 < e.prior_spread < math.inf], tone) for k, (group, tone) in sorts.items()}
     names = [e.name for group, _ in kept.values() for e in group]
@@ -158,8 +167,22 @@ def _bars(c: Calibration) -> MplFigure:
                                 for xs in zip(*((e.value, e.low, e.high) for e in group), strict=True))  # fmt: skip
             ax.hlines(rows, low, high, linewidth=2.5, color=colour, label=label)
             ax.plot(value, rows, "o", markersize=4.5, color=colour)
+            for e, row, end in zip(group, rows, high, strict=True):
+                ax.annotate(
+                    f"{number(100 * e.shrink, 2)} %",
+                    (max(end, *value), row),
+                    (6, 0),
+                    textcoords="offset points",
+                    va="center",
+                    size=SMALL,
+                )
     span([ax], -NORMAL, NORMAL, "95 % before this log")
+    low, high = ax.get_xlim()
+    ax.set_xlim(low, high + ROOM * (high - low))
     return legend(figure)
+
+
+ROOM = 0.08  # of the width, for the number beside the longest bar
 
 
 def _undetermined(c: Calibration) -> list[Item]:

@@ -108,10 +108,10 @@ def _slices(part: Any, direction: str) -> Figure:
             line(ax, text, part["duration"].values, part[name].values[row])
     title = f"Pushed {direction}: largest impulse over the duration of the push"
     if bands:
-        less, more = (float(np.nanmedian(part[name].values / part["impulse"].values)) for name in ("low", "high"))
+        low, high = (part[name].values[rows] / part["impulse"].values[rows] for name in ("low", "high"))
         title = (
-            f"Pushed {direction}: 95 % of similar robots survive {number(100 * less, 2)} to {number(100 * more, 2)} % "
-            "of what this one does"
+            f"Pushed {direction}: 95 % of similar robots survive {number(100 * float(np.nanmin(low)), 2)} to "
+            f"{number(100 * float(np.nanmax(high)), 2)} % of what this one does, over all that is drawn"
         )
     return Figure(title, legend(figure))
 

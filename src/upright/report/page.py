@@ -237,14 +237,26 @@ def _with_decimals(cell: Cell, digits: int, decimals: int | None) -> str:
     return f"{cell:.{decimals}f}".replace("-", "−")
 
 
-def bound(text: str) -> str:
-    """Text in which no line breaks between a number and its unit."""
-    return _UNIT.sub(lambda match: match[0].replace(" ", "\u00a0"), text.replace("≤ ", "≤\u00a0"))
+def bound(markup: str) -> str:
+    """HTML in whose text no line breaks between a number and its unit, a sign and its number, or inside a unit.
+
+    Drawings, code and tags stay as they are.
+    """
+    parts = _VERBATIM.split(markup)
+    return "".join(part if i % 3 else _UNIT.sub(_unbroken, part) for i, part in enumerate(parts) if i % 3 != 2)
 
 
+def _unbroken(match: re.Match[str]) -> str:
+    return match[0].replace(" ", "\u00a0")
+
+
+_VERBATIM = re.compile(r"(<(svg|code|script|style|math|pre)\b.*?</\2>|<[^>]*>)", re.DOTALL)
+_ATOM = r"(?:[kmµ]?(?:rad|Pa|Hz|Ω|[gmsNVAWJ])[²³]?|1(?=/)|[%°])(?!\w)"
+_JOINT = r"(?: / |/| · | )"
 _UNIT = re.compile(
-    r" · 10|(?<=\d) (?:N m s/rad|V s/rad|N m/A|kg m²|N s|N m|rad/s|rad|1/s|m/s|mm|ms|Hz|[NVsm]|%)(?![\w/])"
+    rf" · 10|[±≤≥] (?=[\d−])|(?<=[\d∞⁰¹²³⁴-⁹]) {_ATOM}(?:{_JOINT}{_ATOM})*|(?<![\w/]){_ATOM}(?:{_JOINT}{_ATOM})+"
 )
+"""A power of ten, a sign before a number, a unit after a number, or a unit of several parts."""
 
 
 def symbols(text: str) -> str:

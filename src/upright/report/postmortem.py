@@ -10,7 +10,7 @@ import numpy as np
 from upright.diagnose import PostMortem
 from upright.diagnose.causes import NO_FALL
 from upright.diagnose.fall import LEANING
-from upright.plotting import line, numbered, panels, span
+from upright.plotting import INK, line, numbered, panels, span
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict
 from upright.tables import sentence
@@ -33,7 +33,7 @@ def page_of(result: PostMortem) -> Page:
     sections = [Section("Cause", evidence)] if evidence else []
     drawn = len(result.series.t) > 1
     if drawn:
-        sections.append(Section("Reading the figure", [_READ]))
+        sections.append(Section("Reading the figure", [_READ.format(cut=CUT)]))
     facts = {"robot": result.robot, "kit": result.kit, "samples": str(result.rows)}
     facts |= {"controller": f"{result.controller}, {result.hash[:12]}"} if result.controller else {}
     title = f"Why {result.robot} fell: {result.verdict}" if result.fell else f"{result.robot}: {result.verdict}"
@@ -46,9 +46,10 @@ def page_of(result: PostMortem) -> Page:
 
 _READ = (
     "Shaded: from the onset to the fall. Dashed in the first panel: 40°, which counts as the fall. The second panel "
-    "divides the lean by the largest one that the motors can recover from; dashed: the point of no return. The last "
-    "panel compares the readings with what the model expects, over a tenth of a second. Without faults it stays "
-    "between the dashed lines in 95 of 100 cases."
+    "divides the lean by the largest one that the motors can recover from; dashed: the point of no return. The "
+    "third panel is what the controller wants, cut at {cut:g} times what the motors give. The last panel compares the "
+    "readings with what the model expects, over a tenth of a second. Without faults it stays below the dashed line in "
+    "39 of 40 cases or more."
 )
 
 
@@ -76,10 +77,17 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
 
 
 def _lost(result: PostMortem) -> float | None:
-    """When the lean passed for good the largest one to recover from [s], within the time that is examined."""
+    """When the drawn lean passes the largest one to recover from [s], within the time that is examined."""
     s = result.series
     beyond = (s.t >= result.onset) & (s.t <= result.fell_at) & (s.reserve >= 1)
-    return float(s.t[beyond.argmax()]) if beyond.any() else None
+    if not beyond.any():
+        return None
+    row = int(beyond.argmax())
+    low, high = s.reserve[max(row - 1, 0) : row + 1][[0, -1]].tolist()
+    if not low < 1 <= high:  # it was beyond before, or is not known there
+        return float(s.t[row])
+    crossing = float(s.t[row - 1] + (1 - low) / (high - low) * (s.t[row] - s.t[row - 1]))
+    return max(crossing, result.onset)
 
 
 SURE = 0.5  # probability from which a cause is named
@@ -123,8 +131,8 @@ def _causes(result: PostMortem) -> Table:
 
 def _figure(result: PostMortem) -> Figure:
     s = result.series
-    labels = ["pitch [°]", "lean / largest lean to recover from [1]", "command / largest command [1]",
-              "error of the readings² / expected [1]"]  # fmt: skip
+    labels = ["pitch [°]", "lean / largest lean to recover from [1]",
+              "wanted command / what the motors give [1]", "error of the readings² / expected [1]"]  # fmt: skip
     figure, axes = panels(labels)
     pitch, reach, command, nis = axes
     degrees = np.degrees(s.pitch)
@@ -140,14 +148,17 @@ def _figure(result: PostMortem) -> Figure:
     nis.set_yscale("log")
     numbered(nis.yaxis)
     line(nis, "error", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
-    for level, name in ((s.low, ""), (s.high, "usual, up to here")):
-        if math.isfinite(level) and level > 0:
-            _level(nis, s.t, level, name)
+    if math.isfinite(s.high) and s.high > 0:
+        _level(nis, s.t, s.high, "usual, up to here")
     command.set_ylim(-1.5, 1.5)
     reach.set_ylim(0, 1.5)
     known = result.fell and math.isfinite(result.onset)
     if not known:
         return Figure("The last seconds", figure)
+    if (lost := _lost(result)) is not None:
+        reach.plot(lost, 1.0, "o", color=INK, markersize=6)
+        after = f"{lost - result.onset:.2g} s after the first sign"
+        reach.annotate(after, (lost, 1.0), (8, -12), textcoords="offset points")
     span(axes, max(result.onset, float(s.t[0])), result.fell_at, "_trouble")
     start = max(float(s.t[0]), result.onset - max(BEFORE, result.fell_at - result.onset))
     axes[0].set_xlim(start, min(float(s.t[-1]), result.fell_at + AFTER))

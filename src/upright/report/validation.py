@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Sequence
+
+import numpy as np
 
 from upright.calibrate.calibration import PREDICTED
 from upright.report.figure import Figure
@@ -33,9 +36,14 @@ _OWN = (
 )
 _LOOP = (
     "The closed loop starts from the first state of the log. It gets the law, what was added to it, and no reading. "
-    "Small errors of that state and the missing noise add up: it swings and drifts away from the log. A push that the "
-    "log does not record throws it off at once. Neither speaks against the robot."
+    "Small errors of that state and the missing noise add up: it swings and drifts away from the log. It gets no push "
+    "either, and leaves the log at the first one. Neither speaks against the robot."
 )
+_FELL = (
+    "The simulated robot falls at t = {:.3g} s. If the logged one stood, that is not expected: the law as known here, "
+    "or the fitted first state, is not right."
+)
+_STILL = "The robot hardly turns in this log, less than the compass can tell: its R² says nothing."
 _SHIFTS = (
     "Each parameter is moved alone to where it fits the log best (one Gauss–Newton step). Listed are those that shrink "
     "the squared error of half seconds by a tenth or more. Steps are in standard deviations of what is known."
@@ -56,7 +64,9 @@ def page_of(result: Validation) -> Page:
     sections = [section for log in result.logs for section in _sections(log, len(result.logs) > 1)]
     of = " of" if result.verdict == JUDGED else ""
     logs = result.logs[0].source or "the log" if len(result.logs) == 1 else f"{len(result.logs)} logs"
-    title = f"{result.robot} {result.verdict}{of} {logs}: R² of {_judged(result)} at least {least_of(worst.worst.r2)}"
+    title = (
+        f"{result.robot} {result.verdict}{of} {logs}: R² of {_judged(result)} at least {least_of(worst.worst.r2, 4)}"
+    )
     lowest = "Measured, and predicted for half a second at a time, each from a fitted start"
     lead = _lead(result) if result.verdict == PREDICTS else f"{result.sentence}. {_lead(result)}"
     return Page(
@@ -91,14 +101,16 @@ def _lead(result: Validation) -> str:
 
 def _numbers(result: Validation) -> list[tuple[str, str]]:
     worst = result.worst.worst
-    numbers = [(least_of(worst.r2), f"smallest R² of half seconds ({short(worst.name)}); passes from {GOOD:g}")]
+    numbers = [(least_of(worst.r2, 4), f"smallest R² of half seconds ({short(worst.name)}); passes from {GOOD:g}")]
     if own := result.worst.own_run:
-        numbers.append((cell_text(least(own).r2, 3), "with what belongs to its run, fitted to this log"))
-    loops = [c for log in result.logs if not log.caution for c in log.loop]
+        numbers.append((least_of(least(own).r2, 4), "with what belongs to its run, fitted to this log"))
+    judged = [log for log in result.logs if log.loop and not log.caution]
+    loops = [c for log in judged for c in log.loop]
     if loops:
         lowest = min(loops, key=lambda c: c.r2)
         if lowest.r2 < 0 and (first := _first(loops)):
-            followed = f"of the whole run are followed from its first row alone, until {_lost(loops)}"
+            pushed = next((p for p in map(_pushed, judged) if p is not None), None)
+            followed = f"of the whole run are followed from its first row alone, until {_lost(loops, pushed)}"
             numbers.append((f"{first.breaks:.2g} s", followed))
         else:
             whole = f"R² of the whole run from its first row alone ({short(lowest.name)})"
@@ -121,11 +133,23 @@ def _first(loop: Sequence[ChannelFit]) -> ChannelFit | None:
     return min(broken, key=lambda c: c.breaks or 0.0, default=None)
 
 
-def _lost(loop: Sequence[ChannelFit]) -> str:
+def _pushed(log: LogJudged) -> float | None:
+    """The start [s] of the push that ends the whole run, where the log tells of one."""
+    first = _first(log.loop)
+    starts = [start for start, _ in log.simulated.pushes] if log.simulated else []
+    return next((s for s in starts if first and first.breaks is not None and s <= first.breaks <= s + AFTER), None)
+
+
+AFTER = 0.5  # [s] within which a push shows in some reading
+
+
+def _lost(loop: Sequence[ChannelFit], pushed: float | None) -> str:
     """What ended the whole run: drift shows in the wheels first, a push in the gyro; a pitch that leaves before the
     gyro swings by itself."""
     first = _first(loop)
     assert first
+    if pushed is not None:
+        return f"a push at {cell_text(pushed, 3)} s, which the simulation does not get"
     if "encoder" in first.name:
         return "the wheels drift off"
     if "gyro" in first.name:
@@ -140,6 +164,7 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
     loop: list[Item] = [_LOOP, sentence(log.law if named else f"the loop {log.law}")]
     loop += [log.caution] if log.caution else []
     if log.simulated is not None:
+        loop += [_FELL.format(log.simulated.fell)] if log.simulated.fell is not None else []
         loop += [
             _table(log.loop, "lost after [s]"),
             Figure("Measured, and the whole run simulated from its first row", loop_figure(log.simulated)),
@@ -148,7 +173,7 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
         [s.name.replace("_", " "), s.unit, s.value, s.proposed, s.deviations, s.explains] for s in log.shifts
     ]
     moves: list[Item] = [_SHIFTS, Table(["", "unit", "value", "proposed", "step", "removes"], rows, digits=3)]
-    half: list[Item] = [*log.notes, _HALF, _table(log.half_seconds)]
+    half: list[Item] = [*log.notes, _HALF, _table(log.half_seconds), *([_STILL] if _still(log) else [])]
     if log.own_run:
         effects: list[list[Cell]] = [[e.name.replace("_", " "), e.unit, e.known, e.here] for e in log.effects]
         half += [_OWN, _table(log.own_run), Table(["", "unit", "known", "this run"], effects, digits=3)]
@@ -159,10 +184,25 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
     ]
 
 
+def _still(log: LogJudged) -> bool:
+    """Whether the compass shows no turn beyond its noise: steps, or what differs from one reading to the next."""
+    if COMPASS not in log.segments.rows:
+        return False
+    _, measured, _ = log.segments.series(COMPASS)
+    y = measured[np.isfinite(measured)]
+    steps = np.diff(np.unique(np.round(y, 6)))
+    noise = float(np.std(np.diff(y))) / math.sqrt(2) if len(y) > 2 else 0.0
+    return not len(steps) or float(np.ptp(y)) <= max(RANGE * noise, 2 * float(steps.min()))
+
+
+COMPASS = "sensor/compass"
+RANGE = 7.0  # deviations of normal noise from the least to the largest of some thousand readings: 6.5
+
+
 def _table(channels: Sequence[ChannelFit], when: str = "first missed at [s]") -> Table:
     rows: list[list[Cell]] = [
         [short(c.name) + (" (not judged)" if c.name.endswith("compass") else ""),
-         c.r2 if c.r2 > 0 else "below 0", c.fit if c.r2 > 0 else "–", c.breaks]
+         float(least_of(c.r2, 4)) if c.r2 > 0 else "below 0", c.fit if c.r2 > 0 else "–", c.breaks]
         for c in channels
     ]  # fmt: skip
     return Table(["", "R²", "fit [%]", when], rows)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from upright.bodies.body import FALLEN
 from upright.calibrate.fitting import Problem
 from upright.calibrate.stretch import Stretch
-from upright.logs.recording import Recording, commanded
+from upright.logs.recording import Recording, commanded, one_encoder
 from upright.robots import Kit
 from upright.signals import Log
 from upright.validate.law import CommandLaw
@@ -22,18 +22,22 @@ Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 
 PITCH = "estimate/pitch"
+LEFT, RIGHT = "sensor/encoder_left", "sensor/encoder_right"
 FIRST = 0.5  # [s] of readings to which the first state is fitted
 
 
 @dataclass(frozen=True, eq=False)
 class FreeLoop:
     """Readings of the sensor rows `names`, `measured` and `simulated` (rows, names), NaN after a simulated fall, at the
-    log's times `t` (rows,) [s]; the last is the pitch, where the log estimates it."""
+    log's times `t` (rows,) [s]; the last is the pitch, where the log estimates it. It `fell` at this time [s], or None;
+    `pushes` are from when to when [s] the log says that it was pushed, which the simulation does not get."""
 
     names: tuple[str, ...]
     t: Array
     measured: Array
     simulated: Array
+    fell: float | None = None
+    pushes: tuple[tuple[float, float], ...] = ()
 
 
 class _Plant:
@@ -83,26 +87,43 @@ def closed_loop(problem: Problem, recording: Recording, z: Array, log: Log, kit:
     simulated, known = np.full_like(measured, np.nan), measured[:, : len(names)].copy()
     sample = np.searchsorted(log.t, recording.when - 1e-9)
     last = order[:start][recording.kind[order[:start]] < 0]
+    one = LEFT in names and RIGHT in log and one_encoder(log)  # then the law must not read the log's other one
+
+    def readings(row: int) -> dict[str, float]:
+        given = dict(zip(names, known[row].tolist(), strict=True))
+        return {**given, RIGHT: given[LEFT]} if one else given
+
+    fell = None
     law.reset()
     for event in last:  # what the law remembers of the readings before
         row = int(recording.value[event])
-        law.step(row, dict(zip(names, known[row].tolist(), strict=True)), np.zeros(6))
+        law.step(row, readings(row), np.zeros(6))
         law.applied(recording.commands[row].tolist())
     plant.command[:] = recording.commands[int(recording.value[last[-1]]) if len(last) else 0]
     line.begin(plant.command)
     for event in order[start:]:
         plant.move(float(when[event]))
         if not abs(plant.state[0]) < FALLEN:
+            fell = float(when[event])
             break
         kind, row = int(recording.kind[event]), int(sample[event])
         if kind >= 0:
             simulated[row, kind] = known[row, kind] = plant.reading(kind)
         else:
-            asked = law.step(row, dict(zip(names, known[row].tolist(), strict=True)), plant.state)
+            asked = law.step(row, readings(row), plant.state)
             plant.command[:] = line.step(asked)
             law.applied(plant.command.tolist())
             simulated[row, len(names) :] = plant.state[0]
-    return FreeLoop(shown, log.t, measured, simulated)
+    return FreeLoop(shown, log.t, measured, simulated, fell, pushes_of(log))
+
+
+def pushes_of(log: Log) -> tuple[tuple[float, float], ...]:
+    """From when to when [s] the scenario of a log of ours pushed the robot."""
+    scenario = log.origin.get("scenario")
+    given = scenario.get("push") if isinstance(scenario, Mapping) else None
+    known = [p for p in given or () if isinstance(p, Mapping) and isinstance(p.get("start"), int | float)]
+    spans = [(float(p["start"]), float(p.get("until", p["start"] + p.get("duration", 0.0)))) for p in known]
+    return tuple((start, stop) for start, stop in spans if log.t[0] <= start <= log.t[-1])
 
 
 def first_state(problem: Problem, recording: Recording, z: Array) -> tuple[Whole, Array, int, Array]:

@@ -14,6 +14,7 @@ from upright.atomic import finite
 from upright.calibrate.calibration import PREDICTED, Segments
 from upright.calibrate.own_run import RunEffect
 from upright.tables import Shown, joined
+from upright.tables import least as least_of
 from upright.validate.loop import FreeLoop
 
 if TYPE_CHECKING:
@@ -168,10 +169,10 @@ class Validation(Shown):
         """The verdict with the number that decides it, and what is not judged."""
         log = self.worst
         several = f" of {log.source}" if len(self.logs) > 1 else ""
-        r2 = f"{log.worst.r2:.3f}"
+        r2 = least_of(log.worst.r2, 4)
         dead = {short(name) for one in self.logs for name in one.dead}
         of = " of" if self.verdict == JUDGED else ""
-        r2 += f" ({least(log.own_run).r2:.3f} with what belongs to its run)" if log.own_run else ""
+        r2 += f" ({least_of(least(log.own_run).r2, 4)} with what belongs to its run)" if log.own_run else ""
         never = f"; {joined(sorted(dead))} never change{'s' if len(dead) == 1 else ''}" if dead else ""
         return (
             f"{self.robot} {self.verdict}{of} {'this log' if len(self.logs) == 1 else f'these {len(self.logs)} logs'}: "
@@ -211,8 +212,8 @@ BEYOND = 0.5  # of the measured range, above and below it: a simulation that goe
 
 
 def loop_figure(loop: FreeLoop) -> Figure:
-    """Measured readings, and those of the free closed loop."""
-    from upright.plotting import legend, line, panels
+    """Measured readings, and those of the free closed loop, with its pushes and when each reading is lost."""
+    from upright.plotting import AXIS, legend, line, panels, span
 
     figure, axes = panels([_label(name) for name in loop.names])
     for i, ax in enumerate(axes):
@@ -222,7 +223,18 @@ def loop_figure(loop: FreeLoop) -> Figure:
         room = BEYOND * (high - low)
         if np.nanmax(loop.simulated[:, i]) > high + room or np.nanmin(loop.simulated[:, i]) < low - room:
             ax.set_ylim(low - room, high + room)
+    least_width = NARROWEST * float(np.ptp(loop.t))
+    for start, stop in loop.pushes:
+        span(axes, start, max(stop, start + least_width), "push, not simulated")
+    for ax, channel in zip(axes, loop_channels(loop), strict=True):
+        if channel.breaks is not None:
+            ax.axvline(channel.breaks, linestyle="--", linewidth=1, color=AXIS)
+            ax.annotate("lost", (channel.breaks, 0.04), (4, 0), xycoords=("data", "axes fraction"),
+                        textcoords="offset points")  # fmt: skip
     return legend(figure)
+
+
+NARROWEST = 0.006  # of the time that is shown: a knock is shaded at least so long, to be seen
 
 
 def _label(name: str) -> str:
