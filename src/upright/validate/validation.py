@@ -135,7 +135,7 @@ def least(channels: Sequence[ChannelFit]) -> ChannelFit:
 
 def _line(c: ChannelFit) -> str:
     breaks = "" if c.breaks is None else f"   breaks at t = {c.breaks:.4g} s"
-    return f"    {short(c.name):<20} R² {c.r2:>7.4f}   fit {c.fit:>5.1f} %{breaks}"
+    return f"    {short(c.name):<20} R² {least_of(c.r2, 4):>7}   fit {c.fit:>5.1f} %{breaks}"
 
 
 def short(name: str) -> str:
@@ -227,7 +227,7 @@ def loop_figure(loop: FreeLoop) -> Figure:
     for start, stop in loop.pushes:
         span(axes, start, max(stop, start + least_width), "push, not simulated")
     for ax, channel in zip(axes, loop_channels(loop), strict=True):
-        if channel.breaks is not None:
+        if channel.breaks is not None and not channel.name.endswith("compass"):
             ax.axvline(channel.breaks, linestyle="--", linewidth=1, color=AXIS)
             ax.annotate("lost", (channel.breaks, 0.04), (4, 0), xycoords=("data", "axes fraction"),
                         textcoords="offset points")  # fmt: skip
