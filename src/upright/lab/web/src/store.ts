@@ -116,6 +116,7 @@ export class Store {
   private listeners: Listener[] = [];
   private waiting = false; // for the session to have the set-up that was chosen here
   private asked = -AGAIN;
+  private missing = Infinity; // [s] since when there are holes that nobody was asked about
 
   listen(listener: Listener): void {
     this.listeners.push(listener);
@@ -150,13 +151,14 @@ export class Store {
     for (const listener of this.listeners) listener(this.lit);
   }
 
-  /** Ask for the samples that this page has missed. */
+  /** Ask for the samples that this page has missed: for a hole that comes too soon after a question, later. */
   private recall(s: Snapshot): void {
     const last = this.traces.t.at(-1);
-    if (last === undefined || s.t - last < GAP || performance.now() - this.asked < AGAIN) return;
+    if (last !== undefined && s.t - last >= GAP) this.missing = Math.min(this.missing, last);
+    if (this.missing === Infinity || performance.now() - this.asked < AGAIN) return;
     this.asked = performance.now();
-    const hole = this.traces.t.findIndex((time, i) => i > 0 && time > s.t - 60 && time - this.traces.t[i - 1] >= GAP);
-    this.send({ kind: "Recall", since: hole < 0 ? last : this.traces.t[hole - 1] });
+    this.send({ kind: "Recall", since: this.missing });
+    this.missing = Infinity;
   }
 
   hear(message: ServerMessage): void {
