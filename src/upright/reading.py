@@ -123,9 +123,11 @@ def limit_memory(size: int) -> None:
 
 def give_back() -> None:
     """Memory that is free goes back to the system, where the C library would keep it (glibc; about 1 ms)."""
+    if sys.platform != "linux":
+        return
     import ctypes
 
-    if sys.platform == "linux" and (trim := getattr(ctypes.CDLL(None), "malloc_trim", None)):
+    if trim := getattr(ctypes.CDLL(None), "malloc_trim", None):
         trim(0)
 
 

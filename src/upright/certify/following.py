@@ -130,7 +130,7 @@ def _surprise(estimator: Filter, innovations: Array) -> float:
 
 def gyro_scale(log: Log, course: Course) -> float:
     """The gyro's scale over the kit's with which the log is likeliest; a signature's would be drawn towards one by the
-    noise of what the filter foretells."""
+    noise of what the filter predicts."""
     kit, gyro = course.met_kit, course.met_kit.sensors[RAW[2]]
 
     def scaled(scale: float) -> tuple[Robot, Kit]:

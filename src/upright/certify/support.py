@@ -299,7 +299,7 @@ def _dead_zone(path: FollowedLog, course: Course, sent: Array, motors: Array) ->
     zones = np.unique([0.0, unit_zone, *np.quantile(sizes, np.linspace(0.0, 1.0, ZONES))])
 
     def made(zone: float) -> Array:
-        return at_motors(sent, replace(kit, motor=replace(kit.motor, dead_zone=zone)), unit, sent=True)
+        return at_motors(sent, replace(kit, motor=replace(kit.motor, dead_zone=zone)), unit)
 
     value = dead_zone(path, motors, made, [z for z in zones.tolist() if z <= unit_zone or z < most])
     wide = max(ZONE_KNOWN * value, LEAST_ZONE * float(np.abs(sent).max()))

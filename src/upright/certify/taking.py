@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 TURNS = 12  # of Gauss and Newton's method
 LEAST_GAIN = 20.0  # of −2 log likelihood: robots as they were assumed gain 3 to 10 by another mass
 TRIED = 5  # values of a number's interval
-WITHIN = 100  # robots within their spreads: where one foretells the log as well, they explain what a number would
+WITHIN = 100  # robots within their spreads: where one predicts the log as well, they explain what a number would
 GYRO, ENCODER = "sensor/gyro", "sensor/encoder_left"
 LEAST_FACTOR, MOST_UNEQUAL = 0.05, 0.95  # of a scale, a strength or a mass; of half the difference of two motors
 LIGHTER = 1.0  # times what is missing of a body's mass: where rotors are heavy, a log shows half of what is missing
@@ -41,9 +41,8 @@ def as_logged(log: Log, course: Course) -> tuple[Course, tuple[Support, ...], tu
     beside what had been assumed. Raises like `supported`.
 
     What is read off directly is taken over first, then one number after the other: the one with which the filter
-    foretells the log best, since the rest may only be its image. The next one is looked for where those taken over
-    stand. A number with which it foretells no better than robots
-    within their spreads do is not taken over, and not said.
+    predicts the log best, since the rest may only be its image. The next one is looked for where those taken over
+    stand. A number with which it predicts no better than robots within their spreads do is neither taken over nor said.
     """
     shown = first = supported(log, course)
     names, stands, now = set[str](), True, surprise(filtered_log(log, course)[0])

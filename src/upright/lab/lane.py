@@ -36,6 +36,7 @@ class Lane:
         inner: Pulled,
         body: Body,
         controller: Controller,
+        *,
         start: Sequence[float],
         seed: int,
         length: int,

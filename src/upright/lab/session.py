@@ -187,7 +187,7 @@ class Session:
             inner = body_of(name, self.plant, self.setup, self._fine, self.calibrated)
             body = self.electronics(inner, self.plant.kit)
             at = (states or {}).get(name, start)
-            lanes.append(Lane(name, inner, body, self._controller(), at, self.setup.seed, length))
+            lanes.append(Lane(name, inner, body, self._controller(), start=at, seed=self.setup.seed, length=length))
         self.lanes = lanes
         self._display.show(lanes, self.plant.kit.period)
         self._target, self._owed, self._back = np.zeros(6), 0.0, 0.0

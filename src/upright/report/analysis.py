@@ -97,7 +97,7 @@ def _targets(analysis: Analysis) -> list[tuple[str, str, str, float]]:
 def _against_targets(analysis: Analysis) -> Figure:
     """Each margin as a part of its usual target."""
     targets = _targets(analysis)
-    names = [f"{name}: {value}, wanted {target}" for name, value, target, _ in targets]
+    names = [f"{name}: {value}, target {target}" for name, value, target, _ in targets]
     figure, ax = rows_of(names, "part of the usual target [%]", "margin")
     parts = np.array([100 * min(part, 2.0) for *_, part in targets])
     for label, kept, colour in (("reaches the target", parts >= 100, 2), ("too small", parts < 100, 1)):
@@ -118,8 +118,8 @@ def _numbers(analysis: Analysis) -> list[tuple[str, str]]:
     both = analysis.both()
     gains = f"{100 * both.gain_low:.0f} to {100 * both.gain_high:.0f} %"
     return [
-        (f"{cell_text(math.degrees(both.phase), 2)}°", f"phase margin; wanted at least {PHASE:g}°"),
-        (gains, f"strength of the motors that stays stable; wanted {100 * WEAK:.0f} to {100 * STRONG:.0f} %"),
+        (f"{cell_text(math.degrees(both.phase), 2)}°", f"phase margin; the target is at least {PHASE:g}°"),
+        (gains, f"strength of the motors that stays stable; the target is {100 * WEAK:.0f} to {100 * STRONG:.0f} %"),
         (_delay(analysis), f"more delay at the {_weakest(analysis)} alone; a period is {1e3 * analysis.period:g} ms"),
     ]
 
@@ -149,7 +149,7 @@ def _row(m: Margins) -> list[Cell]:
 
 
 def _nyquist(analysis: Analysis) -> Figure:
-    title = f"Nyquist diagram: the least distance from −1 is {1 / analysis.both().Ms:.2f}, wanted {CLOSE:g}"
+    title = f"Nyquist diagram: the least distance from −1 is {1 / analysis.both().Ms:.2f}; the target is {CLOSE:g}"
     return Figure(
         title,
         analysis.plot_nyquist(),

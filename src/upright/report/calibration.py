@@ -218,7 +218,7 @@ def _lead(c: Calibration) -> str:
     logs = ", ".join(c.sources) or "the log"
     text = f"{c.robot.name} was fitted to {c.samples} rows of {logs}."
     if math.isfinite(lowest):
-        text += f" It predicts every sensor: R² at least {least(lowest)} ({sensor}), wanted 0.9."
+        text += f" It predicts every sensor: R² at least {least(lowest)} ({sensor}); the target is 0.9."
         text = text if lowest >= GOOD else text.replace("predicts every sensor", "predicts the sensors in part")
     unknown = sum(e.verdict != VISIBLE for e in c.parameters)
     return text + (" Next: `upright excite` plans a run that tells more parameters." if unknown else "")

@@ -156,7 +156,7 @@ def _spreads(cases: Cases) -> Table:
 
 def _numbers(cases: Cases, fallen: int, all_of_them: int) -> list[tuple[str, str]]:
     if not fallen:
-        return [(f"{_percent(fallen / all_of_them)}", f"of all robots fall; wanted: at most {100 * MOST_FALLS:g} %")]
+        return [(f"{_percent(fallen / all_of_them)}", f"of all robots fall; the limit is {100 * MOST_FALLS:g} %")]
     numbers: list[tuple[str, str]] = []
     name, levels = next(iter(cases.effects().items()), ("", {}))
     ranked = sorted(levels, key=lambda v: levels[v].value)

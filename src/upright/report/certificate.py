@@ -135,7 +135,7 @@ def _recoverable(t: PushTrial) -> str:
     """The largest push of this kind that any controller could survive, with its unit."""
     if t.bound is None or not math.isfinite(t.bound):
         return cell_text(t.bound)
-    return f"{cell_text(t.bound, 3)} N s" if "N s" in t.push else in_degrees(f"{t.bound:.6f} rad")
+    return f"{cell_text(t.bound, 3)} N s" if "N s" in t.push else f"{math.degrees(t.bound):.2g}°"
 
 
 def _quantiles(t: PushTrial) -> list[float]:

@@ -173,7 +173,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     numbers = [
         (
             bounds or f"≤ {number(100 * upper_bound(0, summary.n), 2)} %",
-            f"of all such robots fall, with 95 % confidence; wanted at most {100 * MOST_FALLS:g} %",
+            f"of all such robots fall, with 95 % confidence; the limit is {100 * MOST_FALLS:g} %",
         )
     ]
     if "peak_pitch" in summary.quantiles and np.isfinite(summary.quantiles["peak_pitch"][2]):

@@ -47,9 +47,9 @@ def page_of(result: PostMortem) -> Page:
 _READ = (
     "Shaded: from the onset to the fall. Dashed in the first panel: 40°, which counts as the fall. The second panel "
     "divides the lean by the largest one that the motors can recover from; dashed: the point of no return. The "
-    "third panel is what the controller wants, cut at {cut:g} times what the motors give. The last panel compares the "
-    "readings with what the model expects, over a tenth of a second. Without faults it stays below the dashed line in "
-    "39 of 40 cases or more."
+    "third panel is what the controller requests, cut at {cut:g} times what the motors give. The last panel compares "
+    "the readings with what the model expects, over a tenth of a second. Without faults it stays below the dashed line "
+    "in 39 of 40 cases or more."
 )
 
 
@@ -132,7 +132,7 @@ def _causes(result: PostMortem) -> Table:
 def _figure(result: PostMortem) -> Figure:
     s = result.series
     labels = ["pitch [°]", "lean / largest lean to recover from [1]",
-              "wanted command / what the motors give [1]", "error of the readings² / expected [1]"]  # fmt: skip
+              "requested command / what the motors give [1]", "error of the readings² / expected [1]"]  # fmt: skip
     figure, axes = panels(labels)
     pitch, reach, command, nis = axes
     degrees = np.degrees(s.pitch)

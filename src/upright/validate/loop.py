@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from upright.bodies.body import FALLEN
 from upright.calibrate.fitting import Problem
 from upright.calibrate.stretch import Stretch
+from upright.control.delay import RAW
 from upright.logs.recording import Recording, commanded, one_encoder
 from upright.robots import Kit
 from upright.signals import Log
@@ -22,7 +23,7 @@ Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 
 PITCH = "estimate/pitch"
-LEFT, RIGHT = "sensor/encoder_left", "sensor/encoder_right"
+LEFT, RIGHT = RAW[:2]
 FIRST = 0.5  # [s] of readings to which the first state is fitted
 
 

@@ -51,7 +51,8 @@ function numeral(text: string): string {
 }
 
 const escaped = (text: string) => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
-const PHRASES = phrases.map(([english, spanish]): [RegExp, string] => [new RegExp(`^${escaped(english).replace(/\\\{\d\\\}/g, "(.+?)")}$`, "s"), spanish]);
+/** What stands for a part is as short as it can be, but before " at ", since the name of a push has an "at" of its own. */
+const PHRASES = phrases.map(([english, spanish]): [RegExp, string] => [new RegExp(`^${escaped(english).replace(/\\\{\d\\\}(?= at )/g, "(.+)").replace(/\\\{\d\\\}/g, "(.+?)")}$`, "s"), spanish]);
 
 /** A sentence of the server in the chosen language, part by part; what has no translation stays as it is. */
 export function translate(text: string): string {
