@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
@@ -78,6 +79,20 @@ EXAMPLES = {name: examples for commands in GROUPS.values() for name, examples in
 def epilog(name: str) -> str:
     """What stands below the options of a command: its examples, one line each."""
     return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in EXAMPLES[name])
+
+
+def option_meant(error: Exception) -> str:
+    """What to try where words were given that a command has no place for: the option whose values have such a name, or
+    else its help; empty for any other error."""
+    context = getattr(error, "ctx", None)
+    found = re.fullmatch(r"Got unexpected extra arguments?(?:\(s\))? \((\S+).*\)", str(error))
+    if context is None or not found:
+        return ""
+    word = found[1]
+    for option in context.command.params:
+        if word in (item.value for item in option.shell_complete(context, word)):
+            return f"; try: {max(option.opts, key=len)} {word}"
+    return f"; try: {context.command_path} --help"
 
 
 class Commands(Mapping[str, Any]):

@@ -26,7 +26,7 @@ from upright.cli.fleet import basin, fleet, push_map, sweep
 from upright.cli.fly import fly
 from upright.cli.grade import grade
 from upright.cli.guide import start as guide
-from upright.cli.help import Commands, Grouped
+from upright.cli.help import Commands, Grouped, option_meant
 from upright.cli.identify import identify
 from upright.cli.lab import lab
 from upright.cli.linearise import linearise
@@ -118,7 +118,7 @@ def _code_of(error: Exception) -> int:
     """Print the error as one line on stderr and return the exit code."""
     code = USER_ERROR
     if isinstance(error, typer.TyperException):
-        message = error.format_message()
+        message = error.format_message() + option_meant(error)
     elif isinstance(error, UprightError):
         message = str(error)
     elif isinstance(error, OSError) and error.filename is not None:
