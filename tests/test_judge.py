@@ -144,7 +144,7 @@ def test_what_is_refused_is_not_used_elsewhere(tmp_path: Path, monkeypatch: pyte
     certificate, learnt = (import_module(f"upright.certify.{name}") for name in ("certificate", "learnt"))
     monkeypatch.setattr(learnt, "calibrate", lambda *_, **__: refused)
     monkeypatch.setattr(learnt, "as_logged", lambda _, course: (course, (), ()))
-    monkeypatch.setattr(learnt, "unpushed", lambda log, _: log)
+    monkeypatch.setattr(learnt, "unpushed", lambda log, *_: log)
     monkeypatch.setattr(certificate, "raw_log", lambda *_: SimpleNamespace())
     with pytest.raises(InvalidLog, match="another robot"):
         certify("lqr", ROBOT, "nxt", samples=100, log="run.csv")

@@ -5,9 +5,12 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
+import re
 from collections.abc import Sequence
 from functools import cache
+from importlib import import_module
 from itertools import pairwise
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -15,15 +18,17 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import Sample
+from upright.calibrate.knocks import unpushed, without_knocks
 from upright.certify.agreement import LARGER, RED, Agreement, agreement
 from upright.certify.certificate import Certificate, certify
 from upright.certify.checks import Course, kernel_controller
-from upright.certify.learnt import unpushed
+from upright.certify.learnt import calibrated
 from upright.certify.logged import loaded
 from upright.certify.support import Support, supported
 from upright.certify.taking import as_logged
 from upright.certify.verdict import GREEN
 from upright.control import Controller, make_controller
+from upright.errors import InvalidLog
 from upright.experiment import Drive, Impulse, Slope, run
 from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Kit, Robot
@@ -151,8 +156,40 @@ def test_a_body_half_as_heavy_is_seen_and_falls_under_a_push_that_was_sized_for_
     assert "body's mass" in given.reasons[1]
 
 
+def test_a_calibration_names_knocks_and_leaves_them_out_where_asked() -> None:
+    log = plain_log()
+    (whole,), (told,) = without_knocks([log], ROBOT, KIT, cut=False)
+    assert whole is log
+    # the first reading after it has left: a period, and another of dead time
+    times = [float(word) for word in re.findall(r"[\d.]+(?=,| s bends)", told)]
+    assert times == pytest.approx([knock.start for knock in KNOCKS], abs=0.03)
+    assert "--between-knocks" in told
+    parts, (said,) = without_knocks([log], ROBOT, KIT, cut=True)
+    assert [len(part) for part in parts] == [len(part) for part in unpushed(log, ROBOT, KIT)]
+    assert "is left out" in said
+    quiet = log.between(KNOCKS[-1].start + 1.0, log.t[-1])
+    assert without_knocks([quiet], ROBOT, KIT, cut=True) == ([quiet], [])
+
+
+def test_a_gyro_s_scale_is_corrected_once_before_a_calibration(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Either the readings or the kit, not both: a gyro that counts 1.5 times was calibrated as one of 1.5²."""
+    given: list[Any] = []
+    monkeypatch.setattr(
+        import_module("upright.certify.learnt"),
+        "calibrate",
+        lambda *args, **_: given.append(args) or SimpleNamespace(refused=("enough",)),
+    )
+    log = logged(**PLANTED["gyro's scale"][3])
+    with pytest.raises(InvalidLog):
+        calibrated(log, course())
+    parts, _, kit = given[0]
+    assert kit.sensors[GYRO].gain == pytest.approx(1.5, abs=0.2)  # as planted, see there
+    for part in parts:
+        assert np.array_equal(part[GYRO], log[GYRO][np.searchsorted(log.t, part.t)])
+
+
 def test_a_knocked_robot_is_calibrated_from_what_lies_between_the_knocks() -> None:
-    parts = unpushed(plain_log(), course())
+    parts = unpushed(plain_log(), ROBOT, KIT)
     gone = [(a.t[-1], b.t[0]) for a, b in pairwise(parts)]
     assert len(gone) == 1  # before the first knock, at 1.5 s, there is too little
     assert gone[0][0] == pytest.approx(KNOCKS[1].start, abs=0.03)  # a period, and another of dead time

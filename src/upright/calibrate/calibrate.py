@@ -27,6 +27,7 @@ from upright.calibrate.filter_log import one_step_noise
 from upright.calibrate.fitting import EQUATIONS, JITTER, STICKING, Normal, Path, Problem, normal_equations, objective
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import INERTIAL, STRAIGHT, TURNING, drives_straight, too_quiet
+from upright.calibrate.knocks import without_knocks
 from upright.calibrate.learnt_kit import learnt_kit
 from upright.calibrate.noise import Bounds, learn_noise
 from upright.calibrate.parameters import most_friction, parameters_of
@@ -101,6 +102,7 @@ def calibrate(
     mapping: Columns | str | None = None,
     known: Sequence[str] = (),
     held_out: float = 0.25,
+    between_knocks: bool = False,
     progress: Progress | None = None,
 ) -> Calibration:
     """Physical parameters, dead times and noise of `robot` from one or several logs of raw sensors and commands.
@@ -109,8 +111,8 @@ def calibrate(
 
     `robot` gives the prior: each number with the spread of its provenance, a guess with a factor of two. `kit`
     (default: the robot's own) gives first delays and noise. `known` names parameters taken for exact. The last fraction
-    `held_out` of each log is not fitted; predictions are tested on it. Raises `InvalidLog` for logs that cannot be
-    used, `DesignFailed` where no start follows the log.
+    `held_out` of each log is not fitted; predictions are tested on it. Knocks in a log are named, and left out with
+    `between_knocks`. Raises `InvalidLog` for unusable logs, `DesignFailed` where no start follows the log.
     """
     from upright.calibrate.summary import summarised
 
@@ -120,6 +122,7 @@ def calibrate(
     several, left = zip(*map(on_its_wheels, given), strict=True) if given else ((), ())
     nominal = find_robot(robot)
     parts = find_kit(kit or nominal.kit)
+    several, knocked = without_knocks(several, nominal, parts, cut=between_knocks)
     stated, limits = prepared(several, nominal, parts, known, held_out)
     problem, reason = stated, too_quiet(stated)
     straight = drives_straight(stated)
@@ -132,10 +135,9 @@ def calibrate(
     if not np.isfinite(normal.objective):
         raise _lost()
     show(0.8)
-    fit = Fitted(problem, z, normal, paths)
-    result = summarised(fit, several, reason, began, stated=stated)
+    result = summarised(Fitted(problem, z, normal, paths), several, reason, began, stated=stated)
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
-    notes = [text for text in left if text] + ([STRAIGHT] if straight else [])
+    notes = [*filter(None, left), *knocked, *([STRAIGHT] if straight else [])]
     notes += [str(pace) + "." for pace in map(pace_of, several) if pace and not pace.kept]
     result = replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
     result = _with_contradictions(result, [text for log in several for text in contradictions(log)])

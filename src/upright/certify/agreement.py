@@ -10,20 +10,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.calibrate.knocks import SETTLED, at_motors, recorded
 from upright.certify.checks import Course, standard_pushes, watched
 from upright.control.delay import RAW, sampled
 from upright.control.kalman import Filter, filtered, kalman_filter
-from upright.errors import InvalidLog, SpecMismatch
-from upright.logs.raw import RATES
+from upright.errors import SpecMismatch
 from upright.logs.recording import commanded
 from upright.physics.dynamics import turn_ratio
-from upright.physics.electronics import driven
-from upright.robots import Kit
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -35,9 +32,6 @@ DRAWN = 12
 
 LARGER = 2.0  # times the largest of the drawn robots: amber, since noise or model err by more than what was drawn
 FAR_LARGER = 5.0  # red: what was certified is another robot
-SETTLED = 1.0  # [s] in which the filter finds the first state
-LEAST = 2.0  # [s] of log after that
-UNEVEN = 0.02  # fraction of steps that may be half a period off
 APPLIED = ("applied/left", "applied/right")
 
 
@@ -98,50 +92,6 @@ def agreement(log: Log, course: Course) -> tuple[Agreement, ...]:
         Agreement(name.removeprefix("sensor/"), float(own), float(most))
         for name, own, most in zip(RAW, measured, largest, strict=True)
     )
-
-
-def recorded(log: Log, delay: int) -> tuple[Array, Array]:
-    """Readings (n, 3) of both encoders and the gyro, and applied commands (n, 2).
-
-    Where the log has only commands as sent, they are delayed by `delay` periods.
-    """
-    steps = np.diff(log.t)
-    if np.mean(np.abs(steps - log.period) > log.period / 2) > UNEVEN:
-        raise InvalidLog("the log is uneven", expected=f"steps near {log.period:g} s", likely="dropped samples",
-                         hint="cut the log with --start and --until, or ask `upright doctor`")  # fmt: skip
-    if log.t[-1] - log.t[0] < SETTLED + LEAST:
-        raise InvalidLog(f"the log lasts {log.t[-1] - log.t[0]:.1f} s", expected=f"{SETTLED + LEAST:g} s or more")
-    readings = np.column_stack([_reading(log, name) for name in RAW])
-    prefix = commanded(log)
-    if not prefix:
-        raise InvalidLog("the log has no commands", expected="channels applied/left and applied/right")
-    commands = np.column_stack([log[f"{prefix}/left"], log[f"{prefix}/right"]])
-    periods = delay if prefix == "command" else 0
-    return readings, np.vstack([np.zeros((periods, 2)), commands])[: len(log)]
-
-
-def at_motors(commands: Array, kit: Kit, unit: str, *, sent: bool = True) -> Array:
-    """What both motors make (n, 2) of commands that were `sent`, or that the driver has applied already."""
-    applied = (
-        np.stack(driven([*commands.T], kit.motor, kit.battery, Arrays, volts=unit == "V"), 1) if sent else commands
-    )
-    return applied * [kit.motor.left, kit.motor.right]
-
-
-class Arrays:
-    """The namespace of `physics.electronics` for arrays."""
-
-    absolute, whole, nearest = np.abs, np.trunc, np.rint
-
-    @staticmethod
-    def choose(left: Any, right: Any, then: Any, other: Any) -> Any:
-        return np.where(left < right, then, other)
-
-
-def _reading(log: Log, name: str) -> Array:
-    """The channel; the integral of the rate for an encoder that was logged as a rate."""
-    rate = RATES.get(name, "")
-    return np.cumsum(log[rate]) * log.period if name not in log and rate in log else log[name]
 
 
 def innovation_size(estimator: Filter, readings: Array, applied: Array) -> Array:

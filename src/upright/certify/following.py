@@ -4,26 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.certify.agreement import SETTLED, at_motors, recorded
+from upright.calibrate.knocks import SETTLED, at_motors, first_state, moved_by, pushed, recorded
 from upright.certify.checks import Course
 from upright.certify.logged import loaded
-from upright.control.delay import MOST_PERIODS, RAW, SampledRobot, sampled
+from upright.control.delay import MOST_PERIODS, RAW, sampled
 from upright.control.kalman import Filter, filtered, kalman_filter
 from upright.logs.recording import commanded
-from upright.physics.dynamics import turn_ratio
-from upright.robots import Kit, Robot
+from upright.robots import Kit, Robot, Sensor
 from upright.robots.kit import Motor
 from upright.signals import Log
 
 Array = NDArray[np.float64]
 
-FAR = 5.0  # usual sizes of an innovation beyond which a push is taken for its cause
-PUSHED = 0.3  # [s] after it that are left out, in which the filter finds the state again
-MOST_PUSHED = 0.5  # of a log that may be left out; where more would be, it is no push
 FREEDOM = 4.0  # of Student's distribution, under which a push costs little
 SCALES = (0.15, 0.2, 0.28, 0.4, 0.55, 0.75, 1.0, 1.3, 1.7, 2.2, 3.0, 4.0, 5.5)
 FINER = 4  # parts of a step of these, in which the likeliest is looked for at last
@@ -80,38 +77,26 @@ class FollowedLog:
         return result
 
 
-def first_state(model: SampledRobot, readings: Array) -> Array:
-    """The state (states,) at rest with these first readings (sensors,)."""
-    first, start = np.nan_to_num(readings), np.zeros(len(model.linear.A))
-    start[2], start[4] = (first[0] + first[1]) / 2, (first[1] - first[0]) / (2 * turn_ratio(model.robot))
-    for place, name in enumerate(model.linear.states):
-        start[place] += first[RAW.index(name[:-2])] if "@" in name else 0.0
-    return start
-
-
-def pushed(errors: Array, period: float, far: float = FAR) -> NDArray[np.bool_]:
-    """Rows (n,) at and after innovations (n, sensors) `far` beyond their usual size: somebody pushed the robot."""
-    there = np.isfinite(errors).all(axis=1) & (np.arange(len(errors)) >= SETTLED / period)
-    usual = 1.4826 * np.median(np.abs(errors[there]), axis=0) if there.any() else np.ones(errors.shape[1])
-    beyond = (np.abs(np.nan_to_num(errors)) > far * usual).any(axis=1)
-    after: NDArray[np.bool_] = np.convolve(beyond, np.ones(max(1, round(PUSHED / period))))[: len(errors)] > 0
-    return after if after[there].mean() < MOST_PUSHED else np.zeros(len(errors), dtype=np.bool_)
-
-
-def moved_by(model: SampledRobot, commands: Array) -> Array:
-    """What commands (n, 2) add to the states in each period (n, states)."""
-    before = np.concatenate([np.zeros((1, 2)), commands[:-1]])
-    return before @ model.before.T + commands @ model.now.T
-
-
 def filtered_log(log: Log, course: Course, kit: Kit | None = None) -> tuple[FollowedLog, Array, Array]:
     """The filter of the nominal robot with a `kit` (None: that of the course) along the log, the commands that were
     sent and what the motors make of them (n, 2)."""
     robot, kit = course.met_robot, kit or course.met_kit
-    model = sampled(robot, kit, log.period, longest=MOST_PERIODS)
-    readings, sent = recorded(log, model.delay)
+    estimator = _estimator(robot, kit, log.period)
+    readings, sent = recorded(log, estimator.sampled.delay)
     motors = at_motors(sent, kit, robot.command_unit, sent=commanded(log) == "command")
-    return FollowedLog.of(kalman_filter(model), readings, motors), sent, motors
+    return FollowedLog.of(estimator, readings, motors), sent, motors
+
+
+def _estimator(robot: Robot, kit: Kit, period: float) -> Filter:
+    return _designed(robot, period, kit.delay, kit.jitter, tuple(kit.sensors.items()))
+
+
+@lru_cache(maxsize=256)  # most numbers that a log is asked for are of motors and battery, which no filter knows
+def _designed(
+    robot: Robot, period: float, delay: float, jitter: float, sensors: tuple[tuple[str, Sensor], ...]
+) -> Filter:
+    kit = Kit(name="sensors", sensors=dict(sensors), delay=delay, jitter=jitter)
+    return kalman_filter(sampled(robot, kit, period, longest=MOST_PERIODS))
 
 
 def surprise(path: FollowedLog) -> float:
@@ -165,7 +150,7 @@ def _likeliest(log: Log, changed: Callable[[float], tuple[Robot, Kit]], tried: S
 
 def surprises(log: Log, several: Sequence[tuple[Robot, Kit]]) -> list[float]:
     """`surprise` of the filters of several robots with the same dead times, which follow the log side by side."""
-    estimators = [kalman_filter(sampled(*one, log.period, longest=MOST_PERIODS)) for one in several]
+    estimators = [_estimator(*one, log.period) for one in several]
     readings, sent = recorded(log, estimators[0].sampled.delay)
     raw, motors, moved = commanded(log) == "command", dict[Motor, Array](), list[Array]()
     for (robot, kit), estimator in zip(several, estimators, strict=True):
@@ -173,10 +158,11 @@ def surprises(log: Log, several: Sequence[tuple[Robot, Kit]]) -> list[float]:
             motors[kit.motor] = at_motors(sent, kit, robot.command_unit, sent=raw)
         moved.append(moved_by(estimator.sampled, motors[kit.motor]))
     A, C = (np.stack([getattr(e.sampled.linear, name) for e in estimators]) for name in ("A", "C"))
-    L, z = np.stack([e.L for e in estimators]), np.stack([first_state(e.sampled, readings[0]) for e in estimators])
+    z = np.stack([first_state(e.sampled, readings[0]) for e in estimators])[:, :, None]
+    L, added, there = np.stack([e.L for e in estimators]), np.stack(moved, axis=1)[:, :, :, None], np.isfinite(readings)
     errors = np.empty((len(readings), *C.shape[:2]))
-    for i, (reading, added) in enumerate(zip(readings, np.stack(moved, axis=1), strict=True)):
-        errors[i] = reading - np.matmul(C, z[:, :, None])[:, :, 0]
-        z = z + np.matmul(L, np.nan_to_num(errors[i])[:, :, None])[:, :, 0]
-        z = np.matmul(A, z[:, :, None])[:, :, 0] + added
+    for i, reading in enumerate(readings[:, None, :, None]):
+        error = reading - C @ z
+        errors[i] = error[:, :, 0]
+        z = A @ (z + L @ np.where(there[i][:, None], error, 0.0)) + added[i]
     return [_surprise(estimator, errors[:, k]) for k, estimator in enumerate(estimators)]

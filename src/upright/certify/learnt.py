@@ -4,16 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from upright.calibrate.calibrate import calibrate
 from upright.calibrate.calibration import HELD, Calibration
+from upright.calibrate.knocks import unpushed
 from upright.certify.checks import Course
-from upright.certify.following import filtered_log, pushed
 from upright.certify.logged import LOADED
 from upright.certify.support import LOAD_KNOWN, Support
-from upright.certify.taking import GYRO, as_logged
-from upright.control.delay import RAW
+from upright.certify.taking import as_logged
 from upright.errors import InvalidLog
 from upright.logs.recording import SENSOR
 from upright.progress import Progress
@@ -21,9 +18,6 @@ from upright.robots import PARAMETERS, Kit, Robot
 from upright.robots.robot import MAY_BE_ZERO
 from upright.robots.uncertainty import Spread, Uncertainty
 from upright.signals import Log
-
-KNOCK = 10.0  # usual sizes of an innovation: on real logs without a push they reach 7, after a knock 20 to 35
-LEAST_CALM = 2.0  # [s] without a push, from which a calibration learns
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,32 +38,17 @@ def calibrated(log: Log, course: Course, progress: Progress | None = None) -> tu
     """
     met, _, taken = as_logged(log, course)
     if taken:
-        calibration = calibrate(unpushed(_corrected(log, met), met), _weighed(met), met.met_kit, progress=progress)
+        calm = unpushed(log, met.met_robot, met.met_kit)
+        calibration = calibrate(calm, _weighed(met), met.met_kit, progress=progress)
         if not calibration.refused:
             return learnt(calibration, course.kit), taken
-    calibration = calibrate(unpushed(log, course), course.robot, course.kit, progress=progress)
+    calibration = calibrate(unpushed(log, course.robot, course.kit), course.robot, course.kit, progress=progress)
     if calibration.refused:
         raise InvalidLog(
             f"the log does not describe {course.robot.name}: {calibration.refused[0]}",
             hint="upright doctor LOG; or certify without the log, or with the robot that it is of",
         )
     return learnt(calibration, course.kit), ()
-
-
-def unpushed(log: Log, course: Course) -> list[Log]:
-    """The log without the times at which somebody pushed the robot, which a calibration does not know of: a knock made
-    a body of 0.34 kg one of 0.48 ± 0.06. The whole log where little would be left."""
-    rows = np.flatnonzero(~pushed(filtered_log(log, course)[0].raw, log.period, KNOCK))
-    several = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1)
-    long = [log.t[part[[0, -1]]] for part in several if len(part) * log.period > LEAST_CALM]
-    calm = [one for one in (log.between(*ends) for ends in long) if all(np.ptp(one[n]) > 0 for n in RAW if n in one)]
-    return calm if sum(map(len, calm)) > len(log) / 2 else [log]
-
-
-def _corrected(log: Log, met: Course) -> Log:
-    """The log with a gyro of the kit's own scale."""
-    gain = met.met_kit.sensors[GYRO].gain / met.kit.sensors[GYRO].gain
-    return log if gain == 1 else replace(log, channels={**log.channels, GYRO: log[GYRO] / gain})
 
 
 def _weighed(met: Course) -> Robot:

@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.certify.agreement import at_motors
+from upright.calibrate.knocks import at_motors, moved_by
 from upright.certify.checks import Course, batteries
-from upright.certify.following import FollowedLog, body_load, dead_zone, filtered_log, gyro_scale, moved_by
+from upright.certify.following import FollowedLog, body_load, dead_zone, filtered_log, gyro_scale
 from upright.control.delay import MOST_PERIODS, sampled
 from upright.logs.recording import commanded
 from upright.robots import Kit, Robot

@@ -28,6 +28,7 @@ TURNS = 12  # of Gauss and Newton's method
 LEAST_GAIN = 20.0  # of −2 log likelihood: robots as they were assumed gain 3 to 10 by another mass
 TRIED = 5  # values of a number's interval
 WITHIN = 100  # robots within their spreads: where one predicts the log as well, they explain what a number would
+AT_ONCE = 20  # of these: of most logs one of the first explains a number that is none
 GYRO, ENCODER = "sensor/gyro", "sensor/encoder_left"
 LEAST_FACTOR, MOST_UNEQUAL = 0.05, 0.95  # of a scale, a strength or a mass; of half the difference of two motors
 LIGHTER = 1.0  # times what is missing of a body's mass: where rotors are heavy, a log shows half of what is missing
@@ -69,8 +70,12 @@ def _next(log: Log, course: Course, shown: Sequence[Support], names: set[str], n
         return set()
     known = [s for s in shown if s.name in names]
     then = [surprise(filtered_log(log, _learnt(course, [*known, s]))[0]) for s in strays]
-    within = surprises(log, [(course.met(robot), course.met_kit) for robot in course.robots[:WITHIN]])
-    return {strays[int(np.argmin(then))].name} if min(then) < min(now - LEAST_GAIN, *within) else set()
+    best = int(np.argmin(then))
+    if not then[best] < now - LEAST_GAIN:
+        return set()
+    within = [(course.met(robot), course.met_kit) for robot in course.robots[:WITHIN]]
+    parts = (within[i : i + AT_ONCE] for i in range(0, len(within), AT_ONCE))
+    return set() if any(min(surprises(log, part)) <= then[best] for part in parts) else {strays[best].name}
 
 
 def _likeliest(log: Log, course: Course, numbers: Sequence[Support]) -> tuple[Course, float]:

@@ -32,6 +32,9 @@ def calibrate(
     until: BeforeOption = None,
     known: KnownOption = None,
     held_out: HeldOutOption = 0.25,
+    between_knocks: Annotated[
+        bool, typer.Option("--between-knocks", help="Leave out the times at which somebody pushed the robot.")
+    ] = False,
     output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the calibrated robot as TOML.")] = None,
     report: ReportOption = None,
     save: Annotated[
@@ -56,7 +59,7 @@ def calibrate(
     with progress("calibrating") as show:
         result = estimate(
             [raw_log(path, mapping).between(*ends) for path in logs], robot, kit,
-            known=known or (), held_out=held_out, progress=show,
+            known=known or (), held_out=held_out, between_knocks=between_knocks, progress=show,
         )  # fmt: skip
     withheld = result.withheld() if output and not force else ""
     if output and not withheld:

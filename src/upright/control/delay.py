@@ -123,7 +123,7 @@ class _Between:
         return phi2 @ phi, phi2 @ old, new, phi2 @ push + push2
 
 
-@lru_cache(maxsize=256)  # the delays at which a margin is tried have most of their parts in common
+@lru_cache(maxsize=1024)  # delays at which a margin is tried, and robots a log is compared with, have parts in common
 def _held(robot: Robot, h: float) -> tuple[Array, Array, Array]:
     """Φ, Γ and ε of one command over `h` [s]."""
     if h <= 0:

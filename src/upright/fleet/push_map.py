@@ -4,8 +4,9 @@ Where survival is not monotone the result is the *first* border: the least impul
 robot. A larger one may be survived again; the map marks such points as islands.
 
 A robot has *recovered* if it has not fallen (`bodies.body.FALLEN`) `watch` seconds after the push ended. The search
-itself runs only until `glance` seconds after the push, since most falls come soon; each result is then tried for the
-whole `watch`, and searched again at full length where the robot fell.
+for the last border runs only until `glance` seconds after the push, since most falls come soon; each result is then
+tried for the whole `watch`, and searched again at full length where the robot fell. Smaller impulses are tried for the
+whole `watch`: some controllers fell a robot later than a glance by a push smaller than one that it survives.
 """
 
 from __future__ import annotations
@@ -211,7 +212,7 @@ class _Search:
         table, points = self.ensemble.nominal().batch(np.zeros(last.size, dtype=np.int64)), grid.flat()
 
         def stands(impulse: Array, which: NDArray[np.int64]) -> NDArray[np.bool_]:
-            return self._stand(table, points, impulse, which, self.glance)
+            return self._stand(table, points, impulse, which, self.watch)
 
         return first_border(stands, last.reshape(-1), self.floor, self.tolerance).reshape(grid.shape)
 
