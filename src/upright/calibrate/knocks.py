@@ -139,8 +139,8 @@ def without_knocks(logs: Sequence[Log], robot: Robot, kit: Kit, *, cut: bool) ->
         parts += own
         if times:
             when = ", ".join(f"{t:.3g}" for t in times[:MOST_NAMED]) + (", …" if len(times) > MOST_NAMED else "")
-            told = "bends the numbers, since no push is known; try --between-knocks"
+            effect = "bends the numbers, since no push is known; try --between-knocks"
             if own != [log]:
-                told = f"is left out: {sum(map(len, own)) * log.period:.3g} of {len(log) * log.period:.3g} s are used"
-            notes.append(f"What looks like a push at {when} s {told}.")
+                effect = f"is left out: {sum(map(len, own)) * log.period:.3g} of {len(log) * log.period:.3g} s are used"
+            notes.append(f"What looks like a push at {when} s {effect}.")
     return parts, notes

@@ -85,10 +85,10 @@ def option_meant(error: Exception) -> str:
     """What to try where words were given that a command has no place for: the option whose values have such a name, or
     else its help; empty for any other error."""
     context = getattr(error, "ctx", None)
-    found = re.fullmatch(r"Got unexpected extra arguments?(?:\(s\))? \((\S+).*\)", str(error))
-    if context is None or not found:
+    match = re.fullmatch(r"Got unexpected extra arguments?(?:\(s\))? \((\S+).*\)", str(error))
+    if context is None or not match:
         return ""
-    word = found[1]
+    word = match[1]
     for option in context.command.params:
         if word in (item.value for item in option.shell_complete(context, word)):
             return f"; try: {max(option.opts, key=len)} {word}"
