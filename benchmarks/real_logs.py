@@ -8,7 +8,7 @@ Every EV3 run is calibrated alone from three cuts, TWIPR's two runs from their f
 together. Printed are R² of half seconds simulated freely, on the run itself, crossed to the others, and of one set of
 numbers for all; how many numbers are visible; which pairs of their 95 % intervals overlap; how wide these are beside
 those of a right model (Fisher's information at the noise that was found); and the time. TWIPR's loop is also simulated
-freely from its first state, under the law that its authors state.
+freely from its first state, under the law that its commands show.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import argparse
 import os
 import time
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations, permutations
 from pathlib import Path
@@ -26,25 +26,23 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # as the command `upright` d
 
 import numpy as np
 
-from upright.bodies import NonlinearBody
 from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import VISIBLE, Calibration, Estimate
 from upright.calibrate.filter_log import filter_log
+from upright.calibrate.fitting import Problem
 from upright.calibrate.own_run import of_this_run
 from upright.calibrate.validate import segments
-from upright.control.controller import TRUE_STATE, ControllerSpec
 from upright.errors import UprightError
-from upright.experiment import run
 from upright.logs.raw import raw_log
 from upright.robots import Robot, find_kit
 from upright.signals import Log
+from upright.validate.law import LinearLaw, law_of
+from upright.validate.loop import PITCH, closed_loop
 
 DATA = Path(__file__).parents[1] / "../shared/data"
 CUTS = (0.0, 0.15, 0.4)  # [s] off the end of an EV3 run, which ends in a fall: the same answer is wanted for each
 BANDS = (0, 6, 12)  # [Hz]
 PRESETS = {"ev3way": "ev3way-large-wheels", "twipr": "twipr"}
-GAINS = {"run1": (0.020, 0.040, 0.006, 0.007), "run2": (0.025, 0.040, 0.007, 0.007)}
-"""TWIPR's law, by its authors: of speed, pitch, pitch rate and yaw rate."""
 
 
 @dataclass(frozen=True)
@@ -78,11 +76,16 @@ def visible(found: Calibration) -> dict[str, Estimate]:
     return {e.name: e for e in every if e.verdict == VISIBLE}
 
 
-def crossed(found: Calibration, other: Run) -> dict[str, float]:
-    """R² of half seconds of another run, of which the first states alone are fitted."""
+def known(found: Calibration, other: Run) -> tuple[Problem, np.ndarray]:
+    """The problem of a run, and what a calibration says of its parameters."""
     problem, _ = prepared([other.log], found.robot, find_kit(found.robot.kit), (), 0.0)
     beside = {e.name: e.value for e in (*found.delays, *found.electronics)}
-    z = np.array([p.coordinate(beside[p.name]) if p.name in beside else 0.0 for p in problem.parameters])
+    return problem, np.array([p.coordinate(beside[p.name]) if p.name in beside else 0.0 for p in problem.parameters])
+
+
+def crossed(found: Calibration, other: Run) -> dict[str, float]:
+    """R² of half seconds of another run, of which the first states alone are fitted."""
+    problem, z = known(found, other)
     parts = segments(problem, problem.recordings[0], z)
     return {name: parts.r_squared(name) for name in parts.rows}
 
@@ -164,75 +167,56 @@ def together(robot: str, model: Robot) -> None:
         print(f"      {one.name:<12} with its own friction {line(own)}; the robot alone {line(crossed(found, one))}")
 
 
-class StatedLaw:
-    """u = k1 v + k2 ψ + k3 ψ̇ ∓ k4 φ̇ + excitation [N m], on readings as late as the robot's sensors; v [m/s] is the
-    speed of the wheels relative to the body."""
+class ReadLaw:
+    """The law of a log as it was read from its commands, on an estimate of the pitch that is as wrong as the log's own
+    by `error` [rad] (rows,), from the row `simulated` on."""
 
-    spec = ControllerSpec("law of twipr's authors", TRUE_STATE, 0.001, "N m")
+    name = "read from the log"
 
-    def __init__(self, name: str, found: Calibration, log: Log, error: np.ndarray | None = None) -> None:
-        """With `error` [rad] (rows,), the law reads a pitch as wrong as the log's own estimate, and the motors have the
-        run's constant torque."""
-        self._error = np.zeros(len(log)) if error is None else error
-        self._constant = 0.0 if error is None else found["constant_command"].value
-        self._gains, self._radius = GAINS[name], found.robot.wheel_radius
-        self._late = {sensor: round(found[f"delay/{sensor}"].value / 0.001) for sensor in ("gyro", "encoder")}
-        self._rows = np.searchsorted(log.t - log.t[0], np.arange(0.0, log.t[-1] - log.t[0] + 1.0, 0.001) + 1e-6) - 1
-        self._excitation = np.column_stack([log["excitation/left"], log["excitation/right"]])
-        self.reset()
+    def __init__(self, law: LinearLaw, error: np.ndarray, simulated: int) -> None:
+        self._law, self._error, self._simulated = law, error, simulated
 
     def reset(self) -> None:
-        self._past: list[np.ndarray] = []
-        self._command = (0.0, 0.0)
+        self._law.reset()
 
-    def step(self, measurement: np.ndarray, reference: np.ndarray) -> tuple[float, float]:  # noqa: ARG002 (the contract)
-        now, (k1, k2, k3, k4) = len(self._past), self._gains
-        self._past.append(measurement.copy())
-        row = self._rows[now]
-        if now == 0 or row > self._rows[now - 1]:  # held from one row of the log to the next
-            gyro, wheels = (self._past[max(0, now - self._late[sensor])] for sensor in ("gyro", "encoder"))
-            both = k1 * self._radius * (wheels[3] - wheels[1]) + k2 * (gyro[0] + self._error[row]) + k3 * gyro[1]
-            extra = self._excitation[row] + self._constant
-            self._command = (both - k4 * wheels[5] + extra[0], both + k4 * wheels[5] + extra[1])
-        return self._command
-
-    def estimate(self) -> tuple[float, ...]:
-        return ()
+    def step(self, row: int, readings: Mapping[str, float], state: np.ndarray) -> tuple[float, float]:
+        error = self._error[row] if row >= self._simulated else 0.0
+        return self._law.step(row, {**readings, PITCH: readings[PITCH] + error}, state)
 
     def applied(self, command: Sequence[float]) -> None:
         pass
 
-    def to_json(self) -> dict[str, str]:
-        return {"kind": self.spec.kind}
-
 
 def loop(one: Run, found: Calibration) -> None:
-    """The whole closed loop simulated freely from the first state of the log, under the stated law: with the true
-    pitch, and with one as wrong as the estimate that the law read, by the filter of the calibrated robot."""
+    """The whole closed loop simulated freely from the first state of the log, under the law read from it, with the
+    run's constant torque: on the true pitch, as late as the gyro, and on one as wrong as the estimate that the law
+    read, by the filter of the calibrated robot."""
     log, kit = one.log, found.kit or find_kit(found.robot.kit)
-    wheel = (log["sensor/encoder_rate_left"] + log["sensor/encoder_rate_right"]) / 2
-    estimate, rate = log["estimate/pitch"], float(log["sensor/gyro"][0])
-    late = {sensor: found[f"delay/{sensor}"].value for sensor in ("gyro", "encoder")}
-    first = (float(estimate[0]), rate, 0.0, float(wheel[0]) + rate, 0.0, 0.0)
+    problem, z = known(found, one)
+    recording, late = problem.recordings[0], found["delay/gyro"].value
+    law = law_of(log, recording.rows)
+    if not isinstance(law, LinearLaw):
+        print(f"  {one.name}: no linear law gives its commands")
+        return
     path = filter_log(log, found.known_robot(), kit, delay=kit.delay, disturbance=0.03)
     held = path.row < 0
-    pitch = np.interp(log.t - late["gyro"], path.t[held], path.after[held, 0])
-
-    def r_squared(measured: np.ndarray, simulated: np.ndarray, t: np.ndarray, sensor: str) -> float:
-        there = np.interp(log.t - log.t[0] - late[sensor], t, simulated)
-        return 1 - float(((measured - there) ** 2).sum() / ((measured - measured.mean()) ** 2).sum())
-
-    for words, error in (("the true pitch", None), ("a pitch as wrong as its estimate", estimate - pitch)):
-        free = run(
-            NonlinearBody(found.robot), StatedLaw(one.name, found, log, error),
-            seconds=float(log.t[-1] - log.t[0]), start=first,
-        )  # fmt: skip
-        scores = (
-            r_squared(estimate if error is None else pitch, free["truth/pitch"], free.t, "gyro"),
-            r_squared(wheel, free["truth/wheel_rate"] - free["truth/pitch_rate"], free.t, "encoder"),
-        )
-        fell = ", and falls" if free.origin["outcome"]["fell"] else ""
+    pitch = np.interp(log.t - late, path.t[held], path.after[held, 0])
+    wrong, simulated = log[PITCH] - pitch, int(np.searchsorted(log.t, recording.when[recording.kind >= 0].min()))
+    wheels = [f"sensor/encoder_rate_{side}" for side in ("left", "right")]
+    for words, error, true in (("the true pitch", 0 * wrong, log[PITCH]), ("one as wrong as its own", wrong, pitch)):
+        free = closed_loop(problem, recording, z, log, kit, ReadLaw(law, error, simulated))
+        column = {name: free.simulated[:, i] for i, name in enumerate(free.names)}
+        rate = np.mean([column[name] for name in wheels], axis=0)
+        scores = r_squared(true, column[PITCH]), r_squared(np.mean([log[name] for name in wheels], axis=0), rate)
+        fell = "" if free.fell is None else f", and falls at {free.fell:.2f} s"
         print(f"  {one.name}: its loop with {words}: pitch {scores[0]:.3f}, wheel rate {scores[1]:.3f}{fell}")
+
+
+def r_squared(measured: np.ndarray, simulated: np.ndarray) -> float:
+    """Of what was simulated; the first rows are before that."""
+    there = np.isfinite(simulated)
+    left = ((measured - simulated)[there] ** 2).sum()
+    return 1 - float(left / ((measured[there] - measured[there].mean()) ** 2).sum())
 
 
 def main() -> None:

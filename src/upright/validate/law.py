@@ -117,6 +117,7 @@ class LinearLaw:
 
     def _values(self, readings: Mapping[str, float], state: Array) -> dict[str, float]:
         values = _paired(readings) | dict(zip(ESTIMATES, state.tolist(), strict=True))
+        values |= {name: readings[name] for name in ESTIMATES if name in readings}
         before = self._past[-1] if self._past else values
         for name in [name for name in values if not name.startswith("estimate/")]:
             self._sums[name] = self._sums.get(name, 0.0) + values[name]
