@@ -89,7 +89,7 @@ def closed_loop(problem: Problem, recording: Recording, z: Array, log: Log, kit:
     plant, line = _Plant(problem, recording, z, first), _Line(log, kit)
     names, estimated = recording.rows, [n for n in ESTIMATES if n in log and "body" not in log.origin]
     shown = (*names, *((PITCH,) if PITCH in log else ()))
-    seen = np.column_stack([np.zeros((len(log), 0)), *(log[n] for n in estimated)])
+    computed = np.column_stack([np.zeros((len(log), 0)), *(log[n] for n in estimated)])
     measured = np.column_stack([log[name] for name in shown])
     simulated, known = np.full_like(measured, np.nan), measured[:, : len(names)].copy()
     sample = np.searchsorted(log.t, recording.when - 1e-9)
@@ -97,7 +97,7 @@ def closed_loop(problem: Problem, recording: Recording, z: Array, log: Log, kit:
     one = LEFT in names and RIGHT in log and one_encoder(log)  # then the law must not read the log's other one
 
     def readings(row: int) -> dict[str, float]:
-        given = dict(zip((*names, *estimated), [*known[row].tolist(), *seen[row].tolist()], strict=True))
+        given = dict(zip((*names, *estimated), [*known[row].tolist(), *computed[row].tolist()], strict=True))
         return {**given, RIGHT: given[LEFT]} if one else given
 
     fell = None
@@ -117,12 +117,14 @@ def closed_loop(problem: Problem, recording: Recording, z: Array, log: Log, kit:
         if kind >= 0:
             simulated[row, kind] = known[row, kind] = plant.reading(kind)
             of_sensor = [i for i, n in enumerate(estimated) if SOURCE[n] == SENSOR[names[kind]]]
-            seen[row, of_sensor] = [plant.state[ESTIMATES.index(estimated[i])] for i in of_sensor]
+            computed[row, of_sensor] = [plant.state[ESTIMATES.index(estimated[i])] for i in of_sensor]
         else:
             asked = law.step(row, readings(row), plant.state)
             plant.command[:] = line.step(asked)
             law.applied(plant.command.tolist())
-            simulated[row, len(names) :] = seen[row, estimated.index(PITCH)] if PITCH in estimated else plant.state[0]
+            simulated[row, len(names) :] = (
+                computed[row, estimated.index(PITCH)] if PITCH in estimated else plant.state[0]
+            )
     return FreeLoop(shown, log.t, measured, simulated, fell, pushes_of(log))
 
 
