@@ -332,6 +332,18 @@ def fallen(seed: int) -> Log:
 
 _FAST = (("dt", 0.002), ("excited", False), ("filtered", True))
 
+
+def _stuck(channel: str, first: int, last: int | None = None) -> Plant:
+    """A sensor that holds the reading of one row up to another."""
+
+    def plant(log: Log, _: np.random.Generator) -> Log | RawTable:
+        x = log[channel].copy()
+        x[first:last] = x[first]
+        return changed(log, {channel: x})
+
+    return plant
+
+
 CASES: Sequence[Case] = (
     Case("gyro in degrees", "nxt", scaled(180 / np.pi, GYRO), "units/scale", GYRO),
     Case("gyro in degrees, torque drive", "torque", scaled(180 / np.pi, GYRO), "units/scale", GYRO),
@@ -354,6 +366,9 @@ CASES: Sequence[Case] = (
     Case("gap of 0.8 s", "ev3", _gap, "time/gap"),
     Case("3 % of the rows dropped", "nxt", _dropped, "time/dropped"),
     Case("8 % of gyro readings repeat", "ev3, light", _held_samples, "samples/repeated", GYRO),
+    Case("gyro stuck from the middle on", "nxt", _stuck(GYRO, 600), "channel/stuck", GYRO),
+    Case("gyro stuck for 1 s", "ev3", _stuck(GYRO, 400, 500), "channel/stuck", GYRO),
+    Case("left encoder stuck for 1 s", "nxt", _stuck(LEFT, 800, 900), "channel/stuck", LEFT),
     Case("rows twice", "ev3", _twice, "time/repeated"),
     Case("time jumps back", "nxt", _backwards, "time/backwards"),
     Case("rows in disorder", "ev3", _disordered, "time/backwards"),

@@ -78,6 +78,8 @@ def test_a_clean_log_raises_no_alarm(seed: int) -> None:
     name, log = bench.standing(seed)
     diagnosis = doctor(log)
     assert bench.false_alarms(name, log, diagnosis) == []
+    without = RawTable({"t": log.t, **{n: x for n, x in log.channels.items() if n != bench.GYRO}}, dict(log.units))
+    assert not [f for f in doctor(without).findings if f.severity == "error"]  # the estimate takes the gyro's place
 
 
 @pytest.mark.parametrize(

@@ -88,6 +88,16 @@ def test_a_number_many_deviations_from_its_source_is_of_another_robot(model_log:
     assert not reasons(problem, z, (), [replace(far, guess=True), replace(far, shift=3.5)])
 
 
+def test_what_the_doctor_finds_refuses_a_fit_unless_it_predicts_the_log(model_log: Log) -> None:
+    """Predictions of 0.4 and 0.9 of the readings have R² of 1 − 0.6² and 1 − 0.1²: under and over 0.9."""
+    problem, _ = prepared([model_log], ROBOT, Kit.preset("ideal"), (), 0.25)
+    z, wrong = np.zeros(len(problem.parameters)), ["the log contradicts itself"]
+    assert list(reasons(problem, z, (half_seconds(GYRO, 0.4 * GYRO),), (), wrong=wrong)) == wrong
+    assert not reasons(problem, z, (half_seconds(GYRO, 0.9 * GYRO),), (), wrong=wrong)
+    far = half_seconds(GYRO, -GYRO)
+    assert reasons(problem, z, (far,), (), wrong=wrong)[0] == wrong[0]
+
+
 @pytest.mark.parametrize(("true", "named"), [("ev3way-large-wheels", True), ("ev3way", False)])
 def test_a_log_of_another_preset_names_it(true: str, named: bool) -> None:
     """A log of the robot on large wheels under the file of the small ones; the file's own log proposes nothing."""

@@ -43,7 +43,6 @@ from upright.physics.dynamics import motor_gain
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
-from upright.tables import sentence
 
 Array = NDArray[np.float64]
 
@@ -135,12 +134,12 @@ def calibrate(
     if not np.isfinite(normal.objective):
         raise _lost()
     show(0.8)
-    result = summarised(Fitted(problem, z, normal, paths), several, reason, began, stated=stated)
+    wrong = [text for log in several for text in contradictions(log)]
+    result = summarised(Fitted(problem, z, normal, paths), several, reason, began, stated=stated, wrong=wrong)
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
     notes = [*filter(None, left), *knocked, *([STRAIGHT] if straight else [])]
     notes += [str(pace) + "." for pace in map(pace_of, several) if pace and not pace.kept]
     result = replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
-    result = _with_contradictions(result, [text for log in several for text in contradictions(log)])
     if problem.temper < 1 and not result.withheld():  # else the noise of the kit is that of the filter
         longest = max(several, key=len)
         noise = one_step_noise(
@@ -148,13 +147,6 @@ def calibrate(
         )
         result = replace(result, robot=result.robot.replace(noise=noise))
     return result
-
-
-def _with_contradictions(result: Calibration, wrong: Sequence[str]) -> Calibration:
-    """What the doctor finds wrong in the logs: the first reason of a fit that is refused, a note of any other."""
-    if result.refused:
-        return replace(result, refused=(*wrong, *result.refused))
-    return replace(result, notes=(*map(sentence, wrong), *result.notes))
 
 
 def prepared(

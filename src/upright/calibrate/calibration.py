@@ -39,6 +39,8 @@ PREDICTED = {
 }  # fmt: skip
 """Readings that `Calibration.plot_prediction` draws, with their units."""
 
+GOOD = 0.9
+"""[1] R² of half seconds from which a channel is predicted."""
 FAR = 4.0  # a reading missed by more than twice its deviation counts as missed by that: one fall is not the whole score
 NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution
 SURPRISE = 3.0

@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.calibration import FOREIGN, Estimate, Segments
+from upright.calibrate.calibration import FOREIGN, GOOD, PREDICTED, Estimate, Segments
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.fitting import Problem
 from upright.calibrate.validate import score
@@ -30,11 +30,13 @@ TURNED = 1.5  # a factor between prediction and reading that no tolerance of a m
 
 
 def reasons(
-    problem: Problem, z: Array, free: Sequence[Segments], estimates: Sequence[Estimate], other: str = ""
-) -> tuple[str, ...]:
+    problem: Problem, z: Array, free: Sequence[Segments], estimates: Sequence[Estimate], other: str = "",
+    wrong: Sequence[str] = (),
+) -> tuple[str, ...]:  # fmt: skip
     """Why the fit at z (parameters,) is refused as a description of the robot, in words; nothing where it stands.
 
-    `free` are the half seconds of each recording, simulated freely; `other` is what `proposed` proposes.
+    `free` are the half seconds of each recording, simulated freely; `other` is what `proposed` proposes. `wrong` is
+    what the doctor finds wrong in signs, sides and units: a fit that predicts wheels and gyro well stands all the same.
     """
     faults = [reason for parts in free for reason in unpredicted(parts)]
     own = score(problem, np.zeros_like(z))
@@ -52,7 +54,8 @@ def reasons(
             f"the log is of another robot than the file, which says {stated}: measure these, or choose another robot"
             f"{other}"
         )
-    return tuple(faults)
+    well = min((p.r_squared(name) for p in free for name in p.rows if name in PREDICTED), default=-1.0) >= GOOD
+    return (*(() if well and not faults else wrong), *faults)
 
 
 def proposed(problem: Problem) -> str:

@@ -35,6 +35,7 @@ from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.physics.linear import unstable_pole
 from upright.robots import PARAMETERS, Provenance, Robot
 from upright.signals import Log
+from upright.tables import sentence
 
 Array = NDArray[np.float64]
 
@@ -62,9 +63,10 @@ def summarised(
     began: float,
     *,
     stated: Problem,
+    wrong: Sequence[str] = (),
 ) -> Calibration:
     """The calibration that a fit (its problem, parameters, derivatives and filters) amounts to; `stated` is the problem
-    as the files state it."""
+    as the files state it, and `wrong` what the doctor finds wrong in the logs."""
     problem, z, normal, paths = fit
     free = tuple(segments(problem, recording, z) for recording in problem.recordings)
     fits, scores = _checks(problem, z, free)
@@ -80,7 +82,7 @@ def summarised(
     supported = sum(right[i, i] < HALVED**2 for i, p in enumerate(problem.asked) if p.name not in problem.held)
     supported += sum(_combined(c, right).verdict == VISIBLE for c in combinations[1:])
     other = proposed(stated) if any(e.surprising for e in every) else ""
-    refused = () if reason else reasons(problem, fitted, free, every, other)
+    refused = () if reason else reasons(problem, fitted, free, every, other, wrong)
     delays = _delays(problem, z, C, every)
     if withdrawn := REFUSED if refused else QUIET if reason else "":
         every, combined, delays = (tuple(_withdrawn(e, withdrawn) for e in each) for each in (every, combined, delays))
@@ -107,7 +109,7 @@ def summarised(
         samples=int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
         seconds=time.perf_counter() - began,
         sources=sources,
-        notes=tuple(_notes(problem, every, scores, reason, other, widening)),
+        notes=(*(() if refused else map(sentence, wrong)), *_notes(problem, every, scores, reason, other, widening)),
         widening=widening,
         supported=int(supported),
         quiet=reason,

@@ -248,7 +248,7 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [time.unit],
         [time.jump],
         [sensors.dead, sensors.repeated, time.steps],
-        [units.constants],
+        [sensors.stuck, units.constants],
         [motion.kinds],
         [motion.signs],
         [motion.sides],
@@ -283,9 +283,10 @@ _STAGE_OF = {
 
 
 def contradictions(log: Log) -> list[str]:
-    """What is wrong in a log of ours that a fit reads as it stands, in words: signs, sides, kinds and units."""
+    """What is wrong in a log of ours that a fit reads as it stands, in words: signs, sides, kinds, units, and sensors
+    that stopped."""
     findings = [f for f in _examine(record_of(log), None, unwatched)[0] if f.severity == "error"]
-    wrong = [f for f in findings if f.code.split("/")[0] in ("motion", "units")]
+    wrong = [f for f in findings if f.code.split("/")[0] in ("motion", "units") or f.code == "channel/stuck"]
     return [f"the log contradicts itself, {f.channel}: {f.evidence}" for f in wrong]
 
 
@@ -326,5 +327,6 @@ def _without_empty(record: Record, findings: Sequence[Finding]) -> Record:
     """Without the channels that hold no number or unknown counts, and the sensors that never change: no physics is read
     into these."""
     empty = {f.channel for f in findings if f.code in ("channel/empty", _COUNTS)}
-    empty |= {f.channel for f in findings if f.code == "channel/constant" and f.channel.startswith("sensor/")}
+    still = ("channel/constant", "channel/stuck")
+    empty |= {f.channel for f in findings if f.code in still and f.channel.startswith("sensor/")}
     return replace(record, channels={n: x for n, x in record.channels.items() if n not in empty})

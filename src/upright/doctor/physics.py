@@ -98,7 +98,7 @@ def resampled(record: Record) -> Resampled | None:
     after = np.clip(np.searchsorted(record.t, t, side="right"), 1, len(record.t) - 1)
     good = (record.t[after] - record.t[after - 1]) < GAP * period
     name = GYRO if GYRO in record else PITCH
-    gyro = even(GYRO) if GYRO in record else np.gradient(even(PITCH), period) if PITCH in record else None
+    gyro = even(GYRO) if GYRO in record else backward_rate(even(PITCH), period) if PITCH in record else None
     pair = record.commands
     commands = (even(pair[0]), even(pair[1])) if pair else None
     return Resampled(

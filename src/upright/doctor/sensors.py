@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from upright.doctor.finding import (
     BATTERY,
@@ -31,6 +32,8 @@ _QUIET = 0.012
 Coulomb friction in the robots whose friction is known (0.010 N m a motor against MgL of 0.4 to 0.8 N m)."""
 
 _COARSE = 0.06  # [rad] a hundred steps a turn, coarser than any motor that balances
+
+Mask = NDArray[np.bool_]
 
 _SENSED = (LEFT, RIGHT, GYRO, "sensor/compass", FORWARD, UP, PITCH)
 
@@ -76,6 +79,51 @@ def repeated(record: Record) -> list[Finding]:
         evidence += f"{chance:.0f} expected by chance), the first near {first:.4g} s"
         fix = Fix("bridge", (name,))
         findings.append(warning("samples/repeated", name, evidence, "interpolate them linearly", fix))
+    return findings
+
+
+_STUCK = 0.5
+"""How long [s] a sensor of a robot that moves may hold one reading: a balancing robot turns round twice as often."""
+_APART = 0.1  # [s] between three readings whose second difference is what a sensor moves
+_ACTIVE = 4.0  # [quantisation steps] of that difference (standard deviation) from which a sensor moves
+_AS_BEFORE = 0.3  # of what it moves elsewhere
+
+
+def stuck(record: Record) -> list[Finding]:
+    """A gyro or an encoder that holds one reading while the others move on.
+
+    On the wheels each moves with the others; off them no robot turns for long at one rate other than 0.
+    """
+    present = [name for name in (LEFT, RIGHT, GYRO) if name in record]
+    step = max(1, round(_APART / record.period))
+    if len(record.t) <= 2 * step:
+        return []
+    moved = {n: record[n][2 * step :] - 2 * record[n][step:-step] + record[n][: -2 * step] for n in present}
+    grains = {name: grain_of(record[name]) for name in present}
+    findings: list[Finding] = []
+    for name in present:
+        x, others = record[name], [other for other in present if other != name]
+        first, last = max(runs(np.diff(x) == 0), key=lambda run: run[1] - run[0], default=(0, 0))
+        inside = np.zeros(len(record.t) - 2 * step, dtype=bool)
+        inside[first : max(first, last - 2 * step)] = True
+        if record.t[last] - record.t[first] < _STUCK or not others or not inside.any() or inside.all():
+            continue
+
+        def moves(name: str, rows: Mask) -> float:
+            return float(moved[name][rows].std()) / max(grains[name], 1e-300)
+
+        there = record.on_wheels(record.t[first : last + 1]).all()
+        if name == GYRO:
+            there |= abs(x[first] - float(np.median(np.delete(x, slice(first, last))))) > _ACTIVE * grains[name]
+        at_limit = abs(x[first]) > 0.995 * float(np.abs(x).max())
+        if not there or at_limit or moves(name, ~inside) < _ACTIVE:
+            continue
+        if all(moves(other, inside) > max(_ACTIVE, _AS_BEFORE * moves(other, ~inside)) for other in others):
+            span = f"from {record.t[first]:.2f} to {record.t[last]:.2f} s"
+            evidence = f"it reads {x[first]:.4g} {span}, while the other sensors move on"
+            findings.append(
+                error("channel/stuck", name, evidence, "check the sensor and its cable; leave these rows out")
+            )
     return findings
 
 

@@ -6,12 +6,11 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from upright.calibrate.calibration import NORMAL, VERDICTS, VISIBLE, Calibration, Estimate
+from upright.calibrate.calibration import GOOD, NORMAL, VERDICTS, VISIBLE, Calibration, Estimate
 from upright.plotting import COLOURS, INK, SMALL, legend, line, number, panels, rows_of, span
 from upright.report.figure import Figure
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import least, sentence, spoken
-from upright.validate.validation import GOOD
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as MplFigure

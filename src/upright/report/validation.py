@@ -7,14 +7,13 @@ from collections.abc import Collection, Sequence
 
 import numpy as np
 
-from upright.calibrate.calibration import PREDICTED
+from upright.calibrate.calibration import GOOD, PREDICTED
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import least as least_of
 from upright.tables import sentence
 from upright.validate.validation import (
     DOES_NOT,
-    GOOD,
     JUDGED,
     PREDICTS,
     ChannelFit,

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.calibrate import SEGMENT, SEGMENT_NOISE, prepared
-from upright.calibrate.calibration import PREDICTED
+from upright.calibrate.calibration import GOOD, PREDICTED
 from upright.calibrate.fitting import EQUATION, Problem, normal_equations, objective
 from upright.calibrate.informativity import effective_fraction
 from upright.calibrate.noise import learn_noise
@@ -40,7 +40,6 @@ from upright.tables import sentence
 from upright.validate.law import CommandLaw, LinearLaw, law_by, law_of, recorded
 from upright.validate.loop import FreeLoop, closed_loop
 from upright.validate.validation import (
-    GOOD,
     LogJudged,
     Shift,
     Validation,

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.atomic import finite
-from upright.calibrate.calibration import PREDICTED, Segments
+from upright.calibrate.calibration import GOOD, PREDICTED, Segments
 from upright.calibrate.own_run import RunEffect
 from upright.tables import Shown, joined
 from upright.tables import least as least_of
@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 
 PREDICTS, PARTLY, DOES_NOT = "predicts", "predicts in part", "does not predict"
 JUDGED = "predicts what could be judged"
-GOOD = 0.9
-"""[1] R² of half seconds from which a channel is predicted."""
 SHOWN = 3  # shifts in a report
 
 
