@@ -19,22 +19,22 @@ from upright.kernel.batch import FleetBatch, parameters_of, silent
 from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
 
-PATIENCE = 20.0  # [s] for a busy machine; alone it takes half a second
+PATIENCE = 180.0  # [s] for a busy machine; alone it takes half a second
 
 SLEEPS = {
-    "Python": "time.sleep(60)",
-    "C that lets other threads run": "import ctypes; ctypes.CDLL(None).sleep(60)",
+    "Python": "time.sleep(600)",
+    "C that lets other threads run": "import ctypes; ctypes.CDLL(None).sleep(600)",
     "a handler that swallows": """
 while True:
     try:
-        time.sleep(60)
+        time.sleep(600)
     except BaseException:
         pass
 """,
     "a callback from C, whose exceptions are lost": """
 import ctypes
 def called(a, b):
-    time.sleep(60)
+    time.sleep(600)
     return 0
 made = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)(called)
 ctypes.CDLL(None).qsort(ctypes.create_string_buffer(16), 2, 8, made)
@@ -42,12 +42,12 @@ ctypes.CDLL(None).qsort(ctypes.create_string_buffer(16), 2, 8, made)
     "a pool of threads": """
 from concurrent.futures import ThreadPoolExecutor
 with ThreadPoolExecutor(2) as pool:
-    list(pool.map(time.sleep, [60] * 4))
+    list(pool.map(time.sleep, [600] * 4))
 """,
     "what waits for threads at the end": """
 import threading
-threading.Thread(target=time.sleep, args=(60,)).start()
-time.sleep(60)
+threading.Thread(target=time.sleep, args=(600,)).start()
+time.sleep(600)
 """,
 }
 
@@ -94,7 +94,7 @@ def test_a_run_ends_whatever_it_does_and_leaves_nothing(body: str, number: signa
 
 
 def test_a_run_that_swallows_the_signal_and_ends_still_writes_nothing(tmp_path: Path) -> None:
-    process = child("try:\n    time.sleep(60)\nexcept BaseException:\n    pass", tmp_path)
+    process = child("try:\n    time.sleep(600)\nexcept BaseException:\n    pass", tmp_path)
     process.send_signal(signal.SIGINT)
     assert process.wait(PATIENCE) == 130
     assert list(tmp_path.iterdir()) == []
@@ -113,7 +113,7 @@ def test_a_motor_is_stopped_first(tmp_path: Path) -> None:
 with interrupts.patience():
     try:
         ready()
-        time.sleep(60)
+        time.sleep(600)
     finally:
         time.sleep(1.5)
         open("stopped", "w").close()
@@ -125,7 +125,7 @@ with interrupts.patience():
 
 
 def test_a_killed_run_leaves_what_the_next_one_removes(tmp_path: Path) -> None:
-    killed, alive = (child("time.sleep(60)", tmp_path) for _ in range(2))
+    killed, alive = (child("time.sleep(600)", tmp_path) for _ in range(2))
     killed.kill()
     killed.wait()
     before = set(tmp_path.iterdir())

@@ -50,11 +50,11 @@ class Served:
 
     def close(self) -> None:
         self.server.should_exit = True
-        self.thread.join(10)
+        self.thread.join(WAIT)
         self.hub.close()
 
     def connect(self, data: str = "") -> socket.socket:
-        made = socket.create_connection((self.lab.host, self.lab.port), timeout=20)
+        made = socket.create_connection((self.lab.host, self.lab.port), timeout=WAIT)
         made.sendall(data.format(host=f"{self.lab.host}:{self.lab.port}").encode())
         return made
 
@@ -71,6 +71,9 @@ class Served:
             return made.recv(100)
 
 
+WAIT = 120.0  # [s] for what comes at once on a machine that is not busy
+
+
 @pytest.fixture
 def patient(monkeypatch: Any) -> None:
     monkeypatch.setattr(connections, "PATIENCE", 0.3)
@@ -83,7 +86,7 @@ def served(patient: None) -> Iterator[Served]:
     made.close()
 
 
-def ended(sock: socket.socket, seconds: float = 10.0) -> bool:
+def ended(sock: socket.socket, seconds: float = WAIT) -> bool:
     """Whether the server ends the connection, whatever it says before."""
     sock.settimeout(seconds)
     with contextlib.suppress(ConnectionError):
@@ -103,17 +106,23 @@ def test_a_connection_that_says_nothing_whole_is_ended(served, data):
         assert ended(made)
 
 
-def test_a_page_stays(served):
+def test_a_page_stays(served, monkeypatch):
     """What has said Hello is kept, whether it says more or not."""
+    from websockets.exceptions import WebSocketException
     from websockets.sync.client import connect
 
     address = f"ws://{served.lab.host}:{served.lab.port}/ws"
-    with connect(address) as made:
-        made.send(encode(Hello(VERSION)))
-        assert "Welcome" in str(made.recv(timeout=10))
-        time.sleep(1.0)  # more than three times the patience
-        made.send("nonsense")
-        assert "Notice" in str(made.recv(timeout=10))
+    for patience in (0.3, 1.0, 3.0, 10.0):  # [s] a busy machine may not say Hello in the first of them
+        monkeypatch.setattr(connections, "PATIENCE", patience)
+        with contextlib.suppress(WebSocketException, OSError), connect(address, open_timeout=WAIT) as made:
+            made.send(encode(Hello(VERSION)))
+            if "Welcome" not in str(made.recv(timeout=WAIT)):
+                continue
+            time.sleep(2 * patience)
+            made.send("nonsense")
+            assert "Notice" in str(made.recv(timeout=WAIT))
+            return
+    raise AssertionError("it was not kept")
 
 
 def test_more_connections_than_there_may_be_cost_the_oldest_of_who_has_most(monkeypatch):
@@ -152,19 +161,20 @@ def test_three_hundred_idle_connections_leave_room_for_a_newcomer():
         assert process.stdout
         port = int(process.stdout.readline().split()[-1].rstrip("/").rpartition(":")[2])
         idle = [socket.create_connection(("127.0.0.1", port)) for _ in range(300)]
-        with socket.create_connection(("127.0.0.1", port), timeout=20) as made:
+        with socket.create_connection(("127.0.0.1", port), timeout=WAIT) as made:
             made.sendall(f"GET / HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n\r\n".encode())
             assert b"200 OK" in made.recv(100)
         for sock in idle:
             sock.close()
     finally:
         process.send_signal(signal.SIGINT)
-        complaints = process.communicate(timeout=30)[1]
+        complaints = process.communicate(timeout=WAIT)[1]
     assert complaints == ""
 
 
-def test_a_client_that_never_reads_is_let_go(served):
+def test_a_client_that_never_reads_is_let_go(served, monkeypatch):
     """It sends messages whose answers it does not read: what waits for it is bounded."""
+    monkeypatch.setattr(connections, "PATIENCE", WAIT)  # it says Hello, however slowly
     with served.socket() as made:
         made.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
         frame = bytes([0x81, 0x80 | 2, 0, 0, 0, 0]) + b"[]"
@@ -178,7 +188,7 @@ def test_a_client_that_never_reads_is_let_go(served):
         with contextlib.suppress(OSError):
             made.sendall(frame * 50)
             made.sendall(frame * 50)
-        end = time.monotonic() + 10
+        end = time.monotonic() + WAIT
         while any(entry.clients for entry in served.hub.entries.values()):
             assert time.monotonic() < end
             time.sleep(0.05)
@@ -270,7 +280,7 @@ def test_text_that_is_no_utf_8_is_answered_and_prints_nothing(served, capfd):
     payload = b'{"kind":"\xed\xa0\x80"}'
     with served.socket() as made:
         made.sendall(bytes([0x81, 0x80 | len(payload), 0, 0, 0, 0]) + payload)
-        made.settimeout(10)
+        made.settimeout(WAIT)
         data = b""
         with contextlib.suppress(OSError):
             while more := made.recv(4096):

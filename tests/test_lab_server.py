@@ -375,7 +375,7 @@ def served() -> Iterator[str]:
     address = process.stdout.readline().split()[-1]
     yield address
     process.send_signal(signal.SIGINT)
-    _, said = process.communicate(timeout=30)
+    _, said = process.communicate(timeout=180)
     assert process.returncode == 0
     assert said == ""  # whatever was thrown at it
 
@@ -442,7 +442,7 @@ def _page(address: str) -> Iterator[tuple[Any, dict[str, Any]]]:
     """A page that has said hello, over the wire."""
     from websockets.sync.client import connect
 
-    with connect(address.replace("http", "ws") + "ws", max_size=None, close_timeout=1) as socket:
+    with connect(address.replace("http", "ws") + "ws", max_size=None, open_timeout=180, close_timeout=1) as socket:
         _send(socket, {"kind": "Hello", "version": VERSION, "setup": json.loads(encode(Change(MODEL)))["setup"]})
         yield socket, _until(socket, lambda m: m["kind"] == "Welcome")
 
@@ -451,7 +451,7 @@ def _send(socket: Any, message: dict[str, Any]) -> None:
     socket.send(json.dumps(message))
 
 
-def _until(socket: Any, wanted: Callable[[dict[str, Any]], bool], seconds: float = 60.0) -> dict[str, Any]:
+def _until(socket: Any, wanted: Callable[[dict[str, Any]], bool], seconds: float = 180.0) -> dict[str, Any]:
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         message = json.loads(socket.recv(timeout=seconds))

@@ -114,8 +114,8 @@ def test_a_class_is_served_at_the_address_that_is_printed(tmp_path: Path) -> Non
         addresses = dict(lab.stdout.readline().split() for _ in range(2))
         assert set(addresses) == {"students:", "teacher:"}
         for _ in range(3):
-            with urllib.request.urlopen(addresses["students:"].partition("#")[0], timeout=20) as page:
+            with urllib.request.urlopen(addresses["students:"].partition("#")[0], timeout=LONGEST) as page:
                 assert page.status == 200
     finally:
         lab.send_signal(signal.SIGINT)
-        assert lab.wait(timeout=20) in (0, 130)
+        assert lab.wait(timeout=LONGEST) in (0, 130)

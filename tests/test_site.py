@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import json
+import os
 import re
 import subprocess
 import sys
@@ -27,7 +28,9 @@ SHOWN = (
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The whole site, with every notebook executed."""
+    """The whole site, every notebook executed: in the folder `UPRIGHT_SITE`, where CI has built it; or else built."""
+    if built := os.environ.get("UPRIGHT_SITE"):
+        return Path(built)
     folder = tmp_path_factory.mktemp("site") / "site"
     command = [sys.executable, str(ROOT / "docs" / "build.py"), str(folder)]
     ran = subprocess.run(command, capture_output=True, text=True, timeout=1500, check=False)

@@ -95,13 +95,13 @@ def test_ctrl_c_keeps_what_was_answered(tmp_path):
     assert process.stdin
     process.stdin.write("ev3way\nsimulated\n")
     process.stdin.flush()
-    end = time.monotonic() + 60
+    end = time.monotonic() + 180
     while (
         time.monotonic() < end and "where" not in (tmp_path / STATE).read_text() if (tmp_path / STATE).exists() else 1
     ):
         time.sleep(0.05)
     process.send_signal(signal.SIGINT)
-    _, wrong = process.communicate(timeout=30)
+    _, wrong = process.communicate(timeout=180)
     assert process.returncode == 130
     assert "Traceback" not in wrong
     assert json.loads((tmp_path / STATE).read_text())["answers"] == {"robot": "ev3way", "where": "simulated"}
