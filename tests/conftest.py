@@ -152,11 +152,12 @@ def exported_lab(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return page
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def axe(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """axe-core, as the lock of the lab's page pins it."""
-    if (LAB / "node_modules/axe-core").is_dir():
-        return LAB / "node_modules/axe-core/axe.min.js"
+    for web in (LAB, Path(os.environ.get("UPRIGHT_WEB", LAB))):
+        if (web / "node_modules/axe-core").is_dir():
+            return web / "node_modules/axe-core/axe.min.js"
     folder, name = tmp_path_factory.mktemp("axe"), "node_modules/axe-core"
     entry = json.loads((LAB / "package-lock.json").read_text())["packages"][name]
     asked = {"name": "axe", "dependencies": {"axe-core": entry["version"]}}
