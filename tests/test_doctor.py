@@ -16,6 +16,7 @@ from upright.bodies import Electronics
 from upright.bodies.twin import Twin
 from upright.control import lqg
 from upright.doctor.doctor import Diagnosis, doctor
+from upright.doctor.physics import _solved
 from upright.errors import InvalidLog
 from upright.experiment import Hold, run
 from upright.logs.mapping import Mapping, Source
@@ -98,6 +99,11 @@ def test_the_repair_undoes_the_fault(name: str) -> None:
         # A gyro that was summed and differenced is smoothed over two rows: hence a correlation, not equality.
         assert np.corrcoef(same, wanted[channel])[0, 1] > 0.95
         assert same.std() == pytest.approx(wanted[channel].std(), rel=0.15)
+
+
+def test_a_command_that_never_changes_has_no_effect() -> None:
+    none = np.zeros((2, 2)), np.zeros(2)  # its normal equations; they ended a certificate from a log with a traceback
+    assert [_solved(*none, positive=positive).tolist() for positive in (True, False)] == [[0.0, 0.0]] * 2
 
 
 def test_truth_is_not_read() -> None:

@@ -10,7 +10,7 @@ import pytest
 from scipy.linalg import expm
 
 from upright.certify import Loop, analyse, delay_margin, disk_margin, margins, parameter_mu, robot_loop
-from upright.certify.margins import disk_gain, disk_phase
+from upright.certify.margins import disk_gain, disk_phase, sign_changes
 from upright.certify.mu import upper_bound
 from upright.certify.scaling import balanced
 from upright.certify.verdict import linear_margins
@@ -305,3 +305,9 @@ def test_a_robot_inside_the_bound_of_mu_holds(nominal):
         for name, size in (("body_mass", 0.2), ("com_height", 0.03))
     }
     assert robot_loop(NXT.replace(**inside), nominal, IDEAL).stable
+
+
+def test_a_zero_at_the_end_of_an_interval_is_found_where_rounding_gives_it_either_sign() -> None:
+    # f is 1e-15 there alone; among many frequencies it was −1e-17, as sums in another order may be
+    places = sign_changes(lambda w: w - 1.0, np.array([1.0 + 1e-15, 2.0]), np.array([-1e-17, 1.0]))
+    assert places == pytest.approx([1.0])

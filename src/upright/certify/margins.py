@@ -177,7 +177,7 @@ def _scalar_margins(system: LinearModel, channel: str, *, peaks: bool) -> Margin
     grid = frequencies(system.dt)
     loop = scalar(grid)
     low, high = _gain_interval(system, scalar, grid, loop)
-    crossings = _roots(lambda w: np.abs(scalar(w)) - 1, grid, np.abs(loop) - 1)
+    crossings = sign_changes(lambda w: np.abs(scalar(w)) - 1, grid, np.abs(loop) - 1)
     lag = np.mod(np.angle(scalar(crossings)) + math.pi, 2 * math.pi) if len(crossings) else np.empty(0)
     phase = float(np.minimum(lag, 2 * math.pi - lag).min(initial=math.inf))
     delay = float((lag / crossings).min(initial=math.inf)) if len(crossings) else math.inf
@@ -207,7 +207,7 @@ def _gain_interval(system: LinearModel, scalar: ScalarLoop, grid: Array, loop: C
     between = _between(real_frequencies(system))
     split = np.append(grid, between)
     order = np.argsort(split)
-    crossings = _roots(lambda w: scalar(w).imag, split[order], np.append(loop, scalar(between)).imag[order])
+    crossings = sign_changes(lambda w: scalar(w).imag, split[order], np.append(loop, scalar(between)).imag[order])
     ends = [_at_zero(system), system.D[0, 0] if system.continuous else scalar(grid[-1:])[0].real]
     real = np.append(scalar(crossings).real, ends)
     factors = -1 / real[(real < 0) & (real > -_UNBOUNDED)]
@@ -243,7 +243,8 @@ def _at_zero(system: LinearModel) -> float:
         return math.inf
 
 
-def _roots(f: Callable[[Array], Array], grid: Array, values: Array) -> Array:
+def sign_changes(f: Callable[[Array], Array], grid: Array, values: Array) -> Array:
+    """Where f changes its sign between two points of the grid, at which it has these `values`."""
     from scipy.optimize import brentq
 
     changes = np.flatnonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))
@@ -251,7 +252,13 @@ def _roots(f: Callable[[Array], Array], grid: Array, values: Array) -> Array:
     def at(w: float) -> float:
         return float(f(np.array([w]))[0])
 
-    return np.array([brentq(at, grid[i], grid[i + 1], xtol=1e-12) for i in changes], dtype=np.float64)
+    def root(a: float, b: float) -> float:
+        try:
+            return float(brentq(at, a, b, xtol=1e-12))
+        except ValueError:  # zero to rounding at one end, where one frequency alone and many give either sign
+            return min(a, b, key=lambda w: abs(at(w)))
+
+    return np.array([root(grid[i], grid[i + 1]) for i in changes], dtype=np.float64)
 
 
 def peak(f: Callable[[Array], Array], grid: Array, values: Array | None = None) -> float:

@@ -205,7 +205,8 @@ def _solved(gram: Array, side: Array, positive: bool) -> Array:
         return np.asarray(np.linalg.lstsq(gram, side, rcond=1e-12)[0], dtype=np.float64)
     from scipy.optimize import nnls
 
-    factor = np.linalg.cholesky(gram + 1e-12 * np.trace(gram) * np.eye(len(gram)))
+    # of a command that never changes the matrix is zero
+    factor = np.linalg.cholesky(gram + 1e-12 * (np.trace(gram) or 1.0) * np.eye(len(gram)))
     return nnls(factor.T, np.linalg.solve(factor, side))[0]
 
 
