@@ -254,7 +254,8 @@ def sign_changes(f: Callable[[Array], Array], grid: Array, values: Array) -> Arr
 
     def root(a: float, b: float) -> float:
         try:
-            return float(brentq(at, a, b, xtol=1e-12))
+            place: Any = brentq(at, a, b, xtol=1e-12)
+            return float(place)
         except ValueError:  # zero to rounding at one end, where one frequency alone and many give either sign
             return min(a, b, key=lambda w: abs(at(w)))
 
