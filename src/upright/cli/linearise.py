@@ -53,9 +53,9 @@ def linearise(
     drift = {name: rate for name, rate in rates if abs(rate) > DRIFT and name not in STEADY}
     linear = linear if period is None else linear.c2d(period)
     if report:
-        from upright.report.checked import linear_title
+        from upright.report.checked import linear_page
 
-        write_page(linear, report, linear_title(linear, chosen.name))
+        write_page(linear_page(linear, chosen), report)
     finish(linear, as_json, output=output, written=[report])
     if drift and not as_json:
         rates = ", ".join(f"{name} {rate:+.4g}" for name, rate in drift.items())

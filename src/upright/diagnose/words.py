@@ -111,8 +111,8 @@ def of_push(evidence: Evidence, push: PushEstimate, lean: float) -> str:
     return (
         f"a push {way} of {abs(push.impulse):.2g} N s at t = {push.start:.2f} s, "
         f"{1e3 * (push.stop - push.start):.2g} ms long, explains {most(evidence.pushes_only.explained)} of the "
-        f"innovations. With later pushes it causes a lean of {caused:.2g}°, its speed included; the motors bring back "
-        f"{largest:.2g}° at most"
+        f"innovations. With what pushes later it brings the robot to {caused:.2g}° of lean, speed counted as lean; the "
+        f"motors bring back {largest:.2g}° at most"
     )
 
 

@@ -235,12 +235,11 @@ def grain(record: Record) -> list[Finding]:
         step = grain_of(record[name])
         if m is None or step <= 0:
             continue
+        alike = ", both encoders" if abs(grain_of(record[RIGHT]) - grain_of(record[LEFT])) < 0.01 * step else ""
         rate = float(smooth(values, m.period, widths(m.period)[0], 1).std())
         noise = step / np.sqrt(6) / m.period
-        evidence = (
-            f"{2 * np.pi / step:.0f} counts per turn (steps of {step:.3g} rad) are coarse: a rate from two rows has a "
-        )
-        evidence += f"noise of {noise:.2g} rad/s, the motion has {rate:.2g} rad/s"
+        evidence = f"{2 * np.pi / step:.0f} counts per turn (steps of {step:.3g} rad{alike}) are coarse: a rate from "
+        evidence += f"two rows has a noise of {noise:.2g} rad/s, the motion has {rate:.2g} rad/s"
         if step > _COARSE:
             findings.append(warning("encoder/grain", name, evidence, "fit the angles, not their differences"))
         elif noise > 0.3 * rate and name == LEFT:

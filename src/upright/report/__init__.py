@@ -41,7 +41,9 @@ def report(result: Any, path: str | Path, *, title: str = "", command: str = "")
 
 
 def page_of(result: Any) -> Page:
-    """The page of a result, not yet written."""
+    """The page of a result, not yet written; a page is its own."""
+    if isinstance(result, Page):
+        return result
     file = next((PAGES[c.__name__] for c in type(result).__mro__ if c.__name__ in PAGES), None)
     if file is None:
         raise UprightError(f"{type(result).__name__} has no page", expected="a result: " + ", ".join(PAGES))

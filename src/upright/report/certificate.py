@@ -85,7 +85,9 @@ def _falls(c: Certificate) -> Figure:
     most = max(c.trials, key=lambda t: t.fell / t.runs)
     if most.fell:
         percent = number(100 * most.fell / most.runs, 3)
-        worst = f"worst: {in_degrees(most.push)}, {most.battery} battery, {percent} %"
+        alike = sum(t.fell * most.runs == most.fell * t.runs for t in c.trials) - 1
+        others = f", and {alike} more" if alike else ""
+        worst = f"worst: {in_degrees(most.push)}, {most.battery} battery{others}, {percent} %"
         limit = f"Every push is below the limit of {allowed}" if c.bound <= MOST_FALLS else f"The limit is {allowed}"
         return Figure(f"{limit}; {worst}", c.plot())
     return Figure(f"No robot fell in {sum(t.runs for t in c.trials)} trials: how far 95 % of them rolled", c.plot())
@@ -101,7 +103,8 @@ def _intro(c: Certificate) -> str:
         f"{c.fell} fell in at least one trial: with 95 % confidence the probability is below {100 * c.bound:.2g} %. "
         f"Largest recoverable: the largest such push that any controller could survive with that battery. Holds are "
         f"{100 * HELD:g} % of it, knocks {100 * KNOCKED:g} %. Hopeless: of those that fell, what no controller "
-        f"could have saved. The last four columns are 95 % quantiles of the robots that stood.{last}"
+        f"could have saved. The last four columns are 95 % quantiles of the robots that stood. Sway is half of pitch's "
+        f"range in the last seconds.{last}"
     )
 
 
@@ -150,7 +153,9 @@ def _linear(margins: LinearMargins) -> Table:
         ["gain margin, to", margins.gain_high],
         ["delay margin [ms]", margins.delay * 1e3],
     ]
-    return Table(["", "value"], rows, "Smallest linear margins of all loops", 4)
+    return Table(
+        ["", "value"], rows, "Each the smallest of all places where the loop can be opened: motors, sensors", 4
+    )
 
 
 def _support(c: Certificate) -> Table:
@@ -192,7 +197,11 @@ def _figure(name: str, swept: Sequence[Swept], title: str, note: str, designed: 
         )
     top = min(105.0, max(10.0, 1.3 * max(parts)))
     ax.set_ylim(-0.05 * top, top)
-    return Figure(f"{title}: {fallen(milliseconds, parts)}", figure, f"{swept[0].runs} runs each. {note}".strip())
+    ax.axhline(100 * MOST_FALLS, linestyle="--", linewidth=1, color=AXIS)
+    ax.annotate("limit", (1, 100 * MOST_FALLS), (-4, 4), xycoords=("axes fraction", "data"), ha="right",
+                textcoords="offset points")  # fmt: skip
+    runs = f"{swept[0].runs} runs each: some of the robots, every push, the battery of the kit."
+    return Figure(f"{title}: {fallen(milliseconds, parts)}", figure, f"{runs} {note}".strip())
 
 
 def fallen(values: Sequence[float], parts: Sequence[float]) -> str:

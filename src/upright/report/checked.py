@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -14,6 +16,7 @@ from upright.physics.linear import Complex, LinearModel
 from upright.plotting import AXIS, COLOURS, PANEL, bars, legend, number, numbered, panels, plane, points
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
+from upright.robots import Robot
 from upright.tables import sentence
 
 
@@ -43,6 +46,7 @@ def _diagnosis(result: Diagnosis) -> Page:
         [Verdict(f.severity, level[f.severity]), _channel(f), sentence(f.evidence), f.repair] for f in result.findings
     ]
     columns: list[list[Cell]] = [[name, source.column] for name, source in result.mapping.channels.items()]
+    renamed = any(name != column for name, column in columns)
     drawn = result.plot()
     poses = ", ".join(dict.fromkeys(segment.kind for segment in result.segments))
     counted = "no fault found" if not faults else "1 fault" if faults == 1 else f"{faults} faults"
@@ -53,7 +57,7 @@ def _diagnosis(result: Diagnosis) -> Page:
         [
             Section("Findings", [Table(["", "channel", "evidence", "what to do"], rows)]),
             Section("Checks", [Table(["check", "result", "measured"], [[*c, values.get(c[0], "")] for c in checks])]),
-            Section("Columns of the log", [Table(["channel", "column"], columns)], folded=True),
+            *([Section("Columns of the log", [Table(["channel", "column"], columns)], folded=True)] if renamed else []),
         ],
         _advice(result, faults),
         {"columns read as": _mapped(result.mapping.name), "rows": str(result.rows)}, False,
@@ -89,7 +93,7 @@ def _channel(finding: Finding) -> str:
 
 AGREED = {
     "signs and sides": "commands, wheels and gyro agree", "rates and angles": "no rate is an angle, no angle a rate",
-    "delays": "no reading comes late",
+    "delays": "gyro, wheels and commands: none late",
 }  # fmt: skip
 """What it means that a check without a number of its own found nothing."""
 
@@ -104,7 +108,7 @@ def _values(result: Diagnosis) -> dict[str, str]:
         jitter = 1e3 * float(ordinary.std())
         values["time stamps"] = f"jitter {cell_text(jitter, 2)} ms" if jitter > 1e-3 else "no jitter"
     values["rows"] = str(result.rows)
-    values["readings"] = f"{len(record.channels)} columns"
+    values["readings"] = f"all numbers, in {len(record.channels)} columns" if passed["readings"] == "ok" else ""
     if GYRO in record:
         unit, gyro = record.units.get(GYRO, "1"), record[GYRO][np.isfinite(record[GYRO])]
         if len(gyro):
@@ -159,10 +163,13 @@ def _parity(result: Parity) -> Page:
 
 
 SYMBOLS = {"pitch": "ψ", "pitch_rate": "ψ̇", "wheel": "θ", "wheel_rate": "θ̇", "yaw": "φ", "yaw_rate": "φ̇"}
-_SYMBOLS = (
-    "ψ pitch, θ wheel angle, φ yaw [rad], and with a dot their rates [rad/s]. Commands are in V, or in N m for a robot "
-    "with a torque drive."
-)
+_SYMBOLS = "ψ pitch, θ wheel angle, φ yaw [rad], and with a dot their rates [rad/s]. Commands are in {unit}."
+
+
+def linear_page(model: LinearModel, robot: Robot) -> Page:
+    """The page of the linear model of a `robot`, which is named on it."""
+    page = _linear(model, robot.command_unit)
+    return replace(page, title=linear_title(model, robot.name), provenance={"robot": robot.name})
 
 
 def linear_title(model: LinearModel, robot: str = "the robot") -> str:
@@ -187,11 +194,12 @@ def _doubling(rate: float) -> str:
     return f"{cell_text(1e3 * seconds, 2)} ms" if seconds < 1 else f"{cell_text(seconds, 2)} s"
 
 
-def _linear(model: LinearModel) -> Page:
+def _linear(model: LinearModel, unit_of_command: str = "V, or in N m for a robot with a torque drive") -> Page:
     poles = model.poles()
     unit = "1/s" if model.continuous else "1"
     unstable = _unstable(model)
-    rows: list[list[Cell]] = [[p.real, p.imag] for p in poles.tolist()]
+    motions = _motions(model, poles)
+    rows: list[list[Cell]] = [[p.real, p.imag, of] for p, of in zip(poles.tolist(), motions, strict=True)]
     named = [SYMBOLS.get(state, state) for state in model.states]
     rates = [f"d{name}/dt" if model.continuous else f"next {name}" for name in named]
     matrices = [
@@ -202,7 +210,7 @@ def _linear(model: LinearModel) -> Page:
             ("B: from each command (column)", [f"{name} command" for name in model.inputs], model.B),
         )
     ]  # fmt: skip
-    legend_of = [_SYMBOLS] if set(model.states) <= set(SYMBOLS) else []
+    legend_of = [_SYMBOLS.format(unit=unit_of_command)] if set(model.states) <= set(SYMBOLS) else []
     count = f"{len(unstable)} of {len(poles)} poles {'is' if len(unstable) == 1 else 'are'} unstable"
     fastest = _fastest(model)
     doubles = _doubling(fastest) if unstable else ""
@@ -216,15 +224,36 @@ def _linear(model: LinearModel) -> Page:
         linear_title(model),
         [
             Section("Matrices", [*legend_of, *matrices]),
-            Section("Poles", [Table([f"real part [{unit}]", f"imaginary part [{unit}]"], rows)]),
+            Section("Poles", [Table([f"real part [{unit}]", f"imaginary part [{unit}]", "motion"], rows)]),
         ],
         f"The linear model near the upright rest, {equation}. {count}. Next: `upright design` a controller.", {}, False,
         verdict=Verdict("unstable without control" if unstable else "stable", "info"),
-        picture=_pole_figure(poles, model.continuous, count), numbers=numbers,
+        picture=_pole_figure(poles, model.continuous, count, motions), numbers=numbers,
     )  # fmt: skip
 
 
-def _pole_figure(poles: Complex, continuous: bool, count: str) -> Figure:
+TURNING = ("yaw", "yaw_rate")
+
+
+def _motions(model: LinearModel, poles: Complex) -> list[str]:
+    """What moves with each pole, where the model keeps turning and balancing apart; '' where it does not."""
+    turning = np.array([state in TURNING for state in model.states])
+    if not turning.any() or turning.all() or model.A[np.ix_(turning, ~turning)].any() or (
+        model.A[np.ix_(~turning, turning)].any()
+    ):  # fmt: skip
+        return [""] * len(poles)
+    left = list(np.linalg.eigvals(model.A[np.ix_(turning, turning)]))
+    motions: list[str] = []
+    for pole in poles.tolist():
+        near = min(range(len(left)), key=lambda k, p=pole: abs(left[k] - p), default=-1)
+        turns = near >= 0 and abs(left[near] - pole) < 1e-6 * (1 + abs(pole))
+        motions.append("yaw" if turns else "pitch and wheels")
+        if turns:
+            del left[near]
+    return motions
+
+
+def _pole_figure(poles: Complex, continuous: bool, count: str, motions: Sequence[str]) -> Figure:
     """The poles; of a continuous model over a real axis that is logarithmic away from zero, so that fast poles do not
     hide the slow ones, with a line at zero."""
     if not continuous:
@@ -251,7 +280,9 @@ def _pole_figure(poles: Complex, continuous: bool, count: str) -> Figure:
             marks.set_markeredgewidth(2.2)
     several = Counter(complex(round(p.real, 6), round(p.imag, 6)) for p in poles.tolist())
     for place, pole in enumerate(sorted(several, key=lambda p: p.real)):
-        text = number(pole.real, 3) + (f" ({several[pole]} poles)" if several[pole] > 1 else "")
+        same = {of for p, of in zip(poles.tolist(), motions, strict=True) if abs(p - pole) < 1e-5}
+        words = [f"{several[pole]} poles"] if several[pole] > 1 else ["yaw"] if same == {"yaw"} else []
+        text = number(pole.real, 3) + "".join(f" ({word})" for word in words)
         beside = 6 if pole.real == 0 else 0  # not on the line at zero
         above = (beside, -18) if place % 2 else (beside, 9)  # neighbours do not overlap
         ax.annotate(text, (pole.real, pole.imag), above, textcoords="offset points", ha="left" if beside else "center")

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.fleet.results import origin_of
-from upright.plotting import COLOURS, GRID, colour_map, edges, legend, line, number, panels, round_levels
+from upright.plotting import COLOURS, GRID, INK, colour_map, edges, legend, line, number, panels, round_levels
 from upright.report.campaign import provenance
 from upright.report.figure import Figure
 from upright.report.page import Page, Section, Verdict, cell_text
@@ -137,11 +137,11 @@ def basin_figure(data: Dataset) -> Figure:
     _zoom(drawing.axes[0], x, y, recovered)
     if math.isfinite(low):
         ends = [scale[across] * low, scale[across] * high]
-        drawing.axes[0].plot(ends, [0, 0], "k|-", linewidth=2, markersize=12)
+        drawing.axes[0].plot(ends, [0, 0], "|-", color=INK, linewidth=2, markersize=12)
         for end, side in zip(ends, ("right", "left"), strict=True):
             text = f"{number(round(end, 1), 2)}{'°' if scale[across] > 1 else ''}"
             drawing.axes[0].annotate(
-                text, (end, 0), (-6 if side == "right" else 6, 4), textcoords="offset points", ha=side, color="black"
+                text, (end, 0), (-6 if side == "right" else 6, 4), textcoords="offset points", ha=side, color=INK
             )
     _ticks(drawing.axes[0], scale[across] > 1)
     if not family:
@@ -188,9 +188,10 @@ def push_map_page(data: Dataset) -> Page:
     low, duration = float(values[row, column, way]), float(data["duration"].values[column])
     height = float(data["height"].values[row])
     lead = (
-        f"Found by pushing one robot {' and '.join(data['direction'].values.tolist())}, harder and harder, within "
-        f"{100 * search['tolerance']:g} %. It survives a push if "
-        f"it still stands {search['watch']:g} s later. {low:.2g} N s stops a tennis ball of {low / BALL:.2g} m/s. "
+        f"Pushed {' and '.join(data['direction'].values.tolist())} for {_ends(data, 'duration', 1e3)} ms, "
+        f"{_ends(data, 'height')} m above the axle, harder and harder, within {100 * search['tolerance']:g} %. It "
+        f"survives a push if it still stands {search['watch']:g} s later. {low:.2g} N s stops a tennis ball of "
+        f"{low / BALL:.2g} m/s. "
         "Next: `upright certify`, for slightly different robots."
     )
     first, *rest = push_map_figures(data)
@@ -213,6 +214,12 @@ def push_map_page(data: Dataset) -> Page:
     return Page(title, sections, lead, provenance(data), False, verdict=verdict, picture=first, numbers=numbers)
 
 
+def _ends(data: Dataset, name: str, scale: float = 1.0) -> str:
+    """From where to where an axis reaches."""
+    values = scale * data[name].values
+    return " to ".join(number(float(end), 2) for end in (values.min(), values.max()))
+
+
 BALL = 0.058  # [kg] of a tennis ball
 
 
@@ -229,7 +236,8 @@ def basin_page(data: Dataset) -> Page:
     )  # fmt: skip
     kind = (origin.get("controller") or {}).get("kind", "")
     lead = (
-        f"Recovers: still standing {origin['scenario']['seconds']:g} s later{f', under {kind}' if kind else ''}. "
+        f"Recovers: still standing {origin['scenario']['seconds']:g} s later{f', under {kind}' if kind else ''}. All "
+        "other states are zero at the start. "
         "Next: `upright push-map`, which asks for pushes instead."
     )
     step = float(np.diff(data[across].values).mean()) if data[across].size > 1 else 0.0
@@ -249,7 +257,9 @@ def basin_page(data: Dataset) -> Page:
         if best < math.pi / 2:
             text = "largest lean from which any controller could save it, by the linear model"
             numbers.append((f"±{_in_degrees(best, data, across)}", text))
-        numbers.append((ends, f"{up.replace('_', ' ')} from which it recovers, where {words} is zero"))
+        least = float(np.diff(data[up].values).mean()) if data[up].size > 1 else 0.0
+        text = f"{up.replace('_', ' ')} from which it recovers, where {words} is zero"
+        numbers.append((f"{ends} (±{_in_degrees(least, data, up)})", text))
     return Page(
         title, [], lead, provenance(data), False, verdict=Verdict("limits of one robot", "info"),
         picture=basin_figure(data), numbers=numbers,

@@ -10,7 +10,7 @@ import numpy as np
 from upright.diagnose import PostMortem
 from upright.diagnose.causes import NO_FALL
 from upright.diagnose.fall import LEANING
-from upright.plotting import INK, line, numbered, panels, span
+from upright.plotting import INK, line, number, numbered, panels, span
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict
 from upright.tables import sentence
@@ -46,10 +46,10 @@ def page_of(result: PostMortem) -> Page:
 
 _READ = (
     "Shaded: from the onset to the fall. Dashed in the first panel: 40°, which counts as the fall. The second panel "
-    "divides the lean by the largest one that the motors can recover from; dashed: the point of no return. The "
-    "third panel is what the controller requests, cut at {cut:g} times what the motors give. The last panel compares "
-    "the readings with what the model expects, over a tenth of a second. Without faults it stays below the dashed line "
-    "in 39 of 40 cases or more."
+    "divides the lean, its speed included, by the largest one that the motors can recover from. Dashed there: the "
+    "point of no return. The third panel is what the controller requests, cut at {cut:g} times what the motors give. "
+    "The last panel compares the readings with what the model expects, over a tenth of a second. Without faults it "
+    "stays below the dashed line in 39 of 40 cases or more."
 )
 
 
@@ -126,12 +126,14 @@ def _causes(result: PostMortem) -> Table:
         for c in result.causes
         if c.likelihood >= SHOWN
     ]
+    if rest := 100 - sum(round(100 * c.likelihood) for c in result.causes if c.likelihood >= SHOWN):
+        rows.append(["all others", f"{rest} %", "", ""])
     return Table(["cause", "probability", "evidence", "repair"], rows)
 
 
 def _figure(result: PostMortem) -> Figure:
     s = result.series
-    labels = ["pitch [°]", "lean / largest lean to recover from [1]",
+    labels = ["pitch [°]", "lean with its speed / what can be recovered [1]",
               "requested command / what the motors give [1]", "error of the readings² / expected [1]"]  # fmt: skip
     figure, axes = panels(labels)
     pitch, reach, command, nis = axes
@@ -149,7 +151,7 @@ def _figure(result: PostMortem) -> Figure:
     numbered(nis.yaxis)
     line(nis, "error", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
     if math.isfinite(s.high) and s.high > 0:
-        _level(nis, s.t, s.high, "usual, up to here")
+        _level(nis, s.t, s.high, f"usual, up to {number(s.high, 2)}")
     command.set_ylim(-1.5, 1.5)
     reach.set_ylim(0, 1.5)
     known = result.fell and math.isfinite(result.onset)
@@ -157,8 +159,7 @@ def _figure(result: PostMortem) -> Figure:
         return Figure("The last seconds", figure)
     if (lost := _lost(result)) is not None:
         reach.plot(lost, 1.0, "o", color=INK, markersize=6)
-        after = f"{lost - result.onset:.2g} s after the first sign"
-        reach.annotate(after, (lost, 1.0), (8, -12), textcoords="offset points")
+        reach.annotate(f"after {lost - result.onset:.2g} s", (lost, 1.0), (8, -12), textcoords="offset points")
     span(axes, max(result.onset, float(s.t[0])), result.fell_at, "_trouble")
     start = max(float(s.t[0]), result.onset - max(BEFORE, result.fell_at - result.onset))
     axes[0].set_xlim(start, min(float(s.t[-1]), result.fell_at + AFTER))
