@@ -353,7 +353,8 @@ def test_a_log_is_uploaded_and_a_report_downloaded(page, tmp_path):
     tab(page, "Identify")
     page.set_input_files("[data-key=open-log]", str(tmp_path / "mine.csv"))
     until(page, "upright.store.found?.job === 'doctor'")
-    until(page, "document.querySelector('.result')?.textContent.includes('in-mine.csv')")
+    until(page, "document.querySelector('.result')?.textContent.includes('mine.csv')")
+    assert "in-mine" not in page.inner_text(".result")  # the name that the user gave
     with page.expect_download() as fetched:
         page.click("[data-key=compare]")
     report = Path(fetched.value.path()).read_text("utf-8")

@@ -20,12 +20,12 @@ export class Strip {
     this.root = h("figure", { className: "strip", role: "group", "aria-label": `${title} [${unit}]` }, h("figcaption", {}, h("b", {}, title), h("span", {}, unit)), box);
     this.plot = new uPlot(
       {
-        width: 300, height, padding: [6, 8, 0, 0],
+        width: 300, height, padding: [6, 18 * scale, 0, 0],
         cursor: { show: false }, legend: { show: false },
         scales: { x: { time: false }, y: { range: (_u, low, high) => around(low, high, floor) } },
         axes: [
-          { ...axis, size: 20 * scale, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : local(`${+v.toFixed(1)} s`))), space: 70 * scale },
-          { ...axis, size: 46 * scale, space: 24 * scale, values: (_u, ticks) => ticks.map((v) => local(String(+v.toPrecision(4)).replace("-", "−"))) },
+          { ...axis, size: 20 * scale, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : local(`${+v.toFixed(1)} s`))), space: 46 * scale },
+          { ...axis, size: 46 * scale, space: 18 * scale, values: (_u, ticks) => ticks.map((v) => local(String(+v.toPrecision(4)).replace("-", "−"))) },
         ],
         series: [{}, ...lines.map((l) => ({ label: l.label, stroke: l.colour, width: (l.width ?? 1.6) * scale, dash: l.dash, points: { show: false }, spanGaps: false }))],
       },

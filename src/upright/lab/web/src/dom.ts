@@ -50,12 +50,13 @@ export function slider(
     type: "range", id, min: String(to(options.low)), max: String(to(options.high)),
     step: String(options.step ?? span / 200), "data-key": options.key ?? "",
   });
+  const whole = (value: number) => (!options.log && Math.abs(value) < 1e-6 * span ? 0 : value); // steps do not add up to 0
   const say = (value: number) => {
     output.textContent = options.show(value);
     input.setAttribute("aria-valuetext", options.show(value));
   };
   input.addEventListener("input", () => {
-    const value = from(Number(input.value));
+    const value = whole(from(Number(input.value)));
     say(value);
     act(value);
   });

@@ -18,7 +18,7 @@ import { Steering } from "./steering";
 import { LEAN, store } from "./store";
 import { ClassPanel } from "./board";
 import "./style.css";
-import { LANGUAGES, choose, fixed, language, named, t, texts, translate, translated } from "./texts";
+import { LANGUAGES, OWN, choose, fixed, language, named, t, texts, translate, translated } from "./texts";
 import { Tour } from "./tour";
 
 const TABS = ["Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour", "Class", "Python"] as const;
@@ -154,6 +154,7 @@ class Page {
       button("?", () => this.help(), { "aria-label": t("help"), title: t("help"), "data-key": "help" }));
     header.querySelector("select")?.setAttribute("aria-label", "Language / Idioma");
     const scene = h("section", { className: "scene", "aria-label": t("scene") }, this.room.element, this.force, this.fell, h("p", { className: "hint" }, t("hint")), this.transport(), this.pushes());
+    new IntersectionObserver(([seen]) => scene.classList.toggle("pinned", !seen.isIntersecting)).observe(scene); // for a phone
     replace(this.app, header, h("main", {}, scene, this.panels(), this.charts.root), this.toasts, this.spoken);
     this.lamp();
     if (store.changed) this.rebuild();
@@ -301,7 +302,7 @@ class Page {
       case "Progress": this.identify.progress(message.job, message.fraction); if (message.job === "certify") this.controller.certifying(message.fraction); break;
       case "JobResult": this.identify.found(); this.toast(translate(message.title), message.ok ? "info" : message.job === "certify" ? "error" : "warn"); if (latestLog && this.tab === "Identify") this.identify.build(); break;
       case "Made": this.keep.made(message.name, message.url.startsWith("blob:") ? message.url : store.files + message.url); this.toast(t("made", { name: message.name }), "info"); break;
-      case "Notice": this.toast(message.key ? named(message.key) : noticed(message.text), message.level); break;
+      case "Notice": this.toast(message.key === OWN ? message.text : message.key ? named(message.key) : noticed(message.text), message.level); break;
       case "Recovered": this.recovered(message.impulse, message.best, message.fell); break;
       case "Board": if (this.tab === "Class") this.classes.update(); break;
     }
@@ -354,7 +355,8 @@ class Page {
   }
 
   private stand(): void {
-    store.send({ kind: "StandUp", pitch: store.setup.controller === "off" ? LEAN : 0 });
+    const falls = store.setup.controller === "off" || store.analysed?.stable === false; // upright it would stand for seconds
+    store.send({ kind: "StandUp", pitch: falls ? LEAN : 0 });
     store.send({ kind: "Play", paused: false, speed: this.speed });
   }
 

@@ -6,7 +6,7 @@ import type { BodyName, Job, Keep, Setup } from "./messages";
 import { exported } from "./exported";
 import { session } from "./remember";
 import { LEAN, STATES, SYMBOLS, UNITS, store } from "./store";
-import { named, t, translate, translated } from "./texts";
+import { OWN, named, t, translate, translated } from "./texts";
 import { legendEntry } from "./charts";
 import { sentence } from "./see";
 
@@ -136,13 +136,19 @@ export class ControllerPanel extends Panel {
   }
 }
 
+/** What the certificate does not know of: it is for the robot as its controller was designed. */
+function changedRobot(): string {
+  if ((store.lit?.light ?? "none") === "none") return "";
+  return (store.setup.payload > 0 ? t("butPayload") : "") + (store.setup.slope ? t("butSlope") : "");
+}
+
 export function certificate(): Node[] {
   const lit = store.lit;
   const light = lit?.light ?? "none";
   const words = light === "none" && lit?.reasons.length ? t("noCertificate") : t(light);
   const lamp = h("span", { className: `lamp ${light}`, "aria-hidden": "true" });
   return [
-    h("h4", {}, t("certificate")), h("p", { className: "lit" }, lamp, h("b", {}, words)),
+    h("h4", {}, t("certificate")), h("p", { className: "lit" }, lamp, h("b", {}, words + changedRobot())),
     ...(lit?.reasons ?? []).map((reason) => h("p", { className: "note" }, sentence(translate(reason)))),
   ];
 }
@@ -267,7 +273,7 @@ let opened: () => void = () => undefined; // called where a log was opened
 
 async function send(file: File, what: "log" | "robot"): Promise<void> {
   const address = `upload/${store.session}?what=${what}&name=${encodeURIComponent(file.name)}`;
-  store.hear({ kind: "Notice", level: "info", text: t("uploaded", { name: file.name }), key: "" });
+  store.hear({ kind: "Notice", level: "info", text: t("uploaded", { name: file.name }), key: OWN });
   try {
     const answer = await fetch(address, { method: "POST", body: file });
     const said = (await answer.json()) as { name?: string; error?: string };
@@ -277,7 +283,7 @@ async function send(file: File, what: "log" | "robot"): Promise<void> {
       opened();
     }
   } catch {
-    store.hear({ kind: "Notice", level: "error", text: t("lost"), key: "" });
+    store.hear({ kind: "Notice", level: "error", text: t("lost"), key: OWN });
   }
 }
 
@@ -285,6 +291,7 @@ export class IdentifyPanel extends Panel {
   private bars = h("div", { className: "bars" });
   private result = h("div", { className: "result", role: "region", "aria-live": "polite" });
   private shares = new Map<Job, number>();
+  private running = new Map<Job, { root: HTMLElement; done: HTMLProgressElement }>();
   private source = "";
 
   constructor() {
@@ -316,25 +323,36 @@ export class IdentifyPanel extends Panel {
   private compare(): void {
     store.send({ kind: "Save", what: "report", name: this.source });
     const text = t([...this.shares.keys()].some((job) => job !== "design") ? "compareWaits" : "comparing");
-    store.hear({ kind: "Notice", level: "info", text, key: "" });
+    store.hear({ kind: "Notice", level: "info", text, key: OWN });
   }
 
   progress(job: Job, share: number): void {
     if (share >= 1) this.shares.delete(job);
     else this.shares.set(job, share);
-    const bars = [...this.shares].filter(([name]) => name !== "design").map(([name, done]) =>
-      h("div", { className: "bar" }, h("span", {}, named(name)), h("progress", { max: 1, value: done, "aria-label": named(name) }),
-        button(t("stop"), () => store.send({ kind: "Cancel", job: name }), { "data-key": `stop-${name}` })));
-    replace(this.bars, ...bars);
+    for (const [name, bar] of this.running) if (!this.shares.has(name)) this.running.delete(name) && bar.root.remove();
+    for (const [name, done] of this.shares) if (name !== "design") this.bar(name).value = done;
+  }
+
+  /** The bar of a job, which stays where it is: who presses Stop presses it on one and the same button. */
+  private bar(job: Job): HTMLProgressElement {
+    const there = this.running.get(job);
+    if (there) return there.done;
+    const label = job.startsWith("keep ") ? t("writing") : named(job);
+    const done = h("progress", { max: 1, "aria-label": label });
+    const root = h("div", { className: "bar" }, h("span", {}, label), done, button(t("stop"), () => store.send({ kind: "Cancel", job }), { "data-key": `stop-${job}` }));
+    this.running.set(job, { root, done });
+    this.bars.append(root);
+    return done;
   }
 
   found(): void {
     const f = store.found;
     if (!f) return;
     const lines = f.text.split("\n").filter(Boolean);
-    const text = lines.map((line) => h("p", { className: "note", lang: translated(line) ? "" : "en" }, translate(line)));
+    const plain = (text: string) => text.replace(/\bin-(?=[\w.-]+\.\w+)/g, "").replace(/\b[a-z]+(_[a-z]+)+\b/g, (name) => name.replaceAll("_", " ")); // names of files and parameters
+    const text = lines.map((line) => h("p", { className: "note", lang: translated(line) ? "" : "en" }, plain(translate(line))));
     const words = (cells: string[]) => cells.map((cell) => translate(f.job === "calibrate" ? cell.replaceAll("_", " ") : cell));
-    replace(this.result, h("h4", {}, translate(f.title)), ...text, f.rows.length ? table(f.header.map(translate), f.rows.map(words)) : null);
+    replace(this.result, h("h4", {}, plain(translate(f.title))), ...text, f.rows.length ? table(f.header.map(translate), f.rows.map(words)) : null);
   }
 }
 
@@ -367,7 +385,7 @@ export class KeepPanel extends Panel {
       if (name.value.trim()) store.send({ kind: "Save", what: "handin", name: name.value.trim() });
       else {
         name.focus();
-        store.hear({ kind: "Notice", level: "info", text: t("nameMissing"), key: "" });
+        store.hear({ kind: "Notice", level: "info", text: t("nameMissing"), key: OWN });
       }
     };
     return h("div", { className: "row hand-in" }, h("label", { "for": id }, t("yourName")), name, button(t("handIn"), send, { "data-key": "keep-handin" }));

@@ -66,6 +66,8 @@ class Figure {
     }
     if (this.look.payload > 0 && full) {
       const side = Math.cbrt(this.look.payload / 2500);
+      const mast = this.look.payload_height - side / 2 - base;
+      if (mast > 0) part(0.008, mast, 0.008, solid("#5c656e", 0.6), 0, base + mast / 2, 0);
       part(side, side, side, solid("#8c5a2b", 0.8), 0, this.look.payload_height, 0);
     }
     this.wheels.forEach((wheel, i) => this.tyre(wheel, i === 0 ? -W / 2 : W / 2, solid, full));
@@ -208,7 +210,7 @@ export class Room implements Stage {
   }
 
   private size(): number {
-    return this.look ? sizeOf(this.look) : 0.25;
+    return this.look ? Math.max(sizeOf(this.look), this.look.payload > 0 ? 1.1 * (this.look.payload_height + this.look.wheel_radius) : 0) : 0.25;
   }
 
   move(s: Snapshot): void {

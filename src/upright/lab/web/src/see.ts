@@ -75,7 +75,7 @@ export class See {
       { label: t("truth"), colour: laneColour(store.changed?.bodies[0] ?? "twin"), dash: [] },
       { label: t("opinion"), colour: push, dash: [4, 3] },
     ];
-    this.strips = [new Strip(`ψ: ${t("truth")} / ${t("opinion")}`, "rad", lines, 190, 0.02)];
+    this.strips = [new Strip(`ψ: ${t("truth")} ──  ${t("opinion")} ╌╌`, "rad", lines, 190, 0.02)];
     replace(this.stage, h("p", { className: "note" }, t("estimateNote")), this.strips[0].root);
   }
 

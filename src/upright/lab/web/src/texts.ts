@@ -29,6 +29,8 @@ export function t(key: Plain, values: Record<string, string | number> = {}): str
   return chosen[key].replace(/\{(\w+)\}/g, (_, name: string) => numeral(String(values[name] ?? "")));
 }
 
+export const OWN = "own"; // key of a notice that is this page's, in the chosen language already
+
 /** A text by a key that comes from the server, or the key itself. */
 export function named(key: string): string {
   const found = (chosen as unknown as Record<string, unknown>)[key];

@@ -27,6 +27,7 @@ const SCENES: Scene[] = [
 export class Tour {
   root = h("div", { className: "panel-body tour" });
   private at = 0;
+  private before: Setup | null = null; // the tour
 
   /** `run` sets the speed. */
   constructor(private run: (speed: number) => void) {}
@@ -43,7 +44,8 @@ export class Tour {
         h("div", { className: "row" },
           button(t("previous"), () => this.move(-1, "previous"), { disabled: this.at === 0, "data-key": "tour-previous" }),
           button(t("tourSet"), () => this.set(), { className: "main", "data-key": "tour-set" }),
-          button(t("next"), () => this.move(1, "next"), { disabled: this.at === SCENES.length - 1, "data-key": "tour-next" }))),
+          button(t("next"), () => this.move(1, "next"), { disabled: this.at === SCENES.length - 1, "data-key": "tour-next" })),
+        this.before ? button(t("tourBack"), () => this.back(), { className: "quiet", "data-key": "tour-back" }) : null),
     );
   }
 
@@ -55,8 +57,22 @@ export class Tour {
     (key(used) ?? key("set"))?.focus();
   }
 
+  /** The robot, controller and speed as they were before the tour. */
+  private back(): void {
+    if (this.before) store.change(this.before);
+    this.before = null;
+    this.run(1);
+    store.send({ kind: "StandUp", pitch: 0 });
+    this.build();
+  }
+
   private set(): void {
     const { setup, lean, speed, strike } = SCENES[this.at];
+    if (!this.before) {
+      this.before = store.setup;
+      this.build();
+      this.root.querySelector<HTMLButtonElement>("[data-key=tour-set]")?.focus();
+    }
     store.change({ ...DEFAULT_SETUP, ...setup });
     this.run(speed ?? 1);
     store.send({ kind: "StandUp", pitch: lean });
