@@ -10,7 +10,7 @@ import pytest
 from scipy.linalg import expm
 
 from upright.certify import Loop, analyse, delay_margin, disk_margin, margins, parameter_mu, robot_loop
-from upright.certify.margins import disk_gain, disk_phase, sign_changes
+from upright.certify.margins import broken_at, disk_gain, disk_phase, sign_changes
 from upright.certify.mu import upper_bound
 from upright.certify.scaling import balanced
 from upright.certify.verdict import linear_margins
@@ -55,13 +55,35 @@ def test_seilers_example_has_its_published_margins():
 
 @pytest.mark.parametrize("system", [SEILER, control.tf(1, [1, 2, 3, 4]), control.tf([2, 3], [1, -1, 0])])
 def test_margins_equal_python_controls(system):
-    gm, pm, sm, _, wp, _ = control.stability_margins(system)
+    gm, pm, sm, wg, wp, _ = control.stability_margins(system)
     found = margins(LinearModel.from_control(system))
     assert [found.gain_high, math.degrees(found.phase)] == pytest.approx(
         [gm, pm] if gm > 1 else [math.inf, pm], rel=1e-5
     )
     assert 1 / found.Ms == pytest.approx(sm, rel=1e-4)  # the peak is refined three times by a fortieth of the grid
     assert found.crossover == pytest.approx(wp, rel=1e-6, nan_ok=True)  # a loop below one has no crossover
+    assert found.phase_at == pytest.approx(wp, rel=1e-6, nan_ok=True)  # each of these loops has one crossover
+    assert (found.gain_high_at if gm > 1 else found.gain_low_at) == pytest.approx(wg, rel=1e-5)
+
+
+def test_each_margin_of_a_loop_with_three_crossovers_has_its_frequency_and_direction():
+    # lqg on the nxtway: at its middle crossover the phase lies beyond −180°, so that a lead tips it over, not a lag;
+    # python-control finds them on a grid of its own, and its negative phase margins are leads
+    kit = Kit.preset("nxt")
+    loop = robot_loop(NXT, make_controller("lqg", NXT, kit, kit.period), kit).at_input
+    found = margins(loop, (1.0, 1.0))
+    scalar = broken_at(loop, np.full(2, math.sqrt(0.5)))
+    omega = np.geomspace(0.01, 300, 3000)
+    frd = control.frd(scalar.response(omega)[:, 0, 0], omega, smooth=True)
+    gains, phases, _, at_gain, at_phase, _ = control.stability_margins(frd, returnall=True)
+    assert len(at_phase) == 3
+    k = int(np.argmin(np.abs(phases)))
+    assert (math.degrees(found.phase), found.phase_at) == pytest.approx((-phases[k], at_phase[k]), rel=1e-3)
+    assert found.leads
+    assert found.delay_at == pytest.approx(at_phase.max(), rel=1e-3)
+    ends = {float(g): float(w) for g, w in zip(gains, at_gain, strict=True)}
+    assert (found.gain_low, found.gain_low_at) == pytest.approx(max(e for e in ends.items() if e[0] < 1), rel=1e-3)
+    assert (found.gain_high, found.gain_high_at) == pytest.approx(min(e for e in ends.items() if e[0] > 1), rel=1e-3)
 
 
 def test_a_gain_margin_at_frequency_zero_is_found():

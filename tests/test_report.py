@@ -24,6 +24,7 @@ from upright.plotting import COLOURS, legend, line, number, numbered, panels, pl
 from upright.report import PAGES, Figure, Formula, Page, Section, Table, Verdict, page_of, report
 from upright.report.page import cell_text
 from upright.signals import STATE_NAMES, Log
+from upright.tables import spoken
 
 SVG = "{http://www.w3.org/2000/svg}"
 VOID = {"meta", "link", "br", "hr", "img", "input"}
@@ -408,3 +409,9 @@ def test_mistakes_in_a_page_are_told():
         Formula("<math><mi>x</math>")
     with pytest.raises(InvalidLog, match="line 'a' has 2 x and 1 y"):
         drawn(([0, 1], [0]))
+
+
+def test_ratios_of_coefficients_keep_their_slash():
+    assert [spoken(name) for name in ("weight_moment/a22", "a22/a11", "delay/gyro", "fleet.com_height")] == [
+        "weight moment/a22", "a22/a11", "gyro delay", "centre of mass height",
+    ]  # fmt: skip

@@ -91,13 +91,15 @@ def joined(names: Sequence[str]) -> str:
 
 SPOKEN = {
     "com_height": "centre of mass height", "asymmetry": "motor asymmetry", "constant_command": "command offset",
-    "coulomb_friction": "Coulomb friction",
+    "coulomb_friction": "Coulomb friction", "weight_moment/a22": "weight moment/a22",
 }  # fmt: skip
 """Names of numbers that need other words, for readers."""
 
 
 def spoken(name: str) -> str:
     """The name of a parameter in words: "com_height" as centre of mass height, "delay/gyro" as gyro delay."""
+    if name in SPOKEN:
+        return SPOKEN[name]
     match = re.fullmatch(r"(?:[a-z_]+\.)*([a-z_]+)(?:/(.+))?", name)
     if not match:
         return name.replace("_", " ")

@@ -28,7 +28,7 @@ QUIET = "too quiet"
 VERDICTS = {
     VISIBLE: "the log halves the prior's uncertainty, or better",
     PRIOR: "the log adds little to the prior; the value is meaningful only together with the others",
-    BOUND: "the estimate is at its bound of zero; the interval is one-sided",
+    BOUND: "the log takes a value that was above zero down to its bound of zero; the interval is one-sided",
     HELD: "the log holds too little information: the value is the prior's",
     QUIET: "the robot moves too little: the value is partly an image of the sensors' steps",
     REFUSED: "the fit does not describe the robot, so that no number of it is determined",

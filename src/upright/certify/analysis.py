@@ -25,6 +25,7 @@ from upright.robots.uncertainty import draw
 from upright.tables import Shown
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
@@ -99,17 +100,21 @@ class Analysis(Shown):
         return sentences + ([f"Parameters within their intervals (μ): the loop {self.mu.words()}"] if self.mu else [])
 
     def plot(self) -> Figure:
-        """Bode diagram of the loop broken at both motors, frequency and magnitude on logarithmic axes."""
-        from upright.plotting import line, numbered, panels
+        """Bode diagram of the loop broken at both motors, with its gain and phase margins where they are."""
+        from upright.plotting import legend, line, numbered, panels
 
         omega, response = broken(self.loop, INPUTS["both motors"])
         figure, (size, phase) = panels(["magnitude [1]", "phase [°]"], "frequency [rad/s]", "log")
         size.set_yscale("log")
         numbered(size.yaxis)
+        angle: Array = np.degrees(np.unwrap(np.angle(response)))
         line(size, "loop gain", omega, np.abs(response))
-        line(phase, "loop gain", omega, np.degrees(np.unwrap(np.angle(response))))
+        line(phase, "loop gain", omega, angle)
         size.axhline(1.0, linestyle="--", color="grey", linewidth=0.8)
-        return figure
+        ends = np.log10([float(np.abs(response).min()) + 1e-9, 1.05 * float(np.abs(response).max())])
+        size.set_ylim(10.0 ** math.floor(ends[0]), 10.0 ** math.ceil(ends[1]))
+        _mark_margins(size, phase, self.both(), (omega, angle))
+        return legend(figure)
 
     def plot_nyquist(self) -> Figure:
         """Nyquist diagram of the loop broken at both motors, with an arrow towards rising frequency.
@@ -121,14 +126,20 @@ class Analysis(Shown):
         _, response = broken(self.loop, INPUTS["both motors"])
         return nyquist(response, 1 / self.both().Ms)
 
-    def plot_poles(self) -> Figure:
-        """Poles of the nominal loop, and of the loops of the drawn robots, beside the unit circle."""
+    def plot_poles(self, *, slow: int = 0) -> Figure:
+        """Poles of the nominal loop, and of the loops of the drawn robots, beside the unit circle.
+
+        With `slow` only the part round 1 that holds so many of the nominal loop's poles.
+        """
         from upright.plotting import legend, plane, points
 
         figure, ax = plane("real part [1]", "imaginary part [1]", circle=True)
         if self.drawn.size:
             points(ax, "robots drawn from the spreads", self.drawn.ravel().tolist(), style=1, size=2.5)
         points(ax, "nominal robot", self.poles.tolist(), style=0)
+        if slow:
+            reach = 1.3 * float(np.sort(np.abs(self.poles - 1))[:slow].max())
+            ax.set(xlim=(1 - 1.4 * reach, 1 + 0.6 * reach), ylim=(-reach, reach))
         return legend(figure)
 
     def check(self) -> float:
@@ -158,6 +169,22 @@ class Analysis(Shown):
         head = f"{self.controller} on {self.robot}, every {self.period * 1e3:g} ms"
         columns = f"{'broken at':<22}{'gain':>15}{'phase':>8}{'delay':>9}{'disk':>7}{'Ms':>7}{'Mt':>7}"
         return "\n".join([head, columns, *(_row(m) for m in (*self.inputs, *self.outputs)), *self.words()])
+
+
+def _mark_margins(size: Axes, phase: Axes, m: Margins, curve: tuple[Array, Array]) -> None:
+    """The margins as lines of a Bode diagram, each at its frequency; `curve`: frequencies and the phase [°]."""
+    from upright.plotting import COLOURS
+
+    gains = [(at, k) for at, k in ((m.gain_low_at, m.gain_low), (m.gain_high_at, m.gain_high)) if at > 0]
+    if gains:
+        at, factors = zip(*gains, strict=True)
+        size.vlines(at, np.divide(1.0, factors), 1.0, color=COLOURS[1], linewidth=3, label="gain margins")
+    if m.phase_at > 0:
+        turn = math.degrees(m.phase) * (1 if m.leads else -1)
+        there = float(np.interp(m.phase_at, *curve))
+        level = 360 * round((there + turn - 180) / 360) + 180
+        phase.vlines([m.phase_at], level - turn, level, color=COLOURS[2], linewidth=3, label="phase margin")
+        phase.axhline(level, linestyle="--", color="grey", linewidth=0.8)
 
 
 def _radius(loop: Loop, gains: Array) -> float:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import KW_ONLY, asdict, dataclass
+from dataclasses import KW_ONLY, asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -40,7 +40,8 @@ class Margins:
     The loop stays stable for one of these changes: a gain factor in (`gain_low`, `gain_high`) [1], a phase change below
     `phase` [rad], a delay below `delay` [s]. `disk` α is the balanced disk margin, for gain and phase changed together:
     gains in ((2 − α)/(2 + α), (2 + α)/(2 − α)), phases below 2 atan(α/2). `Ms` and `Mt` are the peaks of |1/(1 + l)|
-    and |l/(1 + l)|. `crossover` [rad/s] is the highest frequency with |l| = 1.
+    and |l/(1 + l)|. `crossover` [rad/s] is the highest frequency with |l| = 1. Each `…_at` is the frequency [rad/s]
+    that sets a margin, NaN where none does; `leads` tells that the phase margin is one of phase lead.
     """
 
     channel: str
@@ -53,6 +54,11 @@ class Margins:
     Ms: float
     Mt: float
     crossover: float
+    gain_low_at: float = math.nan
+    gain_high_at: float = math.nan
+    phase_at: float = math.nan
+    delay_at: float = math.nan
+    leads: bool = False
 
     @property
     def disk_gain(self) -> tuple[float, float]:
@@ -176,30 +182,34 @@ def _scalar_margins(system: LinearModel, channel: str, *, peaks: bool) -> Margin
     scalar = ScalarResponse(system)
     grid = frequencies(system.dt)
     loop = scalar(grid)
-    low, high = _gain_interval(system, scalar, grid, loop)
+    (low, low_at), (high, high_at) = _gain_interval(system, scalar, grid, loop)
     crossings = sign_changes(lambda w: np.abs(scalar(w)) - 1, grid, np.abs(loop) - 1)
     lag = np.mod(np.angle(scalar(crossings)) + math.pi, 2 * math.pi) if len(crossings) else np.empty(0)
-    phase = float(np.minimum(lag, 2 * math.pi - lag).min(initial=math.inf))
-    delay = float((lag / crossings).min(initial=math.inf)) if len(crossings) else math.inf
-    top = float(crossings.max()) if len(crossings) else math.nan
+    turn, wait = np.minimum(lag, 2 * math.pi - lag), lag / crossings
+    first, soonest = (int(np.argmin(values)) if len(values) else None for values in (turn, wait))
+    result = Margins(
+        channel, gain_low=low, gain_high=high, gain_low_at=low_at, gain_high_at=high_at,
+        phase=math.inf if first is None else float(turn[first]), disk=math.nan, Ms=math.nan, Mt=math.nan,
+        delay=math.inf if soonest is None else float(wait[soonest]),
+        crossover=float(crossings.max()) if len(crossings) else math.nan,
+        phase_at=math.nan if first is None else float(crossings[first]),
+        delay_at=math.nan if soonest is None else float(crossings[soonest]),
+        leads=first is not None and bool(lag[first] > math.pi),
+    )  # fmt: skip
     if not peaks:
-        return Margins(
-            channel, gain_low=low, gain_high=high, phase=phase, delay=delay, disk=math.nan, Ms=math.nan, Mt=math.nan,
-            crossover=top,
-        )  # fmt: skip
+        return result
 
     def largest(size: Callable[[Complex], Array]) -> float:
         """The peak of a `size` of the sensitivity 1/(1 + l)."""
         return peak(lambda w: size(1 / (1 + scalar(w))), grid, size(1 / (1 + loop)))
 
     disk, Ms, Mt = 1 / largest(lambda S: np.abs(S - 0.5)), largest(np.abs), largest(lambda S: np.abs(1 - S))
-    return Margins(
-        channel, gain_low=low, gain_high=high, phase=phase, delay=delay, disk=disk, Ms=Ms, Mt=Mt, crossover=top
-    )
+    return replace(result, disk=disk, Ms=Ms, Mt=Mt)
 
 
-def _gain_interval(system: LinearModel, scalar: ScalarLoop, grid: Array, loop: Complex) -> tuple[float, float]:
-    """The factors of gain next to one at which a pole of the closed loop lies on the border of stability.
+def _gain_interval(system: LinearModel, scalar: ScalarLoop, grid: Array, loop: Complex) -> list[tuple[float, float]]:
+    """The factors of gain next to one at which a pole of the closed loop lies on the border of stability, each with its
+    frequency [rad/s]: first the one below one, zero where there is none, then the one above, or infinity.
 
     There l is real and −1/factor: at frequency zero, at the highest one, and where Im l changes its sign. Between two
     points of the grid, at which l is `loop`, it may do so twice, so that its own zeros split the grid.
@@ -209,9 +219,13 @@ def _gain_interval(system: LinearModel, scalar: ScalarLoop, grid: Array, loop: C
     order = np.argsort(split)
     crossings = sign_changes(lambda w: scalar(w).imag, split[order], np.append(loop, scalar(between)).imag[order])
     ends = [_at_zero(system), system.D[0, 0] if system.continuous else scalar(grid[-1:])[0].real]
-    real = np.append(scalar(crossings).real, ends)
-    factors = -1 / real[(real < 0) & (real > -_UNBOUNDED)]
-    return float(factors[factors < 1].max(initial=0.0)), float(factors[factors > 1].min(initial=math.inf))
+    real, at = np.append(scalar(crossings).real, ends), np.append(crossings, [0.0, grid[-1]])
+    kept = (real < 0) & (real > -_UNBOUNDED)
+    factors, at = np.append(-1 / real[kept], [0.0, math.inf]), np.append(at[kept], [math.nan, math.nan])
+    low = int(np.argmax(np.where(factors < 1, factors, -1.0)))
+    high = int(np.argmin(np.where(factors > 1, factors, math.inf)))
+    high = high if factors[high] > 1 else len(factors) - 1
+    return [(float(factors[k]), float(at[k])) for k in (low, high)]
 
 
 def real_frequencies(system: LinearModel) -> Array:

@@ -29,8 +29,10 @@ def page_of(result: Analysis | Designed) -> Page:
     if analysis.stable:
         both = analysis.both()
         last = f"Bode diagram: beyond {both.crossover:.3g} rad/s the gain stays below 1, the dashed line"
-        sections = [Section("Frequency response", [_nyquist(analysis), Figure(last, analysis.plot())]), *sections]
-        sections += [Section("Closed-loop poles", [_poles(analysis)])]
+        bode = Figure(last, analysis.plot(), _BODE)
+        sections = [Section("Frequency response", [_nyquist(analysis), bode, _where(both)]), *sections]
+        near = Figure(f"The {SLOW} slowest poles, near 1", analysis.plot_poles(slow=SLOW), _NEAR)
+        sections += [Section("Closed-loop poles", [_poles(analysis), near])]
     facts = {"controller": analysis.hash[:12], "period": f"{analysis.period * 1e3:g} ms"}
     return Page(
         _title(analysis), sections, _lead(analysis, first), facts, False, verdict=_verdict(analysis),
@@ -72,24 +74,27 @@ def _lead(analysis: Analysis, first: str) -> str:
     """What is small, and what to run next."""
     if not analysis.stable:
         return sentence(first, "")
-    short = [name for name, _, _, part in _targets(analysis) if part < 1]
+    targets = _targets(analysis)
+    short = [name for name, _, _, part in targets if part < 1]
     unstable = int((analysis.radii >= 1).sum())
     drawn = f"{len(analysis.radii)} slightly different robots" if len(analysis.radii) else ""
     of = f" Of {drawn}, {unstable or 'none'} {'is' if unstable <= 1 else 'are'} unstable." if drawn else ""
     below = f"Below the usual target: {', '.join(short)}." if short else "All margins reach the usual targets."
+    if len(short) == len(targets):
+        below = f"The loop is stable, but all of its {len(targets)} margins are below the usual targets."
     return f"{below}{of} Next: `upright certify` tries this controller with pushes."
 
 
 def _targets(analysis: Analysis) -> list[tuple[str, str, str, float]]:
     """Name, value, usual target, and the part of the target that is reached; gains are compared in decibels."""
     both, delay = analysis.both(), min(analysis.delay, analysis.weakest.delay)
-    weak = math.log(max(both.gain_low, 1e-3)) / math.log(WEAK)
+    weak, strong = math.log(max(both.gain_low, 1e-3), WEAK), math.log(both.gain_high, STRONG)
     return [
         ("distance from −1", cell_text(1 / both.Ms, 2), f"{CLOSE:g}", 1 / both.Ms / CLOSE),
         ("phase margin", f"{cell_text(math.degrees(both.phase), 2)}°", f"{PHASE:g}°", math.degrees(both.phase) / PHASE),
-        ("stronger motors", f"{100 * both.gain_high:.0f} %", f"{100 * STRONG:.0f} %", math.log(both.gain_high, STRONG)),
-        ("weaker motors", f"{100 * both.gain_low:.0f} %", f"{100 * WEAK:.0f} %", weak),
-        (f"delay of the {_weakest(analysis)}", _delay(analysis), f"{1e3 * analysis.period:g} ms",
+        ("gain margin upwards", f"{100 * both.gain_high:.0f} %", f"{100 * STRONG:.0f} %", strong),
+        ("gain margin downwards", f"{100 * both.gain_low:.0f} %", f"{100 * WEAK:.0f} %", weak),
+        (f"delay margin, {_weakest(analysis)}", _delay(analysis), f"{1e3 * analysis.period:g} ms",
          delay / analysis.period),
     ]  # fmt: skip
 
@@ -109,7 +114,22 @@ def _against_targets(analysis: Analysis) -> Figure:
     return Figure(f"{met} of {len(parts)} margins reach the usual target", legend(figure), _DECIBELS)
 
 
-_DECIBELS = "Strengths of the motors are compared in decibels: no change at all is 0 % of the target."
+_DECIBELS = "Gain margins are those of both motors, compared in decibels: no change at all is 0 % of the target."
+_BODE = "Both motors are broken at once. The coloured lines are the margins, each at the frequency that sets it."
+_NEAR = "The part of the diagram above that decides how slowly the robot comes to rest."
+SLOW = 6  # poles near 1 that are drawn enlarged: as many as the robot has states
+
+
+def _where(both: Margins) -> Table:
+    """Each margin of both motors with the frequency that sets it."""
+    lead = "lead" if both.leads else "lag"
+    rows: list[list[Cell]] = [
+        ["weaker, to [%]", 100 * both.gain_low, both.gain_low_at],
+        ["stronger, to [%]", 100 * both.gain_high, both.gain_high_at],
+        [f"phase margin, by a {lead} [°]", math.degrees(both.phase), both.phase_at],
+        ["delay margin [ms]", 1e3 * both.delay, both.delay_at],
+    ]
+    return Table(["margin of both motors", "value", "at [rad/s]"], rows, "What sets each margin", 3)
 
 
 def _numbers(analysis: Analysis) -> list[tuple[str, str]]:
@@ -118,10 +138,15 @@ def _numbers(analysis: Analysis) -> list[tuple[str, str]]:
     both = analysis.both()
     gains = f"{100 * both.gain_low:.0f} to {100 * both.gain_high:.0f} %"
     return [
-        (f"{cell_text(math.degrees(both.phase), 2)}°", f"phase margin; the target is at least {PHASE:g}°"),
+        (f"{cell_text(math.degrees(both.phase), 2)}°", _phase(both)),
         (gains, f"strength of the motors that stays stable; the target is {100 * WEAK:.0f} to {100 * STRONG:.0f} %"),
         (_delay(analysis), f"more delay at the {_weakest(analysis)} alone; a period is {1e3 * analysis.period:g} ms"),
     ]
+
+
+def _phase(both: Margins) -> str:
+    at = f", a {'lead' if both.leads else 'lag'} at {cell_text(both.phase_at, 3)} rad/s" if both.phase_at > 0 else ""
+    return f"phase margin{at}; the target is at least {PHASE:g}°"
 
 
 def _margins(analysis: Analysis) -> list[Item]:
@@ -129,7 +154,6 @@ def _margins(analysis: Analysis) -> list[Item]:
     header = ["broken at", "gain from", "gain to", "phase [°]", "delay [ms]", "disk α", "Ms", "Mt"]
     numbers: list[list[Cell]] = [
         ["disk α of both motors at once", analysis.disk],
-        ["delay margin of both motors, tried on the sampled robot [ms]", analysis.delay * 1e3],
         ["b(P, C), stability margin of the normalised coprime factors", analysis.coprime],
         ["largest ν-gap of the drawn robots", analysis.gap],
         ["largest |pole|", float(np.abs(analysis.poles).max())],
@@ -141,7 +165,14 @@ def _margins(analysis: Analysis) -> list[Item]:
     return [
         Table(header, rows, "One loop broken, all others closed", 3),
         Table(["", "value"], numbers, "The whole loop", 3),
+        *([_GAP] if analysis.gap >= analysis.coprime else []),
     ]
+
+
+_GAP = (
+    "Every robot with a ν-gap below b(P, C) is stable for certain; one with a larger gap may be stable or not. "
+    "Here the largest gap is larger. So this rule does not decide, and the poles of the drawn robots do."
+)
 
 
 def _row(m: Margins) -> list[Cell]:

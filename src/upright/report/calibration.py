@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from upright.calibrate.calibration import GOOD, NORMAL, VERDICTS, VISIBLE, Calibration, Estimate
+from upright.calibrate.calibration import GOOD, NORMAL, PREDICTED, VERDICTS, VISIBLE, Calibration, Estimate
 from upright.plotting import COLOURS, INK, SMALL, legend, line, number, panels, rows_of, span
 from upright.report.figure import Figure
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
@@ -27,7 +28,7 @@ def page_of(calibration: Calibration) -> Page:
     others = (*calibration.delays, *calibration.electronics)
     sections = [
         *([Section("Reservations", [_sentence(text) for text in wrong])] if wrong else []),
-        Section("Prediction", [*_measured(calibration), _predicted_words(calibration), *_predicted(calibration)]),
+        Section("Prediction", [*_measured(calibration), *_predicted_words(calibration), *_predicted(calibration)]),
         Section("Estimates", [*calibration.notes, *_estimates(calibration.parameters)]),
         *([Section("Delays and motors", [_DELAYS, *_estimates(others)], folded=True)] if others else []),
         Section(
@@ -57,7 +58,7 @@ def _verdict(c: Calibration) -> Verdict:
         return Verdict("refused", "bad")
     if wrong:
         return Verdict(f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}", "warn")
-    rest = f"; {kept} of {len(c.parameters)} little learned" if kept else ""
+    rest = f"; {kept} of {len(c.parameters)} not visible" if kept else ""
     return Verdict(f"predicts the log{rest}", "warn" if 2 * kept > len(c.parameters) else "good")
 
 
@@ -78,6 +79,14 @@ def _groups(c: Calibration) -> tuple[list[Estimate], list[Estimate], list[Estima
     return measured, bounded, [e for e in visible if e not in bounded and e not in measured]
 
 
+MEASURED, BOUNDED = f"{VISIBLE}: measured", f"{VISIBLE}: bounded"
+
+
+def _kind_of_verdict(e: Estimate) -> str:
+    """The verdict, which tells two kinds of what is visible apart."""
+    return e.verdict if e.verdict != VISIBLE else MEASURED if _width(e) <= CLOSE else BOUNDED
+
+
 def _width(e: Estimate) -> float:
     """Half of the interval over the value."""
     return (e.high - e.low) / max(abs(e.high + e.low), 1e-300)
@@ -93,10 +102,16 @@ def _numbers(c: Calibration) -> list[tuple[str, str]]:
         (_whole(f"{_value(e)} {e.unit}"), f"{spoken(e.name)}, ± {cell_text(100 * _width(e), 2)} %; before {_prior(e)}")
         for e in (*measured, *rough)
     ]
-    numbers += [
-        (_whole(f"≤ {cell_text(e.high, 2)} {e.unit}"), f"{spoken(e.name)}; before {_prior(e)}") for e in bounded
-    ]
+    numbers += [_bounded(e) for e in bounded]
     return numbers[:GIVEN]
+
+
+def _bounded(e: Estimate) -> tuple[str, str]:
+    """The best value with its interval where that begins above zero, else the upper end alone."""
+    if e.low > 0:
+        ends = _whole(f"{cell_text(e.low, 2)} … {cell_text(e.high, 2)}")
+        return _whole(f"{_value(e)} {e.unit}"), f"{spoken(e.name)}, bounded: {ends}; before {_prior(e)}"
+    return _whole(f"≤ {cell_text(e.high, 2)} {e.unit}"), f"{spoken(e.name)}, bounded; before {_prior(e)}"
 
 
 def _whole(text: str) -> str:
@@ -115,17 +130,19 @@ def _prior(e: Estimate) -> str:
 def _measured(c: Calibration) -> list[Item]:
     if not c.free:
         return []
-    title = f"Measured and predicted for half a second at a time: R² of {_each(c)}"
+    drawn = [name for name in c.channels if name in PREDICTED] or c.channels
+    rest = [name for name in c.channels if name not in drawn]
+    title = f"Measured and predicted for half a second at a time: R² of {_each(c, drawn)}"
     note = "Each half second starts from a fitted state and gets only the commands."
+    note += f" Not drawn: R² of {_each(c, rest)}." if rest else ""
     return [Figure(title, c.plot_prediction(), note)]
 
 
-def _each(c: Calibration) -> str:
-    """The least R² of each kind of sensor, in words: that of a sensor that is not drawn has its own."""
+def _each(c: Calibration, names: Sequence[str]) -> str:
+    """The least R² of each kind of sensor among these, in words."""
     kinds: dict[str, list[float]] = {}
-    for name, r2 in c.segments.items():
-        if name.startswith("sensor/"):
-            kinds.setdefault(name.removeprefix("sensor/").partition("_")[0], []).append(r2)
+    for name in names:
+        kinds.setdefault(name.removeprefix("sensor/").partition("_")[0], []).append(c.segments[name])
     words = [f"{kind}{'s' if len(values) > 1 else ''} ≥ {least(min(values))}" for kind, values in kinds.items()]
     return ", ".join(words).replace("_", " ")
 
@@ -141,7 +158,7 @@ def _by_name(c: Calibration) -> Figure | None:
         return None
     note = (
         "Left or right of the middle: the log moved the value. Numbers: how much is left of the uncertainty before. "
-        "Little learned: the log does not halve it, or not reliably."
+        "Not visible: the log does not halve it, or not reliably. The verdicts are defined at the end."
     )
     short = [e for e in c.parameters if 0 < e.prior_spread < math.inf and e.high - e.low < 0.1 * e.prior_spread]
     note += " A dot without a bar: its interval is shorter than the dot." if short else ""
@@ -152,9 +169,9 @@ def _bars(c: Calibration) -> MplFigure:
     """Intervals in standard deviations of the prior, coloured by what the log says of the parameter."""
     measured, bounded, rough = _groups(c)
     sorts = {
-        "measured by this log": (measured, COLOURS[2]),
-        "bounded by this log": ([*rough, *bounded], COLOURS[0]),
-        "little learned": ([e for e in c.parameters if e not in (*measured, *rough, *bounded)], INK),
+        MEASURED: (measured, COLOURS[2]),
+        BOUNDED: ([*rough, *bounded], COLOURS[0]),
+        "not visible": ([e for e in c.parameters if e not in (*measured, *rough, *bounded)], INK),
     }
     kept = {k: ([e for e in group if 0 < e.prior_spread < math.inf], tone) for k, (group, tone) in sorts.items()}
     names = [e.name for group, _ in kept.values() for e in group]
@@ -168,7 +185,7 @@ def _bars(c: Calibration) -> MplFigure:
             ax.plot(value, rows, "o", markersize=4.5, color=colour)
             for e, row, end in zip(group, rows, high, strict=True):
                 ax.annotate(
-                    f"{number(100 * e.shrink, 2)} %",
+                    f"{_left(e)} %",
                     (max(end, *value), row),
                     (6, 0),
                     textcoords="offset points",
@@ -181,12 +198,19 @@ def _bars(c: Calibration) -> MplFigure:
     return legend(figure)
 
 
+def _left(e: Estimate) -> str:
+    """How much of the uncertainty is left [%], with more digits where they decide whether it is half."""
+    left = 100 * e.shrink
+    return next((text for digits in (2, 3, 4) if (text := number(left, digits)) != "50"), "50")
+
+
 ROOM = 0.08  # of the width, for the number beside the longest bar
 
 
 def _undetermined(c: Calibration) -> list[Item]:
     pairs = _pairs(c)
-    return [*(c.unseen or ["The log determines every direction."]), *([pairs] if pairs.rows else [])]
+    plain = [re.sub(r"\b[a-z]+(?:_[a-z]+)+(?:/[a-z_]+)?", lambda m: spoken(m[0]), text) for text in c.unseen]
+    return [*(plain or ["The log determines every direction."]), *([pairs] if pairs.rows else [])]
 
 
 _DELAYS = (
@@ -195,13 +219,15 @@ _DELAYS = (
 )
 _COMBINED = (
     "The coefficients of the equations of motion, and the unstable pole. A log often determines these much better than "
-    "the single parameters."
+    "the single parameters. The torque on the wheels is a11 θ̈ + a12 ψ̈, that on the body a12 θ̈ + a22 ψ̈. Here θ is "
+    "the angle of the wheels, and ψ the pitch. The weight moment is mass times gravity times height of the "
+    "centre of mass."
 )
 _PREDICTED = (
-    "R² is that of simulations of half a second that get only the commands, each from a start fitted to it. "
-    "Fit, 100 (1 − rms error / standard deviation), is on the part of the log held out. There each simulation starts "
-    "from what the filter knew of the past, which is less sure; an error of the start{grows}. So a fit can "
-    "fall over many samples where R² stays near 1."
+    "R²: the log is simulated half a second at a time. Each simulation starts from a state fitted to that half second.",
+    "Fit: the part of the log held out is predicted some samples ahead. Each prediction starts from what the filter "
+    "knew of the past, which is less sure. An error of the start{grows}. So a fit can fall over many samples "
+    "where R² stays near 1.",
 )
 _INNOVATIONS = (
     "Innovations are the filter's prediction errors. They should not correlate with each other (Ljung and Box) or with "
@@ -226,7 +252,7 @@ def _lead(c: Calibration) -> str:
 def _estimates(estimates: Sequence[Estimate]) -> list[Item]:
     """Values with their intervals; what was known before, and the verdicts, are pressed for."""
     values: list[list[Cell]] = [[_named(e), e.value, _interval(e)] for e in estimates]
-    known: list[list[Cell]] = [[_named(e), _before(e), e.verdict] for e in estimates]
+    known: list[list[Cell]] = [[_named(e), _before(e), _kind_of_verdict(e)] for e in estimates]
     return [
         Table(["", "value", "95 % interval"], values, digits=3),
         Details("Known before this log, and verdicts", [Table(["", "before", "verdict"], known)]),
@@ -246,21 +272,28 @@ def _interval(e: Estimate) -> str:
 
 
 def _meanings() -> Table:
-    return Table(["verdict", "meaning"], [[name, text] for name, text in VERDICTS.items()])
+    kinds = [
+        [MEASURED, f"{VERDICTS[VISIBLE]}; the interval is at most {100 * CLOSE:g} % of the value either side"],
+        [BOUNDED, f"{VERDICTS[VISIBLE]}; but the interval is wider, or reaches zero"],
+    ]
+    return Table(["verdict", "meaning"], [*kinds, *([k, text] for k, text in VERDICTS.items() if k != VISIBLE)])
 
 
 def _pairs(c: Calibration) -> Table:
     R = c.correlation
     rows: list[list[Cell]] = [
-        [c.names[i], c.names[j], float(R[i, j])] for i in range(len(R)) for j in range(i) if abs(R[i, j]) >= STRONG
+        [spoken(c.names[i]), spoken(c.names[j]), float(R[i, j])]
+        for i in range(len(R))
+        for j in range(i)
+        if abs(R[i, j]) >= STRONG
     ]
     return Table(["", "with", "correlation"], rows, f"Pairs correlated by {STRONG:g} or more", digits=3)
 
 
-def _predicted_words(c: Calibration) -> str:
+def _predicted_words(c: Calibration) -> list[Item]:
     pole = c["unstable_pole"].value
     grows = f" doubles every {cell_text(1e3 * math.log(2) / pole, 2)} ms" if pole > 0 else " grows"
-    return _PREDICTED.replace("{grows}", grows)
+    return [text.replace("{grows}", grows) for text in _PREDICTED]
 
 
 def _predicted(c: Calibration) -> list[Item]:

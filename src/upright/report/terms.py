@@ -29,8 +29,9 @@ TERMS: dict[str, tuple[str, str]] = {
         "margins."),
     r"[Bb]ode": ("Bode diagram", "Gain and phase of the open loop over the frequency."),
     r"gain crossover": ("gain crossover", "The frequency at which the gain of the open loop is 1."),
-    r"phase margin": ("phase margin", "How much later the loop may answer, as an angle. Usual target: at least 30°."),
-    r"gain margin": ("gain margin", "By what factor the motors may be weaker or stronger."),
+    r"phase margins?": ("phase margin", "The least turn of the loop's phase that makes it unstable, a lag or a lead. "
+        "Usual target: at least 30°."),
+    r"gain margins?": ("gain margin", "By what factor the motors may be weaker or stronger."),
     r"delay margin": ("delay margin", "How much later a reading or a command may come, before the loop is unstable."),
     r"unstable poles?|poles (?:is|are) unstable": ("unstable pole", "The rate at which a small lean grows: it doubles "
         "in 0.69 / pole."),
