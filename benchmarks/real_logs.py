@@ -187,29 +187,28 @@ class ReadLaw:
         pass
 
 
-def loop(one: Run, found: Calibration) -> None:
-    """The whole closed loop simulated freely from the first state of the log, under the law read from it, with the
-    run's constant torque: on the true pitch, as late as the gyro, and on one as wrong as the estimate that the law
-    read, by the filter of the calibrated robot."""
+def loops(one: Run, found: Calibration) -> dict[str, tuple[float, float, float | None]]:
+    """R² of pitch and wheel rate, and when the robot falls [s], of the whole closed loop simulated freely from the
+    first state of the log, under the law read from it and with the run's constant torque: on the true pitch, as late as
+    the gyro, and on one as wrong as the estimate that the law read, by the filter of the calibrated robot."""
     log, kit = one.log, found.kit or find_kit(found.robot.kit)
     problem, z = known(found, one)
     recording, late = problem.recordings[0], found["delay/gyro"].value
     law = law_of(log, recording.rows)
     if not isinstance(law, LinearLaw):
-        print(f"  {one.name}: no linear law gives its commands")
-        return
+        return {}
     path = filter_log(log, found.known_robot(), kit, delay=kit.delay, disturbance=0.03)
     held = path.row < 0
     pitch = np.interp(log.t - late, path.t[held], path.after[held, 0])
     wrong, simulated = log[PITCH] - pitch, int(np.searchsorted(log.t, recording.when[recording.kind >= 0].min()))
     wheels = [f"sensor/encoder_rate_{side}" for side in ("left", "right")]
+    scores: dict[str, tuple[float, float, float | None]] = {}
     for words, error, true in (("the true pitch", 0 * wrong, log[PITCH]), ("one as wrong as its own", wrong, pitch)):
         free = closed_loop(problem, recording, z, log, kit, ReadLaw(law, error, simulated))
         column = {name: free.simulated[:, i] for i, name in enumerate(free.names)}
-        rate = np.mean([column[name] for name in wheels], axis=0)
-        scores = r_squared(true, column[PITCH]), r_squared(np.mean([log[name] for name in wheels], axis=0), rate)
-        fell = "" if free.fell is None else f", and falls at {free.fell:.2f} s"
-        print(f"  {one.name}: its loop with {words}: pitch {scores[0]:.3f}, wheel rate {scores[1]:.3f}{fell}")
+        measured, rate = (np.mean([of[name] for name in wheels], axis=0) for of in (log, column))
+        scores[words] = r_squared(true, column[PITCH]), r_squared(measured, rate), free.fell
+    return scores
 
 
 def r_squared(measured: np.ndarray, simulated: np.ndarray) -> float:
@@ -242,7 +241,9 @@ def main() -> None:
                 flush=True,
             )
         for one, found in whole if robot == "twipr" else ():
-            loop(one, found)
+            for words, (pitch, rate, fell) in loops(one, found).items():
+                ends = "" if fell is None else f", and falls at {fell:.2f} s"
+                print(f"  {one.name}: its loop with {words}: pitch {pitch:.3f}, wheel rate {rate:.3f}{ends}")
         if not asked.alone:
             together(robot, model)
 

@@ -24,14 +24,14 @@ from upright.calibrate.calibration import Calibration
 from upright.calibrate.effects import effects_of, respread
 from upright.calibrate.electronics import electronics_of
 from upright.calibrate.filter_log import one_step_noise
-from upright.calibrate.fitting import EQUATIONS, JITTER, STICKING, Normal, Path, Problem, normal_equations, objective
+from upright.calibrate.fitting import EQUATIONS, STICKING, Normal, Path, Problem, normal_equations, objective
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import INERTIAL, STRAIGHT, TURNING, drives_straight, too_quiet
 from upright.calibrate.knocks import without_knocks
 from upright.calibrate.learnt_kit import learnt_kit
 from upright.calibrate.noise import Bounds, learn_noise
 from upright.calibrate.parameters import most_friction, parameters_of
-from upright.calibrate.process_noise import NOISE_TIME, process
+from upright.calibrate.process_noise import NOISE_TIME, arrival, process
 from upright.doctor.doctor import contradictions
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import DesignFailed, InvalidLog
@@ -73,7 +73,8 @@ SPREADS = 3  # turns in which parameters and the spreads between runs are fitted
 SETTLED = 0.05  # [1] deviations of the prior by which no parameter moves any more
 
 GYRO_DELAY_TRIALS = (-0.5, 0.5, 1.0)
-"""[periods] added to the gyro's delay where the best fit is fitted again: delays have optima a period apart."""
+"""[periods] added to the gyro's delay where the best fit is fitted again: delays have optima a period apart.
+A fit from there must be likelier at the same noise, and predict half seconds better: either alone may be chance."""
 
 LEAST_WEIGHT = 0.1  # [1] weight of the readings below which the prior may outweigh them
 WORST_LOSS = 0.02  # [1] most R² of free simulation that the prior may then cost
@@ -141,10 +142,8 @@ def calibrate(
     notes += [str(pace) + "." for pace in map(pace_of, several) if pace and not pace.kept]
     result = replace(result, kit=learnt_kit(result, parts, problem.delays, hidden), notes=(*result.notes, *notes))
     if problem.temper < 1 and not result.withheld():  # else the noise of the kit is that of the filter
-        longest = max(several, key=len)
-        noise = one_step_noise(
-            longest, result.robot, result.kit or parts, delay=_dead_time(result.kit or parts, several)
-        )
+        own = result.kit or parts
+        noise = one_step_noise(max(several, key=len), result.robot, own, delay=_dead_time(own, several))
         result = replace(result, robot=result.robot.replace(noise=noise))
     return result
 
@@ -162,7 +161,7 @@ def prepared(
     variances = [first_noise(r, kit) for r in recordings]
     limits = {s: max(v[s] for v in variances if s in v) for s in sensors}
     noise = {s: float(np.log(v)) for s, v in limits.items()}
-    noise |= {JITTER: math.log(kit.jitter**2 / 12)} if kit.jitter else {}
+    noise |= arrival(kit, logs)
     parameters = parameters_of(robot, delays, known, electronics_of(robot, kit, logs))
     every = (*parameters, *EQUATIONS, *effects_of(parameters, len(recordings)))
     problem = Problem(
@@ -269,7 +268,8 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         fits = [rough, *pool.map(partial(segmented, problem, limits), (np.zeros_like(z), z, rough.z))]
         best, level = _best_simulated(fits, [*pool.map(_simulated, fits)], LEVEL)
-        tries = [*pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)]
+        later = pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)
+        tries = [fit for fit in later if fit.normal.objective < best.normal.objective]
         best, _ = _best_simulated([best, *tries], [level, *pool.map(_simulated, tries)])
     return _tempered(*_between_runs(best))
 

@@ -58,9 +58,9 @@ def reasons(
     return (*(() if well and not faults else wrong), *faults)
 
 
-def proposed(problem: Problem) -> str:
+def proposed(problem: Problem, fitted: float = -np.inf) -> str:
     """The presets whose numbers predict half seconds of these logs far better than those of the robot's file, all as
-    they stand, in words; '' where there is none."""
+    they stand, in words; '' where there is none. With the score of a fit they must be far better than it, too."""
     kept = tuple(p for p in problem.parameters if p.name.startswith("delay/") or p.name in MEANING)
 
     def predicts(robot: Robot) -> float:
@@ -70,7 +70,7 @@ def proposed(problem: Problem) -> str:
     named = {name: Robot.preset(name) for name in preset_names() if name != robot.name}
     left = {name: 1 - predicts(other) for name, other in named.items() if other.drive == robot.drive}
     least, own = min(left.values(), default=1.0), min(1 - predicts(robot), 1.0)
-    if least > NEARER * own:
+    if least > NEARER * min(own, 1 - fitted):
         return ""
     level = sorted(
         (n for n in left if left[n] <= LEVEL * least), key=lambda n: (named[n].kit_name != robot.kit_name, left[n])

@@ -6,15 +6,30 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from upright.calibrate.fitting import STICKING
+from upright.calibrate.fitting import JITTER, STICKING
 from upright.calibrate.parameters import most_friction
+from upright.logs.readers import DECIMATION
 from upright.logs.recording import Recording
 from upright.physics.dynamics import motor_gain
-from upright.robots import Robot
+from upright.robots import Kit, Robot
+from upright.signals import Log
 
 NOISE_TIME = 0.01  # [s] period for which fractions of the commands are meant
 FRICTION_NOISE = 0.01  # [1] first noise of sticking wheels, as a fraction of the largest friction, where none is known
 BIAS_WALK = 1e-7  # [(rad/s)²/s] random walk of the gyro's bias: a few hundredths of a degree a second each second
+
+
+def arrival(kit: Kit, logs: Sequence[Log]) -> dict[str, float]:
+    """Log-variance [s²] of the moments at which commands arrive: of the kit's jitter, and of commands that were not
+    logged, where the file says that one row in n was.
+
+    Between two logged commands the others are a random walk from one to the other. Their mean over the period T is off
+    from the middle of both by T²(1 − 1/n²)/12 in variance, for a change of one: as a command is that arrives so much
+    earlier or later. (The middle itself is a dead time.)
+    """
+    left_out = [log.period**2 * (1 - 1 / float(log.origin.get(DECIMATION, 1)) ** 2) for log in logs]
+    variance = (kit.jitter**2 + float(np.mean(left_out))) / 12
+    return {JITTER: float(np.log(variance))} if variance else {}
 
 
 def process(recordings: Sequence[Recording], robot: Robot, fraction: float) -> dict[str, float]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 import numpy as np
@@ -16,7 +15,6 @@ _SURE = 3.0  # standard deviations by which the response must be too small
 _GRAINS = 3.0  # [quantisation steps of the command] a smaller unpredictable part is rounding in the driver
 _LAW = 0.98  # R² of the motor equation above which its lag is accurate to a few hundredths of a row
 _SHARP = 2.0  # smallest sharpness of the lag: a slow motion fits any lag
-_DECIMATED = re.compile(r"\bdecim\w*\s*[=:]\s*(\d{1,4})\b", re.IGNORECASE)
 _EARLY = 0.05  # [rows] tolerated lead of the wheels over a held command
 
 
@@ -28,14 +26,12 @@ def faster_controller(record: Record) -> list[Finding]:
     return _too_early(m) or _swallowed(m)
 
 
-def stated(comments: Sequence[str], findings: Sequence[Finding]) -> list[Finding]:
+def stated(decimation: tuple[int, str], findings: Sequence[Finding]) -> list[Finding]:
     """Rows that the file itself says were left out."""
-    words = [match for line in comments if (match := _DECIMATED.search(line)) and int(match[1]) > 1]
-    if not words or any(finding.code == "samples/controller" for finding in findings):
+    one_in, words = decimation
+    if one_in == 1 or any(finding.code == "samples/controller" for finding in findings):
         return []
-    evidence = (
-        f"the file says {words[0][0]}: one row in {words[0][1]} was logged, and the commands changed between them"
-    )
+    evidence = f"the file says {words}: one row in {one_in} was logged, and the commands changed between them"
     repair = "log at the controller's rate; one-step regression on this log is biased"
     return [warning("samples/controller", "command", evidence, repair)]
 

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidLog, UnknownName
-from upright.logs.readers import RawTable
+from upright.logs.readers import DECIMATION, RawTable
 from upright.logs.units import UNITS
 from upright.reading import check_types, parse_toml, read_text, understood
 from upright.signals import Log
@@ -195,7 +195,8 @@ def apply(mapping: Mapping, table: RawTable) -> Log:
     Raises `InvalidLog` where a column is missing or holds text, or where the time does not increase.
     """
     t, channels, units = channels_of(mapping, table)
-    log = Log(t, channels, units, {"file": table.source, "mapping": mapping.name, **table.origin})
+    left_out = {DECIMATION: table.decimation[0]} if table.decimation[0] > 1 else {}
+    log = Log(t, channels, units, {"file": table.source, "mapping": mapping.name, **left_out, **table.origin})
     delays = {name: source.delay for name, source in mapping.channels.items() if source.delay}
     return undelayed(log, delays) if delays else log
 

@@ -24,6 +24,9 @@ from upright.signals.header import TIME, check_lines, understand
 Array = NDArray[np.float64]
 
 _NOTE = "# upright-log: "
+DECIMATION = "one_in"
+"""In a log's origin: of how many rows its file has one, where the file says that others were left out."""
+_DECIMATED = re.compile(r"\bdecim\w*\s*[=:]\s*(\d{1,4})\b", re.IGNORECASE)
 
 MAT_READER = [sys.executable, "-m", "upright.logs.mat_process"]
 """The program that reads MAT files, since damaged ones crash SciPy's parser and the process that it runs in."""
@@ -48,6 +51,12 @@ class RawTable:
 
     def __len__(self) -> int:
         return len(next(iter(self.columns.values()), ()))
+
+    @property
+    def decimation(self) -> tuple[int, str]:
+        """One row in how many was logged, as the file says, with its words: (2, "decim=2"); (1, "") without any."""
+        words = [match for line in self.comments if (match := _DECIMATED.search(line)) and int(match[1]) > 1]
+        return (int(words[0][1]), words[0][0]) if words else (1, "")
 
     def column(self, name: str) -> Array:
         """One column; raises `InvalidLog` for one that is missing or holds text."""
