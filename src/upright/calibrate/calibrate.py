@@ -268,8 +268,8 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         fits = [rough, *pool.map(partial(segmented, problem, limits), (np.zeros_like(z), z, rough.z))]
         best, level = _best_simulated(fits, [*pool.map(_simulated, fits)], LEVEL)
-        later = pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)
-        tries = [fit for fit in later if fit.normal.objective < best.normal.objective]
+        moved = pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)
+        tries = [fit for fit in moved if fit.normal.objective < best.normal.objective]
         best, _ = _best_simulated([best, *tries], [level, *pool.map(_simulated, tries)])
     return _tempered(*_between_runs(best))
 

@@ -58,15 +58,20 @@ def reasons(
     return (*(() if well and not faults else wrong), *faults)
 
 
-def proposed(problem: Problem, fitted: float = -np.inf) -> str:
+def proposed(stated: Problem, problem: Problem, z: Array, estimates: Sequence[Estimate]) -> str:
     """The presets whose numbers predict half seconds of these logs far better than those of the robot's file, all as
-    they stand, in words; '' where there is none. With the score of a fit they must be far better than it, too."""
-    kept = tuple(p for p in problem.parameters if p.name.startswith("delay/") or p.name in MEANING)
+    they stand, in words; '' where there is none, or no cause to ask: a stated number contradicted, or innovations that
+    are not white at the fit z (parameters,) of `problem`, which they must predict far better than, too."""
+    surprised = any(e.surprising for e in estimates)
+    if not surprised and problem.temper == 1:
+        return ""
+    fitted = -np.inf if surprised else score(problem, z)
+    kept = tuple(p for p in stated.parameters if p.name.startswith("delay/") or p.name in MEANING)
 
     def predicts(robot: Robot) -> float:
-        return score(replace(problem, robot=robot, parameters=kept, held=frozenset()), np.zeros(len(kept)))
+        return score(replace(stated, robot=robot, parameters=kept, held=frozenset()), np.zeros(len(kept)))
 
-    robot = problem.robot
+    robot = stated.robot
     named = {name: Robot.preset(name) for name in preset_names() if name != robot.name}
     left = {name: 1 - predicts(other) for name, other in named.items() if other.drive == robot.drive}
     least, own = min(left.values(), default=1.0), min(1 - predicts(robot), 1.0)
@@ -75,8 +80,8 @@ def proposed(problem: Problem, fitted: float = -np.inf) -> str:
     level = sorted(
         (n for n in left if left[n] <= LEVEL * least), key=lambda n: (named[n].kit_name != robot.kit_name, left[n])
     )
-    stated = ", or ".join(f"--robot {name} (R² {1 - left[name]:.2f})" for name in level)
-    return f"; half seconds are better predicted as they stand by other presets (this file: R² {1 - own:.2f}): {stated}"
+    better = ", or ".join(f"--robot {name} (R² {1 - left[name]:.2f})" for name in level)
+    return f"; half seconds are better predicted as they stand by other presets (this file: R² {1 - own:.2f}): {better}"
 
 
 def unpredicted(parts: Segments) -> list[str]:

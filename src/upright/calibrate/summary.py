@@ -30,7 +30,7 @@ from upright.calibrate.fitting import Normal, Path, Problem, around, slopes_of
 from upright.calibrate.informativity import information, posterior, unseen_directions
 from upright.calibrate.judge import proposed, reasons
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, columns, with_values
-from upright.calibrate.validate import score, segments, steps_ahead, whiteness
+from upright.calibrate.validate import segments, steps_ahead, whiteness
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.physics.linear import unstable_pole
 from upright.robots import PARAMETERS, Provenance, Robot
@@ -81,8 +81,7 @@ def summarised(
     widening = _widening(C, right, every, combinations)
     supported = sum(right[i, i] < HALVED**2 for i, p in enumerate(problem.asked) if p.name not in problem.held)
     supported += sum(_combined(c, right).verdict == VISIBLE for c in combinations[1:])
-    surprised = any(e.surprising for e in every)
-    other = proposed(stated) if surprised else proposed(stated, score(problem, fitted)) if problem.temper < 1 else ""
+    other = proposed(stated, problem, fitted, every)
     refused = () if reason else reasons(problem, fitted, free, every, other, wrong)
     delays = _delays(problem, z, C, every)
     if withdrawn := REFUSED if refused else QUIET if reason else "":
