@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 
@@ -10,9 +11,11 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the tests themselves run s
 import shutil
 import signal
 import subprocess
+import tempfile
 import time
 from collections import Counter
 from collections.abc import Generator, Iterator
+from contextlib import suppress
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -132,13 +135,54 @@ def browser() -> Iterator[Any]:
         browser.close()
 
 
+def common(factory: pytest.TempPathFactory, name: str) -> Path:
+    """A temporary folder of that name for all processes of this run."""
+    base = factory.getbasetemp()
+    return (base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base) / name
+
+
+@pytest.fixture(scope="session")
+def nbc_once(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """What nbc made of a text it need not make again, which takes it a second: all flights have the same program."""
+    from upright.parity import execute_nxc
+
+    folder, run_tool = common(tmp_path_factory, "nbc"), execute_nxc.run_tool
+
+    def once(command: list[str], what: str) -> str:
+        *options, source = command
+        made = [Path(option[3:]) for option in options if option.startswith(("-O=", "-Y="))]
+        key = [option for option in options if not option.startswith(("-O=", "-Y="))]
+        kept = folder / hashlib.sha256(repr(key).encode() + Path(source).read_bytes()).hexdigest()
+        if not kept.exists():
+            run_tool(command, what)
+            scratch = Path(tempfile.mkdtemp(dir=folder))
+            for place in made:
+                shutil.copy(place, scratch / f"made{place.suffix}")
+            with suppress(OSError):  # the other process was first
+                scratch.rename(kept)
+            return ""
+        for place in made:
+            shutil.copy(kept / f"made{place.suffix}", place)
+        return ""
+
+    folder.mkdir(exist_ok=True)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(execute_nxc, "run_tool", once)
+        yield
+
+
+@pytest.fixture(autouse=True)
+def _nbc_once_where_needed(request: pytest.FixtureRequest) -> None:
+    if any("nbc" in mark.args for mark in request.node.iter_markers("needs")):
+        request.getfixturevalue("nbc_once")
+
+
 @pytest.fixture(scope="session")
 def exported_lab(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The page that `upright lab --export site` writes, with every preset: 20 s, once for all processes."""
     from upright.cli.main import main
 
-    base = tmp_path_factory.getbasetemp()
-    folder = (base.parent if os.environ.get("PYTEST_XDIST_WORKER") else base) / "exported-lab"
+    folder = common(tmp_path_factory, "exported-lab")
     page, failed = folder / "site" / "index.html", folder / "failed"
     try:
         folder.mkdir()
