@@ -210,7 +210,8 @@ def test_ten_thousand_hostile_messages_stop_nothing_and_reach_nobody(room):
             heard(client)
             for each in (room, alone):
                 each.stage.pump(0.02)
-    told = [m for m in heard(neighbour) if m["kind"] not in ("Snapshot", "Analysed", "Progress")]
+    of_its_own = ("Snapshot", "Analysed", "Light", "Progress")  # its controller's analysis may end meanwhile
+    told = [m for m in heard(neighbour) if m["kind"] not in of_its_own]
     assert told == []
     assert session.snapshot().x == twin.snapshot().x
     assert session.setup == MODEL
@@ -383,14 +384,15 @@ def served() -> Iterator[str]:
 def test_pages_are_served_to_this_site_alone(served):
     import httpx
 
-    page = httpx.get(served)
+    http = httpx.Client(timeout=180)  # [s] for a busy machine
+    page = http.get(served)
     assert page.status_code == 200
     assert "default-src 'self'" in page.headers["content-security-policy"]
-    assert httpx.get(served + "assets/lab.js").headers["content-type"].startswith("text/javascript")
-    assert httpx.get(served, headers={"Host": "evil.example"}).status_code == 403
-    assert httpx.get(served, headers={"Origin": "http://evil.example"}).status_code == 403
+    assert http.get(served + "assets/lab.js").headers["content-type"].startswith("text/javascript")
+    assert http.get(served, headers={"Host": "evil.example"}).status_code == 403
+    assert http.get(served, headers={"Origin": "http://evil.example"}).status_code == 403
     for path in ("assets/..%2f..%2fserver.py", "assets/%2e%2e/server.py", "files/x/run.csv", "docs", "openapi.json"):
-        assert httpx.get(served + path).status_code == 404, path
+        assert http.get(served + path).status_code == 404, path
 
 
 def test_a_foreign_socket_is_refused(served):
@@ -405,20 +407,21 @@ def test_a_foreign_socket_is_refused(served):
 def test_a_log_is_sent_examined_and_fetched_over_the_wire(served, tmp_path):
     import httpx
 
+    http = httpx.Client(timeout=180)  # [s] for a busy machine
     with _page(served) as (socket, welcome):
         _send(socket, {"kind": "Drag", "force": 0.6, "height": 0.07})
         _until(socket, lambda m: m["kind"] == "Snapshot" and m["t"] > 0.5)
         _send(socket, {"kind": "Save", "what": "csv"})
         made = _until(socket, lambda m: m["kind"] == "Made")
-        found = httpx.get(served + welcome["files"] + made["url"])
+        found = http.get(served + welcome["files"] + made["url"])
         assert found.headers["content-disposition"].startswith("attachment")
         address = f"{served}upload/{welcome['session']}"
-        sent = httpx.post(address, params={"what": "log", "name": "../../mine.csv"}, content=found.content)
+        sent = http.post(address, params={"what": "log", "name": "../../mine.csv"}, content=found.content)
         assert sent.json() == {"name": "in-mine.csv"}
         assert _until(socket, lambda m: m["kind"] in ("JobResult", "Notice"))["kind"] == "JobResult"
-        assert httpx.post(address, params={"what": "log", "name": "x.exe"}, content=b"x").status_code == 400
-        assert httpx.post(f"{served}upload/none", params={"name": "x.csv"}, content=b"x").status_code == 404
-        assert httpx.get(f"{served}files/{'0' * 32}/run.csv").status_code == 404
+        assert http.post(address, params={"what": "log", "name": "x.exe"}, content=b"x").status_code == 400
+        assert http.post(f"{served}upload/none", params={"name": "x.csv"}, content=b"x").status_code == 404
+        assert http.get(f"{served}files/{'0' * 32}/run.csv").status_code == 404
 
 
 def test_huge_binary_and_broken_frames_close_only_their_own_line(served):
