@@ -20,12 +20,12 @@ def page_of(plan: ExcitationPlan) -> Page:
     """The plan's page, not yet written."""
     wrong = plan.check()
     several = f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}"
-    verdict = Verdict(several, "warn") if wrong else Verdict("safe to run: keeps its limits", "good")
+    verdict = Verdict(several, "warn") if wrong else Verdict(_safe(plan), "good")
     sections = [
         Section("The run", [_WHAT, _over_time(plan), _spectrum(plan), _energy(plan), _energies(plan)]),
         Section("Limits", [_checked_words(plan), _limits(plan), *wrong, *plan.notes]),
         Section("Predicted intervals", [_PREDICTED, *_tables(plan)]),
-        Section("Alternatives", [_TRIED, _tried(plan)], folded=True),
+        Section("Alternatives", [_TRIED.format(_focus(plan)), _tried(plan)], folded=True),
     ]
     facts = {"controller": plan.hash[:12], "seed": str(plan.seed), "kit": plan.kit}
     numbers = [
@@ -42,6 +42,12 @@ def page_of(plan: ExcitationPlan) -> Page:
     )  # fmt: skip
 
 
+def _safe(plan: ExcitationPlan) -> str:
+    """The limits are those of robots that stand without the excitation, which is said where some do not."""
+    only = " for a robot that stands without it" if plan.checked.dropped else ""
+    return f"safe to run{only}: keeps its limits"
+
+
 _WHAT = (
     "The excitation is added to the commands of the controller, which keeps the robot upright. The mean of both motors "
     "drives the robot; half of their difference turns it."
@@ -49,16 +55,27 @@ _WHAT = (
 _MODES = "Driving: the mean of both motors. Turning: half of their difference."
 _PREDICTED = (
     "Predicted from the Fisher information of the calibration's predictor, along a run of the nonlinear model with the "
-    "kit. Both dithers are random binary signals of the same energy: one changes every period, one is held for 40 ms. "
+    "kit. Both dithers are random binary signals of the same energy at the motors: one changes every period, one is "
+    "held for 40 ms. "
     "The intervals after a hundred runs come from the spreads of other parameters: measure those."
 )
 _TRIED = (
-    "Each excitation is as large as the limits allow. The last column is the width of the intervals after the run over "
-    "that before: the geometric mean over the parameters in focus."
+    "Each excitation is as large as the limits allow; energies are those at the motors. The plan may use less, where "
+    "the intervals hardly widen. So a dither is louder here than the random signal above, and comes closer. "
+    "The last column is the width of the intervals after the run over that before. It is the geometric mean over {}."
 )
 
 
 BETTER = 0.95  # of the plan's interval: that of a random signal is narrower
+
+
+def _focus(plan: ExcitationPlan) -> str:
+    from upright.robots import PARAMETERS
+
+    if plan.focus:
+        return f"the parameters in focus: {joined([spoken(name) for name in plan.focus])}"
+    count = sum(p.name in PARAMETERS for p in plan.predicted)
+    return f"the {count} numbers of the robot itself that the table lists, without delays and motors"
 
 
 def _lead(plan: ExcitationPlan) -> str:
@@ -95,7 +112,9 @@ def _spectrum(plan: ExcitationPlan) -> Figure:
     figure, (ax,) = panels([f"amplitude [dB over 1 {plan.unit}]"], "frequency [Hz]", "log")
     for name, wave in _waves(plan).items():
         line(ax, name, frequency, _level(wave, frequency))
-    return Figure("Spectrum of the excitation", legend(figure), "Amplitude of each sine in the run.")
+    for drawn, marker in zip(ax.lines, ("o", "x"), strict=True):
+        drawn.set(linestyle="", marker=marker, markersize=3)
+    return Figure("Spectrum of the excitation", legend(figure), "Amplitude of each sine in the run, a mark for each.")
 
 
 QUIETEST = 60.0  # [dB] below the loudest sine: less is not drawn
@@ -124,8 +143,9 @@ def _energy(plan: ExcitationPlan) -> str:
     unit = _energy_unit(plan)
     answer = "works against it, and leaves" if plan.energy < plan.added else "answers it; together they give"
     return (
-        f"The excitation has an energy of {plan.added:.3g} {unit}, over both motors. The controller {answer} "
-        f"{plan.energy:.3g} {unit} at the motors. It works most against slow parts, so these are larger in the drawing."
+        f"As drawn, before the loop, the excitation has an energy of {plan.added:.3g} {unit} over both motors. The "
+        f"controller {answer} {_joules(plan)} at the motors. Only this one is meant where energies are compared. "
+        "The controller works most against slow parts, so these are larger in the drawing."
     )
 
 
@@ -160,17 +180,34 @@ def _widths(plan: ExcitationPlan) -> Figure:
     none = f" Not drawn, since the run tells nothing of them: {', '.join(lost)}." if lost else ""
     title = f"The run halves the uncertainty of {_halved(plan)} of {len(plan.predicted)} parameters; left is better"
     title += f" ({len(shown)} drawn)" if lost else ""
-    return Figure(title, legend(figure), f"The random signal has the same energy.{none}")
+    note = f"The random signal has the same energy at the motors, {_joules(plan)}.{none}{_vague(plan)}"
+    return Figure(title, legend(figure), note)
+
+
+def _vague(plan: ExcitationPlan) -> str:
+    """Which intervals stay wide although they are halved: a prior that knows little is soon improved."""
+    vague = [p for p in plan.predicted if p.after < VISIBLE * p.before and p.after > 2 * VAGUE * abs(p.value) > 0]
+    named = [f"{spoken(p.name)} (± {number(50 * p.after / abs(p.value), 2)} %)" for p in vague]
+    return f" Halved is not known well: still unsure of {joined(named)}." if named else ""
+
+
+VAGUE = 0.5  # of a value: a half width above which it is named, though halved
+
+
+def _joules(plan: ExcitationPlan) -> str:
+    return f"{plan.energy:.3g} {_energy_unit(plan)}"
 
 
 def _tables(plan: ExcitationPlan) -> list[Item]:
     """Half widths of the intervals; what only some ask for is pressed for."""
-    rows: list[list[Cell]] = [[_named(p), p.before / 2, p.after / 2, p.dither / 2] for p in plan.predicted]
-    more: list[list[Cell]] = [[_named(p), p.held / 2, p.least / 2, p.after / p.dither] for p in plan.predicted]
-    further = Table(["parameter", "held 40 ms", "100 runs", "after / dither"], more, "Half widths, and their ratio", 3)
+    rows: list[list[Cell]] = [[_named(p), p.before / 2, p.after / 2] for p in plan.predicted]
+    more: list[list[Cell]] = [
+        [_named(p), p.dither / 2, p.held / 2, p.least / 2, p.after / p.dither] for p in plan.predicted
+    ]
+    header = ["parameter", "dither", "held 40 ms", "100 runs", "after / dither"]
     return [
-        Table(["parameter", "before", "after", "dither"], rows, "Half widths of 95 % intervals", 3),
-        Details("Another dither, and a hundred runs", [further]),
+        Table(["parameter", "before", "after"], rows, "Half widths of 95 % intervals", 3),
+        Details("Both dithers, and a hundred runs", [Table(header, more, "Half widths, and their ratio", 3)]),
     ]
 
 

@@ -21,8 +21,8 @@ def page_of(compared: MethodComparison) -> Page:
     data = compared.samples
     sections = [
         Section("Regulators in closed loop", [_lead_of_loop(compared), trial_table(compared), methods_table(compared)]),
-        Section("The unstable pole", [_POLES, pole_table(compared), _eigenvalues(compared)]),
-        Section("Predictions", [_PREDICTIONS, *_predictions(compared)]),
+        Section("The unstable pole", [*_poles(compared), pole_table(compared), _eigenvalues(compared)]),
+        Section("Predictions", [*_about_predictions(compared), *_predictions(compared)]),
         Section("Model order", _orders(compared), folded=True),
         Section("Notes", [*compared.notes, *_failures(compared), *_delays(compared)], folded=True),
     ]
@@ -50,7 +50,11 @@ def _verdict(compared: MethodComparison) -> Verdict:
         return Verdict("none can be used", level)
     best = _best(compared)
     sure = math.isfinite(compared.models[best].pole.high - compared.models[best].pole.low)
-    return Verdict(f"{best}: narrowest interval of the pole" if sure else f"{best} leans least", "good")
+    prior = ", but it alone has a prior" if best == PRIOR and tried > 1 else ""
+    return Verdict(f"{best}: narrowest interval of the pole{prior}" if sure else f"{best} leans least", "good")
+
+
+PRIOR = "calibrate"  # the method that starts from what is known of the robot
 
 
 def _title(compared: MethodComparison) -> str:
@@ -137,15 +141,35 @@ def _leans(name: str, trial: LoopTrial) -> str:
 
 
 _POLES = (
-    "The rate at which the robot falls, with its 95 % interval; dry friction counts as damping. The bias is the "
-    "method's median estimate from repeated logs, less their true pole. These logs are simulated with the subspace "
-    "model, the log's feedback law and new innovations; so the bias of subspace is small by construction, and says "
-    "little. An interval covers the scatter, not the bias."
+    "The rate at which the robot falls, with its 95 % interval. Dry friction counts as damping. The interval tells how "
+    "much the estimate scatters from log to log. It does not tell how far all of them are off: that is the bias.",
+    "The bias comes from simulated logs, whose pole is known: the median estimate less that pole. They are simulated "
+    "with the subspace model. So the bias of subspace is small by construction, and says little.",
 )
+_KNOWN = (
+    "Calibrate alone starts from the robot's file, its numbers and their spreads. So its interval is narrow also "
+    "because of that prior; the other methods get none."
+)
+_KNEW = "The twin that made this log has the very numbers of that file: such a prior cannot be wrong here."
 _PREDICTIONS = (
     "Fit [%] on the held-out part of the log: 100 (1 − rms error / rms of the motion). The filter is the same for all "
-    "models. For angles the motion is their change over the prediction horizon."
+    "models. For angles the motion is their change over the prediction horizon. Wheel: the mean of both encoders, "
+    "relative to the body. Turn: from their difference."
 )
+_STABLE = (
+    "A model that is stable, though the robot is not, forgets an error of its start; a right one lets it grow. So a "
+    "wrong model may fit better far ahead."
+)
+
+
+def _poles(compared: MethodComparison) -> list[Item]:
+    known = [_KNOWN] if PRIOR in compared.models and len(compared.models) > 1 else []
+    return [*_POLES, *known, *([_KNEW] if known and compared.judge.made_the_log else [])]
+
+
+def _about_predictions(compared: MethodComparison) -> list[Item]:
+    stable = any(m.pole.value <= 0 for m in compared.models.values())
+    return [_PREDICTIONS, *([_STABLE] if stable else [])]
 
 
 def _lead(compared: MethodComparison) -> str:
@@ -188,7 +212,8 @@ def trial_table(compared: MethodComparison) -> Table:
 
 def methods_table(compared: MethodComparison) -> Table:
     """What each method is."""
-    return Table(["method", "how"], [[name, TITLES.get(name, "")] for name in compared.trials], "The methods")
+    caption = "The methods; rebuilt states are angles and rates computed from the readings, with their noise"
+    return Table(["method", "how"], [[name, TITLES.get(name, "")] for name in compared.trials], caption)
 
 
 def pole_table(compared: MethodComparison) -> Table:
@@ -229,8 +254,8 @@ def _eigenvalues(compared: MethodComparison) -> Figure:
     figure, ax = plane("real part [1]", "imaginary part [1]", circle=True)
     everything = {name: np.linalg.eigvals(m.halves["pitch"].A) for name, m in compared.models.items()}
     near = {name: values[np.abs(values - 1) < NEAR] for name, values in everything.items()}
-    for name, values in near.items():
-        points(ax, name, values.tolist())
+    for k, (name, values) in enumerate(near.items()):
+        points(ax, name, values.tolist(), size=5.0 + 2.0 * k)  # those that coincide stand round each other
     beyond = sum(len(values) for values in everything.values()) - sum(len(values) for values in near.values())
     drawn = np.concatenate([values - 1 for values in near.values()]) if near else np.zeros(0)
     reach = 1.3 * max(float(np.abs(drawn).max(initial=0.0)), 0.05)
@@ -249,7 +274,10 @@ def _predictions(compared: MethodComparison) -> list[Item]:
         for name, m in compared.models.items():
             line(ax, name, [float(h) for h in m.fits], [fit.get(output, math.nan) for fit in m.fits.values()])
         ax.set_ylim(0, 100)
-    drawing = Figure("Predictions of the held-out part", legend(figure))
+        for drawn in ax.lines:
+            drawn.set(marker="o", markersize=4)
+    note = "The lines join what was computed, at the marks. Fits below 0 are not drawn; the tables have them."
+    drawing = Figure("Predictions of the held-out part", legend(figure), note)
     tables = [
         Table(
             ["samples ahead", *horizons],

@@ -10,12 +10,14 @@ import numpy as np
 from upright.calibrate.calibration import GOOD, PREDICTED
 from upright.report.figure import Figure
 from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
+from upright.tables import joined, sentence
 from upright.tables import least as least_of
-from upright.tables import sentence
+from upright.validate.loop import FreeLoop
 from upright.validate.validation import (
     DOES_NOT,
     JUDGED,
     PREDICTS,
+    SMOOTH,
     ChannelFit,
     LogJudged,
     Validation,
@@ -27,22 +29,29 @@ from upright.validate.validation import (
 
 _HALF = (
     "Each half second starts from a state that is fitted to it, and gets only the logged commands. R² counts what the "
-    "prediction misses against what the reading varies. Fit is 100 (1 − rms error / standard deviation)."
+    "prediction misses against what the reading varies. Fit is 100 (1 − rms error / standard deviation). First missed: "
+    "the first half second whose rms error is above the standard deviation of the whole reading."
 )
 _OWN = (
     "Friction, winding, supply, floor and dead times differ from run to run of one robot. Here they are fitted to this "
     "log, about what is known, with the spreads that runs usually have. The robot's other numbers stay."
 )
 _LOOP = (
-    "The closed loop starts from the first state of the log. It gets the law, what was added to it, and no reading. "
+    "The closed loop is simulated from the first state of the log. The law computes its commands anew, and what the "
+    "experiment added to them is added again. It gets no reading of the log. "
     "Small errors of that state and the missing noise add up: it swings and drifts away from the log. It gets no push "
     "either, and leaves the log at the first one. Neither speaks against the robot."
+)
+_LOST = (
+    "Lost: over {:g} s the rms error is above the standard deviation of the whole reading, pushes included. "
+    "That is {}. A smaller drift is not counted, although it shows in the figure."
 )
 _FELL = (
     "The simulated robot falls at t = {:.3g} s. If the logged one stood, that is not expected: the law as known here, "
     "or the fitted first state, is not right."
 )
 _STILL = "The robot hardly turns in this log, less than the compass can tell: its R² says nothing."
+_ONE = "The right encoder is not judged: the log has none, or its channel equals that of the left one."
 _SHIFTS = (
     "Each parameter is moved alone to where it fits the log best (one Gauss–Newton step). Listed are those that shrink "
     "the squared error of half seconds by a tenth or more. Steps are in standard deviations of what is known."
@@ -93,7 +102,8 @@ def _lead(result: Validation) -> str:
     compass = any(c.name.endswith("compass") for log in result.logs for c in log.half_seconds)
     aside = " The compass is shown, not judged: it also turns with iron and motors nearby." if compass else ""
     return (
-        f"{seconds:.3g} s of log against the model of {result.robot}; a test only where it was not fitted to this log. "
+        f"{seconds:.3g} s of log against the model of {result.robot}. This is a test if that robot was not fitted to "
+        "this log. "
         f"A sensor passes from R² {GOOD:g} up.{aside} Next: {then}."
     )
 
@@ -109,7 +119,7 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
         lowest = min(loops, key=lambda c: c.r2)
         if lowest.r2 < 0 and (first := _first(loops)):
             pushed = next((p for p in map(_pushed, judged) if p is not None), None)
-            followed = f"of the whole run are followed from its first row alone, until {_lost(loops, pushed)}"
+            followed = f"from the first row alone until the {short(first.name)} is lost: {_lost(loops, pushed)}"
             numbers.append((f"{first.breaks:.2g} s", followed))
         else:
             whole = f"R² of the whole run from its first row alone ({short(lowest.name)})"
@@ -163,6 +173,8 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
     loop: list[Item] = [_LOOP, sentence(log.law if named else f"the loop {log.law}")]
     loop += [log.caution] if log.caution else []
     if log.simulated is not None:
+        loop += [_beyond(log.simulated)]
+        loop += [_ESTIMATED] if any(name.startswith("estimate/") for name in log.simulated.names) else []
         loop += [_FELL.format(log.simulated.fell)] if log.simulated.fell is not None else []
         loop += [
             _table(log.loop, "lost after [s]"),
@@ -172,7 +184,10 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
         [s.name.replace("_", " "), s.unit, s.value, s.proposed, s.deviations, s.explains] for s in log.shifts
     ]
     moves: list[Item] = [_SHIFTS, Table(["", "unit", "value", "proposed", "step", "removes"], rows, digits=3)]
-    half: list[Item] = [*log.notes, _HALF, _table(log.half_seconds), *([_STILL] if _still(log) else [])]
+    names = {c.name for c in log.half_seconds}
+    one = "sensor/encoder_left" in names and "sensor/encoder_right" not in names
+    half: list[Item] = [*log.notes, _HALF, _table(log.half_seconds), *([_ONE] if one else [])]
+    half += [_STILL] if _still(log) else []
     if log.own_run:
         effects: list[list[Cell]] = [[e.name.replace("_", " "), e.unit, e.known, e.here] for e in log.effects]
         half += [_OWN, _table(log.own_run), Table(["", "unit", "known", "this run"], effects, digits=3)]
@@ -181,6 +196,19 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
         Section(f"The whole run from its first row{name}", loop),
         Section(f"Parameters to doubt{name}", moves if rows else [_NONE]),
     ]
+
+
+_ESTIMATED = "The measured pitch is the estimate that the log holds, not a reading: it is shown, not judged."
+
+
+def _beyond(loop: FreeLoop) -> str:
+    """What counts as lost, for each reading."""
+    sizes = [
+        f"{cell_text(float(np.nanstd(y)), 2)} {PREDICTED.get(name, 'rad')} for the {short(name)}"
+        for name, y in zip(loop.names, loop.measured.T, strict=True)
+        if not name.endswith("compass")
+    ]
+    return _LOST.format(SMOOTH, joined(sizes))
 
 
 def _still(log: LogJudged) -> bool:
@@ -201,7 +229,12 @@ RANGE = 7.0  # deviations of normal noise from the least to the largest of some 
 def _table(channels: Sequence[ChannelFit], when: str = "first missed at [s]") -> Table:
     rows: list[list[Cell]] = [
         [short(c.name) + (" (not judged)" if c.name.endswith("compass") else ""),
-         float(least_of(c.r2, 4)) if c.r2 > 0 else "below 0", c.fit if c.r2 > 0 else "–", c.breaks]
+         float(least_of(c.r2, 4)) if c.r2 > 0 else "below 0", c.fit if c.r2 > 0 else None, c.breaks]
         for c in channels
     ]  # fmt: skip
-    return Table(["", "R²", "fit [%]", when], rows)
+    return Table(["", "R²", "fit [%]", when], [[*row[:2], _rounded(row[2]), row[3]] for row in rows])
+
+
+def _rounded(fit: Cell) -> Cell:
+    """A fit to a tenth of a per cent: more digits mean nothing."""
+    return round(fit, 1) if isinstance(fit, float) else fit
