@@ -121,10 +121,10 @@ QUIETEST = 60.0  # [dB] below the loudest sine: less is not drawn
 
 
 def _level(wave: Array, frequency: Array) -> Array:
-    """Amplitudes in decibels."""
+    """Amplitudes in decibels; NaN for what is not drawn."""
     amplitude = 2 * np.abs(np.fft.rfft(wave))[1 : len(frequency) + 1] / len(wave)
     level = 20 * np.log10(np.maximum(amplitude, 1e-12))
-    return np.maximum(level, level.max() - QUIETEST)
+    return np.where(level > level.max() - QUIETEST, level, np.nan)
 
 
 def _energies(plan: ExcitationPlan) -> Table:
