@@ -1,6 +1,6 @@
 """Whether a certificate's loop and the program that flies say alike who falls, where robot and belief differ.
 
-    python benchmarks/believing.py                    # 1000 runs: half an hour
+    python benchmarks/believing.py                    # 1000 runs: a quarter of an hour
     python benchmarks/believing.py --runs 100 --first 5000
 
 Each run has a robot that differs from what its program believes: a further delay of commands up to 30 ms, a dead zone,
