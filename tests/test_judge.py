@@ -100,12 +100,15 @@ def test_what_the_doctor_finds_refuses_a_fit_unless_it_predicts_the_log(model_lo
 
 @pytest.mark.parametrize(("true", "named"), [("ev3way-large-wheels", True), ("ev3way", False)])
 def test_a_log_of_another_preset_names_it(true: str, named: bool) -> None:
-    """A log of the robot on large wheels under the file of the small ones; the file's own log proposes nothing."""
+    """A log of the robot on large wheels under the file of the small ones; the file's own log proposes nothing. Nothing
+    is asked where innovations are white and no stated number is contradicted."""
     robot, kit = Robot.preset(true), Kit.preset("ideal")
     log = run(NonlinearBody(robot), Excited(lqr(robot, 0.01), random_binary(150, 2.0, 1, 4)), seconds=1.5)
     raw = Log(log.t, {n: v for n, v in log.channels.items() if not n.startswith("truth/")}, log.units, log.origin)
     problem, _ = prepared([raw], Robot.preset("ev3way"), kit, (), 0.0)
-    assert ("--robot ev3way-large-wheels" in judge.proposed(problem)) == named
+    z, coloured = np.zeros(len(problem.parameters)), replace(problem, temper=0.5)
+    assert ("--robot ev3way-large-wheels" in judge.proposed(problem, coloured, z, ())) == named
+    assert judge.proposed(problem, problem, z, ()) == ""
 
 
 def test_numbers_that_predict_worse_than_the_file_are_refused(model_log: Log, monkeypatch: pytest.MonkeyPatch) -> None:
