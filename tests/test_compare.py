@@ -25,7 +25,7 @@ from upright.control import StateFeedback, lqr
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import Hold, outcome_of, run
 from upright.report.comparing import page_of
-from upright.report.metrics import metrics_table
+from upright.report.metrics import around, left_out, metrics_table
 from upright.robots import Robot
 from upright.signals import STATE_NAMES, Log
 
@@ -160,6 +160,29 @@ def test_logs_on_other_time_bases_are_interpolated_on_the_common_interval():
     result = compare({"a": pushed(period=0.01), "b": pushed(period=0.004, seconds=5.0)})
     assert min(result.fits["b"].values()) > 99.9  # the same curve; linear interpolation errs by (h/τ)²/8 = 8e-6
     assert set(result.fits) == {"b"}
+
+
+def test_a_time_that_the_end_of_the_record_decides_is_none():
+    """Released at 2 s of 8 s; a wobble of 10 % of the peak from 7 s on, in the last quarter, leaves both bands."""
+    log = pushed(0.25)
+    wobble = np.where(log.t > 7, 0.01 * np.sin(20 * log.t), 0.0)
+    swinging = Log(log.t, {**log.channels, "truth/pitch": log["truth/pitch"] + wobble}, origin=log.origin)
+    numbers = compare({"a": swinging}).metrics["a"]
+    assert math.isnan(numbers.settling_2)
+    assert math.isnan(numbers.settling_5)
+
+
+def test_a_figure_is_cut_only_where_all_states_are_near_rest():
+    """A push of 1 s at 2 s in 20 s: the decay of 0.5 s is over at 8 s; a wheel that still rolls at 19 s is not."""
+    log = pushed(seconds=20.0)
+    whole = compare({"a": log})
+    assert around(whole) is not None
+    rolling = np.where(log.t > 15, 0.05 * (log.t - 15), 0.0)
+    moving = Log(log.t, {**log.channels, "truth/wheel": log["truth/wheel"] + rolling}, origin=log.origin)
+    assert around(compare({"a": moving})) is None
+    low, high = around(whole) or (0.0, 0.0)
+    assert "before and after" not in left_out(whole, low, high)  # the push acts from the first sample on
+    assert "after the robot is near rest" in left_out(whole, low, high)
 
 
 def test_the_reference_may_be_named_and_an_unknown_one_is_refused():

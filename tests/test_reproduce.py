@@ -310,7 +310,8 @@ def test_nothing_falls_and_the_hold_is_reached(parts: dict[str, Claim], part: st
 def test_claims_follow_from_their_cases(parts: dict[str, Claim]) -> None:
     cases, claims = parts["5e"].numbers["cases"], parts["5e"].numbers["claims"]
     assert len(cases) == 4
-    fastest = [case["settling"]["linear"] <= min(case["settling"].values()) for case in cases.values()]
+    times = [{name: math.inf if s is None else s for name, s in case["settling"].items()} for case in cases.values()]
+    fastest = [of["linear"] <= min(of.values()) for of in times]  # None: it swings beyond the band to the end
     assert claims["the linear model settles fastest"] == all(fastest)
     assert claims["yaw is negligible"] == all(case["largest_yaw"] <= math.radians(1) for case in cases.values())
     assert parts["5e"].verdict == (REPRODUCED if all(claims.values()) else NOT_AS_PRINTED)

@@ -44,9 +44,10 @@ DRAWN = 200
 class BenchRow:
     """One controller under one push; numbers are None where there was nothing to run.
 
-    `outcome` is "yes", "fell at … s" or why there is no design; `peak` [rad], `settling` to 5 % [s], `travel` of the
-    wheels [rad], `effort` [V² s or (N m)² s], `saturated` fraction [1]. `impulse` [N s] is the largest knock of
-    `KNOCK` at the centre of mass from that side after which the robot still stands `WATCHED` later, to `TOLERANCE`.
+    `outcome` is "yes", "fell at … s" or why there is no design; `peak` [rad], `settling` to 5 % [s] (None where it
+    swings further to the end), `travel` of the wheels [rad], `effort` [V² s or (N m)² s], `saturated` fraction [1].
+    `impulse` [N s] is the largest knock of `KNOCK` at the centre of mass from that side after which the robot still
+    stands `WATCHED` later, to `TOLERANCE`.
     `spread` is the fraction of `DRAWN` robots over the spreads of this one's sources that fall under the same push, in
     the nonlinear model; only of linear controllers.
     """
@@ -98,7 +99,7 @@ class Bench(Shown):
         for name, push, *cells in self.listing().rows:
             tables.setdefault(push, []).append([name, *cells])
         texts = [f"{push}\n{Listing([short[0], *short[2:]], rows, short[2:9])}" for push, rows in tables.items()]
-        return "\n\n".join([*texts, "peak, travel [rad]; settles [s]; impulse: largest survived [N s]; falls of 200"])
+        return "\n\n".join([*texts, "peak, travel [rad]; settles to 5 % [s]; impulse survived [N s]; falls of 200"])
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers, without the logs."""
@@ -141,7 +142,7 @@ class Bench(Shown):
     def plot_responses(self, *controllers: str) -> Figure:
         """Pitch under each of some controllers (default: all), one panel for each push; a fall ends its line. The first
         one has the solid line."""
-        from upright.plotting import legend, line, panels
+        from upright.plotting import legend, line, panels, span
 
         pushes = list(dict.fromkeys(push for _, push in self.logs))
         figure, axes = panels([f"pitch, {in_degrees(push)} of lean [°]" for push in pushes])
@@ -154,6 +155,7 @@ class Bench(Shown):
         limit = math.degrees(min(RANGE, 1.15 * most or RANGE))
         for ax in axes:
             ax.set_ylim(-limit, limit)
+        span(axes, 0.0, UNTIL, "push acts")
         return legend(figure)
 
 

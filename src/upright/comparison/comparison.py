@@ -46,7 +46,8 @@ def _number(unit: str, label: str) -> Any:
 class Metrics:
     """What one log shows; times count from the release of the push, NaN where a log cannot say.
 
-    Settling and overshoot are of pitch about zero, and `wheel_travel` is the largest |θ − θ(first sample)|.
+    Settling and overshoot are of pitch about zero, and `wheel_travel` is the largest |θ − θ(first sample)|. A run that
+    leaves the band in the last quarter after the release too has no settling time.
     `fell` is the run's own outcome, None where a log from elsewhere has none (`experiment.outcome_of`).
     """
 
@@ -286,8 +287,8 @@ def _measure(log: Log, source: str, release: float, unit: str) -> Metrics:
     pitch, wheel = _channel(log, f"{source}/pitch"), _channel(log, f"{source}/wheel")
     after = pitch[log.t >= release]
     return Metrics(
-        settling_2=metrics.settling_time(log.t, pitch, band=0.02, start=release),
-        settling_5=metrics.settling_time(log.t, pitch, band=0.05, start=release),
+        settling_2=metrics.settled(log.t, pitch, band=0.02, start=release),
+        settling_5=metrics.settled(log.t, pitch, band=0.05, start=release),
         overshoot=metrics.overshoot(after),
         pitch_peak=metrics.peak(log.t, pitch).value,
         pitch_rms=metrics.rms(pitch),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -49,13 +49,15 @@ class Moments(NamedTuple):
 @dataclass(frozen=True)
 class CaseSummary:
     """Results of one case of `n` robots: how many fell, the probability with its 95 % interval (None where a campaign
-    does not keep `fell`), and the moments of each outcome over the robots that stood."""
+    does not keep `fell`), and the moments of each outcome over the robots that stood. `ends` has for each drawn number
+    how many fell of the robots with its least and its largest values, and how many robots each of the two parts has."""
 
     labels: Mapping[str, str | float]
     n: int
     fell: int | None
     chance: Interval | None
     outcomes: Mapping[str, Moments]
+    ends: Mapping[str, tuple[int, int, int]] = field(default_factory=dict[str, tuple[int, int, int]])
 
     def mean(self, outcome: str) -> float | None:
         """The mean over the robots that stood; None where none did, or where the campaign does not keep it."""
@@ -92,15 +94,29 @@ class Cases(Shown, tuple[CaseSummary, ...]):
 
     def effects(self) -> dict[str, dict[str | float, Interval]]:
         """For each label that differs the fraction that fell at each of its values, in all cases together, with its
-        95 % interval; the label with the largest effect first."""
+        95 % interval; the label with the largest effect first. The interval counts each robot once: the cases of one
+        robot's name have the same drawn robots."""
         effects: dict[str, dict[str | float, Interval]] = {}
         for name, values in self.varied().items():
             groups = {v: [c for c in self.worst_first() if c.labels.get(name, "") == v] for v in values}
             effects[name] = {
-                v: clopper_pearson(sum(c.fell or 0 for c in cases), sum(c.n for c in cases))
-                for v, cases in groups.items() if cases
+                v: _together(cases) for v, cases in groups.items() if cases
             }  # fmt: skip
         return dict(sorted(effects.items(), key=lambda item: -_reach(item[1])))
+
+    def drawn(self) -> dict[str, tuple[CaseSummary, float, float]]:
+        """For each drawn number the case in which it matters most, and the fractions that fell of the robots with its
+        least and its largest values; the number with the largest effect first. Those that chance explains are left
+        out."""
+        found: dict[str, tuple[CaseSummary, float, float]] = {}
+        for case in self:
+            for name, (least, most, n) in case.ends.items():
+                low, high = sorted((clopper_pearson(least, n), clopper_pearson(most, n)))
+                known = found.get(name)
+                size = abs(most - least) / n
+                if low.high < high.low and (known is None or size > abs(known[2] - known[1])):
+                    found[name] = (case, least / n, most / n)
+        return dict(sorted(found.items(), key=lambda item: -abs(item[1][2] - item[1][1])))
 
     def worst_first(self) -> list[CaseSummary]:
         """The cases whose falls are counted, the largest fraction that fell first; those that differ by less than a
@@ -156,6 +172,7 @@ class Cases(Shown, tuple[CaseSummary, ...]):
 
 
 DRAWN = 40  # cases at most in a figure
+END = 0.2  # [1] of the robots: those with the least, or the largest, values of a drawn number
 
 
 TIED = 0.25  # [1] of a 95 % interval: chance alone makes larger differences
@@ -164,6 +181,16 @@ TIED = 0.25  # [1] of a 95 % interval: chance alone makes larger differences
 def _tied(worse: CaseSummary, case: CaseSummary) -> bool:
     one, other = worse.chance, case.chance
     return one is not None and other is not None and one.value - other.value < TIED * (one.high - one.low)
+
+
+def _together(cases: Sequence[CaseSummary]) -> Interval:
+    """The fraction that fell in several cases, with the interval of as many robots as differ."""
+    fell, runs = sum(c.fell or 0 for c in cases), sum(c.n for c in cases)
+    robots: dict[str | float, int] = {}
+    for case in cases:
+        robots[case.labels.get("robot", "")] = max(case.n, robots.get(case.labels.get("robot", ""), 0))
+    differ = sum(robots.values())
+    return clopper_pearson(round(fell / runs * differ), differ)._replace(value=fell / runs)
 
 
 def _reach(levels: Mapping[str | float, Interval]) -> float:
@@ -188,7 +215,7 @@ def tally(labels: Mapping[str, str | float], n: int, paths: Sequence[Path]) -> C
     """The summary of a case whose chunks are at `paths`; no more than one is in memory at a time."""
     import pyarrow.parquet as pq
 
-    counted, fell, merged = False, 0, dict[str, Moments]()
+    counted, fell, merged, ends = False, 0, dict[str, Moments](), dict[str, Any]()
     for path in paths:
         with pq.ParquetFile(path) as file:
             table = file.read()
@@ -196,8 +223,16 @@ def tally(labels: Mapping[str, str | float], n: int, paths: Sequence[Path]) -> C
         counted = "fell" in names
         down = np.asarray(table.column("fell").to_numpy()) > 0 if counted else np.zeros(len(table), dtype=bool)
         fell += int(down.sum())
+        for name in names - set(OUTCOMES) - {"robot"} if counted else ():
+            values = np.asarray(table.column(name).to_numpy())
+            part = int(END * len(values))
+            if part and np.ptp(values) > 0:
+                order = np.argsort(values, kind="stable")
+                new = int(down[order[:part]].sum()), int(down[order[-part:]].sum()), part
+                ends[name] = tuple(a + b for a, b in zip(ends.get(name, (0, 0, 0)), new, strict=True))
         for name in names & set(OUTCOMES) - {"fell", "lived"}:
             values = np.asarray(table.column(name).to_numpy())[~down]
             merged[name] = merged.get(name, Moments()).with_values(values[np.isfinite(values)])
     outcomes = {name: merged[name] for name in OUTCOMES if name in merged}
-    return CaseSummary(labels, n, fell if counted else None, clopper_pearson(fell, n) if counted else None, outcomes)
+    chance = clopper_pearson(fell, n) if counted else None
+    return CaseSummary(labels, n, fell if counted else None, chance, outcomes, ends)

@@ -16,11 +16,12 @@ def chapter(robot: Robot, kit: Kit, progress: Progress = unwatched) -> Claim:
     bench = bench_controllers(robot, kit, methods=METHODS, progress=progress, knocks=False)
     rows = bench.rows
     held = [name for name in METHODS if all(row.holds for row in rows if row.controller == name)]
-    least = min((row for row in rows if row.holds), key=lambda row: row.travel or 0.0)
+    travels = {name: max(row.travel or 0.0 for row in rows if row.controller == name) for name in held}
+    least = min(travels, key=lambda name: travels[name], default="")
     summary = (
         f"{len(held)} of {len(METHODS)} controllers balance {robot.name} on its sensors through both pushes. The "
         "paper's state feedback has no integral action, so the robot rolls away under a constant force. "
-        f"{least.controller} travels least, {least.travel:.2g} rad of wheel."
+        f"{f'{least} travels least, {travels[least]:.2g} rad of wheel at most.' if least else ''}"
     )
     numbers = {"rows": bench.to_json()["rows"]}
     items = [responses(bench), *tables(bench)]

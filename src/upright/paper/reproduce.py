@@ -28,7 +28,10 @@ LEAD = (
     "Herrera, Chamorro, Gómez and Camacho model the LEGO NXT balancing robot twice, put robot and models under one "
     "regulator, and push them. This page repeats each step; a simulated twin stands in for their robot."
 )
-
+COUNTED = (
+    "A claim is one part of the paper, judged as a whole. The equations are two: in their corrected form (1a) and as "
+    "printed, with each misprint (1b)."
+)
 
 AFTER = " Next: `upright reproduce --log LOG --robot ROBOT` does the same with a log of your own robot."
 
@@ -87,7 +90,7 @@ def _page(claims: Sequence[Claim]) -> Page:
         for name, (unit, symbol) in PARAMETERS.items()
     ]
     opening = [
-        Section("The claims", [Table(["claim", "verdict", "because"], rows)]),
+        Section("The claims", [Table(["claim", "verdict", "because"], rows), COUNTED]),
         Section("The robot", [
             Figure("Angles and lengths of the model", labelled(robots[0])),
             Details("Parameters of both robots", [Table(["", "parameter", "unit", LIGHT, HEAVY], parameters)]),

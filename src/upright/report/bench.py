@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from upright.comparison import compare
 from upright.comparison.bench import DRAWN, TOLERANCE, Bench
 from upright.plotting import number
 from upright.report.figure import Figure
+from upright.report.metrics import at_rest, degrees
 from upright.report.page import Cell, Details, Page, Section, Table, Verdict, cell_text
 from upright.tables import in_degrees, joined
 
@@ -52,7 +54,7 @@ def page_of(bench: Bench) -> Page:
 
 _SMALLER = (
     "Of the knocks from the front and from the back, the smaller one; the tables have both. "
-    f"Controllers within {number(100 * TOLERANCE, 2)} % of each other share a place and a colour."
+    f"Controllers within {number(100 * TOLERANCE, 2)} % of each other share a place."
 )
 
 
@@ -68,8 +70,21 @@ def _summary(bench: Bench) -> Table:
 
 def _unsettled(bench: Bench) -> list[str]:
     """Why some have no settling time though they hold."""
-    lost = {row.controller: None for row in bench.rows if row.holds and not math.isfinite(row.settling or math.nan)}
-    return [f"No settling time of {joined(list(lost))}: pitch still swings beyond 5 % of its peak."] if lost else []
+    rest = {row.push: _rest(bench, row.push)[0] for row in bench.rows}
+    lost = {r.controller: None for r in bench.rows if r.holds and math.isnan(rest[r.push].get(r.controller, math.nan))}
+    return [f"No settling time of {joined(list(lost))}: pitch does not come to rest within the run."] if lost else []
+
+
+def _rest(bench: Bench, push: str) -> tuple[dict[str, float], float]:
+    """How long after the release each controller's pitch comes to rest [s], as on a comparison's page; and within which
+    angle [rad]."""
+    logs = {name: log for (name, under), log in bench.logs.items() if under == push}
+    if not logs:
+        return {}, math.nan
+    comparison = compare(logs)
+    rest = {name: at_rest(comparison, label) for name, label in zip(logs, comparison.logs, strict=True)}
+    known = [limit for seconds, limit in rest.values() if math.isfinite(seconds)]
+    return {name: seconds for name, (seconds, _) in rest.items()}, max(known, default=math.nan)
 
 
 def responses(bench: Bench) -> Figure:
@@ -77,7 +92,9 @@ def responses(bench: Bench) -> Figure:
     fell = [row.controller for row in bench.rows if row.outcome.startswith("fell")]
     ranked = list(bench.ranked())
     few = ranked if len(ranked) <= FEW else [*ranked[: FEW - 1], ranked[-1]]
-    some = "" if few == ranked else f"The first {FEW - 1} by the knock that they survive, and the last."
+    first = f"The first {FEW - 1} by the knock that they survive, and the last."
+    knocked = any(row.impulse is not None for row in bench.rows)
+    some = "" if few == ranked else first if knocked else "The tables have the other controllers too."
     title = f"Pitch under each push; these fall: {', '.join(dict.fromkeys(fell))}" if fell else _leans(bench, few)
     return Figure(title, bench.plot_responses(*few), some)
 
@@ -112,14 +129,21 @@ def tables(bench: Bench) -> list[Table]:
     ordered = sorted(bench.rows, key=lambda row: place.get(row.controller, len(place)))
     made: list[Table] = []
     for push in dict.fromkeys(row.push for row in bench.rows):
+        rest, limit = _rest(bench, push)
         cells: list[list[Cell]] = [
-            [r.controller, r.outcome, _degrees(r.peak), r.settling, _degrees(r.travel), r.effort,
+            [r.controller, r.outcome, _degrees(r.peak), rest.get(r.controller), _degrees(r.travel), r.effort,
              _percent(r.saturated), r.impulse, _percent(r.spread)]
             for r in ordered
             if r.push == push
         ]  # fmt: skip
         caption = f"Pushed from the {in_degrees(push)} of lean, held until 3 s; falls are those of {DRAWN} drawn robots"
-        made.append(Table(header, cells, caption, digits=3))
+        if not math.isnan(limit):
+            caption += f"; settled: from so long after the release on pitch stays within ±{degrees(limit)}"
+        known = [
+            k for k, name in enumerate(header) if name != "knock [N s]" or any(row[k] is not None for row in cells)
+        ]
+        rows = [[row[k] for k in known] for row in cells]
+        made.append(Table([header[k] for k in known], rows, caption, digits=3))
     return made
 
 

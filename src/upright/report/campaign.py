@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from upright.certify.verdict import MOST_FALLS
 from upright.fleet.binomial import clopper_pearson
 from upright.fleet.results import origin_of
-from upright.fleet.tally import Cases
+from upright.fleet.tally import Cases, CaseSummary
 from upright.plotting import AXIS, legend, number
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict
@@ -23,7 +23,9 @@ if TYPE_CHECKING:
 def page_of(cases: Cases) -> Page:
     """The campaign's page, not yet written."""
     sections = [Section("Cases", [_table(cases)])]
-    if _one_robot(cases) and len(cases.spreads) > NAMED:
+    if drawn := cases.drawn():
+        sections.append(Section("Drawn numbers that matter", [_matter(cases, drawn)]))
+    if _one_robot(cases) and cases.spreads:
         sections.append(Section("What varies", [_spreads(cases)], folded=True))
     counted = cases.worst_first()
     if not counted:
@@ -93,7 +95,12 @@ def _lead(cases: Cases) -> str:
     """What was run, and what makes no difference."""
     sizes = sorted({case.n for case in cases})
     robots = " and ".join(dict.fromkeys(str(case.labels.get("robot", "")) for case in cases))
-    many = f"{sizes[0]} random variations of {robots or 'the robot'}" if len(sizes) == 1 else f"variations of {robots}"
+    same = "the same " if len(sizes) == 1 and _one_robot(cases) and len(cases) > 1 else ""
+    many = (
+        f"{same}{sizes[0]} random variations of {robots or 'the robot'}"
+        if len(sizes) == 1
+        else f"variations of {robots}"
+    )
     scenes = list(dict.fromkeys(str(case.labels.get("scenario", "")) for case in cases))
     known = len(scenes) == 1 and cases.pushes
     scene = (
@@ -103,28 +110,48 @@ def _lead(cases: Cases) -> str:
     apart = {name for name, *_ in _apart(cases)}
     alike = [spoken(name) for name in cases.varied() if name not in apart]
     second = f" Which {joined(alike)} they have makes no clear difference to falls." if alike else ""
-    fell = any(case.fell for case in cases)
-    return f"{first}{_varying(cases)}{second}" + (" Next: `upright tune` the best controller." if fell else "")
+    return f"{first}{_strongest(cases)}{second}{_next(cases)}"
+
+
+def _next(cases: Cases) -> str:
+    """What to run next: where even the best case falls too often, its push is too large."""
+    least = min((case.chance.value for case in cases if case.chance), default=0.0)
+    if least > MOST_FALLS and cases.pushes:
+        return " Next: `upright push-map`, which finds the largest push that each survives."
+    return " Next: `upright tune` the best controller." if any(case.fell for case in cases) else ""
 
 
 def _one_robot(cases: Cases) -> bool:
     return len({case.labels.get("robot", "") for case in cases}) == 1
 
 
-NAMED = 4  # varied numbers that a sentence names
-
-
-def _varying(cases: Cases) -> str:
-    """What varies and by how much, as a sentence with a space before it: first the ranges that somebody chose, then the
-    widest."""
-    if not cases.spreads or not _one_robot(cases):
+def _strongest(cases: Cases) -> str:
+    """The drawn number that matters most, as a sentence with a space before it."""
+    drawn = cases.drawn()
+    if not drawn:
         return ""
-    ranked = sorted(cases.spreads, key=lambda s: (s["kind"] != "uniform", -_width(s)))[:NAMED]
-    named = [f"{spoken(s['name'])} {_size(s, cases.units.get(s['name'], ''))}" for s in ranked]
-    many, left = len(cases.spreads), len(cases.spreads) > NAMED
-    normal = any(s["kind"] == "normal" for s in ranked)
-    words = f" {many} numbers vary, such as {joined(named)}" if left else f" What varies: {joined(named)}"
-    return f"{words}{' (one standard deviation)' if normal else ''}."
+    name, (case, least, most) = next(iter(drawn.items()))
+    where = f" ({cases.names()[cases.index(case)]})" if len(cases) > 1 else ""
+    return (
+        f" Of the drawn numbers {spoken(name)} matters most: {_percent(least)} fall of the fifth with the least, "
+        f"{_percent(most)} of the fifth with the most{where}."
+    )
+
+
+MATTER = 8  # drawn numbers in the table
+
+
+def _matter(cases: Cases, drawn: Mapping[str, tuple[CaseSummary, float, float]]) -> Table:
+    """The drawn numbers over which falls change most."""
+    names = cases.names()
+    rows: list[list[Cell]] = [
+        [f"{spoken(name)}", 100 * least, 100 * most, names[cases.index(case)]]
+        for name, (case, least, most) in list(drawn.items())[:MATTER]
+    ]
+    caption = (
+        "Falls of the fifth of the robots with the least and with the most of it, in the case where it matters most"
+    )
+    return Table(["number", "least fifth [%]", "largest fifth [%]", "case"], rows, caption, 3, even=True)
 
 
 def _width(spread: Mapping[str, Any]) -> float:
@@ -175,7 +202,7 @@ def _numbers(cases: Cases, fallen: int, all_of_them: int) -> list[tuple[str, str
 def _claim(cases: Cases) -> str:
     apart = [spoken(name) for name, *_ in _apart(cases)]
     return (
-        f"What makes a difference: {', '.join(apart)}"
+        f"Falls of each case; what makes a difference between cases: {', '.join(apart)}"
         if apart
         else "Robots that fell in each case, with 95 % intervals"
     )

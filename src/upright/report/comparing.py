@@ -14,7 +14,7 @@ from upright.comparison.metrics import nrmse_fit
 from upright.experiment import outcome_of
 from upright.plotting import AXIS, line
 from upright.report.figure import Figure
-from upright.report.metrics import at_rest, degrees, fit_tables, how, listed_metrics, words
+from upright.report.metrics import around, at_rest, degrees, fit_tables, how, left_out, listed_metrics, words
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
 
@@ -26,9 +26,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-BESIDE = 1.0  # [s] shown before a push and after it has settled
 CLOSE, FAIR = 80.0, 50.0  # [%] of fit: from where two runs agree well, and at all
-SMALL = 0.6  # [1] of a run: less is shown alone
 AVERAGED = 0.3  # [s] over which the noise of a run averages out, and its answer to a push does not
 DWARFED = 5.0
 """A trace that leaves the reference's range by more than this many times its width is cut at the frame."""
@@ -62,7 +60,9 @@ def _title(comparison: Comparison, first: str) -> str:
         robot, pushes = log.origin.get("robot", {}).get("name", "") or "The robot", comparison.pushed
         lasting = f" for {min(pushes[0][1], log.t[-1]) - pushes[0][0]:.3g} s" if len(pushes) == 1 else ""
         under = (
-            f", pushed {f'{len(pushes)} times ' if not lasting else ''}with {_force(log)}{lasting}" if pushes else ""
+            f", pushed {_way(log)}{f'{len(pushes)} times ' if not lasting else ''}with {_force(log)}{lasting}"
+            if pushes
+            else ""
         )
         return f"{robot} {outcome_of(log)}{under}"
     if fell and len(fell) < len(labels):
@@ -88,7 +88,7 @@ def _lead(comparison: Comparison) -> str:
     who = f"{robot} under {kind}" if robot and kind else robot or "One experiment"
     pushes = [f"from {start:.3g} to {stop:.3g} s" for start, stop in comparison.pushed]
     size = f" with {force}" if (force := _force(log)) else ""
-    pushed = f", pushed{size} {' and '.join(pushes[:2])}" if pushes else ", without a push"
+    pushed = f", pushed {_way(log)}".rstrip() + f"{size} {' and '.join(pushes[:2])}" if pushes else ", without a push"
     several = f"; runs: {', '.join(comparison.logs)}" if comparison.fits else ""
     twin = any(kind.startswith("twin") for kind in comparison.kinds.values())
     stands = " Simulated by a physics engine (twin), no real robot." if twin else ""
@@ -104,6 +104,12 @@ def _force(log: Log) -> str:
     return f"{cell_text(force, 2)} N" if force else ""
 
 
+def _way(log: Log) -> str:
+    """The way of the pushes with a space behind it; nothing where they differ."""
+    ways = set(np.sign(log["push/force"]).tolist()) - {0.0} if "push/force" in log else set[float]()
+    return {(1.0,): "forward ", (-1.0,): "backward "}.get(tuple(ways), "")
+
+
 def _worse(comparison: Comparison) -> str:
     """What fits badly although pitch fits, and whether noise alone explains it: then averages over a while fit."""
     worst = _worst(comparison)
@@ -113,9 +119,11 @@ def _worse(comparison: Comparison) -> str:
     plain = _percent(comparison.fits[label][name])
     if averaged < FAIR:
         return f" {sentence(words(name), '')} fits {plain} only."
+    grade = _grade(averaged)
     return (
-        f" {sentence(words(name), '')} has a {_grade(averaged)} fit once noise is averaged: {_percent(averaged)} over "
-        f"{AVERAGED:g} s. Sample by sample it fits {plain}, since each run has noise of its own."
+        f" {sentence(words(name), '')} has a {grade} fit ({_RANGES[grade]}) once noise is averaged: "
+        f"{_percent(averaged)} over {AVERAGED:g} s. Sample by sample it fits {plain}, since each run has noise of its "
+        "own."
     )
 
 
@@ -143,6 +151,9 @@ def _grade(fit: float) -> str:
     return "good" if fit >= CLOSE else "fair" if fit >= FAIR else "poor"
 
 
+_RANGES = {"good": f"{CLOSE:g} % or more", "fair": f"{FAIR:g} to {CLOSE:g} %", "poor": f"less than {FAIR:g} %"}
+
+
 def _verdict(comparison: Comparison) -> Verdict | None:
     """Of one run whether the robot stood; of several how well they agree, or that only some fell."""
     fell = [m.fell for m in comparison.metrics.values()]
@@ -152,10 +163,8 @@ def _verdict(comparison: Comparison) -> Verdict | None:
     fits = _fits(comparison, first)
     if fits:
         worst = min(fits.values())
-        limits = {"good": (f"{CLOSE:g} % or more", "good"), "fair": (f"less than {CLOSE:g} %", "warn"),
-                  "poor": (f"less than {FAIR:g} %", "bad")}  # fmt: skip
-        text, level = limits[_grade(worst)]
-        return Verdict(f"{_grade(worst)} fit: {text}", level)
+        levels = {"good": "good", "fair": "warn", "poor": "bad"}
+        return Verdict(f"{_grade(worst)} fit: {_RANGES[_grade(worst)]}", levels[_grade(worst)])
     return None if any(f is None for f in fell) else Verdict("stood", "good")
 
 
@@ -173,7 +182,7 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
         return [
             (degrees(m.pitch_peak), "largest pitch"),
             (_settles(rest), f"after the release, until pitch has settled: it stays within ±{degrees(limit)}"),
-            (degrees(m.wheel_travel), "largest turn of the wheels"),
+            (degrees(m.wheel_travel), f"largest turn of the wheels{_rolls(comparison, label)}"),
         ]
     fits = [
         (_percent(fit["pitch"]), f"fit of {label} to {comparison.reference} in pitch; good from {CLOSE:g} %")
@@ -186,12 +195,24 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
         for label, size in list(apart.items())[:1]
     ]
     peaks = {label: degrees(m.pitch_peak) for label, m in comparison.metrics.items() if not m.fell}
+    rest = [at_rest(comparison, label) for label in comparison.logs] if comparison.pushed else []
+    if len(rest) == 2 and all(math.isfinite(seconds) for seconds, _ in rest):
+        times, within = " and ".join(_settles(seconds) for seconds, _ in rest), degrees(max(size for _, size in rest))
+        fits.append((times, f"settling of {' and '.join(comparison.logs)} after the release, to ±{within}"))
     if len(peaks) == len(comparison.logs) == 2:
         return [*fits, (" and ".join(peaks.values()), f"largest pitch of {' and '.join(peaks)}")]
     return fits + [
         (degrees(m.pitch_peak), f"{label}: largest pitch") if not m.fell else ("fell", label)
         for label, m in list(comparison.metrics.items())[: 3 - len(fits)]
     ]  # fmt: skip
+
+
+def _rolls(comparison: Comparison, label: str) -> str:
+    """Which way the wheels turn furthest from where they begin."""
+    wheel = comparison.logs[label].channels.get(f"{comparison.sources[label]}/wheel")
+    if wheel is None or not np.isfinite(wheel).all():
+        return ""
+    return ", forward" if wheel.max() - wheel[0] >= wheel[0] - wheel.min() else ", backward"
 
 
 def _both(comparison: Comparison, name: str, label: str) -> tuple[Array, Array, Array]:
@@ -231,10 +252,9 @@ def state_figure(comparison: Comparison, name: str) -> Figure:
     if limits:
         scale = 180 / math.pi if "[°" in figure.axes[0].get_ylabel() else 1.0
         figure.axes[0].set_ylim(*(scale * limit for limit in limits))
-    around = _around(comparison)
-    if around:
-        figure.axes[0].set_xlim(*around)
-        note = f"{note} Shown round the push; before and after the robot is near rest.".strip()
+    if part := around(comparison):
+        figure.axes[0].set_xlim(*part)
+        note = f"{note} {left_out(comparison, *part)}".strip()
     return Figure(_claim(comparison, name), figure, note)
 
 
@@ -279,21 +299,10 @@ def _gap(comparison: Comparison, ax: Axes) -> None:
         at = int(np.nanargmax(np.abs(one - other)))
         ends = np.degrees([one[at], other[at]])
         ax.vlines(t[at], ends.min(), ends.max(), linewidth=3, color=AXIS)
+        ax.plot([t[at]], [ends.mean()], "o", markersize=13, fillstyle="none", color=AXIS, label="_largest difference")
         ax.annotate(
             degrees(one[at] - other[at]), (t[at], ends.max()), (4, 4), textcoords="offset points", color="#1d2126"
         )
-
-
-def _around(comparison: Comparison) -> tuple[float, float] | None:
-    """The time [s] round the pushes until every run is calm, where that is a small part of the runs."""
-    calm = {label: at_rest(comparison, label)[0] for label in comparison.logs} if comparison.pushed else {}
-    if not calm or "pitch" not in comparison.signals or not all(map(math.isfinite, calm.values())):
-        return None
-    settled = max(comparison.releases[label] + seconds for label, seconds in calm.items())
-    log = comparison.logs[comparison.reference]
-    start, end = float(log.t[0]), float(log.t[-1])
-    low, high = max(start, comparison.pushed[0][0] - BESIDE), min(end, settled + BESIDE)
-    return (low, high) if high - low < SMALL * (end - start) else None
 
 
 def _claim(comparison: Comparison, name: str) -> str:
@@ -323,7 +332,9 @@ def _alone(comparison: Comparison, name: str) -> str:
             return "Pitch does not come to rest within the run"
         return f"Pitch has settled, within the dotted ±{degrees(limit)}, {_settles(calm)} after the release"
     source = f"{comparison.sources[label]}/{name}"
-    size, per = degrees(float(np.nanmax(np.abs(log[source]), initial=0.0))), log.unit(source).removeprefix("rad")
+    finite = log[source][np.isfinite(log[source])]
+    furthest = float(finite[np.abs(finite).argmax()]) if len(finite) else 0.0
+    size, per = f"{'−' if furthest < 0 else ''}{degrees(furthest)}", log.unit(source).removeprefix("rad")
     return f"{sentence(words(name), '')} reaches {size}{per}"
 
 

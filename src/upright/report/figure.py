@@ -56,13 +56,13 @@ class Figure:
 
     def svg(self) -> str:
         """The drawing, with its title and a description for those who cannot see it."""
-        return self._svg("wide" if self._has_axes() else "any")
+        return self._svg("wide" if self.drawing.axes else "any")
 
     def narrow(self) -> str:
-        """The same for a phone, less wide, with letters of the same size; empty where it has no axes."""
-        if not self._has_axes():
+        """The same for a phone, less wide, with letters of the same size; empty where nothing is drawn."""
+        if not self.drawing.axes:
             return ""
-        with _narrowed(self.drawing):
+        with _narrowed(self.drawing) if self._has_axes() else _stacked(self.drawing):
             return self._svg("narrow")
 
     def _has_axes(self) -> bool:
@@ -154,6 +154,24 @@ def _narrowed(drawing: mpl.Figure) -> Generator[None]:
     for ax, box in boxes.items():
         ax.set_position(box)
         ax.yaxis.set_label_coords(*labels[ax])
+
+
+@contextmanager
+def _stacked(drawing: mpl.Figure) -> Generator[None]:
+    """Drawings without axes that stand in a row, below each other for a phone: two in a row, or one where they are
+    two."""
+    width, height = drawing.get_size_inches()
+    boxes = [ax.get_position() for ax in drawing.axes]
+    columns = 2 if len(boxes) > 2 else 1
+    rows = -(-len(boxes) // columns)
+    drawing.set_size_inches(NARROW, rows * height)
+    for k, (ax, box) in enumerate(zip(drawing.axes, boxes, strict=True)):
+        row, column = divmod(k, columns)
+        ax.set_position((column / columns, (rows - 1 - row + box.y0) / rows, 1 / columns, box.height / rows))
+    yield
+    drawing.set_size_inches(width, height)
+    for ax, box in zip(drawing.axes, boxes, strict=True):
+        ax.set_position(box)
 
 
 def axis_labels(drawing: mpl.Figure) -> list[str]:

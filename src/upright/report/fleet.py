@@ -63,8 +63,8 @@ def _called(data: Dataset, name: str) -> str:
 
 
 _GROUPS = (
-    f"Settled: from here on pitch stays within {math.degrees(SETTLED):.3g}°. A robot whose next swing leaves this band "
-    "too settles a swing later; so there may be groups with a gap between them."
+    f"Settled: from here on pitch stays within {math.degrees(SETTLED):.3g}° ({SETTLED:g} rad). A robot whose next "
+    "swing leaves this band too settles a swing later; so there may be groups with a gap between them."
 )
 
 
@@ -102,7 +102,9 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
     unit = str(data[outcome].attrs["unit"])
     y = np.degrees(y) if unit == "rad" else y
     figure, (ax,) = panels([f"{data[outcome].attrs['long_name']} [{unit.replace('rad', '°')}]"], across)
-    few = np.linspace(0, len(x) - 1, min(len(x), DOTS)).astype(int)
+    ends = [int(y.argmin()), int(y.argmax())]  # these are drawn too
+    few = np.union1d(np.linspace(0, len(x) - 1, min(len(x), DOTS - 2)).astype(int), ends)
+    few = few if len(x) > DOTS else np.arange(len(x))
     ax.plot(x[few], y[few], ".", markersize=3)
     dots = "each dot is a robot" if len(few) == len(x) else f"a dot is a robot, {len(few)} of {len(x)} are drawn"
     how = "grows" if size > 0 else "shrinks"
@@ -168,7 +170,10 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     chance = summary.chance
     pushes = origin_of(data).get("scenario", {}).get("push")
     robot = origin_of(data)["robot"]["name"]
-    lead = f"{_differ(data, robot)}{_where(pushes)} Next: `upright push-map`, which finds the largest push."
+    after = "`upright push-map`, which finds the largest push, or `upright sweep`, which compares controllers"
+    few = 0 < len((origin_of(data).get("vary") or {}).get("spreads", [])) <= FEW
+    all_vary = "; `--vary spread` varies all numbers of the robot" if few else ""
+    lead = f"{_differ(data, robot)}{_where(pushes)} Next: {after}{all_vary}."
     bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %" if summary.fell else ""
     numbers = [
         (
@@ -178,7 +183,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     ]
     if "peak_pitch" in summary.quantiles and np.isfinite(summary.quantiles["peak_pitch"][2]):
         peak, fall = math.degrees(summary.quantiles["peak_pitch"][2]), math.degrees(FALLEN)
-        numbers.append((f"{peak:.3g}°", f"largest pitch of 95 % of those that stood; at {fall:.0f}° a robot lies"))
+        numbers.append((f"{peak:.3g}°", f"95 % of those that stood stay below this pitch; at {fall:.0f}° a robot lies"))
     if "settling" in summary.quantiles and np.isfinite(summary.quantiles["settling"]).all():
         _, half, most = summary.quantiles["settling"]
         after = _called(data, "settling").removeprefix("settling time ")
@@ -194,14 +199,13 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
 
 
 def _differ(data: Dataset, robot: str) -> str:
-    """Whose relatives, in what they differ, and what holds them; few varied numbers are named as all that vary."""
+    """Whose relatives, in what they differ, and what holds them."""
     names = [s["name"] for s in (origin_of(data).get("vary") or {}).get("spreads", [])]
     varied = [f"{spoken(n)}{_range(data, n)}" for n in names]
     kind = (origin_of(data).get("controller") or {}).get("kind", "")
     under = f", under {kind}" if kind else ""
     if 0 < len(names) <= FEW:
-        what = f"Robots that differ from {robot} only in {joined(varied)}{under}."
-        return f"{what} `--vary spread` varies all its numbers."
+        return f"Robots that differ from {robot} only in {joined(varied)}{under}."
     if not names:
         return f"Robots with the numbers of {robot}{under}; only noise differs."
     return f"Robots that differ from {robot} in {len(names)} numbers: {', '.join(varied[:FEW])}, …{under}."

@@ -1,4 +1,4 @@
-"""Numbers of the runs on a comparison's page: metrics, fits, and the time after which a run has settled."""
+"""Numbers of the runs on a comparison's page: metrics, fits, when a run has settled, and what part of it to draw."""
 
 from __future__ import annotations
 
@@ -9,13 +9,17 @@ from dataclasses import replace
 import numpy as np
 
 from upright.comparison import Comparison
-from upright.comparison.comparison import DIVERGED, METRICS
+from upright.comparison.comparison import DIVERGED, METRICS, NEGLIGIBLE
+from upright.comparison.metrics import last_part
 from upright.fleet.ensemble import SETTLED
 from upright.report.page import Cell, Table, cell_text
 
 STEADY, WIDE = 1.6, 0.5
 """A wobble that grows no more than this between the last quarter and the last half is steady; beyond this part of the
 peak it is no rest."""
+BESIDE = 1.0  # [s] shown before a push and after it has settled
+SMALL = 0.6  # [1] of a run: less is shown alone
+QUIET = 0.1  # [1] of a state's range over a run: who moves less is near rest
 SAID = {"saturated": "motors at their limit", "wheel_travel": "largest turn of the wheels"}
 """Metrics that a page calls otherwise than a terminal does."""
 BANDS = {"settling 2 %": 0.02, "settling 5 %": 0.05}
@@ -57,7 +61,7 @@ def _noisy(comparison: Comparison, label: str, band: float) -> bool:
     if math.isnan(rest):
         return False
     pitch = np.abs(log.between(comparison.releases[label], math.inf)[f"{comparison.sources[label]}/pitch"])
-    return float(pitch[-len(pitch) // 4 :].max()) > band * float(pitch.max())
+    return float(pitch[last_part(len(pitch)) :].max()) > band * float(pitch.max())
 
 
 def fit_tables(comparison: Comparison) -> list[Table]:
@@ -86,11 +90,23 @@ def how(comparison: Comparison) -> str:
         else "No time is given for settling within 2 % or 5 % of the largest deviation: pitch swings further at rest."
     )
     return (
-        f"Settling and overshoot are those of pitch about zero after the release of the push at {release}. {settling} "
+        f"Settling and overshoot are those of pitch about zero after the release of the push at {release}. "
+        f"{_band(comparison)}{settling} "
         "Overshoot: the largest deviation on the far side over the largest on the side of the start. Effort: the "
         "integral of both squared commands. At their limit: the part of the samples with a command above the largest "
         "applied one. Fell: the recorded outcome of the run."
     )
+
+
+def _band(comparison: Comparison) -> str:
+    """Why pitch has settled within the angle of the table, as a sentence with a space behind it."""
+    limits = [at_rest(comparison, label)[1] for label in comparison.logs] if comparison.pushed else []
+    if not limits:
+        return ""
+    named = f"Within ±{degrees(max(limits))} it counts as settled: "
+    if max(limits) == SETTLED:
+        return f"{named}that is {cell_text(SETTLED)} rad, the band of fleets too. "
+    return f"{named}5 % of its largest deviation, or what it swings at rest if that is more. "
 
 
 def at_rest(comparison: Comparison, label: str) -> tuple[float, float]:
@@ -121,6 +137,42 @@ def _rest(comparison: Comparison, label: str) -> float:
     half, quarter = (float(pitch[-len(pitch) // part :].max()) for part in (2, 4))
     limit = max(0.05 * float(pitch.max()), half if half <= STEADY * quarter else quarter)
     return limit if limit <= WIDE * float(pitch.max()) else math.nan
+
+
+def around(comparison: Comparison) -> tuple[float, float] | None:
+    """The time [s] round the pushes until every run is calm, where that is a small part of the runs."""
+    calm = {label: at_rest(comparison, label)[0] for label in comparison.logs} if comparison.pushed else {}
+    if not calm or "pitch" not in comparison.signals or not all(map(math.isfinite, calm.values())):
+        return None
+    settled = max(comparison.releases[label] + seconds for label, seconds in calm.items())
+    log = comparison.logs[comparison.reference]
+    start, end = float(log.t[0]), float(log.t[-1])
+    low, high = max(start, comparison.pushed[0][0] - BESIDE), min(end, settled + BESIDE)
+    short = high - low < SMALL * (end - start)
+    return (low, high) if short and all(_calm(comparison, label, low, high) for label in calm) else None
+
+
+def _calm(comparison: Comparison, label: str, low: float, high: float) -> bool:
+    """Whether a run moves little before `low` and after `high` [s] in all its states: each stays within `QUIET` of its
+    range of where it begins or ends; a rate, which noise drives, may swing after `high` as it does at its very end."""
+    log = comparison.logs[label]
+    first, after, last = log.t < low, log.t > high, log.t > log.t[-1] - (log.t[-1] - high) / 3
+    for name in comparison.signals:
+        y = log[f"{comparison.sources[label]}/{name}"]
+        much = max(QUIET * float(np.ptp(y)), NEGLIGIBLE.get(name, 0.0))
+        noisy = name.endswith("rate") and last.any()
+        steady = max(much, STEADY * float(np.ptp(y[last]))) if noisy else much
+        if any(part.any() and float(np.ptp(y[part])) > room for part, room in ((first, much), (after, steady))):
+            return False
+    return True
+
+
+def left_out(comparison: Comparison, low: float, high: float) -> str:
+    """What a figure of a part of the runs leaves out."""
+    log = comparison.logs[comparison.reference]
+    ends = (("before", low > log.t[0]), ("after", high < log.t[-1]))
+    beyond = " and ".join(word for word, left in ends if left)
+    return f"Shown from {cell_text(low, 2)} to {cell_text(high, 2)} s; {beyond} the robot is near rest."
 
 
 def degrees(angle: float) -> str:

@@ -15,7 +15,7 @@ TERMS: dict[str, tuple[str, str]] = {
         "replaced by angles."),
     r"kit": ("kit", "The electronics of a robot: sensors with their noise and delay, motors with their "
         "limits, and the period of the controller."),
-    r"R²": ("R²", "1: predicted exactly. 0: no better than the mean of the readings."),
+    r"(?<![\d)] )R²": ("R²", "1: predicted exactly. 0: no better than the mean of the readings."),
     r"fits?": ("fit", "100 (1 − rms error / standard deviation). 100 %: the curves are equal. 0 %: no better than the "
         "mean."),
     r"innovations?": ("innovation", "What a sensor reads, less what the filter expected."),
@@ -105,7 +105,7 @@ def _follow(tag: str, inside: list[str]) -> None:
 
 
 def _used(markup: str) -> dict[str, tuple[str, str]]:
-    text = unescape(_TAG.sub(" ", re.sub(r"<(title|desc)\b.*?</\1>", " ", markup, flags=re.DOTALL)))
+    text = unescape(_TAG.sub(" ", re.sub(r"<(title|desc|pre|math)\b.*?</\1>", " ", markup, flags=re.DOTALL)))
     return {pattern: term for pattern, term in TERMS.items() if re.search(_whole(pattern), text)}
 
 
