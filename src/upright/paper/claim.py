@@ -56,7 +56,7 @@ class Claim:
         figures = [item for item in self.items if isinstance(item, Figure)]
         shown = list(itertools.takewhile(lambda item: isinstance(item, Figure), self.items)) or figures[:1]
         rest = [item for item in self.items if item not in shown]
-        folded = [Details("Tables, figures and derivations", rest)] if rest else []
+        folded = [Details("Tables, figures and derivations", rest, printed=False)] if rest else []
         return Section(f"{self.part} {self.title}", [self.summary, *shown, *folded], self.badge)
 
     def to_json(self) -> dict[str, Any]:

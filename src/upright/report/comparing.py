@@ -107,7 +107,7 @@ def _force(log: Log) -> str:
 def _way(log: Log) -> str:
     """The way of the pushes with a space behind it; nothing where they differ."""
     ways = set(np.sign(log["push/force"]).tolist()) - {0.0} if "push/force" in log else set[float]()
-    return {(1.0,): "forward ", (-1.0,): "backward "}.get(tuple(ways), "")
+    return "" if len(ways) != 1 else "forward " if ways == {1.0} else "backward "
 
 
 def _worse(comparison: Comparison) -> str:

@@ -113,10 +113,11 @@ class Formula:
 
 @dataclass(frozen=True)
 class Details:
-    """Items behind a `heading` that is pressed to show them."""
+    """Items behind a `heading` that is pressed to show them; on paper they are shown where they are `printed`."""
 
     heading: str
     items: Sequence[Item]
+    printed: bool = True
     kind: ClassVar[str] = "details"
 
     def parts(self) -> list[tuple[str, Any]]:
