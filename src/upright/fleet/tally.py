@@ -108,15 +108,15 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         """For each drawn number the case in which it matters most, and the fractions that fell of the robots with its
         least and its largest values; the number with the largest effect first. Those that chance explains are left
         out."""
-        found: dict[str, tuple[CaseSummary, float, float]] = {}
+        strongest: dict[str, tuple[CaseSummary, float, float]] = {}
         for case in self:
             for name, (least, most, n) in case.ends.items():
                 low, high = sorted((clopper_pearson(least, n), clopper_pearson(most, n)))
-                known = found.get(name)
+                known = strongest.get(name)
                 size = abs(most - least) / n
                 if low.high < high.low and (known is None or size > abs(known[2] - known[1])):
-                    found[name] = (case, least / n, most / n)
-        return dict(sorted(found.items(), key=lambda item: -abs(item[1][2] - item[1][1])))
+                    strongest[name] = (case, least / n, most / n)
+        return dict(sorted(strongest.items(), key=lambda item: -abs(item[1][2] - item[1][1])))
 
     def worst_first(self) -> list[CaseSummary]:
         """The cases whose falls are counted, the largest fraction that fell first; those that differ by less than a

@@ -159,10 +159,10 @@ def _calm(comparison: Comparison, label: str, low: float, high: float) -> bool:
     first, after, last = log.t < low, log.t > high, log.t > log.t[-1] - (log.t[-1] - high) / 3
     for name in comparison.signals:
         y = log[f"{comparison.sources[label]}/{name}"]
-        much = max(QUIET * float(np.ptp(y)), NEGLIGIBLE.get(name, 0.0))
+        slight = max(QUIET * float(np.ptp(y)), NEGLIGIBLE.get(name, 0.0))
         noisy = name.endswith("rate") and last.any()
-        steady = max(much, STEADY * float(np.ptp(y[last]))) if noisy else much
-        if any(part.any() and float(np.ptp(y[part])) > room for part, room in ((first, much), (after, steady))):
+        steady = max(slight, STEADY * float(np.ptp(y[last]))) if noisy else slight
+        if any(part.any() and float(np.ptp(y[part])) > room for part, room in ((first, slight), (after, steady))):
             return False
     return True
 
