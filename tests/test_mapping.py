@@ -226,3 +226,15 @@ def test_twipr_speeds_become_whole_encoder_steps(shared: Path) -> None:
     counts = channels["sensor/encoder_left"] / (2 * np.pi / 256 * 0.01)
     # Speeds have the step 2π/256 rad/s, printed to nine digits: over 1000 rows of 200 steps that adds up to 1e-3.
     assert np.abs(counts - np.rint(counts)).max() < 5e-3
+
+
+def test_rows_that_the_file_says_were_left_out_are_known_of_its_log(tmp_path: Path) -> None:
+    table = "t_ms,gyro_raw,cnt_l,cnt_r,pwm_l,pwm_r\n" + "".join(
+        f"{10 * i},{i % 3},{i},{i},{i % 5},{i % 5}\n" for i in range(30)
+    )
+    from upright.logs.raw import raw_log
+
+    for head, one_in in (("# wait_ms=5,decim=2,samples=30\n", 2), ("# decimals=3\n", None), ("", None)):
+        path = tmp_path / "run.csv"
+        path.write_text(head + table, encoding="utf-8")
+        assert raw_log(path).origin.get("one_in") == one_in, head

@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 _NOTE = "# upright-log: "
 DECIMATION = "one_in"
 """In a log's origin: of how many rows its file has one, where the file says that others were left out."""
-_DECIMATED = re.compile(r"\bdecim\w*\s*[=:]\s*(\d{1,4})\b", re.IGNORECASE)
+_DECIMATED = re.compile(r"\bdecim(?:at\w*)?\s*[=:]\s*(\d{1,4})\b", re.IGNORECASE)
 
 MAT_READER = [sys.executable, "-m", "upright.logs.mat_process"]
 """The program that reads MAT files, since damaged ones crash SciPy's parser and the process that it runs in."""
