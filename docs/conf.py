@@ -36,6 +36,7 @@ html_theme = "furo"
 html_title = "upright"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+html_js_files = ["site.js"]
 html_copy_source = False
 html_show_sourcelink = False
 html_show_search_summary = False  # summaries are fetched, which a page from a folder may not do
@@ -54,10 +55,17 @@ def restructured(_app: object, _what: str, _name: str, _thing: object, _options:
     lines[:] = re.sub(r"(?<!`)`([^`\n]+)`(?!`)", r"``\1``", text).split("\n")
 
 
+THIN = '<mspace width="0.17em" />'
+NAME = "<mi>(?:sin|cos|cosh|ln|det|arg|max|min)</mi>"
+FUNCTION = re.compile(
+    rf"(</m(?:i|n|sup|sub|over|frac)>)?(<msup>{NAME}<mn>\d</mn></msup>|(?<!<msup>){NAME})(?=(</|<mo[^>]*>&#x00028;)?)"
+)
+
+
 def mathml(tex: str, display: str) -> str:
-    """A formula as MathML, which browsers draw by themselves; the names of functions stand apart from what follows."""
-    text = convert(tex.replace("{aligned}", "{align*}"), display=display)
-    return re.sub(r"(<mi>(?:sin|cos|cosh|ln|det|arg|max|min)</mi>)(?!</)", r'\1<mspace width="0.17em" />', text)
+    """A formula as MathML, which browsers draw by themselves; a function stands apart from what it does not enclose."""
+    text = convert(tex.replace("{aligned}", "{align*}"), display=display).replace("<mover>", '<mover accent="true">')
+    return FUNCTION.sub(lambda f: (f[1] + THIN if f[1] else "") + f[2] + ("" if f[3] else THIN), text)
 
 
 def inline(self: Any, node: nodes.math) -> None:
@@ -119,7 +127,10 @@ def wrapped(shell: str) -> str:
 
 
 def stacked(table: str) -> str:
-    """A table as it is; where it is wide, each cell with the title of its column, and with its role in the table."""
+    """A table as it is; where it is wide, each cell with the title of its column, and with its role in the table.
+
+    A first cell that is blank means what stands above it; a card repeats it.
+    """
     rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row, re.DOTALL) for row in table.split("</tr>")[:-1]]
     texts = [[unescape(re.sub(r"<[^>]+>", "", cell)).strip() for cell in row] for row in rows]
     columns = list(zip(*texts, strict=True))
@@ -127,11 +138,16 @@ def stacked(table: str) -> str:
     if sum(3 + max(len(word) for text in column for word in [*text.split(), ""]) for column in columns) <= PHONE:
         return table.replace("align-default", f"align-default{kind}", 1) if kind else table
     labels = texts[0]
+    group = ""
     brief = [max(map(len, column)) <= BRIEF for column in columns]
     cells = iter([k for _ in texts[1:] for k in range(len(labels))])
 
     def cell(found: re.Match[str]) -> str:
+        nonlocal group
         k = next(cells)
+        if k == 0 and not found[2]:
+            return f'<td role="cell"><span class="again">{group}</span></td>'
+        group = found[2] if k == 0 else group
         classes = " brief" * brief[k] + " none" * (found[2] in ("", "–", "<p>–</p>"))
         return f'<td role="cell" class="{classes.strip()}" data-label="{escape(labels[k])}">{found[2]}</td>'
 
@@ -150,9 +166,26 @@ SPANISH = {
 """What stands round a page that is Spanish: words of the theme, and the parts of the site."""
 
 
+def neighbours(app: Sphinx, page: str, _template: str, context: dict[str, Any], _tree: object) -> None:
+    """Before and after a page are the next ones in its own language."""
+    relations = app.env.collect_relations()
+    for k, way in ((1, "prev"), (2, "next")):
+        other = page
+        while other := relations.get(other, (None, None, None))[k]:
+            if in_spanish(other) == in_spanish(page):
+                break
+        if context.get(way):
+            title = app.env.titles[other].astext() if other else ""
+            context[way] = {"link": app.builder.get_relative_uri(page, other), "title": title} if other else None
+
+
+def in_spanish(page: str) -> bool:
+    return page.endswith(".es") or page.startswith("notebooks/es/")
+
+
 def spanish(_app: Sphinx, page: str, _template: str, context: dict[str, Any], _tree: object) -> None:
     """The frame of a Spanish page is Spanish; the pages that it leads to keep their own language."""
-    if not (page.endswith(".es") or page.startswith("notebooks/es/")):
+    if not in_spanish(page):
         return
 
     def said(text: str) -> Markup:
@@ -167,6 +200,7 @@ def spanish(_app: Sphinx, page: str, _template: str, context: dict[str, Any], _t
 def setup(app: Sphinx) -> None:
     app.connect("autodoc-process-docstring", restructured)
     app.connect("html-page-context", accessible, priority=900)  # after furo, which makes the tree
+    app.connect("html-page-context", neighbours)
     app.connect("html-page-context", readable, priority=905)
     app.connect("html-page-context", spanish, priority=910)
     app.add_html_math_renderer("mathml", (inline, None), (display, None))

@@ -47,16 +47,20 @@ robot
 # potential energy are
 #
 # $$
-# T = \tfrac12 a_{11} \dot\theta^2 + a_{12}(\psi)\, \dot\theta \dot\psi + \tfrac12 a_{22} \dot\psi^2,
-# \qquad V = M g L \cos\psi
+# \begin{aligned}
+# T &= \tfrac12 a_{11} \dot\theta^2 + a_{12}(\psi)\, \dot\theta \dot\psi + \tfrac12 a_{22} \dot\psi^2 \\
+# V &= M g L \cos\psi
+# \end{aligned}
 # $$
 #
 # with
 #
 # $$
-# a_{11} = (2m + M) R^2 + 2 J_w + 2 n^2 J_m, \quad
-# a_{12}(\psi) = M L R \cos\psi - 2 n^2 J_m, \quad
-# a_{22} = M L^2 + J_\psi + 2 n^2 J_m .
+# \begin{aligned}
+# a_{11} &= (2m + M) R^2 + 2 J_w + 2 n^2 J_m \\
+# a_{12}(\psi) &= M L R \cos\psi - 2 n^2 J_m \\
+# a_{22} &= M L^2 + J_\psi + 2 n^2 J_m
+# \end{aligned}
 # $$
 #
 # Lagrange's equations $\frac{d}{dt} \frac{\partial T}{\partial \dot q} - \frac{\partial T}{\partial q} + \frac{\partial V}{\partial q} = Q$ give
@@ -92,16 +96,20 @@ robot
 # cinética y potencial son
 #
 # $$
-# T = \tfrac12 a_{11} \dot\theta^2 + a_{12}(\psi)\, \dot\theta \dot\psi + \tfrac12 a_{22} \dot\psi^2,
-# \qquad V = M g L \cos\psi
+# \begin{aligned}
+# T &= \tfrac12 a_{11} \dot\theta^2 + a_{12}(\psi)\, \dot\theta \dot\psi + \tfrac12 a_{22} \dot\psi^2 \\
+# V &= M g L \cos\psi
+# \end{aligned}
 # $$
 #
 # con
 #
 # $$
-# a_{11} = (2m + M) R^2 + 2 J_w + 2 n^2 J_m, \quad
-# a_{12}(\psi) = M L R \cos\psi - 2 n^2 J_m, \quad
-# a_{22} = M L^2 + J_\psi + 2 n^2 J_m .
+# \begin{aligned}
+# a_{11} &= (2m + M) R^2 + 2 J_w + 2 n^2 J_m \\
+# a_{12}(\psi) &= M L R \cos\psi - 2 n^2 J_m \\
+# a_{22} &= M L^2 + J_\psi + 2 n^2 J_m
+# \end{aligned}
 # $$
 #
 # Las ecuaciones de Lagrange $\frac{d}{dt} \frac{\partial T}{\partial \dot q} - \frac{\partial T}{\partial q} + \frac{\partial V}{\partial q} = Q$ dan

@@ -186,6 +186,12 @@ def test_links_lead_to_files_that_exist(page: Path) -> None:
     assert not missing
 
 
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_a_link_to_a_page_names_what_is_there(page: Path) -> None:
+    """The name of a file tells a reader of the site nothing."""
+    assert re.findall(r"\[`?[\w./-]+\.md`?\]\(.*?\)", page.read_text("utf-8")) == []
+
+
 @pytest.mark.parametrize("page", PAGES[2:], ids=lambda page: page.name)
 def test_each_page_says_for_whom_it_is(page: Path) -> None:
     assert re.match(r"# .+\n\n\*(For|Para) .+\.\*\n", page.read_text("utf-8"))
