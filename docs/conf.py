@@ -64,7 +64,7 @@ FUNCTION = re.compile(
 
 def mathml(tex: str, display: str) -> str:
     """A formula as MathML, which browsers draw by themselves; a function stands apart from what it does not enclose."""
-    text = convert(tex.replace("{aligned}", "{align*}"), display=display).replace("<mover>", '<mover accent="true">')
+    text = convert(tex.replace("{aligned}", "{align*}"), display=display)
     return FUNCTION.sub(lambda f: (f[1] + THIN if f[1] else "") + f[2] + ("" if f[3] else THIN), text)
 
 
