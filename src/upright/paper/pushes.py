@@ -135,8 +135,8 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     why = _why_long(comparison, measured)
     summary = (
         f"Held at {cell_text(PUSHES[side])} rad by {cell_text(force, 2)} N at the centre of mass and released, pitch "
-        f"settles to 5 %: {_times(measured.settling)}.{why} Its fit to the twin is {fits['nonlinear']} % for the "
-        f"nonlinear and {fits['linear']} % for the linear model. {trial.why}"
+        f"settles to 5 %: {_times(measured.settling)}.{why} The fit of pitch to the twin is {fits['nonlinear']} % for "
+        f"the nonlinear and {fits['linear']} % for the linear model. {trial.why}"
     )
     figures = _figures(comparison, measured, FIGURES[side])
     strip = Figure(
