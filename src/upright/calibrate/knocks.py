@@ -93,7 +93,7 @@ def pushed(errors: Array, period: float, far: float = FAR) -> NDArray[np.bool_]:
     usual = 1.4826 * np.median(np.abs(errors[there]), axis=0) if there.any() else np.ones(errors.shape[1])
     beyond = (np.abs(np.nan_to_num(errors)) > far * usual).any(axis=1)
     after: NDArray[np.bool_] = np.convolve(beyond, np.ones(max(1, round(PUSHED / period))))[: len(errors)] > 0
-    return after if after[there].mean() < MOST_PUSHED else np.zeros(len(errors), dtype=np.bool_)
+    return after if there.any() and after[there].mean() < MOST_PUSHED else np.zeros(len(errors), dtype=np.bool_)
 
 
 def moved_by(model: SampledRobot, commands: Array) -> Array:

@@ -126,17 +126,14 @@ class Bench(Shown):
 
     def plot(self) -> Figure:
         """The largest impulse that each controller survives, the best first, in the order of their `places`; the first
-        place is green, and the next ones are dark and pale by turns."""
+        place is green."""
         from upright.plotting import COLOURS, bars
 
         ranked, places = self.ranked(), self.places()
         names, x_label = [f"{place}. {name}" for name, place in places.items()], "largest impulse survived [N s]"
         figure = bars(names, list(ranked.values()), x_label, "controller", digits=2)
-        turns = sorted(set(places.values()))
         for bar, place in zip(figure.axes[0].patches, places.values(), strict=True):
-            turn = turns.index(place)
-            bar.set_color(COLOURS[0] if turn else COLOURS[2])
-            bar.set_alpha(0.6 if turn and not turn % 2 else 1.0)
+            bar.set_color(COLOURS[0] if place > 1 else COLOURS[2])
         return figure
 
     def plot_responses(self, *controllers: str) -> Figure:

@@ -43,7 +43,8 @@ def _summary(compared: MethodComparison, true: float) -> str:
     if least is None or math.isnan(least.bias):
         return text
     return (
-        f"{text} Least squares estimates {cell_text(least.value, 3)} 1/s. Simulated closed-loop logs of a consistent "
+        f"{text} Least squares as in `upright identify`, another regression than the paper's in 3b, estimates "
+        f"{cell_text(least.value, 3)} 1/s. Simulated closed-loop logs of a consistent "
         f"model show its bias: {cell_text(least.bias, 2)} ± {cell_text(2 * least.bias_error, 1)} 1/s. The corrected "
         f"estimate is {cell_text(least.corrected, 3)} 1/s."
     )

@@ -115,7 +115,10 @@ def _against_targets(analysis: Analysis) -> Figure:
 
 
 _DECIBELS = "Gain margins are those of both motors, compared in decibels: no change at all is 0 % of the target."
-_BODE = "Both motors are broken at once. The coloured lines are the margins, each at the frequency that sets it."
+_BODE = (
+    "Both motors are broken at once. The coloured lines are the margins, each at the frequency that sets it. "
+    "A single sensor may set a smaller delay margin, which is not drawn."
+)
 _NEAR = "The part of the diagram above that decides how slowly the robot comes to rest."
 SLOW = 6  # poles near 1 that are drawn enlarged: as many as the robot has states
 

@@ -255,7 +255,7 @@ def _estimates(estimates: Sequence[Estimate]) -> list[Item]:
     known: list[list[Cell]] = [[_named(e), _before(e), _kind_of_verdict(e)] for e in estimates]
     return [
         Table(["", "value", "95 % interval"], values, digits=3),
-        Details("Known before this log, and verdicts", [Table(["", "before", "verdict"], known)]),
+        Details("Known before this log, and verdicts", [Table(["", "before ± standard deviation", "verdict"], known)]),
     ]
 
 

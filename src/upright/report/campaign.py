@@ -69,6 +69,16 @@ def pushed(pushes: Sequence[Mapping[str, Any]] | None) -> str:
     return " and ".join(words[:3]) or ("pushed" if pushes else "without a push")
 
 
+def where(pushes: Sequence[Mapping[str, Any]] | None) -> str:
+    """How long the first impulse takes and at which height, as a sentence with a space before it."""
+    for push in pushes or ():
+        if push.get("impulse"):
+            height = push.get("height")
+            at = "at the centre of mass" if height is None else f"{height:g} m above the axle"
+            return f" The push takes {1e3 * push.get('duration', 0.01):g} ms, {at}."
+    return ""
+
+
 def _title(cases: Cases, part: float) -> str:
     """The label that makes a difference, or that none does."""
     if not part:
@@ -106,7 +116,7 @@ def _lead(cases: Cases) -> str:
     scene = (
         f", {pushed(cases.pushes)}" if known else f" in scenario {scenes[0]}" if len(scenes) == 1 and scenes[0] else ""
     )
-    first = f"{len(cases)} cases, each with {many}{scene}."
+    first = f"{len(cases)} cases, each with {many}{scene}.{where(cases.pushes) if known else ''}"
     apart = {name for name, *_ in _apart(cases)}
     alike = [spoken(name) for name in cases.varied() if name not in apart]
     second = f" Which {joined(alike)} they have makes no clear difference to falls." if alike else ""

@@ -76,7 +76,11 @@ def _numbers(c: Certificate) -> list[tuple[str, str]]:
     stood = [t.travel for t in c.trials if t.fell < t.runs]
     return [
         *numbers,
-        *([(f"{cell_text(max(stood), 3)} m", "travel of 95 % of the robots that stood")] if stood else []),
+        *(
+            [(f"{cell_text(max(stood), 3)} m", "travel of 95 % of those that stood, under the worst push")]
+            if stood
+            else []
+        ),
     ]
 
 

@@ -88,6 +88,8 @@ def _mapped(name: str) -> str:
 
 
 def _channel(finding: Finding) -> str:
+    if "both encoders" in finding.evidence:
+        return "encoders"
     return finding.channel.removeprefix("sensor/").replace("_", " ")
 
 
@@ -133,7 +135,7 @@ def _advice(result: Diagnosis, faults: int) -> str:
     """The first finding with its repair, and what to run next."""
     name = result.source or "LOG"
     first = next(iter(result.findings), None)
-    of = f" {first.channel.removeprefix('sensor/').replace('_', ' ')}: {first.evidence.rstrip('.')}." if first else ""
+    of = f" {_channel(first)}: {first.evidence.rstrip('.')}." if first else ""
     more = f" {len(result.findings) - 1} more below." if len(result.findings) > 1 else ""
     remark = f" One remark, on the {of.strip().partition(':')[0]}: {first.repair.rstrip('.')}." if first else ""
     text = f"Worst,{of}" if faults else f"All checks pass.{remark}{more}"
@@ -214,7 +216,9 @@ def _linear(model: LinearModel, unit_of_command: str = "V, or in N m for a robot
     count = f"{len(unstable)} of {len(poles)} poles {'is' if len(unstable) == 1 else 'are'} unstable"
     fastest = _fastest(model)
     doubles = _doubling(fastest) if unstable else ""
-    equation = "ẋ = A x + B u" if model.continuous else f"x⁺ = A x + B u, every {model.dt:g} s"
+    equation = (
+        "ẋ\u00a0=\u00a0A\u00a0x\u00a0+\u00a0B\u00a0u" if model.continuous else f"x⁺ = A x + B u, every {model.dt:g} s"
+    )
     numbers = [
         *((f"{cell_text(p.real, 3)} {unit}", "unstable pole, real part") for p in unstable[:1]),
         *([(doubles, "in which a small lean doubles")] if unstable else []),
@@ -284,6 +288,6 @@ def _pole_figure(poles: Complex, continuous: bool, count: str, motions: Sequence
         words = [f"{several[pole]} poles"] if several[pole] > 1 else ["yaw"] if same == {"yaw"} else []
         text = number(pole.real, 3) + "".join(f" ({word})" for word in words)
         beside = 6 if pole.real == 0 else 0  # not on the line at zero
-        above = (beside, -18) if place % 2 else (beside, 9)  # neighbours do not overlap
+        above = (beside, -22) if place % 2 else (beside, 9)  # neighbours do not overlap
         ax.annotate(text, (pole.real, pole.imag), above, textcoords="offset points", ha="left" if beside else "center")
     return Figure(f"{count}: right of the line" if not count.startswith("0 ") else count, legend(figure))

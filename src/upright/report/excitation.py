@@ -69,13 +69,17 @@ _TRIED = (
 BETTER = 0.95  # of the plan's interval: that of a random signal is narrower
 
 
-def _focus(plan: ExcitationPlan) -> str:
+def _meant(plan: ExcitationPlan) -> list[str]:
+    """The parameters that excitations are compared by."""
     from upright.robots import PARAMETERS
 
+    return list(plan.focus) or [p.name for p in plan.predicted if p.name in PARAMETERS]
+
+
+def _focus(plan: ExcitationPlan) -> str:
     if plan.focus:
         return f"the parameters in focus: {joined([spoken(name) for name in plan.focus])}"
-    count = sum(p.name in PARAMETERS for p in plan.predicted)
-    return f"the {count} numbers of the robot itself that the table lists, without delays and motors"
+    return f"the {len(_meant(plan))} numbers of the robot itself that the table lists, without delays and motors"
 
 
 def _lead(plan: ExcitationPlan) -> str:
@@ -238,7 +242,11 @@ def _limits(plan: ExcitationPlan) -> Table:
 
 
 def _tried(plan: ExcitationPlan) -> Table:
+    left = [p.after / p.before for p in plan.predicted if p.name in _meant(plan)]
+    whole = float(np.exp(np.mean(np.log(left)))) if left else math.nan
     rows: list[list[Cell]] = [[t.name, t.energy, t.shrinks] for t in plan.tried]
+    rows.append(["this plan", plan.energy, whole])
+    rows.sort(key=lambda row: float(row[2]) if math.isfinite(float(row[2])) else math.inf)  # type: ignore[arg-type]
     return Table(
         ["excitation", f"energy [{_energy_unit(plan)}]", "width after / before"], rows, "Excitations, the best first", 3
     )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,10 +15,10 @@ from upright.fleet.ensemble import SETTLED
 from upright.fleet.fleet import Fleet, distribution, stood
 from upright.fleet.results import OUTCOMES, Summary, origin_of, summarise
 from upright.plotting import AXIS, INK, bars, legend, line, number, panels
-from upright.report.campaign import falls_verdict, provenance, pushed
+from upright.report.campaign import falls_verdict, provenance, pushed, where
 from upright.report.figure import Figure
 from upright.report.maps import basin_page, push_map_page
-from upright.report.page import Cell, Page, Section, Table, cell_text
+from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.tables import joined, sentence, spoken
 
 if TYPE_CHECKING:
@@ -173,7 +172,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     after = "`upright push-map`, which finds the largest push, or `upright sweep`, which compares controllers"
     few = 0 < len((origin_of(data).get("vary") or {}).get("spreads", [])) <= FEW
     all_vary = "; `--vary spread` varies all numbers of the robot" if few else ""
-    lead = f"{_differ(data, robot)}{_where(pushes)} Next: {after}{all_vary}."
+    lead = f"{_differ(data, robot)}{where(pushes)} Next: {after}{all_vary}."
     bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %" if summary.fell else ""
     numbers = [
         (
@@ -194,8 +193,18 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     sections = [Section("Numbers", [table]), Section("Distributions", [figure for figure in others if figure])]
     return Page(
         f"{summary.fell} of {summary.n} robots fell, {pushed(pushes)}", sections, lead, provenance(data), False,
-        picture=picture, numbers=numbers, verdict=falls_verdict(summary.fell, summary.n),
+        picture=picture, numbers=numbers, verdict=_verdict(data, summary),
     )  # fmt: skip
+
+
+def _verdict(data: Dataset, summary: Summary) -> Verdict:
+    """A certificate varies every number: where a few do, few falls are no green light."""
+    verdict = falls_verdict(summary.fell, summary.n)
+    names = [spread["name"] for spread in (origin_of(data).get("vary") or {}).get("spreads", [])]
+    if verdict.level == "bad" or len(names) > FEW:
+        return verdict
+    varied = f"only {joined([spoken(name) for name in names])} varied" if names else "nothing but noise varied"
+    return Verdict(f"{varied}: no certificate", "info")
 
 
 def _differ(data: Dataset, robot: str) -> str:
@@ -219,13 +228,3 @@ def _range(data: Dataset, name: str) -> str:
         return ""
     values, unit = data[name].values, data[name].attrs.get("unit", "")
     return f" ({cell_text(float(values.min()), 3)} to {cell_text(float(values.max()), 3)}{f' {unit}' if unit else ''})"
-
-
-def _where(pushes: Sequence[Mapping[str, Any]] | None) -> str:
-    """How long the first impulse takes and at which height, as a sentence with a space before it."""
-    for push in pushes or ():
-        if push.get("impulse"):
-            height = push.get("height")
-            at = "at the centre of mass" if height is None else f"{height:g} m above the axle"
-            return f" The push takes {1e3 * push.get('duration', 0.01):g} ms, {at}."
-    return ""

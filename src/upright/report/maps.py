@@ -125,7 +125,7 @@ def basin_figure(data: Dataset) -> Figure:
     low, high = rest_range(data)
     title = "States from which the robot recovers"
     if math.isfinite(low):
-        title = f"The robot recovers from the green area; black line: let go with {up.replace('_', ' ')} zero"
+        title = f"The robot recovers from the green area; white line: let go with {up.replace('_', ' ')} zero"
     scale = {n: 180 / math.pi if data[n].attrs["unit"] in ("rad", "rad/s") else 1.0 for n in (across, up)}
     names = [text.replace("[rad", "[°") for text in names]
     x, y = (scale[n] * data[n].values for n in (across, up))
@@ -137,7 +137,7 @@ def basin_figure(data: Dataset) -> Figure:
     _zoom(drawing.axes[0], x, y, recovered)
     if math.isfinite(low):
         ends = [scale[across] * low, scale[across] * high]
-        drawing.axes[0].plot(ends, [0, 0], "|-", color=INK, linewidth=2, markersize=12)
+        drawing.axes[0].plot(ends, [0, 0], "|-", color="white", linewidth=2.5, markersize=12)
         for end, side in zip(ends, ("right", "left"), strict=True):
             text = f"{number(round(end, 1), 2)}{'°' if scale[across] > 1 else ''}"
             drawing.axes[0].annotate(
@@ -187,8 +187,10 @@ def push_map_page(data: Dataset) -> Page:
         "height", "duration", "direction").values)), values.shape)  # fmt: skip
     low, duration = float(values[row, column, way]), float(data["duration"].values[column])
     height = float(data["height"].values[row])
+    kind = (origin.get("controller") or {}).get("kind", "")
+    under = f"Under {kind}, pushed" if kind else "Pushed"
     lead = (
-        f"Pushed {' and '.join(data['direction'].values.tolist())} for {_ends(data, 'duration', 1e3)} ms, "
+        f"{under} {' and '.join(data['direction'].values.tolist())} for {_ends(data, 'duration', 1e3)} ms, "
         f"{_ends(data, 'height')} m above the axle, harder and harder, within {100 * search['tolerance']:g} %. It "
         f"survives a push if it still stands {search['watch']:g} s later. {low:.2g} N s stops a tennis ball of "
         f"{low / BALL:.2g} m/s. "

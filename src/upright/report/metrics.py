@@ -105,7 +105,7 @@ def _band(comparison: Comparison) -> str:
         return ""
     named = f"Within ±{degrees(max(limits))} it counts as settled: "
     if max(limits) == SETTLED:
-        return f"{named}that is {cell_text(SETTLED)} rad, the band of fleets too. "
+        return f"{named}that is {cell_text(SETTLED)} rad. Pitch is positive forward. "
     return f"{named}5 % of its largest deviation, or what it swings at rest if that is more. "
 
 

@@ -134,7 +134,7 @@ def _causes(result: PostMortem) -> Table:
 def _figure(result: PostMortem) -> Figure:
     s = result.series
     labels = ["pitch [°]", "lean with its speed / what can be recovered [1]",
-              "requested command / what the motors give [1]", "error of the readings² / expected [1]"]  # fmt: skip
+              "requested command / what the motors give [1]", "readings: error² / expected, log scale [1]"]  # fmt: skip
     figure, axes = panels(labels)
     pitch, reach, command, nis = axes
     degrees = np.degrees(s.pitch)
@@ -152,7 +152,7 @@ def _figure(result: PostMortem) -> Figure:
     line(nis, "error", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
     if math.isfinite(s.high) and s.high > 0:
         _level(nis, s.t, s.high, f"usual, up to {number(s.high, 2)}")
-    command.set_ylim(-1.5, 1.5)
+    command.set_ylim(-1.8, 1.8)
     reach.set_ylim(0, 1.5)
     known = result.fell and math.isfinite(result.onset)
     if not known:
