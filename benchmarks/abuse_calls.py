@@ -220,7 +220,7 @@ def calls() -> Iterator[Call]:
             if parameter.is_flag if hasattr(parameter, "is_flag") else False:
                 continue
             option = next((o for o in parameter.opts if o.startswith("--")), "")
-            output = option in ("--output", "--report", "--fix", "--write-mapping", "--save") or (
+            output = option in ("--output", "--report", "--fix", "--write-mapping", "--save", "--export") or (
                 name == "identify" and option == "--controller"
             )
             for value in values(kind, output=output, file=not option or "Path" in kind, slow=name in SLOW):

@@ -261,6 +261,13 @@ def test_moments_merge_to_those_of_the_whole():
     assert merged.deviation == pytest.approx(values.std(ddof=1), rel=1e-11)
 
 
+def test_a_name_that_is_no_text_is_one_line_and_makes_no_folder(spec, tmp_path):
+    """A byte of Latin-1 in a name comes as half of a pair (PEP 383), which Arrow's paths cannot hold."""
+    with pytest.raises(InvalidScenario, match="UTF-8"):
+        run_campaign(read_campaign(spec), tmp_path / "\udcff", workers=0)
+    assert not list(tmp_path.iterdir())
+
+
 def test_another_campaign_keeps_out_of_the_folder(spec, alone, tmp_path):
     other = tmp_path / "other.toml"
     other.write_text(SPEC.replace("seed = 3", "seed = 4"))

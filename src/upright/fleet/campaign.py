@@ -195,7 +195,10 @@ def collect(folder: str | Path) -> Dataset:
 
 
 def _check_folder(folder: Path, digest: str) -> None:
-    """Refuse a folder that cannot be made or written, and one that holds the results of another campaign."""
+    """Refuse a folder that cannot be made or written, one with a name that Parquet's reader cannot open, and one that
+    holds the results of another campaign."""
+    if any("\ud800" <= letter <= "\udfff" for letter in str(folder)):
+        raise InvalidScenario(f"the folder {str(folder)!r}", expected="a name in UTF-8", hint="another name")
     place_of(next(path for path in (folder, *folder.parents) if path.exists()) / "any")
     if (folder / _PLAN).exists() and _digest(_read_plan(folder)) != digest:
         raise InvalidScenario(
