@@ -103,7 +103,7 @@ def moved_by(model: SampledRobot, commands: Array) -> Array:
 
 
 def innovations(log: Log, robot: Robot, kit: Kit) -> Array:
-    """What each reading of the log (n, 3) is beside the one foretold by the steady filter of `robot` on `kit`."""
+    """What each reading of the log (n, 3) is beside the one predicted by the steady filter of `robot` on `kit`."""
     model = sampled(robot, kit, log.period, longest=MOST_PERIODS)
     readings, sent = recorded(log, model.delay)
     moved = moved_by(model, at_motors(sent, kit, robot.command_unit, sent=commanded(log) == "command"))

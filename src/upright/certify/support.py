@@ -325,7 +325,7 @@ def _slope(path: FollowedLog, period: float, course: Course) -> Support:
 
 def _noise(log: Log, kit: Kit, path: FollowedLog) -> list[Support]:
     """The gyro's noise from third differences, in which the motion nearly vanishes, of its readings or of its
-    innovations, in which a fast motion is foretold: the smaller one."""
+    innovations, in which a fast motion is predicted: the smaller one."""
     gyro, sensor = log["sensor/gyro"], kit.sensors["sensor/gyro"]
     several = [np.diff(x[np.isfinite(x)], n=3) for x in (gyro, path.raw[:, 2])]
     if len(several[0]) < FEWEST_VOLTS:
