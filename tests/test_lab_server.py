@@ -211,8 +211,8 @@ def test_ten_thousand_hostile_messages_stop_nothing_and_reach_nobody(room):
             for each in (room, alone):
                 each.stage.pump(0.02)
     of_its_own = ("Snapshot", "Analysed", "Light", "Progress")  # its controller's analysis may end meanwhile
-    told = [m for m in heard(neighbour) if m["kind"] not in of_its_own]
-    assert told == []
+    extra = [m for m in heard(neighbour) if m["kind"] not in of_its_own]
+    assert extra == []
     assert session.snapshot().x == twin.snapshot().x
     assert session.setup == MODEL
     fresh = room.page("c")

@@ -158,12 +158,12 @@ def test_a_body_half_as_heavy_is_seen_and_falls_under_a_push_that_was_sized_for_
 
 def test_a_calibration_names_knocks_and_leaves_them_out_where_asked() -> None:
     log = plain_log()
-    (whole,), (told,) = without_knocks([log], ROBOT, KIT, cut=False)
+    (whole,), (note,) = without_knocks([log], ROBOT, KIT, cut=False)
     assert whole is log
     # the first reading after it has left: a period, and another of dead time
-    times = [float(word) for word in re.findall(r"[\d.]+(?=,| s bends)", told)]
+    times = [float(word) for word in re.findall(r"[\d.]+(?=,| s bends)", note)]
     assert times == pytest.approx([knock.start for knock in KNOCKS], abs=0.03)
-    assert "--between-knocks" in told
+    assert "--between-knocks" in note
     parts, (said,) = without_knocks([log], ROBOT, KIT, cut=True)
     assert [len(part) for part in parts] == [len(part) for part in unpushed(log, ROBOT, KIT)]
     assert "is left out" in said

@@ -114,28 +114,28 @@ def innovations(log: Log, robot: Robot, kit: Kit) -> Array:
 def unpushed(log: Log, robot: Robot, kit: Kit) -> list[Log]:
     """The log without the times at which somebody pushed the robot, which a calibration does not know of: a knock made
     a body of 0.34 kg one of 0.48 ± 0.06. The whole log where little would be left."""
-    rows = np.flatnonzero(~pushed(innovations(log, robot, kit), log.period, KNOCK))
+    return _calm(log, pushed(innovations(log, robot, kit), log.period, KNOCK))
+
+
+def _calm(log: Log, there: NDArray[np.bool_]) -> list[Log]:
+    """The parts of the log that lie outside the rows `there` (n,), or the whole log where little would be left."""
+    rows = np.flatnonzero(~there)
     several = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1)
     long = [log.t[part[[0, -1]]] for part in several if len(part) * log.period > LEAST_CALM]
     calm = [one for one in (log.between(*ends) for ends in long) if all(np.ptp(one[n]) > 0 for n in RAW if n in one)]
     return calm if sum(map(len, calm)) > len(log) / 2 else [log]
 
 
-def knocks(log: Log, robot: Robot, kit: Kit) -> list[float]:
-    """When [s] somebody pushed the robot; none where the filter cannot follow the log."""
-    try:
-        there = pushed(innovations(log, robot, kit), log.period, KNOCK)
-    except UprightError:
-        return []
-    return log.t[np.flatnonzero(np.diff(there.astype(int), prepend=0) > 0)].tolist()
-
-
 def without_knocks(logs: Sequence[Log], robot: Robot, kit: Kit, *, cut: bool) -> tuple[list[Log], list[str]]:
     """The logs, where asked (`cut`) in parts without knocks, and sentences on the knocks in them."""
     parts, notes = list[Log](), list[str]()
     for log in logs:
-        times = knocks(log, robot, kit)
-        own = unpushed(log, robot, kit) if times and cut else [log]
+        try:
+            there = pushed(innovations(log, robot, kit), log.period, KNOCK)
+        except UprightError:  # the filter cannot follow the log
+            there = np.zeros(len(log), dtype=np.bool_)
+        times = log.t[np.flatnonzero(np.diff(there.astype(int), prepend=0) > 0)].tolist()
+        own = _calm(log, there) if times and cut else [log]
         parts += own
         if times:
             when = ", ".join(f"{t:.3g}" for t in times[:MOST_NAMED]) + (", …" if len(times) > MOST_NAMED else "")

@@ -100,6 +100,10 @@ def stuck(record: Record) -> list[Finding]:
         return []
     moved = {n: record[n][2 * step :] - 2 * record[n][step:-step] + record[n][: -2 * step] for n in present}
     grains = {name: grain_of(record[name]) for name in present}
+
+    def moves(name: str, rows: Mask) -> float:
+        return float(moved[name][rows].std()) / max(grains[name], 1e-300)
+
     findings: list[Finding] = []
     for name in present:
         x, others = record[name], [other for other in present if other != name]
@@ -108,10 +112,6 @@ def stuck(record: Record) -> list[Finding]:
         inside[first : max(first, last - 2 * step)] = True
         if record.t[last] - record.t[first] < _STUCK or not others or not inside.any() or inside.all():
             continue
-
-        def moves(name: str, rows: Mask) -> float:
-            return float(moved[name][rows].std()) / max(grains[name], 1e-300)
-
         there = record.on_wheels(record.t[first : last + 1]).all()
         if name == GYRO:
             there |= abs(x[first] - float(np.median(np.delete(x, slice(first, last))))) > _ACTIVE * grains[name]

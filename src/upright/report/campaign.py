@@ -141,10 +141,10 @@ def _strongest(cases: Cases) -> str:
     if not drawn:
         return ""
     name, (case, least, most) = next(iter(drawn.items()))
-    where = f" ({cases.names()[cases.index(case)]})" if len(cases) > 1 else ""
+    of_case = f" ({cases.names()[cases.index(case)]})" if len(cases) > 1 else ""
     return (
         f" Of the drawn numbers {spoken(name)} matters most: {_percent(least)} fall of the fifth with the least, "
-        f"{_percent(most)} of the fifth with the most{where}."
+        f"{_percent(most)} of the fifth with the most{of_case}."
     )
 
 

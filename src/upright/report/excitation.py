@@ -244,9 +244,9 @@ def _limits(plan: ExcitationPlan) -> Table:
 def _tried(plan: ExcitationPlan) -> Table:
     left = [p.after / p.before for p in plan.predicted if p.name in _meant(plan)]
     whole = float(np.exp(np.mean(np.log(left)))) if left else math.nan
-    rows: list[list[Cell]] = [[t.name, t.energy, t.shrinks] for t in plan.tried]
-    rows.append(["this plan", plan.energy, whole])
-    rows.sort(key=lambda row: float(row[2]) if math.isfinite(float(row[2])) else math.inf)  # type: ignore[arg-type]
+    known = [(t.name, t.energy, t.shrinks) for t in plan.tried]
+    tried = sorted([*known, ("this plan", plan.energy, whole)], key=lambda one: np.nan_to_num(one[2], nan=math.inf))
+    rows: list[list[Cell]] = [list(one) for one in tried]
     return Table(
         ["excitation", f"energy [{_energy_unit(plan)}]", "width after / before"], rows, "Excitations, the best first", 3
     )

@@ -170,7 +170,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     pushes = origin_of(data).get("scenario", {}).get("push")
     robot = origin_of(data)["robot"]["name"]
     after = "`upright push-map`, which finds the largest push, or `upright sweep`, which compares controllers"
-    few = 0 < len((origin_of(data).get("vary") or {}).get("spreads", [])) <= FEW
+    few = 0 < len(_varied(data)) <= FEW
     all_vary = "; `--vary spread` varies all numbers of the robot" if few else ""
     lead = f"{_differ(data, robot)}{where(pushes)} Next: {after}{all_vary}."
     bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %" if summary.fell else ""
@@ -197,10 +197,15 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     )  # fmt: skip
 
 
+def _varied(data: Dataset) -> list[str]:
+    """The numbers in which the robots differ."""
+    return [spread["name"] for spread in (origin_of(data).get("vary") or {}).get("spreads", [])]
+
+
 def _verdict(data: Dataset, summary: Summary) -> Verdict:
     """A certificate varies every number: where a few do, few falls are no green light."""
     verdict = falls_verdict(summary.fell, summary.n)
-    names = [spread["name"] for spread in (origin_of(data).get("vary") or {}).get("spreads", [])]
+    names = _varied(data)
     if verdict.level == "bad" or len(names) > FEW:
         return verdict
     varied = f"only {joined([spoken(name) for name in names])} varied" if names else "nothing but noise varied"
@@ -209,7 +214,7 @@ def _verdict(data: Dataset, summary: Summary) -> Verdict:
 
 def _differ(data: Dataset, robot: str) -> str:
     """Whose relatives, in what they differ, and what holds them."""
-    names = [s["name"] for s in (origin_of(data).get("vary") or {}).get("spreads", [])]
+    names = _varied(data)
     varied = [f"{spoken(n)}{_range(data, n)}" for n in names]
     kind = (origin_of(data).get("controller") or {}).get("kind", "")
     under = f", under {kind}" if kind else ""
