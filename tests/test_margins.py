@@ -272,6 +272,19 @@ def test_analysis_says_itself_in_words_numbers_and_a_page(analysis, tmp_path):
         assert word in html
 
 
+@pytest.mark.parametrize("channel", ["both motors", "gyro"])
+def test_the_nyquist_curve_goes_round_as_often_as_the_page_says(channel: str) -> None:
+    kit = Kit.preset("nxt")
+    result = analyse(NXT, make_controller("lqg", NXT, kit, 0.01), kit, robots=[])
+    gain = result._broken(channel)
+    z = (1 + 1e-4) * np.exp(1j * np.linspace(-np.pi, np.pi, 200_001))  # round the integrator's pole at 1
+    around = 1 + control.ss(gain.A, gain.B, gain.C, gain.D, gain.dt)(z)
+    turns = float(np.angle(around[1:] / around[:-1]).sum()) / (2 * np.pi)
+    assert result.stable
+    assert turns == pytest.approx(result.turns(channel), abs=1e-6)  # the argument principle: a whole number
+    assert result.turns(channel) > 0  # a robot that falls needs one at least
+
+
 def test_mu_of_a_positive_matrix_with_scalar_blocks_is_its_perron_root():
     # sup over phases of ρ(M U) is ρ(|M|), and Osborne's scaling reaches it (Zhou and Doyle 1998, section 10.2)
     matrix = np.array([[1.0, 2.0, 0.5], [3.0, 4.0, 1.0], [0.2, 0.7, 2.0]]).astype(complex)

@@ -55,6 +55,7 @@ WIDTH, LEFT, RIGHT = 7.2, 0.75, 0.15  # [inches], as what follows
 PANEL, HEAD, FOOT = 1.85, 0.42, 0.55
 SCREEN, LEAST = 4.7, 0.7  # [inches] of all panels that a screen shows below a title, and of one panel at least
 BELOW: dict[str, Any] = {"linewidth": 4.0, "alpha": 0.35}
+WIDE_ONLY = "wide-only"  # the id of letters right of a panel that a phone has no room for; its table has them
 MANY = 12  # rows of names: more are closer together
 COLUMNS = 1000  # of a line that is thinned: two for each column of pixels at the width of a page
 

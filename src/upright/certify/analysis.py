@@ -34,6 +34,7 @@ INPUTS = {"left motor": (1.0, 0.0), "right motor": (0.0, 1.0), "both motors": (1
 """Where the loop is broken at the robot's input: one motor, both alike, both opposed."""
 
 LATEST = 0.3  # [s] more delay than this no balancing robot survives
+ROUNDED = 1e-6  # an integrator's pole, which is at 1 but for rounding, is not unstable
 FINEST = 1e-3  # [s] steps of delay: a loop that is unstable between two of them alone is not found
 DRAWN = 200
 COMPARABLE = {"sensor/gyro": 1.5, "sensor/compass": 0.5}  # [rad/s], [rad]: Bryson's sizes of the readings
@@ -82,7 +83,7 @@ class Analysis(Shown):
 
     def both(self) -> Margins:
         """The margins of both motors together, which describe the pitch loop best."""
-        return next(m for m in self.inputs if m.channel == "both motors")
+        return self._of("both motors")
 
     def words(self) -> list[str]:
         """The result, in sentences."""
@@ -99,11 +100,11 @@ class Analysis(Shown):
         ]
         return sentences + ([f"Parameters within their intervals (μ): the loop {self.mu.words()}"] if self.mu else [])
 
-    def plot(self) -> Figure:
-        """Bode diagram of the loop broken at both motors, with its gain and phase margins where they are."""
+    def plot(self, channel: str = "both motors") -> Figure:
+        """Bode diagram of the loop broken at `channel`, one of the margins, with its gain and phase margins."""
         from upright.plotting import legend, line, numbered, panels
 
-        omega, response = broken(self.loop, INPUTS["both motors"])
+        omega, response = response_of(self._broken(channel))
         figure, (size, phase) = panels(["magnitude [1]", "phase [°]"], "frequency [rad/s]", "log")
         size.set_yscale("log")
         numbered(size.yaxis)
@@ -113,8 +114,23 @@ class Analysis(Shown):
         size.axhline(1.0, linestyle="--", color="grey", linewidth=0.8)
         ends = np.log10([float(np.abs(response).min()) + 1e-9, 1.05 * float(np.abs(response).max())])
         size.set_ylim(10.0 ** math.floor(ends[0]), 10.0 ** math.ceil(ends[1]))
-        _mark_margins(size, phase, self.both(), (omega, angle))
+        _mark_margins(size, phase, self._of(channel), (omega, angle))
         return legend(figure)
+
+    def turns(self, channel: str = "both motors") -> int:
+        """The unstable poles of the loop broken at `channel`: so often a stable loop's Nyquist curve goes round −1,
+        anticlockwise."""
+        return int((np.abs(self._broken(channel).poles()) > 1 + ROUNDED).sum())
+
+    def _of(self, channel: str) -> Margins:
+        return next(m for m in (*self.inputs, *self.outputs) if m.channel == channel)
+
+    def _broken(self, channel: str) -> LinearModel:
+        """The scalar loop gain broken at `channel`, all else closed."""
+        if channel in INPUTS:
+            return broken_input(self.loop, INPUTS[channel])
+        place = [m.channel for m in self.outputs].index(channel)
+        return broken_at(self.loop.at_output, np.eye(len(self.outputs))[place])
 
     def plot_nyquist(self) -> Figure:
         """Nyquist diagram of the loop broken at both motors, with an arrow towards rising frequency.
@@ -123,7 +139,7 @@ class Analysis(Shown):
         """
         from upright.plotting import nyquist
 
-        _, response = broken(self.loop, INPUTS["both motors"])
+        _, response = response_of(self._broken("both motors"))
         return nyquist(response, 1 / self.both().Ms)
 
     def plot_poles(self, *, slow: int = 0) -> Figure:
@@ -303,8 +319,12 @@ def delayed_kit(kit: Kit, more: float, at: str) -> Kit:
     return replace(kit, sensors=kit.sensors | {at: replace(sensor, delay=sensor.delay + more)})
 
 
-def broken(loop: Loop, direction: Sequence[float], count: int = 400) -> tuple[Array, Complex]:
-    """Frequencies [rad/s] and the scalar loop broken at the commands along `direction`, all else closed."""
-    v = np.array(direction) / np.linalg.norm(direction)
-    grid = np.geomspace(0.05, math.pi / loop.plant.dt, count)
-    return grid, broken_at(loop.at_input, v).response(grid)[:, 0, 0]
+def broken_input(loop: Loop, direction: Sequence[float]) -> LinearModel:
+    """The scalar loop gain broken at the commands along `direction`, all else closed."""
+    return broken_at(loop.at_input, np.array(direction) / np.linalg.norm(direction))
+
+
+def response_of(gain: LinearModel, count: int = 400) -> tuple[Array, Complex]:
+    """Frequencies [rad/s] up to Nyquist's, and the scalar loop `gain` there."""
+    grid = np.geomspace(0.05, math.pi / gain.dt, count)
+    return grid, gain.response(grid)[:, 0, 0]

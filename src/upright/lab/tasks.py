@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from upright.atomic import finite
 from upright.control import Controller, gain_of
@@ -18,6 +18,9 @@ from upright.lab.plant import design as design_of
 from upright.lab.plant import design_part, plant_of
 from upright.robots import Kit, Robot
 from upright.signals import Log
+
+if TYPE_CHECKING:
+    from upright.certify.loop import Loop
 
 Report = Callable[[float], None]
 
@@ -52,7 +55,7 @@ def design(report: Report, setup: Setup, keep: bool) -> tuple[Controller | None,
 def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
     """Gains, margins, poles and the broken loop; only the gains where the controller is not linear."""
     from upright.certify import margins, robot_loop
-    from upright.certify.analysis import INPUTS, broken, delay_margin
+    from upright.certify.analysis import INPUTS, delay_margin
 
     K = gain_of(controller)
     gain = () if K is None else tuple(tuple(row) for row in K.tolist())
@@ -61,7 +64,7 @@ def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
     except (InvalidController, SpecMismatch) as error:
         return Analysed(stable=False, words=str(error).split(";")[0], gain=gain)
     poles = tuple((round(float(p.real), 5), round(float(p.imag), 5)) for p in loop.closed.poles())
-    curve = _curve(broken, loop, INPUTS)
+    curve = _curve(loop)
     if not loop.stable:
         words = f"The loop is unstable: its largest pole is at |z| = {abs(loop.closed.poles()[0]):.4f}."
         return Analysed(stable=False, words=words, gain=gain, poles=poles, L=curve)
@@ -73,8 +76,10 @@ def analysed(controller: Controller, robot: Robot, kit: Kit) -> Analysed:
     )  # fmt: skip
 
 
-def _curve(broken: Any, loop: Any, inputs: Any) -> tuple[tuple[float, ...], ...]:
-    omega, L = broken(loop, inputs["both motors"], SHOWN_FREQUENCIES)
+def _curve(loop: Loop) -> tuple[tuple[float, ...], ...]:
+    from upright.certify.analysis import INPUTS, broken_input, response_of
+
+    omega, L = response_of(broken_input(loop, INPUTS["both motors"]), SHOWN_FREQUENCIES)
     return tuple(tuple(float(f"{v:.4g}") for v in row) for row in (omega, L.real, L.imag))
 
 

@@ -8,13 +8,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass, field
 from typing import Any
 
-from upright.report import Details, Figure, Section, Verdict
+from upright.report import Details, Figure, Section, Table, Verdict
 from upright.report.page import Item
 from upright.signals import Log
 
 REPRODUCED = "reproduced"
 NOT_AS_PRINTED = "not reproducible as printed"
 BEYOND = "beyond the paper"
+
+SHORT = 6  # rows of a table that is shown without being asked for
 
 LEVEL_OF = {REPRODUCED: "good", NOT_AS_PRINTED: "warn", BEYOND: "info"}
 
@@ -52,9 +54,12 @@ class Claim:
         return textwrap.fill(self.first, width, initial_indent="    ", subsequent_indent="    ")
 
     def section(self) -> Section:
-        """The claim as a section of the page: the figures that come first, or else the first, then the rest folded."""
+        """The claim as a section of the page: the figures that come first, or else the first, or a short table; the
+        rest is folded."""
         figures = [item for item in self.items if isinstance(item, Figure)]
-        shown = list(itertools.takewhile(lambda item: isinstance(item, Figure), self.items)) or figures[:1]
+        short = [item for item in self.items[:1] if isinstance(item, Table) and len(item.rows) <= SHORT]
+        leading = itertools.takewhile(lambda item: isinstance(item, Figure), self.items)
+        shown = list(leading) or figures[:1] or short
         rest = [item for item in self.items if item not in shown]
         folded = [Details("Tables, figures and derivations", rest, printed=False)] if rest else []
         return Section(f"{self.part} {self.title}", [self.summary, *shown, *folded], self.badge)

@@ -83,14 +83,24 @@ def _page(claims: Sequence[Claim]) -> Page:
     part = next(c for c in claims if c.part == "5c")
     drawn = next(item for item in part.items if isinstance(item, Figure))
     picture = replace(drawn, title=_finding(part, drawn.title))
-    rows = [[f"{c.part} {c.title}", c.badge, c.first] for c in claims]
+    tables = [
+        Table(
+            ["claim", "verdict", "because"],
+            [[f"{c.part} {c.title}", c.badge, c.first] for c in claims if c.verdict != BEYOND],
+        ),
+        COUNTED,
+        Details(
+            "Further checks, beyond the paper",
+            [Table(["check", "result"], [[f"{c.part} {c.title}", c.first] for c in claims if c.verdict == BEYOND])],
+        ),
+    ]
     robots = [Robot.preset(name) for name in (LIGHT, HEAVY)]
     parameters: list[list[Cell]] = [
         [symbol, name.replace("_", " "), unit, *(getattr(robot, name) for robot in robots)]
         for name, (unit, symbol) in PARAMETERS.items()
     ]
     opening = [
-        Section("The claims", [Table(["claim", "verdict", "because"], rows), COUNTED]),
+        Section("The claims", tables),
         Section("The robot", [
             Figure("Angles and lengths of the model", labelled(robots[0])),
             Details("Parameters of both robots", [Table(["", "parameter", "unit", LIGHT, HEAVY], parameters)]),

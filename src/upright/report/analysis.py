@@ -30,7 +30,8 @@ def page_of(result: Analysis | Designed) -> Page:
         both = analysis.both()
         last = f"Bode diagram: beyond {both.crossover:.3g} rad/s the gain stays below 1, the dashed line"
         bode = Figure(last, analysis.plot(), _BODE)
-        sections = [Section("Frequency response", [_nyquist(analysis), bode, _where(both)]), *sections]
+        drawn = [_nyquist(analysis), bode, _where(both), *_delayed_first(analysis)]
+        sections = [Section("Frequency response", drawn), *sections]
         near = Figure(f"The {SLOW} slowest poles, near 1", analysis.plot_poles(slow=SLOW), _NEAR)
         sections += [Section("Closed-loop poles", [_poles(analysis), near])]
     facts = {"controller": analysis.hash[:12], "period": f"{analysis.period * 1e3:g} ms"}
@@ -116,8 +117,7 @@ def _against_targets(analysis: Analysis) -> Figure:
 
 _DECIBELS = "Gain margins are those of both motors, compared in decibels: no change at all is 0 % of the target."
 _BODE = (
-    "Both motors are broken at once. The coloured lines are the margins, each at the frequency that sets it. "
-    "A single sensor may set a smaller delay margin, which is not drawn."
+    "The loop is broken at both motors at once. The coloured lines are the margins, each at the frequency that sets it."
 )
 _NEAR = "The part of the diagram above that decides how slowly the robot comes to rest."
 SLOW = 6  # poles near 1 that are drawn enlarged: as many as the robot has states
@@ -133,6 +133,19 @@ def _where(both: Margins) -> Table:
         ["delay margin [ms]", 1e3 * both.delay, both.delay_at],
     ]
     return Table(["margin of both motors", "value", "at [rad/s]"], rows, "What sets each margin", 3)
+
+
+def _delayed_first(analysis: Analysis) -> list[Figure]:
+    """The loop that a delay makes unstable first, where that is a sensor's."""
+    first, name = analysis.weakest, _weakest(analysis)
+    if first not in analysis.outputs or name != first.channel or not first.delay_at > 0:
+        return []
+    title = f"The loop at the {name}: {_delay(analysis)} more delay there makes it unstable"
+    note = (
+        f"The loop is broken at the {name} alone. A delay there uses up the phase margin of "
+        f"{cell_text(math.degrees(first.phase), 3)}° at {cell_text(first.phase_at, 3)} rad/s."
+    )
+    return [Figure(title, analysis.plot(name), note)]
 
 
 def _numbers(analysis: Analysis) -> list[tuple[str, str]]:
@@ -184,11 +197,12 @@ def _row(m: Margins) -> list[Cell]:
 
 def _nyquist(analysis: Analysis) -> Figure:
     title = f"Nyquist diagram: the least distance from −1 is {1 / analysis.both().Ms:.2f}; the target is {CLOSE:g}"
-    return Figure(
-        title,
-        analysis.plot_nyquist(),
-        "The loop is broken at both motors at once. The curve goes on outwards at lower frequencies.",
-    )
+    turns = analysis.turns()
+    often = {1: "once", 2: "twice"}.get(turns, f"{turns} times")
+    poles = f"{turns} unstable pole{'' if turns == 1 else 's'}"
+    count = f" Broken there it has {poles}: as it is stable, the whole curve goes round −1 {often}, anticlockwise."
+    note = "The loop is broken at both motors at once. The curve goes on outwards at lower frequencies."
+    return Figure(title, analysis.plot_nyquist(), note + (count if turns else ""))
 
 
 def _poles(analysis: Analysis) -> Figure:

@@ -29,7 +29,7 @@ def page_of(plan: ExcitationPlan) -> Page:
     ]
     facts = {"controller": plan.hash[:12], "seed": str(plan.seed), "kit": plan.kit}
     numbers = [
-        (f"≤ {number(100 * plan.checked.bound, 2)} %", f"probability of a fall; allowed {100 * plan.limits.falls:g} %"),
+        (f"≤ {number(100 * plan.checked.bound, 2)} %", _falls(plan)),
         (f"{cell_text(plan.checked.travel, 2)} m", f"rolled by 95 % of the robots; allowed {plan.limits.travel:g} m"),
         (
             f"{number(100 * plan.checked.saturated, 2)} %",
@@ -40,6 +40,11 @@ def page_of(plan: ExcitationPlan) -> Page:
         _title(plan), sections, _lead(plan), facts, False, verdict=verdict, picture=_widths(plan),
         numbers=numbers,
     )  # fmt: skip
+
+
+def _falls(plan: ExcitationPlan) -> str:
+    c = plan.checked
+    return f"probability of a fall: {c.fell} of {c.samples} drawn robots fell; allowed {100 * plan.limits.falls:g} %"
 
 
 def _safe(plan: ExcitationPlan) -> str:

@@ -128,20 +128,25 @@ class Figure:
 def _narrowed(drawing: mpl.Figure) -> Generator[None]:
     """The same drawing for a phone, `NARROW` inches wide: its letters keep their size, its panels lose width.
 
-    What is as high as wide loses height too, a scale of colours only moves.
+    What is as high as wide loses height too, a scale of colours only moves, letters right of a panel go.
     """
     width, height = drawing.get_size_inches()
     less = max(width - NARROW, 0.0)
     boxes = {ax: ax.get_position() for ax in drawing.axes}
     labels = {ax: ax.yaxis.label.get_position() for ax in drawing.axes}
+    beside = [text for ax in drawing.axes for text in ax.texts if text.get_gid() == plotting.WIDE_ONLY]
     square = any(
         box.height * height > SQUARE and abs(box.height * height - box.width * width) < 0.2 for box in boxes.values()
     )
     lower = less if square else 0.0
     drawing.set_size_inches(width - less, height - lower)
+    for text in beside:
+        text.set_visible(False)
     for ax, box in boxes.items():
         across = less if box.width * width > SCALE else 0.0
         left = box.x0 * width - (less - across)
+        if any(text.axes is ax for text in beside):
+            across -= (1 - box.x1) * width - plotting.RIGHT
         inside = (box.width * width - across, box.height * height - lower)
         ax.set_position((
             left / (width - less), box.y0 * height / (height - lower), inside[0] / (width - less),
@@ -150,6 +155,8 @@ def _narrowed(drawing: mpl.Figure) -> Generator[None]:
         x, y = labels[ax]
         ax.yaxis.set_label_coords(x * box.width * width / inside[0], 1 + (y - 1) * box.height * height / inside[1])
     yield
+    for text in beside:
+        text.set_visible(True)
     drawing.set_size_inches(width, height)
     for ax, box in boxes.items():
         ax.set_position(box)

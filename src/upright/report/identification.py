@@ -152,9 +152,10 @@ _KNOWN = (
 )
 _KNEW = "The twin that made this log has the very numbers of that file: such a prior cannot be wrong here."
 _PREDICTIONS = (
-    "Fit [%] on the held-out part of the log: 100 (1 − rms error / rms of the motion). The filter is the same for all "
-    "models. For angles the motion is their change over the prediction horizon. Wheel: the mean of both encoders, "
-    "relative to the body. Turn: from their difference."
+    "Prediction fit [%] on the held-out part of the log: 100 (1 − rms error / rms of the motion). For angles the "
+    "motion is their change over the prediction horizon. So 0 % means no better than “nothing moves”, on other pages "
+    "no better than the mean. The filter is the same for all models. Wheel: the mean of both encoders, relative to the "
+    "body. Turn: from their difference."
 )
 _STABLE = (
     "A model that is stable, though the robot is not, forgets an error of its start; a right one lets it grow. So a "
@@ -269,7 +270,7 @@ def _eigenvalues(compared: MethodComparison) -> Figure:
 def _predictions(compared: MethodComparison) -> list[Item]:
     horizons = list(next(iter(compared.models.values())).fits) if compared.models else []
     outputs = compared.samples.parts[0].outputs
-    figure, axes = panels([f"fit of {output} [%]" for output in outputs], "samples ahead", "log")
+    figure, axes = panels([f"prediction fit of {output} [%]" for output in outputs], "samples ahead", "log")
     for ax, output in zip(axes, outputs, strict=True):
         for name, m in compared.models.items():
             line(ax, name, [float(h) for h in m.fits], [fit.get(output, math.nan) for fit in m.fits.values()])
@@ -282,7 +283,7 @@ def _predictions(compared: MethodComparison) -> list[Item]:
         Table(
             ["samples ahead", *horizons],
             [[name, *(m.fits[h].get(output) for h in horizons)] for name, m in compared.models.items()],
-            f"Fit of {output} [%]; – where the prediction diverges",
+            f"Prediction fit of {output} [%]; – where the prediction diverges",
             digits=3,
         )
         for output in outputs

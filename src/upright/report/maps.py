@@ -191,7 +191,8 @@ def push_map_page(data: Dataset) -> Page:
     under = f"Under {kind}, pushed" if kind else "Pushed"
     lead = (
         f"{under} {' and '.join(data['direction'].values.tolist())} for {_ends(data, 'duration', 1e3)} ms, "
-        f"{_ends(data, 'height')} m above the axle, harder and harder, within {100 * search['tolerance']:g} %. It "
+        f"{_ends(data, 'height')} m above the axle. Each push grows until the robot falls: limits are within "
+        f"{100 * search['tolerance']:g} %. It "
         f"survives a push if it still stands {search['watch']:g} s later. {low:.2g} N s stops a tennis ball of "
         f"{low / BALL:.2g} m/s. "
         "Next: `upright certify`, for slightly different robots."

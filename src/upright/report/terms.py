@@ -39,6 +39,8 @@ TERMS: dict[str, tuple[str, str]] = {
     r"knocks?|knocked": ("knock", "A push so short that only its impulse counts [N s]."),
     r"dead zone": ("dead zone", "The largest command that does not move the motor."),
     r"[Cc]oulomb friction": ("Coulomb friction", "Dry friction: of one size at every speed, against the motion."),
+    r"roll fraction": ("roll fraction", "The body's roll inertia, as a fraction of the range that its pitch and yaw "
+        "inertias allow."),
     r"multisine": ("multisine", "A sum of sines, so that one run excites many frequencies."),
     r"lqr": ("lqr", "Linear quadratic regulator: the state feedback that is optimal for a quadratic cost."),
     r"lqi": ("lqi", "An lqr with an integrator, so that the robot returns to its place."),
