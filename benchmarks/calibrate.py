@@ -16,7 +16,7 @@ import math
 import os
 import platform
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from importlib.metadata import version
 
@@ -161,14 +161,14 @@ def truth(name: str, true: Robot) -> dict[str, float]:
     }  # fmt: skip
 
 
-def coverage(name: str, seeds: int, *, quiet: bool = False) -> None:
+def coverage(name: str, seeds: Sequence[int], *, quiet: bool = False) -> None:
     """How often the truth lies in the interval of what is called visible, and how far the unstable pole is off; on logs
-    of 20 s, or `quiet` ones of 10 s."""
+    of 20 s, or `quiet` ones of 10 s. Each interval that misses is printed."""
     robot = Robot.preset(name)
     held: dict[str, list[bool]] = {}
     poles: list[float] = []
     fallen = refused = told = supported = 0
-    for seed in range(seeds):
+    for tried, seed in enumerate(seeds, 1):
         true = drawn(robot, seed)
         log = twin_log(name, true, seed, 10.0 if quiet else 20.0, quiet=quiet)
         if log.origin["outcome"]["fell"]:
@@ -186,10 +186,14 @@ def coverage(name: str, seeds: int, *, quiet: bool = False) -> None:
                 for e in numbers:
                     if e.verdict == VISIBLE:
                         held.setdefault(e.name, []).append(e.low <= right[e.name] <= e.high)
+                        if not held[e.name][-1]:
+                            off = (e.value - right[e.name]) / e.spread
+                            print(f"    seed {seed}: {e.name} {e.value:.4g} ({e.low:.4g} to {e.high:.4g}), "
+                                  f"truth {right[e.name]:.4g}, {off:+.1f} deviations", flush=True)  # fmt: skip
                 poles.append(abs(rolling_pole(found.robot) / rolling_pole(true) - 1))
-        if poles and ((seed + 1) % 10 == 0 or seed + 1 == seeds):
+        if poles and (tried % 10 == 0 or tried == len(seeds)):
             logs = "quiet logs of 10 s" if quiet else "logs of 20 s"
-            print(f"\n{name}: {len(poles)} {logs} ({fallen} of {seed + 1} fell and are left out, {refused} refused)")
+            print(f"\n{name}: {len(poles)} {logs} ({fallen} of {tried} fell and are left out, {refused} refused)")
             say(held, poles)
             print(f"  numbers and combinations called visible: {told}; that a right model's Fisher information halves: "
                   f"{supported}", flush=True)  # fmt: skip
@@ -312,6 +316,7 @@ def main() -> None:
     parser.add_argument("--seeds", type=int, default=0, help="logs of each kit for coverage (default: time only)")
     parser.add_argument("--quiet", type=int, default=0, help="the same on logs that nobody excited")
     parser.add_argument("--families", type=int, default=0, help="robots of each kit with three runs that differ")
+    parser.add_argument("--first", type=int, default=0, help="the first seed of coverage (default 0)")
     parser.add_argument("--whole", action="store_true", help="run SciPy's fit to its end too (several minutes)")
     parser.add_argument("--untimed", action="store_true", help="leave the timing out")
     parser.add_argument("--robots", nargs="*", default=list(DITHER), help="presets to draw from")
@@ -322,9 +327,9 @@ def main() -> None:
     if not asked.untimed:
         timing(asked.whole)
     for name in asked.robots if asked.seeds else ():
-        coverage(name, asked.seeds)
+        coverage(name, range(asked.first, asked.first + asked.seeds))
     for name in asked.robots if asked.quiet else ():
-        coverage(name, asked.quiet, quiet=True)
+        coverage(name, range(asked.first, asked.first + asked.quiet), quiet=True)
     for name in asked.robots if asked.families else ():
         families(name, asked.families)
 

@@ -27,6 +27,7 @@ from upright.control import Estimated, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import run
+from upright.logs.marks import known_fraction
 from upright.logs.recording import reading_matrix, record
 from upright.physics.dynamics import derivative
 from upright.physics.integrate import rk4_step
@@ -177,6 +178,14 @@ def test_innovations_of_a_right_model_are_white_and_foretell_half_a_second() -> 
     assert found.temper == 1.0
     assert max(w.worst for w in found.whiteness) < 0.1  # 3 deviations of an autocorrelation over 1500 samples are 0.08
     assert min(found.segments[name] for name in ("sensor/gyro", "mean encoder")) > 0.99
+
+
+def test_the_robot_keeps_which_part_of_which_log_it_was_fitted_to() -> None:
+    """Twenty seconds, of which the last quarter is held out."""
+    log, (kept,) = twin_log(), calibration().known_robot().fitted
+    assert kept.stop == pytest.approx(15.0, abs=0.011)
+    assert known_fraction(log.between(0.1, 15.0), [kept.marks]) == 1.0
+    assert known_fraction(log.between(15.1, 20.0), [kept.marks]) == 0.0
 
 
 def test_dead_times_are_found() -> None:

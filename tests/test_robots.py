@@ -17,7 +17,7 @@ from scipy.linalg import expm
 
 from upright.errors import InvalidRobot, UnknownName, UprightError
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
-from upright.robots import PARAMETERS, Kit, Provenance, Robot, find_kit, find_robot, kit_names, preset_names
+from upright.robots import PARAMETERS, FittedLog, Kit, Provenance, Robot, find_kit, find_robot, kit_names, preset_names
 from upright.signals.signal import KNOWN, SENSORS
 
 NXTWAY = {
@@ -434,6 +434,24 @@ def test_lego_encoders_step_by_one_degree(name: str) -> None:
     kit = Kit.preset(name)
     for side in ("left", "right"):
         assert kit.sensors[f"sensor/encoder_{side}"].quantum == pytest.approx(math.radians(1), rel=1e-5)  # six digits
+
+
+def test_the_logs_of_a_calibration_stay_in_the_file(tmp_path: Path) -> None:
+    """With names of any kind, and none, one or several marks of 32 bits."""
+    logs = (FittedLog('a "run".csv', -0.5, 7.4, (0, 1, 2**32 - 1)), FittedLog("día 2.parquet", 0.0, 1e3))
+    robot = Robot.preset("ev3way").replace(fitted=logs)
+    path = robot.save(tmp_path / "robot.toml")
+    assert Robot.load(path).fitted == logs
+    assert Robot.load(path) == Robot.preset("ev3way")  # what it was fitted to is no part of what it is
+    for lines, word in (
+        ('[[fitted]]\nlog = "a.csv"\nstart = "0"\nstop = 1', "expected tables"),
+        ('[[fitted]]\nlogs = "a.csv"', "fitted.log"),
+        ('[[fitted]]\nlog = "a.csv"\nstart = 0\nstop = 1\nmarks = "xyz"', "expected hexadecimal"),
+        ("[fitted]", "expected tables"),
+    ):
+        path.write_text(f"{Robot.preset('ev3way').to_toml()}\n{lines}\n", encoding="utf-8")
+        with pytest.raises(InvalidRobot, match=word):
+            Robot.load(path)
 
 
 def test_the_noise_of_a_calibration_stays_in_the_file(tmp_path: Path) -> None:

@@ -16,9 +16,10 @@ from upright.control import lqg, lqr
 from upright.control.excited import Excited, random_binary
 from upright.control.files import write_controller
 from upright.errors import UprightError
+from upright.logs.marks import known_fraction, marks_of
 from upright.physics.dynamics import derivative
 from upright.report.validation import page_of as report_page
-from upright.robots import Kit, Motor, Robot
+from upright.robots import FittedLog, Kit, Motor, Robot
 from upright.validate.law import LinearLaw, law_of, recorded
 from upright.validate.validation import LogJudged, Validation
 
@@ -99,6 +100,54 @@ def test_the_free_loop_reads_nothing_of_the_log_where_one_encoder_stands_for_bot
     before, after = (np.nanmax(np.abs(gyro[rows])) for rows in (loop.t < 2.9, loop.t > 3.0))
     assert after < 2 * before + 0.02  # the knock is worth 0.5 rad/s and more; the gyro's step is 0.017
     assert "push at 3 s" in " ".join(label for _, label in report_page(result).numbers)
+
+
+def test_half_seconds_that_hold_a_push_are_left_out_and_counted() -> None:
+    """A slope of 0 and a force of a hundredth of a second: of ten half seconds the one that holds 2.2 s."""
+    log = log_of()
+    force = np.where((log.t >= 2.2) & (log.t < 2.21), 5.0, 0.0)
+    result = up.validate(ROBOT, up.Log(log.t, {**log.channels, "push/force": force}, log.units, log.origin), KIT).logs[0]
+    parts = result.segments
+    ends = [parts.when[parts.segment == n][[0, -1]] for n in np.unique(parts.segment)]
+    assert not any(start <= 2.2 <= stop for start, stop in ends)
+    whole = judged().segments
+    assert len(ends) == len(np.unique(whole.segment)) - 1
+    assert any(f"1 of {len(ends) + 1} half seconds are left out" in note for note in result.notes)
+
+
+@cache
+def fitted_to(part: str) -> Validation:
+    """The robot, whose file says that it was fitted to the first three quarters of a log, or to another log."""
+    log = log_of("gyro" if part == "another" else "")
+    rows = log.between(0.0, 3.75)
+    robot = replace(ROBOT, fitted=(FittedLog("run.csv", 0.0, 3.75, marks_of(rows)),))
+    return up.validate(robot, log_of(), KIT)
+
+
+def test_a_log_of_the_robots_own_fit_is_said_to_be_no_test() -> None:
+    own, other = fitted_to("first"), fitted_to("another")
+    assert own.logs[0].fitted == pytest.approx(0.75, abs=0.2)  # 32 marks: two deviations are 0.15, and windows overlap
+    assert "no test" in own.sentence
+    assert other.logs[0].fitted == 0
+    assert "no test" not in other.sentence
+    assert judged().fitted is None  # a preset does not say
+    pages = [report_page(result) for result in (own, other)]
+    assert [page.verdict.level for page in pages if page.verdict] == ["warn", "good"]
+    assert ["This is a test:" in page.lead for page in pages] == [False, True]
+
+
+def test_marks_know_rows_again_in_another_file_and_in_a_part(tmp_path: Path) -> None:
+    """What is kept of 375 rows says which fraction of another log they are: all of a part, none of another run."""
+    log = log_of()
+    marks = marks_of(log.between(0.0, 3.0))
+    for name in ("run.csv", "run.parquet"):
+        copy = up.Log.load(log.between(0.0, 3.0).save(tmp_path / name))
+        assert known_fraction(copy, [marks]) == 1.0
+    assert known_fraction(log.between(1.0, 2.0), [marks]) == 1.0
+    assert known_fraction(log.between(3.0, 5.0), [marks]) == 0.0
+    assert known_fraction(log_of("resistance"), [marks]) == 0.0
+    quiet = up.Log(log.t, {"sensor/gyro": np.zeros(len(log)), "sensor/encoder_left": np.round(log.t)}, {})
+    assert marks_of(quiet) == ()  # what hardly moves looks alike in many logs
 
 
 def test_a_log_of_ours_names_its_controller() -> None:

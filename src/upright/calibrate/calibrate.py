@@ -36,12 +36,13 @@ from upright.doctor.doctor import contradictions
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import DesignFailed, InvalidLog
 from upright.logs.mapping import Mapping as Columns
+from upright.logs.marks import marks_of
 from upright.logs.pace import pace_of
-from upright.logs.raw import LogSource, raw_log
+from upright.logs.raw import LogSource, named, raw_log
 from upright.logs.recording import SENSOR, Recording, commanded, first_noise, head, record
 from upright.physics.dynamics import motor_gain
 from upright.progress import Progress, unwatched
-from upright.robots import Kit, Robot, find_kit, find_robot
+from upright.robots import FittedLog, Kit, Robot, find_kit, find_robot
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -145,7 +146,14 @@ def calibrate(
         own = result.kit or parts
         noise = one_step_noise(max(several, key=len), result.robot, own, delay=_dead_time(own, several))
         result = replace(result, robot=result.robot.replace(noise=noise))
-    return result
+    return replace(result, robot=result.robot.replace(fitted=tuple(map(_fitted_part, several, problem.recordings))))
+
+
+def _fitted_part(log: Log, recording: Recording) -> FittedLog:
+    """Which rows of a log were fitted."""
+    times = recording.when[recording.fitted]
+    part = log.between(float(times.min()), float(times.max()) + log.period / 2)
+    return FittedLog(named(log), float(part.t[0]), float(part.t[-1]), marks_of(part))
 
 
 def prepared(

@@ -40,7 +40,7 @@ def too_quiet(problem: Problem) -> str:
         return ""
     return (
         f"Too quiet for an inertia: the pitch rate moves by {loudest:.1f} steps of its gyro (rms), not {QUIET:g}. "
-        "Inertias and the height of the centre of mass stay at their prior; excite the robot or push it, and log again."
+        "Inertias and the height of the centre of mass stay at their prior; excite the robot, and log again."
     )
 
 

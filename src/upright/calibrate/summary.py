@@ -31,6 +31,7 @@ from upright.calibrate.informativity import information, posterior, unseen_direc
 from upright.calibrate.judge import proposed, reasons
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, columns, with_values
 from upright.calibrate.validate import segments, steps_ahead, whiteness
+from upright.logs.raw import named
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.physics.linear import unstable_pole
 from upright.robots import PARAMETERS, Provenance, Robot
@@ -89,7 +90,7 @@ def summarised(
     names, covariance = _in_units(problem, z, C)
     by_name = {e.name: e for e in every} | ({"roll_inertia": _roll_inertia(problem, combined[0])})
     parameters = tuple(by_name[name] for name in names if name in PARAMETERS)
-    sources = tuple(str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log"))) for log in logs)
+    sources = tuple(map(named, logs))
     robot = _calibrated(problem, z, parameters, sources)
     return Calibration(
         robot=robot,

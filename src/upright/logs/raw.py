@@ -46,3 +46,8 @@ def raw_log(source: LogSource, mapping: Mapping | str | Path | None = None) -> L
     units = {name: unit for name, unit in log.units.items() if name in channels}
     origin = {**log.origin, "file": str(source)} | ({"derived": derived} if derived else {})
     return Log(log.t, channels, units | {RATES[name]: "rad/s" for name in summed}, origin)
+
+
+def named(log: Log) -> str:
+    """The file of a log, or what body made it."""
+    return str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log")))

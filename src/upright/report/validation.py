@@ -68,7 +68,9 @@ def page_of(result: Validation) -> Page:
     """The validation's page, not yet written."""
     worst = result.worst
     level = {PREDICTS: "good", DOES_NOT: "bad"}.get(result.verdict, "warn")
-    verdict = Verdict(f"{result.verdict} the log" if result.verdict != JUDGED else result.verdict, level)
+    words = f"{result.verdict} the log" if result.verdict != JUDGED else result.verdict
+    used = any(log.no_test for log in result.logs)
+    verdict = Verdict(f"{words}; no test" if used else words, "warn" if used and level == "good" else level)
     sections = [section for log in result.logs for section in _sections(log, len(result.logs) > 1)]
     of = " of" if result.verdict == JUDGED else ""
     logs = result.logs[0].source or "the log" if len(result.logs) == 1 else f"{len(result.logs)} logs"
@@ -102,10 +104,20 @@ def _lead(result: Validation) -> str:
     compass = any(c.name.endswith("compass") for log in result.logs for c in log.half_seconds)
     aside = " The compass is shown, not judged: it also turns with iron and motors nearby." if compass else ""
     return (
-        f"{seconds:.3g} s of log against the model of {result.robot}. This is a test if that robot was not fitted to "
-        "this log. "
+        f"{seconds:.3g} s of log against the model of {result.robot}. {_tested(result)} "
         f"A sensor passes from R² {GOOD:g} up.{aside} Next: {then}."
     )
+
+
+def _tested(result: Validation) -> str:
+    """Whether these logs test the robot: only what it was not fitted to does."""
+    if any(log.fitted is None for log in result.logs):
+        return "This is a test if that robot was not fitted to this log: its file does not say."
+    used = [log.no_test for log in result.logs if log.no_test]
+    if not used:
+        return "This is a test: that robot was fitted to other rows."
+    few = "" if len(used) == len(result.logs) else " The other logs do."
+    return f"{sentence('; '.join(used))} That part tests nothing.{few}"
 
 
 def _numbers(result: Validation) -> list[tuple[str, str]]:

@@ -17,12 +17,12 @@ from upright.reading import read_json, understood
 from upright.robots import toml
 from upright.robots.conditions import Conditions, conditions_of
 from upright.robots.kit import Kit, kit_of
+from upright.robots.learnt import FittedLog, correlation_of, fitted_of, learnt, noise_of
 from upright.robots.toml import Provenance
 from upright.robots.weights import TunedWeights, weights_of
 from upright.tables import Listing
 
 PRESETS = "presets"
-NOISES = ("encoder", "gyro", "compass", "motor", "push")
 
 
 def _number(unit: str, symbol: str, default: float | None = None) -> Any:
@@ -42,7 +42,8 @@ class Robot:
     [−1 to 1], as a calibration estimates them. `kit` is the name of a kit or its file, or the kit itself, with the
     delays and motors of this very robot. `conditions` are the batteries and floors
     that it is to meet, `weights` those of methods that were tuned for it, which are then their defaults. `noise` holds
-    the standard deviations with which a filter of it predicts the next reading, where a calibration learnt them.
+    the standard deviations with which a filter of it predicts the next reading, where a calibration learnt them, and
+    `fitted` the logs of that calibration.
 
     Raises `InvalidRobot` for a robot that cannot exist or that has nothing to balance.
     """
@@ -78,6 +79,7 @@ class Robot:
     provenance: Mapping[str, Provenance] = field(default_factory=dict, compare=False, repr=False)
     correlation: Mapping[tuple[str, str], float] = field(default_factory=dict, compare=False, repr=False)
     noise: Mapping[str, float] = field(default_factory=dict, compare=False, repr=False)
+    fitted: tuple[FittedLog, ...] = field(default=(), compare=False, repr=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "name", toml.checked_name(self.name, "robot"))
@@ -111,8 +113,8 @@ class Robot:
         tables = [_written(name, self) for name in PARAMETERS if name not in unused]
         kit = [] if isinstance(self.kit, str) else ["\n", self.kit.to_toml("kit")]
         tuned = [weights.to_toml(method) for method, weights in self.weights.items()]
-        noise = ["\n[noise]\n", *(f"{name} = {size!r}\n" for name, size in self.noise.items())] if self.noise else []
-        return "".join([*head, *tables, *noise, _written_correlation(self), self.conditions.to_toml(), *tuned, *kit])
+        known = learnt(self.noise, self.correlation, self.fitted)
+        return "".join([*head, *tables, known, self.conditions.to_toml(), *tuned, *kit])
 
     @property
     def kit_name(self) -> str:
@@ -341,17 +343,9 @@ def _written(name: str, robot: Robot) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _written_correlation(robot: Robot) -> str:
-    """A table of each parameter's correlations with others."""
-    firsts = dict.fromkeys(first for first, _ in robot.correlation)
-    rows = {f: [f"{b} = {r!r}" for (a, b), r in robot.correlation.items() if a == f] for f in firsts}
-    return "".join(f"\n[correlation.{first}]\n" + "\n".join(lines) + "\n" for first, lines in rows.items())
-
-
 def _read(table: toml.Table, where: str) -> Robot:
-    toml.check_keys(
-        table, {"name", "title", "drive", "kit", "correlation", "conditions", "weights", "noise", *PARAMETERS}, where
-    )
+    tables = ("kit", "correlation", "conditions", "weights", "noise", "fitted")
+    toml.check_keys(table, {"name", "title", "drive", *tables, *PARAMETERS}, where)
     words: dict[str, Any] = {k: toml.word(table, k, where) for k in ("name", "drive", "title") if k in table}
     if "kit" in table:
         own = isinstance(table["kit"], dict)
@@ -366,32 +360,8 @@ def _read(table: toml.Table, where: str) -> Robot:
     numbers = {name: toml.number(table[name], name, (PARAMETERS[name][0],), where) for name in given}
     sources = {name: toml.provenance(table[name], name, where) for name in given}
     provenance = {name: source for name, source in sources.items() if source is not None}
-    pairs = _correlation(toml.subtable(table, "correlation", where), where)
+    pairs = correlation_of(toml.subtable(table, "correlation", where), where, PARAMETERS)
+    noise = noise_of(toml.subtable(table, "noise", where), where)
     rest = {"correlation": pairs, "conditions": conditions_of(table, where), "weights": weights_of(table, where),
-            "noise": _noise(toml.subtable(table, "noise", where), where)}  # fmt: skip
+            "noise": noise, "fitted": fitted_of(table, where)}  # fmt: skip
     return Robot(**words, **cast(dict[str, Any], numbers), provenance=provenance, **cast(dict[str, Any], rest))
-
-
-def _noise(table: toml.Table, where: str) -> dict[str, float]:
-    """What `[noise] gyro = 0.1` says of a filter's noise."""
-    toml.check_keys(table, NOISES, where, "noise.")
-    for name, value in table.items():
-        if not toml.is_number(value) or not 0 < value < math.inf:
-            raise InvalidRobot(f"{where}: noise.{name} is {value!r}", expected="a positive standard deviation")
-    return {name: float(value) for name, value in table.items()}
-
-
-def _correlation(table: toml.Table, where: str) -> dict[tuple[str, str], float]:
-    """What `[correlation.one] other = 0.3` says of pairs of parameters."""
-    pairs: dict[tuple[str, str], float] = {}
-    for first in table:
-        toml.check_keys(table, PARAMETERS, where, "correlation.")
-        row = toml.subtable(table, first, where)
-        toml.check_keys(row, PARAMETERS, where, f"correlation.{first}.")
-        for second, value in row.items():
-            if not toml.is_number(value) or not -1 <= value <= 1 or first == second:
-                raise InvalidRobot(
-                    f"{where}: correlation.{first}.{second} is {value!r}", expected="a number from −1 to 1 of two names"
-                )
-            pairs[first, second] = float(value)
-    return pairs

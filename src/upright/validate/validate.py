@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.calibrate.calibrate import SEGMENT, SEGMENT_NOISE, prepared
-from upright.calibrate.calibration import GOOD, PREDICTED
+from upright.calibrate.calibration import GOOD, PREDICTED, Segments
 from upright.calibrate.fitting import EQUATION, Problem, normal_equations, objective
 from upright.calibrate.informativity import effective_fraction
 from upright.calibrate.noise import learn_noise
@@ -31,7 +31,8 @@ from upright.doctor.doctor import contradictions
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import InvalidLog, SpecMismatch
 from upright.logs.mapping import Mapping as Columns
-from upright.logs.raw import LogSource, raw_log
+from upright.logs.marks import known_fraction
+from upright.logs.raw import LogSource, named, raw_log
 from upright.logs.recording import SENSOR
 from upright.progress import Progress
 from upright.robots import Kit, Robot, find_kit, find_robot
@@ -93,12 +94,10 @@ def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> 
     log, left = on_its_wheels(log)
     problem, limits = prepared([log], robot, kit, (), 0.0)
     recording, z = problem.recordings[0], np.zeros(len(problem.parameters))
-    parts = segments(problem, recording, z)
+    parts, pushed = unpushed(segments(problem, recording, z), log)
     law, words = _law(log, recording.rows, controller)
     loop: FreeLoop | None = closed_loop(problem, recording, z, log, kit, law) if law else None
-    pushed = [n for n in ("push/force", "push/slope") if n in log and log[n].any()]
-    notes = [*([left] if left else []), *map(sentence, contradictions(log))]
-    notes += ["The log was pushed, which no prediction here knows."] if pushed else []
+    notes = [*([left] if left else []), *map(sentence, contradictions(log)), *([pushed] if pushed else [])]
     dead = tuple(n for n in log.channels if n in SENSOR and n not in recording.rows and _never_changes(log[n]))
     notes += [f"The {short(name)} never changes, and is not judged: look at its plug and its port." for name in dead]
     half_seconds = channels_of(parts)
@@ -106,7 +105,8 @@ def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> 
     if own and least(channels_of(own[0])).r2 < least(half_seconds).r2:
         own = None  # better on the mean, not of what decides
     return LogJudged(
-        source=str(log.origin.get("file", log.origin.get("body", {}).get("kind", "log"))),
+        source=named(log),
+        fitted=known_fraction(log, [one.marks for one in robot.fitted]) if robot.fitted else None,
         samples=len(log),
         seconds=float(log.t[-1] - log.t[0]),
         half_seconds=half_seconds,
@@ -116,10 +116,34 @@ def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> 
         estimates=law.estimates if isinstance(law, LinearLaw) else (),
         dead=dead,
         loop=loop_channels(loop) if loop else (),
-        shifts=_shifts(problem, limits),
+        shifts=_shifts(problem, limits, log),
         notes=tuple(notes),
         segments=parts,
         simulated=loop,
+    )
+
+
+def unpushed(parts: Segments, log: Log) -> tuple[Segments, str]:
+    """The half seconds in which the log records no push, and in words how many it leaves out; all of them where every
+    one was pushed. A push acts on in the half second in which it ends; the next one starts from a fitted state."""
+    channels = [log[name] for name in ("push/force", "push/slope") if name in log and log[name].any()]
+    if not channels:
+        return parts, ""
+    times = log.t[np.any(channels, axis=0)]
+    starts, stops = (np.full(int(parts.segment.max(initial=0)) + 1, sign * np.inf) for sign in (1, -1))
+    np.minimum.at(starts, parts.segment, parts.when)
+    np.maximum.at(stops, parts.segment, parts.when)
+    there = np.isfinite(starts)
+    inside = (times >= starts[:, None] - log.period) & (times <= stops[:, None])
+    struck = inside.any(axis=1) & there
+    count, every = int(struck.sum()), int(there.sum())
+    if count == every:
+        return parts, "The log was pushed in every half second, which no prediction here knows."
+    keep = ~struck[parts.segment]
+    changed = {name: getattr(parts, name)[keep] for name in ("row", "when", "measured", "predicted", "segment")}
+    return replace(parts, **changed), (
+        f"{count} of {every} half seconds are left out of the figure and of R²: the log records a push in them, which "
+        "no prediction here knows."
     )
 
 
@@ -149,7 +173,7 @@ def _law(log: Log, rows: Sequence[str], controller: Controller | None) -> tuple[
     return law, f"law: {law.name}"
 
 
-def _shifts(problem: Problem, limits: dict[str, float]) -> tuple[Shift, ...]:
+def _shifts(problem: Problem, limits: dict[str, float], log: Log) -> tuple[Shift, ...]:
     """Parameters that, moved alone by one step, would predict half seconds visibly better; best first.
 
     The gradient proposes: of each parameter the Gauss–Newton step, and how far beyond chance it is. The half seconds
@@ -160,11 +184,13 @@ def _shifts(problem: Problem, limits: dict[str, float]) -> tuple[Shift, ...]:
     beyond = np.abs(gradient) / np.sqrt(curvature)
     steps = -gradient / curvature
     likely = [i for i, p in enumerate(problem.parameters) if beyond[i] > CHANCE and not p.name.startswith(EQUATION)]
-    before, shifts = _score(problem, z), list[Shift]()
+    before, shifts = _score(problem, z, log), list[Shift]()
     for i in sorted(likely, key=lambda i: -beyond[i])[:TRIED]:
         p = problem.parameters[i]
         full = float(np.clip(steps[i], max(p.least, -LARGEST_STEP), LARGEST_STEP))
-        tries = {part * full: _score(problem, np.where(np.arange(len(z)) == i, part * full, z)) for part in (1.0, 0.5)}
+        tries = {
+            part * full: _score(problem, np.where(np.arange(len(z)) == i, part * full, z), log) for part in (1.0, 0.5)
+        }
         step = max(tries, key=lambda one: tries[one])
         explains = (tries[step] - before) / max(1 - before, 1e-9)
         if explains > WORTH:
@@ -173,10 +199,11 @@ def _shifts(problem: Problem, limits: dict[str, float]) -> tuple[Shift, ...]:
     return tuple(sorted(shifts, key=lambda shift: -shift.explains))
 
 
-def _score(problem: Problem, z: Array) -> float:
+def _score(problem: Problem, z: Array, log: Log) -> float:
     """How well half seconds follow gyro and encoders at z (parameters,), against each one's own mean: 1 is perfect."""
     recording = problem.recordings[0]
-    parts = segments(problem, recording, z, among=recording.when <= recording.when.min() + TRIED_SECONDS)
+    early = recording.when <= recording.when.min() + TRIED_SECONDS
+    parts, _ = unpushed(segments(problem, recording, z, among=early), log)
     return replace(parts, rows=tuple(row for row in parts.rows if row in PREDICTED)).score()  # a compass is the last
 
 

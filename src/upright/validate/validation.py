@@ -56,10 +56,12 @@ class Shift:
 class LogJudged:
     """One log: predictions over half seconds, each from a fitted state; the same with the `effects` of its run, fitted
     to this log, where that is better; the free closed loop where the law is known; the shifts that would help, greatest
-    first. `dead` are sensors that never change, which nothing is judged by;
+    first. `fitted` is the fraction of its rows that the robot was fitted to, None where the robot's file names no logs
+    of its fit. `dead` are sensors that never change, which nothing is judged by;
     `estimates` are what the law reads of a filter in the program, in whose place the loop has the true states."""
 
     source: str
+    fitted: float | None
     samples: int
     seconds: float
     half_seconds: tuple[ChannelFit, ...]
@@ -78,6 +80,11 @@ class LogJudged:
     def worst(self) -> ChannelFit:
         """The gyro or encoder that is predicted worst; a compass turns with what no model here knows."""
         return least(self.half_seconds)
+
+    @property
+    def no_test(self) -> str:
+        """Why this log tests nothing, in words; '' where it does, or where nobody knows."""
+        return f"the robot was fitted to {self.fitted:.0%} of the rows of {self.source}" if self.fitted else ""
 
     @property
     def caution(self) -> str:
@@ -99,7 +106,8 @@ class LogJudged:
         half, own, loop = ([{**c, "fit": finite(x.fit)} for c, x in zip(plain(xs), xs, strict=True)]
                            for xs in (self.half_seconds, self.own_run, self.loop))  # fmt: skip
         return {
-            "source": self.source, "samples": self.samples, "seconds": self.seconds, "half_seconds": half,
+            "source": self.source, "fitted": self.fitted, "samples": self.samples, "seconds": self.seconds,
+            "half_seconds": half,
             "own_run": {"half_seconds": own, "effects": plain(self.effects)}, "dead": list(self.dead),
             "closed_loop": {"law": self.law, "estimates": list(self.estimates), "channels": loop},
             "shifts": plain(self.shifts), "notes": list(self.notes),
@@ -107,7 +115,9 @@ class LogJudged:
 
     def lines(self) -> list[str]:
         """This log in words."""
-        lines = [f"{self.source}: {self.samples} samples, {self.seconds:.4g} s", "  Half seconds, from a fitted state:"]
+        lines = [f"{self.source}: {self.samples} samples, {self.seconds:.4g} s"]
+        lines += [f"  No test: {self.no_test}"] if self.no_test else []
+        lines += ["  Half seconds, from a fitted state:"]
         lines += [_line(c) for c in self.half_seconds]
         if self.own_run:
             lines += [f"  The same with {len(self.effects)} numbers of this run, fitted to this log:"]
@@ -175,6 +185,7 @@ class Validation(Shown):
         return (
             f"{self.robot} {self.verdict}{of} {'this log' if len(self.logs) == 1 else f'these {len(self.logs)} logs'}: "
             f"over half seconds the {short(log.worst.name)}{several} has the smallest R², {r2}{never}"
+            + "".join(f"; no test: {one.no_test}" for one in self.logs if one.no_test)
         )
 
     def to_json(self) -> dict[str, Any]:
