@@ -106,7 +106,8 @@ def test_half_seconds_that_hold_a_push_are_left_out_and_counted() -> None:
     """A slope of 0 and a force of a hundredth of a second: of ten half seconds the one that holds 2.2 s."""
     log = log_of()
     force = np.where((log.t >= 2.2) & (log.t < 2.21), 5.0, 0.0)
-    result = up.validate(ROBOT, up.Log(log.t, {**log.channels, "push/force": force}, log.units, log.origin), KIT).logs[0]
+    pushed = up.Log(log.t, {**log.channels, "push/force": force}, log.units, log.origin)
+    result = up.validate(ROBOT, pushed, KIT).logs[0]
     parts = result.segments
     ends = [parts.when[parts.segment == n][[0, -1]] for n in np.unique(parts.segment)]
     assert not any(start <= 2.2 <= stop for start, stop in ends)
