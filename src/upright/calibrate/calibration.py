@@ -39,6 +39,7 @@ PREDICTED = {
 }  # fmt: skip
 """Readings that `Calibration.plot_prediction` draws, with their units."""
 
+HELD_OUT = 0.1  # [s] a shorter end of a log is none that was held out
 GOOD = 0.9
 """[1] R² of half seconds from which a channel is predicted."""
 FAR = 4.0  # a reading missed by more than twice its deviation counts as missed by that: one fall is not the whole score
@@ -284,7 +285,7 @@ class Calibration(Shown):
     def plot_prediction(self) -> Figure:
         """Measured readings, and what the calibrated robot predicts from the commands alone for half a second at a
         time; one panel for the gyro and each encoder of the first log."""
-        from upright.plotting import legend, line, panels
+        from upright.plotting import legend, line, panels, span
 
         free = self.free[0]
         names = [name for name in free.rows if name in PREDICTED] or list(free.rows)
@@ -294,7 +295,16 @@ class Calibration(Shown):
             t, measured, predicted = free.series(name)
             line(ax, "measured", t, measured, style=4, below=True)
             line(ax, "predicted", t, predicted, style=1, solid=True)
+        if self.held_out:
+            span(axes, *self.held_out, "held out: not used in the fit")
         return legend(figure)
+
+    @property
+    def held_out(self) -> tuple[float, float] | None:
+        """From when to when [s] the first log was not fitted; None where all of it was, or nobody knows."""
+        last = float(self.free[0].when.max(initial=-np.inf)) if self.free else -np.inf
+        stop = self.robot.fitted[0].stop if self.robot.fitted else np.inf
+        return (stop, last) if last - stop > HELD_OUT else None
 
     def listing(self) -> Listing:
         """All estimates with interval, prior and verdict, one row each."""

@@ -22,8 +22,8 @@ from upright.doctor.physics import (
 TRUSTED = 0.6
 """R² above which an equation is taken to hold; on measured logs the correct hypothesis reaches 0.75 to 0.99."""
 
-_MARGIN = 0.2  # margin in R² by which another hypothesis must exceed that of the log as it stands
-_SURE = 8.0  # t-value of a clear response
+MARGIN = 0.2  # margin in R² by which another hypothesis must exceed that of the log as it stands
+SURE = 8.0  # t-value of a clear response
 
 
 def kinds(record: Record) -> list[Finding]:
@@ -34,7 +34,7 @@ def kinds(record: Record) -> list[Finding]:
     plain = pendulum(m, m.wheel)
     other = pendulum(m, m.wheel, gyro_order=1)
     as_logged = plain.r2 if _direction(plain) else 0.0
-    if not plain.values or other.r2 < max(TRUSTED, plain.r2) or not _direction(other) or other.r2 < as_logged + _MARGIN:
+    if not plain.values or other.r2 < max(TRUSTED, plain.r2) or not _direction(other) or other.r2 < as_logged + MARGIN:
         return []  # as logged it fits better, though a wheel that friction holds may hide what gravity does
     shown = f"fit the pendulum equation (R² {other.r2:.2f})"
     if _wheel_is_rate(m):
@@ -94,7 +94,7 @@ def _against_gyro(m: Resampled) -> _Wheels:
     if best is pair[1]:
         both = _direction(best)
         return _Wheels(both, both, best.r2, best.values[0])
-    clear = pair[-1].r2 > pair[1].r2 + _MARGIN and min(fit.r2 for fit in fits) > TRUSTED / 2
+    clear = pair[-1].r2 > pair[1].r2 + MARGIN and min(fit.r2 for fit in fits) > TRUSTED / 2
     turned = [_direction(fit) for fit in fits]
     if clear and turned[0] == -turned[1]:
         return _Wheels(turned[0], turned[1], best.r2, best.values[0])
@@ -133,7 +133,7 @@ def _against_command(m: Resampled, wheels: _Wheels) -> _Drive:
         fits[side] = motor(m, (side[0] * m.commands[0] + side[1] * m.commands[1]) / 2, left, right, None)
     best = max(fits, key=lambda side: fits[side].r2)
     plain = fits[1, 1].r2
-    if fits[best].r2 < TRUSTED or (best != (1, 1) and fits[best].r2 < plain + _MARGIN):
+    if fits[best].r2 < TRUSTED or (best != (1, 1) and fits[best].r2 < plain + MARGIN):
         return _Drive(0, 0, "")
     return _Drive(
         *best, f"the motor equation fits with R² {fits[best].r2:.2f} with the sign changed, {plain:.2f} as logged"
@@ -202,7 +202,7 @@ def sides(record: Record) -> list[Finding]:
     turn, findings = m.right - m.left, list[Finding]()
     compass = _compass(record, m, turn)
     t = _turn_answer(m, turn)
-    if t < -_SURE:
+    if t < -SURE:
         findings.append(_swapped(record, t, compass))
     if compass < -TRUSTED and not findings:
         findings.append(_flip((COMPASS,), f"its sign is opposite to that of the encoders (correlation {compass:.2f})"))
@@ -226,7 +226,7 @@ def _turn_answer(m: Resampled, turn: Array) -> float:
 def _first_clear(t_value: Array) -> float:
     """The t-value of the first row that is clear and half as clear as the clearest."""
     size = np.abs(t_value)
-    clear = (size > _SURE) & (size > 0.5 * size.max())
+    clear = (size > SURE) & (size > 0.5 * size.max())
     return float(t_value[int(np.argmax(clear))]) if clear.any() else 0.0
 
 

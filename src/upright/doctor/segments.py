@@ -34,6 +34,7 @@ from upright.doctor.poses import at_rest, lean_of
 _MOST = 10  # reported events of one kind
 _BEFORE = 0.1  # [s] before a fall begins, up to which the rows are used
 _LINEAR = 0.4  # [rad] lean beyond which sin ψ differs from ψ by more than slips do
+FAR = 8.0  # standard deviations of the pendulum equation's residual
 _LEAST = 20  # rows of a cut, below which a log is left whole
 
 
@@ -156,7 +157,7 @@ def slips(record: Record) -> list[Finding]:
     edge = int(1.0 / m.period)
     scatter = float(np.median(np.abs(miss))) / 0.6745
     usual = float(np.sqrt(np.median(smooth(m.wheel, m.period, width, 2) ** 2))) / 0.6745
-    loud = np.abs(miss) > max(8 * scatter, 3 * usual)
+    loud = np.abs(miss) > max(FAR * scatter, 3 * usual)
     loud[:edge], loud[-edge:] = False, False
     nonlinear = ~m.good | (np.abs(lean_of(record, m).angle) > _LINEAR)
     loud &= ~beside(nonlinear, edge)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -27,11 +29,13 @@ from upright.doctor.physics import motion, resampled, smooth, widths
 from upright.doctor.poses import lean_of
 from upright.doctor.segments import on_wheels
 
-_QUIET = 0.012
+QUIET = 0.012
 """Amplitude of the pitch [rad] below which inertias are hardly identifiable: gravity then gives less torque than
 Coulomb friction in the robots whose friction is known (0.010 N m a motor against MgL of 0.4 to 0.8 N m)."""
 
-_COARSE = 0.06  # [rad] a hundred steps a turn, coarser than any motor that balances
+COARSE_ENCODER = 0.06  # [rad] a hundred steps a turn, coarser than any motor that balances
+
+REPEATED = 0.01  # [1] of the rows in which a channel moves
 
 Mask = NDArray[np.bool_]
 
@@ -70,7 +74,7 @@ def repeated(record: Record) -> list[Finding]:
     findings: list[Finding] = []
     for name in (name for name in _SENSED if name in record and name != "sensor/compass"):
         equal, chance, moving = _equal_steps(record[name])
-        if equal < 3 + 2.5 * chance + 4 * np.sqrt(chance) or equal < 0.01 * moving:
+        if equal < 3 + 2.5 * chance + 4 * np.sqrt(chance) or equal < REPEATED * moving:
             continue
         first = float(record.t[int(np.argmax(stale(record[name])))])
         evidence = (
@@ -82,7 +86,7 @@ def repeated(record: Record) -> list[Finding]:
     return findings
 
 
-_STUCK = 0.5
+STUCK = 0.5
 """How long [s] a sensor of a robot that moves may hold one reading: a balancing robot turns round twice as often."""
 _APART = 0.1  # [s] between three readings whose second difference is what a sensor moves
 _ACTIVE = 4.0  # [quantisation steps] of that difference (standard deviation) from which a sensor moves
@@ -110,7 +114,7 @@ def stuck(record: Record) -> list[Finding]:
         first, last = max(runs(np.diff(x) == 0), key=lambda run: run[1] - run[0], default=(0, 0))
         inside = np.zeros(len(record.t) - 2 * step, dtype=bool)
         inside[first : max(first, last - 2 * step)] = True
-        if record.t[last] - record.t[first] < _STUCK or not others or not inside.any() or inside.all():
+        if record.t[last] - record.t[first] < STUCK or not others or not inside.any() or inside.all():
             continue
         there = record.on_wheels(record.t[first : last + 1]).all()
         if name == GYRO:
@@ -139,6 +143,7 @@ def _equal_steps(x: Array) -> tuple[int, float, int]:
     return int((steps == 0).sum()), near / 4, int(moving.sum())
 
 
+PILED = 0.003  # [1] of the rows that are at the largest value
 _LEVELS = 10.0  # [quantisation steps] a gyro whose largest reading is smaller is at rest, not saturated
 
 
@@ -147,8 +152,7 @@ def saturation(record: Record) -> list[Finding]:
     findings: list[Finding] = []
     groups: list[tuple[str, ...]] = [names for names in (record.commands, (GYRO,)) if names and names[0] in record]
     for names in groups:
-        groups_of = [np.concatenate([of(record, name) for name in names]) for of in (Record.__getitem__, _of_battery)]
-        fraction, longest = max(_piled(values) for values in groups_of)
+        fraction, longest = at_limit(record, names)
         few = names[0] == GYRO and np.nanmax(np.abs(record[GYRO])) < _LEVELS * grain_of(record[GYRO])
         if fraction > 0 and not few:
             limit = "gyro's range" if names[0] == GYRO else "largest command"
@@ -158,6 +162,13 @@ def saturation(record: Record) -> list[Finding]:
             repair = "exclude these rows from a linear fit, or model the limit"
             findings.append(warning("saturation", names[0], evidence, repair))
     return findings
+
+
+def at_limit(record: Record, names: Sequence[str]) -> tuple[float, int]:
+    """Fraction of the values of these channels that are at their largest, alone or over the battery, and the longest
+    run there; 0 where the largest is a single peak."""
+    groups = [np.concatenate([of(record, name) for name in names]) for of in (Record.__getitem__, _of_battery)]
+    return max(_piled(values) for values in groups)
 
 
 def _of_battery(record: Record, name: str) -> Array:
@@ -177,7 +188,7 @@ def _piled(values: Array) -> tuple[float, int]:
     fraction = float(at.mean())
     longest = max((last - first for first, last in runs(at)), default=0)
     piled = at.sum() >= max(5, 2 * near.sum() * 0.05) and at.sum() > 0.5 * near.sum() and longest >= 3
-    return (fraction, longest) if piled and fraction > 0.003 else (0.0, 0)
+    return (fraction, longest) if piled and fraction > PILED else (0.0, 0)
 
 
 def bias(record: Record) -> list[Finding]:
@@ -185,13 +196,27 @@ def bias(record: Record) -> list[Finding]:
 
     Without poses nobody knows whether the robot was upright, nor in which unit the gyro is.
     """
+    found = drift(record)
+    if found is None or abs(found[0]) <= found[1]:
+        return []
+    mean, limit, span = found
+    evidence = (
+        f"mean {mean:+.3g} rad/s over {span:.3g} s, a drift of {mean * span:+.3g} rad; at most {limit:.2g} rad/s is "
+    )
+    evidence += "plausible for a robot upright at both ends"
+    return [warning("gyro/bias", GYRO, evidence, f"subtract {mean:.4g} rad/s", Fix("offset", (GYRO,), (-mean,)))]
+
+
+def drift(record: Record) -> tuple[float, float, float] | None:
+    """The gyro's mean [rad/s] over the longest time on the wheels, without a known change of lean; the most that is no
+    bias [rad/s]; and how long that time is [s]. None where the robot is nowhere known to be upright."""
     spans = on_wheels(record)
     if GYRO not in record or not spans:
-        return []
+        return None
     start, stop = max(spans, key=lambda span: span[1] - span[0])
     whole, record = record, record.rows((record.t >= start) & (record.t < stop))
     if len(record.t) < 50:
-        return []
+        return None
     gyro, span = record[GYRO], float(record.t[-1] - record.t[0])
     fine = np.isfinite(gyro)
     step = np.diff(record.t)
@@ -199,14 +224,7 @@ def bias(record: Record) -> list[Finding]:
     mean = float((np.where(fine, gyro, 0.0)[1:] * step)[known].sum() / step[known].sum())
     mean -= _turned(whole, record) / span
     lean = min(0.6, 0.1 + 4 * float(_swing(record).std()))
-    limit = max(0.02, lean / span)
-    if abs(mean) <= limit:
-        return []
-    evidence = (
-        f"mean {mean:+.3g} rad/s over {span:.3g} s, a drift of {mean * span:+.3g} rad; at most {limit:.2g} rad/s is "
-    )
-    evidence += "plausible for a robot upright at both ends"
-    return [warning("gyro/bias", GYRO, evidence, f"subtract {mean:.4g} rad/s", Fix("offset", (GYRO,), (-mean,)))]
+    return mean, max(0.02, lean / span), span
 
 
 def _turned(whole: Record, part: Record) -> float:
@@ -240,7 +258,7 @@ def grain(record: Record) -> list[Finding]:
         noise = step / np.sqrt(6) / m.period
         evidence = f"{2 * np.pi / step:.0f} counts per turn (steps of {step:.3g} rad{alike}) are coarse: a rate from "
         evidence += f"two rows has a noise of {noise:.2g} rad/s, the motion has {rate:.2g} rad/s"
-        if step > _COARSE:
+        if step > COARSE_ENCODER:
             findings.append(warning("encoder/grain", name, evidence, "fit the angles, not their differences"))
         elif noise > 0.3 * rate and name == LEFT:
             findings.append(note("encoder/grain", name, evidence, "take rates over several rows"))
@@ -249,16 +267,22 @@ def grain(record: Record) -> list[Finding]:
 
 def quiet(record: Record) -> list[Finding]:
     """Too little motion to identify an inertia."""
-    m = motion(record)
-    if m is None or m.gyro is None:
-        return []
-    on = record.on_wheels(record.t)
-    still = _swing(record.changed({GYRO: np.interp(record.t, m.t, m.gyro)}).rows(on))
-    swing = float(np.sqrt(2)) * float(still.std())
-    if not 0 < swing < _QUIET:
+    swing = amplitude(record)
+    if not 0 < swing < QUIET:
         return []
     evidence = f"the pitch amplitude is only {swing:.2g} rad: resolution and friction are as large as the dynamics"
-    return [note("motion/quiet", m.gyro_name, evidence, "excite the robot before identifying inertias")]
+    name = GYRO if GYRO in record else PITCH
+    return [note("motion/quiet", name, evidence, "excite the robot before identifying inertias")]
+
+
+def amplitude(record: Record) -> float:
+    """Amplitude of the pitch [rad] on the wheels, without its slow part; 0 where no motion can be read."""
+    m = motion(record)
+    if m is None or m.gyro is None:
+        return 0.0
+    on = record.on_wheels(record.t)
+    swing = _swing(record.changed({GYRO: np.interp(record.t, m.t, m.gyro)}).rows(on))
+    return float(np.sqrt(2)) * float(swing.std())
 
 
 def contaminated(record: Record) -> list[Finding]:

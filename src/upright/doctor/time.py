@@ -16,9 +16,9 @@ from upright.logs.recording import jumps
 LONGEST, SHORTEST = 0.2, 2e-4
 """Plausible sampling periods [s] of a balancing robot: with a pole at 5 1/s, 0.2 s is too slow to balance."""
 
-_JITTER = 0.1  # [periods] standard deviation; a clock of whole milliseconds at 10 ms has 0.05
+JITTER = 0.1  # [periods] standard deviation; a clock of whole milliseconds at 10 ms has 0.05
 _DISORDER = 20.0  # [periods] rows displaced by more belong to another recording
-_MISSED = 1.6  # [periods] a longer step lacks a row: jitter alone rarely doubles a step
+MISSED = 1.6  # [periods] a longer step lacks a row: jitter alone rarely doubles a step
 
 
 def order(record: Record) -> list[Finding]:
@@ -93,15 +93,15 @@ def unit(record: Record) -> list[Finding]:
 def steps(record: Record) -> list[Finding]:
     """Gaps, dropped rows and jitter; a missing row does not count as jitter."""
     step, period = np.diff(record.t), record.period
-    ordinary = step[step < _MISSED * period]
+    ordinary = step[step < MISSED * period]
     jitter = float(ordinary.std() / period)
     findings = _gaps(record, step, period)
-    if jitter > _JITTER:
+    if jitter > JITTER:
         evidence = f"steps of {period * 1e3:.4g} ms scatter by {jitter * period * 1e3:.2g} ms ({jitter:.0%}), "
         evidence += f"from {ordinary.min() * 1e3:.3g} to {ordinary.max() * 1e3:.3g} ms"
         even = Fix("even", numbers=(period,))
         return [*findings, warning("time/jitter", "t", evidence, "resample at even times", even)]
-    missed = (step >= _MISSED * period) & (step <= GAP * period)
+    missed = (step >= MISSED * period) & (step <= GAP * period)
     if missed.any():
         lost, first = int(np.rint(step[missed] / period - 1).sum()), float(record.t[int(np.argmax(missed))])
         evidence = f"{lost} rows are missing at {int(missed.sum())} places, the first after t = {first:.4g} s"

@@ -60,7 +60,7 @@ _SUSPECTS = (
 _COUNTS = 500.0
 """Of 1 rad/s, fewer than any chip of 16 bits has: 940 where its range is ±2000 degrees per second."""
 
-_FAULT = 6.0
+FAULT = 6.0
 """Prior of a fault in natural log odds: one log in 400 has a given unit wrong."""
 
 # Logarithms of usual values and their spreads over known robots: q from 1.2 (low, heavy wheels) to 15 (tall, slender),
@@ -100,7 +100,7 @@ def scales(record: Record, robot: Robot | None = None) -> list[Finding]:
     estimated = _estimated(record, m, fit.values)
     by_gravity = _gyro_by_gravity(record, m)
     plain = _penalty(estimated, usual, by_gravity, _Suspect("none"))
-    graded = sorted((_FAULT + _penalty(estimated, usual, by_gravity, s), i) for i, s in enumerate(_SUSPECTS))
+    graded = sorted((FAULT + _penalty(estimated, usual, by_gravity, s), i) for i, s in enumerate(_SUSPECTS))
     if graded[0][0] >= plain:
         return []
     if _SUSPECTS[graded[0][1]].gyro >= _COUNTS and counted(record[GYRO]):
@@ -229,7 +229,7 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     volts = battery or 7.5
     options = {"per cent": 100 / volts, "millivolts": 1000.0}
     best = min(options, key=lambda name: penalty(options[name]))
-    if penalty(options[best]) + _FAULT >= penalty(1.0):
+    if penalty(options[best]) + FAULT >= penalty(1.0):
         return []
     evidence = f"{best} instead of volts: they reach {largest:.3g}" + (
         f" on a battery of {battery:.3g} V" if battery else ""

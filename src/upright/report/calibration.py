@@ -58,7 +58,7 @@ def _verdict(c: Calibration) -> Verdict:
         return Verdict("refused", "bad")
     if wrong:
         return Verdict(f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}", "warn")
-    rest = f"; {kept} of {len(c.parameters)} not visible" if kept else ""
+    rest = f"; {kept} of {len(c.parameters)} {NOT_VISIBLE}" if kept else ""
     return Verdict(f"predicts the log{rest}", "warn" if 2 * kept > len(c.parameters) else "good")
 
 
@@ -80,11 +80,12 @@ def _groups(c: Calibration) -> tuple[list[Estimate], list[Estimate], list[Estima
 
 
 MEASURED, BOUNDED = f"{VISIBLE}: measured", f"{VISIBLE}: bounded"
+NOT_VISIBLE = f"not {VISIBLE}"
 
 
 def _kind_of_verdict(e: Estimate) -> str:
-    """The verdict, which tells two kinds of what is visible apart."""
-    return e.verdict if e.verdict != VISIBLE else MEASURED if _width(e) <= CLOSE else BOUNDED
+    """The verdict as one of two words, visible or not, with its kind."""
+    return f"{NOT_VISIBLE}: {e.verdict}" if e.verdict != VISIBLE else MEASURED if _width(e) <= CLOSE else BOUNDED
 
 
 def _width(e: Estimate) -> float:
@@ -134,6 +135,7 @@ def _measured(c: Calibration) -> list[Item]:
     rest = [name for name in c.channels if name not in drawn]
     title = f"Measured and predicted for half a second at a time: R² of {_each(c, drawn)}"
     note = "Each half second starts from a fitted state and gets only the commands."
+    note += " Shaded: held out, not used in the fit; R² counts it too." if c.held_out else ""
     note += f" Not drawn: R² of {_each(c, rest)}." if rest else ""
     return [Figure(title, c.plot_prediction(), note)]
 
@@ -158,7 +160,7 @@ def _by_name(c: Calibration) -> Figure | None:
         return None
     note = (
         "Left or right of the middle: the log moved the value. Numbers: how much is left of the uncertainty before. "
-        "Not visible: the log does not halve it, or not reliably. The verdicts are defined at the end."
+        "Visible: the log halves it. Not visible: it does not, or not reliably. The kinds of both are at the end."
     )
     short = [e for e in c.parameters if 0 < e.prior_spread < math.inf and e.high - e.low < 0.1 * e.prior_spread]
     note += " A dot without a bar: its interval is shorter than the dot." if short else ""
@@ -171,7 +173,7 @@ def _bars(c: Calibration) -> MplFigure:
     sorts = {
         MEASURED: (measured, COLOURS[2]),
         BOUNDED: ([*rough, *bounded], COLOURS[0]),
-        "not visible": ([e for e in c.parameters if e not in (*measured, *rough, *bounded)], INK),
+        NOT_VISIBLE: ([e for e in c.parameters if e not in (*measured, *rough, *bounded)], INK),
     }
     kept = {k: ([e for e in group if 0 < e.prior_spread < math.inf], tone) for k, (group, tone) in sorts.items()}
     names = [e.name for group, _ in kept.values() for e in group]
@@ -276,7 +278,8 @@ def _meanings() -> Table:
         [MEASURED, f"{VERDICTS[VISIBLE]}; the interval is at most {100 * CLOSE:g} % of the value either side"],
         [BOUNDED, f"{VERDICTS[VISIBLE]}; but the interval is wider, or reaches zero"],
     ]
-    return Table(["verdict", "meaning"], [*kinds, *([k, text] for k, text in VERDICTS.items() if k != VISIBLE)])
+    others = ([f"{NOT_VISIBLE}: {kind}", text] for kind, text in VERDICTS.items() if kind != VISIBLE)
+    return Table(["verdict", "meaning"], [*kinds, *others])
 
 
 def _pairs(c: Calibration) -> Table:

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
+import re
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
+from upright.doctor import delays, motion, segments, sensors, time, units
 from upright.doctor.doctor import Diagnosis
-from upright.doctor.finding import GYRO, LEFT, Finding
+from upright.doctor.finding import GYRO, LEFT, Finding, Record
+from upright.doctor.physics import LEAST_ROWS
 from upright.parity.parity import Parity
 from upright.physics.linear import Complex, LinearModel
 from upright.plotting import AXIS, COLOURS, PANEL, bars, legend, number, numbered, panels, plane, points
@@ -35,7 +38,6 @@ CHECKS = {
     "motion": ("motion/quiet", "segment/still", "segment/none"), "falls and slips": ("segment/",),
 }  # fmt: skip
 """What is checked → how the codes of its findings begin; a code counts for the first that fits."""
-ORDINARY = 1.6  # [periods] a longer step lacks a row, which is no jitter
 
 
 def _diagnosis(result: Diagnosis) -> Page:
@@ -50,13 +52,14 @@ def _diagnosis(result: Diagnosis) -> Page:
     drawn = result.plot()
     poses = ", ".join(dict.fromkeys(segment.kind for segment in result.segments))
     counted = "no fault found" if not faults else "1 fault" if faults == 1 else f"{faults} faults"
-    checks, values = _checks(result), _values(result)
+    checks, values, limits = _checks(result), _values(result), _limits(result)
+    told: list[list[Cell]] = [[*c, values.get(c[0], ""), limits[c[0]]] for c in checks]
     passed = sum(verdict.level in ("good", "info") for _, verdict in checks)
     return Page(
         f"{result.source or 'Log'}: {counted}",
         [
             Section("Findings", [Table(["", "channel", "evidence", "what to do"], rows)]),
-            Section("Checks", [Table(["check", "result", "measured"], [[*c, values.get(c[0], "")] for c in checks])]),
+            Section("Checks", [_TOLD, Table(["check", "result", "measured", "a finding from"], told)]),
             *([Section("Columns of the log", [Table(["channel", "column"], columns)], folded=True)] if renamed else []),
         ],
         _advice(result, faults),
@@ -76,11 +79,14 @@ def _checks(result: Diagnosis) -> list[tuple[str, Verdict]]:
     """Each check with the gravest of its findings."""
     worst: dict[str, str] = {}
     for finding in result.findings:  # the worst come first
-        name = next((n for n, heads in CHECKS.items() if finding.code.startswith(heads)), "readings")
-        worst.setdefault(name, finding.severity)
+        worst.setdefault(_check_of(finding), finding.severity)
     words = {"": ("ok", "good"), "note": ("ok, with a remark", "info"), "warning": ("warning", "warn"),
              "error": ("error", "bad")}  # fmt: skip
     return [(name, Verdict(*words[worst.get(name, "")])) for name in CHECKS]
+
+
+def _check_of(finding: Finding) -> str:
+    return next((n for n, heads in CHECKS.items() if finding.code.startswith(heads)), "readings")
 
 
 def _mapped(name: str) -> str:
@@ -91,6 +97,40 @@ def _channel(finding: Finding) -> str:
     if "both encoders" in finding.evidence:
         return "encoders"
     return finding.channel.removeprefix("sensor/").replace("_", " ")
+
+
+_TOLD = "A finding from: how large what is measured must be for a warning or a remark."
+
+
+def _limits(result: Diagnosis) -> dict[str, str]:
+    """From what on each check finds something, in words with its numbers."""
+    period, bias = result.period, _drift(result)
+    apart, behind = (f"{1e3 * limit:.3g} ms" for limit in delays.late(period))
+    return {
+        "time stamps": f"jitter of {1e3 * time.JITTER * period:.2g} ms, a step of {1e3 * time.MISSED * period:.3g} ms",
+        "rows": f"{100 * sensors.REPEATED:g} % that repeat in motion; fewer than {LEAST_ROWS} on the wheels",
+        "units": f"another unit {round(math.exp(units.FAULT), -2):.0f} times likelier",
+        "signs and sides": f"R² of {motion.TRUSTED:g}, {motion.MARGIN:g} better than as logged; t of {motion.SURE:g}",
+        "rates and angles": f"R² better by {motion.MARGIN:g} than as logged",
+        "delays": f"{apart} between gyro and wheels, {behind} behind the command",
+        "gyro's bias": f"a mean of {cell_text(bias[1], 2)} rad/s" if bias else "",
+        "readings": f"one value for {sensors.STUCK:g} s while others move; a hole",
+        "encoder's resolution": f"steps of {sensors.COARSE_ENCODER:g} rad, or as coarse as the motion",
+        "motors at their limit": f"{100 * sensors.PILED:g} % of the rows at the largest",
+        "motion": f"an amplitude of the pitch below {sensors.QUIET:g} rad",
+        "falls and slips": f"a fall; {segments.FAR:g} standard deviations off the pendulum equation",
+    }  # fmt: skip
+
+
+def _sound(result: Diagnosis) -> Record | None:
+    """The log with its poses, where its units and kinds are right as they were read."""
+    wrong = any(f.code.startswith(("units/", "motion/int", "motion/diff", "time/")) for f in result.findings)
+    return None if wrong else replace(result.read, segments=result.segments)
+
+
+def _drift(result: Diagnosis) -> tuple[float, float, float] | None:
+    record = _sound(result)
+    return sensors.drift(record) if record is not None else None
 
 
 AGREED = {
@@ -105,7 +145,7 @@ def _values(result: Diagnosis) -> dict[str, str]:
     passed = {name: verdict.text for name, verdict in _checks(result)}
     record, values = result.read, dict[str, str]()
     steps = np.diff(record.t)
-    ordinary = steps[(steps > 0) & (steps < ORDINARY * result.period)]
+    ordinary = steps[(steps > 0) & (steps < time.MISSED * result.period)]
     if len(ordinary):
         jitter = 1e3 * float(ordinary.std())
         values["time stamps"] = f"jitter {cell_text(jitter, 2)} ms" if jitter > 1e-3 else "no jitter"
@@ -115,8 +155,12 @@ def _values(result: Diagnosis) -> dict[str, str]:
         unit, gyro = record.units.get(GYRO, "1"), record[GYRO][np.isfinite(record[GYRO])]
         if len(gyro):
             values["units"] = f"gyro up to {cell_text(float(np.abs(gyro).max()), 2)} {unit}"
-            values["gyro's bias"] = f"mean {cell_text(float(gyro.mean()), 2)} {unit}"
+            bias = _drift(result)
+            mean = bias[0] if bias else float(gyro.mean())
+            values["gyro's bias"] = f"mean {cell_text(mean, 2)} {unit}"
             values["motion"] = f"gyro {cell_text(float(gyro.std()), 2)} {unit} rms"
+    if (sound := _sound(result)) is not None and (swing := sensors.amplitude(sound)):
+        values["motion"] = f"amplitude of the pitch {cell_text(swing, 2)} rad"
     moved = np.abs(np.diff(record[LEFT])) if LEFT in record else np.zeros(0)
     if (moved > 0).any():
         step = float(moved[moved > 0].min())
@@ -124,9 +168,14 @@ def _values(result: Diagnosis) -> dict[str, str]:
     if record.commands:
         sides = [record[name] for name in record.commands]
         largest = max(float(np.nanmax(np.abs(side), initial=0.0)) for side in sides)
-        values["motors at their limit"] = f"largest {cell_text(largest, 2)} {record.units.get(record.commands[0], '')}"
+        at, _ = sensors.at_limit(record, record.commands)
+        top = f"{cell_text(largest, 2)} {record.units.get(record.commands[0], '')}"
+        values["motors at their limit"] = f"{cell_text(100 * at, 2)} % of the rows at the largest, {top}"
     for check, agreed in AGREED.items():
         values[check] = agreed if passed[check] == "ok" else ""
+    for finding in result.findings:  # the worst come first
+        name = _check_of(finding)
+        values[name] = values.get(name) or re.split("[,:;] ", finding.evidence)[0]
     values["falls and slips"] = ", ".join(dict.fromkeys(segment.kind for segment in result.segments))
     return values
 

@@ -101,6 +101,7 @@ def _lead(result: Validation) -> str:
     """What was done, what passes, and what to run next."""
     seconds = sum(log.seconds for log in result.logs)
     then = "`upright design` a controller" if result.worst.worst.r2 >= GOOD else "`upright calibrate` with this log"
+    then = "`upright validate` with a log of another run" if any(log.no_test for log in result.logs) else then
     compass = any(c.name.endswith("compass") for log in result.logs for c in log.half_seconds)
     aside = " The compass is shown, not judged: it also turns with iron and motors nearby." if compass else ""
     return (

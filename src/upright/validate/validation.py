@@ -84,7 +84,9 @@ class LogJudged:
     @property
     def no_test(self) -> str:
         """Why this log tests nothing, in words; '' where it does, or where nobody knows."""
-        return f"the robot was fitted to {self.fitted:.0%} of the rows of {self.source}" if self.fitted else ""
+        if not self.fitted:
+            return ""
+        return f"the robot was fitted to about {100 * self.fitted:.0f} % of the rows of {self.source}"
 
     @property
     def caution(self) -> str:
