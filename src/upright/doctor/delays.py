@@ -14,7 +14,7 @@ _SURE = 8.0  # t-value that the largest response must reach before its onset is 
 _FIRST = 4.0  # t-value above which a row belongs to the response
 
 
-def late(period: float) -> tuple[float, float]:
+def shortest(period: float) -> tuple[float, float]:
     """From which [s] a delay between gyro and encoders, and one behind the command, is told: shorter ones are an effect
     of sampling every `period` [s]."""
     return max(1.5 * period, 0.012), max(2.5 * period, 0.02)
@@ -39,7 +39,7 @@ def delays(record: Record) -> list[Finding]:
 
 
 def _between(m: Resampled, lag: float, r2: float) -> list[Finding]:
-    if abs(lag) < late(m.period)[0]:
+    if abs(lag) < shortest(m.period)[0]:
         return []
     delayed, other = ((m.gyro_name,), "encoders") if lag > 0 else ((LEFT, RIGHT), "gyro")
     milliseconds = f"{abs(lag) * 1e3:.0f} ms"
@@ -55,7 +55,7 @@ def _behind_command(m: Resampled, lag: float) -> list[Finding]:
         return []
     dead, how = measured
     common = dead + min(lag, 0.0)  # a delay common to gyro and encoders belongs to the command
-    if common < late(m.period)[1]:
+    if common < shortest(m.period)[1]:
         return []
     evidence = (
         f"the wheels respond {dead * 1e3:.0f} ms and the gyro {(dead + lag) * 1e3:.0f} ms after a command ({how})"

@@ -196,10 +196,10 @@ def bias(record: Record) -> list[Finding]:
 
     Without poses nobody knows whether the robot was upright, nor in which unit the gyro is.
     """
-    found = drift(record)
-    if found is None or abs(found[0]) <= found[1]:
+    drifted = drift(record)
+    if drifted is None or abs(drifted[0]) <= drifted[1]:
         return []
-    mean, limit, span = found
+    mean, limit, span = drifted
     evidence = (
         f"mean {mean:+.3g} rad/s over {span:.3g} s, a drift of {mean * span:+.3g} rad; at most {limit:.2g} rad/s is "
     )

@@ -53,13 +53,13 @@ def _diagnosis(result: Diagnosis) -> Page:
     poses = ", ".join(dict.fromkeys(segment.kind for segment in result.segments))
     counted = "no fault found" if not faults else "1 fault" if faults == 1 else f"{faults} faults"
     checks, values, limits = _checks(result), _values(result), _limits(result)
-    told: list[list[Cell]] = [[*c, values.get(c[0], ""), limits[c[0]]] for c in checks]
+    checked_rows: list[list[Cell]] = [[*c, values.get(c[0], ""), limits[c[0]]] for c in checks]
     passed = sum(verdict.level in ("good", "info") for _, verdict in checks)
     return Page(
         f"{result.source or 'Log'}: {counted}",
         [
             Section("Findings", [Table(["", "channel", "evidence", "what to do"], rows)]),
-            Section("Checks", [_TOLD, Table(["check", "result", "measured", "a finding from"], told)]),
+            Section("Checks", [_TOLD, Table(["check", "result", "measured", "a finding from"], checked_rows)]),
             *([Section("Columns of the log", [Table(["channel", "column"], columns)], folded=True)] if renamed else []),
         ],
         _advice(result, faults),
@@ -105,7 +105,7 @@ _TOLD = "A finding from: how large what is measured must be for a warning or a r
 def _limits(result: Diagnosis) -> dict[str, str]:
     """From what on each check finds something, in words with its numbers."""
     period, bias = result.period, _drift(result)
-    apart, behind = (f"{1e3 * limit:.3g} ms" for limit in delays.late(period))
+    apart, behind = (f"{1e3 * limit:.3g} ms" for limit in delays.shortest(period))
     return {
         "time stamps": f"jitter of {1e3 * time.JITTER * period:.2g} ms, a step of {1e3 * time.MISSED * period:.3g} ms",
         "rows": f"{100 * sensors.REPEATED:g} % that repeat in motion; fewer than {LEAST_ROWS} on the wheels",
