@@ -23,14 +23,17 @@ from upright.compiled.interpret import Interpreter
 from upright.compiled.print_javascript import JavaScriptPrinter, functions
 from upright.control import CONTROLLERS, Controller, gain_of
 from upright.control.delay import RAW
+from upright.control.feedback import StateFeedback
 from upright.control.law import as_law, program
+from upright.control.observed import observed
 from upright.experiment import Impulse, Push, run
 from upright.lab.by_hand import gains_program
 from upright.lab.codec import plain
 from upright.lab.export import export
 from upright.lab.handin import read_hand_in
-from upright.lab.printed import printed_law, printed_robot, reading
+from upright.lab.printed import linear_plant, printed_law, printed_robot, reading
 from upright.lab.rerun import rerun
+from upright.lab.tasks import analysed
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
 
@@ -208,6 +211,38 @@ def test_the_present_gains_by_hand_are_the_design(tmp_path, name):
 
 
 @pytest.mark.needs("node")
+@pytest.mark.slow
+def test_margins_of_gains_by_hand_are_python_s(tmp_path):
+    """Of the LQR's gains, of others that balance, and of ones that do not; delays of half a period and of five."""
+    cases = [("ev3way", (1.5, 0.8, 1.3, 0.9, 1, 1)), ("nxtway-gs", (0.7, 1.2, 0.8, 1.1, 1.4, 0.6)),
+             ("nxtway-gs", (0.1, 1, 1, 1, 1, 1)), ("twipr", (1, 1, 1, 1, 1, 1))]  # fmt: skip
+    code, python = f"import {{ analysed }} from {json.dumps(str(WEB / 'src' / 'margins.js'))};const all = [];", []
+    for name, factors in cases:
+        robot = Robot.preset(name)
+        kit = Kit.preset(robot.kit_name)
+        usual = gain_of(CONTROLLERS["lqr"](robot, kit, kit.period))
+        assert usual is not None
+        gains = tuple((usual[0, :6] * factors).tolist())
+        symmetric = StateFeedback.symmetric(gains, kit.period, command_unit=robot.command_unit)
+        python.append(analysed(observed(symmetric, robot, kit), robot, kit))
+        law = JavaScriptPrinter(gains_program(robot, kit)).text()
+        code += f"all.push(analysed({json.dumps(linear_plant(robot, kit))}, {law}, {list(gains)}));"
+    page = node(tmp_path, code + "console.log(JSON.stringify(all));")
+    assert [a.stable for a in python] == [True, True, False, True]
+    for mine, its in zip(python, page, strict=True):
+        assert (mine.stable, mine.words) == (its["stable"], its["words"])
+        assert len(mine.poles) == len(its["poles"])
+        assert max(map(abs, np.array(its["poles"])[:, 0])) < 2
+        assert np.hypot(*its["poles"][0]) == pytest.approx(
+            np.hypot(*mine.poles[0]), abs=1e-5
+        )  # Python's are rounded so
+        seen, drawn = np.array(its["L"]), np.array(mine.L)[:, ::2]
+        assert np.abs(seen - drawn).max() < 1e-3 * np.abs(drawn).max()  # Python's have four digits
+        for margin in ("gain_low", "gain_high", "phase", "delay") if mine.stable else ():
+            assert its[margin] == pytest.approx(getattr(mine, margin), abs=1e-6)
+
+
+@pytest.mark.needs("node")
 def test_random_words_are_those_of_the_published_generator(tmp_path):
     """The known answers of Salmon et al. (2011) for Philox 4×32-10: zeros, ones, and digits of π."""
     most, pi = 0xFFFFFFFF, [0x243F6A88, 0x85A308D3, 0x13198A2E, 0x03707344, 0xA4093822, 0x299F31D0]
@@ -368,11 +403,35 @@ def test_gains_by_hand_begin_with_the_present_ones_and_act_at_once(page):
     present = page.evaluate("upright.store.analysed.gain[0]")
     page.select_option("[data-key=controller]", "gains")
     assert page.evaluate("upright.store.setup.gains") == present[:6]
-    page.wait_for_timeout(1000)
+    page.wait_for_function("upright.store.analysed?.delay > 0.02")  # the page's own margins: as those of the LQR
+    assert page.locator(".margins tr").count() == 3
     assert not page.evaluate("upright.store.snapshot.x[0][8]")
     send(page, kind="StandUp", pitch=0.05)
     page.evaluate("upright.store.change({ gains: [0, 0, 0, 0, 0, 0] })")
     page.wait_for_function("upright.store.snapshot.x[0][8] === 1")  # nothing holds it: it falls
+    page.wait_for_function("upright.store.analysed?.stable === false")
+
+
+@marked
+def test_a_link_without_a_controller_drops_the_robot(page, site):
+    """From a small lean: upright, without noise at its wheels, it would stand for seconds."""
+    page.goto("about:blank")
+    page.goto(site.as_uri() + "#controller=off")
+    page.wait_for_function("upright.store.snapshot?.x[0][8] === 1")
+    assert page.evaluate("upright.store.setup.controller") == "off"
+
+
+@marked
+def test_the_tour_has_the_steps_that_need_no_python(page):
+    page.keyboard.press("n")
+    for step, controller in enumerate(("off", "off", "lqr", "lqg", "lqg", "lqr"), 1):
+        assert f"{step} of 6" in page.inner_text(".tour .note")
+        page.keyboard.press("Enter")
+        page.wait_for_function(f"upright.store.changed.setup.controller === '{controller}'")
+        page.keyboard.press("n")
+    assert page.evaluate("upright.store.changed.setup.payload") > 0
+    page.click("[data-key=tour-back]")
+    assert page.evaluate("upright.store.changed.setup.payload") == 0
 
 
 @marked

@@ -16,9 +16,9 @@ from upright.control.delay import RAW
 from upright.errors import InvalidRobot, UnknownName, UprightError, check_within
 from upright.lab.by_hand import gains_program
 from upright.lab.codec import plain
-from upright.lab.messages import VERSION, Analysed, Setup, Welcome
+from upright.lab.messages import VERSION, Setup, Welcome
 from upright.lab.plant import BY_HAND, EXPORTED, LOAD, OFF, Plant, behind, body_of, families, is_bare, loaded
-from upright.lab.printed import printed_law, printed_robot, reading
+from upright.lab.printed import linear_plant, printed_law, printed_robot, reading
 from upright.lab.recording import MARK, inlined, page_text
 from upright.lab.tasks import analysed
 from upright.lab.views import catalogue, equations, look_of, robot_info
@@ -33,12 +33,10 @@ NOT_USUAL = ("robust", "lqr-complementary")
 """Made only where they are asked for: a design of a minute or more for each robot, and one that is no `Law`."""
 
 KEPT = 2
-"""Of the broken loop's frequencies, one in so many is kept: the page stays small."""
+"""Of the broken loop's frequencies, which the page knows, one in so many is kept: the page stays small."""
 
 MOST_ROBOTS = 12
 """About 150 kB each: a page should stay below 2 MB."""
-
-UNKNOWN = Analysed(stable=False, words="Margins of gains by hand need Python: upright lab", gain=())
 
 
 def export(
@@ -122,7 +120,7 @@ def printed(
     if not is_bare(kit) and set(RAW) <= set(kit.sensors):
         gains = next((c["gains"] for name in ("lqr", *laws) if (c := controllers.get(name)) and c["gains"]), [0.0] * 6)
         laws[BY_HAND] = JavaScriptPrinter(gains_program(robot, kit)).text()
-        own = {"kind": "gains by hand", "truth": False, "gains": gains, "analysed": plain(UNKNOWN)}
+        own = {"kind": "gains by hand", "truth": False, "gains": gains, "plant": linear_plant(robot, kit)}
         controllers[BY_HAND] = {**reading(RAW, kit.period, kit), **own}
     facts = {
         "title": robot.title, "kit_name": kit.name, "setup": _setup_part(robot, kit), "every": kit.period,
@@ -135,7 +133,7 @@ def _designed(robot: Robot, kit: Kit, name: str) -> tuple[str, dict[str, Any]]:
     controller = CONTROLLERS[name](robot, kit, kit.period)
     text, facts = printed_law(controller, kit)
     analysis = analysed(controller, robot, kit)
-    analysis = replace(analysis, L=tuple(row[::KEPT] for row in analysis.L))
+    analysis = replace(analysis, L=tuple(row[::KEPT] for row in analysis.L[1:]))
     gain = gain_of(controller)
     own = {"truth": controller.spec.reads_truth, "gains": [] if gain is None else gain[0, :6].tolist()}
     return text, {**facts, **own, "analysed": plain(analysis)}

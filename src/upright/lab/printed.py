@@ -13,11 +13,13 @@ from upright.bodies.models import CHANNELS
 from upright.compiled.electronics import SENSOR_NUMBERS
 from upright.compiled.print_javascript import JavaScriptPrinter, motion
 from upright.control import Controller
+from upright.control.delay import RAW
 from upright.control.law import as_law, program
 from upright.errors import InvalidController
 from upright.lab.plant import EXPORTED, is_bare
 from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import linearise, rolling
+from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot
 from upright.signals.signal import TRUTH
 
@@ -53,6 +55,14 @@ def kit_numbers(kit: Kit, robot: Robot, period: float) -> dict[str, Any] | None:
         "voltage": finite(kit.battery.voltage), "sag": kit.battery.sag, "volts": robot.command_unit == "V",
         "delay": round(kit.delay / period), "jitter": round(kit.jitter / period), "sensors": sensors,
     }  # fmt: skip
+
+
+def linear_plant(robot: Robot, kit: Kit) -> dict[str, Any]:
+    """The robot about upright as `margins.js` takes it, read by `RAW` sensors, with its delays [s]."""
+    model, sensors = linearise(rolling(robot)), [kit.sensors[name] for name in RAW]
+    C = sensor_matrix(RAW, turn_ratio(robot), kit.sensors)
+    times = {"dead": kit.delay + kit.jitter / 2, "delays": [s.delay for s in sensors], "period": kit.period}
+    return {"A": model.A.tolist(), "B": model.B.tolist(), "C": C.tolist(), **times}
 
 
 def printed_law(controller: Controller, kit: Kit, period: float = EXPORTED) -> tuple[str, dict[str, Any]]:

@@ -79,7 +79,13 @@ export function select(label: string, choices: [string, string][], value: string
 
 export function digits(value: number, count = 3): string {
   if (!Number.isFinite(value)) return "∞";
-  return local(String(Number(value.toPrecision(count))).replace("-", "−").replace("e", "·10^"));
+  return local(plainNumbers(String(Number(value.toPrecision(count)))));
+}
+
+/** Numbers as people write them: −4.2 ×10⁻⁵ for -4.2e-05, which would break at its hyphens. */
+export function plainNumbers(text: string): string {
+  const raised = (sign: string, power: string) => ` ×10${sign === "-" ? "⁻" : ""}${power.replace(/\d/g, (d) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(d)])}`;
+  return text.replace(/(?<=\d)e([+-]?)0*(\d+)\b/g, (_, sign: string, power: string) => raised(sign, power)).replace(/(?<=^|[\s(…])-(?=\.?\d)/g, "−");
 }
 
 export function table(header: string[], rows: string[][], className = ""): HTMLElement {

@@ -6,9 +6,11 @@ import type { Analysed, Catalogue, Changed, ClientMessage, Equations, Look, Setu
 import { DEFAULT_SETUP } from "./messages";
 import { fromLink, pushIn, pushing } from "./link";
 import type { Push as LinkedPush } from "./link";
+import { analysed, shown } from "./margins";
+import type { Plant } from "./margins";
 import { Loop, combined, linearMotion } from "./simulator";
 import type { Kit, Law, Motion, Push } from "./simulator";
-import { store } from "./store";
+import { LEAN, store } from "./store";
 
 export interface Controller {
   kind: string;
@@ -16,7 +18,8 @@ export interface Controller {
   reads: number[];
   stride: number;
   gains: number[];
-  analysed: Analysed;
+  analysed?: Analysed;
+  plant?: Plant; // of gains by hand, which are analysed here
   S?: number[][];
   Sy?: number[][];
 }
@@ -53,6 +56,7 @@ export const exported = (globalThis as { uprightExport?: Exported }).uprightExpo
 
 const BODIES = ["nonlinear", "linear"] as const;
 const OFF = "off";
+const SETTLED = 200; // [ms] without a change before gains by hand are analysed
 const KNOCK = 0.02; // [s] that an impulse takes, a pull, and a hold: as lab/pushing.py
 const PULL = 0.3;
 const HOLD = 3.0;
@@ -170,6 +174,7 @@ export class LocalSession {
   private recorder = new Recorder();
   private run = { rows: 0, peak: 0, travel: 0, from: 0 }; // of the first body since it was built
   private timer = 0;
+  private thinking = 0;
   spent = 0; // [ms] of computing, for benchmarks
 
   constructor(private data: Exported) {
@@ -202,7 +207,7 @@ export class LocalSession {
     this.changeTo({ ...this.setup, slope, noise, delay, seed, gains: [], ...setup });
     window.clearTimeout(this.timer);
     store.last.name(push);
-    if (push) this.timer = window.setTimeout(() => this.take(pushing(push)), 1000);
+    this.timer = window.setTimeout(() => (push || store.falls) && this.take(pushing(push ?? ["tilt", LEAN])), 1000);
   }
 
   link(): string {
@@ -262,9 +267,14 @@ export class LocalSession {
     store.hear(changed);
     if (another) store.hear(facts.equations);
     store.analysed = null;
+    window.clearTimeout(this.thinking);
     if (!controller) return store.hear(store.lit ?? { kind: "Light", light: "none", reasons: [] });
-    const { analysed } = controller;
-    store.hear(analysed);
+    const { plant } = controller;
+    if (controller.analysed) store.hear({ ...controller.analysed, L: [shown(facts.every), ...controller.analysed.L] });
+    else if (plant) this.thinking = window.setTimeout(() => {
+      const found = analysed(plant, this.data.laws[setup.robot][setup.controller], setup.gains);
+      store.hear({ kind: "Analysed", gain: [setup.gains], ...found });
+    }, SETTLED);
   }
 
   private traced(): void {

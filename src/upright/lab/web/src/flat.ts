@@ -48,8 +48,9 @@ export class Flat implements Stage {
     const unit = this.scale(look);
     const [R, H, D] = [look.wheel_radius * unit, look.body_height * unit, look.body_depth * unit];
     const style: Record<string, string | number> = ghost ? { fill: "none", stroke: laneColour(name), "stroke-width": 2, opacity: 0.7 } : {};
+    const own: Record<string, string> = ghost ? {} : { fill: laneColour(name) };
     const body = part("g");
-    body.append(part("rect", { x: -D / 2, y: -H - R * 0.25, width: D, height: H, rx: 3, class: ghost ? "" : "shell", ...style }));
+    body.append(part("rect", { x: -D / 2, y: -H - R * 0.25, width: D, height: H, rx: 3, class: ghost ? "" : "shell", ...style, ...own }));
     if (look.payload > 0 && !ghost) {
       const [size, up] = [Math.cbrt(look.payload / 2500) * unit, look.payload_height * unit];
       body.append(part("path", { d: `M0 0V${-up}`, class: "carrier" }), part("rect", { x: -size / 2, y: -up - size / 2, width: size, height: size, class: "payload" }));

@@ -23,7 +23,7 @@ import { Tour } from "./tour";
 
 const TABS = ["Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour", "Class", "Python"] as const;
 type Tab = (typeof TABS)[number];
-const EXPORTED: readonly Tab[] = ["Controller", "Robot", "See", "Keep", "Python"]; // the tabs of a page without Python
+const EXPORTED: readonly Tab[] = ["Controller", "Robot", "See", "Keep", "Tour", "Python"]; // the tabs of a page without Python
 
 const SEEN = 400; // [ms] from the first picture to the work on another one
 
@@ -119,9 +119,9 @@ class Page {
     this.linked();
   }
 
-  /** Do the push of the address, a second after the robot is seen. */
+  /** Do the push of the address, a second after the robot is seen; what nothing balances begins with a lean. */
   private linked(): void {
-    const push = pushIn(location.hash);
+    const push = pushIn(location.hash) ?? (fromLink(location.hash)?.controller === "off" ? ["tilt", LEAN] as const : null);
     if (!push) return;
     const wait = () => (store.snapshot ? window.setTimeout(() => store.send(pushing(push)), 1000) : window.setTimeout(wait, 100));
     wait();
@@ -157,6 +157,7 @@ class Page {
     new IntersectionObserver(([seen]) => scene.classList.toggle("pinned", !seen.isIntersecting)).observe(scene); // for a phone
     replace(this.app, header, h("main", {}, scene, this.panels(), this.charts.root), this.toasts, this.spoken);
     this.lamp();
+    if (!store.snapshot && !store.recorded) this.fell.textContent = t("starting");
     if (store.changed) this.rebuild();
   }
 
@@ -355,8 +356,7 @@ class Page {
   }
 
   private stand(): void {
-    const falls = store.setup.controller === "off" || store.analysed?.stable === false; // upright it would stand for seconds
-    store.send({ kind: "StandUp", pitch: falls ? LEAN : 0 });
+    store.send({ kind: "StandUp", pitch: store.falls ? LEAN : 0 });
     store.send({ kind: "Play", paused: false, speed: this.speed });
   }
 
@@ -401,7 +401,7 @@ class Page {
   }
 
   private help(): void {
-    const rows = texts().keys.filter(([key]) => !exported || key !== "N, P").map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, what)));
+    const rows = texts().keys.map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, what)));
     const dialog = h("dialog", { className: "help", "aria-label": t("help"), onclose: () => dialog.remove() },
       h("h2", {}, t("help")), h("table", {}, h("tbody", {}, ...rows)), button(t("close"), () => dialog.close(), { className: "main" }));
     this.app.append(dialog);
@@ -418,7 +418,7 @@ class Page {
     else if (event.key === ".") store.send({ kind: "Step", periods: 1 });
     else if (event.key === "," || event.key === "/") this.seek(event.key === "," ? -0.25 : 0.25);
     else if (event.key === "s") this.stand();
-    else if (!exported && (event.key === "n" || event.key === "p")) this.toured(event.key === "n" ? 1 : -1);
+    else if (event.key === "n" || event.key === "p") this.toured(event.key === "n" ? 1 : -1);
     else if (event.key === "k") store.push({ kind: "Strike", what: "impulse", size: this.knock });
     else if (/^[1-8]$/.test(event.key) && document.getElementById(`tab-${this.tabAt(event.key)}`)) this.open(this.tabAt(event.key));
     else return;

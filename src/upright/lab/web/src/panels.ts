@@ -1,5 +1,5 @@
 // The panels below: controller, robot, kit, what was found, what is kept. Each builds itself from the store.
-import { button, digits, fresh, h, replace, select, slider, table, throttled } from "./dom";
+import { button, digits, fresh, h, plainNumbers, replace, select, slider, table, throttled } from "./dom";
 import type { Slider } from "./dom";
 import { toLink } from "./link";
 import type { BodyName, Job, Keep, Setup } from "./messages";
@@ -123,7 +123,7 @@ export class ControllerPanel extends Panel {
     if (store.setup.controller === "off") return [h("p", { className: "note" }, t("noLoop"))];
     if (!a) return [h("p", { className: "note" }, t("designing"))];
     const parts: Node[] = [];
-    if (a.gain.length) parts.push(h("h4", {}, t("gain")), table(SYMBOLS, [a.gain[0].map((v) => digits(v, 3))], "gains"));
+    if (a.gain.length && store.setup.controller !== "gains") parts.push(h("h4", {}, t("gain")), table(SYMBOLS, [a.gain[0].map((v) => digits(v, 3))], "gains"));
     const range = (low: number | null, high: number | null) => `${low === null ? "0" : digits(low, 2)} … ${high === null ? "∞" : digits(high, 3)}`;
     const rows = [
       [t("gainMargin"), range(a.gain_low, a.gain_high)],
@@ -351,7 +351,7 @@ export class IdentifyPanel extends Panel {
     const lines = f.text.split("\n").filter(Boolean);
     const plain = (text: string) => text.replace(/\bin-(?=[\w.-]+\.\w+)/g, "").replace(/\b[a-z]+(_[a-z]+)+\b/g, (name) => name.replaceAll("_", " ")); // names of files and parameters
     const text = lines.map((line) => h("p", { className: "note", lang: translated(line) ? "" : "en" }, plain(translate(line))));
-    const words = (cells: string[]) => cells.map((cell) => translate(f.job === "calibrate" ? cell.replaceAll("_", " ") : cell));
+    const words = (cells: string[]) => cells.map((cell) => plainNumbers(translate(f.job === "calibrate" ? cell.replaceAll("_", " ") : cell)));
     replace(this.result, h("h4", {}, plain(translate(f.title))), ...text, f.rows.length ? table(f.header.map(translate), f.rows.map(words)) : null);
   }
 }

@@ -24,23 +24,23 @@ class Figure {
   z = 0;
   private last: number | null = null;
 
-  constructor(private look: Look, ghost: string | null) {
+  /** In the colour of its traces; what is not the first body is a ghost. */
+  constructor(private look: Look, private own: string, ghost: boolean) {
     const solid = (colour: string, roughness = 0.7, metalness = 0) => {
       const made = new MeshStandardMaterial({ color: colour, roughness, metalness });
       if (ghost) {
-        made.color.set(ghost);
+        made.color.set(own);
         made.transparent = true;
         made.opacity = 0.3;
       }
       return made;
     };
-    this.build(solid, ghost === null);
+    this.build(solid, !ghost);
     this.root.add(this.body, ...this.wheels);
     this.body.position.y = look.wheel_radius;
     this.root.traverse((part) => {
       if (part instanceof Mesh) {
-        part.castShadow = ghost === null;
-        part.receiveShadow = ghost === null;
+        part.castShadow = part.receiveShadow = !ghost;
       }
     });
   }
@@ -54,15 +54,14 @@ class Figure {
       mesh.position.set(x, y, z);
       this.body.add(mesh);
     };
-    const shell = solid("#e9ebee", 0.55);
+    const shell = solid(this.own, 0.55);
     part(wide, H * 0.94, D, shell, 0, base + H * 0.5, 0);
     if (full) {
       part(W * 0.8, R * 0.5, D * 0.55, solid("#3b424a", 0.6), 0, 0, 0);
       part(wide * 0.72, H * 0.26, D * 0.04, solid("#20262c", 0.25), D * 0.5, base + H * 0.72, 0);
       part(wide * 0.62, H * 0.18, D * 0.05, solid("#b9d8c4", 0.3), D * 0.505, base + H * 0.73, 0);
-      part(wide * 0.16, H * 0.08, D * 0.08, solid("#e07a1f", 0.5), D * 0.5, base + H * 0.42, 0);
+      part(wide * 0.16, H * 0.08, D * 0.08, solid("#f4f5f6", 0.5), D * 0.5, base + H * 0.42, 0);
       for (const side of [-1, 1]) part(wide * 0.14, H * 0.06, D * 0.07, solid("#8b949d", 0.5), D * 0.5, base + H * 0.42, side * wide * 0.22);
-      part(wide * 1.02, H * 0.05, D * 1.03, solid("#0072b2", 0.5), 0, base + H * 0.12, 0);
     }
     if (this.look.payload > 0 && full) {
       const side = Math.cbrt(this.look.payload / 2500);
@@ -199,7 +198,7 @@ export class Room implements Stage {
     this.bodies = bodies;
     this.seen = -1;
     this.stale = true;
-    this.figures = bodies.map((name, i) => new Figure(look, i ? laneColour(name) : null));
+    this.figures = bodies.map((name, i) => new Figure(look, laneColour(name), i > 0));
     this.figures.forEach((figure, i) => figure.start(old.get(bodies[i])));
     for (const figure of this.figures) this.scene.add(figure.root);
     const size = this.size();

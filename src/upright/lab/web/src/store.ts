@@ -118,6 +118,11 @@ export class Store {
   private asked = -AGAIN;
   private missing = Infinity; // [s] since when there are holes that nobody was asked about
 
+  /** Whether nothing balances the robot: upright it would stand for seconds. */
+  get falls(): boolean {
+    return this.setup.controller === "off" || this.analysed?.stable === false;
+  }
+
   listen(listener: Listener): void {
     this.listeners.push(listener);
   }

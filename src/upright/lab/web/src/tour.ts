@@ -1,5 +1,7 @@
-// The paper as a tour of eight steps: what to do, what to watch, and a question.
+// The paper as a tour of eight steps: what to do, what to watch, and a question. A page without Python has those that
+// need neither the twin nor a design.
 import { button, h, replace } from "./dom";
+import { exported } from "./exported";
 import { DEFAULT_SETUP } from "./messages";
 import type { Setup } from "./messages";
 import { LEAN, store } from "./store";
@@ -10,7 +12,17 @@ interface Scene {
   lean: number;
   speed?: number; // of a fall, which takes half a second
   strike?: "front" | "back";
+  live?: true; // the live lab alone has this step
 }
+
+interface Words {
+  do: string;
+  watch: string;
+  ask: string;
+}
+
+/** A step in words; `here`: what differs in a page without Python. */
+type Step = Words & { title: string; here?: Partial<Words> };
 
 const THREE: Setup["bodies"] = ["twin", "nonlinear", "linear"];
 const SCENES: Scene[] = [
@@ -19,10 +31,11 @@ const SCENES: Scene[] = [
   { setup: { controller: "lqr", bodies: THREE }, lean: 0.1 },
   { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "front" },
   { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "back" },
-  { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "front" },
+  { setup: { controller: "lqg", bodies: THREE }, lean: 0, strike: "front", live: true },
   { setup: { controller: "lqr", bodies: THREE, payload: 0.12, payload_height: 0.2 }, lean: 0 },
-  { setup: { controller: "robust", bodies: THREE, payload: 0.12, payload_height: 0.2 }, lean: 0 },
+  { setup: { controller: "robust", bodies: THREE, payload: 0.12, payload_height: 0.2 }, lean: 0, live: true },
 ];
+const STEPS = SCENES.map((scene, i) => ({ scene, i })).filter(({ scene }) => !(exported && scene.live));
 
 export class Tour {
   root = h("div", { className: "panel-body tour" });
@@ -33,25 +46,26 @@ export class Tour {
   constructor(private run: (speed: number) => void) {}
 
   build(): void {
-    const step = texts().tour[this.at];
+    const { here, ...there }: Step = texts().tour[STEPS[this.at].i];
+    const step = { ...there, ...(exported && here) };
     const part = (title: string, text: string) => h("div", { className: "hint-part" }, h("h4", {}, title), h("p", {}, text));
     replace(
       this.root,
       h("div", { className: "column wide" },
-        h("p", { className: "note" }, t("tourStep", { n: this.at + 1 })),
+        h("p", { className: "note" }, t("tourStep", { n: this.at + 1, all: STEPS.length })),
         h("h3", {}, step.title),
         h("div", { className: "hints" }, part(t("tourDo"), step.do), part(t("tourWatch"), step.watch), part(t("tourAsk"), step.ask)),
         h("div", { className: "row" },
           button(t("previous"), () => this.move(-1, "previous"), { disabled: this.at === 0, "data-key": "tour-previous" }),
           button(t("tourSet"), () => this.set(), { className: "main", "data-key": "tour-set" }),
-          button(t("next"), () => this.move(1, "next"), { disabled: this.at === SCENES.length - 1, "data-key": "tour-next" })),
+          button(t("next"), () => this.move(1, "next"), { disabled: this.at === STEPS.length - 1, "data-key": "tour-next" })),
         this.before ? button(t("tourBack"), () => this.back(), { className: "quiet", "data-key": "tour-back" }) : null),
     );
   }
 
   /** Go on or back, and give the focus to the button that was used, or to what sets the step up. */
   move(by: number, used = "set"): void {
-    this.at = Math.min(Math.max(this.at + by, 0), SCENES.length - 1);
+    this.at = Math.min(Math.max(this.at + by, 0), STEPS.length - 1);
     this.build();
     const key = (name: string) => this.root.querySelector<HTMLButtonElement>(`[data-key=tour-${name}]:enabled`);
     (key(used) ?? key("set"))?.focus();
@@ -67,7 +81,7 @@ export class Tour {
   }
 
   private set(): void {
-    const { setup, lean, speed, strike } = SCENES[this.at];
+    const { setup, lean, speed, strike } = STEPS[this.at].scene;
     if (!this.before) {
       this.before = store.setup;
       this.build();
