@@ -17,6 +17,7 @@ from upright.atomic import finite, write_json
 from upright.certify.agreement import RED, Agreement, agreement
 from upright.certify.checks import Course, PushTrial, RunCounter, Swept, delayed, kernel_controller, slower, trials
 from upright.certify.learnt import calibrated
+from upright.certify.logged import as_sent
 from upright.certify.narrowing import Narrowing, NeededSpread, narrowing, red
 from upright.certify.support import Support
 from upright.certify.taking import as_logged
@@ -224,7 +225,7 @@ def certify(
     """
     given = find_robot(robot)
     nominal, unknown = at_medians(given, posterior)
-    parts, recording = find_kit(kit or nominal.kit), None if log is None else raw_log(log, mapping)
+    parts, recording = find_kit(kit or nominal.kit), None if log is None else as_sent(raw_log(log, mapping))
     subject = {"robot": robot_facts(given), "kit": kit_facts(parts)}
     wrong: tuple[Support, ...] = ()
     if recording and unknown is None and robots is None:

@@ -10,10 +10,19 @@ from numpy.typing import NDArray
 
 from upright.kernel.batch import NAMES
 from upright.robots import Kit, Robot
+from upright.signals import Log
 
 Array = NDArray[np.float64]
 
 LOADED = ("body_mass", "pitch_inertia", "roll_inertia", "yaw_inertia")  # what goes with the mass of a body
+
+
+def as_sent(log: Log) -> Log:
+    """The log without what reached the motors, where it holds what was sent: what lies between is to be examined."""
+    if not all(f"command/{side}" in log for side in ("left", "right")):
+        return log
+    kept = {name: values for name, values in log.channels.items() if not name.startswith("applied/")}
+    return Log(log.t, kept, {name: log.units[name] for name in kept}, log.origin)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -189,10 +189,9 @@ def _dynamics(log: Log, course: Course) -> list[Support]:
         replace(_of("body's mass", "kg", heavy, (0.0, LOAD_KNOWN * heavy), 0.0), **about_mass),
         _slope(path, log.period, course),
         *_noise(log, kit, path),
+        _delay(fit, path, motors, log.period),
     ]  # fmt: skip
-    if raw:
-        numbers += [_delay(fit, path, motors, log.period), _dead_zone(path, course, sent, motors)]
-    return numbers
+    return [*numbers, _dead_zone(path, course, sent, motors)] if raw else numbers
 
 
 def _of(name: str, unit: str, middle: float, numbers: Sequence[float], around: float) -> Support:

@@ -8,7 +8,7 @@ understood, and counts against the certificate.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -68,14 +68,33 @@ def _next(log: Log, course: Course, shown: Sequence[Support], names: set[str], n
         return direct
     if not strays:
         return set()
-    known = [s for s in shown if s.name in names]
-    then = [surprise(filtered_log(log, _learnt(course, [*known, s]))[0]) for s in strays]
-    best = int(np.argmin(then))
-    if not then[best] < now - LEAST_GAIN:
+    best, then = _best(log, course, strays, [s for s in shown if s.name in names])
+    if not then < now - LEAST_GAIN:
         return set()
     within = [(course.met(robot), course.met_kit) for robot in course.robots[:WITHIN]]
     parts = (within[i : i + AT_ONCE] for i in range(0, len(within), AT_ONCE))
-    return set() if any(min(surprises(log, part)) <= then[best] for part in parts) else {strays[best].name}
+    return set() if any(min(surprises(log, part)) <= then for part in parts) else {best.name}
+
+
+def _best(log: Log, course: Course, several: Sequence[Support], known: Sequence[Support]) -> tuple[Support, float]:
+    """Of `several` numbers the one that makes the log likeliest beside those that are `known`, and its surprise."""
+    then = [surprise(filtered_log(log, _learnt(course, [*known, s]))[0]) for s in several]
+    best = int(np.argmin(then))
+    return several[best], then[best]
+
+
+def doubted(log: Log, course: Course, names: Collection[str]) -> tuple[Course, Support] | None:
+    """`course` with a number that makes the log much likelier, beside those of these `names` that it knows, and what
+    the log says of it; None where there is none. Robots within their spreads may explain the log as well."""
+    strays = [s for s in supported(log, course) if _strays(s) and s.name not in (*names, *DIRECT, *NOT_LEARNT)]
+    if not strays:
+        return None
+    now, (best, then) = surprise(filtered_log(log, course)[0]), _best(log, course, strays, ())
+    if not then < now - LEAST_GAIN:
+        return None
+    moved, _ = _likeliest(log, course, [best])
+    last = next(s for s in supported(log, moved) if s.name == best.name)
+    return moved, _in_place_of(best, last, moved)
 
 
 def _likeliest(log: Log, course: Course, numbers: Sequence[Support]) -> tuple[Course, float]:

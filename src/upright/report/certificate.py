@@ -9,7 +9,8 @@ from itertools import groupby
 
 from upright.certify.agreement import AMBER, RED
 from upright.certify.certificate import Certificate
-from upright.certify.checks import HELD, KNOCKED, PushTrial, Swept
+from upright.certify.checks import HELD, KNOCKED, RELEASE, PushTrial, Swept
+from upright.certify.recovery import KNOCK_DURATION
 from upright.certify.verdict import GREEN, MOST_FALLS, LinearMargins, placed
 from upright.plotting import AXIS, line, number, panels
 from upright.report.figure import Figure
@@ -105,10 +106,21 @@ def _intro(c: Certificate) -> str:
     return (
         f"{c.samples} robots drawn from the uncertainty of {c.robot}, in the nonlinear model with kit {c.kit}. "
         f"{c.fell} fell in at least one trial: with 95 % confidence the probability is below {100 * c.bound:.2g} %. "
+        f"{_pushes(c)} "
         f"Largest recoverable: the largest such push that any controller could survive with that battery. Holds are "
         f"{100 * HELD:g} % of it, knocks {100 * KNOCKED:g} %. Hopeless: of those that fell, what no controller "
         f"could have saved. The last four columns are 95 % quantiles of the robots that stood. Sway is half of pitch's "
         f"range in the last seconds.{last}"
+    )
+
+
+def _pushes(c: Certificate) -> str:
+    """How long the standard pushes last, and where they act."""
+    numbers = c.subject["robot"]
+    height = sum(float(value) for name in ("wheel_radius", "com_height") if (value := numbers.get(name)))
+    return (
+        f"A hold leans the robot by a force for {RELEASE:g} s, then lets go. A knock lasts "
+        f"{1e3 * KNOCK_DURATION:g} ms. Both act at the centre of mass, {1e3 * height:.0f} mm above the floor."
     )
 
 
