@@ -23,9 +23,9 @@ from upright.certify.agreement import LARGER, RED, Agreement, agreement
 from upright.certify.certificate import Certificate, certify
 from upright.certify.checks import Course, kernel_controller
 from upright.certify.learnt import calibrated
-from upright.certify.logged import loaded
+from upright.certify.logged import as_sent, loaded
 from upright.certify.support import Support, supported
-from upright.certify.taking import as_logged
+from upright.certify.taking import as_logged, doubted
 from upright.certify.verdict import GREEN
 from upright.control import Controller, make_controller
 from upright.errors import InvalidLog
@@ -231,3 +231,37 @@ def test_motors_that_differ_are_certified_as_the_log_shows_them() -> None:
     assert given.light == GREEN
     assert given.reasons[1].startswith("tried as the log shows it: difference of the motors")
     assert given.check() == ()
+
+
+def with_channels(log: Log, prefixes: tuple[str, ...]) -> Log:
+    names = [n for n in log.channels if n.startswith(prefixes)]
+    return Log(log.t, {n: log[n] for n in names})
+
+
+def test_what_was_sent_is_examined_where_the_log_also_tells_what_the_motors_got() -> None:
+    """Of commands that arrive late those at the motors say nothing: the log of `upright simulate` has both."""
+    late = Electronics(NonlinearBody(ROBOT), kit_with(delay=KIT.delay + 0.02))
+    log = run(late, designed(), KNOCKS, reference=DRIVEN, seconds=9.0, seed=5)
+    assert {"command/left", "applied/left"} <= set(log.channels)
+    _, _, taken = as_logged(as_sent(log), course())
+    found = next(s.value for s in taken if s.name == "further delay")
+    assert found == pytest.approx(0.02, abs=0.00125)  # half a step of the delays that are tried
+
+
+def test_readings_that_come_late_show_beside_what_the_motors_got() -> None:
+    sensors = {n: dataclasses.replace(s, delay=s.delay + 0.02) for n, s in KIT.sensors.items()}
+    log = run(Electronics(NonlinearBody(ROBOT), kit_with(sensors=sensors)), designed(), KNOCKS, reference=DRIVEN,
+              seconds=9.0, seed=5)  # fmt: skip
+    _, _, taken = as_logged(with_channels(log, ("sensor/", "applied/")), course())
+    found = next(s.value for s in taken if s.name == "further delay")
+    assert found == pytest.approx(0.02, abs=0.00125)
+
+
+def test_half_the_mass_is_taken_over_or_doubted_where_the_file_knows_the_robot_badly() -> None:
+    """Robots within the file's spreads may explain the log as well; then it is calibrated both ways."""
+    log = logged(NonlinearBody(loaded(ROBOT, 0.4)))
+    wide = dataclasses.replace(course(), robots=draw(ROBOT, 100, 0))
+    met, _, taken = as_logged(log, wide)
+    doubt = doubted(log, met, {s.name for s in taken})
+    numbers = {s.name: s.value for s in (*taken, *([doubt[1]] if doubt else []))}
+    assert numbers["body's mass"] == pytest.approx(0.24, rel=0.5)  # the likeliest is 1.0 to 1.5 times a lighter body's

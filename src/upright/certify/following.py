@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,9 +14,12 @@ from numpy.typing import NDArray
 from upright.calibrate.knocks import SETTLED, at_motors, first_state, moved_by, pushed, recorded
 from upright.certify.checks import Course
 from upright.certify.logged import loaded
-from upright.control.delay import MOST_PERIODS, RAW, sampled
-from upright.control.kalman import Filter, filtered, kalman_filter
+from upright.control.delay import MOST_PERIODS, RAW, SampledRobot, sampled
+from upright.control.kalman import Disturbed, Filter, filtered, kalman_filter
 from upright.logs.recording import commanded
+from upright.physics.dynamics import turn_ratio
+from upright.physics.linear import LinearModel, linearise, rolling
+from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
 from upright.robots.kit import Motor
 from upright.signals import Log
@@ -26,6 +31,7 @@ SCALES = (0.15, 0.2, 0.28, 0.4, 0.55, 0.75, 1.0, 1.3, 1.7, 2.2, 3.0, 4.0, 5.5)
 FINER = 4  # parts of a step of these, in which the likeliest is looked for at last
 ZOOMS = 2  # of the search for a dead zone: a hundredth of it more or less swallows other commands
 AT_ONCE = 12  # signatures in memory
+ROUNDING = 1e-9  # [s] of times
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,12 +97,48 @@ def _estimator(robot: Robot, kit: Kit, period: float) -> Filter:
     return _designed(robot, period, kit.delay, kit.jitter, tuple(kit.sensors.items()))
 
 
+class White(Disturbed):
+    """Disturbances that are white between two samples too.
+
+    Held over a period, as a regulator may think of them, they would be told by a reading from between two samples how
+    they go on: delays of 0.8 of a period would be the likeliest, 2 ms off.
+    """
+
+    def noise(self, model: SampledRobot) -> Array:
+        """W (n, n) as that of `Disturbed`, whose force and torques are other ones in each part of a period that a
+        reading divides."""
+        robot, names, dt = model.robot, list(model.linear.states), model.dt
+        seen = sensor_matrix(model.reads, turn_ratio(robot), model.kit.sensors)
+        waits = [model.kit.sensors[name].delay % dt if f"{name}@1" in names else 0.0 for name in model.reads]
+        inside = [dt - wait if dt > wait + ROUNDING and wait > ROUNDING else 0.0 for wait in waits]
+        linear = linearise(rolling(robot))
+        edges, columns = sorted({0.0, dt, *inside}), list[Array]()
+        for start, end in pairwise(edges):
+            held = linear.c2d(end - start)
+            push = (held.E[:, 0] + robot.com_height * held.E[:, 1]) * self.push_size(robot)
+            entering = np.column_stack([push, held.B * self.motor_size(robot)]) * math.sqrt(dt / (end - start))
+            column = np.zeros((len(names), 3))
+            column[:6] = _flown(linear, dt - end) @ entering
+            for name, c, h in zip(model.reads, seen, inside, strict=True):
+                if h >= end > 0:
+                    column[names.index(f"{name}@1")] = c @ _flown(linear, h - end) @ entering
+            columns.append(column)
+        walks = Disturbed(push=0.0, motor=0.0, push_walk=self.push_walk, bias_walk=self.bias_walk)
+        whole = np.concatenate(columns, axis=1)
+        return whole @ whole.T + walks.noise(replace(model, robot=robot.without_dry_friction()))
+
+
+def _flown(linear: LinearModel, h: float) -> Array:
+    """How the six states go on by themselves for h [s]."""
+    return linear.c2d(h).A if h > ROUNDING else np.eye(6)
+
+
 @lru_cache(maxsize=256)  # most numbers that a log is asked for are of motors and battery, which no filter knows
 def _designed(
     robot: Robot, period: float, delay: float, jitter: float, sensors: tuple[tuple[str, Sensor], ...]
 ) -> Filter:
     kit = Kit(name="sensors", sensors=dict(sensors), delay=delay, jitter=jitter)
-    return kalman_filter(sampled(robot, kit, period, longest=MOST_PERIODS))
+    return kalman_filter(sampled(robot, kit, period, longest=MOST_PERIODS), White())
 
 
 def surprise(path: FollowedLog) -> float:
