@@ -108,7 +108,7 @@ class White(Disturbed):
         """W (n, n) as that of `Disturbed`, whose force and torques are other ones in each part of a period that a
         reading divides."""
         robot, names, dt = model.robot, list(model.linear.states), model.dt
-        seen = sensor_matrix(model.reads, turn_ratio(robot), model.kit.sensors)
+        C = sensor_matrix(model.reads, turn_ratio(robot), model.kit.sensors)
         waits = [model.kit.sensors[name].delay % dt if f"{name}@1" in names else 0.0 for name in model.reads]
         inside = [dt - wait if dt > wait + ROUNDING and wait > ROUNDING else 0.0 for wait in waits]
         linear = linearise(rolling(robot))
@@ -119,7 +119,7 @@ class White(Disturbed):
             entering = np.column_stack([push, held.B * self.motor_size(robot)]) * math.sqrt(dt / (end - start))
             column = np.zeros((len(names), 3))
             column[:6] = _flown(linear, dt - end) @ entering
-            for name, c, h in zip(model.reads, seen, inside, strict=True):
+            for name, c, h in zip(model.reads, C, inside, strict=True):
                 if h >= end > 0:
                     column[names.index(f"{name}@1")] = c @ _flown(linear, h - end) @ entering
             columns.append(column)

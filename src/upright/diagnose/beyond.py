@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.diagnose.fall import StuckSensor
-from upright.diagnose.fault_fits import FAULT_NUMBERS, NEAR_BEST, FaultFit, as_fit, least_squares, score_of, with_pushes
+from upright.diagnose.fault_fits import FAULT_NUMBERS, FaultFit, as_fit, least_squares, score_of, with_pushes
 from upright.diagnose.innovations import FilterRun, follow
-from upright.diagnose.remedy import COMMAND_FAULTS, RARE, READING_FAULTS, SHORT, Window, again, both, exact, remedied
+from upright.diagnose.remedy import COMMAND_FAULTS, RARE, READING_FAULTS, SHORT, Window, both, remedied
 from upright.diagnose.signatures import Bank
 from upright.signals import Log
 
@@ -21,7 +21,6 @@ MOST_PAIRS = 3  # that are examined by the filter itself, of those whose signatu
 SECONDS = 2  # kinds of a second fault that are tried with pushes beside them
 RAPID = 0.75  # of the NIS, that slow steps leave where a disturbance is too rapid for them
 LOUD, BLOCK = 0.5, 0.2  # squared innovations over their mean, in blocks of so many seconds, from which they show
-SETTLED = ("weak", "delay")  # whose size matters; a dead motor has none
 STEP_COST = 0.5  # of a step of a disturbance of any shape, over that of a number that is chosen among many onsets
 
 
@@ -69,31 +68,8 @@ def paired(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank)
     what explains most of the rest."""
     alone = next((fit for fit in fits if fit.fault not in ("none", "dropped")), None)
     pairs = _seconds(alone, window.beside(alone, bank), bank) if alone else []
-    pairs += [pair for fit in _commanded(fits) for pair in _settled(run, fit, window, bank)]
     pairs += [_together(run, first, second, window, bank) for first, second in _linear(bank)]
     return sorted(pairs, key=lambda pair: -pair.score)
-
-
-def _commanded(fits: Sequence[FaultFit]) -> list[FaultFit]:
-    """The likeliest of each fault of the commands, of which the log was freed, that is not far behind the likeliest."""
-    near = [
-        fit for fit in fits if fit.fault in SETTLED and fit.run is not None and fit.score > fits[0].score - NEAR_BEST
-    ]
-    return list({fit.fault: fit for fit in reversed(near)}.values())
-
-
-def _settled(run: FilterRun, first: FaultFit, window: Window, bank: Bank) -> list[Pair]:
-    """A fault of the commands whose onset and size are searched again beside what explains most of the rest: alone, it
-    also makes good for a part of that."""
-    here = window.beside(first, bank)
-    others = [one for one in here.faults if one.fault not in (first.fault, *COMMAND_FAULTS)]
-    if not others:
-        return []
-    other = min(others, key=lambda one: least_squares(here.y, one)[1])
-    moved = exact(run, again(run, first, other.values, window, here.basis), window, bank)
-    if moved.run is None:
-        return []
-    return [pair for pair in _seconds(moved, window.beside(moved, bank), bank) if pair.second.fault == other.fault]
 
 
 def _linear(bank: Bank) -> list[tuple[FaultFit, FaultFit]]:

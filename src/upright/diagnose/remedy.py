@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -13,7 +13,7 @@ from upright.diagnose.changes import MOTORS, lost_command, scaled_sensors
 from upright.diagnose.fall import without
 from upright.diagnose.fault_fits import FaultFit, remaining, with_pushes
 from upright.diagnose.innovations import FilterRun, follow
-from upright.diagnose.signatures import YOUNGEST, Bank, bank, beside, finer
+from upright.diagnose.signatures import YOUNGEST, Bank, bank, finer
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -154,35 +154,13 @@ def _searched(recent: FilterRun, window: Window, fault: FaultFit, sizes: tuple[f
 def both(run: FilterRun, fits: Sequence[FaultFit], window: Window) -> list[FaultFit]:
     """Two faults that a log can be freed of, with the onsets and sizes that leave the smallest innovations near those
     given."""
-    return _nearest(run, fits, window, lambda y: float((y**2).sum()))
-
-
-def again(run: FilterRun, fit: FaultFit, other: Array, window: Window, basis: Array) -> FaultFit:
-    """A fault that a log can be freed of, with the onset and size that leave the smallest innovations beside another
-    one, of free amplitude, whose signature is `other`; both beside unknown parameters, whose `basis` is given."""
-    square = max(float(other @ other), 1e-12)
-
-    def squares(y: Array) -> float:
-        if len(basis) - len(y) not in range(basis.shape[1] + 1):
-            return math.inf
-        left = beside(basis, y)
-        return float(left @ left) - float(left @ other) ** 2 / square
-
-    return _nearest(run, [fit], window, squares)[0]
-
-
-def _nearest(
-    run: FilterRun, fits: Sequence[FaultFit], window: Window, squares_of: Callable[[Array], float]
-) -> list[FaultFit]:
-    """The faults near those given of which the log, freed of them, leaves the least by `squares_of` its whitened
-    innovations."""
     recent = follow(run.log.between(window.end - window.seconds - WARM_UP, math.inf), run.robot, run.kit)
 
     def squares(tried: Sequence[FaultFit]) -> float:
         freed = remedied(recent, *tried)
         if freed is None or freed.t[-1] < recent.t[-1] - SHORT:
             return math.inf
-        return squares_of(window.of(freed).whitened)
+        return float((window.of(freed).whitened ** 2).sum())
 
     best, least = list(fits), squares(fits)
     for halving in range(HALVINGS):
