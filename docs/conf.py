@@ -55,6 +55,29 @@ def restructured(_app: object, _what: str, _name: str, _thing: object, _options:
     lines[:] = re.sub(r"(?<!`)`([^`\n]+)`(?!`)", r"``\1``", text).split("\n")
 
 
+FOLDED = "folded"
+"""A section below the comment `<!-- folded -->` is the depth of a page: the site shows its title, which opens it."""
+
+
+def fold(_app: Sphinx, doctree: nodes.document, _page: str) -> None:
+    """Each such section inside `details`, whose summary is its title."""
+    marks = [m for m in doctree.findall(nodes.raw) if m.astext().strip() == f"<!-- {FOLDED} -->"]
+    for mark, section in [(mark, _after(mark)) for mark in marks]:
+        mark.parent.remove(mark)
+        section[:] = [_html("<details><summary>"), section[0], _html("</summary>"), *section[1:], _html("</details>")]
+
+
+def _after(mark: nodes.Element) -> Any:
+    """What follows a node, which is the last of the section before it, or of a part of that."""
+    while mark.parent[-1] is mark:
+        mark = mark.parent
+    return mark.parent[mark.parent.index(mark) + 1]
+
+
+def _html(text: str) -> nodes.raw:
+    return nodes.raw("", text, format="html")
+
+
 THIN = '<mspace width="0.17em" />'
 NAME = "<mi>(?:sin|cos|cosh|ln|det|arg|max|min)</mi>"
 FUNCTION = re.compile(
@@ -199,6 +222,7 @@ def spanish(_app: Sphinx, page: str, _template: str, context: dict[str, Any], _t
 
 def setup(app: Sphinx) -> None:
     app.connect("autodoc-process-docstring", restructured)
+    app.connect("doctree-resolved", fold)
     app.connect("html-page-context", accessible, priority=900)  # after furo, which makes the tree
     app.connect("html-page-context", neighbours)
     app.connect("html-page-context", readable, priority=905)

@@ -3,4 +3,16 @@ addEventListener("DOMContentLoaded", () => {
   const list = document.querySelector(".sidebar-scroll");
   const here = list?.querySelector(".current-page");
   if (here) list.scrollTop += here.getBoundingClientRect().top - list.getBoundingClientRect().top - list.clientHeight / 3;
+  unfold();
 });
+
+// What an address leads to, what is searched for, and what is printed is open.
+function unfold() {
+  const there = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  if (!there) return;
+  const own = there.querySelector(":scope > details");
+  for (let part = own ?? there; part; part = part.parentElement) if (part.localName === "details") part.open = true;
+  there.scrollIntoView();
+}
+addEventListener("hashchange", unfold);
+addEventListener("beforeprint", () => document.querySelectorAll("article details").forEach((part) => (part.open = true)));

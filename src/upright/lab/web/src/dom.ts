@@ -84,7 +84,7 @@ export function digits(value: number, count = 3): string {
 
 /** Numbers as people write them: −4.2 ×10⁻⁵ for -4.2e-05, which would break at its hyphens. */
 export function plainNumbers(text: string): string {
-  const raised = (sign: string, power: string) => ` ×10${sign === "-" ? "⁻" : ""}${power.replace(/\d/g, (d) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(d)])}`;
+  const raised = (sign: string, power: string) => `\u202f×10${sign === "-" ? "⁻" : ""}${power.replace(/\d/g, (d) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(d)])}`;
   return text.replace(/(?<=\d)e([+-]?)0*(\d+)\b/g, (_, sign: string, power: string) => raised(sign, power)).replace(/(?<=^|[\s(…])-(?=\.?\d)/g, "−");
 }
 

@@ -352,7 +352,7 @@ export class IdentifyPanel extends Panel {
     const plain = (text: string) => text.replace(/\bin-(?=[\w.-]+\.\w+)/g, "").replace(/\b[a-z]+(_[a-z]+)+\b/g, (name) => name.replaceAll("_", " ")); // names of files and parameters
     const text = lines.map((line) => h("p", { className: "note", lang: translated(line) ? "" : "en" }, plain(translate(line))));
     const words = (cells: string[]) => cells.map((cell) => plainNumbers(translate(f.job === "calibrate" ? cell.replaceAll("_", " ") : cell)));
-    replace(this.result, h("h4", {}, plain(translate(f.title))), ...text, f.rows.length ? table(f.header.map(translate), f.rows.map(words)) : null);
+    replace(this.result, h("h4", {}, plain(translate(f.title))), ...text, f.rows.length ? table(f.header.map(translate), f.rows.map(words), f.job) : null);
   }
 }
 
