@@ -56,6 +56,7 @@ GAP = "delay/gyro−encoder"  # a difference of two that are counted
 HELD, RELEASED = 0.1, 1.0  # [rad], [s]
 RUNS = 3
 """Of each family."""
+HEAVIER = 1.2  # [1] the body's mass in one run of three, over that in the others
 FLOOR = 0.003
 """[N m] Rolling friction of a family whose robot's file asks for it: its log says so (docs/calibrate.md)."""
 
@@ -114,10 +115,11 @@ def runs_of(name: str, true: Robot, seed: int) -> list[Log]:
 
 def families(name: str, seeds: int) -> None:
     """How often the robot's own number lies in the interval of what is called visible, of its three runs together and
-    of the first alone, where friction, winding and floor differ from run to run."""
+    of the first alone, where friction, winding and floor differ from run to run; and how often a run is said to differ
+    from the others, where none does and where one has another body."""
     robot = Robot.preset(name)
     held: dict[str, dict[str, list[bool]]] = {"three runs": {}, "one of them": {}}
-    left_out = 0
+    left_out, apart = 0, {"alike": [], "one is heavier": []}
     for seed in range(seeds):
         true = drawn(robot, seed)
         if ROLLING in robot.provenance:
@@ -126,9 +128,16 @@ def families(name: str, seeds: int) -> None:
         if any(log.origin["outcome"]["fell"] for log in logs):
             left_out += 1
             continue
+        heavier = runs_of(name, true.replace(body_mass=HEAVIER * true.body_mass), seed)[seed % RUNS]
+        mixed = [heavier if run == seed % RUNS else log for run, log in enumerate(logs)]
+        if not heavier.origin["outcome"]["fell"]:
+            said = calibrate(mixed, robot).apart
+            apart["one is heavier"].append(bool(said) and said[0].startswith(f"Log {seed % RUNS + 1},"))
         right = truth(name, true) | {"unstable_pole": rolling_pole(true)}
         for which, several in (("three runs", logs), ("one of them", logs[:1])):
             found = calibrate(several, robot)
+            if several is logs:
+                apart["alike"].append(bool(found.apart))
             for e in (*found.parameters, *found.delays, found["asymmetry"], found["unstable_pole"]):
                 if e.verdict == VISIBLE:
                     held[which].setdefault(e.name, []).append(e.low <= right[e.name] <= e.high)
@@ -139,6 +148,9 @@ def families(name: str, seeds: int) -> None:
               f"{sum(every)} of {len(every)} intervals, {rate:.1%}")  # fmt: skip
         missed = {n: f"{len(v) - sum(v)} of {len(v)}" for n, v in inside.items() if not all(v)}
         print("  missed:", ", ".join(f"{n} {count}" for n, count in missed.items()) or "none", flush=True)
+    print(f"  a run said to differ from the others: {sum(apart['alike'])} of {len(apart['alike'])} where all are alike; "
+          f"the right one in {sum(apart['one is heavier'])} of {len(apart['one is heavier'])} where its body weighs "
+          f"{HEAVIER:g} times as much", flush=True)  # fmt: skip
 
 
 def truth(name: str, true: Robot) -> dict[str, float]:

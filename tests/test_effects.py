@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
+from upright.calibrate.apart import apart
 from upright.calibrate.calibrate import FREEDOM, prepared, process
 from upright.calibrate.effects import RUN, SHARES, effects_of, maps_of, of_robot, respread
 from upright.calibrate.gauss_newton import gauss_newton
@@ -27,8 +28,8 @@ SLOPE_TORQUE = (PRIOR.body_mass + 2 * PRIOR.wheel_mass) * PRIOR.gravity * PRIOR.
 """[N m/rad] of each wheel that holds a robot on a slope."""
 
 
-def logged(friction: float, slope: float, seed: int, seconds: float = 5.0) -> Log:
-    body = Electronics(NonlinearBody(TRUE.replace(motor_friction=friction * TRUE.motor_friction)), NXT)
+def logged(friction: float, slope: float, seed: int, seconds: float = 5.0, robot: Robot = TRUE) -> Log:
+    body = Electronics(NonlinearBody(robot.replace(motor_friction=friction * TRUE.motor_friction)), NXT)
     controller = Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, NXT))
     excited = Excited(controller, random_binary(round(seconds / 0.01), 1.5, seed, hold=4))
     return run(body, excited, seconds=seconds, seed=seed, push=Slope(angle=slope))
@@ -53,6 +54,25 @@ def test_runs_share_a_robot_and_differ_in_what_is_theirs() -> None:
             i = names.index(name)
             spread = np.sqrt(map_[i] @ C @ map_[i])
             assert abs(own[i] - problem.asked[i].coordinate(value)) < 3 * spread + 0.05, (run_, name)
+
+
+@pytest.mark.slow
+def test_a_run_of_another_robot_is_named_and_what_belongs_to_a_run_is_not() -> None:
+    """Friction and slopes of three runs differ: none is another robot's. With a body of 1.3 times its mass in one run
+    that one differs by 5 deviations and more, beyond the 3.6 that one chance in 20 allows of 24 numbers and runs."""
+    heavier = TRUE.replace(body_mass=1.3 * TRUE.body_mass)
+    logs = [logged(*effects, seed, 3.0) for seed, effects in enumerate(RUNS)]
+    assert apart_of(logs) == ()
+    (words,) = apart_of([logs[0], logged(*RUNS[1], 1, 3.0, heavier), logs[2]])
+    assert words.startswith("Log 2, b, differs from the other runs")
+    assert "friction" not in words
+
+
+def apart_of(logs: list[Log]) -> tuple[str, ...]:
+    problem, _ = prepared(logs, PRIOR, NXT, (), 0.0)
+    problem = replace(problem, noise=problem.noise | process(problem.recordings, PRIOR, FREEDOM / 10))
+    z = gauss_newton(problem, np.zeros(len(problem.parameters)), iterations=6, tolerance=0.2).z
+    return apart(problem, z, "abc")
 
 
 def test_a_robot_is_the_mean_of_its_runs_and_as_unknown_as_they_differ() -> None:

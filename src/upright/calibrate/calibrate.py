@@ -36,13 +36,12 @@ from upright.doctor.doctor import contradictions
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import DesignFailed, InvalidLog
 from upright.logs.mapping import Mapping as Columns
-from upright.logs.marks import marks_of
 from upright.logs.pace import pace_of
-from upright.logs.raw import LogSource, named, raw_log
+from upright.logs.raw import LogSource, raw_log
 from upright.logs.recording import SENSOR, Recording, commanded, first_noise, head, record
 from upright.physics.dynamics import motor_gain
 from upright.progress import Progress, unwatched
-from upright.robots import FittedLog, Kit, Robot, find_kit, find_robot
+from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -115,6 +114,7 @@ def calibrate(
     `held_out` of each log is not fitted; predictions are tested on it. Knocks in a log are named, and left out with
     `between_knocks`. Raises `InvalidLog` for unusable logs, `DesignFailed` where no start follows the log.
     """
+    from upright.calibrate.apart import apart
     from upright.calibrate.summary import summarised
 
     began = time.perf_counter()
@@ -146,14 +146,7 @@ def calibrate(
         own = result.kit or parts
         noise = one_step_noise(max(several, key=len), result.robot, own, delay=_dead_time(own, several))
         result = replace(result, robot=result.robot.replace(noise=noise))
-    return replace(result, robot=result.robot.replace(fitted=tuple(map(_fitted_part, several, problem.recordings))))
-
-
-def _fitted_part(log: Log, recording: Recording) -> FittedLog:
-    """Which rows of a log were fitted."""
-    times = recording.when[recording.fitted]
-    part = log.between(float(times.min()), float(times.max()) + log.period / 2)
-    return FittedLog(named(log), float(part.t[0]), float(part.t[-1]), marks_of(part))
+    return result if reason else replace(result, apart=apart(problem, z, result.sources))
 
 
 def prepared(

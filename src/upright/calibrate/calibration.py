@@ -163,7 +163,7 @@ class Calibration(Shown):
     part kept back, `segments` R² of free simulation. `notes` are sentences for the reader. `refused` says why the fit
     is no description of this robot: then no number is called visible. `widening` is by how much the intervals of what
     is visible are wider than those of a right model, `supported` how many numbers and combinations such a model would
-    have visible. `quiet` says why the logs can give no inertia."""
+    have visible. `quiet` says why the logs can give no inertia, `apart` which of several runs differs from the rest."""
 
     robot: Robot
     prior: Robot
@@ -189,6 +189,7 @@ class Calibration(Shown):
     widening: float = 1.0
     supported: int = 0
     quiet: str = ""
+    apart: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         covariance = np.array(self.covariance, dtype=np.float64)
@@ -202,7 +203,7 @@ class Calibration(Shown):
 
     def check(self) -> tuple[str, ...]:
         """What is wrong with this calibration, from its own numbers; nothing where it may be trusted."""
-        wrong = [*self.refused, *([self.quiet] if self.quiet else [])]
+        wrong = [*self.refused, *([self.quiet] if self.quiet else []), *self.apart]
         wrong += [
             f"{e.name}: {e.low:g} ≤ {e.value:g} ≤ {e.high:g} does not hold"
             for e in self.parameters
@@ -265,7 +266,8 @@ class Calibration(Shown):
             "temper": self.temper, "widening": self.widening, "supported": self.supported,
             "samples": self.samples, "seconds": self.seconds, "sources": list(self.sources),
             "notes": list(self.notes), "unseen": list(self.unseen), "refused": list(self.refused),
-            "quiet": self.quiet, "wrong": list(self.check()), "file": self.known_robot().to_toml(),
+            "quiet": self.quiet, "apart": list(self.apart), "wrong": list(self.check()),
+            "file": self.known_robot().to_toml(),
         }  # fmt: skip
 
     def plot(self) -> Figure:
@@ -320,7 +322,7 @@ class Calibration(Shown):
         followed = [f"R² of predictions over half a second: {', '.join(scores)}"] if scores else []
         lines = [_line(e) for e in (*self.parameters, *self.delays, *self.electronics)]
         lines += ["Coefficients of the motion:", *(_line(e) for e in self.combinations)]
-        return "\n".join([head, *refused, *followed, *lines, *self.which_pole, *self.unseen, *self.notes])
+        return "\n".join([head, *refused, *followed, *self.apart, *lines, *self.which_pole, *self.unseen, *self.notes])
 
     @property
     def which_pole(self) -> tuple[str, ...]:

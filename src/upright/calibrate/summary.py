@@ -31,10 +31,12 @@ from upright.calibrate.informativity import information, posterior, unseen_direc
 from upright.calibrate.judge import proposed, reasons
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, columns, with_values
 from upright.calibrate.validate import segments, steps_ahead, whiteness
+from upright.logs.marks import marks_of
 from upright.logs.raw import named
+from upright.logs.recording import Recording
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.physics.linear import unstable_pole
-from upright.robots import PARAMETERS, Provenance, Robot
+from upright.robots import PARAMETERS, FittedLog, Provenance, Robot
 from upright.signals import Log
 from upright.tables import sentence
 
@@ -77,7 +79,7 @@ def summarised(
     z, C = of_robot(problem.parameters, z, posterior(problem, normal, paths) + _floor(problem), runs)
     spread = np.sqrt(np.diag(C))
     every = [_estimate(p, float(z[i]), float(spread[i]), p.name in problem.held) for i, p in enumerate(problem.asked)]
-    combinations = _combinations(problem, z)
+    combinations = combined_numbers(problem, z)
     combined = tuple(_combined(c, C) for c in combinations)
     widening = _widening(C, right, every, combinations)
     supported = sum(right[i, i] < HALVED**2 for i, p in enumerate(problem.asked) if p.name not in problem.held)
@@ -92,6 +94,7 @@ def summarised(
     parameters = tuple(by_name[name] for name in names if name in PARAMETERS)
     sources = tuple(map(named, logs))
     robot = _calibrated(problem, z, parameters, sources)
+    robot = robot.replace(fitted=tuple(map(_fitted_part, logs, problem.recordings)))
     return Calibration(
         robot=robot,
         prior=problem.robot,
@@ -117,6 +120,13 @@ def summarised(
         unseen=tuple(unseen_directions(problem, normal)),
         refused=refused,
     )
+
+
+def _fitted_part(log: Log, recording: Recording) -> FittedLog:
+    """Which rows of a log were fitted."""
+    times = recording.when[recording.fitted]
+    part = log.between(float(times.min()), float(times.max()) + log.period / 2)
+    return FittedLog(named(log), float(part.t[0]), float(part.t[-1]), marks_of(part))
 
 
 def _withdrawn(e: Estimate, verdict: str) -> Estimate:
@@ -180,7 +190,7 @@ class _Combination(NamedTuple):
     slopes: Array
 
 
-def _combinations(problem: Problem, z: Array) -> list[_Combination]:
+def combined_numbers(problem: Problem, z: Array) -> list[_Combination]:
     """Each combination at z (parameters,)."""
     lanes = around(z)
     numbers, prior = (columns(problem.robot, problem.values(at)) for at in (lanes, 0 * lanes))

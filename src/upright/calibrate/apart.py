@@ -1,0 +1,121 @@
+"""Runs of one robot that differ from the others in what no run should change: masses, lengths, inertias.
+
+Each run is fitted alone, and the others together, from the optimum of all at its noise. Where a number of the robot,
+or a coefficient of its motion, then differs by more than chance, the run is not one of the same robot, or something in
+it is not in the equations. What belongs to a run (`effects`) is no such number.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import ndtri
+
+from upright.calibrate.calibration import NORMAL
+from upright.calibrate.effects import RUN, run_spreads
+from upright.calibrate.fitting import Normal, Path, Problem
+from upright.calibrate.gauss_newton import gauss_newton
+from upright.calibrate.informativity import posterior
+from upright.calibrate.summary import HALVED, combined_numbers
+
+Array = NDArray[np.float64]
+
+COEFFICIENTS = ("a11", "a12", "a22", "weight_moment", "a22/a11", "weight_moment/a22")
+"""Those of the combinations that friction, winding and supply are not in."""
+CHANCE = 0.05  # probability that runs of one robot are said to differ, over all numbers and runs
+ITERATIONS = 10  # of Gauss–Newton, from the optimum of all runs
+MOST_NAMED = 2  # numbers in a sentence
+
+
+class _Number(NamedTuple):
+    """A number at a coordinate with a standard deviation, its interval, and whether the readings tell it."""
+
+    name: str
+    unit: str
+    at: float
+    spread: float
+    value: float
+    low: float
+    high: float
+    visible: bool
+
+    def __str__(self) -> str:
+        return f"{self.value:.3g} ({self.low:.3g} to {self.high:.3g})"
+
+
+class _Gap(NamedTuple):
+    """By how many standard deviations a number of a run differs from that of the others."""
+
+    deviations: float
+    run: int
+    own: _Number
+    others: _Number
+
+
+def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]:
+    """Which run differs from the others and in what, in words; nothing where none does. `z` (parameters,) is the fit of
+    all runs, `sources` are their names."""
+    runs = range(len(problem.recordings))
+    if len(runs) < 2:
+        return ()
+    gaps: list[_Gap] = []
+    for run in runs if len(runs) > 2 else (0,):
+        rest = [other for other in runs if other != run]
+        for one, other in zip(*(_numbers(*_fitted(problem, z, part)) for part in ([run], rest)), strict=True):
+            if one.visible or other.visible:
+                gaps.append(_Gap(abs(one.at - other.at) / math.hypot(one.spread, other.spread), run, one, other))
+    limit = -float(ndtri(CHANCE / 2 / max(len(gaps), 1)))
+    beyond = [gap for gap in gaps if gap.deviations > limit]
+    if not beyond:
+        return ()
+    run = max(beyond).run
+    named = sorted((g for g in beyond if g.run == run), key=lambda g: (g.own.name not in COEFFICIENTS, -g.deviations))
+    words = "; ".join(
+        f"{g.own.name} {g.own} and {g.others}{'' if g.own.unit == '1' else f' {g.own.unit}'}, "
+        f"{g.deviations:.1f} deviations"
+        for g in named[:MOST_NAMED]
+    )
+    if len(runs) == 2:
+        return (f"{sources[0]} and {sources[1]} differ: {words}. Two runs cannot say which one has changed.",)
+    return (
+        f"Log {run + 1}, {sources[run]}, differs from the other runs: {words}. Look for what changed, or leave it out.",
+    )
+
+
+def _fitted(problem: Problem, z: Array, runs: Sequence[int]) -> tuple[Problem, Array, Normal, Sequence[Path]]:
+    """Some of the runs fitted by themselves."""
+    shared = [i for i, p in enumerate(problem.parameters) if not p.name.startswith(RUN)]
+    parameters, first = [problem.parameters[i] for i in shared], problem.of_run(z[:, None], runs[0])[:, 0]
+    if len(runs) > 1:
+        first = z[shared]
+        for new, run in enumerate(runs):
+            for p, at in zip(problem.parameters, z, strict=True):
+                if p.name.startswith(f"{RUN}{run}/"):
+                    parameters.append(replace(p, name=f"{RUN}{new}/{p.name.partition('/')[2]}"))
+                    first = np.append(first, at)
+    part = replace(problem, recordings=tuple(problem.recordings[run] for run in runs), parameters=tuple(parameters))
+    least = gauss_newton(part, first, iterations=ITERATIONS)
+    return part, least.z, least.normal, least.paths
+
+
+def _numbers(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> list[_Number]:
+    """The robot's numbers that no run should change, and the coefficients of its motion."""
+    C, differ = posterior(problem, normal, paths), run_spreads(problem.asked)
+    numbers: list[_Number] = []
+    for i, p in enumerate(problem.asked):
+        spread = float(np.sqrt(C[i, i]))
+        if p.name not in differ and p.name not in problem.held:
+            at = float(z[i])
+            value, low, high = (float(p.value(at + side * spread)) for side in (0.0, -NORMAL, NORMAL))
+            numbers.append(_Number(p.name, p.unit, at, spread, value, low, high, spread < HALVED))
+    for c in combined_numbers(problem, z):
+        spread, before = float(np.sqrt(c.slopes @ C @ c.slopes)), float(np.linalg.norm(c.slopes))
+        if c.name in COEFFICIENTS and before > 0:
+            low, high = (c.value + side * spread for side in (-NORMAL, NORMAL))
+            numbers.append(_Number(c.name, c.unit, c.value, spread, c.value, low, high, spread < HALVED * before))
+    return numbers
