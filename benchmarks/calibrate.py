@@ -148,9 +148,9 @@ def families(name: str, seeds: int) -> None:
               f"{sum(every)} of {len(every)} intervals, {rate:.1%}")  # fmt: skip
         missed = {n: f"{len(v) - sum(v)} of {len(v)}" for n, v in inside.items() if not all(v)}
         print("  missed:", ", ".join(f"{n} {count}" for n, count in missed.items()) or "none", flush=True)
-    print(f"  a run said to differ from the others: {sum(apart['alike'])} of {len(apart['alike'])} where all are alike; "
-          f"the right one in {sum(apart['one is heavier'])} of {len(apart['one is heavier'])} where its body weighs "
-          f"{HEAVIER:g} times as much", flush=True)  # fmt: skip
+    alike, heavier = (f"{sum(several)} of {len(several)}" for several in apart.values())
+    print(f"  a run is said to differ from the others: {alike} where all are alike; the right one in {heavier} where "
+          f"its body weighs {HEAVIER:g} times as much", flush=True)  # fmt: skip
 
 
 def truth(name: str, true: Robot) -> dict[str, float]:

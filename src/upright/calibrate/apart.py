@@ -56,35 +56,38 @@ class _Gap(NamedTuple):
     own: _Number
     others: _Number
 
+    def __str__(self) -> str:
+        unit = "" if self.own.unit == "1" else f" {self.own.unit}"
+        return f"{self.own.name} {self.own} and {self.others}{unit}, {self.deviations:.1f} deviations"
+
 
 def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]:
     """Which run differs from the others and in what, in words; nothing where none does. `z` (parameters,) is the fit of
     all runs, `sources` are their names."""
-    runs = range(len(problem.recordings))
-    if len(runs) < 2:
-        return ()
-    gaps: list[_Gap] = []
-    for run in runs if len(runs) > 2 else (0,):
-        rest = [other for other in runs if other != run]
-        for one, other in zip(*(_numbers(*_fitted(problem, z, part)) for part in ([run], rest)), strict=True):
-            if one.visible or other.visible:
-                gaps.append(_Gap(abs(one.at - other.at) / math.hypot(one.spread, other.spread), run, one, other))
+    runs = len(problem.recordings)
+    gaps = _gaps(problem, z, runs)
     limit = -float(ndtri(CHANCE / 2 / max(len(gaps), 1)))
     beyond = [gap for gap in gaps if gap.deviations > limit]
     if not beyond:
         return ()
     run = max(beyond).run
     named = sorted((g for g in beyond if g.run == run), key=lambda g: (g.own.name not in COEFFICIENTS, -g.deviations))
-    words = "; ".join(
-        f"{g.own.name} {g.own} and {g.others}{'' if g.own.unit == '1' else f' {g.own.unit}'}, "
-        f"{g.deviations:.1f} deviations"
-        for g in named[:MOST_NAMED]
-    )
-    if len(runs) == 2:
+    words = "; ".join(map(str, named[:MOST_NAMED]))
+    if runs == 2:
         return (f"{sources[0]} and {sources[1]} differ: {words}. Two runs cannot say which one has changed.",)
-    return (
-        f"Log {run + 1}, {sources[run]}, differs from the other runs: {words}. Look for what changed, or leave it out.",
-    )
+    which = f"Log {run + 1}, {sources[run]},"
+    return (f"{which} differs from the other runs: {words}. Look for what changed, or leave it out.",)
+
+
+def _gaps(problem: Problem, z: Array, runs: int) -> list[_Gap]:
+    """Each number of each run against that of the others, of those that either tells."""
+    gaps: list[_Gap] = []
+    for run in range(runs) if runs > 2 else range(runs - 1):
+        rest = [other for other in range(runs) if other != run]
+        for one, other in zip(*(_numbers(*_fitted(problem, z, part)) for part in ([run], rest)), strict=True):
+            if one.visible or other.visible:
+                gaps.append(_Gap(abs(one.at - other.at) / math.hypot(one.spread, other.spread), run, one, other))
+    return gaps
 
 
 def _fitted(problem: Problem, z: Array, runs: Sequence[int]) -> tuple[Problem, Array, Normal, Sequence[Path]]:

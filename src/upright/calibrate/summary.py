@@ -93,8 +93,7 @@ def summarised(
     by_name = {e.name: e for e in every} | ({"roll_inertia": _roll_inertia(problem, combined[0])})
     parameters = tuple(by_name[name] for name in names if name in PARAMETERS)
     sources = tuple(map(named, logs))
-    robot = _calibrated(problem, z, parameters, sources)
-    robot = robot.replace(fitted=tuple(map(_fitted_part, logs, problem.recordings)))
+    robot = _calibrated(problem, z, parameters, logs)
     return Calibration(
         robot=robot,
         prior=problem.robot,
@@ -170,14 +169,15 @@ def _roll_inertia(problem: Problem, roll: Estimate) -> Estimate:
     return replace(roll, low=max(roll.low, 0.0), verdict=verdict)
 
 
-def _calibrated(problem: Problem, z: Array, every: Sequence[Estimate], sources: Sequence[str]) -> Robot:
-    """The robot with its new numbers, each with where it comes from and its deviation."""
-    origin = ", ".join(dict.fromkeys(sources))
+def _calibrated(problem: Problem, z: Array, every: Sequence[Estimate], logs: Sequence[Log]) -> Robot:
+    """The robot with its new numbers, each with where it comes from and its deviation, and the logs."""
+    origin = ", ".join(dict.fromkeys(map(named, logs)))
     sources_of = {
         n.name: Provenance(f"calibrated from {origin}; {n.verdict}", n.spread) for n in every if n.verdict != HELD
     }
     robot = _robot_at(problem, z)
-    return robot.replace(provenance={**problem.robot.provenance, **sources_of}, name=problem.robot.name)
+    fitted = tuple(map(_fitted_part, logs, problem.recordings))
+    return robot.replace(provenance={**problem.robot.provenance, **sources_of}, name=problem.robot.name, fitted=fitted)
 
 
 class _Combination(NamedTuple):
