@@ -344,6 +344,33 @@ def _stuck(channel: str, first: int, last: int | None = None) -> Plant:
     return plant
 
 
+def _one_turn(log: Log, _: np.random.Generator) -> Log | RawTable:
+    """Encoders that count one turn only, as absolute ones do."""
+    return changed(log, {name: log[name] % (2 * np.pi) for name in (LEFT, RIGHT)})
+
+
+def _eight_bits(log: Log, _: np.random.Generator) -> Log | RawTable:
+    """A counter of eight bits, of 1000 counts a turn."""
+    step = 2 * np.pi / 1000
+    return changed(log, {LEFT: np.round(log[LEFT] / step) % 256 * step})
+
+
+def _odd_readings(channel: str, value: float) -> Plant:
+    """One reading in a hundred is `value`: a bad cable, a lost message."""
+
+    def plant(log: Log, rng: np.random.Generator) -> Log | RawTable:
+        x = log[channel].copy()
+        x[rng.choice(len(x), len(x) // 100, replace=False)] = value
+        return changed(log, {channel: x})
+
+    return plant
+
+
+def _coarse_clock(log: Log, _: np.random.Generator) -> Log | RawTable:
+    """A clock that counts tenths of a second."""
+    return RawTable({"t": np.round(log.t, 1), **log.channels}, dict(log.units))
+
+
 CASES: Sequence[Case] = (
     Case("gyro in degrees", "nxt", scaled(180 / np.pi, GYRO), "units/scale", GYRO),
     Case("gyro in degrees, torque drive", "torque", scaled(180 / np.pi, GYRO), "units/scale", GYRO),
@@ -369,6 +396,11 @@ CASES: Sequence[Case] = (
     Case("gyro stuck from the middle on", "nxt", _stuck(GYRO, 600), "channel/stuck", GYRO),
     Case("gyro stuck for 1 s", "ev3", _stuck(GYRO, 400, 500), "channel/stuck", GYRO),
     Case("left encoder stuck for 1 s", "nxt", _stuck(LEFT, 800, 900), "channel/stuck", LEFT),
+    Case("encoders count one turn", "nxt", _one_turn, "encoder/wrapped"),
+    Case("left counter of 8 bits", "ev3", _eight_bits, "encoder/wrapped", LEFT),
+    Case("1 % of gyro readings are 9 rad/s", "nxt", _odd_readings(GYRO, 9.0), "channel/outliers", GYRO),
+    Case("1 % of left readings are 20 rad", "ev3", _odd_readings(LEFT, 20.0), "channel/outliers", LEFT),
+    Case("clock of tenths of a second", "nxt", _coarse_clock, "time/coarse"),
     Case("rows twice", "ev3", _twice, "time/repeated"),
     Case("time jumps back", "nxt", _backwards, "time/backwards"),
     Case("rows in disorder", "ev3", _disordered, "time/backwards"),

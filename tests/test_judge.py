@@ -158,7 +158,7 @@ def test_what_is_refused_is_not_used_elsewhere(tmp_path: Path, monkeypatch: pyte
     monkeypatch.setattr(learnt, "calibrate", lambda *_, **__: refused)
     monkeypatch.setattr(learnt, "as_logged", lambda _, course: (course, (), ()))
     monkeypatch.setattr(learnt, "unpushed", lambda log, *_: log)
-    monkeypatch.setattr(certificate, "raw_log", lambda *_: SimpleNamespace())
+    monkeypatch.setattr(certificate, "raw_log", lambda *_: Log(np.arange(9.0), {}, {}))
     with pytest.raises(InvalidLog, match="another robot"):
         certify("lqr", ROBOT, "nxt", samples=100, log="run.csv")
     path = tmp_path / "posterior.json"

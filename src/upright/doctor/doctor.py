@@ -31,6 +31,7 @@ from upright.doctor.finding import (
 )
 from upright.doctor.fixes import repaired
 from upright.doctor.wheels import record_of
+from upright.doctor.wrapped import wrapped
 from upright.errors import InvalidLog
 from upright.logs.mapping import GUESS, Mapping, Source, channels_of, find_mapping, propose
 from upright.logs.readers import RawTable, read_table, table_of
@@ -247,7 +248,8 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [time.order],
         [time.unit],
         [time.jump],
-        [sensors.dead, sensors.repeated, time.steps],
+        [wrapped],
+        [sensors.dead, sensors.outliers, sensors.repeated, time.steps],
         [sensors.stuck, units.constants],
         [motion.kinds],
         [motion.signs],
@@ -269,13 +271,14 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
 
 
 _COUNTS = "units/counts"  # of a channel that no check can read, since its unit is unknown
-_TIMED = 4  # the stage after which time and readings are whole, and the poses can be read
+_TIMED = 5  # the stage after which time and readings are whole, and the poses can be read
 
 _STAGE_OF = {
-    "time/missing": 0, "time/backwards": 1, "time/repeated": 1, "time/unit": 2, "time/jump": 3, "time/gap": 3,
-    "samples/repeated": 4, "channel/holes": 4,
-    "units/scale": 10, "motion/integrated": 7, "motion/differentiated": 7, "motion/flipped": 8, "motion/swapped": 9,
-    "units/command": 11, "delay/sensor": 12, "delay/command": 12, "gyro/bias": 12, "time/dropped": 20,
+    "time/missing": 0, "time/backwards": 1, "time/repeated": 1, "time/coarse": 1, "time/unit": 2,
+    "time/jump": 3, "time/gap": 3,
+    "encoder/wrapped": 4, "samples/repeated": 5, "channel/holes": 5, "channel/outliers": 5,
+    "motion/integrated": 8, "motion/differentiated": 8, "motion/flipped": 9, "motion/swapped": 10, "units/scale": 11,
+    "units/command": 12, "delay/sensor": 13, "delay/command": 13, "gyro/bias": 13, "time/dropped": 20,
     "time/jitter": 20,
     "segment/cut": 21,
 }  # fmt: skip

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.doctor.finding import Array, Fix, Record
+from upright.logs.outliers import grain_of, single
 
 
 def repaired(record: Record, fix: Fix) -> Record:
@@ -68,6 +69,20 @@ def _unique(record: Record, fix: Fix) -> Record:  # noqa: ARG001
     return record.rows(np.concatenate([[True], np.diff(record.t) > 0]))
 
 
+def _spread(record: Record, fix: Fix) -> Record:  # noqa: ARG001
+    """Rows evenly between the steps of a coarse clock: over the whole log where its times allow, else in each step."""
+    first = np.flatnonzero(np.concatenate([[True], np.diff(record.t) > 0]))
+    if len(first) < 2:
+        return record
+    rows, steps = np.arange(len(record.t), dtype=np.float64), np.diff(record.t[first])
+    period, start = np.polyfit(rows, record.t, 1)
+    even = start + period * rows
+    if float(np.abs(even - record.t).max()) < float(np.median(steps)):
+        return replace(record, t=even - even[0] + record.t[0])
+    known = np.append(record.t[first], record.t[first[-1]] + period * (len(rows) - first[-1]))
+    return replace(record, t=np.interp(rows, np.append(first, len(rows)), known))
+
+
 def _finite_time(record: Record, fix: Fix) -> Record:  # noqa: ARG001
     return record.rows(np.isfinite(record.t))
 
@@ -95,6 +110,22 @@ def _bridge(record: Record, fix: Fix) -> Record:
     def change(x: Array) -> Array:
         fresh = ~stale(x)
         return np.interp(record.t, record.t[fresh], x[fresh])
+
+    return _each(record, fix, change)
+
+
+def _single(record: Record, fix: Fix) -> Record:
+    """Replace single readings far from their neighbours by linear interpolation."""
+    return _each(record, fix, lambda x: np.interp(record.t, record.t[~single(x)], x[~single(x)]))
+
+
+def _unwrap(record: Record, fix: Fix) -> Record:
+    """Add periods of `numbers[0]` where the readings begin again."""
+
+    def change(x: Array) -> Array:
+        fine, whole = np.isfinite(x), x.copy()
+        whole[fine] = np.unwrap(x[fine], period=fix.numbers[0])
+        return whole
 
     return _each(record, fix, change)
 
@@ -139,13 +170,6 @@ def beside(mask: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
     return maximum_filter1d(mask.astype(np.uint8), 2 * reach + 1, mode="constant").astype(np.bool_)
 
 
-def grain_of(x: Array) -> float:
-    """Quantisation step: the 0.1 % quantile of the nonzero steps between readings (0 where there are none)."""
-    steps = np.abs(np.diff(x))
-    steps = np.sort(steps[steps > 1e-12 * (1 + float(np.nanmax(np.abs(x))))])
-    return float(steps[len(steps) // 1000]) if len(steps) else 0.0
-
-
 COARSE = 12  # different readings, up to which a channel is too coarse to differentiate
 
 
@@ -158,4 +182,5 @@ FIXES: dict[str, Callable[[Record, Fix], Record]] = {
     "scale": _scale, "offset": _offset, "swap": _swap, "differentiate": _differentiate, "integrate": _integrate,
     "earlier": _earlier, "percent": _percent, "time scale": _time_scale, "sort": _sort, "unique": _unique,
     "finite time": _finite_time, "rows": _row_range, "cut": _cut, "even": _even, "bridge": _bridge, "fill": _fill,
+    "unwrap": _unwrap, "single": _single, "spread": _spread,
 }  # fmt: skip

@@ -185,7 +185,7 @@ def lagged(
     if _moving((X - X.mean(axis=0)) @ values) * m.period < _LEAST_KERNELS * width:
         return LaggedFit((), 0.0)
     left_over = 1 - r2s[[j for j in (i - 2, i, i + 2) if 0 <= j < len(r2s)]]
-    sharp = float(np.sort(left_over)[1] / max(1 - r2s[i], 1e-12))
+    sharp = float(np.sort(left_over)[min(1, len(left_over) - 1)] / max(1 - r2s[i], 1e-12))
     return LaggedFit(tuple(values.tolist()), r2, float((shifts[i] + part) * m.period), sharp)
 
 

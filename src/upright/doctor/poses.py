@@ -31,8 +31,9 @@ from upright.doctor.finding import (
     Record,
     Segment,
 )
-from upright.doctor.fixes import grain_of, runs
+from upright.doctor.fixes import runs
 from upright.doctor.physics import Resampled, resampled, smooth, widths
+from upright.logs.outliers import grain_of
 
 Mask = NDArray[np.bool_]
 

@@ -8,8 +8,8 @@ import numpy as np
 
 from upright.doctor.delays import command_delay
 from upright.doctor.finding import Finding, Record, note, warning
-from upright.doctor.fixes import grain_of
 from upright.doctor.physics import Resampled, backward_rate, motion, motor, pendulum, responses
+from upright.logs.outliers import grain_of
 
 _SURE = 3.0  # standard deviations by which the response must be too small
 _GRAINS = 3.0  # [quantisation steps of the command] a smaller unpredictable part is rounding in the driver

@@ -21,13 +21,15 @@ from upright.doctor.finding import (
     Fix,
     Record,
     error,
+    moment,
     note,
     warning,
 )
-from upright.doctor.fixes import COARSE, grain_of, levels, runs, stale
+from upright.doctor.fixes import COARSE, levels, runs, stale
 from upright.doctor.physics import motion, resampled, smooth, widths
 from upright.doctor.poses import lean_of
 from upright.doctor.segments import on_wheels
+from upright.logs.outliers import LEVELS, at_range, grain_of, single
 
 QUIET = 0.012
 """Amplitude of the pitch [rad] below which inertias are hardly identifiable: gravity then gives less torque than
@@ -83,6 +85,23 @@ def repeated(record: Record) -> list[Finding]:
         evidence += f"{chance:.0f} expected by chance), the first near {first:.4g} s"
         fix = Fix("bridge", (name,))
         findings.append(warning("samples/repeated", name, evidence, "interpolate them linearly", fix))
+    return findings
+
+
+def outliers(record: Record) -> list[Finding]:
+    """Single readings far from those before and after, where no robot is so fast: a bad cable or a lost message."""
+    findings: list[Finding] = []
+    for name in (name for name in (LEFT, RIGHT, GYRO) if name in record):
+        alone = single(record[name])
+        if alone.any():
+            row, unit = int(np.argmax(alone)), record.units.get(name, "").replace("1", "")
+            evidence = (
+                f"{int(alone.sum())} of {len(alone)} readings stand alone, far from those before and after; the first, "
+                f"{record[name][row]:.4g} {unit}".rstrip()
+                + f", at {moment(float(record.t[row]))} s"
+            )
+            repair = "interpolate them linearly; check the cable"
+            findings.append(warning("channel/outliers", name, evidence, repair, Fix("single", (name,))))
     return findings
 
 
@@ -143,23 +162,20 @@ def _equal_steps(x: Array) -> tuple[int, float, int]:
     return int((steps == 0).sum()), near / 4, int(moving.sum())
 
 
-PILED = 0.003  # [1] of the rows that are at the largest value
-_LEVELS = 10.0  # [quantisation steps] a gyro whose largest reading is smaller is at rest, not saturated
-
-
 def saturation(record: Record) -> list[Finding]:
     """Commands and gyro that stay at their largest value."""
     findings: list[Finding] = []
     groups: list[tuple[str, ...]] = [names for names in (record.commands, (GYRO,)) if names and names[0] in record]
     for names in groups:
         fraction, longest = at_limit(record, names)
-        few = names[0] == GYRO and np.nanmax(np.abs(record[GYRO])) < _LEVELS * grain_of(record[GYRO])
-        if fraction > 0 and not few:
+        if fraction > 0:
             limit = "gyro's range" if names[0] == GYRO else "largest command"
             unit = record.units.get(names[0], "").replace("1", "without a unit")
             top = f"{float(np.abs(record[names[0]]).max()):.4g} {unit}".rstrip()
             evidence = f"{fraction:.1%} of the rows are at the {limit}, {top}, up to {longest} consecutive"
             repair = "exclude these rows from a linear fit, or model the limit"
+            if names[0] == GYRO:
+                repair = "upright calibrate leaves these readings out"
             findings.append(warning("saturation", names[0], evidence, repair))
     return findings
 
@@ -168,7 +184,9 @@ def at_limit(record: Record, names: Sequence[str]) -> tuple[float, int]:
     """Fraction of the values of these channels that are at their largest, alone or over the battery, and the longest
     run there; 0 where the largest is a single peak."""
     groups = [np.concatenate([of(record, name) for name in names]) for of in (Record.__getitem__, _of_battery)]
-    return max(_piled(values) for values in groups)
+    levels = LEVELS if names[0] == GYRO else 0.0
+    at = max((at_range(values, levels) for values in groups), key=lambda mask: int(mask.sum()))
+    return float(at.mean()), max((last - first for first, last in runs(at)), default=0)
 
 
 def _of_battery(record: Record, name: str) -> Array:
@@ -176,19 +194,6 @@ def _of_battery(record: Record, name: str) -> Array:
     if name == GYRO or BATTERY not in record or record.torque_driven or not (record[BATTERY] > 1).all():
         return record[name]
     return record[name] / record[BATTERY]
-
-
-def _piled(values: Array) -> tuple[float, int]:
-    """Fraction of values at the extreme, and the longest run there; 0 where the extreme is a single peak."""
-    size = np.abs(values[np.isfinite(values)])
-    top = float(size.max()) if len(size) else 0.0
-    if top == 0:
-        return 0.0, 0
-    at, near = size >= top * 0.995, (size >= top * 0.9) & (size < top * 0.995)
-    fraction = float(at.mean())
-    longest = max((last - first for first, last in runs(at)), default=0)
-    piled = at.sum() >= max(5, 2 * near.sum() * 0.05) and at.sum() > 0.5 * near.sum() and longest >= 3
-    return (fraction, longest) if piled and fraction > PILED else (0.0, 0)
 
 
 def bias(record: Record) -> list[Finding]:

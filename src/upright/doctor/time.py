@@ -19,6 +19,7 @@ LONGEST, SHORTEST = 0.2, 2e-4
 JITTER = 0.1  # [periods] standard deviation; a clock of whole milliseconds at 10 ms has 0.05
 _DISORDER = 20.0  # [periods] rows displaced by more belong to another recording
 MISSED = 1.6  # [periods] a longer step lacks a row: jitter alone rarely doubles a step
+_COARSE = 0.3  # of the rows: so many repeat the time of the row before with other readings where the clock is coarse
 
 
 def order(record: Record) -> list[Finding]:
@@ -35,8 +36,25 @@ def order(record: Record) -> list[Finding]:
     if not repeats:
         return []
     row = int(np.argmax(steps == 0)) + 1
+    if _coarse(record, steps):
+        tick = float(np.median(steps[steps > 0]))
+        evidence = (
+            f"the clock counts in steps of {tick:.3g} s, about {repeats / max(1, (steps > 0).sum()) + 1:.2g} rows each"
+        )
+        repair = "space the rows evenly between its steps"
+        return [error("time/coarse", "t", evidence, repair, Fix("spread"))]
     evidence = f"{repeats} rows repeat the time of the row before, the first is row {row} at {record.t[row]:.4g} s"
     return [error("time/repeated", "t", evidence, "keep the first row of each time", Fix("unique"))]
+
+
+def _coarse(record: Record, steps: Array) -> bool:
+    """Whether rows with other readings share their time in groups of about one size."""
+    changed = np.zeros(len(steps), dtype=bool)
+    for values in record.channels.values():
+        changed |= np.diff(values) != 0
+    groups = np.diff(np.flatnonzero(np.concatenate([[True], steps > 0, [True]])))
+    even = len(groups) >= FEWEST and groups.max() < 3 * len(record.t) / len(groups)
+    return bool(even) and (changed & (steps == 0)).mean() > _COARSE
 
 
 def _backwards(record: Record, back: NDArray[np.intp]) -> Finding:

@@ -23,9 +23,10 @@ from upright.doctor.finding import (
     error,
     note,
 )  # fmt: skip
-from upright.doctor.fixes import COARSE, grain_of, levels
+from upright.doctor.fixes import COARSE, levels
 from upright.doctor.motion import TRUSTED
 from upright.doctor.physics import Resampled, lagged, motion, motor, pendulum, smooth, widths
+from upright.logs.outliers import grain_of
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.robots import Robot
 

@@ -9,7 +9,9 @@ import numpy as np
 from upright.doctor.finding import FALLING, LEANING, ON_WHEELS, Record, Segment, moment
 from upright.doctor.poses import segments
 from upright.doctor.time import unit
+from upright.doctor.wrapped import wrapped
 from upright.errors import InvalidLog
+from upright.logs.outliers import in_words
 from upright.logs.raw import RATES
 from upright.signals import Log
 
@@ -33,15 +35,21 @@ def record_of(log: Log) -> Record:
 def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, str]:
     """The longest time of a log in which the robot balances, stands or (`falling`) falls, and what is left out, in
     words ('' where nothing is). A log that shows no poses is taken whole. Raises `InvalidLog` for a robot that is never
-    on its wheels, and for times that are no seconds.
+    on its wheels, for times that are no seconds, and for angles that begin again.
     """
     record, kinds = record_of(log), FITTED if falling else ON_WHEELS
     for wrong in unit(record):
         raise InvalidLog(wrong.evidence, expected="times in seconds", hint="upright doctor --fix, or a mapping")
+    for wrong in wrapped(record):
+        raise InvalidLog(
+            f"{wrong.channel}: {wrong.evidence}",
+            expected="angles that count on",
+            hint="upright doctor LOG --fix NEW.csv",
+        )
     poses = segments(record)
     others = [pose for pose in poses if pose.kind not in kinds]
     if not others:
-        return log, ""
+        return log, in_words(log)
     spans: list[tuple[float, float]] = []
     for pose in (pose for pose in poses if pose.kind in kinds):
         first = spans.pop()[0] if spans and spans[-1][1] == pose.start else pose.start
@@ -53,9 +61,9 @@ def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, str]:
         )  # fmt: skip
     start, stop = max(spans, key=lambda span: span[1] - span[0])
     left = "; ".join(map(_in_words, others[:3])) + (f"; and {len(others) - 3} more" if len(others) > 3 else "")
-    return log.between(start, stop), (
-        f"Only {moment(start)} to {moment(stop)} s is used, where the robot is on its wheels. Left out: {left}."
-    )
+    used = log.between(start, stop)
+    only = f"Only {moment(start)} to {moment(stop)} s is used, where the robot is on its wheels. Left out: {left}."
+    return used, f"{only} {in_words(used)}".rstrip()
 
 
 def _in_words(pose: Segment) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidLog
+from upright.logs.outliers import left_out
 from upright.physics.dynamics import turn_ratio
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
@@ -103,7 +104,7 @@ def check_drive(log: Log, robot: Robot) -> None:
 
 def record(log: Log, robot: Robot, kit: Kit, *, skip: float = 0.0, held_out: float = 0.25) -> Recording:
     """The events of `log`. The last fraction `held_out` of its length is not fitted. Readings of the first `skip` [s]
-    are omitted, since they respond to commands from before the log.
+    are omitted, since they respond to commands from before the log; so are the `outliers`.
 
     Raises `InvalidLog` where there are no commands, fewer than two sensors, or too few samples.
     """
@@ -116,7 +117,7 @@ def record(log: Log, robot: Robot, kit: Kit, *, skip: float = 0.0, held_out: flo
     last = log.t[0] + (log.t[-1] - log.t[0]) * (1 - held_out)
     kinds, whens, values = [np.full(len(log), -1)], [log.t], [np.arange(len(log), dtype=np.float64)]
     for row, name in enumerate(rows):
-        there = np.isfinite(log[name]) & (log.t >= log.t[0] + skip)
+        there = np.isfinite(log[name]) & (log.t >= log.t[0] + skip) & ~left_out(log, name)
         reading = log[name][there]
         kinds.append(np.full(len(reading), row))
         whens.append(log.t[there])

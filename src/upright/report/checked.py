@@ -14,6 +14,7 @@ from upright.doctor import delays, motion, segments, sensors, time, units
 from upright.doctor.doctor import Diagnosis
 from upright.doctor.finding import GYRO, LEFT, Finding, Record
 from upright.doctor.physics import LEAST_ROWS
+from upright.logs import outliers
 from upright.parity.parity import Parity
 from upright.physics.linear import Complex, LinearModel
 from upright.plotting import AXIS, COLOURS, PANEL, bars, legend, number, numbered, panels, plane, points
@@ -33,7 +34,7 @@ def page_of(result: Diagnosis | Parity | LinearModel) -> Page:
 CHECKS = {
     "time stamps": ("time/",), "rows": ("samples/", "columns/"), "units": ("units/",),
     "signs and sides": ("motion/flipped", "motion/swapped"), "rates and angles": ("motion/int", "motion/diff"),
-    "delays": ("delay/",), "gyro's bias": ("gyro/",), "readings": ("channel/", "estimate/"),
+    "delays": ("delay/",), "gyro's bias": ("gyro/",), "readings": ("channel/", "estimate/", "encoder/wrapped"),
     "encoder's resolution": ("encoder/",), "motors at their limit": ("saturation",),
     "motion": ("motion/quiet", "segment/still", "segment/none"), "falls and slips": ("segment/",),
 }  # fmt: skip
@@ -114,9 +115,9 @@ def _limits(result: Diagnosis) -> dict[str, str]:
         "rates and angles": f"R² better by {motion.MARGIN:g} than as logged",
         "delays": f"{apart} between gyro and wheels, {behind} behind the command",
         "gyro's bias": f"a mean of {cell_text(bias[1], 2)} rad/s" if bias else "",
-        "readings": f"one value for {sensors.STUCK:g} s while others move; a hole",
+        "readings": f"one value for {sensors.STUCK:g} s while others move; a hole; a single odd one",
         "encoder's resolution": f"steps of {sensors.COARSE_ENCODER:g} rad, or as coarse as the motion",
-        "motors at their limit": f"{100 * sensors.PILED:g} % of the rows at the largest",
+        "motors at their limit": f"{100 * outliers.PILED:g} % of the rows at the largest",
         "motion": f"an amplitude of the pitch below {sensors.QUIET:g} rad",
         "falls and slips": f"a fall; {segments.FAR:g} standard deviations off the pendulum equation",
     }  # fmt: skip

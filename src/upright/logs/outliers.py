@@ -1,0 +1,86 @@
+"""Readings that say nothing of the robot: those at the end of a sensor's range, and single ones far from their
+neighbours."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.signals import Log
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+SENSORS = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro")
+FULL, BELOW = 0.995, 0.9  # of the largest size: readings at the end of the range, and those below it
+PILED, LONGEST = 0.003, 3  # of all readings, and rows on end, from which it is a range
+LEVELS = 10.0  # steps of its resolution that a gyro's range has at least
+
+USUAL = 0.95  # the quantile of the differences from the neighbours' median that counts as usual
+FAR = 4.0  # times the usual difference, and steps of the resolution
+STEEP, NEAR = (
+    4.0,
+    5,
+)  # times the upper quartile of the steps in so many rows on both sides: no robot turns round so fast
+BACK = 0.25  # of its height to which a single reading comes back within two rows
+MOST = 0.05  # of the readings: more are a way of the sensor, and no single ones
+
+
+def at_range(values: Array, levels: float = LEVELS) -> Mask:
+    """Which readings (n,) are at the end of the sensor's range: those near the largest size, where they pile up rather
+    than being a peak, and last. None of a sensor that moves less than `levels` steps of its resolution."""
+    size = np.abs(np.where(np.isfinite(values), values, 0.0))
+    top = float(size.max(initial=0.0))
+    at = (size >= FULL * top) & np.isfinite(values)
+    if top == 0 or top < levels * grain_of(values):
+        return np.zeros(len(values), dtype=bool)
+    near = int(((size >= BELOW * top) & ~at).sum())
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], at.astype(np.int8), [0]])))
+    longest = int(np.diff(edges)[::2].max(initial=0))
+    piled = at.sum() >= max(5, 0.1 * near, PILED * len(values)) and at.sum() > 0.5 * near and longest >= LONGEST
+    return at if piled else np.zeros(len(values), dtype=bool)
+
+
+def single(values: Array) -> Mask:
+    """Which readings (n,) stand alone for a row or two: far from what was before and comes after, where no robot is so
+    fast. None where there are many."""
+    alone = np.zeros(len(values), dtype=bool)
+    fine = np.flatnonzero(np.isfinite(values))
+    if len(fine) < 20:
+        return alone
+    x = values[fine]
+    around = np.lib.stride_tricks.sliding_window_view(np.pad(x, 2, mode="reflect"), 5)
+    apart = np.abs(x - np.median(around, axis=1))
+    limit = FAR * max(float(np.quantile(apart, USUAL)), grain_of(values))
+    far = apart > limit
+    for k in np.flatnonzero(far):
+        before = int(k) - 1 - int(k > 0 and far[k - 1])
+        after = int(k) + 1 + int(k + 1 < len(x) and far[k + 1])
+        inside = before >= 0 and after < len(x)  # else it is the first or the last reading
+        if not (far[max(before, 0)] or far[min(after, len(x) - 1)]) or not inside:
+            beside = [np.diff(x[max(0, before - NEAR) : before + 1]), np.diff(x[after : after + NEAR + 1])]
+            steep = apart[k] > STEEP * float(np.quantile(np.abs(np.concatenate(beside)), 0.75))
+            alone[fine[k]] = steep and (not inside or abs(x[after] - x[before]) < BACK * apart[k])
+    return alone if 0 < alone.sum() <= MOST * len(x) else np.zeros(len(values), dtype=bool)
+
+
+def left_out(log: Log, name: str) -> Mask:
+    """Which rows of a sensor a fit is not to read."""
+    values = log[name]
+    alone = single(values) if name in SENSORS else np.zeros(len(values), dtype=bool)
+    return alone | at_range(np.where(alone, np.nan, values)) if name == "sensor/gyro" else alone
+
+
+def in_words(log: Log) -> str:
+    """How many readings of which sensor are left out, as a sentence; empty where none are."""
+    counted = {name: int(left_out(log, name).sum()) for name in SENSORS if name in log}
+    many = [f"{count} of {name.removeprefix('sensor/').replace('_', ' ')}" for name, count in counted.items() if count]
+    why = "single ones far from their neighbours, or at the end of the sensor's range"
+    return f"Of {len(log)} readings these are left out: {', '.join(many)}; {why}." if many else ""
+
+
+def grain_of(values: Array) -> float:
+    """Quantisation step: the 0.1 % quantile of the steps between readings that differ; 0 where there are none."""
+    steps = np.sort(np.abs(np.diff(values[np.isfinite(values)])))
+    steps = steps[steps > 1e-12 * (1 + float(np.abs(values[np.isfinite(values)]).max(initial=0.0)))]
+    return float(steps[len(steps) // 1000]) if len(steps) else 0.0
