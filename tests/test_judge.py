@@ -157,6 +157,7 @@ def test_what_is_refused_is_not_used_elsewhere(tmp_path: Path, monkeypatch: pyte
     certificate, learnt = (import_module(f"upright.certify.{name}") for name in ("certificate", "learnt"))
     monkeypatch.setattr(learnt, "calibrate", lambda *_, **__: refused)
     monkeypatch.setattr(learnt, "as_logged", lambda _, course: (course, (), ()))
+    monkeypatch.setattr(learnt, "doubted", lambda *_: None)
     monkeypatch.setattr(learnt, "unpushed", lambda log, *_: log)
     monkeypatch.setattr(certificate, "raw_log", lambda *_: Log(np.arange(9.0), {}, {}))
     with pytest.raises(InvalidLog, match="another robot"):

@@ -43,7 +43,7 @@ def at_range(values: Array, levels: float = LEVELS) -> Mask:
 
 def single(values: Array) -> Mask:
     """Which readings (n,) stand alone for a row or two: far from what was before and comes after, where no robot is so
-    fast. None where there are many."""
+    fast; the first or the last only beside others. None where there are many."""
     alone = np.zeros(len(values), dtype=bool)
     fine = np.flatnonzero(np.isfinite(values))
     if len(fine) < 20:
@@ -61,7 +61,8 @@ def single(values: Array) -> Mask:
             beside = [np.diff(x[max(0, before - NEAR) : before + 1]), np.diff(x[after : after + NEAR + 1])]
             steep = apart[k] > STEEP * float(np.quantile(np.abs(np.concatenate(beside)), 0.75))
             alone[fine[k]] = steep and (not inside or abs(x[after] - x[before]) < BACK * apart[k])
-    return alone if 0 < alone.sum() <= MOST * len(x) else np.zeros(len(values), dtype=bool)
+    between = int(alone[fine[1:-1]].sum())  # the first reading alone may be of a sensor that has only begun
+    return alone if 0 < between <= MOST * len(x) else np.zeros(len(values), dtype=bool)
 
 
 def left_out(log: Log, name: str) -> Mask:
