@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from upright.bodies import BODIES, Body, Electronics, LinearBody, NonlinearBody, make_body
-from upright.bodies.electronics import drive
+from upright.bodies.electronics import advanced, drive
 from upright.control import make_controller
 from upright.errors import SpecMismatch, UnknownName
 from upright.experiment import run
-from upright.physics.dynamics import MODELS, Disturbance, accelerations, derivative
+from upright.physics.dynamics import CALM, MODELS, Disturbance, accelerations, derivative
 from upright.physics.integrate import rk4_step
 from upright.physics.linear import linearise
 from upright.physics.sensing import readings
@@ -50,6 +50,7 @@ def test_it_keeps_the_contract(body):
     assert all(sample.values.shape == (len(names),) for sample in samples)
     assert np.allclose([s.t for s in samples], np.arange(len(samples)) * body.spec.period, rtol=0, atol=1e-12)
     assert not any(s.fallen for s in samples)
+    assert {type(number) for s in samples for number in (s.t, *s.numbers, *s.applied)} == {float}
 
 
 def test_same_seed_same_run_and_a_reset_forgets(body):
@@ -57,6 +58,21 @@ def test_same_seed_same_run_and_a_reset_forgets(body):
     assert all(
         np.array_equal(a.values, b.values) and a.applied == b.applied for a, b in zip(first, second, strict=True)
     )
+
+
+def test_steps_whose_samples_nobody_reads_leave_the_same_body(body):
+    # periods of ten steps under one command, pushed in the middle of one: each step by itself, and all at once
+    def pushed(t):
+        return Disturbance(0.2, 0.05) if 0.013 < t < 0.017 else CALM
+
+    commands = np.random.default_rng(5).normal(size=(6, 2)) * (0.3 if body.spec.command_unit == "V" else 0.03)
+    now, single = body.reset(LEAN, 3), []
+    for command in commands:
+        for _ in range(10):
+            now = body.step(command, pushed(now.t))
+        single.append(now)
+    now = body.reset(LEAN, 3)
+    assert single == [now := advanced(body, now.t, command, pushed, 10) for command in commands]
 
 
 def test_samples_are_read_only_and_share_no_memory(body):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -54,6 +54,7 @@ class Electronics:
         self._sensors = [
             (have.get(name), _Channel(sensor, name, inner.period, kit)) for name, sensor in kit.sensors.items()
         ]
+        self._lasting = [(index, channel) for index, channel in self._sensors if channel.lasts]
         self._line = _CommandLine(kit, inner.period)
         self._alike = kit.motor.left == kit.motor.right == 1.0
 
@@ -67,13 +68,29 @@ class Electronics:
         return self._sample(first)
 
     def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
-        arrived = self._line.step(checked(command, 2, "command"))
+        return self._sample(self._moved(checked(command, 2, "command"), disturbance))
+
+    def advance(
+        self, t: float, command: Sequence[float], disturbance: Callable[[float], Disturbance], count: int
+    ) -> Sample:
+        """See `advanced`."""
+        numbers = checked(command, 2, "command")
+        for _ in range(count - 1):
+            inner = self._moved(numbers, disturbance(t))
+            t = inner.t
+            for index, channel in self._lasting:
+                channel.skip(self._voltage if index is None else inner.numbers[index])
+        return self._sample(self._moved(numbers, disturbance(t)))
+
+    def _moved(self, command: tuple[float, ...], disturbance: Disturbance) -> Sample:
+        """The sample of the body itself."""
+        arrived = self._line.step(command)
         if arrived is not self._driven:  # one command lasts many steps
             self._driven = arrived
             self._applied, self._voltage = drive(arrived, self.kit, self.spec.command_unit)
-        applied = self._applied
-        inner = self.body.step(applied if self._alike else self._turned(applied), disturbance)
-        return self._sample(inner if self._alike else inner._replace(applied=applied))
+        if self._alike:
+            return self.body.step(self._applied, disturbance)
+        return self.body.step(self._turned(self._applied), disturbance)._replace(applied=self._applied)
 
     def _turned(self, applied: tuple[float, float]) -> tuple[float, ...]:
         """What each motor makes of what is applied to it."""
@@ -87,6 +104,18 @@ class Electronics:
         truth = [raw[i] for i in self._truth]
         readings = [channel.read(self._voltage if i is None else raw[i]) for i, channel in self._sensors]
         return sample(inner.t, (*truth, *readings), inner.applied, inner.fallen)
+
+
+def advanced(
+    body: Body, t: float, command: Sequence[float], disturbance: Callable[[float], Disturbance], count: int
+) -> Sample:
+    """The sample of `body` after `count` steps from time `t` [s] under one command, each under `disturbance` at its
+    start. Electronics form no readings between."""
+    if isinstance(body, Electronics):
+        return body.advance(t, command, disturbance, count)
+    for _ in range(count - 1):
+        t = body.step(command, disturbance(t)).t
+    return body.step(command, disturbance(t))
 
 
 def drive(command: Sequence[float], kit: Kit, unit: str = "V") -> tuple[tuple[float, float], float]:
@@ -131,6 +160,8 @@ class _Channel:
         self._every = max(1, round(sensor.period / period))
         self._root = math.sqrt(period * self._every)
         self._walks, self._noisy = bool(sensor.bias_walk), bool(sensor.noise)
+        self._alone = self._every == 1 and not self._walks  # no reading depends on an earlier one
+        self.lasts = bool(not self._alone or self._play or self._delay or self._noisy)
 
     def reset(self, rng: np.random.Generator, first: float) -> None:
         self._random, self._wait = rng.standard_normal, 0
@@ -138,13 +169,29 @@ class _Channel:
         self._touch = first
         self._bias = self._sensor.bias * float(self._random()) if self._sensor.bias else 0.0
 
-    def read(self, value: float) -> float:
+    def skip(self, value: float) -> None:
+        """What `read` leaves behind for the next reading."""
+        if not self._alone:
+            self.read(value)
+            return
+        if self._play or self._delay:
+            self._arrived(value)
+        if self._noisy:
+            self._random()
+
+    def _arrived(self, value: float) -> float:
+        """The value after play and delay."""
         if self._play:
             (value,) = _SLACKEN(self._touch, value, self._play)
             self._touch = value
         if self._delay:
             self._line.append(value)
             value = self._line[0]
+        return value
+
+    def read(self, value: float) -> float:
+        if self._play or self._delay:
+            value = self._arrived(value)
         if self._wait:
             self._wait -= 1
             return self._held

@@ -63,8 +63,8 @@ class NonlinearBody:
     def close(self) -> None:
         """Nothing is held."""
 
-    def _sample(self, values: Sequence[float], u: Sequence[float]) -> Sample:
-        return sample(self._steps * self.spec.period, values, u, abs(values[0]) > FALLEN)
+    def _sample(self, values: tuple[float, ...], u: tuple[float, ...]) -> Sample:
+        return Sample(self._steps * self.spec.period, values, (u[0], u[1]), abs(values[0]) > FALLEN)
 
 
 class LinearBody:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from importlib import import_module
 from typing import Any
 
-from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, checked_period, sample
+from upright.bodies.body import FALLEN, REST, BodySpec, Sample, checked, checked_period
 from upright.bodies.mjcf import mjcf
 from upright.errors import InvalidScenario, UprightError
 from upright.physics.dynamics import CALM, Disturbance, motor_gain, rolling_friction
@@ -93,7 +93,7 @@ class Twin:
 
     def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
         u = checked(command, 2, "command")
-        force, height, slope = checked(disturbance, 3, "disturbance")
+        force, height, slope = CALM if disturbance is CALM else checked(disturbance, 3, "disturbance")
         if max(abs(u[0]), abs(u[1])) > self._wildest:
             raise _unstable(self._steps * self.spec.period, u)
         self._data.ctrl[:] = u
@@ -149,7 +149,7 @@ class Twin:
         robot = self.spec.robot
         return -robot.wheel_friction * rate - rolling_friction(rate, robot)
 
-    def _sample(self, u: Sequence[float]) -> Sample:
+    def _sample(self, u: tuple[float, ...]) -> Sample:
         if any(self._wrong.tolist()):  # not a number, or beyond 10¹⁰, somewhere inside
             raise _unstable(self._steps * self.spec.period, u)
         q, v = self._q.tolist(), self._v.tolist()
@@ -161,7 +161,7 @@ class Twin:
         _, gyro, _, forward, _, up = self._sensed.tolist()
         truth = (pitch, pitch_rate, wheel, wheel_rate, self._yaw, yaw_rate)
         values = (*truth, left, right, gyro, self._yaw, forward, up)
-        return sample(self._steps * self.spec.period, values, u, abs(pitch) > FALLEN)
+        return Sample(self._steps * self.spec.period, values, (u[0], u[1]), abs(pitch) > FALLEN)
 
 
 def _quaternion(pitch: float, yaw: float) -> tuple[float, float, float, float]:

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from upright.atomic import finite
 from upright.bodies.body import REST, Body, BodySpec
+from upright.bodies.electronics import advanced
 from upright.control.controller import Controller, controller_hash
 from upright.errors import SpecMismatch
 from upright.experiment.outcome import RunOutcome
@@ -49,9 +50,7 @@ class Stepper:
             self._times.append(before.t)
         command = controller.step(before.values[self._inputs], reference)
         acting = disturbance(before.t)
-        now = body.step(command, acting)
-        for _ in range(self._stride - 1):
-            now = body.step(command, disturbance(now.t))
+        now = advanced(body, before.t, command, disturbance, self._stride)
         controller.applied(now.applied)
         self.now, self.command = now, command
         return [

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from upright.bodies import Body, Electronics, Sample
 from upright.bodies.body import REST
 from upright.lab.plant import is_bare
-from upright.physics.dynamics import CALM, Disturbance
+from upright.physics.dynamics import Disturbance
 from upright.robots import Kit, Sensor
 
 BIAS, JITTER = 64, 128
@@ -47,8 +47,8 @@ class Counted(Electronics):
             channel.reset(_source(standard_normal=_drawn(sensor, every, purpose, seed).__next__), value)
         return self._sample(first)
 
-    def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
-        now = super().step(command, disturbance)
+    def _moved(self, command: tuple[float, ...], disturbance: Disturbance) -> Sample:
+        now = super()._moved(command, disturbance)
         self._steps += 1
         return now
 

@@ -25,6 +25,7 @@ Complex = NDArray[np.complex128]
 
 FADING = 1 - 1e-5  # |pole| beyond which a memory counts as one that never fades: it would take 1000 s
 CONVERGED = 1e-10  # of the sum: a response that has faded so far adds less than `SPARE` from then on
+_TOGETHER = 6  # 2⁶ responses are computed in one product
 
 INPUTS = ("left", "right")
 DISTURBANCES = ("force", "moment", "slope")
@@ -320,8 +321,13 @@ def unstable_pole(robot: Robot) -> float:
 
 def impulse_norm(A: Array, B: Array) -> Array:
     """Σ_k |A^k B| (n, m), entry by entry, for an A whose every |eigenvalue| is below `FADING`."""
-    total, power = np.abs(B), B
-    while np.abs(power).max(initial=0.0) > CONVERGED * total.max(initial=0.0):
-        power = A @ power
-        total = total + np.abs(power)
-    return total
+    n, m = B.shape
+    power, responses = A, B  # (n, count m): A^k B beside one another, many to a product
+    for _ in range(_TOGETHER):
+        responses, power = np.hstack([responses, power @ responses]), power @ power
+    total = np.zeros((n, m))
+    while True:
+        total = total + np.abs(responses).reshape(n, 2**_TOGETHER, m).sum(axis=1)
+        if np.abs(responses[:, -m:]).max(initial=0.0) <= CONVERGED * total.max(initial=0.0):
+            return total
+        responses = power @ responses
