@@ -238,12 +238,13 @@ def analyse(
     readings = [COMPARABLE.get(name, _ANGLE) for name in linear.reads]
     command = [LARGEST_COMMAND[robot.command_unit]] * 2
     scaled = Loop(loop.plant.scaled(command, readings), loop.controller.scaled(readings, command))
-    every = loop_margins(robot, controller, kit)
+    dead_time = delay_margin(robot, controller, kit)
+    every = loop_margins(robot, controller, kit, dead_time=dead_time)
     return Analysis(
         robot=robot.name, controller=controller.spec.kind, hash=controller_hash(controller), period=linear.period,
         poles=loop.closed.poles(), loop=loop, drawn=np.array(drawn),
         inputs=every[: len(INPUTS)], outputs=every[len(INPUTS) :],
-        disk=disk_margin(loop.at_input), delay=delay_margin(robot, controller, kit), coprime=stability_margin(scaled),
+        disk=disk_margin(loop.at_input), delay=dead_time, coprime=stability_margin(scaled),
         gap=_largest_gap(scaled.plant, [plant.scaled(command, readings) for plant in plants[:GAPS]]),
         mu=parameter_mu(robot, controller, kit) if with_mu else None,
     )  # fmt: skip
@@ -265,12 +266,16 @@ def _at_output(loop: Loop, i: int, name: str, *, peaks: bool) -> Margins:
     return margins(loop.at_output, np.eye(len(loop.plant.C))[i], channel, peaks=peaks)
 
 
-def loop_margins(robot: Robot, controller: Controller, kit: Kit, *, peaks: bool = True) -> tuple[Margins, ...]:
-    """The margins of the stable loop broken at each of `INPUTS`, then at each reading.
+def loop_margins(
+    robot: Robot, controller: Controller, kit: Kit, *, peaks: bool = True, dead_time: float | None = None
+) -> tuple[Margins, ...]:
+    """The margins of the stable loop broken at each of `INPUTS`, then at each reading; `dead_time` is its
+    `delay_margin` [s], where that is known.
 
     The delays of both motors and of each sensor are not above those by which the sampled robot becomes unstable.
     """
-    loop, dead_time = robot_loop(robot, controller, kit), delay_margin(robot, controller, kit)
+    loop = robot_loop(robot, controller, kit)
+    dead_time = delay_margin(robot, controller, kit) if dead_time is None else dead_time
     every = [_at_input(loop, name, dead_time, peaks=peaks) for name in INPUTS]
     for i, name in enumerate(near_rest(controller).reads):
         broken_there = _at_output(loop, i, name, peaks=peaks)

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,6 +49,7 @@ class Graph:
         return 1 / math.sqrt(1 + float(np.abs(np.linalg.eigvals(self.X @ self.Z)).max(initial=0.0)))
 
 
+@lru_cache(maxsize=2)  # one system is compared with many
 def graph(system: LinearModel) -> Graph:
     """Normalised coprime factors (Zhou and Doyle 1998, theorem 13.22); `DesignFailed` for a hidden unstable mode."""
     P = continuous(system)

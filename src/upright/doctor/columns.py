@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.doctor.finding import GYRO, LEFT, PITCH, RIGHT, Finding, Record, error
-from upright.doctor.physics import Resampled, motor, pendulum, resampled
+from upright.doctor.physics import Resampled, motor, resampled
 from upright.logs.draft import clock_of, draft, looks, rate_of
 from upright.logs.mapping import COMMANDS, GUESS, Mapping, Source, full_duty
 from upright.logs.readers import RawTable
@@ -150,7 +150,7 @@ def _judged(t: Array, moving: dict[str, Array], left: str, right: str, gyro: str
     m = _resampled(t, {LEFT: moving[left] / scale, RIGHT: moving[right] / scale, GYRO: moving[gyro] / rate})
     if m is None:
         return None
-    fit = pendulum(m, m.wheel)
+    fit = m.law
     if fit.r2 < TRUSTED or len(fit.values) < 2 or fit.values[0] * fit.values[1] <= 0:
         return None
     return _Choice(left, right, gyro, fit.r2, fit.values[0] * scale / rate, 1 if fit.values[0] > 0 else -1)

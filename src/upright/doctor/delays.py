@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from upright.doctor.finding import LEFT, RIGHT, Finding, Fix, Record, warning
-from upright.doctor.physics import REACH, Resampled, Response, backward_rate, motion, motor, pendulum, responses
+from upright.doctor.physics import REACH, Resampled, Response, backward_rate, motion, motor, responses
 
 CLEAR = 0.9
 """R² of the pendulum equation above which its lag and residuals are used; below it, quantisation dominates."""
@@ -29,7 +29,7 @@ def delays(record: Record) -> list[Finding]:
     findings: list[Finding] = []
     lag = 0.0
     if m.gyro is not None:
-        fit = pendulum(m, m.wheel)
+        fit = m.law
         if fit.r2 > CLEAR and fit.values and fit.values[0] > 0:
             lag = fit.lag
             findings += _between(m, lag, fit.r2)

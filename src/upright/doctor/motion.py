@@ -31,7 +31,7 @@ def kinds(record: Record) -> list[Finding]:
     m = motion(record)
     if m is None or m.gyro is None or m.gyro_name != GYRO or not _moves(m):
         return []
-    plain = pendulum(m, m.wheel)
+    plain = m.law
     other = pendulum(m, m.wheel, gyro_order=1)
     as_logged = plain.r2 if _direction(plain) else 0.0
     if not plain.values or other.r2 < max(TRUSTED, plain.r2) or not _direction(other) or other.r2 < as_logged + MARGIN:
@@ -87,7 +87,7 @@ def _against_gyro(m: Resampled) -> _Wheels:
     if m.gyro is None:
         return _Wheels(0, 0, 0.0, 0.0)
     fits = [pendulum(m, wheel) for wheel in (m.left, m.right)]
-    pair = {+1: pendulum(m, m.wheel), -1: pendulum(m, (m.left - m.right) / 2)}
+    pair = {+1: m.law, -1: pendulum(m, (m.left - m.right) / 2)}
     best = max(pair.values(), key=lambda fit: fit.r2)
     if best.r2 < TRUSTED or not best.values:
         return _Wheels(0, 0, 0.0, 0.0)

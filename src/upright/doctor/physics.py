@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -31,6 +32,7 @@ _MOST_RESPONSE_ROWS = 20_000  # of a response, which is small against the noise
 _TRIM = 0.9  # fraction of the rows that are kept: pushes, slip and stops affect the rest
 REACH = 0.12  # [s] largest delay of the search
 LEAST_ROWS = 100
+_ALIGNED = 0.6  # R² of the pendulum equation above which its delay is taken
 _LEAST_KERNELS = 2.0 * 2 * np.sqrt(np.pi)
 """[kernel widths] of motion that a fit needs: 2√π of them are one independent sample, and two are fewer than the
 numbers that are fitted."""
@@ -53,10 +55,28 @@ class Resampled:
     good: NDArray[Any]
     gyro_name: str = GYRO
 
-    @property
+    @cached_property
     def wheel(self) -> Array:
         """Mean of both encoders [rad]."""
         return (self.left + self.right) / 2
+
+    @cached_property
+    def law(self) -> LaggedFit:
+        """`pendulum` of the mean wheel."""
+        return pendulum(self, self.wheel)
+
+    @cached_property
+    def alignment(self) -> tuple[float, float]:
+        """The delay [s] of the gyro behind the wheels and q, where `law` fits; else zeros."""
+        fits = self.gyro is not None and self.law.r2 > _ALIGNED
+        return (self.law.lag, self.law.values[0]) if fits else (0.0, 0.0)
+
+    @cached_property
+    def drive(self) -> LaggedFit:
+        """`motor` of the mean command, with the gyro aligned."""
+        assert self.commands is not None
+        mean = (self.commands[0] + self.commands[1]) / 2
+        return motor(self, mean, self.left, self.right, self.gyro, self.alignment[0])
 
 
 @dataclass(frozen=True)
@@ -70,6 +90,7 @@ class LaggedFit:
     sharp: float = 1.0
 
 
+@lru_cache(maxsize=2)  # every check of a record asks for it, and for the fits that it keeps
 def motion(record: Record) -> Resampled | None:
     """The record resampled at even times, its `good` rows those on the wheels; None without encoders or with too few
     such rows."""
@@ -80,6 +101,7 @@ def motion(record: Record) -> Resampled | None:
     return replace(m, good=good) if good.sum() >= LEAST_ROWS else None
 
 
+@lru_cache(maxsize=2)
 def resampled(record: Record) -> Resampled | None:
     """The record resampled at even times, in whatever pose; None without encoders or with too few rows."""
     if LEFT not in record or RIGHT not in record or len(record.t) < FEWEST:
@@ -172,12 +194,14 @@ def lagged(
     def design(shift: int) -> Array:
         return np.column_stack([*(x[rows + shift] for x in shifted), X0])
 
-    def quick(keep: NDArray[Any]) -> Array:
-        return np.array([_r_squared(target[rows][keep], design(s)[keep], positive) for s in shifts.tolist()])
+    def quick(kept: NDArray[np.intp]) -> Array:
+        at = kept + shifts[:, None]
+        columns = [*(x[at] for x in shifted), *(np.broadcast_to(x[kept], at.shape) for x in fixed)]
+        return _r_squared(target[kept], np.stack(columns, axis=2), positive)
 
-    best = int(shifts[int(np.argmax(quick(np.ones(len(rows), dtype=bool))))])
+    best = int(shifts[int(np.argmax(quick(rows)))])
     keep = _regress(target[rows], design(best), positive)[2]
-    r2s = quick(keep)
+    r2s = quick(rows[keep])
     i = int(np.argmax(r2s))
     part = _vertex(r2s, i)
     X = design(int(shifts[i]))
@@ -189,14 +213,20 @@ def lagged(
     return LaggedFit(tuple(values.tolist()), r2, float((shifts[i] + part) * m.period), sharp)
 
 
-def _r_squared(y: Array, X: Array, positive: bool) -> float:
-    centred, z = X - X.mean(axis=0), y - y.mean()
-    Z = centred / np.maximum(np.sqrt((centred**2).mean(axis=0)), 1e-300)
-    gram, side, power = Z.T @ Z, Z.T @ z, float(z @ z)
+def _r_squared(y: Array, X: Array, positive: bool) -> Array:
+    """R² of y (n,) on each of the designs X (k, n, m), no coefficient below zero if `positive`."""
+    z = y - y.mean()
+    power = float(z @ z)
     if power <= 0:
-        return 0.0
-    values = _solved(gram, side, positive)
-    return float(2 * values @ side - values @ gram @ values) / power
+        return np.zeros(len(X))
+    centred = X - X.mean(axis=1, keepdims=True)
+    gram, side = centred.swapaxes(1, 2) @ centred, z @ centred
+    scale = np.maximum(np.sqrt(np.diagonal(gram, axis1=1, axis2=2) / len(y)), 1e-300)
+    gram, side = gram / (scale[:, :, None] * scale[:, None, :]), side / scale
+    values = (np.linalg.pinv(gram, rcond=1e-12, hermitian=True) @ side[:, :, None])[:, :, 0]
+    for i in np.flatnonzero((values < 0).any(axis=1)) if positive else ():
+        values[i] = _solved(gram[i], side[i], positive)
+    return np.asarray(2 * (values * side).sum(axis=1) - np.einsum("ki,kij,kj->k", values, gram, values)) / power
 
 
 def _solved(gram: Array, side: Array, positive: bool) -> Array:

@@ -8,7 +8,7 @@ import numpy as np
 
 from upright.doctor.delays import command_delay
 from upright.doctor.finding import Finding, Record, note, warning
-from upright.doctor.physics import Resampled, backward_rate, motion, motor, pendulum, responses
+from upright.doctor.physics import Resampled, backward_rate, motion, responses
 from upright.logs.outliers import grain_of
 
 _SURE = 3.0  # standard deviations by which the response must be too small
@@ -40,11 +40,7 @@ def _too_early(m: Resampled) -> list[Finding]:
     """An effect before its cause: a command held from row to row acts half a row later in the mean, and no dead time is
     negative; a command that changes between the rows acts earlier."""
     assert m.commands is not None
-    mean, lag = (m.commands[0] + m.commands[1]) / 2, 0.0
-    if m.gyro is not None:
-        law = pendulum(m, m.wheel)
-        lag = law.lag if law.r2 > 0.6 else 0.0
-    fit = motor(m, mean, m.left, m.right, m.gyro, lag)
+    fit = m.drive
     if fit.r2 < _LAW or fit.sharp < _SHARP or fit.lag > -_EARLY * m.period:
         return []
     evidence = f"if commands were held for {m.period * 1e3:.3g} ms, the wheels would lead by {-fit.lag * 1e3:.1f} ms "
@@ -80,11 +76,7 @@ def held(m: Resampled) -> tuple[float, float] | None:
     (A − B/q)/D; the part of it within the first three rows is expected at least.
     """
     assert m.commands is not None
-    mean, lag, q = (m.commands[0] + m.commands[1]) / 2, 0.0, 0.0
-    if m.gyro is not None:
-        law = pendulum(m, m.wheel)
-        lag, q = (law.lag, law.values[0]) if law.r2 > 0.6 and law.values else (0.0, 0.0)
-    fit = motor(m, mean, m.left, m.right, m.gyro, lag)
+    mean, fit, (lag, q) = (m.commands[0] + m.commands[1]) / 2, m.drive, m.alignment
     if fit.r2 < 0.9 or len(fit.values) < 2 or fit.values[1] <= 0:
         return None
     channels = {"wheel": backward_rate(m.wheel, m.period)} | ({"gyro": m.gyro} if m.gyro is not None else {})

@@ -28,7 +28,7 @@ from upright.doctor.finding import (
     warning,
 )
 from upright.doctor.fixes import beside, runs
-from upright.doctor.physics import LEAST_ROWS, Resampled, motion, pendulum, resampled, smooth, widths
+from upright.doctor.physics import LEAST_ROWS, Resampled, motion, resampled, smooth, widths
 from upright.doctor.poses import at_rest, lean_of
 
 _MOST = 10  # reported events of one kind
@@ -146,7 +146,7 @@ def slips(record: Record) -> list[Finding]:
     m = motion(record)
     if m is None or m.gyro is None:
         return []
-    fit = pendulum(m, m.wheel)
+    fit = m.law
     if fit.r2 < CLEAR or not fit.values or fit.values[0] <= 0:
         return []
     width = widths(m.period)[0]

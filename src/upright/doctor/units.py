@@ -25,7 +25,7 @@ from upright.doctor.finding import (
 )  # fmt: skip
 from upright.doctor.fixes import COARSE, levels
 from upright.doctor.motion import TRUSTED
-from upright.doctor.physics import Resampled, lagged, motion, motor, pendulum, smooth, widths
+from upright.doctor.physics import Resampled, lagged, motion, motor, smooth, widths
 from upright.logs.outliers import grain_of
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.robots import Robot
@@ -94,7 +94,7 @@ def scales(record: Record, robot: Robot | None = None) -> list[Finding]:
     m = motion(record)
     if m is None or m.gyro is None or m.gyro_name != GYRO:
         return []
-    fit = pendulum(m, m.wheel)
+    fit = m.law
     if fit.r2 < TRUSTED or not fit.values or fit.values[0] <= 0 or fit.values[1] <= 0:
         return []
     usual = expected(robot)

@@ -329,12 +329,12 @@ def _pitch_lag(log: Log) -> float | None:
     """The delay [s] of the pitch behind the encoders, by the pendulum's law; None where that is unclear."""
     from upright.doctor.delays import CLEAR
     from upright.doctor.finding import Record
-    from upright.doctor.physics import motion, pendulum
+    from upright.doctor.physics import motion
 
     moved = motion(Record(log.t, _measured(log), dict(log.units)))
     if moved is None or moved.gyro is None:
         return None
-    fit = pendulum(moved, moved.wheel)
+    fit = moved.law
     return fit.lag if fit.r2 > CLEAR and fit.values and fit.values[0] > 0 else None
 
 

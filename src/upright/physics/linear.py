@@ -40,6 +40,19 @@ def _empty() -> Array:
     return np.zeros((0, 0))
 
 
+@lru_cache(maxsize=256)
+def _zeros(shape: tuple[int, ...]) -> Array:
+    """Zeros that all models share, read-only."""
+    return np.broadcast_to(0.0, shape)
+
+
+@lru_cache(maxsize=64)
+def _identity(n: int) -> Array:
+    value = np.eye(n)
+    value.setflags(write=False)
+    return value
+
+
 def _numbered(letter: str, count: int) -> tuple[str, ...]:
     """x[0], x[1], … as python-control names them."""
     return tuple(f"{letter}[{i}]" for i in range(count))
@@ -84,8 +97,11 @@ class LinearModel(Shown):
         p = len(self.outputs) or (n if every else len(self.C if n else self.D))
         shapes = {"A": (n, n), "B": (n, m), "C": (p, n), "D": (p, m), "E": (n, k), "x0": (n,), "u0": (m,), "f0": (n,)}
         for name, shape in shapes.items():
-            given: Array = np.array(np.eye(n) if name == "C" and every else getattr(self, name), dtype=np.float64)
-            value: Array = np.zeros(shape) if given.size == 0 else given
+            given = getattr(self, name)
+            if np.size(given) == 0:
+                object.__setattr__(self, name, _identity(n) if name == "C" and every else _zeros(shape))
+                continue
+            value: Array = np.array(given, dtype=np.float64)
             if value.shape != shape:
                 raise InvalidModel(
                     f"{name} has shape {value.shape}",
@@ -229,6 +245,7 @@ class LinearModel(Shown):
             raise InvalidModel(f"not a linear model: {error}", expected="JSON written by LinearModel.to_json") from None
 
 
+@lru_cache(maxsize=256)
 def delay_line(width: int, periods: int, dt: float) -> LinearModel:
     """`width` signals, `periods` periods of `dt` [s] late: what waits is its state, newest first."""
     n = width * periods
