@@ -199,7 +199,7 @@ def test_the_robot_as_it_should_be_leaves_its_dead_time_to_no_fault() -> None:
 def test_a_window_shorter_than_a_push_has_no_pushes() -> None:
     # a filter that loses the robot at once leaves less time than one push takes
     short = bank(follow(standing(), NXT, KIT).between(1.0, 1.1), 1.0, pushes_only=True)
-    assert not short.pushes
+    assert len(short.pushes) == 0
     assert [fit.pushes for fit in fits(short)] == [()]
 
 

@@ -138,8 +138,7 @@ def with_pushes(
     first = against or bank
     best, pushes = score_of(first, y, spent), list[PushEstimate]()
     free = np.ones(len(bank.pushes), dtype=np.bool_)
-    starts, stops = (np.array([getattr(p, edge) for p in bank.pushes]) for edge in ("onset", "stop"))
-    for _ in range(MOST_PUSHES if bank.pushes else 0):
+    for _ in range(MOST_PUSHES if len(bank.pushes) else 0):
         dots = bank.matrix.T @ y
         i = int(np.argmax(np.where(free, dots**2 / bank.squares, 0.0)))
         force = -float(dots[i] / bank.squares[i])
@@ -147,10 +146,10 @@ def with_pushes(
         score = score_of(first, after, spent + PUSH_NUMBERS)
         if score < best + LEAST_GAIN:
             break
-        push = bank.pushes[i]
-        pushes.append(PushEstimate(push.onset, push.stop, force * (push.stop - push.onset), push.size, score - best))
+        start, stop, height = bank.pushes[i].tolist()
+        pushes.append(PushEstimate(start, stop, force * (stop - start), height, score - best))
         y, best, spent = after, score, spent + PUSH_NUMBERS
-        free &= (starts > push.stop + PUSH_GAP) | (stops < push.onset - PUSH_GAP)
+        free &= (bank.pushes[:, 0] > stop + PUSH_GAP) | (bank.pushes[:, 1] < start - PUSH_GAP)
     nis = float(y @ y) / len(y)
     explained = 1 - nis / max(float(first.y @ first.y) / len(first.y), 1e-12)
     fit = FaultFit(

@@ -217,10 +217,11 @@ def entering(run: FilterRun, changes: Sequence[Mapping[str, float]]) -> Array:
     """What enters the state over each span (events, 6, changes) where parameters are larger by these amounts."""
     x, u, w = run.before[None, :, :6], run.command[None], np.zeros((1, len(run.t), 2))
     usual = _flown(run.robot, run.robot, x, u, w, run.spans)[0]
-    numbers = run.robot.numbers()
-    moved = [numbers | {name: numbers[name] + size for name, size in change.items()} for change in changes]
-    others = [_flown(run.robot, SimpleNamespace(**p), x, u, w, run.spans)[0] - usual for p in moved]
-    return np.moveaxis(np.reshape(others, (len(changes), *usual.shape)), 0, 2)
+    numbers: dict[str, Any] = run.robot.numbers()
+    for name in {name for change in changes for name in change}:  # all changes at once
+        numbers[name] = np.array([[numbers[name] + change.get(name, 0.0)] for change in changes])
+    x, u, w = (np.broadcast_to(one, (len(changes), *one.shape[1:])) for one in (x, u, w))
+    return np.moveaxis(_flown(run.robot, SimpleNamespace(**numbers), x, u, w, run.spans) - usual, 0, 2)
 
 
 def _flown(robot: Robot, p: Any, x: Array, u: Array, w: Array, spans: Array) -> Array:

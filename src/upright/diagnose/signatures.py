@@ -46,7 +46,8 @@ LARGEST_SPREAD = 0.08
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Bank:
     """The window's whitened innovations `y` at the times `then`, the `scale` of ordinary ones, the signatures of all
-    faults, those of `pushes`, and the latter's values as a `matrix` (readings, pushes) with its column `squares`.
+    faults, onset [s], stop [s] and height [m] of all `pushes` (pushes, 3), and what a newton of each does as a `matrix`
+    (readings, pushes) with its column `squares`.
     `free` are steps at all onsets by the channel that they enter by: together a disturbance of any shape. `basis` is
     that of the unknown parameters, which all of these are beside."""
 
@@ -54,7 +55,7 @@ class Bank:
     then: Array
     scale: float
     faults: list[Signature]
-    pushes: list[Signature]
+    pushes: Array
     matrix: Array
     squares: Array
     free: Mapping[str, Array]
@@ -121,7 +122,7 @@ def beside(basis: Array, values: Array) -> Array:
     return left
 
 
-def _pushes(run: FilterRun, onsets: Array, latest: float) -> tuple[list[Signature], Array]:
+def _pushes(run: FilterRun, onsets: Array, latest: float) -> tuple[Array, Array]:
     """Forces of some time at some heights, free in size, that begin before the `latest` [s]; none where the window is
     shorter than the shortest."""
     starts = int((onsets < latest).sum())
@@ -147,30 +148,27 @@ def finer(run: FilterRun, known: Bank, pushes: Sequence[tuple[float, float]]) ->
     matrix = beside(known.basis, matrix)
     whole = np.concatenate([known.matrix, matrix], axis=1)
     squares = np.concatenate([known.squares, np.maximum((matrix**2).sum(axis=0), 1e-12)])
-    return replace(known, pushes=[*known.pushes, *more], matrix=whole, squares=squares)
+    return replace(known, pushes=np.concatenate([known.pushes, more]), matrix=whole, squares=squares)
 
 
 def _forces(
     run: FilterRun, onsets: Array, edges: Sequence[tuple[int, int]], heights: Sequence[float]
-) -> tuple[list[Signature], Array]:
-    """Forces between two of the `onsets` each, at heights over that of the centre of mass; their values together
-    (readings, forces)."""
+) -> tuple[Array, Array]:
+    """Forces between two of the `onsets` each, at heights over that of the centre of mass, as `Bank` has them; their
+    values together (readings, forces)."""
     if not edges:
-        return [], np.zeros((int(run.readings.sum()), 0))
+        return np.zeros((0, 3)), np.zeros((int(run.readings.sum()), 0))
     n = len(onsets)
     on = np.clip((run.t[:, None] - onsets) / np.maximum(run.spans, 1e-9)[:, None], 0.0, 1.0)
-    entered = np.zeros((len(run.t), 4, 2 * n))
-    entered[:, 2, :n], entered[:, 3, n:] = on, on
-    steps = answer(run, entered)[run.readings]
+    gamma = run.tangent.gamma[:, :, 2:]
+    steps = propagated(run, np.concatenate([one * on[:, None] for one in np.split(gamma, 2, axis=2)], axis=2))
+    steps = steps[run.readings]
     first, last = np.array(edges).T
     force, moment = steps[:, first] - steps[:, last], steps[:, n + first] - steps[:, n + last]
     arms = [height * run.robot.com_height for height in heights]
     together = np.concatenate([force + h * moment for h in arms], axis=1)
-    kinds = [(float(onsets[i]), float(onsets[j]), h) for h in arms for i, j in edges]
-    return [
-        Signature(fault="push", onset=onset, stop=stop, size=h, values=one)
-        for (onset, stop, h), one in zip(kinds, together.T, strict=True)
-    ], together
+    kinds = [np.column_stack([onsets[first], onsets[last], np.full(len(first), h)]) for h in arms]
+    return np.concatenate(kinds), together
 
 
 def _loads(run: FilterRun, onsets: Array) -> list[Signature]:
