@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -127,14 +127,19 @@ class _Plane:
         states: Complex = np.asarray(np.linalg.solve(z[:, None, None] * np.eye(n) - self.A, self.b[:, None]), complex)
         return states[:, :4, 0]
 
+    def margins(self, pitch: PidGains, positions: Sequence[PidGains]) -> Array:
+        """min |1 + L| with the loop cut at the motors, for position loops (n,) round one of pitch."""
+        x, z = self.response.T, self.z
+        wheel, wheel_rate = np.array([(gains.wheel, gains.wheel_rate) for gains in positions]).T[:, :, None]
+        error = x[0] + wheel * x[2] + wheel_rate * x[3]
+        keep = _keep(pitch, self.dt)
+        rate = (1 - keep) * z / (z - keep) * x[1]
+        command = (pitch.p + pitch.i * self.dt / (z - 1)) * error + pitch.d * rate + pitch.motor * (x[3] - x[1])
+        return np.abs(1 - command).min(axis=1)
+
     def margin(self, gains: PidGains) -> float:
-        """min |1 + L| with the loop cut at the motors."""
-        x, z = self.response, self.z
-        error = x[:, 0] + gains.wheel * x[:, 2] + gains.wheel_rate * x[:, 3]
-        keep = _keep(gains, self.dt)
-        rate = (1 - keep) * z / (z - keep) * x[:, 1]
-        command = (gains.p + gains.i * self.dt / (z - 1)) * error + gains.d * rate + gains.motor * (x[:, 3] - x[:, 1])
-        return float(np.abs(1 - command).min())
+        """The same of one cascade."""
+        return float(self.margins(gains, [gains])[0])
 
     def closed(self, gains: PidGains) -> tuple[Array, Array]:
         """A and b of the closed plane with the integral and the derivative's filter as its last states, for −ψ_ref."""
@@ -148,9 +153,10 @@ class _Plane:
         A[n, :n], A[n, n], A[n + 1, 1], A[n + 1, n + 1] = self.dt * error, 1.0, 1 - keep, keep
         return A, b
 
-    def slowest(self, gains: PidGains) -> float:
-        """The largest |eigenvalue| of the closed plane."""
-        return float(np.abs(np.linalg.eigvals(self.closed(gains)[0])).max())
+    def stable(self, cascades: Sequence[PidGains]) -> list[bool]:
+        """Whether each closed plane is."""
+        matrices = np.array([self.closed(gains)[0] for gains in cascades])
+        return (np.abs(np.linalg.eigvals(matrices)).max(axis=1) < 1).tolist()
 
 
 def _keep(gains: PidGains, dt: float) -> float:
@@ -174,9 +180,11 @@ def _tuned(plane: _Plane, motor: float, heading: tuple[float, float]) -> PidGain
     """The stiffest position loop of all that keep `MARGIN`, or `SHARE` of the best where none does."""
     cascades: list[tuple[float, PidGains]] = []
     for pitch in _pitches(plane, motor):
-        tried = (replace(g, yaw=heading[0], yaw_rate=heading[1]) for g in _positions(plane, pitch))
-        cascades += [(plane.margin(gains), gains) for gains in tried]
-    cascades = [(margin, gains) for margin, gains in cascades if margin >= LEAST and plane.slowest(gains) < 1]
+        tried = list(_positions(plane, replace(pitch, yaw=heading[0], yaw_rate=heading[1])))
+        cascades += zip(plane.margins(pitch, tried).tolist(), tried, strict=True)
+    cascades = [(margin, gains) for margin, gains in cascades if margin >= LEAST]
+    stable = plane.stable([gains for _, gains in cascades]) if cascades else []
+    cascades = list(itertools.compress(cascades, stable))
     if not cascades:
         raise _no_cascade(plane)
     enough = min(MARGIN, SHARE * max(margin for margin, _ in cascades))
@@ -186,7 +194,7 @@ def _tuned(plane: _Plane, motor: float, heading: tuple[float, float]) -> PidGain
 def _given(plane: _Plane, motor: float, heading: tuple[float, float], gains: Mapping[str, float]) -> PidGains:
     """The `gains` of pitch and position, which have to stabilise the robot."""
     result = PidGains(motor=motor, yaw=heading[0], yaw_rate=heading[1], **gains)
-    if not plane.slowest(result) < 1:
+    if not all(plane.stable([result])):
         raise DesignFailed(f"these gains do not stabilise '{plane.sampled.robot.name}'", expected=str(PidGains.__doc__))
     return result
 
