@@ -8,8 +8,10 @@ import re
 import shlex
 import shutil
 import tomllib
+from functools import cache
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -101,8 +103,9 @@ def test_commands_in_the_documents_are_understood(page: Path) -> None:
             understood(words[1:])
 
 
-def understood(words: list[str]) -> None:
-    """Parse a command as the program does, without executing it; an unknown command or option raises."""
+@cache
+def parser() -> Any:
+    """The program's commands, of which none does anything."""
     root = group()
     todo = [root]
     while todo:
@@ -110,7 +113,12 @@ def understood(words: list[str]) -> None:
         if command is not root:
             command.callback = lambda **_: None
         todo += getattr(command, "commands", {}).values()
-    root.main(words, prog_name="upright", standalone_mode=False)
+    return root
+
+
+def understood(words: list[str]) -> None:
+    """Parse a command as the program does, without executing it; an unknown command or option raises."""
+    parser().main(words, prog_name="upright", standalone_mode=False)
 
 
 @pytest.mark.parametrize("words", ["simulat", "simulate --bodi twin", "robots shw nxtway-gs", "compare"])

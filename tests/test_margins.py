@@ -93,10 +93,10 @@ def test_a_gain_margin_at_frequency_zero_is_found():
 
 
 def stable_with(loop, factor):
-    """Whether the loop closes stably with this gain, by the poles alone."""
-    gain = factor / (1 + factor * loop.D[0, 0])
-    poles = np.linalg.eigvals(loop.A - gain * loop.B @ loop.C)
-    return bool(poles.real.max() < 0) if loop.continuous else bool(np.abs(poles).max() < 1)
+    """Whether the loop closes stably with this gain, or each of several, by the poles alone."""
+    gain = np.asarray(factor / (1 + factor * loop.D[0, 0]))
+    poles = np.linalg.eigvals(loop.A - gain[..., None, None] * (loop.B @ loop.C))
+    return (poles.real.max(axis=-1) < 0) if loop.continuous else (np.abs(poles).max(axis=-1) < 1)
 
 
 @pytest.mark.parametrize("dt", [0.0, 0.05])
@@ -119,7 +119,8 @@ def test_gain_margins_are_where_a_sweep_of_the_gain_turns_unstable(dt):
         found = margins(loop)
         ends = []
         for gains in (sweep[sweep < 1][::-1], sweep[sweep > 1]):
-            first = next((i for i, g in enumerate(gains) if not stable_with(loop, g)), None)
+            unstable = np.flatnonzero(~stable_with(loop, gains))
+            first = int(unstable[0]) if len(unstable) else None
             inside, outside = (gains[first - 1] if first else 1.0, gains[first]) if first is not None else (1.0, None)
             for _ in range(60 if outside else 0):
                 middle = math.sqrt(inside * outside)
