@@ -72,7 +72,8 @@ def test_steps_whose_samples_nobody_reads_leave_the_same_body(body):
             now = body.step(command, pushed(now.t))
         single.append(now)
     now = body.reset(LEAN, 3)
-    assert single == [now := advanced(body, now.t, command, pushed, 10) for command in commands]
+    together = [now := advanced(body, now.t, command, pushed, 10) for command in commands]
+    assert together == single
 
 
 def test_samples_are_read_only_and_share_no_memory(body):
