@@ -7,6 +7,7 @@ run may have into what the equations leave out, such as a winding colder by a hu
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
@@ -14,10 +15,11 @@ import numpy as np
 
 from upright.calibrate.calibrate import segmented
 from upright.calibrate.calibration import Segments
-from upright.calibrate.effects import run_spreads
+from upright.calibrate.effects import SHARES, run_spreads
 from upright.calibrate.fitting import Problem
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import effective_fraction
+from upright.calibrate.parameters import Parameter
 from upright.calibrate.validate import score, segments
 
 ITERATIONS = 15  # of Gauss–Newton, at most
@@ -33,11 +35,17 @@ class RunEffect:
     here: float
 
 
+def _spread(p: Parameter, between: float) -> float:
+    """Standard deviation of a run's own number, of which runs differ by `between` deviations of what is known: where
+    somebody measured the robot's friction or winding, they know it no better than that."""
+    return p.spread * (math.hypot(1.0, between) if p.name in SHARES and not p.guess else between)
+
+
 def of_this_run(problem: Problem, limits: Mapping[str, float]) -> tuple[Segments, tuple[RunEffect, ...]] | None:
     """Half seconds of the one recording of `problem` with the numbers of its own run, and these; None where they
     predict no better than those that are known. `limits` are the variances of the sensors by their kit."""
     spreads = run_spreads(problem.asked)
-    own = tuple(replace(p, spread=spreads.get(p.name, 1.0) * p.spread) for p in problem.parameters)
+    own = tuple(replace(p, spread=_spread(p, spreads.get(p.name, 1.0))) for p in problem.parameters)
     free = replace(problem, parameters=own, held=frozenset(p.name for p in own if p.name not in spreads))
     known, recording = np.zeros(len(own)), problem.recordings[0]
     fit = segmented(free, limits, known)
