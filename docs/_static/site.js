@@ -15,4 +15,5 @@ function unfold() {
   there.scrollIntoView();
 }
 addEventListener("hashchange", unfold);
+addEventListener("load", () => document.querySelectorAll("details:has(.highlighted)").forEach((part) => (part.open = true)));
 addEventListener("beforeprint", () => document.querySelectorAll("article details").forEach((part) => (part.open = true)));
