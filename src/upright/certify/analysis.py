@@ -35,6 +35,7 @@ INPUTS = {"left motor": (1.0, 0.0), "right motor": (0.0, 1.0), "both motors": (1
 
 LATEST = 0.3  # [s] more delay than this no balancing robot survives
 ROUNDED = 1e-6  # an integrator's pole, which is at 1 but for rounding, is not unstable
+SHOWN_GAIN = 0.01  # a smaller loop gain sets no margin, and is not drawn
 FINEST = 1e-3  # [s] steps of delay: a loop that is unstable between two of them alone is not found
 DRAWN = 200
 COMPARABLE = {"sensor/gyro": 1.5, "sensor/compass": 0.5}  # [rad/s], [rad]: Bryson's sizes of the readings
@@ -112,7 +113,7 @@ class Analysis(Shown):
         line(size, "loop gain", omega, np.abs(response))
         line(phase, "loop gain", omega, angle)
         size.axhline(1.0, linestyle="--", color="grey", linewidth=0.8)
-        ends = np.log10([float(np.abs(response).min()) + 1e-9, 1.05 * float(np.abs(response).max())])
+        ends = np.log10([max(float(np.abs(response).min()), SHOWN_GAIN), 1.05 * float(np.abs(response).max())])
         size.set_ylim(10.0 ** math.floor(ends[0]), 10.0 ** math.ceil(ends[1]))
         _mark_margins(size, phase, self._of(channel), (omega, angle))
         return legend(figure)

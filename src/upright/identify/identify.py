@@ -77,7 +77,7 @@ class MethodComparison(Shown):
             poles = [m.pole for k, m in enumerate(self.models.values()) if k in rows]
             ax.hlines(rows, [p.low for p in poles], [p.high for p in poles], linewidth=2.5, color=colour)
             mark = "o" if holds else "x"
-            ax.plot([p.value for p in poles], rows, mark, markersize=7, color=colour, label=f"its regulator {name}")
+            ax.plot([p.value for p in poles], rows, mark, markersize=5, color=colour, label=f"its regulator {name}")
         _beside(ax, [m.pole for m in self.models.values()])
         return legend(figure)
 

@@ -65,7 +65,7 @@ class LoopTrial:
     def __str__(self) -> str:
         if self.why:
             return self.why
-        return "holds" if self.holds else f"falls at {self.fell:.1f} s"
+        return "holds" if self.holds else f"falls after {self.fell:.1f} s"
 
 
 def judge_of(samples: Samples, calibration: Calibration | None = None) -> Judge:

@@ -113,6 +113,7 @@ def _fitted(log: Log, fit: LeastSquares) -> Claim:
         numbers,
         [table, *both],
         {"identification": log},
+        aside="with the sign of the yaw inputs turned",
     )
 
 
@@ -139,7 +140,7 @@ def _biased(robot: Robot, log: Log, fit: LeastSquares, longer: LeastSquares) -> 
     ]
     return Claim(
         "3b",
-        "The same regression on real sensors is biased",
+        "The same regression on realistic sensors is biased",
         BEYOND,
         summary,
         numbers,

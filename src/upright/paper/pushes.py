@@ -138,12 +138,13 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     robot = trial.robot
     stood = not any(numbers.fell for numbers in comparison.metrics.values())
     force = Hold(pitch=PUSHES[side], until=RELEASE).force(robot)
-    fits = {name: cell_text(fit["pitch"], 2) for name, fit in comparison.fits.items()}
+    fits, rates = ({n: cell_text(f[state], 2) for n, f in comparison.fits.items()} for state in ("pitch", "pitch_rate"))
     why = _why_long(comparison, measured)
     summary = (
         f"Held at {cell_text(PUSHES[side])} rad by {cell_text(force, 2)} N at the centre of mass and released, pitch "
         f"settles to 5 %: {_times(measured.settling)}.{why} The fit of pitch to the twin is {fits['nonlinear']} % for "
-        f"the nonlinear and {fits['linear']} % for the linear model. {trial.why}"
+        f"the nonlinear and {fits['linear']} % for the linear model; that of pitch rate, which noise lowers, "
+        f"{rates['nonlinear']} and {rates['linear']} %. {trial.why}"
     )
     figures = _figures(comparison, measured, FIGURES[side])
     strip = Figure(

@@ -28,6 +28,10 @@ LEAD = (
     "Herrera, Chamorro, Gómez and Camacho model the LEGO NXT balancing robot twice, put robot and models under one "
     "regulator, and push them. This page repeats each step; a simulated twin stands in for their robot."
 )
+PAPER = (
+    "M. Herrera, W. Chamorro, A. Gómez and O. Camacho (2015), Two-Wheeled Inverted Pendulum Robot NXT Lego Mindstorms: "
+    "Mathematical Modelling and Real Robot Comparisons"
+)
 COUNTED = (
     "A claim is one part of the paper, judged as a whole. The equations are two: in their corrected form (1a) and as "
     "printed, with each misprint (1b)."
@@ -75,7 +79,7 @@ def _page(claims: Sequence[Claim]) -> Page:
     counted = {verdict: sum(c.verdict == verdict for c in claims) for verdict in (REPRODUCED, NOT_AS_PRINTED, BEYOND)}
     judged = counted[REPRODUCED] + counted[NOT_AS_PRINTED]
     partly = sum(bool(c.aside) for c in claims if c.verdict == REPRODUCED)
-    beside = {REPRODUCED: f", {partly} of them in shape only" if partly else ""}
+    beside = {REPRODUCED: f", {partly} of them in part" if partly else ""}
     numbers = [(f"{counted[v]} of {judged}", f"claims {v}{beside.get(v, '')}") for v in (REPRODUCED, NOT_AS_PRINTED)]
     numbers.append((str(counted[BEYOND]), "further checks, beyond the paper"))
     failed = [f"{c.part} ({c.title.split(',')[0].split(':')[0]})" for c in claims if c.verdict == NOT_AS_PRINTED]
@@ -110,7 +114,7 @@ def _page(claims: Sequence[Claim]) -> Page:
     held = counted[REPRODUCED]
     title = TITLE.format(held, held + counted[NOT_AS_PRINTED])
     verdict = Verdict("all as printed", "good") if not failed else Verdict(f"{len(failed)} not as printed", "warn")
-    facts = {"command": "upright reproduce", **_versions()}
+    facts = {"command": "upright reproduce", "paper": PAPER, **_versions()}
     return Page(title, sections, f"{LEAD}{missed}{AFTER}", facts, verdict=verdict, picture=picture, numbers=numbers)
 
 

@@ -23,9 +23,11 @@ def page_of(result: Analysis | Designed) -> Page:
             raise InvalidController(f"no report: {result.remark}", expected="a controller that is linear near rest")
         return page_of(result.analysis)
     analysis = result
-    first, *rest = analysis.words()
+    first, *_ = analysis.words()
     first = sentence(first, "")
-    sections = [Section("All margins", [first, *rest, *_margins(analysis)] if analysis.stable else _margins(analysis))]
+    sections = [
+        Section("All margins", [*analysis.words()[2:3], *_margins(analysis)] if analysis.stable else _margins(analysis))
+    ]
     if analysis.stable:
         both = analysis.both()
         last = f"Bode diagram: beyond {both.crossover:.3g} rad/s the gain stays below 1, the dashed line"
@@ -78,7 +80,9 @@ def _lead(analysis: Analysis, first: str) -> str:
     targets = _targets(analysis)
     short = [name for name, _, _, part in targets if part < 1]
     unstable = int((analysis.radii >= 1).sum())
-    drawn = f"{len(analysis.radii)} slightly different robots" if len(analysis.radii) else ""
+    drawn = (
+        f"{len(analysis.radii)} robots drawn within the uncertainty of the robot's file" if len(analysis.radii) else ""
+    )
     of = f" Of {drawn}, {unstable or 'none'} {'is' if unstable <= 1 else 'are'} unstable." if drawn else ""
     below = f"Below the usual target: {', '.join(short)}." if short else "All margins reach the usual targets."
     if len(short) == len(targets):
@@ -141,10 +145,14 @@ def _delayed_first(analysis: Analysis) -> list[Figure]:
     if first not in analysis.outputs or name != first.channel or not first.delay_at > 0:
         return []
     title = f"The loop at the {name}: {_delay(analysis)} more delay there makes it unstable"
+    rule = first.phase / first.phase_at
     note = (
         f"The loop is broken at the {name} alone. A delay there uses up the phase margin of "
-        f"{cell_text(math.degrees(first.phase), 3)}° at {cell_text(first.phase_at, 3)} rad/s."
+        f"{cell_text(math.degrees(first.phase), 3)}° at {cell_text(first.phase_at, 3)} rad/s: "
+        f"{cell_text(1e3 * rule, 3)} ms if it were a lag of phase alone."
     )
+    if first.delay < 0.97 * rule:
+        note += f" In the sampled loop a part of a period does more than that, so {_delay(analysis)} are enough."
     return [Figure(title, analysis.plot(name), note)]
 
 

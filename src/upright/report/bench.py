@@ -42,8 +42,8 @@ def page_of(bench: Bench) -> Page:
         sections = [Section("Responses", [responses(bench)]), *sections]
     who = f"{joined(firsts)} survive" if 1 < len(firsts) <= FEW else f"{best} survives"
     heading = f"{who} the largest knock on {bench.robot}" if knocked else f"Controllers of {bench.robot}"
-    lead = f"{len(ranked)} controllers on a {bench.body} of {bench.robot} with kit {bench.kit}, under the same pushes. "
-    lead += "Next: `upright certify` the best one with slightly different robots."
+    lead = f"{len(ranked)} controllers on a {bench.body} of {bench.robot} with kit {bench.kit}: knocked ever "
+    lead += "harder, and held at a lean until 3 s. Next: `upright certify` the best one with slightly different robots."
     return Page(
         heading, sections, lead, facts,
         bench.body == "twin", verdict=verdict,
@@ -63,9 +63,16 @@ def _summary(bench: Bench) -> Table:
     rows: list[list[Cell]] = []
     for name, size in bench.ranked().items():
         spreads = [row.spread for row in bench.rows if row.controller == name and row.spread is not None]
-        rows.append([name, size, 100 * max(spreads) if spreads else None])
-    caption = f"Under the worse push: largest knock, and falls of {DRAWN} drawn robots"
-    return Table(["controller", "knock [N s]", "falls [%]"], rows, caption, 2, even=True)
+        efforts = [row.effort for row in bench.rows if row.controller == name and row.effort is not None]
+        rows.append([name, size, 100 * max(spreads) if spreads else None, max(efforts, default=None)])
+    caption = f"The worse of front and back; falls: of {DRAWN} drawn robots, held at a lean and let go"
+    return Table(
+        ["controller", "knock [N s]", "falls when held [%]", f"effort [{_effort_unit(bench)}]"],
+        rows,
+        caption,
+        2,
+        even=True,
+    )
 
 
 def _unsettled(bench: Bench) -> list[str]:
@@ -95,7 +102,7 @@ def responses(bench: Bench) -> Figure:
     first = f"The first {FEW - 1} by the knock that they survive, and the last."
     knocked = any(row.impulse is not None for row in bench.rows)
     some = "" if few == ranked else first if knocked else "The tables have the other controllers too."
-    title = f"Pitch under each push; these fall: {', '.join(dict.fromkeys(fell))}" if fell else _leans(bench, few)
+    title = f"Pitch while held and after; these fall: {', '.join(dict.fromkeys(fell))}" if fell else _leans(bench, few)
     return Figure(title, bench.plot_responses(*few), some)
 
 
@@ -104,9 +111,9 @@ def _leans(bench: Bench, names: Sequence[str]) -> str:
     peaks = {n: max(abs(row.peak or 0.0) for row in bench.rows if row.controller == n) for n in names}
     ranked = sorted(peaks, key=lambda name: -peaks[name])
     if len(ranked) < 2 or not peaks[ranked[-1]]:
-        return "Pitch under each push"
+        return "Pitch, held at a lean and let go"
     most, least = (f"{name} ({number(math.degrees(peaks[name]), 2)}°)" for name in (ranked[0], ranked[-1]))
-    return f"Pitch under each push: of these {most} leans most, {least} least"
+    return f"Pitch, held at a lean and let go: of those drawn {most} leans most, {least} least"
 
 
 FEW = 4  # curves that can be told apart in one panel

@@ -24,7 +24,7 @@ def page_of(cases: Cases) -> Page:
     """The campaign's page, not yet written."""
     sections = [Section("Cases", [_table(cases)])]
     if drawn := cases.drawn():
-        sections.append(Section("Drawn numbers that matter", [_matter(cases, drawn)]))
+        sections.append(Section("Varied parameters that matter", [_matter(cases, drawn)]))
     if _one_robot(cases) and cases.spreads:
         sections.append(Section("What varies", [_spreads(cases)], folded=True))
     counted = cases.worst_first()
@@ -143,9 +143,15 @@ def _strongest(cases: Cases) -> str:
     name, (case, least, most) = next(iter(drawn.items()))
     of_case = f" ({cases.names()[cases.index(case)]})" if len(cases) > 1 else ""
     return (
-        f" Of the drawn numbers {spoken(name)} matters most: {_percent(least)} fall of the fifth with the least, "
-        f"{_percent(most)} of the fifth with the most{of_case}."
+        f" Of the varied parameters {spoken(name)} matters most{_assumed(cases, name)}: of the fifth with the least "
+        f"{_percent(least)} fall, of that with the most {_percent(most)}{of_case}."
     )
+
+
+def _assumed(cases: Cases, name: str) -> str:
+    """How far a parameter is assumed to vary, in brackets with a space before it."""
+    spread = next((s for s in cases.spreads if s["name"] == name), None)
+    return f" (varied {_size(spread, cases.units.get(name, ''))})" if spread else ""
 
 
 MATTER = 8  # drawn numbers in the table
@@ -159,9 +165,10 @@ def _matter(cases: Cases, drawn: Mapping[str, tuple[CaseSummary, float, float]])
         for name, (case, least, most) in list(drawn.items())[:MATTER]
     ]
     caption = (
-        "Falls of the fifth of the robots with the least and with the most of it, in the case where it matters most"
+        "How many fall of the fifth of the robots with the least and with the most of it, in the case where it matters "
+        "most"
     )
-    return Table(["number", "least fifth [%]", "largest fifth [%]", "case"], rows, caption, 3, even=True)
+    return Table(["parameter", "least fifth [%]", "largest fifth [%]", "case"], rows, caption, 3, even=True)
 
 
 def _width(spread: Mapping[str, Any]) -> float:
@@ -188,7 +195,7 @@ def _spreads(cases: Cases) -> Table:
         unit = cases.units.get(spread["name"], "")
         middle = (spread["low"] + spread["high"]) / 2 if spread["kind"] == "uniform" else spread["low"]
         rows.append([f"{spoken(spread['name'])} [{unit or '1'}]", middle, _size(spread, unit)])
-    return Table(["number", "middle", "varies"], rows, "±: one standard deviation; a factor: of one, too")
+    return Table(["number", "middle", "varies"], rows, "± and factors are one standard deviation")
 
 
 def _numbers(cases: Cases, fallen: int, all_of_them: int) -> list[tuple[str, str]]:
@@ -234,7 +241,9 @@ def _table(cases: Cases) -> Table:
         fell = None if case.fell is None else 100 * case.fell / case.n
         rows.append([name, fell, *(None if mean is None else factor * mean for mean, factor in means)])
     header = ["case", "fell [%]", *(kinds[o][0] for o in shown)]
-    caption = "Falls, most first; and means of the robots that stood: largest pitch, settling time, effort"
+    caption = (
+        "Falls, the worst first where that is no chance; means of those that stood: largest pitch, settling, effort"
+    )
     return Table(header, rows, caption, 3, even=True)
 
 

@@ -60,8 +60,8 @@ def page_of(certificate: Certificate) -> Page:
 
 
 _USUAL = (
-    "Margins below the usual targets, as `upright design` may say, do not contradict this: the targets are for robots "
-    "not known well."
+    "Margins below the usual targets, as `upright design` may say, do not contradict this: here all numbers of robot, "
+    "delay and battery were varied at once, as far as the file says that they may differ."
 )
 
 
@@ -78,7 +78,7 @@ def _numbers(c: Certificate) -> list[tuple[str, str]]:
     return [
         *numbers,
         *(
-            [(f"{cell_text(max(stood), 3)} m", "travel of 95 % of those that stood, under the worst push")]
+            [(f"{cell_text(max(stood), 3)} m", "95 % of those that stood travel less, under the worst push")]
             if stood
             else []
         ),
@@ -91,7 +91,7 @@ def _falls(c: Certificate) -> Figure:
     if most.fell:
         percent = number(100 * most.fell / most.runs, 3)
         alike = sum(t.fell * most.runs == most.fell * t.runs for t in c.trials) - 1
-        others = f", and {alike} more" if alike else ""
+        others = f", and {alike} more alike" if alike else ""
         worst = f"worst: {in_degrees(most.push)}, {most.battery} battery{others}, {percent} %"
         limit = f"Every push is below the limit of {allowed}" if c.bound <= MOST_FALLS else f"The limit is {allowed}"
         return Figure(f"{limit}; {worst}", c.plot())
@@ -214,10 +214,16 @@ def _figure(name: str, swept: Sequence[Swept], title: str, note: str, designed: 
     top = min(105.0, max(10.0, 1.3 * max(parts)))
     ax.set_ylim(-0.05 * top, top)
     ax.axhline(100 * MOST_FALLS, linestyle="--", linewidth=1, color=AXIS)
-    ax.annotate("limit", (1, 100 * MOST_FALLS), (-4, 4), xycoords=("axes fraction", "data"), ha="right",
-                textcoords="offset points")  # fmt: skip
+    ax.annotate(
+        "limit of the bound", (1, 100 * MOST_FALLS), (-4, 4), xycoords=("axes fraction", "data"), ha="right",
+        textcoords="offset points",
+    )  # fmt: skip
     runs = f"{swept[0].runs} runs each: some of the robots, every push, the battery of the kit."
-    return Figure(f"{title}: {fallen(milliseconds, parts)}", figure, f"{runs} {note}".strip())
+    return Figure(
+        f"{title}: {fallen(milliseconds, parts)}",
+        figure,
+        f"{runs} A certificate compares its bound with the limit, which is above the count. {note}".strip(),
+    )
 
 
 def fallen(values: Sequence[float], parts: Sequence[float]) -> str:

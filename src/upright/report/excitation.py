@@ -30,7 +30,7 @@ def page_of(plan: ExcitationPlan) -> Page:
     facts = {"controller": plan.hash[:12], "seed": str(plan.seed), "kit": plan.kit}
     numbers = [
         (f"≤ {number(100 * plan.checked.bound, 2)} %", _falls(plan)),
-        (f"{cell_text(plan.checked.travel, 2)} m", f"rolled by 95 % of the robots; allowed {plan.limits.travel:g} m"),
+        (f"{cell_text(plan.checked.travel, 2)} m", f"95 % of the robots roll less; allowed {plan.limits.travel:g} m"),
         (
             f"{number(100 * plan.checked.saturated, 2)} %",
             f"of the time a motor is at its limit; allowed {100 * plan.limits.saturated:g} %",
@@ -44,13 +44,16 @@ def page_of(plan: ExcitationPlan) -> Page:
 
 def _falls(plan: ExcitationPlan) -> str:
     c = plan.checked
-    return f"probability of a fall: {c.fell} of {c.samples} drawn robots fell; allowed {100 * plan.limits.falls:g} %"
+    of = " that stand without the run" if c.dropped else ""
+    return (
+        f"probability of a fall: {c.fell} of {c.samples} drawn robots{of} fell; allowed {100 * plan.limits.falls:g} %"
+    )
 
 
 def _safe(plan: ExcitationPlan) -> str:
     """The limits are those of robots that stand without the excitation, which is said where some do not."""
-    only = " for a robot that stands without it" if plan.checked.dropped else ""
-    return f"safe to run{only}: keeps its limits"
+    only = ", if the robot balances already" if plan.checked.dropped else ""
+    return f"within its limits{only}"
 
 
 _WHAT = (
@@ -60,13 +63,15 @@ _WHAT = (
 _MODES = "Driving: the mean of both motors. Turning: half of their difference."
 _PREDICTED = (
     "Predicted from the Fisher information of the calibration's predictor, along a run of the nonlinear model with the "
-    "kit. Both dithers are random binary signals of the same energy at the motors: one changes every period, one is "
-    "held for 40 ms. "
-    "The intervals after a hundred runs come from the spreads of other parameters: measure those."
+    "kit."
+)
+_DITHERS = (
+    "Both dithers are random binary signals of the same energy at the motors: one changes every period, one is held "
+    "for 40 ms. What a hundred runs leave comes from other numbers of the file, such as masses: measure those."
 )
 _TRIED = (
     "Each excitation is as large as the limits allow; energies are those at the motors. The plan may use less, where "
-    "the intervals hardly widen. So a dither is louder here than the random signal above, and comes closer. "
+    "the intervals hardly widen. So a dither is louder here than the one above, and comes closer. "
     "The last column is the width of the intervals after the run over that before. It is the geometric mean over {}."
 )
 
@@ -92,7 +97,7 @@ def _lead(plan: ExcitationPlan) -> str:
     names = ", ".join(spoken(p.name) for p in halved[:3])
     most = f" It sharpens {names} most." if names else ""
     better = [spoken(p.name) for p in plan.predicted if p.after < VISIBLE * p.before and p.dither < BETTER * p.after]
-    most += f" A random signal of the same energy would be better for {joined(better)}." if better else ""
+    most += f" A random dither of the same energy would be better for {joined(better)}." if better else ""
     from upright.excite.search import COMBINED
 
     way = "a mix of random steps, sines, drives and turns" if plan.way == COMBINED else f"a {plan.way}"
@@ -178,7 +183,13 @@ def _widths(plan: ExcitationPlan) -> Figure:
     ax.set_xscale("log")
     numbered(ax.xaxis)
     rows, after = np.arange(len(shown)), np.array([100 * p.after / p.before for p in shown])
-    ax.plot([100 * p.dither / p.before for p in shown], rows, "x", color=COLOURS[4], label="a random signal")
+    ax.plot(
+        [100 * p.dither / p.before for p in shown],
+        rows,
+        "x",
+        color=COLOURS[4],
+        label="random dither of the same energy",
+    )
     for label, kept, colour in (
         ("this run, halved", after < 100 * VISIBLE, 2),
         ("not halved", after >= 100 * VISIBLE, 1),
@@ -189,7 +200,7 @@ def _widths(plan: ExcitationPlan) -> Figure:
     none = f" Not drawn, since the run tells nothing of them: {', '.join(lost)}." if lost else ""
     title = f"The run halves the uncertainty of {_halved(plan)} of {len(plan.predicted)} parameters; left is better"
     title += f" ({len(shown)} drawn)" if lost else ""
-    note = f"The random signal has the same energy at the motors, {_joules(plan)}.{none}{_vague(plan)}"
+    note = f"Dither: a random binary signal, at the motors of the same energy, {_joules(plan)}.{none}{_vague(plan)}"
     return Figure(title, legend(figure), note)
 
 
@@ -216,7 +227,7 @@ def _tables(plan: ExcitationPlan) -> list[Item]:
     header = ["parameter", "dither", "held 40 ms", "100 runs", "after / dither"]
     return [
         Table(["parameter", "before", "after"], rows, "Half widths of 95 % intervals", 3),
-        Details("Both dithers, and a hundred runs", [Table(header, more, "Half widths, and their ratio", 3)]),
+        Details("Both dithers, and a hundred runs", [_DITHERS, Table(header, more, "Half widths, and their ratio", 3)]),
     ]
 
 
@@ -243,7 +254,7 @@ def _limits(plan: ExcitationPlan) -> Table:
         ["travel [m]", c.travel, limits.travel],
         ["largest pitch [°]", math.degrees(c.peak), None],
     ]
-    return Table(["", "measured", "limit"], rows, "Limits", 3)
+    return Table(["", "predicted", "limit"], rows, "Limits", 3)
 
 
 def _tried(plan: ExcitationPlan) -> Table:

@@ -50,8 +50,10 @@ def _verdict(compared: MethodComparison) -> Verdict:
         return Verdict("none can be used", level)
     best = _best(compared)
     sure = math.isfinite(compared.models[best].pole.high - compared.models[best].pole.low)
-    prior = ", but it alone has a prior" if best == PRIOR and tried > 1 else ""
-    return Verdict(f"{best}: narrowest interval of the pole{prior}" if sure else f"{best} leans least", "good")
+    other = [method for method in _ranked(compared) if method != PRIOR]
+    if best == PRIOR and other:
+        return Verdict(f"with the robot's file: {best}; from the log alone: {_best(compared, PRIOR)}", "good")
+    return Verdict(f"{best}: narrowest interval of the pole" if sure else f"{best} leans least", "good")
 
 
 PRIOR = "calibrate"  # the method that starts from what is known of the robot
@@ -67,9 +69,10 @@ def _title(compared: MethodComparison) -> str:
     return f"{len(ranked)} of {len(compared.trials)} methods give a model that balances {name}"
 
 
-def _best(compared: MethodComparison) -> str:
-    """Of the methods whose regulators lean alike the one with the surest pole, since their order is chance."""
-    ranked = _ranked(compared)
+def _best(compared: MethodComparison, without: str = "") -> str:
+    """Of the methods, `without` one, whose regulators lean alike the one with the surest pole, since their order is
+    chance."""
+    ranked = [method for method in _ranked(compared) if method != without]
     least = compared.trials[ranked[0]].largest or 0.0
     alike = [method for method in ranked if (compared.trials[method].largest or 0.0) <= ALIKE * least]
     poles = {method: compared.models[method].pole for method in alike}
@@ -154,8 +157,8 @@ _KNEW = "The twin that made this log has the very numbers of that file: such a p
 _PREDICTIONS = (
     "Prediction fit [%] on the held-out part of the log: 100 (1 − rms error / rms of the motion). For angles the "
     "motion is their change over the prediction horizon. So 0 % means no better than “nothing moves”, on other pages "
-    "no better than the mean. The filter is the same for all models. Wheel: the mean of both encoders, relative to the "
-    "body. Turn: from their difference."
+    "no better than the mean. The filter is the same for all models, and not that of `upright calibrate`, whose fits "
+    "differ. Wheel: the mean of both encoders, relative to the body."
 )
 _STABLE = (
     "A model that is stable, though the robot is not, forgets an error of its start; a right one lets it grow. So a "

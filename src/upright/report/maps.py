@@ -135,9 +135,12 @@ def basin_figure(data: Dataset) -> Figure:
         levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0], smooth=not family,
     )  # fmt: skip
     _zoom(drawing.axes[0], x, y, recovered)
+    best = _savable(origin_of(data)) if across == "pitch" else math.inf
+    if best < math.pi / 2:
+        _mark(drawing.axes[0], scale[across] * best)
     if math.isfinite(low):
         ends = [scale[across] * low, scale[across] * high]
-        drawing.axes[0].plot(ends, [0, 0], "|-", color="white", linewidth=2.5, markersize=12)
+        drawing.axes[0].plot(ends, [0, 0], color="white", linewidth=2.5, solid_capstyle="butt")
         for end, side in zip(ends, ("right", "left"), strict=True):
             text = f"{number(round(end, 1), 2)}{'°' if scale[across] > 1 else ''}"
             drawing.axes[0].annotate(
@@ -151,11 +154,21 @@ def basin_figure(data: Dataset) -> Figure:
     return Figure(title + (", mean over the robots drawn" if family else ""), drawing, note if apart else "")
 
 
+def _mark(ax: Axes, best: float) -> None:
+    """The leans beyond which no controller saves the robot, let go at rest."""
+    for side in (-best, best):
+        ax.axvline(
+            side, linestyle="--", linewidth=1.2, color=INK, label="at rest, no controller beyond" if side > 0 else "_"
+        )
+    ax.set_xlim(min(ax.get_xlim()[0], -1.1 * best), max(ax.get_xlim()[1], 1.1 * best))
+
+
 def _ticks(ax: Axes, degrees: bool) -> None:
-    """Every 10° where a phone has room for that, else five."""
+    """Every 10° or 20° where a phone has room for that, else five."""
     low, high = ax.get_xlim()
-    if degrees and 30 <= high - low <= 90:
-        ax.set_xticks(np.arange(10 * math.ceil(low / 10), high, 10).tolist())
+    step = 10 if high - low <= 50 else 20
+    if degrees and 30 <= high - low <= 120:
+        ax.set_xticks(np.arange(step * math.ceil(low / step), high, step).tolist())
     else:
         ax.locator_params(axis="x", nbins=5)
 
@@ -188,14 +201,14 @@ def push_map_page(data: Dataset) -> Page:
     low, duration = float(values[row, column, way]), float(data["duration"].values[column])
     height = float(data["height"].values[row])
     kind = (origin.get("controller") or {}).get("kind", "")
-    under = f"Under {kind}, pushed" if kind else "Pushed"
+    under = f"Simulated under {kind}, pushed" if kind else "Simulated, pushed"
     lead = (
         f"{under} {' and '.join(data['direction'].values.tolist())} for {_ends(data, 'duration', 1e3)} ms, "
         f"{_ends(data, 'height')} m above the axle. Each push grows until the robot falls: limits are within "
         f"{100 * search['tolerance']:g} %. It "
         f"survives a push if it still stands {search['watch']:g} s later. {low:.2g} N s stops a tennis ball of "
         f"{low / BALL:.2g} m/s. "
-        "Next: `upright certify`, for slightly different robots."
+        "Next: `upright certify`, which counts how many similar robots fall."
     )
     first, *rest = push_map_figures(data)
     ways = data["direction"].values.tolist()
@@ -213,7 +226,10 @@ def push_map_page(data: Dataset) -> Page:
     ]
     sections = [Section("The limit over the duration of the push", [*rest, *_alike(data)])]
     title = f"{name} survives every push up to {cell_text(low, 2)} N s"
-    verdict = Verdict("limits of one robot", "info")
+    if "low" in data:
+        weak = float(data["low"].values.min())
+        numbers.append((f"{cell_text(weak, 2)} N s", "survived at the worst place by 97.5 % of similar robots"))
+    verdict = Verdict("simulated: one robot, one controller", "info")
     return Page(title, sections, lead, provenance(data), False, verdict=verdict, picture=first, numbers=numbers)
 
 
@@ -239,8 +255,9 @@ def basin_page(data: Dataset) -> Page:
     )  # fmt: skip
     kind = (origin.get("controller") or {}).get("kind", "")
     lead = (
-        f"Recovers: still standing {origin['scenario']['seconds']:g} s later{f', under {kind}' if kind else ''}. All "
-        "other states are zero at the start. "
+        f"Simulated. Recovers: still standing {origin['scenario']['seconds']:g} s later"
+        f"{f', under {kind}' if kind else ''}. "
+        "All other states are zero at the start. "
         "Next: `upright push-map`, which asks for pushes instead."
     )
     step = float(np.diff(data[across].values).mean()) if data[across].size > 1 else 0.0
@@ -264,7 +281,7 @@ def basin_page(data: Dataset) -> Page:
         text = f"{up.replace('_', ' ')} from which it recovers, where {words} is zero"
         numbers.append((f"{ends} (±{_in_degrees(least, data, up)})", text))
     return Page(
-        title, [], lead, provenance(data), False, verdict=Verdict("limits of one robot", "info"),
+        title, [], lead, provenance(data), False, verdict=Verdict("simulated: one robot, one controller", "info"),
         picture=basin_figure(data), numbers=numbers,
     )  # fmt: skip
 

@@ -93,8 +93,8 @@ def how(comparison: Comparison) -> str:
         f"Settling and overshoot are those of pitch about zero after the release of the push at {release}. "
         f"{_band(comparison)}{settling} "
         "Overshoot: the largest deviation on the far side over the largest on the side of the start. Effort: the "
-        "integral of both squared commands. At their limit: the part of the samples with a command above the largest "
-        "applied one. Fell: the recorded outcome of the run."
+        "integral of both squared commands. At their limit: the part of the samples with a command that the motors "
+        "cannot follow. Under a lasting force backward a robot leans forward, into it."
     )
 
 

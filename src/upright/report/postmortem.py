@@ -45,11 +45,12 @@ def page_of(result: PostMortem) -> Page:
 
 
 _READ = (
-    "Shaded: from the onset to the fall. Dashed in the first panel: 40°, which counts as the fall. The second panel "
-    "divides the lean, its speed included, by the largest one that the motors can recover from. Dashed there: the "
-    "point of no return. The third panel is what the controller requests, cut at {cut:g} times what the motors give. "
-    "The last panel compares the readings with what the model expects, over a tenth of a second. Without faults it "
-    "stays below the dashed line in 39 of 40 cases or more."
+    "Shaded: from the first sign to the fall. Dashed in the first panel: 40°, which counts as the fall. The second "
+    "panel divides the lean by the largest one that the motors can recover from. Lean and speeds of body and wheels "
+    "count together, as the unstable motion that they make. Dashed there: the point of no return. The third panel is "
+    "what the controller requests, cut at {cut:g} times what the motors give. The last panel, logarithmic, "
+    "compares the readings with what the model expects, over a tenth of a second. Without faults it stays below the "
+    "dashed line in 39 of 40 cases or more."
 )
 
 
@@ -71,7 +72,9 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     numbers = [(f"{result.fell_at - result.onset:.2g} s", "from the first sign to the fall")] if known else []
     lost = _lost(result)
     if known and lost is not None:
-        numbers.append((f"{lost - result.onset:.2g} s", "until no motor could save it: the second panel passes 1"))
+        numbers.append(
+            (f"{lost - result.onset:.2g} s", "until the motors could no longer save it: the second panel passes 1")
+        )
     likely = [c for k, c in enumerate(result.causes[:3]) if c.likelihood >= (WORTH if k else SHOWN)]
     return numbers + [(f"{100 * c.likelihood:.0f} %", f"probability of the cause: {c.name}") for c in likely]
 
@@ -134,22 +137,22 @@ def _causes(result: PostMortem) -> Table:
 def _figure(result: PostMortem) -> Figure:
     s = result.series
     labels = ["pitch [°]", "lean with its speed / what can be recovered [1]",
-              "requested command / what the motors give [1]", "readings: error² / expected, log scale [1]"]  # fmt: skip
+              "requested command / what the motors give [1]", "error² of the readings / expected [1]"]  # fmt: skip
     figure, axes = panels(labels)
     pitch, reach, command, nis = axes
     degrees = np.degrees(s.pitch)
     line(pitch, "pitch", s.t, degrees, style=0, solid=True)
     for level in (-math.degrees(LEANING), math.degrees(LEANING)):
         if np.nanmin(degrees) < level < np.nanmax(degrees):
-            _level(pitch, s.t, level, "counts as the fall")
+            _level(pitch, s.t, level, f"{level:.0f}°: counts as the fall".replace("-", "−"))
     line(reach, "lean", s.t, s.reserve, style=2, solid=True)
     _level(reach, s.t, 1.0, "no return")
-    line(command, "command", s.t, np.clip(s.command, -CUT, CUT), step=True, style=1, solid=True)
+    line(command, "requested command", s.t, np.clip(s.command, -CUT, CUT), step=True, style=1, solid=True)
     for level in (-1.0, 1.0):
         _level(command, s.t, level, "motors at their limit" if level > 0 else "")
     nis.set_yscale("log")
     numbered(nis.yaxis)
-    line(nis, "error", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
+    line(nis, "error²", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
     if math.isfinite(s.high) and s.high > 0:
         _level(nis, s.t, s.high, f"usual, up to {number(s.high, 2)}")
     command.set_ylim(-1.8, 1.8)
@@ -164,7 +167,7 @@ def _figure(result: PostMortem) -> Figure:
     start = max(float(s.t[0]), result.onset - max(BEFORE, result.fell_at - result.onset))
     axes[0].set_xlim(start, min(float(s.t[-1]), result.fell_at + AFTER))
     lasted = result.fell_at - result.onset
-    note = "Shaded: from the onset to the fall."
+    note = "Shaded: from the first sign to the fall."
     return Figure(f"From the first sign at {result.onset:.2f} s to the fall it took {lasted:.2g} s", figure, note)
 
 

@@ -24,6 +24,12 @@ TERMS: dict[str, tuple[str, str]] = {
         "most 2."),
     r"Mt": ("Mt", "Peak of the complementary sensitivity: the largest gain of the closed loop."),
     r"disk α": ("disk α", "Size of a disk of gains and phases at once that the loop survives; 2 is the most."),
+    r"b\(P, C\)": ("b(P, C)", "Stability margin of the normalised coprime factors, from 0 to 1. It depends on how "
+        "readings and commands are scaled, so that it may be small in a sound loop."),
+    r"hold at": ("hold", "A constant force that leans the robot, until it lets go."),
+    r"certificate": ("certificate", "What `upright certify` writes: robots within the uncertainty are pushed, and "
+        "those that fall are counted."),
+    r"NRMSE": ("NRMSE", "Root mean square error over the standard deviation; the fit is 100 % less that."),
     r"ν-gap": ("ν-gap", "How different two robots are for a controller: 0 the same, 1 not comparable."),
     r"Nyquist": ("Nyquist curve", "The gain of the open loop in the complex plane. Far from −1 the loop has large "
         "margins."),
@@ -31,8 +37,10 @@ TERMS: dict[str, tuple[str, str]] = {
     r"gain crossover": ("gain crossover", "The frequency at which the gain of the open loop is 1."),
     r"phase margins?": ("phase margin", "The least turn of the loop's phase that makes it unstable, a lag or a lead. "
         "Usual target: at least 30°."),
-    r"gain margins?": ("gain margin", "By what factor the motors may be weaker or stronger."),
-    r"delay margin": ("delay margin", "How much later a reading or a command may come, before the loop is unstable."),
+    r"gain margins?": ("gain margin", "By what factor the motors may be weaker or stronger. Usual target: half "
+        "to double."),
+    r"delay margin": ("delay margin", "How much later a reading or a command may come, before the loop is "
+        "unstable. Usual target: at least one period."),
     r"unstable poles?|poles (?:is|are) unstable": ("unstable pole", "The rate at which a small lean grows: it doubles "
         "in 0.69 / pole."),
     r"N s": ("N s", "Newton second: force times duration. 0.2 N s is a push of 10 N for 20 ms."),
