@@ -121,3 +121,13 @@ def test_known_numbers_do_not_differ_between_runs() -> None:
     logs = [logged(1.0, 0.0, seed, 1.5) for seed in (0, 1)]
     problem, _ = prepared(logs, PRIOR, replace(NXT, jitter=0.0), ("motor_friction",), 0.0)
     assert not any("motor_friction" in p.name for p in problem.parameters)
+
+
+def test_the_mean_of_runs_without_friction_is_none() -> None:
+    """Zero friction is at z = −0.2. Runs at z = 0.1 ± 0.6 have 0.7 and −0.2, since none has less; their mean is 0.25."""
+    friction = Parameter("motor_friction", "N m s/rad", 0.001, 0.005, "linear", 0.0)
+    parameters = (friction, *(replace(p, spread=1.0) for p in effects_of([friction], 2)))
+    z, _ = of_robot(parameters, np.array([0.1, 0.6, -0.6]), np.zeros((3, 3)), 2)
+    assert z[0] == pytest.approx((0.7 - 0.2) / 2)
+    z, _ = of_robot(parameters, np.array([-0.2, -0.6, -0.6]), np.zeros((3, 3)), 2)
+    assert z[0] == pytest.approx(-0.2)

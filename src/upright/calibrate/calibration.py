@@ -214,7 +214,8 @@ class Calibration(Shown):
         wrong += [
             f"{e.name} contradicts its prior by {abs(e.shift):.1f} deviations" for e in self.parameters if e.surprising
         ]
-        wrong += [f"innovations of the {w.sensor} are not white" for w in self.whiteness if not w.white]
+        uneven = dict.fromkeys(w.sensor for w in self.whiteness if not w.white)
+        wrong += [f"innovations of the {sensor} are not white" for sensor in uneven]
         try:
             self.robot.replace()
         except InvalidRobot as error:

@@ -80,6 +80,8 @@ def of_robot(parameters: Sequence[Parameter], z: Array, C: Array, runs: int) -> 
     mean = np.zeros_like(C)
     mean[: maps.shape[1]] = maps.mean(axis=0)
     robot, total = mean @ z, mean @ C @ mean.T
+    least = np.array([p.least for p in parameters[: maps.shape[1]]])
+    robot[: len(least)] = np.maximum(maps @ z, least).mean(axis=0)  # what no run has less of, their mean has not
     estimated = {p.name.partition("/")[2]: p.spread for p in parameters if p.name.startswith(RUN)}
     for i, p in enumerate(parameters):
         if p.name in SHARES:

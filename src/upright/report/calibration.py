@@ -27,7 +27,7 @@ def page_of(calibration: Calibration) -> Page:
     wrong = calibration.check()
     others = (*calibration.delays, *calibration.electronics)
     sections = [
-        *([Section("Reservations", [_sentence(text) for text in wrong])] if wrong else []),
+        *([Section("Reservations", _reservations(calibration))] if wrong else []),
         Section("Prediction", [*_measured(calibration), *_predicted_words(calibration), *_predicted(calibration)]),
         Section("Estimates", [*calibration.notes, *_estimates(calibration.parameters)]),
         *([Section("Delays and motors", [_DELAYS, *_estimates(others)], folded=True)] if others else []),
@@ -51,6 +51,10 @@ def page_of(calibration: Calibration) -> Page:
     )  # fmt: skip
 
 
+def _reservations(c: Calibration) -> list[Item]:
+    return [text if text in c.apart else _sentence(text) for text in c.check()]
+
+
 def _verdict(c: Calibration) -> Verdict:
     """Two questions: whether the model follows the log, and whether most parameters come from the log."""
     wrong, kept = c.check(), sum(e.verdict != VISIBLE for e in c.parameters)
@@ -66,9 +70,11 @@ def _title(c: Calibration) -> str:
     if c.refused:
         return f"The log does not describe {c.robot.name}"
     measured, bounded, rough = (len(group) for group in _groups(c))
-    known = [f"measures {measured}"] if measured else []
-    known += [f"bounds {bounded + rough}"] if bounded + rough else []
-    return f"This log {' and '.join(known) or 'measures none'} of {len(c.parameters)} parameters of {c.robot.name}"
+    logs, ends = ("This log", "s") if len(c.sources) < 2 else (f"These {len(c.sources)} logs", "")
+    known = [f"measure{ends} {measured}"] if measured else []
+    known += [f"bound{ends} {bounded + rough}"] if bounded + rough else []
+    known = known or [f"measure{ends} none"]
+    return f"{logs} {' and '.join(known)} of {len(c.parameters)} parameters of {c.robot.name}"
 
 
 def _groups(c: Calibration) -> tuple[list[Estimate], list[Estimate], list[Estimate]]:
