@@ -238,6 +238,23 @@ def test_a_useless_prediction_is_no_number_of_thousands() -> None:
     assert "worse than the mean" in page
 
 
+def test_a_run_that_differs_and_a_sensor_that_is_not_white_are_each_said_once() -> None:
+    """Of three runs with the same loud sensor, and one file with an underscore in its name."""
+    from upright.report.calibration import page_of
+
+    found, words = calibration(), "Log 2, run_2.csv, differs from the other runs: a11. Leave it out."
+    loud = replace(found.whiteness[0], ljung_box=1e6)
+    several = replace(found, whiteness=(loud,) * 3, apart=(words,), sources=("run_1.csv", "run_2.csv", "run_3.csv"))
+    assert several.check().count(words) == 1
+    assert sum("not white" in text for text in several.check()) == 1
+    assert several.to_json()["apart"] == [words]
+    page = page_of(several)
+    assert page.title.startswith("These 3 logs measure ")
+    assert page.verdict is not None
+    assert page.verdict.level == "warn"
+    assert words in str(page.html())
+
+
 def test_several_logs_say_more_than_one() -> None:
     """Two logs of ten seconds have √2 the precision of one in what no prior helps with, such as the dead time
     of the compass: a ratio of widths of 0.71, and 0.85 is asked, since the two are excited differently."""

@@ -124,7 +124,7 @@ def test_known_numbers_do_not_differ_between_runs() -> None:
 
 
 def test_the_mean_of_runs_without_friction_is_none() -> None:
-    """Zero friction is at z = −0.2. Runs at z = 0.1 ± 0.6 have 0.7 and −0.2, since none has less; their mean is 0.25."""
+    """Zero friction is at z = −0.2. Runs at z = 0.1 ± 0.6 have 0.7 and −0.2, since none has less: 0.25 on average."""
     friction = Parameter("motor_friction", "N m s/rad", 0.001, 0.005, "linear", 0.0)
     parameters = (friction, *(replace(p, spread=1.0) for p in effects_of([friction], 2)))
     z, _ = of_robot(parameters, np.array([0.1, 0.6, -0.6]), np.zeros((3, 3)), 2)
