@@ -18,8 +18,9 @@ from upright.control import lqg
 from upright.doctor.doctor import Diagnosis, doctor
 from upright.doctor.physics import _solved
 from upright.errors import InvalidLog
-from upright.experiment import Hold, run
+from upright.experiment import Hold, Impulse, run
 from upright.logs.mapping import Mapping, Source
+from upright.logs.outliers import single
 from upright.logs.readers import RawTable, read_table
 from upright.robots import Kit, Robot
 from upright.signals import Log
@@ -373,3 +374,14 @@ def test_a_slow_motion_tells_no_lag_and_a_quiet_gyro_no_range() -> None:
     assert "samples/controller" not in doctor(bench.stripped(held)).codes()
     still = run(Electronics(Twin(robot), ev3), lqg(robot, ev3), seconds=10.0)
     assert "saturation" not in doctor(bench.stripped(still)).codes()
+
+
+@pytest.mark.parametrize("impulse", [0.1, -0.25])
+def test_a_knock_is_no_odd_reading(impulse: float) -> None:
+    robot, kit = Robot.preset("nxtway-gs"), Kit.preset("nxt")
+    knocks = [
+        Impulse(impulse=impulse, start=at, duration=lasts) for at, lasts in ((0.5, 0.005), (1.5, 0.01), (2.5, 0.02))
+    ]
+    log = run(Electronics(Twin(robot), kit), lqg(robot, kit, 0.01), knocks, seconds=3.5, seed=2)
+    assert np.abs(log[bench.GYRO]).max() > 5 * np.abs(log.between(0, 0.5)[bench.GYRO]).max()  # one that is felt
+    assert not single(log[bench.GYRO]).any()

@@ -22,7 +22,9 @@ STEEP, NEAR = (
     4.0,
     5,
 )  # times the upper quartile of the steps in so many rows on both sides: no robot turns round so fast
-BACK = 0.25  # of its height to which a single reading comes back within two rows
+AWAY, SAME = 0.75, 0.02  # of its height: what both steps beside it have, and how alike two in a row are
+CALM = 0.5  # of its height: how far its neighbours may be from the median of those beyond
+BACK = 0.25  # of its height to which it comes back
 MOST = 0.05  # of the readings: more are a way of the sensor, and no single ones
 
 
@@ -53,14 +55,17 @@ def single(values: Array) -> Mask:
     apart = np.abs(x - np.median(around, axis=1))
     limit = FAR * max(float(np.quantile(apart, USUAL)), grain_of(values))
     far = apart > limit
-    for k in np.flatnonzero(far):
-        before = int(k) - 1 - int(k > 0 and far[k - 1])
-        after = int(k) + 1 + int(k + 1 < len(x) and far[k + 1])
+    for k in np.flatnonzero(far).tolist():
+        same = [j for j in (k - 1, k + 1) if 0 <= j < len(x) and abs(x[j] - x[k]) < SAME * apart[k]]
+        before, after = min(k, *same) - 1 if same else k - 1, max(k, *same) + 1 if same else k + 1
         inside = before >= 0 and after < len(x)  # else it is the first or the last reading
-        if not (far[max(before, 0)] or far[min(after, len(x) - 1)]) or not inside:
-            beside = [np.diff(x[max(0, before - NEAR) : before + 1]), np.diff(x[after : after + NEAR + 1])]
-            steep = apart[k] > STEEP * float(np.quantile(np.abs(np.concatenate(beside)), 0.75))
-            alone[fine[k]] = steep and (not inside or abs(x[after] - x[before]) < BACK * apart[k])
+        sides = [abs(x[k] - x[j]) for j in (before, after) if 0 <= j < len(x)]
+        beside = [np.diff(x[max(0, before - NEAR) : before + 1]), np.diff(x[after : after + NEAR + 1])]
+        limit = STEEP * float(np.quantile(np.abs(np.concatenate(beside)), 0.75))
+        level = not inside or abs(x[after] - x[before]) < BACK * apart[k]
+        usual = float(np.median(np.concatenate([x[max(0, before - NEAR) : before + 1], x[after : after + NEAR + 1]])))
+        calm = all(abs(x[j] - usual) < CALM * apart[k] for j in (before, after) if 0 <= j < len(x))
+        alone[fine[k]] = level and calm and apart[k] > limit and min(sides) > AWAY * apart[k]
     between = int(alone[fine[1:-1]].sum())  # the first reading alone may be of a sensor that has only begun
     return alone if 0 < between <= MOST * len(x) else np.zeros(len(values), dtype=bool)
 

@@ -39,8 +39,8 @@ _OWN = (
 _LOOP = (
     "The closed loop is simulated from the first state of the log. The law computes its commands anew, and what the "
     "experiment added to them is added again. It gets no reading of the log. "
-    "Small errors of that state and the missing noise add up: it swings and drifts away from the log. It gets no push "
-    "either, and leaves the log at the first one. Neither speaks against the robot."
+    "Small errors of that state and the missing noise add up, so that it drifts before a push too. It gets no push: it "
+    "leaves the log at the first one. Neither speaks against the robot."
 )
 _LOST = (
     "Lost: over {:g} s the rms error is above the standard deviation of the whole reading, pushes included. "
@@ -113,7 +113,7 @@ def _lead(result: Validation) -> str:
 def _tested(result: Validation) -> str:
     """Whether these logs test the robot: only what it was not fitted to does."""
     if any(log.fitted is None for log in result.logs):
-        return "This is a test if that robot was not fitted to this log: its file does not say."
+        return "This counts as a test only if that robot was not fitted to this log; its file does not say."
     used = [log.no_test for log in result.logs if log.no_test]
     if not used:
         return "This is a test: that robot was fitted to other rows."
@@ -123,7 +123,12 @@ def _tested(result: Validation) -> str:
 
 def _numbers(result: Validation) -> list[tuple[str, str]]:
     worst = result.worst.worst
-    numbers = [(least_of(worst.r2, 4), f"smallest R² of half seconds ({short(worst.name)}); passes from {GOOD:g}")]
+    numbers = [
+        (
+            least_of(worst.r2, 4),
+            f"R² over half seconds of the {short(worst.name)}, the worst sensor judged; passes from {GOOD:g}",
+        )
+    ]
     if own := result.worst.own_run:
         numbers.append((least_of(least(own).r2, 4), "with what belongs to its run, fitted to this log"))
     judged = [log for log in result.logs if log.loop and not log.caution]
@@ -132,7 +137,9 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
         lowest = min(loops, key=lambda c: c.r2)
         if lowest.r2 < 0 and (first := _first(loops)):
             pushed = next((p for p in map(_pushed, judged) if p is not None), None)
-            followed = f"from the first row alone until the {short(first.name)} is lost: {_lost(loops, pushed)}"
+            followed = (
+                f"simulated from its first row alone, until the {short(first.name)} is lost: {_lost(loops, pushed)}"
+            )
             numbers.append((f"{first.breaks:.2g} s", followed))
         else:
             whole = f"R² of the whole run from its first row alone ({short(lowest.name)})"
@@ -171,7 +178,7 @@ def _lost(loop: Sequence[ChannelFit], pushed: float | None) -> str:
     first = _first(loop)
     assert first
     if pushed is not None:
-        return f"a push at {cell_text(pushed, 3)} s, which the simulation does not get"
+        return f"a push at {cell_text(pushed, 3)} s, not simulated"
     if "encoder" in first.name:
         return "the wheels drift off"
     if "gyro" in first.name:
