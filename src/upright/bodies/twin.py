@@ -62,6 +62,7 @@ class Twin:
             kind="twin", robot=robot, channels=channels, period=period, command_unit=robot.command_unit
         )
         self._holds(text)
+        self._dragged = bool(robot.wheel_friction or robot.rolling_friction)
         lightest = robot.wheel_inertia + robot.gear_ratio**2 * robot.rotor_inertia
         self._wildest = _WILD * lightest / motor_gain(robot)
         self.reset()
@@ -71,6 +72,7 @@ class Twin:
         self._model = mujoco.MjModel.from_xml_string(text)
         self._data = data = mujoco.MjData(self._model)
         self._q, self._v, self._sensed, self._wrong = data.qpos, data.qvel, data.sensordata, data.warning.number
+        self._control, self._forces = data.ctrl, data.qfrc_applied
 
     def reset(self, start: Sequence[float] = REST, seed: int = 0) -> Sample:  # noqa: ARG002 (nothing here is random)
         x = checked(start, 6, "start")
@@ -96,15 +98,15 @@ class Twin:
         force, height, slope = CALM if disturbance is CALM else checked(disturbance, 3, "disturbance")
         if max(abs(u[0]), abs(u[1])) > self._wildest:
             raise _unstable(self._steps * self.spec.period, u)
-        self._data.ctrl[:] = u
+        self._control[:] = u
         self._slope_is(slope)
         first = mujoco.mj_step2 if self._ready else mujoco.mj_step  # positions and velocities are computed already
-        if force or self.spec.robot.wheel_friction or self.spec.robot.rolling_friction:
+        if force or self._dragged:
             for advance in (first, *self._more):
                 self._load(force, height)
                 advance(self._model, self._data)
         else:
-            self._data.qfrc_applied[:] = 0.0
+            self._forces[:] = 0.0
             first(self._model, self._data)
             mujoco.mj_step(self._model, self._data, self._count - 1)
         mujoco.mj_forward(self._model, self._data)  # sensors belong to the end of the step, not to its start
@@ -142,7 +144,7 @@ class Twin:
         rates = self._v.tolist()
         left, right = (self._drag(rate + rates[4]) for rate in rates[6:8])
         moment = force * height * math.cos(pitch) + left + right
-        self._data.qfrc_applied[:] = force * math.cos(yaw), force * math.sin(yaw), 0.0, 0.0, moment, 0.0, left, right
+        self._forces[:] = force * math.cos(yaw), force * math.sin(yaw), 0.0, 0.0, moment, 0.0, left, right
 
     def _drag(self, rate: float) -> float:
         """Torque of the floor on a wheel [N m] that turns at `rate` [rad/s]."""
