@@ -196,7 +196,7 @@ class Hardware:
         self.body.close()
 
 
-def test_hardware_is_not_driven_on_a_red_certificate_unless_told_otherwise() -> None:
+def test_hardware_is_not_driven_on_a_red_certificate_unless_demanded() -> None:
     wrong, brick = scaled(designed("pid"), -1.0), Hardware()
     with pytest.raises(NotPermitted, match="red: 100 of 100 robots fell"):
         run(brick, wrong, seconds=0.1, certificate=red())

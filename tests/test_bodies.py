@@ -90,7 +90,7 @@ def test_no_channel_of_motion_is_stuck(body):
     assert stuck <= {"sensor/battery"}  # a battery may stay full
 
 
-def test_starts_where_it_is_told(body):
+def test_starts_where_it_is_put(body):
     first = body.reset(LEAN, 1)
     truth = dict(zip((s.name for s in body.spec.channels), first.values, strict=True))
     # MuJoCo keeps attitude as a quaternion: rounding, not more

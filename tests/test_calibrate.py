@@ -173,7 +173,7 @@ def test_the_unstable_pole_is_found() -> None:
     assert abs(unstable_pole(PRIOR) / unstable_pole(TRUE) - 1) > 0.02  # or finding it would prove nothing
 
 
-def test_innovations_of_a_right_model_are_white_and_foretell_half_a_second() -> None:
+def test_innovations_of_a_right_model_are_white_and_predict_half_a_second() -> None:
     found = calibration()
     assert found.temper == 1.0
     assert max(w.worst for w in found.whiteness) < 0.1  # 3 deviations of an autocorrelation over 1500 samples are 0.08
@@ -554,7 +554,7 @@ def of_twipr(path: Path) -> Calibration:
 
 
 @pytest.mark.needs("shared/data/twipr")
-def test_twipr_is_foretold_for_half_a_second(shared: Path) -> None:
+def test_twipr_is_predicted_for_half_a_second(shared: Path) -> None:
     """Dead times of its README: about 53 ms to the gyro and 73 ms to the wheels; R² near that of a model made for this
     robot (0.9986 and 0.997)."""
     found = of_twipr(shared / "data/twipr/run1.csv")

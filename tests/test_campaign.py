@@ -297,7 +297,7 @@ def test_another_campaign_keeps_out_of_the_folder(spec, alone, tmp_path):
         ("nxtway-gs", "missing.toml", UprightError, "missing.toml"),
     ],
 )
-def test_what_is_wrong_with_a_campaign_is_said(tmp_path, old, new, error, says):
+def test_what_is_wrong_with_a_campaign_is_reported(tmp_path, old, new, error, says):
     assert old in SPEC
     path = tmp_path / "c.toml"
     path.write_text(SPEC.replace(old, new))

@@ -160,7 +160,7 @@ def test_what_no_controller_could_do_is_no_fault_of_this_one() -> None:
     assert "no controller" not in reasons[0]
 
 
-def test_motors_too_weak_for_the_spreads_are_told_apart(tmp_path: Path) -> None:
+def test_motors_too_weak_for_the_spreads_are_distinguished(tmp_path: Path) -> None:
     # half of these motors turn a third as fast at a volt: too slow for a push that asks 0.6 of the others
     weak = ROBOT.replace(back_emf=3 * ROBOT.back_emf)
     certificate = certify(designed("pid"), ROBOT, KIT, robots=[ROBOT, weak] * 50, sweeps=False)

@@ -80,7 +80,7 @@ def test_a_log_that_cannot_be_examined_still_gives_a_draft(tmp_path: Path) -> No
     assert main(["doctor", str(path)]) == 2
 
 
-def test_rows_that_came_late_are_told_by_their_own_times() -> None:
+def test_rows_that_came_late_are_reported_by_their_own_times() -> None:
     log = example("excited")
     keep = {n: x for n, x in log.channels.items() if n.startswith(("sensor/", "applied/"))}
     origin = {"controller": {"period": 0.01}, "outcome": {"late": 30}}

@@ -52,7 +52,7 @@ def test_same_arguments_give_the_same_log():
     assert once(4) != once(5)
 
 
-def test_a_fall_ends_the_log_and_is_said():
+def test_a_fall_ends_the_log_and_is_reported():
     log = run(NonlinearBody(NXT), StateFeedback(np.zeros((2, 6)), 0.01), seconds=10, start=(0.1, 0, 0, 0, 0, 0))
     assert log.origin["outcome"]["fell"]
     assert log.t[-1] < 1.0  # 0.1 rad·cosh(7.4 t) passes 1.4 rad after ln(28)/7.4 = 0.45 s

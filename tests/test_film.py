@@ -83,7 +83,7 @@ def test_an_mp4_is_read_back_by_ffmpeg(tmp_path: Path) -> None:
         (leaning(0.0), {"speed": 0.001}, "at most 3000"),
     ],
 )
-def test_what_cannot_be_filmed_is_said(log: Log, options: dict[str, float], says: str, tmp_path: Path) -> None:
+def test_what_cannot_be_filmed_is_reported(log: Log, options: dict[str, float], says: str, tmp_path: Path) -> None:
     with pytest.raises((InvalidLog, UprightError), match=says):
         film(log, tmp_path / "run.gif", ROBOT, **options)
     assert list(tmp_path.iterdir()) == []

@@ -302,7 +302,7 @@ def test_what_is_not_ready_is_not_driven(
 
 
 @pytest.mark.needs("module:nxt")
-def test_a_log_that_does_not_fit_is_said_before_the_start(tmp_path: Path, virtual: VirtualFlight) -> None:
+def test_a_log_that_does_not_fit_is_reported_before_the_start(tmp_path: Path, virtual: VirtualFlight) -> None:
     """60 s are 6000 rows of 8 integers and a head; the hint fits, and what the last log takes counts as free."""
     source, made = written(tmp_path, "nxc", seconds=60)
     flash = virtual.brick.hardware.flash

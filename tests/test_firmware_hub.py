@@ -237,7 +237,7 @@ def test_a_hub_that_is_not_ready_is_not_driven(
 
 
 @pytest.mark.parametrize("port", ["A", "B"])
-def test_a_motor_in_another_port_is_said(made: tuple[Path, Program], port: str) -> None:
+def test_a_motor_in_another_port_is_reported(made: tuple[Path, Program], port: str) -> None:
     with virtual_hub(ROBOT, KIT, absent=[port]) as hub:
         with pytest.raises(FlightRefused, match="not in the port that the program uses"):
             flown(made, hub)
@@ -245,7 +245,7 @@ def test_a_motor_in_another_port_is_said(made: tuple[Path, Program], port: str) 
         assert not hub.world.released
 
 
-def test_a_gyro_in_another_port_is_said(tmp_path: Path) -> None:
+def test_a_gyro_in_another_port_is_reported(tmp_path: Path) -> None:
     kit = Kit.preset("ev3")  # whose gyro has a cable; a hub's is built in
     firmware = generate(CONTROLLERS["lqg"](ROBOT, kit, kit.period), ROBOT, kit, "pybricks", hub="ev3")
     source = tmp_path / "balance.py"

@@ -134,7 +134,7 @@ def test_the_representation_commands_what_the_controller_does(name):
         assert (out["command_left"], out["command_right"]) == pytest.approx(expected, abs=1e-9)
 
 
-def test_a_late_motor_is_told_to_the_memory_late():
+def test_a_late_motor_is_reported_late_to_the_memory():
     late = replace(NXT, delay=0.025)
     program, controller = trace(frozen(), ROBOT, late, "c"), frozen()
     machine, rng, sent = Interpreter(program), np.random.default_rng(1), [(0.0, 0.0), (0.0, 0.0)]

@@ -219,7 +219,7 @@ def small_map():
 
 
 @pytest.mark.parametrize(("gap", "border"), [((0.6, 0.7), 0.6), ((0.36, 0.99), 0.36), ((2.0, 3.0), 1.0)])
-def test_the_first_border_is_told_where_survival_is_not_monotone(gap, border):
+def test_the_first_border_is_reported_where_survival_is_not_monotone(gap, border):
     # survived up to 1 but for a gap below it; the search of a border alone ends above the gap
     def stands(impulse, which):
         return (impulse <= 1.0) & ~((impulse > gap[0]) & (impulse < gap[1]))

@@ -103,7 +103,7 @@ def test_unequal_motors_equal_the_obvious_loop(delay):
     assert difference(NXT, FILTERED, kit, push=Push(force=1.5, start=0.5), pushes=[[1.5, math.nan, 0.5, 0.1]]) < EQUAL
 
 
-def test_a_weak_motor_turns_the_robot_and_is_told_as_what_was_applied():
+def test_a_weak_motor_turns_the_robot_and_is_reported_as_what_was_applied():
     # each motor's own strength as a change, among robots whose motors are alike: the same bits as alone
     kit, changes = smooth(NOISY), {"motor.left": [1.0, 0.9, 1.0], "motor.right": [1.0, 1.0, 0.9]}
     channels = ("truth/yaw", "applied/left", "applied/right")

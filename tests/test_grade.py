@@ -108,7 +108,7 @@ def broken(done: HandIn, folder: Path) -> list[str]:
     return [*HOSTILE, *wrong, "bytes"]
 
 
-def test_genuine_forged_and_broken_hand_ins_are_told_apart(tmp_path, genuine):
+def test_genuine_forged_and_broken_hand_ins_are_distinguished(tmp_path, genuine):
     folder = tmp_path / "class"
     folder.mkdir()
     write_hand_in(genuine, folder / "genuine.json")
@@ -139,7 +139,7 @@ def test_genuine_forged_and_broken_hand_ins_are_told_apart(tmp_path, genuine):
     assert "fell at" in grades["never-fell"].why
 
 
-def test_the_same_run_under_two_names_is_told(tmp_path, genuine):
+def test_the_same_run_under_two_names_is_reported(tmp_path, genuine):
     for name in ("Ana", "Luis"):
         write_hand_in(replace(genuine, student=name), tmp_path / f"{name}.json")
     other = replace(genuine, student="Eva", actions=genuine.actions[:2])

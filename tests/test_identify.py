@@ -230,7 +230,7 @@ def test_dead_times_are_read_off_the_answers() -> None:
     assert [part.delays for part in given.parts] == [(1, 1), (1,)]
 
 
-def test_sensors_of_different_delay_are_told_apart() -> None:
+def test_sensors_of_different_delay_are_distinguished() -> None:
     """The EV3 kit: 2 ms to the encoders, 24 ms (two whole periods) to the gyro."""
     robot, kit = Robot.preset("ev3way"), Kit.preset("ev3")
     excited = Excited(make_controller("lqg", robot, kit, 0.01), random_binary(1200, 2.5, 1, hold=4))

@@ -251,7 +251,7 @@ def test_a_robot_that_is_too_heavy_runs_slower_and_alone(classroom, monkeypatch)
     assert 0 < seats[heavy[0].session].session.t - before[1] < 3.0
 
 
-def test_what_waits_for_a_session_is_bounded_and_said(classroom):
+def test_what_waits_for_a_session_is_bounded_and_reported(classroom):
     ana = student(classroom, "Ana")
     heard(ana)
     for i in range(300):
@@ -340,7 +340,7 @@ class FakeClerk:
         """It is gone."""
 
 
-def test_what_a_job_finds_for_a_controller_that_is_gone_is_told_to_nobody(monkeypatch):
+def test_what_a_job_finds_for_a_controller_that_is_gone_is_reported_to_nobody(monkeypatch):
     """It is being analysed when another is chosen, and its process cannot be stopped: what it finds has no receiver."""
     monkeypatch.setattr(desk_module, "_Clerk", FakeClerk)
     desk = ProcessDesk()

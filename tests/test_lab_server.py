@@ -247,7 +247,7 @@ def heard_history(room: Room, client: Client) -> list[dict[str, Any]]:
     return [m for m in heard(fresh) if m["kind"] == "History"]
 
 
-def test_a_setup_that_cannot_be_is_said_and_another_stands_there(room):
+def test_a_setup_that_cannot_be_is_reported_and_another_stands_there(room):
     client = room.page("a", setup=Setup(robot="nobody"))
     said = heard(client)
     assert any(m["kind"] == "Notice" and "nobody" in m["text"] for m in said)
@@ -354,7 +354,7 @@ def test_foreign_names_and_origins_are_known():
         assert lab.foreign(host, origin)
 
 
-def test_a_port_in_use_is_said_in_one_line(capsys):
+def test_a_port_in_use_is_reported_in_one_line(capsys):
     taken = Lab(port=0)
     sock = listening(taken)
     sock.listen()

@@ -270,7 +270,7 @@ def test_the_last_minute_is_kept_and_no_more():
     assert KEPT == 60  # [s] as promised
 
 
-def test_driving_goes_where_it_is_told(tmp_path):
+def test_driving_goes_where_it_is_sent(tmp_path):
     session, _ = a_session(tmp_path)
     session.handle(Steer(0.2, 0.5))
     for _ in range(4):
@@ -318,7 +318,7 @@ def test_a_hold_is_no_knock(tmp_path):
         replace(MODEL, controller="lqr", largest=(0.0,) * 7), replace(MODEL, bodies=("calibrated",)),
     ],
 )  # fmt: skip
-def test_what_cannot_be_is_said_and_changes_nothing(tmp_path, setup):
+def test_what_cannot_be_is_reported_and_changes_nothing(tmp_path, setup):
     """twipr is driven by torque, which the kit nxt does not give."""
     session, _ = a_session(tmp_path)
     session.events()

@@ -241,7 +241,7 @@ def test_the_smallest_margin_of_all_loops_is_what_a_simulation_finds(robot: str,
 
 
 @pytest.mark.parametrize("channel", ["", *RAW])
-def test_no_place_of_the_loop_is_nearer_to_instability_than_told(channel: str) -> None:
+def test_no_place_of_the_loop_is_nearer_to_instability_than_reported(channel: str) -> None:
     # whichever sensor, or the command, comes late by less than the margin that the certificate tells: it stands
     body = Robot.preset("nxtway-gs")
     kit = Kit.preset(body.kit)

@@ -142,7 +142,7 @@ def test_weights_go_to_the_methods_that_take_them(rod):
         ("gone", r"'gone' \(rod_of_nobody:Rod\) fails: .*ModuleNotFoundError"),
     ],
 )
-def test_what_is_wrong_with_a_plugin_is_said_in_one_line(place, why, rod, installed):
+def test_what_is_wrong_with_a_plugin_is_reported_in_one_line(place, why, rod, installed):
     syntax = Path(rod.parent / "syntax.py")
     syntax.write_text("class Rod(:\n", encoding="utf-8")
     with pytest.raises(InvalidPlugin, match=why) as caught:

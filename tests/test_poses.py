@@ -257,7 +257,7 @@ def test_microseconds_read_as_seconds_are_named() -> None:
         on_its_wheels(Log(1e6 * log.t, log.channels, log.units))
 
 
-def test_times_since_1970_are_told_to_the_hundredth() -> None:
+def test_times_since_1970_are_reported_to_the_hundredth() -> None:
     log = joined([], [turned(1.3, 0.5, 3.0)], chasing=12.0)
     (fall,) = [f for f in doctor(Log(log.t + 1.7e9, log.channels, log.units)).findings if f.code == "segment/fall"]
     assert "use t < 170000000" in fall.repair

@@ -203,7 +203,7 @@ def test_a_window_shorter_than_a_push_has_no_pushes() -> None:
     assert [fit.pushes for fit in fits(short)] == [()]
 
 
-def test_changed_gain_is_told_to_its_number_with_the_file() -> None:
+def test_changed_gain_is_named_with_its_number_with_the_file() -> None:
     found = post_mortem(weakened(), NXT, KIT, designed())
     assert found.verdict == "gain too low"
     assert "0.25 times" in found.causes[0].evidence  # what was planted; the replay is exact
@@ -213,7 +213,7 @@ def test_low_gain_shows_in_the_data_alone() -> None:
     assert mourned().verdict == "gain too low"
 
 
-def test_high_gain_is_told_with_the_file() -> None:
+def test_high_gain_is_named_with_the_file() -> None:
     twipr = Robot.preset("twipr")
     log = logged("gain too high", "law", 4.0, robot="twipr")
     found = post_mortem(log, twipr, Kit.preset("twipr"), designed("twipr"))
@@ -242,7 +242,7 @@ def test_json_brings_it_back() -> None:
     assert "<svg" in page
 
 
-def test_what_is_missing_is_said() -> None:
+def test_what_is_missing_is_reported() -> None:
     log = standing()
     blind = Log(log.t, {n: v for n, v in log.channels.items() if n != "sensor/gyro"})
     found = post_mortem(blind, NXT, KIT)

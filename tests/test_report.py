@@ -400,7 +400,7 @@ def test_a_name_in_backticks_is_set_as_code():
     assert "`" not in re.sub(r"<script>.*?</script>", "", html, flags=re.DOTALL)
 
 
-def test_mistakes_in_a_page_are_told():
+def test_mistakes_in_a_page_are_reported():
     with pytest.raises(UprightError, match="a row of table 'T' has 1 cells; expected 2"):
         Table(["a", "b"], [["x"]], "T")
     with pytest.raises(UnknownName, match="one of bad, good, info, warn"):

@@ -362,7 +362,7 @@ def test_a_planted_decay_settles_when_it_must() -> None:
     assert not measured(twin={"decay": 4.0}).linear_fastest
 
 
-def test_planted_shapes_and_yaw_are_told_apart() -> None:
+def test_planted_shapes_and_yaw_are_distinguished() -> None:
     same = measured()
     assert same.correlation == pytest.approx(1)
     assert same.alike

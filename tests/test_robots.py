@@ -280,7 +280,7 @@ def test_a_close_name_is_suggested() -> None:
         Robot.preset("nxtway-g")
 
 
-def test_a_path_without_toml_is_told_apart_from_a_name() -> None:
+def test_a_path_without_toml_is_distinguished_from_a_name() -> None:
     with pytest.raises(InvalidRobot, match=r"ends in \.toml"):
         find_robot("robots/mine")
 

@@ -207,7 +207,7 @@ def test_what_robots_within_their_spreads_explain_is_taken_for_no_other_mass() -
     assert not as_logged(log, assumed)[2]
 
 
-def test_a_jittering_clock_is_told() -> None:
+def test_a_jittering_clock_is_reported() -> None:
     log = plain_log()
     rng = np.random.default_rng(1)
     t = np.maximum.accumulate(log.t + rng.uniform(-0.002, 0.002, len(log))) + 1e-6 * np.arange(len(log))

@@ -271,6 +271,6 @@ def test_an_interrupted_tuning_goes_on_to_the_same_bytes(tmp_path: Path) -> None
         ("lqg", {"state": "/nowhere/x.search"}, "nowhere"),
     ],
 )
-def test_what_cannot_be_tuned_is_said(method: str, changes: dict[str, Any], part: str) -> None:
+def test_what_cannot_be_tuned_is_reported(method: str, changes: dict[str, Any], part: str) -> None:
     with pytest.raises(UprightError, match=part):
         tune(method, NXT, **changes)

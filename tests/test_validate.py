@@ -177,7 +177,7 @@ def test_planted_faults_are_what_would_have_to_move() -> None:
     assert 0.004 < gyro.proposed - gyro.value < 0.02
 
 
-def test_what_belongs_to_a_run_is_told_apart_from_the_robot() -> None:
+def test_what_belongs_to_a_run_is_distinguished_from_the_robot() -> None:
     """A program that reads its gyro 12 ms late is of this run: fitted to it, the half seconds are those of a robot that
     is known, and every effect but this one stays within the spread that runs usually have."""
     log = judged("gyro")

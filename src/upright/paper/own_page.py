@@ -32,7 +32,7 @@ _HOW = (
     "linear model have the numbers of the robot's file, ideal sensors and no dead time, like the paper's simulations. "
     "The last run has the calibrated numbers, where there are any, and the robot's electronics."
 )
-UNSETTLED = "The robot swings at the end as much as after any push: no settling time is told."
+UNSETTLED = "The robot swings at the end as much as after any push: no settling time is given."
 STILL = "The robot turns by less than 1°: yaw and its rate are not drawn."
 _ADJUSTED = (
     "Each line is put right on top of those above it: what brings the nonlinear model nearest to the settling time of "
