@@ -105,15 +105,22 @@ def _rounded(values: Array) -> list[float | None]:
 @dataclass(frozen=True)
 class Toppling:
     """What fells the robot: the lean [rad] that each N s of a push is worth (`per_impulse`), and each N s m of its
-    height (`per_height`), and the `largest` lean [rad] that the motors bring back."""
+    height (`per_height`), the `largest` lean [rad] that the motors bring back, and the `pole` [1/s] of falling."""
 
     per_impulse: float
     per_height: float
     largest: float
+    pole: float
 
     def lean(self, push: PushEstimate) -> float:
         """The lean [rad] that a push gives the robot."""
         return (self.per_impulse + push.height * self.per_height) * push.impulse
+
+    def beyond(self, push: PushEstimate) -> float:
+        """The push over the largest that the motors bring back [1]. They act while it lasts, so that a force counts
+        the less the later it comes: by exp(−λt)."""
+        grown = max(self.pole * (push.stop - push.start), 1e-6)
+        return abs(self.lean(push)) / self.largest * -math.expm1(-grown) / grown
 
 
 @dataclass(frozen=True)
@@ -277,7 +284,7 @@ def _evidence(
         run=run, fell_at=end, ordinary=window.usual, calm=_calm(run, window),
         nis=float(np.mean(bank.y**2)), fits=tuple(several),
         stuck=stuck, jam=jam, pairs=tuple(pairs), left=leftover(several, window, bank) if open_ else None,
-        toppling=Toppling(float(mode.w @ model.E[:, 0]), float(mode.w @ model.E[:, 1]), abs(mode.b) * most / mode.pole),
+        toppling=Toppling(*(mode.w @ model.E).tolist()[:2], abs(mode.b) * most / mode.pole, mode.pole),
         motors=_motor_use(run, mode.w, end), match=match, stable=stable,
         lost=(lost_rows(log, run.kit.period, end - 1, end), lost_rows(log, run.kit.period, log.t[0], end - 1)),
         demand=_demand(log, robot, most, end), battery=_battery(log, end), notes=notes,

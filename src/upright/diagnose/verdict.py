@@ -69,6 +69,7 @@ from upright.diagnose.words import (
 FACT = 0.98  # probability of what the commands themselves show
 LIKELY = 0.95  # most probability of a demand or a steady load, PUSHED of a push: a fault may look like either
 PUSHED = 0.97
+HELPED = 0.1  # probability that something else took part, where the motors could have brought a pushed robot back
 PEGGED = 0.95  # fraction of the last second at the limit, where a constant command means saturation
 GAIN_STEP = 0.03  # |ln| of a gain from which it is another one
 EXACT = 0.9999  # fraction of the difference between commands and file that a changed gain explains
@@ -303,10 +304,12 @@ def _driven_into(evidence: Evidence) -> list[_Answer]:
 
 
 def _pushed(evidence: Evidence) -> list[_Answer]:
-    """Whether a push in the last excursion is worth a lean that topples."""
+    """Whether a push in the last excursion is worth a lean that topples; of one that motors bring back it is less sure
+    that it was alone."""
     chance, lean, push = toppled(evidence)
     if push is None:
         return []
+    chance *= 1 - HELPED * (1 - step(evidence.toppling.beyond(push) - 1, LIMIT_WIDTH))
     return [_Answer(PUSHED * chance, PUSH, push.start, of_push(evidence, push, lean))]
 
 
