@@ -20,6 +20,7 @@ from upright.certify.agreement import AMBER, RED, Agreement, agreement
 from upright.certify.certificate import Certificate, certify, read_certificate
 from upright.certify.checks import Course, KernelController, PushTrial, kernel_controller, standard_pushes, trials
 from upright.certify.learnt import learnt
+from upright.certify.taking import as_logged
 from upright.certify.verdict import GREEN, LinearMargins, judge
 from upright.cli.main import main
 from upright.comparison.bench import TOLERANCE, bench_one, largest_knock
@@ -260,6 +261,13 @@ def test_command_calibrates_the_log_first(tmp_path: Path, capsys: pytest.Capture
     # a log of this very robot: nothing in it surprises more than the drawn robots do
     assert all(a["measured"] < 2 * a["expected"] for a in said["agreement"])
     assert len(said["agreement"]) == 3
+
+
+def test_a_quiet_log_of_this_very_robot_shows_no_other_one() -> None:
+    """A filter that expects larger disturbances than there are finds the gyro to count 0.83 times: its innovations are
+    then expected to be smaller."""
+    course = Course(kernel_controller(designed("pid"), ROBOT, KIT), ROBOT, draw(ROBOT, 100, 0), KIT)
+    assert as_logged(recording(), course)[2] == ()
 
 
 def test_the_table_of_controllers_counts_drawn_robots_that_fall() -> None:

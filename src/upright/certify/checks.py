@@ -53,8 +53,7 @@ DELAYS = (0.25, 0.5, 1.0, 1.5, 2.0)
 SLOWER = (0.5, 0.8, 1.0, 1.25, 1.5, 2.0)
 """Periods that are tried, as multiples of the controller's own, which is among them for comparison."""
 
-SWEPT = 100
-"""Number of drawn robots in the sweeps."""
+SWEPT = 100  # drawn robots in the sweeps
 
 CALLED = 128
 """Robots in one batch where the controller is called for each of them: about a second of work."""
@@ -180,7 +179,7 @@ class Course:
     """A controller, the robots it drives, their kit, the seed of their noise, and the floor's slope [rad].
 
     Pushes have the sizes of `robot` and `kit`, which were assumed. What a log shows instead is `logged`, and is tried.
-    """
+    Its filter expects `disturbed` times the usual noise of forces and torques."""
 
     controller: KernelController
     robot: Robot
@@ -192,6 +191,7 @@ class Course:
     _: KW_ONLY
     slope: float = 0.0
     logged: Logged | None = None
+    disturbed: float = 1.0
 
     @property
     def met_kit(self) -> Kit:

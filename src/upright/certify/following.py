@@ -15,7 +15,7 @@ from upright.calibrate.knocks import SETTLED, at_motors, first_state, moved_by, 
 from upright.certify.checks import Course
 from upright.certify.logged import loaded
 from upright.control.delay import MOST_PERIODS, RAW, SampledRobot, sampled
-from upright.control.kalman import Disturbed, Filter, filtered, kalman_filter
+from upright.control.kalman import DISTURBED, Disturbed, Filter, filtered, kalman_filter
 from upright.logs.recording import commanded
 from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import LinearModel, linearise, rolling
@@ -29,6 +29,7 @@ Array = NDArray[np.float64]
 FREEDOM = 4.0  # of Student's distribution, under which a push costs little
 SCALES = (0.15, 0.2, 0.28, 0.4, 0.55, 0.75, 1.0, 1.3, 1.7, 2.2, 3.0, 4.0, 5.5)
 FINER = 4  # parts of a step of these, in which the likeliest is looked for at last
+DISTURBANCES = (0.1, 0.18, 0.32, 0.56, 1.0, 1.8, 3.2)  # times the usual noise of forces and torques
 ZOOMS = 2  # of the search for a dead zone: a hundredth of it more or less swallows other commands
 AT_ONCE = 12  # signatures in memory
 ROUNDING = 1e-9  # [s] of times
@@ -87,14 +88,14 @@ def filtered_log(log: Log, course: Course, kit: Kit | None = None) -> tuple[Foll
     """The filter of the nominal robot with a `kit` (None: that of the course) along the log, the commands that were
     sent and what the motors make of them (n, 2)."""
     robot, kit = course.met_robot, kit or course.met_kit
-    estimator = _estimator(robot, kit, log.period)
+    estimator = _estimator(robot, kit, log.period, course.disturbed)
     readings, sent = recorded(log, estimator.sampled.delay)
     motors = at_motors(sent, kit, robot.command_unit, sent=commanded(log) == "command")
     return FollowedLog.of(estimator, readings, motors), sent, motors
 
 
-def _estimator(robot: Robot, kit: Kit, period: float) -> Filter:
-    return _designed(robot, period, kit.delay, kit.jitter, tuple(kit.sensors.items()))
+def _estimator(robot: Robot, kit: Kit, period: float, disturbed: float) -> Filter:
+    return _designed(robot, period, kit.delay, kit.jitter, tuple(kit.sensors.items()), disturbed)
 
 
 class White(Disturbed):
@@ -135,10 +136,11 @@ def _flown(linear: LinearModel, h: float) -> Array:
 
 @lru_cache(maxsize=256)  # most numbers that a log is asked for are of motors and battery, which no filter knows
 def _designed(
-    robot: Robot, period: float, delay: float, jitter: float, sensors: tuple[tuple[str, Sensor], ...]
+    robot: Robot, period: float, delay: float, jitter: float, sensors: tuple[tuple[str, Sensor], ...], disturbed: float
 ) -> Filter:
     kit = Kit(name="sensors", sensors=dict(sensors), delay=delay, jitter=jitter)
-    return kalman_filter(sampled(robot, kit, period, longest=MOST_PERIODS), White())
+    noise = White(push=disturbed * DISTURBED.push, motor=disturbed * DISTURBED.motor)
+    return kalman_filter(sampled(robot, kit, period, longest=MOST_PERIODS), noise)
 
 
 def surprise(path: FollowedLog) -> float:
@@ -163,13 +165,13 @@ def gyro_scale(log: Log, course: Course) -> float:
     def scaled(scale: float) -> tuple[Robot, Kit]:
         return course.met_robot, replace(kit, sensors={**kit.sensors, RAW[2]: replace(gyro, gain=scale * gyro.gain)})
 
-    return _likeliest(log, scaled, SCALES)
+    return _likeliest(log, scaled, course.disturbed)
 
 
 def body_load(log: Log, course: Course) -> float:
     """The body's mass over the nominal one with which the log is likeliest; beside what the spreads explain, a
     signature's would be lost: a lighter body looks like a lower one."""
-    return _likeliest(log, lambda factor: (loaded(course.met_robot, factor), course.met_kit), SCALES)
+    return _likeliest(log, lambda factor: (loaded(course.met_robot, factor), course.met_kit), course.disturbed)
 
 
 def dead_zone(path: FollowedLog, motors: Array, made: Callable[[float], Array], tried: Sequence[float]) -> float:
@@ -183,16 +185,26 @@ def dead_zone(path: FollowedLog, motors: Array, made: Callable[[float], Array], 
     return best
 
 
-def _likeliest(log: Log, changed: Callable[[float], tuple[Robot, Kit]], tried: Sequence[float]) -> float:
-    """Of the values that are `tried`, and between two of them, the one with which the log surprises least."""
-    place = int(np.argmin(surprises(log, [changed(value) for value in tried])))
-    near = np.linspace(tried[max(place - 1, 0)], tried[min(place + 1, len(tried) - 1)], 2 * FINER + 1).tolist()
-    return near[int(np.argmin(surprises(log, [changed(value) for value in near])))]
+def _likeliest(log: Log, changed: Callable[[float], tuple[Robot, Kit]], disturbed: float) -> float:
+    """Of `SCALES`, and between two of them, the one with which the log surprises least."""
+    place = int(np.argmin(surprises(log, [changed(value) for value in SCALES], disturbed)))
+    near = np.linspace(SCALES[max(place - 1, 0)], SCALES[min(place + 1, len(SCALES) - 1)], 2 * FINER + 1).tolist()
+    return near[int(np.argmin(surprises(log, [changed(value) for value in near], disturbed)))]
 
 
-def surprises(log: Log, several: Sequence[tuple[Robot, Kit]]) -> list[float]:
-    """`surprise` of the filters of several robots with the same dead times, which follow the log side by side."""
-    estimators = [_estimator(*one, log.period) for one in several]
+def as_disturbed(log: Log, course: Course) -> tuple[Course, float]:
+    """`course` with the disturbances that make the log likeliest, and its surprise. With larger ones the filter expects
+    larger innovations than there are, and whatever makes them smaller looks likely: a gyro that counts too little."""
+    several = [replace(course, disturbed=factor) for factor in DISTURBANCES]
+    then = [surprise(filtered_log(log, one)[0]) for one in several]
+    best = int(np.argmin(then))
+    return several[best], then[best]
+
+
+def surprises(log: Log, several: Sequence[tuple[Robot, Kit]], disturbed: float) -> list[float]:
+    """`surprise` of the filters of several robots with the same dead times, which follow the log side by side; forces
+    and torques are `disturbed` by so many times the usual noise."""
+    estimators = [_estimator(*one, log.period, disturbed) for one in several]
     readings, sent = recorded(log, estimators[0].sampled.delay)
     raw, motors, moved = commanded(log) == "command", dict[Motor, Array](), list[Array]()
     for (robot, kit), estimator in zip(several, estimators, strict=True):

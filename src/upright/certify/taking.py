@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.certify.checks import Course
-from upright.certify.following import filtered_log, surprise, surprises
+from upright.certify.following import as_disturbed, filtered_log, surprise, surprises
 from upright.certify.logged import Logged, delaying
 from upright.certify.support import NORMAL, Support, supported
 from upright.robots import Kit
@@ -45,8 +45,9 @@ def as_logged(log: Log, course: Course) -> tuple[Course, tuple[Support, ...], tu
     predicts the log best, since the rest may only be its image. The next one is looked for where those taken over
     stand. A number with which it predicts no better than robots within their spreads do is neither taken over nor said.
     """
+    course, now = as_disturbed(log, course)
     shown = first = supported(log, course)
-    names, stands, now = set[str](), True, surprise(filtered_log(log, course)[0])
+    names, stands = set[str](), True
     for _ in range(TURNS):
         new = _next(log, course, shown, names, now) if stands else set[str]()
         if stands and not new:
@@ -55,7 +56,8 @@ def as_logged(log: Log, course: Course) -> tuple[Course, tuple[Support, ...], tu
         stands = not new and then > now - LEAST_GAIN
         if new or then < now:
             names |= new
-            course, now, shown = moved, then, supported(log, moved)
+            course, now = as_disturbed(log, moved)
+            shown = supported(log, course)
     shown = tuple(s for s in shown if s.name in (*names, *DIRECT, *NOT_LEARNT) or not _strays(s))
     last = {s.name: s for s in shown}
     return course, shown, tuple(_in_place_of(s, last.get(s.name, s), course) for s in first if s.name in names)
@@ -73,7 +75,7 @@ def _next(log: Log, course: Course, shown: Sequence[Support], names: set[str], n
         return set()
     within = [(course.met(robot), course.met_kit) for robot in course.robots[:WITHIN]]
     parts = (within[i : i + AT_ONCE] for i in range(0, len(within), AT_ONCE))
-    return set() if any(min(surprises(log, part)) <= then for part in parts) else {best.name}
+    return set() if any(min(surprises(log, part, course.disturbed)) <= then for part in parts) else {best.name}
 
 
 def _best(log: Log, course: Course, several: Sequence[Support], known: Sequence[Support]) -> tuple[Support, float]:
