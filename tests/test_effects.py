@@ -10,8 +10,9 @@ import pytest
 from upright.bodies import Electronics, NonlinearBody
 from upright.calibrate.apart import apart
 from upright.calibrate.calibrate import FREEDOM, prepared, process
-from upright.calibrate.effects import RUN, SHARES, effects_of, maps_of, of_robot, respread
+from upright.calibrate.effects import RUN, SHARES, effects_of, maps_of, of_robot, respread, run_spreads, spread_of
 from upright.calibrate.gauss_newton import gauss_newton
+from upright.calibrate.own_run import spread_here
 from upright.calibrate.parameters import Parameter, parameters_of
 from upright.control import Estimated, kalman, lqr
 from upright.control.excited import Excited, random_binary
@@ -121,6 +122,16 @@ def test_known_numbers_do_not_differ_between_runs() -> None:
     logs = [logged(1.0, 0.0, seed, 1.5) for seed in (0, 1)]
     problem, _ = prepared(logs, PRIOR, replace(NXT, jitter=0.0), ("motor_friction",), 0.0)
     assert not any("motor_friction" in p.name for p in problem.parameters)
+
+
+def test_a_runs_own_friction_may_be_off_by_what_runs_differ_and_what_is_not_known() -> None:
+    """Friction of 0.01 differs by 30 % between runs, 0.003; known to 0.004, a run's own may be off by 0.005."""
+    measured = Parameter("motor_friction", "N m s/rad", 0.01, 0.004, "logarithm")
+    assert spread_here(measured, spread_of(measured, 0.01)) == pytest.approx(0.005)
+    guess = replace(measured, guess=True)  # nobody knows it: what runs differ is all that is allowed
+    assert spread_here(guess, spread_of(guess, 0.01)) == pytest.approx(0.003)
+    late = Parameter("delay/gyro", "s", 0.01, 0.02, "linear")
+    assert spread_here(late, run_spreads([late])["delay/gyro"]) == pytest.approx(0.005)
 
 
 def test_the_mean_of_runs_without_friction_is_none() -> None:

@@ -35,7 +35,7 @@ class RunEffect:
     here: float
 
 
-def _spread(p: Parameter, between: float) -> float:
+def spread_here(p: Parameter, between: float) -> float:
     """Standard deviation of a run's own number, of which runs differ by `between` deviations of what is known: where
     somebody measured the robot's friction or winding, they know it no better than that."""
     return p.spread * (math.hypot(1.0, between) if p.name in SHARES and not p.guess else between)
@@ -45,7 +45,7 @@ def of_this_run(problem: Problem, limits: Mapping[str, float]) -> tuple[Segments
     """Half seconds of the one recording of `problem` with the numbers of its own run, and these; None where they
     predict no better than those that are known. `limits` are the variances of the sensors by their kit."""
     spreads = run_spreads(problem.asked)
-    own = tuple(replace(p, spread=_spread(p, spreads.get(p.name, 1.0))) for p in problem.parameters)
+    own = tuple(replace(p, spread=spread_here(p, spreads.get(p.name, 1.0))) for p in problem.parameters)
     free = replace(problem, parameters=own, held=frozenset(p.name for p in own if p.name not in spreads))
     known, recording = np.zeros(len(own)), problem.recordings[0]
     fit = segmented(free, limits, known)
