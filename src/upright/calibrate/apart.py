@@ -1,8 +1,8 @@
 """Runs of one robot that differ from the others in what no run should change: masses, lengths, inertias.
 
-Each run is fitted alone, and the others together, from the optimum of all at its noise. Where a number of the robot,
-or a coefficient of its motion, then differs by more than chance, the run is not one of the same robot, or something in
-it is not in the equations. What belongs to a run (`effects`) is no such number.
+Each run is fitted alone, from the optimum of all at its noise. Where a number of the robot, or a coefficient of its
+motion, then differs by more than chance, a run is not one of the same robot, or something in it is not in the
+equations. What belongs to a run (`effects`) is no such number.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
@@ -49,10 +50,11 @@ class _Number(NamedTuple):
 
 
 class _Gap(NamedTuple):
-    """By how many standard deviations a number of a run differs from that of the others."""
+    """By how many standard deviations a number of a run differs from that of another run, or of all others."""
 
     deviations: float
     run: int
+    other: int
     own: _Number
     others: _Number
 
@@ -63,31 +65,42 @@ class _Gap(NamedTuple):
 
 def apart(problem: Problem, z: Array, sources: Sequence[str]) -> tuple[str, ...]:
     """Which run differs from the others and in what, in words; nothing where none does. `z` (parameters,) is the fit of
-    all runs, `sources` are their names."""
-    runs = len(problem.recordings)
-    gaps = _gaps(problem, z, runs)
+    all runs, `sources` are their names.
+
+    Each two runs are compared. The one that differs is that without which the others agree best.
+    """
+    runs = range(len(problem.recordings))
+    alone = [_numbers(*_fitted(problem, z, [run])) for run in runs] if len(runs) > 1 else []
+    gaps = [gap for one, other in combinations(runs, 2) for gap in _gaps(one, other, alone[one], alone[other])]
     limit = -float(ndtri(CHANCE / 2 / max(len(gaps), 1)))
-    beyond = [gap for gap in gaps if gap.deviations > limit]
-    if not beyond:
+    if not gaps or max(gaps).deviations <= limit:
         return ()
-    run = max(beyond).run
-    named = sorted((g for g in beyond if g.run == run), key=lambda g: (g.own.name not in COEFFICIENTS, -g.deviations))
-    words = "; ".join(map(str, named[:MOST_NAMED]))
-    if runs == 2:
-        return (f"{sources[0]} and {sources[1]} differ: {words}. Two runs cannot say which one has changed.",)
-    which = f"Log {run + 1}, {sources[run]},"
+    furthest, left = max(gaps), {run: [g.deviations for g in gaps if run not in (g.run, g.other)] for run in runs}
+    odd = min(runs, key=lambda run: max(left[run], default=0.0))
+    if len(runs) == 2 or max(left[odd], default=0.0) > limit:
+        one, other = (f"log {run + 1}, {sources[run]}," for run in (furthest.run, furthest.other))
+        words = _words([g for g in gaps if (g.run, g.other) == (furthest.run, furthest.other)], limit)
+        return (f"Runs differ, most of all {one} and {other} in {words}. Nothing tells which of them has changed.",)
+    rest = _numbers(*_fitted(problem, z, [run for run in runs if run != odd]))
+    which = f"Log {odd + 1}, {sources[odd]},"
+    words = _words(_gaps(odd, odd, alone[odd], rest), limit)
     return (f"{which} differs from the other runs: {words}. Look for what changed, or leave it out.",)
 
 
-def _gaps(problem: Problem, z: Array, runs: int) -> list[_Gap]:
-    """Each number of each run against that of the others, of those that either tells."""
-    gaps: list[_Gap] = []
-    for run in range(runs) if runs > 2 else range(runs - 1):
-        rest = [other for other in range(runs) if other != run]
-        for one, other in zip(*(_numbers(*_fitted(problem, z, part)) for part in ([run], rest)), strict=True):
-            if one.visible or other.visible:
-                gaps.append(_Gap(abs(one.at - other.at) / math.hypot(one.spread, other.spread), run, one, other))
-    return gaps
+def _gaps(run: int, other: int, own: Sequence[_Number], others: Sequence[_Number]) -> list[_Gap]:
+    """Each number of a run against that of another, or of all others, of those that either tells."""
+    return [
+        _Gap(abs(one.at - two.at) / math.hypot(one.spread, two.spread), run, other, one, two)
+        for one, two in zip(own, others, strict=True)
+        if one.visible or two.visible
+    ]
+
+
+def _words(gaps: Sequence[_Gap], limit: float) -> str:
+    """Those beyond the limit, or the largest: coefficients first."""
+    beyond = [gap for gap in gaps if gap.deviations > limit] or [max(gaps)]
+    named = sorted(beyond, key=lambda gap: (gap.own.name not in COEFFICIENTS, -gap.deviations))
+    return "; ".join(map(str, named[:MOST_NAMED]))
 
 
 def _fitted(problem: Problem, z: Array, runs: Sequence[int]) -> tuple[Problem, Array, Normal, Sequence[Path]]:
