@@ -3,6 +3,8 @@ neighbours."""
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -71,10 +73,17 @@ def single(values: Array) -> Mask:
 
 
 def left_out(log: Log, name: str) -> Mask:
-    """Which rows of a sensor a fit is not to read."""
-    values = log[name]
+    """Which rows of a sensor a fit is not to read; read-only."""
+    return _left_out(np.asarray(log[name], dtype=np.float64).tobytes(), name)
+
+
+@lru_cache(maxsize=8)  # a post-mortem reads the same sensors some hundred times, with other commands
+def _left_out(readings: bytes, name: str) -> Mask:
+    values = np.frombuffer(readings)
     alone = single(values) if name in SENSORS else np.zeros(len(values), dtype=bool)
-    return alone | at_range(np.where(alone, np.nan, values)) if name == "sensor/gyro" else alone
+    left = alone | at_range(np.where(alone, np.nan, values)) if name == "sensor/gyro" else alone
+    left.setflags(write=False)
+    return left
 
 
 def in_words(log: Log) -> str:
