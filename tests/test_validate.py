@@ -102,6 +102,23 @@ def test_the_free_loop_reads_nothing_of_the_log_where_one_encoder_stands_for_bot
     assert "push at 3 s" in " ".join(label for _, label in report_page(result).numbers)
 
 
+def test_the_free_loop_gets_no_odd_reading_of_the_log() -> None:
+    """A bad cable gives 8 rad/s for a row, ten times what the gyro reads here: no fit reads it, and the law neither."""
+    log = log_of("excited")
+    gyro = log["sensor/gyro"].copy()
+    gyro[[150, 330]] = 8.0
+    odd = up.Log(log.t, {**log.channels, "sensor/gyro": gyro}, log.units, log.origin)
+    controller = lqg(ROBOT, KIT, KIT.period)
+    whole, broken = (up.validate(ROBOT, one, KIT, controller).logs[0] for one in (log, odd))
+    assert whole.simulated is not None
+    assert broken.simulated is not None
+    assert any("2 of gyro" in note for note in broken.notes)
+    pitch = whole.simulated.names.index("estimate/pitch")
+    apart = np.abs(whole.simulated.simulated[:, pitch] - broken.simulated.simulated[:, pitch])
+    assert np.nanmax(apart) < 0.01  # the first state is fitted anew; 8 rad/s for 10 ms are 0.08 rad
+    assert np.nanmax(np.abs(whole.simulated.simulated[:, pitch])) > 0.02
+
+
 def test_half_seconds_that_hold_a_push_are_left_out_and_counted() -> None:
     """A slope of 0 and a force of a hundredth of a second: of ten half seconds the one that holds 2.2 s."""
     log = log_of()
