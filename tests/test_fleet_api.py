@@ -336,7 +336,7 @@ def test_pages_of_maps_are_well_formed(small_map, tmp_path):
     assert "still stands 3 s later" in page_of(data).html().replace("\u00a0", " ")  # `watch`, and the default tolerance
     cut = basin(bare(seconds=1.0), Axis("pitch", -1.0, 1.0, 5), Axis("wheel", -1, 1, 3))
     ElementTree.fromstring(basin_figure(cut).svg())
-    assert "still standing 1 s later" in page_of(cut).html().replace("\u00a0", " ")
+    assert "still stands 1 s later" in page_of(cut).html().replace("\u00a0", " ")
 
 
 # The verbs

@@ -23,7 +23,7 @@ from upright.tables import Shown
 
 LIGHT, HEAVY = "nxtway-gs", "herrera2015"
 
-TITLE = "Herrera et al. (2015): {} of {} claims reproduced"
+TITLE = "Herrera et al. (2015): {} of {} claims reproduced{}"
 LEAD = (
     "Herrera, Chamorro, Gómez and Camacho model the LEGO NXT balancing robot twice, put robot and models under one "
     "regulator, and push them. This page repeats each step; a simulated twin stands in for their robot."
@@ -79,8 +79,9 @@ def _page(claims: Sequence[Claim]) -> Page:
     counted = {verdict: sum(c.verdict == verdict for c in claims) for verdict in (REPRODUCED, NOT_AS_PRINTED, BEYOND)}
     judged = counted[REPRODUCED] + counted[NOT_AS_PRINTED]
     partly = sum(bool(c.aside) for c in claims if c.verdict == REPRODUCED)
-    beside = {REPRODUCED: f", {partly} of them in part" if partly else ""}
-    numbers = [(f"{counted[v]} of {judged}", f"claims {v}{beside.get(v, '')}") for v in (REPRODUCED, NOT_AS_PRINTED)]
+    parts = (("claims reproduced", counted[REPRODUCED] - partly), ("claims reproduced in part", partly))
+    parts += ((f"claims {NOT_AS_PRINTED}", counted[NOT_AS_PRINTED]),)
+    numbers = [(f"{count} of {judged}", words) for words, count in parts if count]
     numbers.append((str(counted[BEYOND]), "further checks, beyond the paper"))
     failed = [f"{c.part} ({c.title.split(',')[0].split(':')[0]})" for c in claims if c.verdict == NOT_AS_PRINTED]
     missed = f" Not as printed: {'; '.join(failed)}." if failed else ""
@@ -112,7 +113,7 @@ def _page(claims: Sequence[Claim]) -> Page:
     ]  # fmt: skip
     sections = [*opening, *(claim.section() for claim in claims)]
     held = counted[REPRODUCED]
-    title = TITLE.format(held, held + counted[NOT_AS_PRINTED])
+    title = TITLE.format(held, judged, f", {partly} of them in part" if partly else "")
     verdict = Verdict("all as printed", "good") if not failed else Verdict(f"{len(failed)} not as printed", "warn")
     facts = {"command": "upright reproduce", "paper": PAPER, **_versions()}
     return Page(title, sections, f"{LEAD}{missed}{AFTER}", facts, verdict=verdict, picture=picture, numbers=numbers)

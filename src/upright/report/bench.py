@@ -19,7 +19,7 @@ def page_of(bench: Bench) -> Page:
     ranked = bench.ranked()
     held = [name for name in ranked if all(row.holds for row in bench.rows if row.controller == name)]
     best, largest = next(iter(ranked.items()), ("", math.nan))
-    verdict = Verdict(f"{len(held)} of {len(ranked)} hold the robot", "good" if held else "warn")
+    verdict = Verdict(f"{len(held)} of {len(ranked)} hold the nominal robot", "good" if held else "warn")
     knocked = not math.isnan(largest)
     places = bench.places()
     firsts = [name for name, place in places.items() if place == 1]
@@ -54,7 +54,7 @@ def page_of(bench: Bench) -> Page:
 
 _SMALLER = (
     "Of the knocks from the front and from the back, the smaller one; the tables have both. "
-    f"Controllers within {number(100 * TOLERANCE, 2)} % of each other share a place."
+    f"Controllers within {number(100 * TOLERANCE, 2)} % of the best of a place share it."
 )
 
 
@@ -113,7 +113,7 @@ def _leans(bench: Bench, names: Sequence[str]) -> str:
     if len(ranked) < 2 or not peaks[ranked[-1]]:
         return "Pitch, held at a lean and let go"
     most, least = (f"{name} ({number(math.degrees(peaks[name]), 2)}°)" for name in (ranked[0], ranked[-1]))
-    return f"Pitch, held at a lean and let go: of those drawn {most} leans most, {least} least"
+    return f"Pitch, held at a lean and let go: of those shown {most} leans most, {least} least"
 
 
 FEW = 4  # curves that can be told apart in one panel

@@ -143,8 +143,8 @@ def _strongest(cases: Cases) -> str:
     name, (case, least, most) = next(iter(drawn.items()))
     of_case = f" ({cases.names()[cases.index(case)]})" if len(cases) > 1 else ""
     return (
-        f" Of the varied parameters {spoken(name)} matters most{_assumed(cases, name)}: of the fifth with the least "
-        f"{_percent(least)} fall, of that with the most {_percent(most)}{of_case}."
+        f" Of the varied parameters {spoken(name)} matters most{_assumed(cases, name)}: among the fifth of "
+        f"the robots with the least of it {_percent(least)} fall, with the most {_percent(most)}{of_case}."
     )
 
 
@@ -242,7 +242,7 @@ def _table(cases: Cases) -> Table:
         rows.append([name, fell, *(None if mean is None else factor * mean for mean, factor in means)])
     header = ["case", "fell [%]", *(kinds[o][0] for o in shown)]
     caption = (
-        "Falls, the worst first where that is no chance; means of those that stood: largest pitch, settling, effort"
+        "The worst first, unless chance explains it; means of those that stood: largest pitch, settling time, effort"
     )
     return Table(header, rows, caption, 3, even=True)
 

@@ -91,7 +91,7 @@ def _falls(c: Certificate) -> Figure:
     if most.fell:
         percent = number(100 * most.fell / most.runs, 3)
         alike = sum(t.fell * most.runs == most.fell * t.runs for t in c.trials) - 1
-        others = f", and {alike} more alike" if alike else ""
+        others = f" (and {alike} more)" if alike else ""
         worst = f"worst: {in_degrees(most.push)}, {most.battery} battery{others}, {percent} %"
         limit = f"Every push is below the limit of {allowed}" if c.bound <= MOST_FALLS else f"The limit is {allowed}"
         return Figure(f"{limit}; {worst}", c.plot())
@@ -222,7 +222,7 @@ def _figure(name: str, swept: Sequence[Swept], title: str, note: str, designed: 
     return Figure(
         f"{title}: {fallen(milliseconds, parts)}",
         figure,
-        f"{runs} A certificate compares its bound with the limit, which is above the count. {note}".strip(),
+        f"{runs} The certificate compares the bound with the limit; the bound is above these counts. {note}".strip(),
     )
 
 

@@ -30,7 +30,7 @@ def page_of(plan: ExcitationPlan) -> Page:
     facts = {"controller": plan.hash[:12], "seed": str(plan.seed), "kit": plan.kit}
     numbers = [
         (f"≤ {number(100 * plan.checked.bound, 2)} %", _falls(plan)),
-        (f"{cell_text(plan.checked.travel, 2)} m", f"95 % of the robots roll less; allowed {plan.limits.travel:g} m"),
+        (f"{cell_text(plan.checked.travel, 2)} m", f"95 % of the robots travel less; allowed {plan.limits.travel:g} m"),
         (
             f"{number(100 * plan.checked.saturated, 2)} %",
             f"of the time a motor is at its limit; allowed {100 * plan.limits.saturated:g} %",
@@ -46,7 +46,7 @@ def _falls(plan: ExcitationPlan) -> str:
     c = plan.checked
     of = " that stand without the run" if c.dropped else ""
     return (
-        f"probability of a fall: {c.fell} of {c.samples} drawn robots{of} fell; allowed {100 * plan.limits.falls:g} %"
+        f"probability of a fall: {c.fell} of {c.samples} sampled robots{of} fell; allowed {100 * plan.limits.falls:g} %"
     )
 
 
@@ -167,9 +167,7 @@ DRAWN = 0.95  # of the width before: parameters whose intervals shrink less are 
 
 
 def _title(plan: ExcitationPlan) -> str:
-    return (
-        f"A run of {plan.seconds:.3g} s at least halves the uncertainty of {_halved(plan)} parameters of {plan.robot}"
-    )
+    return f"A run of {plan.seconds:.3g} s should halve the uncertainty of {_halved(plan)} parameters of {plan.robot}"
 
 
 def _halved(plan: ExcitationPlan) -> int:
@@ -197,9 +195,9 @@ def _widths(plan: ExcitationPlan) -> Figure:
         ax.plot(after[kept], rows[kept], "o", markersize=6, color=COLOURS[colour], label=label)
     ax.axvline(100 * VISIBLE, linestyle="--", linewidth=1, color=AXIS, label="half")
     lost = [spoken(p.name) for p in plan.predicted if p not in shown]
-    none = f" Not drawn, since the run tells nothing of them: {', '.join(lost)}." if lost else ""
+    none = f" Not shown, since the run tells nothing of them: {', '.join(lost)}." if lost else ""
     title = f"The run halves the uncertainty of {_halved(plan)} of {len(plan.predicted)} parameters; left is better"
-    title += f" ({len(shown)} drawn)" if lost else ""
+    title += f" ({len(shown)} shown)" if lost else ""
     note = f"Dither: a random binary signal, at the motors of the same energy, {_joules(plan)}.{none}{_vague(plan)}"
     return Figure(title, legend(figure), note)
 

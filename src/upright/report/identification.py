@@ -52,7 +52,7 @@ def _verdict(compared: MethodComparison) -> Verdict:
     sure = math.isfinite(compared.models[best].pole.high - compared.models[best].pole.low)
     other = [method for method in _ranked(compared) if method != PRIOR]
     if best == PRIOR and other:
-        return Verdict(f"with the robot's file: {best}; from the log alone: {_best(compared, PRIOR)}", "good")
+        return Verdict(f"best with the robot's file: {best}; from the log alone: {_best(compared, PRIOR)}", "good")
     return Verdict(f"{best}: narrowest interval of the pole" if sure else f"{best} leans least", "good")
 
 

@@ -158,7 +158,11 @@ def _mark(ax: Axes, best: float) -> None:
     """The leans beyond which no controller saves the robot, let go at rest."""
     for side in (-best, best):
         ax.axvline(
-            side, linestyle="--", linewidth=1.2, color=INK, label="at rest, no controller beyond" if side > 0 else "_"
+            side,
+            linestyle="--",
+            linewidth=1.2,
+            color=INK,
+            label="limit of any controller, let go at rest" if side > 0 else "_",
         )
     ax.set_xlim(min(ax.get_xlim()[0], -1.1 * best), max(ax.get_xlim()[1], 1.1 * best))
 
@@ -228,7 +232,12 @@ def push_map_page(data: Dataset) -> Page:
     title = f"{name} survives every push up to {cell_text(low, 2)} N s"
     if "low" in data:
         weak = float(data["low"].values.min())
-        numbers.append((f"{cell_text(weak, 2)} N s", "survived at the worst place by 97.5 % of similar robots"))
+        numbers.append(
+            (
+                f"{cell_text(weak, 2)} N s",
+                "survived at the worst place by 97.5 % of the robots within the uncertainty of the file",
+            )
+        )
     verdict = Verdict("simulated: one robot, one controller", "info")
     return Page(title, sections, lead, provenance(data), False, verdict=verdict, picture=first, numbers=numbers)
 
@@ -255,7 +264,7 @@ def basin_page(data: Dataset) -> Page:
     )  # fmt: skip
     kind = (origin.get("controller") or {}).get("kind", "")
     lead = (
-        f"Simulated. Recovers: still standing {origin['scenario']['seconds']:g} s later"
+        f"It recovers if it still stands {origin['scenario']['seconds']:g} s later"
         f"{f', under {kind}' if kind else ''}. "
         "All other states are zero at the start. "
         "Next: `upright push-map`, which asks for pushes instead."
@@ -271,15 +280,15 @@ def basin_page(data: Dataset) -> Page:
         )  # fmt: skip
         even = math.isclose(-low, high, rel_tol=1e-6)
         span = f"±{_in_degrees(high, data, across)}" if even else held
-        text = f"{words} from which it recovers, let go at rest; in brackets a step of the grid"
-        numbers = [(f"{span} (±{_in_degrees(step, data, across)})", text)]
+        text = f"{words} from which it recovers, let go at rest; in brackets the step of the grid"
+        numbers = [(f"{span} ({_in_degrees(step, data, across)})", text)]
         best = _savable(origin) if across == "pitch" else math.inf
         if best < math.pi / 2:
             text = "largest lean from which any controller could save it, by the linear model"
             numbers.append((f"±{_in_degrees(best, data, across)}", text))
         least = float(np.diff(data[up].values).mean()) if data[up].size > 1 else 0.0
         text = f"{up.replace('_', ' ')} from which it recovers, where {words} is zero"
-        numbers.append((f"{ends} (±{_in_degrees(least, data, up)})", text))
+        numbers.append((f"{ends} ({_in_degrees(least, data, up)})", text))
     return Page(
         title, [], lead, provenance(data), False, verdict=Verdict("simulated: one robot, one controller", "info"),
         picture=basin_figure(data), numbers=numbers,

@@ -40,7 +40,7 @@ _LOOP = (
     "The closed loop is simulated from the first state of the log. The law computes its commands anew, and what the "
     "experiment added to them is added again. It gets no reading of the log. "
     "Small errors of that state and the missing noise add up, so that it drifts before a push too. It gets no push: it "
-    "leaves the log at the first one. Neither speaks against the robot."
+    "leaves the log at the first one. Neither alone speaks against the robot."
 )
 _LOST = (
     "Lost: over {:g} s the rms error is above the standard deviation of the whole reading, pushes included. "
@@ -137,9 +137,7 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
         lowest = min(loops, key=lambda c: c.r2)
         if lowest.r2 < 0 and (first := _first(loops)):
             pushed = next((p for p in map(_pushed, judged) if p is not None), None)
-            followed = (
-                f"simulated from its first row alone, until the {short(first.name)} is lost: {_lost(loops, pushed)}"
-            )
+            followed = f"simulated freely, until the {short(first.name)} is lost: {_lost(loops, pushed)}"
             numbers.append((f"{first.breaks:.2g} s", followed))
         else:
             whole = f"R² of the whole run from its first row alone ({short(lowest.name)})"

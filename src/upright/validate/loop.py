@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from upright.calibrate.fitting import Problem
 from upright.calibrate.stretch import Stretch
 from upright.control.delay import RAW
+from upright.logs.outliers import left_out
 from upright.logs.recording import SENSOR, Recording, commanded, one_encoder
 from upright.robots import Kit
 from upright.signals import Log
@@ -93,8 +94,7 @@ def closed_loop(problem: Problem, recording: Recording, z: Array, log: Log, kit:
     measured = np.column_stack([log[name] for name in shown])
     simulated, known = np.full_like(measured, np.nan), measured[:, : len(names)].copy()
     sample = np.searchsorted(log.t, recording.when - 1e-9)
-    odd = np.isfinite(known)  # readings that the recording leaves out: the law gets the simulated ones
-    odd[sample[recording.kind >= 0], recording.kind[recording.kind >= 0]] = False
+    odd = np.column_stack([left_out(log, name) for name in names])  # the law gets the simulated ones
     last = order[:start][recording.kind[order[:start]] < 0]
     one = LEFT in names and RIGHT in log and one_encoder(log)  # then the law must not read the log's other one
 
@@ -121,8 +121,8 @@ def closed_loop(problem: Problem, recording: Recording, z: Array, log: Log, kit:
             of_sensor = [i for i, n in enumerate(estimated) if SOURCE[n] == SENSOR[names[kind]]]
             computed[row, of_sensor] = [plant.state[ESTIMATES.index(estimated[i])] for i in of_sensor]
         else:
-            for left_out in np.flatnonzero(odd[row]).tolist():
-                known[row, left_out] = plant.reading(left_out)
+            for sensor in np.flatnonzero(odd[row]).tolist():
+                known[row, sensor] = plant.reading(sensor)
             asked = law.step(row, readings(row), plant.state)
             plant.command[:] = line.step(asked)
             law.applied(plant.command.tolist())

@@ -208,7 +208,7 @@ class Validation(Shown):
 
 def half_second_figure(log: LogJudged) -> Figure:
     """Measured and predicted readings, half a second at a time."""
-    from upright.plotting import legend, line, panels
+    from upright.plotting import legend, line, panels, span
 
     names = [name for name in log.segments.rows if name in PREDICTED] or list(log.segments.rows)
     figure, axes = panels([_label(name) for name in names])
@@ -216,6 +216,10 @@ def half_second_figure(log: LogJudged) -> Figure:
         t, measured, predicted = log.segments.series(name)
         line(ax, "measured", t, measured, style=4, below=True)
         line(ax, "predicted", t, predicted, style=1, solid=True)
+    if log.simulated is not None and len(log.segments.when):
+        width = NARROWEST * float(np.ptp(log.segments.when))
+        for start, stop in log.simulated.pushes:
+            span(axes, start, max(stop, start + width), "push")
     return legend(figure)
 
 
