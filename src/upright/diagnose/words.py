@@ -111,7 +111,7 @@ def of_push(evidence: Evidence, push: PushEstimate, lean: float) -> str:
     return (
         f"a push {way} of {abs(push.impulse):.2g} N s at t = {push.start:.2f} s, "
         f"{1e3 * (push.stop - push.start):.2g} ms long, explains {most(evidence.pushes_only.explained)} of the "
-        f"innovations. With the later pushes it leans the robot to {caused:.2g}°, its speed counted as lean; the "
+        f"innovations. It leans the robot to {caused:.2g}°, its speed counted as lean, what pushes later included; the "
         f"motors bring back {largest:.2g}° at most"
     )
 

@@ -65,9 +65,9 @@ def _summary(bench: Bench) -> Table:
         spreads = [row.spread for row in bench.rows if row.controller == name and row.spread is not None]
         efforts = [row.effort for row in bench.rows if row.controller == name and row.effort is not None]
         rows.append([name, size, 100 * max(spreads) if spreads else None, max(efforts, default=None)])
-    caption = f"The worse of front and back; falls: of {DRAWN} drawn robots, held at a lean and let go"
+    caption = f"The worse of front and back; falls of {DRAWN} sampled robots and effort: held at a lean and let go"
     return Table(
-        ["controller", "knock [N s]", "falls when held [%]", f"effort [{_effort_unit(bench)}]"],
+        ["controller", "knock [N s]", "falls [%]", f"effort [{_effort_unit(bench)}]"],
         rows,
         caption,
         2,

@@ -114,10 +114,10 @@ def _numbers(c: Calibration) -> list[tuple[str, str]]:
 
 
 def _bounded(e: Estimate) -> tuple[str, str]:
-    """The best value with its interval where that begins above zero, else the upper end alone."""
+    """The upper end of the interval, and its lower one where that is above zero."""
     if e.low > 0:
-        ends = _whole(f"{cell_text(e.low, 2)} … {cell_text(e.high, 2)}")
-        return _whole(f"{_value(e)} {e.unit}"), f"{spoken(e.name)}, bounded: {ends}; before {_prior(e)}"
+        text = f"{spoken(e.name)}, bounded: at least {_whole(cell_text(e.low, 2))}; before {_prior(e)}"
+        return _whole(f"≤ {cell_text(e.high, 2)} {e.unit}"), text
     return _whole(f"≤ {cell_text(e.high, 2)} {e.unit}"), f"{spoken(e.name)}, bounded; before {_prior(e)}"
 
 
@@ -166,7 +166,8 @@ def _by_name(c: Calibration) -> Figure | None:
         return None
     note = (
         "Left or right of the middle: the log moved the value. Numbers: how much is left of the uncertainty before. "
-        "Visible: the log halves it. Not visible: it does not, or not reliably. The kinds of both are at the end."
+        f"Visible: the log halves it; measured where that leaves ± {100 * CLOSE:g} % or less, bounded where it leaves "
+        "more. Not visible: it does not, or not reliably. The kinds of both are at the end."
     )
     short = [e for e in c.parameters if 0 < e.prior_spread < math.inf and e.high - e.low < 0.1 * e.prior_spread]
     note += " A dot without a bar: its interval is shorter than the dot." if short else ""
@@ -251,7 +252,9 @@ def _lead(c: Calibration) -> str:
     logs = ", ".join(c.sources) or "the log"
     text = f"{c.robot.name} was fitted to {c.samples} rows of {logs}."
     if math.isfinite(lowest):
-        text += f" It predicts every sensor: R² at least {least(lowest)} ({sensor}); the target is 0.9."
+        text += (
+            f" It predicts every sensor over half a second: R² at least {least(lowest)} ({sensor}); the target is 0.9."
+        )
         text = text if lowest >= GOOD else text.replace("predicts every sensor", "predicts the sensors in part")
     unknown = sum(e.verdict != VISIBLE for e in c.parameters)
     return text + (" Next: `upright excite` plans a run that tells more parameters." if unknown else "")
