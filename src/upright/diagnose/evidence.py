@@ -280,11 +280,12 @@ def _evidence(
         notes = (*notes, foreign(window.usual, robot))
     elif robot.noise:
         notes = (*notes, noisy(robot.noise))
+    per_impulse, per_height, *_ = (mode.w @ model.E).tolist()
     return Evidence(
         run=run, fell_at=end, ordinary=window.usual, calm=_calm(run, window),
         nis=float(np.mean(bank.y**2)), fits=tuple(several),
         stuck=stuck, jam=jam, pairs=tuple(pairs), left=leftover(several, window, bank) if open_ else None,
-        toppling=Toppling(*(mode.w @ model.E).tolist()[:2], abs(mode.b) * most / mode.pole, mode.pole),
+        toppling=Toppling(per_impulse, per_height, abs(mode.b) * most / mode.pole, mode.pole),
         motors=_motor_use(run, mode.w, end), match=match, stable=stable,
         lost=(lost_rows(log, run.kit.period, end - 1, end), lost_rows(log, run.kit.period, log.t[0], end - 1)),
         demand=_demand(log, robot, most, end), battery=_battery(log, end), notes=notes,
