@@ -395,6 +395,11 @@ def test_a_link_that_makes_no_sense_is_the_usual_page(page, site, part):
     page.goto(f"{site.as_uri()}#{part}")
     page.wait_for_function("window.upright?.page.drawnFirst")
     assert page.evaluate("[upright.store.setup.robot, upright.store.setup.controller]") == ["nxtway-gs", "lqg"]
+    name, _, value = part.partition("=")
+    if name in ("robot", "controller"):  # a mistyped name is said, with what there is
+        said = page.inner_text(".toast span")
+        assert f"{name} '{value}'" in said
+        assert ("twipr" if name == "robot" else "lqi") in said
 
 
 @marked

@@ -49,7 +49,7 @@ class Setup:
     drive: Literal["", "voltage", "torque"] = ""
     kit: Text = "nxt"
     noise: Annotated[float, Interval(ge=0, le=20)] = 1.0
-    delay: Annotated[float, Interval(ge=-1, le=0.05)] = -1.0
+    delay: Annotated[float, Interval(ge=-1, le=0.2)] = -1.0
     voltage: Annotated[float, Interval(ge=-1, le=60)] = -1.0
     dead_zone: Annotated[float, Interval(ge=-1, le=5)] = -1.0
     grip: Annotated[float, Interval(ge=0.02, le=10)] = 10.0

@@ -11,6 +11,7 @@ import type { Plant } from "./margins";
 import { Loop, combined, linearMotion } from "./simulator";
 import type { Kit, Law, Motion, Push } from "./simulator";
 import { LEAN, store } from "./store";
+import { OWN, t } from "./texts";
 
 export interface Controller {
   kind: string;
@@ -56,6 +57,7 @@ export const exported = (globalThis as { uprightExport?: Exported }).uprightExpo
 
 const BODIES = ["nonlinear", "linear"] as const;
 const OFF = "off";
+const LONGEST_SHOWN = 40; // letters of a link's unknown name
 const SETTLED = 200; // [ms] without a change before gains by hand are analysed
 const KNOCK = 0.02; // [s] that an impulse takes, a pull, and a hold: as lab/pushing.py
 const PULL = 0.3;
@@ -70,8 +72,10 @@ const BEHIND = 2; // [s] of wall time made up in one go: a frame may take long, 
 export interface Link {
   setup: Partial<Setup>;
   push: LinkedPush | null;
+  unknown: { robot?: string; controller?: string }; // names that this page does not have
 }
 
+const LONGEST_DELAY = 0.2; // [s] of Setup in lab/messages.py
 const NUMBERS = ["slope", "noise", "delay", "seed", "payload", "payload_height"] as const;
 
 export function toHash(setup: Setup, push: Link["push"]): string {
@@ -96,13 +100,16 @@ export function fromHash(hash: string, data: Exported): Link {
   const parts = plainParts(hash);
   const setup: Partial<Setup> = {};
   const robot = parts.get("robot") ?? "";
+  const unknown: Link["unknown"] = {};
   if (Object.hasOwn(data.facts.robots, robot)) setup.robot = robot;
+  else if (robot) unknown.robot = robot;
   const facts = data.facts.robots[setup.robot ?? first(data)];
   const controller = parts.get("controller") ?? "";
   if (Object.hasOwn(facts.controllers, controller) || controller === OFF) setup.controller = controller;
+  else if (controller) unknown.controller = controller;
   const gains = (parts.get("gains") ?? "").split(",").map(Number);
   if (gains.length === 6 && gains.every(Number.isFinite)) setup.gains = gains;
-  const ranges: Record<(typeof NUMBERS)[number], [number, number]> = { slope: [-0.2, 0.2], noise: [0, 20], delay: [-1, 0.05], seed: [0, 2 ** 31], payload: [0, 5], payload_height: [0, 1] };
+  const ranges: Record<(typeof NUMBERS)[number], [number, number]> = { slope: [-0.2, 0.2], noise: [0, 20], delay: [-1, LONGEST_DELAY], seed: [0, 2 ** 31], payload: [0, 5], payload_height: [0, 1] };
   for (const name of NUMBERS) {
     const value = Number(parts.get(name) ?? NaN);
     if (value >= ranges[name][0] && value <= ranges[name][1]) setup[name] = name === "seed" ? Math.floor(value) : value;
@@ -110,7 +117,7 @@ export function fromHash(hash: string, data: Exported): Link {
   const load = facts.laden?.look;
   if (setup.payload !== load?.payload || setup.payload_height !== load?.payload_height) [setup.payload, setup.payload_height] = [0, DEFAULT_SETUP.payload_height];
   setup.bodies = parts.get("ghost") === "0" ? [BODIES[0]] : [...BODIES];
-  return { setup, push: pushIn(hash) };
+  return { setup, push: pushIn(hash), unknown };
 }
 
 function first(data: Exported): string {
@@ -202,12 +209,24 @@ export class LocalSession {
 
   /** Do what a link says: its set-up, and a second later its push. */
   open(hash: string): void {
-    const { setup, push } = fromHash(hash, this.data);
+    const { setup, push, unknown } = fromHash(hash, this.data);
     const { slope, noise, delay, seed } = DEFAULT_SETUP; // which a link leaves out
     this.changeTo({ ...this.setup, slope, noise, delay, seed, gains: [], ...setup });
+    this.missed(unknown);
     window.clearTimeout(this.timer);
     store.last.name(push);
     this.timer = window.setTimeout(() => (push || store.falls) && this.take(pushing(push ?? ["tilt", LEAN])), 1000);
+  }
+
+  /** Say which names of a link this page does not have, what it shows in their place, and what it has. */
+  private missed({ robot, controller }: Link["unknown"]): void {
+    const short = (name: string) => (name.length > LONGEST_SHOWN ? name.slice(0, LONGEST_SHOWN) + "…" : name);
+    const { robots } = this.data.facts;
+    const words = [
+      robot && t("noSuchRobot", { name: short(robot), shown: this.setup.robot, all: Object.keys(robots).join(", ") }),
+      controller && t("noSuchController", { name: short(controller), shown: this.setup.controller, all: [...Object.keys(this.facts.controllers), OFF].join(", ") }),
+    ].filter(Boolean);
+    if (words.length) store.hear({ kind: "Notice", level: "error", text: words.join(" "), key: OWN });
   }
 
   link(): string {

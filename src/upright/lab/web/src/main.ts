@@ -7,7 +7,7 @@ import { fromLink, pushIn, pushing, tokenIn } from "./link";
 import type { ServerMessage } from "./messages";
 import { Line } from "./net";
 import type { State } from "./net";
-import { certificate, ControllerPanel, IdentifyPanel, KeepPanel, KitPanel, latestLog, RobotPanel } from "./panels";
+import { certificate, ControllerPanel, IdentifyPanel, KeepPanel, KitPanel, lamplight, latestLog, RobotPanel } from "./panels";
 import { Replay } from "./replay";
 import { Room } from "./scene";
 import { Flat } from "./flat";
@@ -295,6 +295,7 @@ class Page {
         this.follow();
         if (first) this.fill();
         else this.update();
+        this.lamp();
         break;
       }
       case "Analysed": case "Light": this.lamp(); this.update(); break;
@@ -316,8 +317,8 @@ class Page {
   }
 
   private lamp(): void {
-    const light = store.lit?.light ?? "none";
-    if (store.recorded && light === "none") return replace(this.light);
+    const light = lamplight();
+    if (store.recorded && (store.lit?.light ?? "none") === "none") return replace(this.light);
     replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, certificate()[1].textContent ?? ""));
   }
 

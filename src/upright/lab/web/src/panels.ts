@@ -29,10 +29,12 @@ abstract class Panel {
 export class ControllerPanel extends Panel {
   private weights = h("div", { className: "sliders" });
   private numbers = h("div", { className: "numbers" });
+  private gain = h("div", {});
   private light = h("div", { className: "light", role: "status" });
   private sliders: Slider[] = [];
   private shape = "";
   private share = h("progress", { max: 1, hidden: true });
+  private percent = h("span", { className: "note" });
 
   build(): void {
     this.shape = "";
@@ -46,8 +48,9 @@ export class ControllerPanel extends Panel {
     replace(
       this.root,
       h("div", { className: "column" }, choice, this.weights),
+      h("div", { className: "column full" }, this.gain),
       h("div", { className: exported ? "column full" : "column" }, this.numbers),
-      exported ? null : h("div", { className: "column" }, this.light, certify, this.share),
+      exported ? null : h("div", { className: "column" }, this.light, certify, h("div", { className: "share" }, this.share, this.percent)),
     );
     this.update();
   }
@@ -57,6 +60,7 @@ export class ControllerPanel extends Panel {
     this.root.querySelector("[data-key=certify]")?.toggleAttribute("aria-busy", share < 1);
     this.share.value = share;
     this.share.hidden = share >= 1;
+    this.percent.textContent = share < 1 ? `${(100 * share).toFixed(0)} %` : "";
   }
 
   /** The gains of the present controller; none where it has none, and the session begins with the regulator's. */
@@ -70,6 +74,7 @@ export class ControllerPanel extends Panel {
     const shape = `${store.setup.controller} ${store.changed?.look.command_unit} ${this.byHand().length}`;
     if (shape !== this.shape) this.shapeWeights(shape);
     this.sliders.forEach((s, i) => s.set(store.setup.controller === "gains" ? (this.byHand()[i] ?? 0) : this.sizes()[i]));
+    replace(this.gain, ...this.gains());
     replace(this.numbers, ...this.analysis());
     replace(this.light, ...certificate());
   }
@@ -91,8 +96,9 @@ export class ControllerPanel extends Panel {
     if (store.setup.controller === "gains") {
       const present = this.byHand();
       const largest = Math.max(...present.map(Math.abs), 0.1);
+      const unit = store.changed?.look.command_unit ?? "V";
       const reach = (i: number) => Math.max(4 * Math.abs(present[i] ?? 0), largest / 4); // there is room on both sides
-      this.sliders = SYMBOLS.map((symbol, i) => slider(`${symbol} → u`, { low: -reach(i), high: reach(i), step: reach(i) / 500, show: (v) => digits(v, 4), key: `gain-${i}` }, (v) => {
+      this.sliders = SYMBOLS.map((symbol, i) => slider(`${symbol} ${named(STATES[i])} → u`, { low: -reach(i), high: reach(i), step: reach(i) / 500, show: (v) => `${digits(v, 4)} ${unit}${i % 2 ? " s" : ""}/rad`, key: `gain-${i}` }, (v) => {
         const gains = [...(this.byHand().length ? this.byHand() : [0, 0, 0, 0, 0, 0])];
         gains[i] = v;
         later({ gains });
@@ -118,12 +124,17 @@ export class ControllerPanel extends Panel {
     });
   }
 
+  private gains(): Node[] {
+    const gain = store.analysed?.gain ?? [];
+    if (!gain.length || ["gains", "off"].includes(store.setup.controller)) return [];
+    return [h("h4", {}, t("gain")), table(SYMBOLS, [gain[0].map((v) => digits(v, 3))], "gains")];
+  }
+
   private analysis(): Node[] {
     const a = store.analysed;
     if (store.setup.controller === "off") return [h("p", { className: "note" }, t("noLoop"))];
     if (!a) return [h("p", { className: "note" }, t("designing"))];
     const parts: Node[] = [];
-    if (a.gain.length && store.setup.controller !== "gains") parts.push(h("h4", {}, t("gain")), table(SYMBOLS, [a.gain[0].map((v) => digits(v, 3))], "gains"));
     const range = (low: number | null, high: number | null) => `${low === null ? "0" : digits(low, 2)} … ${high === null ? "∞" : digits(high, 3)}`;
     const rows = [
       [t("gainMargin"), range(a.gain_low, a.gain_high)],
@@ -138,14 +149,20 @@ export class ControllerPanel extends Panel {
 
 /** What the certificate does not know of: it is for the robot as its controller was designed. */
 function changedRobot(): string {
-  if ((store.lit?.light ?? "none") === "none") return "";
+  if (store.setup.controller === "off" || (store.lit?.light ?? "none") === "none") return "";
   return (store.setup.payload > 0 ? t("butPayload") : "") + (store.setup.slope ? t("butSlope") : "");
 }
 
+/** The light's colour: without a controller it waits for no certificate. */
+export function lamplight(): "green" | "amber" | "red" | "none" {
+  return store.setup.controller === "off" ? "red" : (store.lit?.light ?? "none");
+}
+
 export function certificate(): Node[] {
-  const lit = store.lit;
-  const light = lit?.light ?? "none";
-  const words = light === "none" && lit?.reasons.length ? t("noCertificate") : t(light);
+  const off = store.setup.controller === "off";
+  const lit = off ? null : store.lit;
+  const light = lamplight();
+  const words = off ? t("noneRed") : light === "none" && lit?.reasons.length ? t("noCertificate") : t(light);
   const lamp = h("span", { className: `lamp ${light}`, "aria-hidden": "true" });
   return [
     h("h4", {}, t("certificate")), h("p", { className: "lit" }, lamp, h("b", {}, words + changedRobot())),
