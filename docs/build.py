@@ -13,6 +13,7 @@ import shutil
 import sys
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 from html import escape
 from pathlib import Path
 
@@ -77,6 +78,11 @@ def build(site: Path, *, draft: bool = False) -> int:
             _gallery(gallery)
             index = source / "index.md"
             _write(index, PICTURE.sub(TRY, index.read_text("utf-8")))
+            start = source / "start.md"
+            _write(start, re.sub(r"\A(# .+\n\n\*.+\*\n)", rf"\1\n{NOW}\n", start.read_text("utf-8"), count=1))
+            for page in source.glob("*.e?.md"):
+                language = page.stem.rpartition(".")[2]
+                _write(page, HERE_TOO.sub(partial(_tried, language=language), page.read_text("utf-8")))
             lab = source / "lab.md"
             _write(lab, re.sub(r"(\]\(lab\.webp\)\n)", rf"\1\n{NOW}\n", lab.read_text("utf-8"), count=1))
         _order(source)
@@ -196,6 +202,16 @@ SHOWN = '<img src="_images/lab.webp" alt="The lab: a robot is knocked and stays 
 TRY = f'<p><a href="try/index.html">{SHOWN}</a></p>{NOW}\n'
 """The first picture of the site leads to the lab itself, in the place of the page about it."""
 
+HERE_TOO = re.compile(r"\[([^]]+)\]\(http://127\.0\.0\.1:8765/#([^)]+)\)|`#(controller=[^`]+)`")
+"""In lessons and worksheets: a link to the lab of this computer, or what is added to the lab's address."""
+
+
+def _tried(link: re.Match[str], language: str) -> str:
+    """The same as a link to the lab that is a page of the site, in the page's language."""
+    words, what = (link[1], link[2]) if link[1] else (f"<code>#{link[3]}</code>".replace("&", "&amp;"), link[3])
+    return f'<a href="try/index.html#{what.replace("&", "&amp;")}&amp;lang={language}">{words}</a>'
+
+
 FENCE = re.compile(r"^```python\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
 
 
@@ -213,7 +229,7 @@ def _gallery(page: Path) -> None:
         figure = names["figure"]
         path = f"gallery-{next(count)}.svg"
         figure.savefig(page.with_name(path))  # type: ignore[attr-defined]
-        return f"{fence[0]}\n![What this example draws]({path})\n"
+        return f"![What the example below draws]({path})\n\n{fence[0]}"
 
     _write(page, FENCE.sub(drawn, page.read_text("utf-8")))
 

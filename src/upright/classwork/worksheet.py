@@ -40,8 +40,8 @@ _WORDS = {
 LANGUAGES = tuple(_WORDS)
 
 
-def worksheet(language: str) -> str:
-    """The worksheet in Spanish ("es") or English ("en")."""
+def worksheet(language: str, lab: str = LAB) -> str:
+    """The worksheet in Spanish ("es") or English ("en"), with links to the `lab` at that address."""
     if language not in _WORDS:
         raise UnknownName("language", language, LANGUAGES)
     title, start, task, link, do, think, answer, heading, ending = _WORDS[language]
@@ -49,7 +49,7 @@ def worksheet(language: str) -> str:
     for number, one in enumerate(TASKS, 1):
         name, what, question = one.texts[language]
         lines = [
-            f"[{link} {number}]({LAB}{fragment(one)})",
+            f"[{link} {number}]({lab.split('#', maxsplit=1)[0]}{fragment(one)})",
             f"**{do}.** {what}",
             f"**{think}.** {question}",
             f"{answer}: " + "_" * 60,

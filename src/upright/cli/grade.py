@@ -32,6 +32,9 @@ def grade(
             metavar="LANGUAGE", help="Write the worksheet instead: es or en.", autocompletion=completed(_languages)
         ),
     ] = None,
+    lab: Annotated[
+        str, typer.Option(metavar="ADDRESS", help="Address of the class's lab, for the links of the worksheet.")
+    ] = "",
     as_json: JsonOption = False,
 ) -> None:
     """Grade the hand-ins of a class, by running them again.
@@ -43,7 +46,7 @@ def grade(
     if (folder is None) == (worksheet is None):
         raise UprightError("grade needs a folder of hand-ins, or --worksheet", hint="upright grade FOLDER")
     if worksheet is not None:
-        _write_worksheet(worksheet, output)
+        _write_worksheet(worksheet, lab, output)
         return
     from upright.classwork.grading import grade as run_again
 
@@ -58,9 +61,9 @@ def grade(
         print_text("\n".join([str(grades), *(f"wrote {path}" for path in written)]))
 
 
-def _write_worksheet(language: str, output: Path | None) -> None:
+def _write_worksheet(language: str, lab: str, output: Path | None) -> None:
     from upright.atomic import write_text
-    from upright.classwork.worksheet import worksheet
+    from upright.classwork.worksheet import LAB, worksheet
 
-    text = worksheet(language)
+    text = worksheet(language, lab or LAB)
     typer.echo(f"wrote {write_text(output, text)}" if output else text, nl=bool(output))
