@@ -20,10 +20,8 @@ LEVELS = 10.0  # steps of its resolution that a gyro's range has at least
 
 USUAL = 0.95  # the quantile of the differences from the neighbours' median that counts as usual
 FAR = 4.0  # times the usual difference, and steps of the resolution
-STEEP, NEAR = (
-    4.0,
-    5,
-)  # times the upper quartile of the steps in so many rows on both sides: no robot turns round so fast
+STEEP = 4.0  # times the upper quartile of the steps beside it: no robot turns round so fast
+NEAR = 5  # readings on each side that it is compared with
 AWAY, SAME = 0.75, 0.02  # of its height: what both steps beside it have, and how alike two in a row are
 CALM = 0.5  # of its height: how far its neighbours may be from the median of those beyond
 BACK = 0.25  # of its height to which it comes back
@@ -56,20 +54,22 @@ def single(values: Array) -> Mask:
     around = np.lib.stride_tricks.sliding_window_view(np.pad(x, 2, mode="reflect"), 5)
     apart = np.abs(x - np.median(around, axis=1))
     limit = FAR * max(float(np.quantile(apart, USUAL)), grain_of(values))
-    far = apart > limit
-    for k in np.flatnonzero(far).tolist():
-        same = [j for j in (k - 1, k + 1) if 0 <= j < len(x) and abs(x[j] - x[k]) < SAME * apart[k]]
-        before, after = min(k, *same) - 1 if same else k - 1, max(k, *same) + 1 if same else k + 1
-        inside = before >= 0 and after < len(x)  # else it is the first or the last reading
-        sides = [abs(x[k] - x[j]) for j in (before, after) if 0 <= j < len(x)]
-        beside = [np.diff(x[max(0, before - NEAR) : before + 1]), np.diff(x[after : after + NEAR + 1])]
-        limit = STEEP * float(np.quantile(np.abs(np.concatenate(beside)), 0.75))
-        level = not inside or abs(x[after] - x[before]) < BACK * apart[k]
-        usual = float(np.median(np.concatenate([x[max(0, before - NEAR) : before + 1], x[after : after + NEAR + 1]])))
-        calm = all(abs(x[j] - usual) < CALM * apart[k] for j in (before, after) if 0 <= j < len(x))
-        alone[fine[k]] = level and calm and apart[k] > limit and min(sides) > AWAY * apart[k]
+    for k in np.flatnonzero(apart > limit).tolist():
+        alone[fine[k]] = _stands_alone(x, k, float(apart[k]))
     between = int(alone[fine[1:-1]].sum())  # the first reading alone may be of a sensor that has only begun
     return alone if 0 < between <= MOST * len(x) else np.zeros(len(values), dtype=bool)
+
+
+def _stands_alone(x: Array, k: int, height: float) -> bool:
+    """Whether reading k, or the two of one value there, is a step of `height` away and back between calm readings."""
+    pair = [k, *(j for j in (k - 1, k + 1) if 0 <= j < len(x) and abs(x[j] - x[k]) < SAME * height)]
+    before, after = x[max(0, min(pair) - 1 - NEAR) : min(pair)], x[max(pair) + 1 : max(pair) + 2 + NEAR]
+    sides = np.concatenate([before[-1:], after[:1]])  # one alone beside the first and the last reading
+    middle = float(np.median(np.concatenate([before, after])))
+    steps = np.abs(np.concatenate([np.diff(before), np.diff(after)]))
+    away, back = np.abs(x[k] - sides).min() > AWAY * height, np.ptp(sides) < BACK * height
+    calm = np.abs(sides - middle).max() < CALM * height
+    return bool(away and back and calm and height > STEEP * np.quantile(steps, 0.75))
 
 
 def left_out(log: Log, name: str) -> Mask:
