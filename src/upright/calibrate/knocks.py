@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from upright.control.delay import MOST_PERIODS, RAW, SampledRobot, sampled
 from upright.control.kalman import filtered, kalman_filter
 from upright.errors import InvalidLog, UprightError
-from upright.logs.outliers import single
+from upright.logs.outliers import bridged, single
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
 from upright.physics.dynamics import turn_ratio
@@ -78,8 +78,7 @@ def _reading(log: Log, name: str) -> Array:
     logged as a rate."""
     rate = RATES.get(name, "")
     values = np.cumsum(log[rate]) * log.period if name not in log and rate in log else log[name]
-    alone = single(values)
-    return np.where(alone, np.interp(log.t, log.t[~alone], values[~alone]), values) if alone.any() else values
+    return bridged(log.t, values, single(values))
 
 
 def first_state(model: SampledRobot, readings: Array) -> Array:

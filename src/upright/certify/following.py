@@ -101,8 +101,8 @@ def _estimator(robot: Robot, kit: Kit, period: float, disturbed: float) -> Filte
 class White(Disturbed):
     """Disturbances that are white between two samples too.
 
-    Held over a period, as a regulator may think of them, they would be told by a reading from between two samples how
-    they go on: delays of 0.8 of a period would be the likeliest, 2 ms off.
+    Held over a period, as a regulator may think of them, they would be known for the rest of it by a reading from
+    between two samples: delays of 0.8 of a period would be the likeliest, 2 ms off.
     """
 
     def noise(self, model: SampledRobot) -> Array:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.doctor.finding import Array, Fix, Record
-from upright.logs.outliers import grain_of, single
+from upright.logs.outliers import bridged, grain_of, single
 
 
 def repaired(record: Record, fix: Fix) -> Record:
@@ -106,17 +106,12 @@ def _even(record: Record, fix: Fix) -> Record:
 
 def _bridge(record: Record, fix: Fix) -> Record:
     """Replace stale readings (repeated while the channel moves) by linear interpolation."""
-
-    def change(x: Array) -> Array:
-        fresh = ~stale(x)
-        return np.interp(record.t, record.t[fresh], x[fresh])
-
-    return _each(record, fix, change)
+    return _each(record, fix, lambda x: bridged(record.t, x, stale(x)))
 
 
 def _single(record: Record, fix: Fix) -> Record:
     """Replace single readings far from their neighbours by linear interpolation."""
-    return _each(record, fix, lambda x: np.interp(record.t, record.t[~single(x)], x[~single(x)]))
+    return _each(record, fix, lambda x: bridged(record.t, x, single(x)))
 
 
 def _unwrap(record: Record, fix: Fix) -> Record:
@@ -132,12 +127,7 @@ def _unwrap(record: Record, fix: Fix) -> Record:
 
 def _fill(record: Record, fix: Fix) -> Record:
     """Replace missing readings by linear interpolation."""
-
-    def change(x: Array) -> Array:
-        fine = np.isfinite(x)
-        return np.interp(record.t, record.t[fine], x[fine])
-
-    return _each(record, fix, change)
+    return _each(record, fix, lambda x: bridged(record.t, x, ~np.isfinite(x)))
 
 
 def stale(x: Array) -> NDArray[np.bool_]:
@@ -155,12 +145,6 @@ def stale(x: Array) -> NDArray[np.bool_]:
     moving = (np.abs(after) >= 4 * grain) & (np.abs(before) >= 1.5 * grain) & (before * after > 0)
     repeats[2:-1] = same & moving
     return repeats
-
-
-def runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """First and last-plus-one row of each run of True."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(np.int8), [0]])))
-    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
 def beside(mask: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:

@@ -31,9 +31,8 @@ from upright.doctor.finding import (
     Record,
     Segment,
 )
-from upright.doctor.fixes import runs
 from upright.doctor.physics import Resampled, resampled, smooth, widths
-from upright.logs.outliers import grain_of
+from upright.logs.outliers import grain_of, runs
 
 Mask = NDArray[np.bool_]
 

@@ -27,9 +27,10 @@ from upright.doctor.finding import (
     note,
     warning,
 )
-from upright.doctor.fixes import beside, runs
+from upright.doctor.fixes import beside
 from upright.doctor.physics import LEAST_ROWS, Resampled, motion, resampled, smooth, widths
 from upright.doctor.poses import at_rest, lean_of
+from upright.logs.outliers import runs
 
 _MOST = 10  # reported events of one kind
 _BEFORE = 0.1  # [s] before a fall begins, up to which the rows are used

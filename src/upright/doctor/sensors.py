@@ -25,11 +25,11 @@ from upright.doctor.finding import (
     note,
     warning,
 )
-from upright.doctor.fixes import COARSE, levels, runs, stale
+from upright.doctor.fixes import COARSE, levels, stale
 from upright.doctor.physics import motion, resampled, smooth, widths
 from upright.doctor.poses import lean_of
 from upright.doctor.segments import on_wheels
-from upright.logs.outliers import LEVELS, at_range, grain_of, single
+from upright.logs.outliers import LEVELS, at_range, grain_of, runs, single
 
 QUIET = 0.012
 """Amplitude of the pitch [rad] below which inertias are hardly identifiable: gravity then gives less torque than

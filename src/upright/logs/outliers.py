@@ -37,8 +37,7 @@ def at_range(values: Array, levels: float = LEVELS) -> Mask:
     if top == 0 or top < levels * grain_of(values):
         return np.zeros(len(values), dtype=bool)
     near = int(((size >= BELOW * top) & ~at).sum())
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], at.astype(np.int8), [0]])))
-    longest = int(np.diff(edges)[::2].max(initial=0))
+    longest = max((stop - start for start, stop in runs(at)), default=0)
     piled = at.sum() >= max(5, 0.1 * near, PILED * len(values)) and at.sum() > 0.5 * near and longest >= LONGEST
     return at if piled else np.zeros(len(values), dtype=bool)
 
@@ -92,6 +91,17 @@ def in_words(log: Log) -> str:
     many = [f"{count} of {name.removeprefix('sensor/').replace('_', ' ')}" for name, count in counted.items() if count]
     why = "single ones far from their neighbours, or at the end of the sensor's range"
     return f"Of {len(log)} readings these are left out: {', '.join(many)}; {why}." if many else ""
+
+
+def bridged(t: Array, values: Array, left: Mask) -> Array:
+    """Readings (n,) at the times `t`, where those that are `left` out lie on a line between the others."""
+    return np.where(left, np.interp(t, t[~left], values[~left]), values) if left.any() else values
+
+
+def runs(mask: Mask) -> list[tuple[int, int]]:
+    """First and last-plus-one row of each run of True."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(np.int8), [0]])))
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
 def grain_of(values: Array) -> float:

@@ -23,11 +23,9 @@ def page_of(result: Analysis | Designed) -> Page:
             raise InvalidController(f"no report: {result.remark}", expected="a controller that is linear near rest")
         return page_of(result.analysis)
     analysis = result
-    first, *_ = analysis.words()
-    first = sentence(first, "")
-    sections = [
-        Section("All margins", [*analysis.words()[2:3], *_margins(analysis)] if analysis.stable else _margins(analysis))
-    ]
+    words = analysis.words()
+    first = sentence(words[0], "")
+    sections = [Section("All margins", [*words[2:3], *_margins(analysis)] if analysis.stable else _margins(analysis))]
     if analysis.stable:
         both = analysis.both()
         last = f"Bode diagram: beyond {both.crossover:.3g} rad/s the gain stays below 1, the dashed line"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -135,7 +134,7 @@ def basin_figure(data: Dataset) -> Figure:
         levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0], smooth=not family,
     )  # fmt: skip
     _zoom(drawing.axes[0], x, y, recovered)
-    best = _savable(origin_of(data)) if across == "pitch" else math.inf
+    best = _savable(data)
     if best < math.pi / 2:
         _mark(drawing.axes[0], scale[across] * best)
     if math.isfinite(low):
@@ -282,7 +281,7 @@ def basin_page(data: Dataset) -> Page:
         span = f"±{_in_degrees(high, data, across)}" if even else held
         text = f"{words} from which it recovers, let go at rest; in brackets the step of the grid"
         numbers = [(f"{span} ({_in_degrees(step, data, across)})", text)]
-        best = _savable(origin) if across == "pitch" else math.inf
+        best = _savable(data)
         if best < math.pi / 2:
             text = "largest lean from which any controller could save it, by the linear model"
             numbers.append((f"±{_in_degrees(best, data, across)}", text))
@@ -295,12 +294,14 @@ def basin_page(data: Dataset) -> Page:
     )  # fmt: skip
 
 
-def _savable(origin: Mapping[str, Any]) -> float:
-    """The largest pitch [rad] at rest from which any controller could save the linear robot, by `control.reach`."""
+def _savable(data: Dataset) -> float:
+    """The largest pitch [rad] at rest from which any controller could save the linear robot, by `control.reach`;
+    infinite where the basin is not over pitch, or no kit is known."""
     from upright.control.reach import largest_pitch
 
+    origin = origin_of(data)
     kit, numbers = origin.get("kit"), origin["robot"]
-    if not kit:
+    if not kit or str(data["recovered"].dims[0]) != "pitch":
         return math.inf
     robot = Robot(name=numbers["name"], drive=numbers["drive"], **{n: numbers[n] for n in PARAMETERS})
     parts = Kit(name=kit["name"], motor=Motor(**kit["motor"]), battery=Battery(**kit["battery"]), delay=kit["delay"])
