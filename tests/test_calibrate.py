@@ -421,6 +421,15 @@ def test_rolling_friction_is_asked_where_the_file_names_it() -> None:
     assert [name for name, those in asked.items() if "rolling_friction" in those] == ["a number", "a guess of zero"]
 
 
+def test_the_torque_of_a_torque_drive_is_asked_where_the_file_says_how_uncertain_it_is() -> None:
+    counted = Provenance("counted", 0.0)
+    twipr = Robot.preset("twipr")
+    sure = replace(twipr, provenance={**twipr.provenance, "gear_ratio": counted})
+    guessed = replace(PRIOR, provenance={**PRIOR.provenance, "gear_ratio": Provenance("a guess", None)})
+    for robot, asked in ((twipr, True), (sure, False), (guessed, False)):  # of a DC motor the winding stands for it
+        assert ("gear_ratio" in {p.name for p in parameters_of(robot, {})}) == asked
+
+
 @pytest.mark.slow
 def test_rolling_friction_of_the_twin_is_found_beside_the_dry_friction_of_its_motors() -> None:
     """The one brakes the wheel against the floor, the other against the body, and a balancing body's pitch rate changes
@@ -562,6 +571,8 @@ def test_twipr_is_predicted_for_half_a_second(shared: Path) -> None:
     assert found["delay/encoder"].value == pytest.approx(0.073, abs=0.005)
     assert found.segments["sensor/gyro"] > 0.99
     assert found.segments["mean encoder_rate"] > 0.99
+    # Its authors weighed it: with the commanded torque at the wheels it would have half that mass, five deviations off.
+    assert not [p.name for p in found.parameters if p.surprising]
 
 
 @pytest.mark.needs("shared/data/twipr")

@@ -487,9 +487,8 @@ def test_raw_sensors_hold_every_preset_through_the_papers_push(name, preset):
 
 UNFIT_TO_DRIVE = {
     ("hinf", "ev3way"): "it holds pushes, and falls 1.3 s after it is asked to drive",
-    ("robust", "twipr"): "it stops 0.4 m from where it was asked to: stiction, and no integral of the position",
 }
-"""Two defaults that hold every push and do not drive: known, and told here until they do."""
+"""A default that holds every push and does not drive: known, and told here until it does."""
 
 
 @pytest.mark.parametrize("name", METHODS)

@@ -29,6 +29,10 @@ NEVER = ("gear_ratio", "stiction_rate", "body_depth", "body_height", "roll_inert
 """What no log is asked: a convention, a smoothing (the predictor's friction is dry), two measures for drawing,
 and the roll inertia, in whose place stands `ROLL_FRACTION`."""
 
+GEAR = "gear_ratio"
+"""Asked only of a torque drive whose file says how uncertain it is: there it is the torque at the wheel over the
+commanded torque. Masses that were weighed tell it; without them a log gives every mass and torque up to one factor."""
+
 ROLLING = "rolling_friction"
 """Asked only where the robot's file names it, if only as zero with a guess: of the robots with published logs one shows
 it beside its other frictions (docs/calibrate.md)."""
@@ -110,6 +114,8 @@ def parameters_of(
     `known` names what is taken for exact. Raises `UnknownName` for a name that is none of these.
     """
     never = {*NEVER, *(ELECTRICAL if robot.drive == "torque" else ())}
+    if _asks_torque(robot):
+        never.remove(GEAR)
     if not (robot.rolling_friction or ROLLING in robot.provenance):
         never.add(ROLLING)
     names = [n for n in PARAMETERS if n not in never]
@@ -123,6 +129,10 @@ def parameters_of(
         if name not in (p.name for p in every):
             raise UnknownName("parameter", name, [p.name for p in every])
     return tuple(p for p in every if p.name not in known)
+
+
+def _asks_torque(robot: Robot) -> bool:
+    return robot.drive == "torque" and GEAR in robot.provenance and stated(robot, GEAR) != 0
 
 
 def _physical(robot: Robot, name: str) -> Parameter:

@@ -29,7 +29,7 @@ from upright.calibrate.electronics import MEANING
 from upright.calibrate.fitting import Normal, Path, Problem, around, slopes_of
 from upright.calibrate.informativity import information, posterior, unseen_directions
 from upright.calibrate.judge import proposed, reasons
-from upright.calibrate.parameters import ROLL_FRACTION, Parameter, columns, with_values
+from upright.calibrate.parameters import GEAR, ROLL_FRACTION, Parameter, columns, with_values
 from upright.calibrate.validate import segments, steps_ahead, whiteness
 from upright.logs.marks import marks_of
 from upright.logs.raw import named
@@ -294,6 +294,10 @@ def _notes(
             f"The log contradicts the stated value of {', '.join(surprised)} deviations (more than {SURPRISE:g}): "
             f"measure it again, or start from another robot{other}."
         )
+        if problem.robot.drive == "torque" and GEAR not in (e.name for e in every):
+            notes.append(
+                "Or the motors give another torque than commanded: give gear_ratio a spread in the robot's file."
+            )
     elif other:
         notes.append(f"The log may be of another robot than the file{other}.")
     if free["lost"] > 0.1:

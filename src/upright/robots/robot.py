@@ -36,7 +36,8 @@ class Robot:
 
     `pitch_inertia`, `yaw_inertia` and `roll_inertia` are those of the body about its centre of mass. The yaw and
     roll inertias include the two wheels' small inertias about their own diameters. With `drive="torque"`
-    the command is each motor's torque [N m] on its wheel, and the electrical parameters are not used.
+    the command is each motor's torque [N m], of which `gear_ratio` times acts on its wheel, and the electrical
+    parameters are not used.
     `coulomb_friction` acts between body and wheel, `rolling_friction` between wheel and floor; both are those of one
     wheel, smoothed over `stiction_rate`. `correlation` holds the correlation of the errors of pairs of parameters
     [−1 to 1], as a calibration estimates them. `kit` is the name of a kit or its file, or the kit itself, with the
