@@ -213,4 +213,4 @@ def test_the_worksheet_of_the_documents_is_the_present_one(language):
     text = worksheet(language)
     assert page.read_text("utf-8") == text
     assert all(fragment(task) in text for task in TASKS)
-    assert "(http://class.example/#setup=" in worksheet(language, "http://class.example/")
+    assert "(http://class.example/#robot=" in worksheet(language, "http://class.example/")

@@ -271,7 +271,7 @@ def test_noise_is_normal(tmp_path):
 
 BROWSER = [pytest.mark.needs("chromium", "module:playwright"), pytest.mark.slow]
 ROBOTS = ("nxtway-gs", "twipr")
-LINKED = "#robot=twipr&controller=sliding&noise=0&ghost=0&push=impulse:0.2"
+LINKED = "#robot=twipr&controller=sliding&noise=0&bodies=nonlinear&push=impulse:0.2"
 
 
 def marked(test: Any) -> Any:
@@ -308,6 +308,7 @@ def page(browser: Any, site: Path) -> Iterator[Any]:
     made.on("pageerror", lambda error: wrong.append(str(error)))
     made.goto(site.as_uri())
     made.wait_for_function("window.upright?.page.drawnFirst")
+    made.evaluate("upright.page.open('Controller')")  # a newcomer's page begins with the tour
     yield made
     context.close()
     assert [url for url in asked if not url.startswith((site.as_uri(), "data:"))] == []
@@ -352,7 +353,7 @@ def test_a_link_carries_robot_controller_and_push(page, site):
     setup = page.evaluate("upright.store.setup")
     assert (setup["robot"], setup["controller"], setup["noise"]) == ("twipr", "sliding", 0)
     page.wait_for_function("upright.store.snapshot.x[0][0] < -0.01")  # a second later it is pushed: it leans back
-    assert page.evaluate("upright.page.local.link()") == site.as_uri() + LINKED
+    assert page.evaluate("upright.page.address()") == site.as_uri() + LINKED
 
 
 @marked
@@ -400,6 +401,8 @@ def test_a_link_that_makes_no_sense_is_the_usual_page(page, site, part):
         said = page.inner_text(".toast span")
         assert f"{name} '{value}'" in said
         assert ("twipr" if name == "robot" else "lqi") in said
+    elif name in ("gains", "slope", "push"):
+        assert part in page.inner_text(".toast span")
 
 
 @marked
@@ -429,8 +432,8 @@ def test_a_link_without_a_controller_drops_the_robot(page, site):
 @marked
 def test_the_tour_has_the_steps_that_need_no_python(page):
     page.keyboard.press("n")
-    for step, controller in enumerate(("off", "off", "lqr", "lqg", "lqg", "lqr"), 1):
-        assert f"{step} of 6" in page.inner_text(".tour .note")
+    for step, controller in enumerate(("lqg", "off", "off", "lqr", "lqg", "lqg", "lqr"), 1):
+        assert f"{step} of 7" in page.inner_text(".tour .note")
         page.keyboard.press("Enter")
         page.wait_for_function(f"upright.store.changed.setup.controller === '{controller}'")
         page.keyboard.press("n")
@@ -463,7 +466,7 @@ def test_it_is_pushed_by_mouse_key_and_button(page):
     page.wait_for_function("upright.store.snapshot.f[0] > 0.05")
     page.mouse.up()
     page.wait_for_function("upright.store.snapshot.f[0] === 0")
-    said, link = page.evaluate("[upright.store.last.kept, upright.page.local.link()]")
+    said, link = page.evaluate("[upright.store.last.kept, upright.page.address()]")
     assert ("push=impulse:" in link) == (said == "knockPush")  # a short push goes as a knock, a long one not at all
     assert said in ("knockPush", "heldPush")
     page.keyboard.down("b")

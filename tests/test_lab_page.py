@@ -129,7 +129,9 @@ def until(page: Any, expression: str, wanted: Callable[[Any], bool] = bool) -> A
 
 
 def ready(page: Any) -> None:
+    """The page has heard from its session; a newcomer's has the tour open, and here everybody begins with Controller."""
     until(page, "Boolean(window.upright?.store.snapshot && document.querySelector('#panel').firstChild)")
+    page.evaluate("upright.page.open('Controller')")
 
 
 def tab(page: Any, name: str) -> None:
@@ -415,9 +417,43 @@ def test_a_link_restores_the_whole_setup(page, chromium, lab):
     other = chromium.new_context().new_page()
     other.goto(address)
     ready(other)
-    until(other, "upright.store.setup", lambda restored: restored == setup(page))
+    until(other, "upright.store.changed.setup", lambda restored: restored == setup(page))
     until(other, "upright.store.last.push?.join()", lambda push: push == "impulse,0.05")  # the knock is repeated
     other.context.close()
+
+
+def test_a_link_of_an_exported_page_opens_here(page, chromium, lab):
+    """With the robot's own kit, which such a link does not name; what cannot be is said."""
+    page.goto("about:blank")
+    page.goto(f"{lab.url}#robot=twipr&controller=mpc&bodies=nonlinear&slope=9&push=impulse:0.1")
+    ready(page)
+    until(page, "upright.store.changed.setup.robot === 'twipr'")
+    assert [setup(page)[name] for name in ("kit", "controller", "bodies")] == ["twipr", "mpc", ["nonlinear"]]
+    assert "slope=9" in page.inner_text(".toast.error")
+    until(page, "upright.store.last.push?.join()", lambda push: push == "impulse,0.1")
+    until(page, "upright.store.snapshot.x[0][0] < -0.01")  # a second later it is pushed: it leans back
+    page.evaluate("location.hash = '#panel'")  # of the way past the header: no link
+    page.evaluate("location.hash = '#robot=nobody&controller=lqi'")
+    until(page, "upright.store.changed.setup.controller === 'lqi'")
+    assert "'nobody'" in page.locator(".toast.error").last.inner_text()
+
+
+def test_a_newcomer_is_shown_the_tour(chromium, lab):
+    """Open beside the robot on a laptop; on a phone, where it is below, a button in the room leads there. Once."""
+    page = chromium.new_context(viewport={"width": 390, "height": 844}).new_page()
+    page.goto(lab.url)
+    until(page, "Boolean(document.querySelector('.tour'))")
+    assert page.locator("[role=tab]").first.get_attribute("aria-selected") == "true"
+    page.click("[data-key=invitation]")
+    until(page, "Boolean(document.querySelector('.scene.pinned'))")
+    lowest = "Math.max(...[...document.querySelectorAll('.scene .room, .strip:first-child')].map(e => e.getBoundingClientRect().bottom))"
+    assert page.locator(".tour h3").bounding_box()["y"] > page.evaluate(lowest)
+    page.evaluate("upright.store.hear({kind: 'Notice', level: 'error', text: 'a', key: 'own'})")
+    assert page.locator(".toast").bounding_box()["y"] > page.evaluate(lowest)  # room, light and pitch stay in sight
+    page.reload()
+    until(page, "Boolean(document.querySelector('#panel').firstChild)")
+    assert page.locator("[data-key=invitation]").count() == 0
+    page.context.close()
 
 
 def test_the_keyboard_alone_does_it(page):
@@ -557,7 +593,7 @@ def test_a_job_is_stopped_and_a_robot_opened(page, tmp_path):
     until(page, "document.querySelector('[data-key=robot]').value === 'mine'")
 
 
-TOUR = ("off", "off", "lqr", "lqg", "lqg", "lqg", "lqr", "robust")
+TOUR = ("lqg", "off", "off", "lqr", "lqg", "lqg", "lqg", "lqr", "robust")
 """Controllers of the eight steps: none twice, then what the paper does, a payload that breaks it, and what mends it."""
 
 
@@ -581,10 +617,10 @@ def test_the_tour_is_walked_by_keys_and_by_buttons(page, language):
             page.click("[data-key=tour-set]")
         until(page, f"upright.store.changed.setup.controller === '{controller}' && !upright.store.snapshot.paused")
         page.keyboard.press("n") if language == "en" else page.locator("[data-key=tour-next]").click(force=True)
-    assert page.inner_text(".tour h3") == texts["tour"][7]["title"]  # there is no ninth
+    assert page.inner_text(".tour h3") == texts["tour"][8]["title"]  # there is no tenth
     assert page.evaluate("upright.store.changed.setup.payload") > 0
     page.keyboard.press("p")
-    assert page.inner_text(".tour h3") == texts["tour"][6]["title"]
+    assert page.inner_text(".tour h3") == texts["tour"][7]["title"]
 
 
 def test_the_equations_with_their_numbers_are_those_of_the_dynamics(page):

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import base64
-import json
+from urllib.parse import urlencode
 
 from upright.classwork.tasks import TASKS, Task
 from upright.errors import UnknownName
@@ -17,7 +16,7 @@ _WORDS = {
     "es": (
         "# Hoja de trabajo: un robot que se equilibra\n\n*Para estudiantes.*",
         "Abra el laboratorio (`upright lab`, o la dirección que muestra su docente). Cada tarea empieza con su "
-        "enlace, que prepara el robot. En una clase, copie el enlace y pegue la parte desde `#setup` tras la "
+        "enlace, que prepara el robot. En una clase, copie el enlace y pegue la parte desde `#` tras la "
         "dirección.",
         "Tarea", "Preparar la tarea", "Haga", "Piense", "Respuesta",
         "## Qué se entrega",
@@ -28,7 +27,7 @@ _WORDS = {
     "en": (
         "# Worksheet: a robot that balances\n\n*For students.*",
         "Open the lab (`upright lab`, or the address that your teacher shows). Each task begins with its link, which "
-        "sets the robot up. In a class, copy the link, and paste its part from `#setup` on behind the address.",
+        "sets the robot up. In a class, copy the link, and paste its part from `#` on behind the address.",
         "Task", "Set up task", "Do", "Think", "Answer",
         "## What to hand in",
         "For each task: press *Stand up*, do what is asked within a minute and without any other change, then *Keep* → "
@@ -59,8 +58,12 @@ def worksheet(language: str, lab: str = LAB) -> str:
 
 
 def fragment(task: Task) -> str:
-    """The part of a link that sets the lab up for a task: what differs from the usual set-up."""
-    usual = plain(Setup())
-    part = {name: value for name, value in plain(task.setup).items() if value != usual[name]}
-    text = json.dumps(part, separators=(",", ":"))
-    return "#setup=" + base64.urlsafe_b64encode(text.encode()).decode().rstrip("=")
+    """The part of a link that sets the lab up for a task: robot, controller, and what differs from the usual set-up."""
+    usual, own = plain(Setup()), plain(task.setup)
+    shown = {name: own[name] for name in own if name in ("robot", "controller") or own[name] != usual[name]}
+    texts = {name: ",".join(map(_text, v)) if isinstance(v, list) else _text(v) for name, v in shown.items()}
+    return "#" + urlencode(texts, safe=",")
+
+
+def _text(value: str | float) -> str:
+    return value if isinstance(value, str) else f"{value:g}"

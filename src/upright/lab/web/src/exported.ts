@@ -4,14 +4,12 @@ import { Recorder, micro } from "./handin";
 import type { RunResult } from "./handin";
 import type { Analysed, Catalogue, Changed, ClientMessage, Equations, Look, Setup, Snapshot, Welcome } from "./messages";
 import { DEFAULT_SETUP } from "./messages";
-import { fromLink, pushIn, pushing } from "./link";
-import type { Push as LinkedPush } from "./link";
+import type { Offer } from "./link";
 import { analysed, shown } from "./margins";
 import type { Plant } from "./margins";
 import { Loop, combined, linearMotion } from "./simulator";
 import type { Kit, Law, Motion, Push } from "./simulator";
-import { LEAN, store } from "./store";
-import { OWN, t } from "./texts";
+import { store } from "./store";
 
 export interface Controller {
   kind: string;
@@ -57,7 +55,6 @@ export const exported = (globalThis as { uprightExport?: Exported }).uprightExpo
 
 const BODIES = ["nonlinear", "linear"] as const;
 const OFF = "off";
-const LONGEST_SHOWN = 40; // letters of a link's unknown name
 const SETTLED = 200; // [ms] without a change before gains by hand are analysed
 const KNOCK = 0.02; // [s] that an impulse takes, a pull, and a hold: as lab/pushing.py
 const PULL = 0.3;
@@ -68,61 +65,14 @@ const KEPT = 60; // [s] that can be scrubbed back through
 const MOMENT = 0.02; // [s] between two of its pictures
 const BEHIND = 2; // [s] of wall time made up in one go: a frame may take long, and a laptop that slept does not race
 
-/** What a link says: robot, controller and numbers that differ from the usual ones, and the last push. */
-export interface Link {
-  setup: Partial<Setup>;
-  push: LinkedPush | null;
-  unknown: { robot?: string; controller?: string }; // names that this page does not have
-}
-
-const LONGEST_DELAY = 0.2; // [s] of Setup in lab/messages.py
-const NUMBERS = ["slope", "noise", "delay", "seed", "payload", "payload_height"] as const;
-
-export function toHash(setup: Setup, push: Link["push"]): string {
-  const parts = new URLSearchParams({ robot: setup.robot, controller: setup.controller });
-  if (setup.controller === "gains" && setup.gains.length) parts.set("gains", setup.gains.map((v) => Number(v.toPrecision(6))).join(","));
-  for (const name of NUMBERS) if (setup[name] !== DEFAULT_SETUP[name]) parts.set(name, String(Number(setup[name].toPrecision(6))));
-  if (setup.bodies.length === 1) parts.set("ghost", "0");
-  if (push) parts.set("push", `${push[0]}:${Number(push[1].toPrecision(4))}`);
-  return "#" + parts.toString().replaceAll("%2C", ",").replaceAll("%3A", ":");
-}
-
-/** The parts of the address; a link of the worksheet, which is the live lab's, gives those that this page has too. */
-function plainParts(hash: string): URLSearchParams {
-  const linked = fromLink(hash);
-  if (!linked) return new URLSearchParams(hash.replace(/^#/, ""));
-  const known = ["robot", "controller", "gains", ...NUMBERS].filter((name) => name in linked);
-  return new URLSearchParams(known.map((name) => [name, String(linked[name as keyof Setup])]));
-}
-
-/** What the address asks for; what cannot be is left out. */
-export function fromHash(hash: string, data: Exported): Link {
-  const parts = plainParts(hash);
-  const setup: Partial<Setup> = {};
-  const robot = parts.get("robot") ?? "";
-  const unknown: Link["unknown"] = {};
-  if (Object.hasOwn(data.facts.robots, robot)) setup.robot = robot;
-  else if (robot) unknown.robot = robot;
-  const facts = data.facts.robots[setup.robot ?? first(data)];
-  const controller = parts.get("controller") ?? "";
-  if (Object.hasOwn(facts.controllers, controller) || controller === OFF) setup.controller = controller;
-  else if (controller) unknown.controller = controller;
-  const gains = (parts.get("gains") ?? "").split(",").map(Number);
-  if (gains.length === 6 && gains.every(Number.isFinite)) setup.gains = gains;
-  const ranges: Record<(typeof NUMBERS)[number], [number, number]> = { slope: [-0.2, 0.2], noise: [0, 20], delay: [-1, LONGEST_DELAY], seed: [0, 2 ** 31], payload: [0, 5], payload_height: [0, 1] };
-  for (const name of NUMBERS) {
-    const value = Number(parts.get(name) ?? NaN);
-    if (value >= ranges[name][0] && value <= ranges[name][1]) setup[name] = name === "seed" ? Math.floor(value) : value;
-  }
-  const load = facts.laden?.look;
-  if (setup.payload !== load?.payload || setup.payload_height !== load?.payload_height) [setup.payload, setup.payload_height] = [0, DEFAULT_SETUP.payload_height];
-  setup.bodies = parts.get("ghost") === "0" ? [BODIES[0]] : [...BODIES];
-  return { setup, push: pushIn(hash), unknown };
-}
-
-function first(data: Exported): string {
-  const { robots, catalogue } = data.facts;
-  return DEFAULT_SETUP.robot in robots ? DEFAULT_SETUP.robot : catalogue.robots[0].name;
+/** What a link can ask this page for. */
+export function offered({ facts }: Exported): Offer {
+  const robots = Object.entries(facts.robots).map(([name, { controllers, laden }]) => [name, { controllers: [...Object.keys(controllers), OFF], load: laden?.look ?? null }] as const);
+  const first = DEFAULT_SETUP.robot in facts.robots ? DEFAULT_SETUP.robot : facts.catalogue.robots[0].name;
+  return {
+    usual: { ...DEFAULT_SETUP, robot: first, bodies: [...BODIES] }, robots: Object.fromEntries(robots), kits: [], parameters: [], bodies: BODIES,
+    keys: ["gains", "slope", "noise", "delay", "seed", "payload", "payload_height", "bodies"],
+  };
 }
 
 /** One body under a controller of its own; the wheel's angle starts from zero, as in lab/lane.py. */
@@ -180,17 +130,15 @@ export class LocalSession {
   private score = { best: 0, run: 0, effort: 0, impulse: 0, lasted: 0, calm: 0, before: 0 };
   private recorder = new Recorder();
   private run = { rows: 0, peak: 0, travel: 0, from: 0 }; // of the first body since it was built
-  private timer = 0;
   private thinking = 0;
   spent = 0; // [ms] of computing, for benchmarks
 
   constructor(private data: Exported) {
-    this.setup = { ...DEFAULT_SETUP, bodies: [...BODIES], robot: first(data) };
+    this.setup = offered(data).usual;
     store.send = (message) => this.take(message);
     store.hear(data.facts.welcome);
     store.hear(data.facts.catalogue);
-    this.open(location.hash);
-    window.addEventListener("hashchange", () => this.open(location.hash));
+    this.changeTo(this.setup);
     window.setInterval(() => this.tick(), 16);
   }
 
@@ -205,32 +153,6 @@ export class LocalSession {
 
   get t(): number {
     return this.periods * this.facts.every;
-  }
-
-  /** Do what a link says: its set-up, and a second later its push. */
-  open(hash: string): void {
-    const { setup, push, unknown } = fromHash(hash, this.data);
-    const { slope, noise, delay, seed } = DEFAULT_SETUP; // which a link leaves out
-    this.changeTo({ ...this.setup, slope, noise, delay, seed, gains: [], ...setup });
-    this.missed(unknown);
-    window.clearTimeout(this.timer);
-    store.last.name(push);
-    this.timer = window.setTimeout(() => (push || store.falls) && this.take(pushing(push ?? ["tilt", LEAN])), 1000);
-  }
-
-  /** Say which names of a link this page does not have, what it shows in their place, and what it has. */
-  private missed({ robot, controller }: Link["unknown"]): void {
-    const short = (name: string) => (name.length > LONGEST_SHOWN ? name.slice(0, LONGEST_SHOWN) + "…" : name);
-    const { robots } = this.data.facts;
-    const words = [
-      robot && t("noSuchRobot", { name: short(robot), shown: this.setup.robot, all: Object.keys(robots).join(", ") }),
-      controller && t("noSuchController", { name: short(controller), shown: this.setup.controller, all: [...Object.keys(this.facts.controllers), OFF].join(", ") }),
-    ].filter(Boolean);
-    if (words.length) store.hear({ kind: "Notice", level: "error", text: words.join(" "), key: OWN });
-  }
-
-  link(): string {
-    return location.href.split("#")[0] + toHash(this.setup, store.last.push);
   }
 
   take(message: ClientMessage): void {

@@ -3,6 +3,7 @@ import { button, digits, h, replace, select, slider, throttled } from "./dom";
 import type { Slider } from "./dom";
 import type { LocalSession } from "./exported";
 import type { Setup } from "./messages";
+import { address } from "./opening";
 import { store } from "./store";
 import { t, translate, texts } from "./texts";
 
@@ -83,9 +84,9 @@ export class PythonPanel {
 }
 
 /** Copies the link to this robot, controller and push; where that is not allowed, shows it to be copied by hand. */
-export function linkButton(session: () => LocalSession | null, say: (text: string) => void): HTMLElement {
+export function linkButton(say: (text: string) => void): HTMLElement {
   return button(t("lookAtThis"), () => {
-    const link = session()?.link() ?? location.href;
+    const link = address();
     const shown = () => window.prompt(t("lookAtThis"), link);
     if (navigator.clipboard) navigator.clipboard.writeText(link).then(() => say(`${t("lookCopied")} ${t(store.last.kept)}`), shown);
     else shown();

@@ -3,10 +3,11 @@ import { Charts } from "./charts";
 import { LocalSession, exported } from "./exported";
 import { ExportedRobotPanel, PythonPanel, linkButton } from "./exported_panels";
 import { button, h, replace, select, slider, throttled } from "./dom";
-import { fromLink, pushIn, pushing, tokenIn } from "./link";
+import { isLink, tokenIn } from "./link";
 import type { ServerMessage } from "./messages";
 import { Line } from "./net";
 import type { State } from "./net";
+import { address, open as openLink } from "./opening";
 import { certificate, ControllerPanel, IdentifyPanel, KeepPanel, KitPanel, lamplight, latestLog, RobotPanel } from "./panels";
 import { Replay } from "./replay";
 import { Room } from "./scene";
@@ -21,9 +22,9 @@ import "./style.css";
 import { LANGUAGES, OWN, choose, fixed, language, named, t, texts, translate, translated } from "./texts";
 import { Tour } from "./tour";
 
-const TABS = ["Controller", "Robot", "Kit", "See", "Identify", "Keep", "Tour", "Class", "Python"] as const;
+const TABS = ["Tour", "Controller", "Robot", "Kit", "See", "Identify", "Keep", "Class", "Python"] as const;
 type Tab = (typeof TABS)[number];
-const EXPORTED: readonly Tab[] = ["Controller", "Robot", "See", "Keep", "Tour", "Python"]; // the tabs of a page without Python
+const EXPORTED: readonly Tab[] = ["Tour", "Controller", "Robot", "See", "Keep", "Python"]; // the tabs of a page without Python
 
 const SEEN = 400; // [ms] from the first picture to the work on another one
 
@@ -50,7 +51,8 @@ class Page {
   private keep = new KeepPanel(() => this.room.picture());
   private tour = new Tour((speed) => this.run(speed));
   private classes = new ClassPanel();
-  private tab: Tab = "Controller";
+  private newcomer = !remembered.getItem("toured") && !isLink(location.hash);
+  private tab: Tab = this.newcomer ? "Tour" : "Controller";
   private seconds = 10;
   private knock = 0.05;
   private speed = 1;
@@ -67,6 +69,7 @@ class Page {
   private clock = h("span", { className: "clock" });
   private state: State = "connecting";
   private drawn = 0;
+  private begun = false; // whether there is a session
   drawnFirst = false; // whether a robot has been seen
   private seen = 0; // [ms] when
   private plotted = 0;
@@ -76,19 +79,14 @@ class Page {
 
   constructor(private app: HTMLElement) {
     this.theme(remembered.getItem("theme") ?? "");
-    const asked = (exported && new URLSearchParams(location.hash.slice(1)).get("lang")) ?? "";
+    const asked = new URLSearchParams(location.hash.slice(1)).get("lang") ?? "";
     choose(Object.hasOwn(LANGUAGES, asked) ? asked : remembered.getItem("language") ?? (navigator.language.startsWith("es") ? "es" : "en"));
     store.listen((message) => this.hear(message));
     store.corrected = () => this.toasts.querySelectorAll(".toast.error").forEach((toast) => toast.remove());
     this.scrub.addEventListener("input", () => store.send({ kind: "Scrub", back: Number(this.scrub.max) - Number(this.scrub.value) }));
     this.equip();
     window.addEventListener("keydown", (event) => this.key(event));
-    window.addEventListener("hashchange", () => {
-      const linked = fromLink(location.hash); // pasted behind the address of a page that is open
-      if (!linked || exported) return;
-      store.change(linked);
-      this.linked();
-    });
+    window.addEventListener("hashchange", () => store.recorded || openLink()); // pasted behind the address of an open page
     this.begin();
   }
 
@@ -101,6 +99,7 @@ class Page {
     if (exported) {
       document.body.classList.add("exported");
       this.local = new LocalSession(exported);
+      openLink();
       this.says("connected");
     } else if (recording) {
       this.says("replaying");
@@ -116,15 +115,6 @@ class Page {
 
   private connect(token: string, name: string): void {
     new Line({ token, name }, (state, reason) => this.says(state, reason));
-    this.linked();
-  }
-
-  /** Do the push of the address, a second after the robot is seen; what nothing balances begins with a lean. */
-  private linked(): void {
-    const push = pushIn(location.hash) ?? (fromLink(location.hash)?.controller === "off" ? ["tilt", LEAN] as const : null);
-    if (!push) return;
-    const wait = () => (store.snapshot ? window.setTimeout(() => store.send(pushing(push)), 1000) : window.setTimeout(wait, 100));
-    wait();
   }
 
   /** In a class everybody has a name. */
@@ -148,12 +138,12 @@ class Page {
       h("a", { className: "skip", href: "#panel", onclick: () => this.panel.focus() }, t("skip")),
       h("h1", {}, h("span", { className: "mark", "aria-hidden": "true" }), t("title")),
       this.light, h("span", { className: "grow" }), this.clock, this.status,
-      exported ? linkButton(() => this.local, (text) => this.toast(text, "info")) : null,
+      exported ? linkButton((text) => this.toast(text, "info")) : null,
       select("", languages, language(), (key) => this.speak(key), "language"),
       button("◐", () => this.theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"), { "aria-label": t("theme"), title: t("theme"), "data-key": "theme" }),
       button("?", () => this.help(), { "aria-label": t("help"), title: t("help"), "data-key": "help" }));
     header.querySelector("select")?.setAttribute("aria-label", "Language / Idioma");
-    const scene = h("section", { className: "scene", "aria-label": t("scene") }, this.room.element, this.force, this.fell, h("p", { className: "hint" }, t("hint")), this.transport(), this.pushes());
+    const scene = h("section", { className: "scene", "aria-label": t("scene") }, this.room.element, this.force, this.fell, h("p", { className: "hint" }, t("hint"), this.invitation()), this.transport(), this.pushes());
     new IntersectionObserver(([seen]) => scene.classList.toggle("pinned", !seen.isIntersecting)).observe(scene); // for a phone
     replace(this.app, header, h("main", {}, scene, this.panels(), this.charts.root), this.toasts, this.spoken);
     this.lamp();
@@ -248,8 +238,19 @@ class Page {
     document.getElementById(`tab-${next}`)?.focus();
   }
 
+  /** For who is here for the first time, where the tour is below the robot. */
+  private invitation(): HTMLElement | null {
+    return this.newcomer ? button(t("newHere"), () => {
+      this.open("Tour");
+      this.tabs.scrollIntoView();
+    }, { className: "main", "data-key": "invitation" }) : null;
+  }
+
   private open(tab: Tab): void {
     this.tab = tab;
+    this.newcomer = false;
+    remembered.setItem("toured", "yes");
+    this.app.querySelector("[data-key=invitation]")?.remove();
     for (const one of this.tabs.querySelectorAll<HTMLElement>("[role=tab]")) {
       const chosen = one.id === `tab-${tab}`;
       one.setAttribute("aria-selected", String(chosen));
@@ -293,6 +294,8 @@ class Page {
       case "Changed": {
         const first = !this.panel.firstChild;
         this.follow();
+        if (!this.begun && !exported) openLink();
+        this.begun = true;
         if (first) this.fill();
         else this.update();
         this.lamp();
@@ -477,6 +480,10 @@ class Page {
 
   picture(): Promise<Blob | null> {
     return this.room.picture();
+  }
+
+  address(): string {
+    return address();
   }
 
   /** For tests and curious people: where the robot is on the canvas. */

@@ -1,7 +1,7 @@
 // The line to the session: it comes back by itself after a loss, with the set-up that stood there.
 import { VERSION } from "./messages";
 import type { ClientMessage, ServerMessage } from "./messages";
-import { fromLink } from "./link";
+import { isLink } from "./link";
 import { session } from "./remember";
 import { store } from "./store";
 
@@ -44,10 +44,10 @@ export class Line {
   }
 
   private greet(): void {
-    const linked = this.first ? fromLink(location.hash) : null;
+    const linked = this.first && isLink(location.hash); // begins a session of its own
     this.send({
       kind: "Hello", version: VERSION, session: linked ? "" : (session.getItem("session") ?? ""),
-      token: this.credentials.token, name: this.credentials.name, setup: linked ?? (store.changed ? store.setup : null),
+      token: this.credentials.token, name: this.credentials.name, setup: store.changed ? store.setup : null,
     });
   }
 

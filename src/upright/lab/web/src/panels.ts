@@ -1,9 +1,9 @@
 // The panels below: controller, robot, kit, what was found, what is kept. Each builds itself from the store.
 import { button, digits, fresh, h, plainNumbers, replace, select, slider, table, throttled } from "./dom";
 import type { Slider } from "./dom";
-import { toLink } from "./link";
 import type { BodyName, Job, Keep, Setup } from "./messages";
 import { exported } from "./exported";
+import { address } from "./opening";
 import { session } from "./remember";
 import { LEAN, STATES, SYMBOLS, UNITS, store } from "./store";
 import { OWN, named, t, translate, translated } from "./texts";
@@ -418,10 +418,10 @@ export class KeepPanel extends Panel {
   }
 
   private async copy(): Promise<void> {
-    const address = location.href.split("#")[0] + toLink(store.setup, store.last.push);
-    history.replaceState(null, "", address);
-    await navigator.clipboard?.writeText(address).catch(() => undefined);
-    const field = h("input", { readOnly: true, value: address, "aria-label": t("link"), className: "address" });
+    const link = address();
+    history.replaceState(null, "", link);
+    await navigator.clipboard?.writeText(link).catch(() => undefined);
+    const field = h("input", { readOnly: true, value: link, "aria-label": t("link"), className: "address" });
     this.links.prepend(h("p", { className: "note" }, `${t("linkCopied")} ${t(store.last.kept)}`, field));
     field.select();
   }

@@ -123,6 +123,11 @@ export class Store {
     return this.setup.controller === "off" || this.analysed?.stable === false;
   }
 
+  /** Whether the controller that was chosen drives. */
+  get settled(): boolean {
+    return this.snapshot !== null && !this.waiting && this.changed?.busy === false;
+  }
+
   listen(listener: Listener): void {
     this.listeners.push(listener);
   }

@@ -1,4 +1,4 @@
-// The paper as a tour of eight steps: what to do, what to watch, and a question. A page without Python has those that
+// A tour, from a first push along the paper: what to do, what to watch, and a question. A page without Python has those that
 // need neither the twin nor a design.
 import { button, h, replace } from "./dom";
 import { exported } from "./exported";
@@ -26,6 +26,7 @@ type Step = Words & { title: string; here?: Partial<Words> };
 
 const THREE: Setup["bodies"] = ["twin", "nonlinear", "linear"];
 const SCENES: Scene[] = [
+  { setup: {}, lean: 0 },
   { setup: { controller: "off", bodies: THREE }, lean: LEAN, speed: 0.1 },
   { setup: { controller: "off", kit: "ideal", bodies: ["nonlinear", "linear"] }, lean: 0.03, speed: 0.1 },
   { setup: { controller: "lqr", bodies: THREE }, lean: 0.1 },
