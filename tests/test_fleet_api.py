@@ -30,7 +30,7 @@ from upright.fleet.vary import variation, varied, with_number
 from upright.kernel.batch import parameters_of
 from upright.plotting import colour_map
 from upright.report.fleet import page_of
-from upright.report.maps import basin_figure, push_map_figures
+from upright.report.maps import _between, basin_figure, push_map_figures
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Family, Uncertainty
 
@@ -340,6 +340,15 @@ def test_pages_of_maps_are_well_formed(small_map, tmp_path):
 
 
 # The verbs
+
+
+def test_the_smooth_border_of_a_basin_keeps_every_state_on_its_side():
+    across, up = np.meshgrid(np.linspace(-1, 1, 31), np.linspace(-1, 1, 31), indexing="ij")
+    stood = (across**2 + 3 * across * up + 4 * up**2 < 0.5).astype(float)
+    stood[2, 2] = 1.0  # an island of one state
+    field = _between(stood)
+    assert ((field > 0.5) == (stood > 0.5)).all()
+    assert max(np.abs(np.diff(field, axis=k)).max() for k in (0, 1)) < 0.6  # a stair jumps from 0 to 1
 
 
 def test_a_fleet_is_one_call_in_chunks_or_whole(monkeypatch):

@@ -117,6 +117,11 @@ def test_pages_are_well_formed_and_their_links_lead_to_ids_that_exist_once(compa
         assert {link.removeprefix("#") for link in parser.links} <= set(parser.ids)
 
 
+def test_the_key_names_the_unit_circle_by_a_dotted_line():
+    (entry,) = [entry for entry in Figure("Poles", circle([0.9 + 0.1j])).key() if "unit circle" in entry.name]
+    assert 'stroke-dasharray="2 3"' in entry.sample
+
+
 def test_pages_fetch_nothing(comparison):
     for html in (page().html(), page_of(comparison).html()):
         assert not re.search(r"https?://|//[a-z]+\.[a-z]", re.sub(r'xmlns="[^"]*"', "", html))

@@ -54,6 +54,7 @@ STYLE: dict[str, Any] = {
 WIDTH, LEFT, RIGHT = 7.2, 0.75, 0.15  # [inches], as what follows
 PANEL, HEAD, FOOT = 1.85, 0.42, 0.55
 SCREEN, LEAST = 4.7, 0.7  # [inches] of all panels that a screen shows below a title, and of one panel at least
+CIRCLE = "unit circle: inside it a motion fades"
 BELOW: dict[str, Any] = {"linewidth": 4.0, "alpha": 0.35}
 WIDE_ONLY = "wide-only"  # the id of letters right of a panel that a phone has no room for; its table has them
 MANY = 12  # rows of names: more are closer together
@@ -142,7 +143,7 @@ def plane(x_label: str, y_label: str, *, circle: bool = False) -> tuple[Figure, 
     _label_above(ax)
     numbered(ax.xaxis, ax.yaxis)
     if circle:
-        ax.add_patch(Circle((0, 0), 1, fill=False, edgecolor=AXIS, linestyle=(0, (2, 3))))
+        ax.add_patch(Circle((0, 0), 1, fill=False, edgecolor=AXIS, linestyle=(0, (2, 3)), label=CIRCLE))
     return figure, ax
 
 

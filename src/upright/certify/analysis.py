@@ -103,7 +103,7 @@ class Analysis(Shown):
 
     def plot(self, channel: str = "both motors") -> Figure:
         """Bode diagram of the loop broken at `channel`, one of the margins, with its gain and phase margins."""
-        from upright.plotting import legend, line, numbered, panels
+        from upright.plotting import AXIS, legend, line, numbered, panels
 
         omega, response = response_of(self._broken(channel))
         figure, (size, phase) = panels(["magnitude [1]", "phase [°]"], "frequency [rad/s]", "log")
@@ -112,7 +112,7 @@ class Analysis(Shown):
         angle: Array = np.degrees(np.unwrap(np.angle(response)))
         line(size, "loop gain", omega, np.abs(response))
         line(phase, "loop gain", omega, angle)
-        size.axhline(1.0, linestyle="--", color="grey", linewidth=0.8)
+        size.axhline(1.0, linestyle="--", color=AXIS, linewidth=1.0, label="gain 1 and phase ±180°: the point −1")
         ends = np.log10([max(float(np.abs(response).min()), SHOWN_GAIN), 1.05 * float(np.abs(response).max())])
         size.set_ylim(10.0 ** math.floor(ends[0]), 10.0 ** math.ceil(ends[1]))
         _mark_margins(size, phase, self._of(channel), (omega, angle))
@@ -190,7 +190,7 @@ class Analysis(Shown):
 
 def _mark_margins(size: Axes, phase: Axes, m: Margins, curve: tuple[Array, Array]) -> None:
     """The margins as lines of a Bode diagram, each at its frequency; `curve`: frequencies and the phase [°]."""
-    from upright.plotting import COLOURS
+    from upright.plotting import AXIS, COLOURS
 
     gains = [(at, k) for at, k in ((m.gain_low_at, m.gain_low), (m.gain_high_at, m.gain_high)) if at > 0]
     if gains:
@@ -201,7 +201,7 @@ def _mark_margins(size: Axes, phase: Axes, m: Margins, curve: tuple[Array, Array
         there = float(np.interp(m.phase_at, *curve))
         level = 360 * round((there + turn - 180) / 360) + 180
         phase.vlines([m.phase_at], level - turn, level, color=COLOURS[2], linewidth=3, label="phase margin")
-        phase.axhline(level, linestyle="--", color="grey", linewidth=0.8)
+        phase.axhline(level, linestyle="--", color=AXIS, linewidth=1.0)
 
 
 def _radius(loop: Loop, gains: Array) -> float:

@@ -108,11 +108,13 @@ _FAULT_TEXTS = {
 def of_push(evidence: Evidence, push: PushEstimate, lean: float) -> str:
     way = "forward" if push.impulse > 0 else "backward"
     caused, largest = (math.degrees(angle) for angle in (lean, min(evidence.toppling.largest, LEANING)))
+    several = lean > 1.01 * abs(evidence.toppling.lean(push))
+    it = "With smaller pushes the same way it" if several else "It"
     return (
         f"a push {way} of {abs(push.impulse):.2g} N s at t = {push.start:.2f} s, "
         f"{1e3 * (push.stop - push.start):.2g} ms long, explains {most(evidence.pushes_only.explained)} of the "
-        f"innovations. It leans the robot to {caused:.2g}°, its speed counted as lean, what pushes later included; the "
-        f"motors bring back {largest:.2g}° at most"
+        f"innovations. {it} makes the robot so fast that this counts as {caused:.2g}° of lean; the motors bring back "
+        f"{largest:.2g}° at most"
     )
 
 

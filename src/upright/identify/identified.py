@@ -74,10 +74,10 @@ class Identified(Shown):
         }  # fmt: skip
 
     def plot(self) -> Figure:
-        """The fit of each output on the held-out part, over the prediction horizon on a logarithmic axis."""
+        """The skill of predictions of each output on the held-out part, over their horizon on a logarithmic axis."""
         from upright.plotting import legend, line, panels
 
-        figure, (ax,) = panels(["fit [%]"], "prediction horizon [samples]", "log")
+        figure, (ax,) = panels(["skill [%]"], "prediction horizon [samples]", "log")
         ahead = [float(h) for h in self.fits]
         for name in next(iter(self.fits.values()), {}):
             line(ax, name, ahead, [fit.get(name, np.nan) for fit in self.fits.values()])

@@ -38,7 +38,7 @@ def with_bias(part: Part, model: LinearModel) -> tuple[Array, Array, Array]:
 
 
 def prediction_fits(samples: Samples, halves: Mapping[str, LinearModel]) -> dict[str, dict[str, float]]:
-    """Fit [%], 100 (1 − rms error / rms of the motion), h samples ahead on the held-out rows, by horizon and output.
+    """Skill [%], 100 (1 − rms error / rms of the motion), h samples ahead on the held-out rows, by horizon and output.
 
     Rates are compared themselves, angles by their change over the h samples. NaN where the model runs away or has no
     filter.

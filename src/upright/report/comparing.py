@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 CLOSE, FAIR = 80.0, 50.0  # [%] of fit: from where two runs agree well, and at all
-AVERAGED = 0.3  # [s] over which the noise of a run averages out, and its answer to a push does not
+AVERAGED = 0.3  # [s] over which quick swings (noise, rounded readings) average out, the answer to a push does not
 DWARFED = 5.0
 """A trace that leaves the reference's range by more than this many times its width is cut at the frame."""
 
@@ -111,7 +111,8 @@ def _way(log: Log) -> str:
 
 
 def _worse(comparison: Comparison) -> str:
-    """What fits badly although pitch fits, and whether noise alone explains it: then averages over a while fit."""
+    """What fits badly although pitch fits, and whether quick swings alone explain it: then averages over a while
+    fit."""
     worst = _worst(comparison)
     if not worst:
         return ""
@@ -119,11 +120,9 @@ def _worse(comparison: Comparison) -> str:
     plain = _percent(comparison.fits[label][name])
     if averaged < FAIR:
         return f" {sentence(words(name), '')} fits {plain} only."
-    grade = _grade(averaged)
     return (
-        f" {sentence(words(name), '')} has a {grade} fit ({_RANGES[grade]}) once noise is averaged: "
-        f"{_percent(averaged)} over {AVERAGED:g} s. Sample by sample it fits {plain}, since each run has noise of its "
-        "own."
+        f" {sentence(words(name), '')}, averaged over {AVERAGED:g} s, fits {_percent(averaged)}; sample by sample "
+        f"{plain}, since its quick swings do not coincide."
     )
 
 
@@ -248,7 +247,7 @@ def state_figure(comparison: Comparison, name: str) -> Figure:
     worst = _worst(comparison)
     if worst and worst[0] == name and worst[2] >= FAIR:
         _means(comparison, name, figure.axes[0])
-        note = f"Lines: means over {AVERAGED:g} s. Pale: every sample, with the noise of each run. {note}".strip()
+        note = f"Lines: means over {AVERAGED:g} s. Pale: every sample. {note}".strip()
     if limits:
         scale = 180 / math.pi if "[°" in figure.axes[0].get_ylabel() else 1.0
         figure.axes[0].set_ylim(*(scale * limit for limit in limits))

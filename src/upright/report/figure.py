@@ -187,7 +187,9 @@ def axis_labels(drawing: mpl.Figure) -> list[str]:
 
 
 def _named(line: Any) -> bool:
-    return not str(line.get_label()).startswith("_") and len(np.atleast_1d(line.get_xdata())) > 1
+    """Whether a line is a curve over x with a name, and no rule across the panel."""
+    curve = line.get_transform() == line.axes.transData and len(np.atleast_1d(line.get_xdata())) > 1
+    return curve and not str(line.get_label()).startswith("_")
 
 
 def _themed(body: str, mark: str) -> str:
@@ -229,6 +231,9 @@ def _sample(handle: Any) -> str:
     elif isinstance(handle, LineCollection):
         colour = to_hex(np.atleast_2d(handle.get_edgecolor())[0])
         content = f'<path d="M0 7H34" style="stroke: {_VARIABLES.get(colour, colour)}; stroke-width: 3"/>'
+    elif getattr(handle, "fill", True) is False:
+        colour = to_hex(handle.get_edgecolor())
+        content = f'<path d="M0 7H34" stroke-dasharray="2 3" style="stroke: {_VARIABLES.get(colour, colour)}"/>'
     else:
         patch = handle.patches[0] if isinstance(handle, BarContainer) else handle
         colour = to_hex(np.atleast_2d(patch.get_facecolor())[0])

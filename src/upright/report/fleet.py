@@ -79,7 +79,8 @@ def influence(data: Dataset, outcome: str) -> Figure | None:
         return None
     ranked = list(sizes)[:12]
     drawing = bars(ranked, [abs(sizes[n]) for n in ranked], "size of the rank correlation [1]", "varied number")
-    return Figure(f"{_words(data, outcome)} follows {ranked[0].replace('_', ' ')} most", drawing)
+    follow = "Falls follow" if outcome == "fell" else f"{_words(data, outcome)} follows"
+    return Figure(f"{follow} {spoken(ranked[0])} most", drawing)
 
 
 def over_strongest(data: Dataset, outcome: str) -> Figure | None:
@@ -95,9 +96,11 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
         parts = np.array_split(np.argsort(x), min(PARTS, max(len(x) // 20, 2)))
         figure, (ax,) = panels(["robots that fell [%]"], across)
         line(ax, "fell", [x[k].mean() for k in parts], [100 * y[k].mean() for k in parts], solid=True)
+        ax.lines[0].set(marker="o", markersize=4)
         ax.set_ylim(-2, 102)
         ends = [f"{number(100 * float(y[k].mean()), 2)} %" for k in (parts[0], parts[-1])]
-        return Figure(f"Falls over {spoken(name)}: {ends[0]} of the smallest, {ends[1]} of the largest", figure)
+        title = f"Of the robots with the least {spoken(name)} {ends[0]} fall, of those with the most {ends[1]}"
+        return Figure(title, figure, f"Each dot: one of {len(parts)} groups of as many robots.")
     unit = str(data[outcome].attrs["unit"])
     y = np.degrees(y) if unit == "rad" else y
     figure, (ax,) = panels([f"{data[outcome].attrs['long_name']} [{unit.replace('rad', '°')}]"], across)
@@ -187,10 +190,15 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
         _, half, most = summary.quantiles["settling"]
         after = _called(data, "settling").removeprefix("settling time ")
         numbers.append((f"{half:.3g} s", f"{after} half of them have settled; 95 % after {most:.3g} s"))
-    outcomes = [*(["fell"] if some else []), *names[:1]]
+    outcomes = ["fell"] if some else names[:1]
     causes = [figure for name in outcomes for figure in (over_strongest(data, name), influence(data, name)) if figure]
-    picture, *others = [*causes, *(histogram(data, name) for name in names), None]
-    sections = [Section("Numbers", [table]), Section("Distributions", [figure for figure in others if figure])]
+    histograms = [histogram(data, name) for name in names]
+    picture = (causes or histograms or [None]).pop(0)
+    sections = [
+        Section("Numbers", [table]),
+        *([Section("What matters", causes)] if causes else []),
+        *([Section("Distributions", histograms, folded=True)] if histograms else []),
+    ]
     return Page(
         f"{summary.fell} of {summary.n} robots fell, {pushed(pushes)}", sections, lead, provenance(data), False,
         picture=picture, numbers=numbers, verdict=_verdict(data, summary),
@@ -215,14 +223,14 @@ def _verdict(data: Dataset, summary: Summary) -> Verdict:
 def _differ(data: Dataset, robot: str) -> str:
     """Whose relatives, in what they differ, and what holds them."""
     names = _varied(data)
-    varied = [f"{spoken(n)}{_range(data, n)}" for n in names]
     kind = (origin_of(data).get("controller") or {}).get("kind", "")
     under = f", under {kind}" if kind else ""
     if 0 < len(names) <= FEW:
-        return f"Robots that differ from {robot} only in {joined(varied)}{under}."
+        varied = joined([f"{spoken(name)}{_range(data, name)}" for name in names])
+        return f"Robots that differ from {robot} only in {varied}{under}."
     if not names:
         return f"Robots with the numbers of {robot}{under}; only noise differs."
-    return f"Robots that differ from {robot} in {len(names)} numbers: {', '.join(varied[:FEW])}, …{under}."
+    return f"Robots that differ from {robot} in {len(names)} numbers ({', '.join(map(spoken, names[:FEW]))}, …){under}."
 
 
 FEW = 3  # varied numbers that a sentence names

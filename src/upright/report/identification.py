@@ -155,14 +155,12 @@ _KNOWN = (
 )
 _KNEW = "The twin that made this log has the very numbers of that file: such a prior cannot be wrong here."
 _PREDICTIONS = (
-    "Prediction fit [%] on the held-out part of the log: 100 (1 − rms error / rms of the motion). For angles the "
-    "motion is their change over the prediction horizon. So 0 % means no better than “nothing moves”, on other pages "
-    "no better than the mean. The filter is the same for all models, and not that of `upright calibrate`, whose fits "
-    "differ. Wheel: the mean of both encoders, relative to the body."
+    "Skill of the predictions on the held-out part of the log. The filter is the same for all models. Wheel: the mean "
+    "of both encoders, relative to the body."
 )
 _STABLE = (
     "A model that is stable, though the robot is not, forgets an error of its start; a right one lets it grow. So a "
-    "wrong model may fit better far ahead."
+    "wrong model may predict better far ahead."
 )
 
 
@@ -273,20 +271,20 @@ def _eigenvalues(compared: MethodComparison) -> Figure:
 def _predictions(compared: MethodComparison) -> list[Item]:
     horizons = list(next(iter(compared.models.values())).fits) if compared.models else []
     outputs = compared.samples.parts[0].outputs
-    figure, axes = panels([f"prediction fit of {output} [%]" for output in outputs], "samples ahead", "log")
+    figure, axes = panels([f"skill for the {output} [%]" for output in outputs], "samples ahead", "log")
     for ax, output in zip(axes, outputs, strict=True):
         for name, m in compared.models.items():
             line(ax, name, [float(h) for h in m.fits], [fit.get(output, math.nan) for fit in m.fits.values()])
         ax.set_ylim(0, 100)
         for drawn in ax.lines:
             drawn.set(marker="o", markersize=4)
-    note = "The lines join what was computed, at the marks. Fits below 0 are not drawn; the tables have them."
+    note = "The lines join what was computed, at the marks. Skills below 0 are not drawn; the tables have them."
     drawing = Figure("Predictions of the held-out part", legend(figure), note)
     tables = [
         Table(
             ["samples ahead", *horizons],
             [[name, *(m.fits[h].get(output) for h in horizons)] for name, m in compared.models.items()],
-            f"Prediction fit of {output} [%]; – where the prediction diverges",
+            f"Skill for the {output} [%]; – where the prediction diverges",
             digits=3,
         )
         for output in outputs

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.fleet.results import origin_of
-from upright.plotting import COLOURS, GRID, INK, colour_map, edges, legend, line, number, panels, round_levels
+from upright.plotting import COLOURS, GRID, INK, RIGHT, colour_map, edges, legend, line, number, panels, round_levels
 from upright.report.campaign import provenance
 from upright.report.figure import Figure
 from upright.report.page import Page, Section, Verdict, cell_text
@@ -120,47 +120,77 @@ def basin_figure(data: Dataset) -> Figure:
     recovered: Array = data["recovered"].values
     across, up = (str(name) for name in data["recovered"].dims)
     names = [f"{name.replace('_', ' ')} [{data[name].attrs['unit']}]" for name in (across, up)]
-    family = len(np.unique(recovered)) > 2
+    family = _several(data) > 1
     low, high = rest_range(data)
-    title = "States from which the robot recovers"
+    title = "Part of the robots that recovers" if family else "States from which the robot recovers"
     if math.isfinite(low):
-        title = f"The robot recovers from the green area; white line: let go with {up.replace('_', ' ')} zero"
+        area = f"{title}; black" if family else "The robot recovers from the green area; white"
+        title = f"{area} line: let go with {up.replace('_', ' ')} zero"
     scale = {n: 180 / math.pi if data[n].attrs["unit"] in ("rad", "rad/s") else 1.0 for n in (across, up)}
     names = [text.replace("[rad", "[°") for text in names]
     x, y = (scale[n] * data[n].values for n in (across, up))
     drawing = colour_map(
-        x, y, recovered, x_label=names[0], y_label=names[1],
+        x, y, recovered if family else _between(recovered), x_label=names[0], y_label=names[1],
         label="recovers [1]" if family else "", names=() if family else ("falls", "recovers"),
-        levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0], smooth=not family,
+        levels=np.linspace(0, 1, LEVELS + 1).tolist() if family else [0.0, 0.5, 1.0], smooth=True,
     )  # fmt: skip
+    light, dark = ("white", "black") if family else (INK, "white")
     _zoom(drawing.axes[0], x, y, recovered)
     best = _savable(data)
     if best < math.pi / 2:
-        _mark(drawing.axes[0], scale[across] * best)
+        _mark(drawing.axes[0], scale[across] * best, light)
     if math.isfinite(low):
         ends = [scale[across] * low, scale[across] * high]
-        drawing.axes[0].plot(ends, [0, 0], color="white", linewidth=2.5, solid_capstyle="butt")
+        drawing.axes[0].plot(ends, [0, 0], color=dark, linewidth=2.5, solid_capstyle="butt")
         for end, side in zip(ends, ("right", "left"), strict=True):
             text = f"{number(round(end, 1), 2)}{'°' if scale[across] > 1 else ''}"
             drawing.axes[0].annotate(
-                text, (end, 0), (-6 if side == "right" else 6, 4), textcoords="offset points", ha=side, color=INK
+                text, (end, 0), (-6 if side == "right" else 6, 4), textcoords="offset points", ha=side, color=light
             )
     _ticks(drawing.axes[0], scale[across] > 1)
     if not family:
         _named_areas(drawing)
+    steps = " and ".join(_step(data, name) for name in (across, up))
+    note = f"Tried every {steps}; the border is drawn smooth, with every state tried on its side."
+    if family:
+        note = f"Tried every {steps}, with {_several(data)} robots at each state."
     apart = float(data["island"].values.mean())
-    note = f"{100 * apart:.2g} % of these states are islands: from states between them and rest the robot falls."
-    return Figure(title + (", mean over the robots drawn" if family else ""), drawing, note if apart else "")
+    islands = f" {100 * apart:.2g} % of these states are islands: from states between them and rest the robot falls."
+    return Figure(title, drawing, note + (islands if apart else ""))
 
 
-def _mark(ax: Axes, best: float) -> None:
+def _several(data: Dataset) -> int:
+    """How many robots were let go at each state."""
+    return int((origin_of(data).get("basin") or {}).get("samples", 1))
+
+
+def _between(recovered: Array) -> Array:
+    """A smooth field that is above one half where the robot recovers, and below where it falls."""
+    from scipy.ndimage import gaussian_filter
+
+    field = gaussian_filter(recovered, SMOOTHED, mode="nearest")
+    return np.where(recovered > 0.5, np.maximum(field, 0.5 + SIDE), np.minimum(field, 0.5 - SIDE))
+
+
+SMOOTHED, SIDE = 2.0, 0.02
+"""Standard deviation [steps of the grid] of the filter that smooths a border, and how far [1] from one half a state
+stays on its side."""
+
+
+def _step(data: Dataset, name: str) -> str:
+    """The step of the grid along a state."""
+    values = data[name].values
+    return _in_degrees(float(np.diff(values).mean()) if values.size > 1 else 0.0, data, name)
+
+
+def _mark(ax: Axes, best: float, colour: str) -> None:
     """The leans beyond which no controller saves the robot, let go at rest."""
     for side in (-best, best):
         ax.axvline(
             side,
             linestyle="--",
             linewidth=1.2,
-            color=INK,
+            color=colour,
             label="limit of any controller, let go at rest" if side > 0 else "_",
         )
     ax.set_xlim(min(ax.get_xlim()[0], -1.1 * best), max(ax.get_xlim()[1], 1.1 * best))
@@ -180,6 +210,10 @@ def _named_areas(drawing: MplFigure) -> None:
     """Two areas need a key and no scale of colours."""
     ax, beside = drawing.axes
     drawing.delaxes(beside)
+    box, right = ax.get_position(), 1 - RIGHT / drawing.get_size_inches()[0]
+    ax.set_position((box.x0, box.y0, right - box.x0, box.height))
+    x, y = ax.yaxis.label.get_position()
+    ax.yaxis.set_label_coords(x * box.width / (right - box.x0), y)
     for name, colour in (("recovers", COLOURS[2]), ("falls", GRID)):
         ax.plot([], [], "s", color=colour, label=name)
     legend(drawing)
@@ -258,9 +292,9 @@ def basin_page(data: Dataset) -> Page:
     held = f"{_in_degrees(low, data, across)} to {_in_degrees(high, data, across)}"
     name, percent = origin["robot"]["name"], f"{100 * float(data['recovered'].values.mean()):.3g} %"
     known = math.isfinite(low)
-    title = f"{name}, let go at rest, recovers from a {words} of {held}" if known else (
-        f"{name} recovers from {percent} of these states"
-    )  # fmt: skip
+    several = _several(data)
+    who = f"{name}, let go at rest, recovers" if several == 1 else f"Most robots like {name} recover, let go at rest,"
+    title = f"{who} from a {words} of {held}" if known else f"{name} recovers from {percent} of these states"
     kind = (origin.get("controller") or {}).get("kind", "")
     lead = (
         f"It recovers if it still stands {origin['scenario']['seconds']:g} s later"
@@ -268,7 +302,6 @@ def basin_page(data: Dataset) -> Page:
         "All other states are zero at the start. "
         "Next: `upright push-map`, which asks for pushes instead."
     )
-    step = float(np.diff(data[across].values).mean()) if data[across].size > 1 else 0.0
     numbers = [(percent, "of the states tried recover")]
     if known:
         reach = data[up].values[(data["recovered"].values[int(np.abs(data[across].values).argmin())] > 0.5)]
@@ -279,19 +312,20 @@ def basin_page(data: Dataset) -> Page:
         )  # fmt: skip
         even = math.isclose(-low, high, rel_tol=1e-6)
         span = f"±{_in_degrees(high, data, across)}" if even else held
-        text = f"{words} from which it recovers, let go at rest; in brackets the step of the grid"
-        numbers = [(f"{span} ({_in_degrees(step, data, across)})", text)]
+        it = "it recovers" if several == 1 else "most recover"
+        numbers = [(span, f"{words} from which {it}, let go at rest; tried every {_step(data, across)}")]
         best = _savable(data)
         if best < math.pi / 2:
             text = "largest lean from which any controller could save it, by the linear model"
             numbers.append((f"±{_in_degrees(best, data, across)}", text))
-        least = float(np.diff(data[up].values).mean()) if data[up].size > 1 else 0.0
-        text = f"{up.replace('_', ' ')} from which it recovers, where {words} is zero"
-        numbers.append((f"{ends} ({_in_degrees(least, data, up)})", text))
-    return Page(
-        title, [], lead, provenance(data), False, verdict=Verdict("simulated: one robot, one controller", "info"),
-        picture=basin_figure(data), numbers=numbers,
-    )  # fmt: skip
+        text = f"{up.replace('_', ' ')} from which {it}, where {words} is zero; tried every {_step(data, up)}"
+        numbers.append((ends, text))
+    verdict = Verdict(f"simulated: {_robots(several)}, one controller", "info")
+    return Page(title, [], lead, provenance(data), False, verdict=verdict, picture=basin_figure(data), numbers=numbers)
+
+
+def _robots(several: int) -> str:
+    return "one robot" if several == 1 else f"{several} robots at each state"
 
 
 def _savable(data: Dataset) -> float:

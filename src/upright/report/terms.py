@@ -18,6 +18,8 @@ TERMS: dict[str, tuple[str, str]] = {
     r"(?<![\d)] )R²": ("R²", "1: predicted exactly. 0: no better than the mean of the readings."),
     r"fits?": ("fit", "100 (1 − rms error / standard deviation). 100 %: the curves are equal. 0 %: no better than the "
         "mean."),
+    r"[Ss]kill": ("skill", "100 (1 − rms error / rms error of a guess): of an angle that it stays, of a rate that it "
+        "has its mean. 100 %: predicted exactly. 0 %: no better than that guess."),
     r"innovations?": ("innovation", "What a sensor reads, less what the filter expected."),
     r"NIS": ("NIS", "Mean of the squared innovations over what the filter expects; 1 is usual."),
     r"Ms": ("Ms", "Peak of the sensitivity: 1 over the least distance of the Nyquist curve from −1. Usual target: at "
