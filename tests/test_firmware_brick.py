@@ -390,6 +390,12 @@ def test_a_clock_of_sixteen_bits_goes_on_after_its_end() -> None:
     assert np.diff(read_brick_log(data).log.t) == pytest.approx([0.01] * 3)
 
 
+def test_rows_of_one_millisecond_follow_each_other_within_it() -> None:
+    """A row that is a period late is followed at once by the next."""
+    data = HEAD + b"".join(struct.pack("<7hH", 0, 0, 0, 0, 8000, 0, 0, stamp) for stamp in (0, 10, 30, 30, 40))
+    assert read_brick_log(data).log.t == pytest.approx([0, 0.01, 0.03, 0.0305, 0.04])
+
+
 @pytest.mark.parametrize("data", [b"", b"garbage", HEAD, HEAD + bytes(16), bytes(1000)])
 def test_what_is_no_log_is_one_line(data: bytes) -> None:
     with pytest.raises(InvalidLog) as caught:

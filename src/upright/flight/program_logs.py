@@ -172,9 +172,15 @@ def _paced(log: Log) -> tuple[str, ...]:
 
 
 def _clock(stamps: Array, first: float) -> Array:
-    """Times [s] of rows by their `stamps` [ms] (n,), which begin again; the first row is near `first` [s]."""
+    """Times [s] of rows by their `stamps` [ms] (n,), which begin again; the first row is near `first` [s].
+
+    Rows of one millisecond, as after a row that was a whole period late, are spread evenly over it.
+    """
     t = np.unwrap(stamps % STAMP_TURN, period=STAMP_TURN)
     t += STAMP_TURN * np.round((1000 * first - t[0]) / STAMP_TURN)
+    begin = np.flatnonzero(np.diff(t, prepend=t[0] - 1))
+    count = np.diff(begin, append=len(t))
+    t += (np.arange(len(t)) - np.repeat(begin, count)) / np.repeat(count, count)
     return t / 1000
 
 
