@@ -261,9 +261,9 @@ class Family:
             key = np.array([seed, _PURPOSE], dtype=np.uint64)
             generator = np.random.Generator(np.random.Philox(key=key, counter=counter))
             fraction = generator.random((BLOCK, len(self.uncertainty.names)))
-            fresh = self._rows(np.clip(fraction, 2.0**-54, 1 - 2.0**-53))
-            values[missing] = fresh[missing]
-            missing[missing] = ~self.possible(fresh[missing])
+            fresh = self._rows(np.clip(fraction[missing], 2.0**-54, 1 - 2.0**-53))
+            values[missing] = fresh
+            missing[missing] = ~self.possible(fresh)
             if not missing.any():
                 return values
         raise InvalidRobot(
