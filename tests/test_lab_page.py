@@ -129,7 +129,7 @@ def until(page: Any, expression: str, wanted: Callable[[Any], bool] = bool) -> A
 
 
 def ready(page: Any) -> None:
-    """The page has heard from its session; a newcomer's has the tour open, and here everybody begins with Controller."""
+    """The page has heard from its session. A newcomer's has the tour open; here everybody begins with Controller."""
     until(page, "Boolean(window.upright?.store.snapshot && document.querySelector('#panel').firstChild)")
     page.evaluate("upright.page.open('Controller')")
 
@@ -446,7 +446,10 @@ def test_a_newcomer_is_shown_the_tour(chromium, lab):
     assert page.locator("[role=tab]").first.get_attribute("aria-selected") == "true"
     page.click("[data-key=invitation]")
     until(page, "Boolean(document.querySelector('.scene.pinned'))")
-    lowest = "Math.max(...[...document.querySelectorAll('.scene .room, .strip:first-child')].map(e => e.getBoundingClientRect().bottom))"
+    bottoms = (
+        "[...document.querySelectorAll('.scene .room, .strip:first-child')].map(e => e.getBoundingClientRect().bottom)"
+    )
+    lowest = f"Math.max(...{bottoms})"
     assert page.locator(".tour h3").bounding_box()["y"] > page.evaluate(lowest)
     page.evaluate("upright.store.hear({kind: 'Notice', level: 'error', text: 'a', key: 'own'})")
     assert page.locator(".toast").bounding_box()["y"] > page.evaluate(lowest)  # room, light and pitch stay in sight
