@@ -7,13 +7,21 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 import upright as up
 from upright.cli.main import main
+from upright.doctor import units
 from upright.doctor.columns import by_physics
+from upright.doctor.doctor import proposed
+from upright.doctor.finding import Record
+from upright.doctor.fixes import repaired
+from upright.errors import InvalidLog
 from upright.experiment.examples import example
-from upright.logs.mapping import Mapping
+from upright.logs.mapping import Mapping, channels_of, propose
 from upright.logs.readers import RawTable
+from upright.logs.recording import check_unit
+from upright.signals import Log
 
 DEGREE = np.pi / 180
 NAMES = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro", "applied/left", "applied/right")
@@ -76,7 +84,7 @@ def test_a_layout_without_names_is_found(layout: str) -> None:
 def test_columns_of_something_else_are_not_taken() -> None:
     rng = np.random.default_rng(0)
     walks = {f"c{i}": np.cumsum(rng.standard_normal(1000)) for i in range(6)}
-    assert by_physics(RawTable({"t": 0.01 * np.arange(1000), **walks})) is None
+    assert by_physics(RawTable({"t": np.linspace(0.0, 9.99, 1000), **walks})) is None
 
 
 def test_the_doctor_says_which_columns_it_took_and_writes_them(
@@ -105,3 +113,83 @@ def test_without_a_clock_the_columns_are_drafted_and_the_period_is_asked_for(
     assert "a draft is in" in capsys.readouterr().out
     assert "state the period" in written.read_text()
     assert Mapping.load(written).channels[GYRO].column == "c3"
+
+
+TRUE = {
+    "t": "t", LEFT: "l", RIGHT: "r", GYRO: "g", "command/left": "ul", "command/right": "ur", "estimate/pitch": "p",
+    "sensor/battery": "b",
+}  # fmt: skip
+STRANGERS = (
+    "t=t gyro_dps=g° left_deg=l° right_deg=r° left_v=ul right_v=ur",
+    "t=t gyro_dps=g° left_deg=l° right_deg=r° pwm_left=ul% pwm_right=ur%",
+    "millis=t‰ gyroY=g° enc_l=l° enc_r=r° pwmL=ul% pwmR=ur% vbat=b",
+    "time_ms=t‰ encL=l° encR=r° gyro=g° uL=ul uR=ur",
+    "ts=t posLeft=l posRight=r gyro_y_dps=g° voltLeft=ul voltRight=ur",
+    "us=tµ motorPosL=l° motorPosR=r° gyro_rate=g° powerL=ul% powerR=ur%",
+    "t_us=tµ ticks_left=l° ticks_right=r° gyro_deg_s=g° duty_l=ul% duty_r=ur% batt_mV=b‰",
+    "dt=Δ gyro=g encoderLeft=l encoderRight=r u_left=ul u_right=ur",
+    "dt_ms=Δ‰ gyro=g encoderLeft=l encoderRight=r u_left=ul u_right=ur",
+    "time=t theta_deg=p° gyro_deg_per_s=g° left_rad=l right_rad=r volt_l=ul volt_r=ur",
+    "timestamp=t‰ pitch=p° pitch_rate_dps=g° wheel_l_rad=l wheel_r_rad=r motor_l_V=ul motor_r_V=ur",
+    "millis=t‰ angle=p° gyroRate=g° leftPosition=l° rightPosition=r° pwmLeft=ul% pwmRight=ur%",
+    "t=t roll=p roll_rate=g phi_l=l phi_r=r u_l=ul u_r=ur",
+    "t_ms=t‰ gyr_y=g° m1_pos=l° m2_pos=r° m1_pwm=ul% m2_pwm=ur%",
+    "t=t tacho_l=l° tacho_r=r° gyro_raw=g° power_l=ul% power_r=ur% battery_mV=b‰",
+    "time_us=tµ gy=g° ml_deg=l° mr_deg=r° ul=ul ur=ur",
+    "time_s=t pitch_rate=g rotation_left_deg=l° rotation_right_deg=r° voltage_left_mV=ul‰ voltage_right_mV=ur‰",
+    "t=t gyroX=noise gyroY=g gyroZ=noise leftEncoder=l rightEncoder=r leftVoltage=ul rightVoltage=ur",
+    "t=t gyroX=g° encA=l° encB=r° pwmA=ul% pwmB=ur%",
+    "t=t pitch_deg=p° pitch_rate_deg_s=g° x_left=l x_right=r u_left_V=ul u_right_V=ur",
+    "ms=t‰ gyro=g° lw=l° rw=r° lpwm=ul% rpwm=ur%",
+    "elapsed_ms=t‰ rate=g° deg_l=l° deg_r=r° cmd_l=ul% cmd_r=ur% volt=b",
+    "millis=t‰ gyroAngle=p° gyroRate=g° countLeft=l° countRight=r° motorLeft=ul% motorRight=ur%",
+    "t=t omega=g alpha_l=l alpha_r=r U_l=ul U_r=ur",
+    "tick=row t_ms=t‰ gyro_dps=g° left=l° right=r° left_u=ul right_u=ur",
+    "tiempo=t giro=g enc_izq=l enc_der=r volt_izq=ul volt_der=ur",
+)
+"""Headers of Arduino, EV3, NXT and ESP32 programs: the name of each column, what it holds, and its unit: ° degrees, ‰
+thousandths, µ millionths, % counts of a duty of 255."""
+
+
+@cache
+def held() -> dict[str, np.ndarray]:
+    names = {"l": LEFT, "r": RIGHT, "g": GYRO, "ul": ONE, "ur": OTHER, "p": "pitch"}
+    own = {short: parts()[name] for short, name in names.items()}
+    return own | {n: parts()[n] for n in ("t", "noise", "row")} | {
+        "b": 8.0 + 0.01 * own["ul"], "Δ": np.diff(parts()["t"], prepend=parts()["t"][0] - 0.01)
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("header", STRANGERS)
+def test_what_a_stranger_calls_a_column_is_proposed(header: str) -> None:
+    """Each column is read as what it holds, whatever it is called; volts, where the battery or the names tell them."""
+    factor = {"°": 1 / DEGREE, "‰": 1e3, "µ": 1e6, "%": 255 / 8.0}
+    columns, at = dict[str, NDArray[np.float64]](), dict[str, str]()
+    for name, _, what in (part.partition("=") for part in header.split(" ")):
+        scaled = held()[what.rstrip("°‰µ%")] * factor.get(what[-1], 1.0)
+        columns[name] = np.rint(scaled) if what[-1] in "‰µ%" and what[0] != "Δ" else 1.0 * scaled
+        at[what.rstrip("°‰µ%")] = name
+    told = proposed(RawTable(columns))[0]
+    read = {name.replace("applied/", "command/"): source.column for name, source in told.channels.items()}
+    wanted = {name: at[what] for name, what in TRUE.items() if what in at and name != "t"}
+    assert read == wanted
+    t, channels, _ = channels_of(told, RawTable(columns))
+    assert np.diff(t) == pytest.approx(np.diff(parts()["t"]), abs=1.1e-3)  # of whole milliseconds
+    for name, what in TRUE.items():  # a unit is right, or nothing states one, and the doctor's checks find it
+        if name in channels and told.channels[name].unit not in ("", "1") and told.channels[GYRO].unit:
+            assert channels[name] == pytest.approx(held()[what], abs=0.05), name
+
+
+def test_a_duty_of_eight_bits_is_no_per_cent_and_no_millivolts() -> None:
+    """Commands of an Arduino reach 255; without a battery nobody knows of what voltage, and a fit refuses them."""
+    duty = np.rint(255 * np.sin(50 * parts()["t"]))
+    columns = {"t": parts()["t"], "gyro": parts()[GYRO], "enc_l": parts()[LEFT], "enc_r": parts()[RIGHT]}
+    for names in (("motor_l", "motor_r"), ("pwm_l", "pwm_r")):
+        table = RawTable(columns | dict.fromkeys(names, duty))
+        t, channels, stated = channels_of(propose(table), table)
+        record = Record(t, channels, stated)
+        (found,) = units.commands(record)
+        assert "counts of a duty, 255 of which are full" in found.evidence
+        assert repaired(record, found.fixes[0])["command/left"].max() == pytest.approx(7.5)
+    with pytest.raises(InvalidLog, match="a duty"):
+        check_unit(Log(t, channels, stated), "command", up.Robot.preset("nxtway-gs"))

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import combinations
 from typing import NamedTuple
 
@@ -15,9 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.doctor.finding import GYRO, LEFT, PITCH, RIGHT, Finding, Record, error
+from upright.doctor.motion import TRUSTED as OBEYED
 from upright.doctor.physics import Resampled, motor, resampled
 from upright.logs.draft import clock_of, draft, looks, rate_of
-from upright.logs.mapping import COMMANDS, GUESS, Mapping, Source, full_duty
+from upright.logs.mapping import COMMANDS, GUESS, Mapping, Source, channels_of, in_volts, named_unit
+from upright.logs.names import pairs
 from upright.logs.readers import RawTable
 from upright.logs.units import UNITS
 
@@ -27,6 +30,7 @@ TRUSTED = 0.95
 """[1] R² of the pendulum equation from which columns are taken for encoders and gyro. Other triples of columns reach
 0.9, since all of them follow the robot's motion."""
 FEWEST = 200  # rows: in fewer, a few swings fit each other by chance
+NAMED = OBEYED  # of two columns that differ by the side in their names, and by the name
 DRIVEN = 0.3  # [1] R² of the motor equation from which columns are taken for commands
 EQUAL = 1.5  # how many times more one of two commands may vary
 TOGETHER, ALIKE = 0.3, 3.0  # [1] least correlation of two encoders, and how many times more one may vary
@@ -69,7 +73,7 @@ def another_gyro(mapping: Mapping, table: RawTable, findings: Sequence[Finding])
     for side in (LEFT, RIGHT):
         if sources[side].integrate and sources[side].column in moving:
             moving[sources[side].column] = np.cumsum(moving[sources[side].column]) * float(np.median(np.diff(t)))
-    if not set(names) <= moving.keys() or _judged(t, moving, *names):
+    if not set(names) <= moving.keys() or _judged(t, moving, names[0], names[1], names[2]):
         return []
     others = [n for n in moving if n not in names and abs(rate_of(moving[n], moving[names[0]])) < RATE]
     fits = [fit for n in others if (fit := _judged(t, moving, names[0], names[1], n)) and fit.sign > 0]
@@ -92,25 +96,66 @@ class _Choice(NamedTuple):
     sign: int
 
 
-def by_physics(table: RawTable) -> Mapping | None:
-    """A mapping of columns by how they move, or None where no three of them move like encoders and gyro."""
+def by_physics(table: RawTable, named: Mapping | None = None) -> Mapping | None:
+    """A mapping of columns by how they move, or None where no three of them move like encoders and gyro. What `named`
+    takes by its name stays what it is, if the others then fit."""
     if len(table) < FEWEST:
         return None
-    t, time = _time(table)
-    fine = {n: x[:ROWS] for n, x in table.columns.items() if np.isfinite(x[:ROWS]).all() and n != time.column}
+    known = dict(named.channels) if named else {}
+    t, time = (channels_of(replace(named, channels={}), table)[0], named.time) if named else _time(table)
+    t = t[:ROWS]
+    taken = {source.column for name, source in known.items() if name not in (LEFT, RIGHT, GYRO)} | {time.column}
+    fine = {n: x[:ROWS] for n, x in table.columns.items() if np.isfinite(x[:ROWS]).all() and n not in taken}
     moving = {n: x for n, x in fine.items() if len(np.unique(x)) >= VALUES}
     moving = dict(list(moving.items())[:MOST])
-    best = _sensors(t[:ROWS], moving)
+    for source in {known[side].column: known[side] for side in (LEFT, RIGHT) if side in known}.values():
+        if source.integrate and source.column in moving:
+            moving[source.column] = np.cumsum(moving[source.column]) * float(np.median(np.diff(t)))
+    best = _sensors(t, moving, {name: known[name].column for name in (LEFT, RIGHT, GYRO) if name in known})
     if best is None:
-        return None
+        return by_physics(table) if known else None
+    channels = {**_sources(table, best), **known}
+    if not {*COMMANDS} & known.keys():
+        channels |= _commands(t, table, moving, best)
+    return Mapping(
+        "columns by physics",
+        time,
+        in_volts(channels, table),
+        about=f"by how the columns move (R² {best.r2:.2f}); check it",
+    )
+
+
+def with_tilt(mapping: Mapping, table: RawTable) -> Mapping:
+    """The same mapping, with a column for the tilt estimate where it reads none and one has the gyro for its rate."""
+    gyro = mapping.channels.get(GYRO)
+    if gyro is None or PITCH in mapping.channels:
+        return mapping
+    unread = {n: table.columns[n][:ROWS] for n in mapping.ignored(table)[:MOST] if n in table.columns}
+    rate = gyro.sign * table.columns[gyro.column][:ROWS]
+    rates = {n: rate_of(rate, x) for n, x in unread.items() if np.isfinite(x).all() and np.isfinite(rate).all()}
+    name = max(rates, key=lambda n: rates[n], default="")
+    if not name or rates[name] < RATE:
+        return mapping
+    tilt = Source(column=name, unit=named_unit(name, table))
+    return replace(mapping, channels={**mapping.channels, PITCH: tilt})
+
+
+def _sources(table: RawTable, best: _Choice) -> dict[str, Source]:
+    """Encoders and gyro, in the units of their names or else those that bring q near to `COUPLING`."""
     counts = _whole(table.columns[best.left]) and np.ptp(table.columns[best.left]) > 20
-    angle = "deg" if counts else "rad"
+    named, rate = named_unit(best.left, table), named_unit(best.gyro, table)
+    q = abs(best.q)  # of encoders and a gyro in the file's units
+
+    def off(angle: str, rate: str) -> float:
+        return abs(math.log(q * UNITS[angle][0] / UNITS[rate][0] / COUPLING))
+
+    angles = (
+        [named] if UNITS[named][1] == "rad" else ["deg"] if counts else ["rad", "deg"] if rate in GYROS else ["rad"]
+    )
+    rates = [rate] if rate in GYROS else GYROS
+    angle, rate = min(((a, r) for a in angles for r in rates), key=lambda units: off(*units))
     sides = {LEFT: Source(column=best.left, unit=angle), RIGHT: Source(column=best.right, unit=angle)}
-    q = abs(best.q) * UNITS[angle][0]  # of a gyro in the file's unit, whose factor brings it near to `COUPLING`
-    unit = min(GYROS, key=lambda name: abs(math.log(q / UNITS[name][0] / COUPLING)))
-    channels = {**sides, GYRO: Source(column=best.gyro, unit=unit, sign=best.sign)}
-    channels |= _commands(t[:ROWS], moving, best)
-    return Mapping("columns by physics", time, channels, about=f"by how the columns move (R² {best.r2:.2f}); check it")
+    return {**sides, GYRO: Source(column=best.gyro, unit=rate, sign=best.sign)}
 
 
 def _time(table: RawTable) -> tuple[Array, Source]:
@@ -123,20 +168,29 @@ def _time(table: RawTable) -> tuple[Array, Source]:
     return table.columns[name] * UNITS[unit][0], Source(column=name, unit=unit)
 
 
-def _sensors(t: Array, moving: dict[str, Array]) -> _Choice | None:
-    """The best encoders and gyro among the columns, each scaled by its deviation."""
-    smooth = [n for n, x in moving.items() if np.std(np.diff(x)) < SMOOTH * np.std(x)]
+def _sensors(t: Array, moving: dict[str, Array], known: dict[str, str]) -> _Choice | None:
+    """The best encoders and gyro among the columns, each scaled by its deviation; those that are `known` are these."""
+    if not set(known.values()) <= moving.keys():
+        return None
+    if len(known) == 3:
+        return _Choice(known[LEFT], known[RIGHT], known[GYRO], math.nan, COUPLING, 1)
+    smooth = [n for n, x in moving.items() if np.std(np.diff(x)) < SMOOTH * np.std(x) and n != known.get(GYRO)]
     size = {name: float(np.std(moving[name])) for name in smooth}
     alike = [(a, b) for a, b in combinations(smooth, 2) if 1 / ALIKE < size[a] / size[b] < ALIKE]
-    pairs = [(a, b) for a, b in alike if _correlation(moving[a], moving[b]) > TOGETHER]
+    together = [(a, b) for a, b in alike if _correlation(moving[a], moving[b]) > TOGETHER]
+    sided = pairs(smooth) if GYRO in known else []
+    if LEFT in known:
+        together = sided = [(known[LEFT], known[RIGHT])]
+    elif GYRO in known and not together:
+        together = [(n, n) for n in smooth]  # one angle for both wheels
     choices: list[_Choice] = []
-    for left, right in pairs:
-        for gyro in (n for n in moving if n not in (left, right)):
-            choice = _judged(t, moving, left, right, gyro)
+    for left, right in dict.fromkeys([*sided, *together]):
+        for gyro in [known[GYRO]] if GYRO in known else [n for n in moving if n not in (left, right)]:
+            choice = _judged(t, moving, left, right, gyro, NAMED if (left, right) in sided else TRUSTED)
             choices += [choice] if choice else []
     best = max(choices, key=lambda c: c.r2, default=None)
-    if best is None:
-        return None
+    if best is None or GYRO in known:
+        return best
     rates = {n: rate_of(x, moving[best.gyro]) for n, x in moving.items() if n not in best[:3]}
     rate = max(rates, key=lambda n: rates[n], default="")
     if rate and rates[rate] > RATE:  # the column was the tilt, of which another is the rate
@@ -144,19 +198,21 @@ def _sensors(t: Array, moving: dict[str, Array]) -> _Choice | None:
     return best
 
 
-def _judged(t: Array, moving: dict[str, Array], left: str, right: str, gyro: str) -> _Choice | None:
+def _judged(
+    t: Array, moving: dict[str, Array], left: str, right: str, gyro: str, trusted: float = TRUSTED
+) -> _Choice | None:
     """Whether these columns obey the pendulum equation, with q in the file's units."""
     scale, rate = float(np.std(moving[left])), float(np.std(moving[gyro]))
     m = _resampled(t, {LEFT: moving[left] / scale, RIGHT: moving[right] / scale, GYRO: moving[gyro] / rate})
     if m is None:
         return None
     fit = m.law
-    if fit.r2 < TRUSTED or len(fit.values) < 2 or fit.values[0] * fit.values[1] <= 0:
+    if fit.r2 < trusted or len(fit.values) < 2 or fit.values[0] * fit.values[1] <= 0:
         return None
     return _Choice(left, right, gyro, fit.r2, fit.values[0] * scale / rate, 1 if fit.values[0] > 0 else -1)
 
 
-def _commands(t: Array, moving: dict[str, Array], best: _Choice) -> dict[str, Source]:
+def _commands(t: Array, table: RawTable, moving: dict[str, Array], best: _Choice) -> dict[str, Source]:
     """The pair of columns, or the one, that drives the encoders by the motor equation."""
     left, right = moving[best.left], moving[best.right]
     m = _resampled(t, {LEFT: left, RIGHT: right})
@@ -174,15 +230,14 @@ def _commands(t: Array, moving: dict[str, Array], best: _Choice) -> dict[str, So
         return {}
     *names, sign = chosen
     return {
-        f"applied/{side}": _command(str(name), moving[str(name)], sign)
-        for side, name in zip(("left", "right"), names, strict=True)
+        f"applied/{side}": _command(str(name), table, sign) for side, name in zip(("left", "right"), names, strict=True)
     }
 
 
-def _command(name: str, values: Array, sign: int) -> Source:
-    if _whole(values):
-        return Source(column=name, unit="1", scale=1 / full_duty(values), sign=sign)
-    return Source(column=name, sign=sign)  # volts or torques: nobody says
+def _command(name: str, table: RawTable, sign: int) -> Source:
+    """In the unit of its name; whole numbers are a duty, others volts or torques: nobody says."""
+    unit = named_unit(name, table) or ("%" if _whole(table.columns[name]) else "")
+    return Source(column=name, unit=unit if UNITS[unit][1] in ("V", "N m", "1", "") else "", sign=sign)
 
 
 def _resampled(t: Array, channels: dict[str, Array]) -> Resampled | None:

@@ -143,7 +143,7 @@ MOST_IGNORED = 20
 
 def _columns(mapping: Mapping, ignored: Sequence[str]) -> str:
     """Which column was taken for which channel, and which for none."""
-    time = mapping.time.column or f"a row every {mapping.time.period:g} s"
+    time = _source(mapping.time) if mapping.time.column else f"a row every {mapping.time.period:g} s"
     parts = [f"t = {time}"] + [f"{name} = {_source(source)}" for name, source in mapping.channels.items()]
     more = ", …" if len(ignored) > MOST_IGNORED else ""
     rest = f"; ignored: {', '.join(ignored[:MOST_IGNORED])}{more}" if ignored else ""
@@ -178,7 +178,7 @@ def doctor(
     table = (
         table_of(source) if isinstance(source, Log) else source if isinstance(source, RawTable) else read_table(source)
     )
-    chosen, assumed = (find_mapping(mapping), []) if mapping else _proposed(table)
+    chosen, assumed = (find_mapping(mapping), []) if mapping else proposed(table)
     known = find_robot(robot) if robot else None
     raw = _record(table, chosen)
     findings, last = _examine(raw, known, progress)
@@ -195,27 +195,32 @@ def doctor(
     )  # fmt: skip
 
 
-def _proposed(table: RawTable) -> tuple[Mapping, list[Finding]]:
+def proposed(table: RawTable) -> tuple[Mapping, list[Finding]]:
     """The mapping by the columns' names, or where these do not say enough, by how the columns move, and what to tell of
     that."""
-    named: Mapping | None = None
+    by_name: set[tuple[str, Source]] = set()
     try:
-        named = propose(table)
+        mapping = named = propose(table)
     except InvalidLog:
         mapping = columns.by_physics(table)
         if mapping is None or not mapping.time.column:  # nobody knows how fast rows without a clock follow each other
             raise
     else:
-        lacking = columns.lacking(named) if named.name == GUESS else ""
-        mapping = columns.by_physics(table) if lacking and columns.spare(named, table) else None
-        if not lacking:
+        if named.name != GUESS:
             return named, []
+        by_name = set(named.channels.items())
+        if lacking := columns.lacking(named):
+            mapping = columns.by_physics(table, named) if columns.spare(named, table) else None
         if mapping is None or not mapping.time.column or columns.lacking(mapping):
             text = f"no column is recognised as {lacking}: what rests on them is not judged"
             return named, [
                 warning("columns/missing", named.time.column, text, "--write-mapping MINE.toml, and edit it")
             ]
-    text = "no name says what the columns are: they were taken for what they move like"
+    mapping = columns.with_tilt(mapping, table)
+    taken = {source.column: name for name, source in mapping.channels.items() if (name, source) not in by_name}
+    if not taken:
+        return mapping, []
+    text = f"no name says what {', '.join(taken)} {'is' if len(taken) == 1 else 'are'}: taken for what they move like"
     return mapping, [note("columns/unnamed", mapping.time.column, text, "check them, and --write-mapping MINE.toml")]
 
 

@@ -26,6 +26,7 @@ from upright.doctor.finding import (
 from upright.doctor.fixes import COARSE, levels
 from upright.doctor.motion import TRUSTED
 from upright.doctor.physics import Resampled, lagged, motion, motor, smooth, widths
+from upright.logs.mapping import full_duty
 from upright.logs.outliers import grain_of
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.robots import Robot
@@ -228,9 +229,12 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
         return total + 8.0 * (battery > 0 and largest / factor > 1.25 * battery)
 
     volts = battery or 7.5
-    options = {"per cent": 100 / volts, "millivolts": 1000.0}
+    duty, full = _duty(record, names, largest)
+    options = {duty: full / volts, "millivolts": 1000.0}
     best = min(options, key=lambda name: penalty(options[name]))
-    if penalty(options[best]) + FAULT >= penalty(1.0):
+    if record.units.get(names[0]) == "1":  # a duty, by its name or by what the mapping says
+        best = duty
+    elif penalty(options[best]) + FAULT >= penalty(1.0):
         return []
     evidence = f"{best} instead of volts: they reach {largest:.3g}" + (
         f" on a battery of {battery:.3g} V" if battery else ""
@@ -238,11 +242,22 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     if emf:
         evidence += f"; back-EMF {emf:.3g} V s/rad as logged, {emf / options[best]:.3g} V s/rad repaired"
     also = tuple(n for n in ("command/left", "command/right") if n in record and n not in names)
-    if best == "per cent" and battery:
-        fix = Fix("percent", (*names, *also, BATTERY))
-        return [error("units/command", names[0], evidence, "multiply by the battery over 100", fix)]
+    channels = (*names, *also)
+    if best == duty and battery:
+        fixes = (Fix("scale", channels, (100 / full,)),) if full != 100 else ()
+        repair = f"multiply by the battery over {full:g}"
+        return [error("units/command", names[0], evidence, repair, *fixes, Fix("percent", (*channels, BATTERY)))]
     repair = f"divide by {options[best]:.4g}" + ("" if best == "millivolts" else ", assuming a battery of 7.5 V")
-    return [error("units/command", names[0], evidence, repair, Fix("scale", (*names, *also), (1 / options[best],)))]
+    return [error("units/command", names[0], evidence, repair, Fix("scale", channels, (1 / options[best],)))]
+
+
+def _duty(record: Record, names: tuple[str, str], largest: float) -> tuple[str, float]:
+    """What the commands are if they are a duty, and the number that is full: per cent, counts of a timer, which are
+    whole numbers, or a fraction."""
+    if record.units.get(names[0]) == "1" and largest <= 1:
+        return "a fraction of full duty", 1.0
+    full = full_duty(np.concatenate([record[name] for name in names])) if counted(record[names[0]]) else 100.0
+    return ("per cent", 100.0) if full <= 100 else (f"counts of a duty, {full:g} of which are full,", full)
 
 
 def constants(record: Record) -> list[Finding]:

@@ -63,7 +63,7 @@ def looks(table: RawTable) -> str:
 
 def clock_of(table: RawTable) -> str:
     """The first column that is a clock, '' where none is; one that counts rows only where there is no other."""
-    clocks = [name for name, values in table.columns.items() if _is_clock(values)]
+    clocks = [name for name, values in table.columns.items() if is_clock(values)]
     return min(clocks, key=lambda name: bool((np.diff(table.columns[name]) == 1).all()), default="")
 
 
@@ -73,7 +73,7 @@ def behaviour(table: RawTable) -> dict[str, str]:
     words = dict.fromkeys(table.text, "text")
     for name, x in table.columns.items():
         words[name] = _alone(x)
-    moving = [name for name, x in several.items() if np.ptp(x) > 0 and not _is_clock(x)][:_MOST]
+    moving = [name for name, x in several.items() if np.ptp(x) > 0 and not is_clock(x)][:_MOST]
     for rate in moving:
         fits = {name: rate_of(several[rate], several[name]) for name in moving if name != rate}
         name = max(fits, key=lambda other: abs(fits[other]), default="")
@@ -91,11 +91,11 @@ def _alone(x: Array) -> str:
         return "no numbers"
     if np.ptp(fine) == 0:
         return f"always {fine[0]:g}"
-    kind = "a clock, " if _is_clock(x) else "whole numbers, " if (fine == np.rint(fine)).all() else ""
+    kind = "a clock, " if is_clock(x) else "whole numbers, " if (fine == np.rint(fine)).all() else ""
     return f"{kind}{fine.min():g} to {fine.max():g}, steps of {np.median(np.abs(np.diff(fine))):.3g}"
 
 
-def _is_clock(x: Array) -> bool:
+def is_clock(x: Array) -> bool:
     """Whether a column rises evenly, but for a few pauses."""
     steps = np.diff(x)
     if len(steps) < 3 or not np.isfinite(steps).all() or steps.min() <= 0:

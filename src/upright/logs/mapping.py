@@ -5,10 +5,8 @@ from __future__ import annotations
 import json
 import math
 import os
-import re
 from collections.abc import Mapping as Mapped
-from collections.abc import Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from importlib.resources import files
 from pathlib import Path
 from typing import Any, cast
@@ -17,6 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.errors import InvalidLog, UnknownName
+from upright.logs.draft import clock_of, is_clock
+from upright.logs.names import BOTH, GYRO, OTHER_GYRO, RATE, SIDES, by_letter, is_motor, recognised, unit_by_name
 from upright.logs.readers import DECIMATION, RawTable
 from upright.logs.units import UNITS
 from upright.reading import check_types, parse_toml, read_text, understood
@@ -172,6 +172,7 @@ def channels_of(mapping: Mapping, table: RawTable) -> tuple[Array, dict[str, Arr
     t: Array = rows * mapping.time.period
     if mapping.time.column:
         t = _values(mapping.time, table)
+        t = np.cumsum(t) - t[0] if mapping.time.integrate else t
     channels = {name: np.full(len(t), value) for name, value in mapping.constants.items()}
     units = {name: KNOWN[name].unit if name in KNOWN else "" for name in channels}
     for name in sorted(mapping.channels, key=lambda name: bool(mapping.channels[name].times)):
@@ -212,7 +213,6 @@ def undelayed(log: Log, delays: Mapped[str, float]) -> Log:
     return Log(log.t[keep], {name: values[keep] for name, values in channels.items()}, log.units, log.origin)
 
 
-GYRO = "sensor/gyro"
 GUESS = "guess"  # name of a mapping by the names of columns
 COMMANDS = ("command/left", "command/right", "applied/left", "applied/right")
 MOST = 1e30
@@ -254,40 +254,6 @@ def identity(table: RawTable) -> Mapping:
     return Mapping("ours", Source(column=TIME, unit="s"), sources)
 
 
-_ENCODER = r"(?:(?:enc|encoder|cnt|counts?|tacho|pos|angle|wheel|motor) ?|(?:enc|count|tacho|pos|motor)\w* )"
-_WHEEL = r"(?:enc\w*|cnt|count\w*|tacho\w*|pos\w*|angle|wheel|motor\w*)"
-_RATE = r"(?:speed|vel\w*|omega|w)"
-_COMMAND = r"\b(?:pwm|duty(?: cycle)?|volt\w*|u|cmd|command|torque|tau|power)"
-_MOTOR = r"\bmotor (?:l|left|r|right)\b|\b(?:l|left|r|right) motor\b"  # an angle; beside encoders, a command
-_BODY_RATE = (
-    r"(?:pitch|tilt|theta|psi|body)[ _]?(?:rate|dot|vel|speed)|gyro(?: (?:y|raw|rate|spd|speed))?\b"
-    r"|\bgyr y\b|angular (?:velocity|rate) y\b"
-)
-_SIDE = {"left": r"(?:l|left)", "right": r"(?:r|right)"}
-
-_WORDS: Sequence[tuple[str, str]] = (
-    (rf"{_ENCODER}(?:l|left)\b|\b(?:l|left) ?{_WHEEL}", "sensor/encoder_left"),
-    (rf"{_ENCODER}(?:r|right)\b|\b(?:r|right) ?{_WHEEL}", "sensor/encoder_right"),
-    *((rf"\b{_RATE} ?{s}\b|\b{s} {_RATE}\b", f"rate of sensor/encoder_{name}") for name, s in _SIDE.items()),
-    *((rf"{_COMMAND} ?{s}\b|\b{s} {_COMMAND}\b", f"command/{name}") for name, s in _SIDE.items()),
-    (r"\b(?:pitch|tilt|lean)(?: (?:rad|deg|x10|est\w*|angle))*$|gyro ?(?:ang\w*|est\w*)", "estimate/pitch"),
-    (_BODY_RATE, GYRO),
-    (r"\bbat\w*|\bvbat\w*", "sensor/battery"),
-    (r"\b(?:heading|compass|yaw)(?: (?:rad|deg))?$", "sensor/compass"),
-    (r"^(?:t|time\w*|ts|clock|seconds|sec|millis|micros)\b|\b(?:time ?stamp|stamp)$", TIME),
-    (r"^(?:enc\w*|cnt|counts?|tacho\w*|wheel|motor)(?: (?:angle|pos\w*|rad|deg|mean))*$", "both of sensor/encoder_"),
-    (rf"^{_COMMAND}(?: (?:v|mv|volts?|percent|m|n?nm|mnm|mean))*$", "both of command/"),
-)
-"""Names of our channels in other programs, the more specific first; one encoder or command stands for both sides."""
-
-_SUFFIXES: Sequence[tuple[str, str]] = (
-    (r"\brad(?:ps| s|s)\b", "rad/s"), (r"\bdeg(?:ps| s|s)\b|\bdps\b", "deg/s"), (r"\bdeg\b", "deg"),
-    (r"\brad\b", "rad"), (r"mv\b", "mV"), (r"\b(?:ms|millis)\b", "ms"), (r"\b(?:us|micros)\b", "us"),
-    (r"\bns\b", "ns"), (r"\bm ?nm\b", "mN m"), (r"\bn?nm\b", "N m"), (r"\b(?:pwm|duty|percent)", "%"),
-    (r"\brpm\b", "rpm"), (r"\b(?:turns?|revs?|revolutions?)\b", "turn"), (r"\b(?:torque|tau)\b", "N m"),
-)  # fmt: skip
-
-
 def propose(table: RawTable) -> Mapping:
     """A mapping by the table's columns: ours, a shipped one whose columns are all present, or a guess from the names.
 
@@ -305,42 +271,65 @@ def propose(table: RawTable) -> Mapping:
 
 def _guess(table: RawTable) -> Mapping:
     sources: dict[str, Source] = {}
-    for column in sorted(table.columns, key=lambda column: bool(re.search(_MOTOR, _plain(column)))):
-        name = _recognised(column)
-        if name in sources and re.search(_MOTOR, _plain(column)):
+    names = recognised(list(table.columns))
+    for column in sorted(names, key=is_motor):
+        name = names[column]
+        if name in sources and is_motor(column):
             name = name.replace("sensor/encoder_", "command/")
-        key = name.removeprefix("rate of ")
-        if name and key not in sources:
-            sources[key] = Source(column=column, unit=_named_unit(column, table), integrate=name.startswith("rate of"))
-    for key in [key for key in sources if key.startswith("both of ")]:
-        one, sides = sources.pop(key), [key.removeprefix("both of ") + side for side in _SIDE]
-        sources |= dict.fromkeys(sides, one) if not sources.keys() & set(sides) else {}
+        key = name.removeprefix(RATE)
+        if key not in sources:
+            summed = name.startswith(RATE) and not (key == TIME and is_clock(table.columns[column]))
+            sources[key] = Source(column=column, unit=named_unit(column, table), integrate=summed)
+    for key in [key for key in sources if key.startswith(BOTH)]:
+        one, sides = sources.pop(key), [key.removeprefix(BOTH) + side for side in SIDES]
+        if not sources.keys() & set(sides):
+            sources |= dict.fromkeys(sides, one)
+        elif one.unit in ("V", "mV") and (table.columns[one.column] > 0).all():
+            sources.setdefault("sensor/battery", one)  # the voltage beside the commands
     for group in ("sensor/encoder_", "command/"):  # one side alone stands for both
-        sides = [group + side for side in _SIDE]
+        sides = [group + side for side in SIDES]
         if len(one := [sources[side] for side in sides if side in sources]) == 1:
             sources |= dict.fromkeys(sides, one[0])
-    if GYRO in sources and _by_letter(sources[GYRO].column, table):
+    across = sources.pop(OTHER_GYRO, None)
+    if across and GYRO not in sources:
+        sources[GYRO] = across
+    if GYRO in sources and by_letter(sources[GYRO].column, table.columns):
         del sources[GYRO]
-    time = sources.pop(TIME, None)
+    time = sources.pop(TIME, None) or _clock(table)
     if time is None or not sources:
         raise InvalidLog(
             f"no {'time' if time is None else 'channel'} is recognised among {', '.join(list(table.columns)[:12])}",
             hint="upright doctor LOG --write-mapping m.toml, which drafts a mapping to be edited (docs/logs.md)",
         )
-    times = "sensor/battery" if "sensor/battery" in sources else ""  # else of what voltage, the log does not say
+    return Mapping(GUESS, _timed(time, table), in_volts(sources, table),
+                   about="guessed from the names of the columns; check it")  # fmt: skip
+
+
+def _clock(table: RawTable) -> Source | None:
+    """A column that is a clock by how it rises, if it does not merely count the rows."""
+    name = clock_of(table)
+    return Source(column=name) if name and not (np.diff(table.columns[name]) == 1).all() else None
+
+
+def _timed(time: Source, table: RawTable) -> Source:
+    """A time with the unit in which it has a step of a program, where nothing states one."""
+    values = table.columns[time.column]
+    fine = values[np.isfinite(values)]
+    step = float(np.median(fine if time.integrate else np.diff(fine))) if len(fine) > 1 else 0.0
+    unit = "" if step < 0.5 else "ms" if step < 500 else "us" if step < 500e3 else "ns"
+    return replace(time, unit=time.unit or unit)
+
+
+def in_volts(sources: Mapped[str, Source], table: RawTable) -> dict[str, Source]:
+    """The same sources, with a duty as volts where the battery's voltage is known, else as the file's
+    numbers: of what voltage they are a part, the log does not say."""
+    times, new = "sensor/battery" if "sensor/battery" in sources else "", dict(sources)
     for name, source in sources.items():
         if source.unit == "%":
             full = full_duty(table.columns[source.column])
-            unit, scale = ("%", 1.0) if full == 100 and times else ("1", 1.0 if not times else 1 / full)
-            sources[name] = Source(column=source.column, unit=unit, scale=scale, times=times)
-    return Mapping(GUESS, time, sources, about="guessed from the names of the columns; check it")
-
-
-def _by_letter(gyro: str, table: RawTable) -> bool:
-    """Whether a column was taken for the gyro for a Greek letter alone, while the table has the other one too: pitch is
-    ψ to some and θ to others, and the other letter then is yaw or a wheel."""
-    letters = {letter for column in table.columns for letter in ("psi", "theta") if letter in _plain(column).split()}
-    return len(letters) == 2 and _plain(gyro).split()[0] in letters
+            unit, scale = ("%", 1.0) if full == 100 and times else ("1", 1 / full if times else 1.0)
+            new[name] = replace(source, unit=unit, scale=scale, times=times)
+    return new
 
 
 def full_duty(values: Array) -> float:
@@ -351,23 +340,11 @@ def full_duty(values: Array) -> float:
     return next((full for full in usual if 0 < largest <= full), 100.0)
 
 
-def _plain(column: str) -> str:
-    """`motorAngleLeft_deg` → `motor angle left deg`."""
-    return re.sub(r"[_\W]+", " ", re.sub(r"(?<=[a-z])(?=[A-Z][a-z])", " ", column)).lower().strip()
-
-
-def _recognised(column: str) -> str:
-    words = _plain(column)
-    return next((name for pattern, name in _WORDS if re.search(pattern, words)), "")
-
-
 def _stated_unit(column: str, table: RawTable) -> str:
     """The unit that the file states of a column, '' where it states none that is known."""
     return unit if (unit := table.units.get(column, "")) in UNITS else ""
 
 
-def _named_unit(column: str, table: RawTable) -> str:
-    if stated := _stated_unit(column, table):
-        return stated
-    words = _plain(column)
-    return next((unit for pattern, unit in _SUFFIXES if re.search(pattern, words)), "")
+def named_unit(column: str, table: RawTable) -> str:
+    """The unit that the file states of a column, or its name."""
+    return _stated_unit(column, table) or unit_by_name(column)

@@ -89,6 +89,11 @@ def check_clock(log: Log) -> None:
 def check_unit(log: Log, prefix: str, robot: Robot) -> None:
     """Raise `InvalidLog` for commands in volts to a robot that gets torques, or torques to one that gets volts."""
     unit = log.unit(f"{prefix}/left")
+    if unit == "1":
+        raise InvalidLog(
+            "the log's commands are a duty, and of what voltage is not known", expected=robot.command_unit,
+            hint="upright doctor LOG --fix NEW.csv takes 7.5 V; or a mapping with a [constants] \"sensor/battery\"",
+        )  # fmt: skip
     if unit in ("V", "N m") and unit != robot.command_unit:
         raise InvalidLog(
             f"the log's commands are in {unit}", expected=f"{robot.command_unit}, as those of '{robot.name}'",

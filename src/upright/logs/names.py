@@ -1,0 +1,144 @@
+"""What the names of columns say, in the words of other programs: a channel, a side, a unit."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+from upright.signals.header import TIME
+
+GYRO = "sensor/gyro"
+OTHER_GYRO = "gyro across"
+"""A gyro about the axis that other mountings turn forward: pitch where no column is about the usual one."""
+
+BOTH, RATE = "both of ", "rate of "
+"""Before the beginning of two channels, or a channel: what one column says of both sides, or the rate of."""
+
+_ENCODER = (
+    r"(?:(?:enc|encoder|cnt|counts?|ticks?|tacho|pos|angle|wheel|motor|theta|phi|alpha) ?"
+    r"|(?:enc|count|tick|tacho|pos|rot|motor)\w* )"
+)
+_WHEEL = r"(?:enc\w*|cnt|count\w*|tick\w*|tacho\w*|pos\w*|rot\w*|angle|wheel|motor\w*|theta|phi|alpha)"
+_RATE = r"(?:speed|spd|vel\w*|omega|rpm|w)"
+_COMMAND = r"\b(?:pwm|duty(?: cycle)?|volt\w*|u|cmd|command|torque|tau|power)"
+_MOTOR = r"\bmotor (?:l|left|r|right)\b|\b(?:l|left|r|right) motor\b"  # an angle; beside encoders, a command
+_BODY_RATE = (
+    r"(?:pitch|tilt|theta|psi|body)[ _]?(?:rate|dot|vel|speed)"
+    r"|(?:gyro|\bgyr)(?! (?:x|z|off\w*|bias|temp\w*)\b)(?: (?:y|raw|rate|spd|speed))?\b|\bg ?y\b"
+    r"|angular (?:velocity|rate) y\b"
+)
+SIDES = {"left": r"(?:l|left|izq\w*)", "right": r"(?:r|right|der(?:echa|echo)?)"}
+
+_WORDS: Sequence[tuple[str, str]] = (
+    (rf"{_ENCODER}{SIDES['left']}\b|\b{SIDES['left']} ?{_WHEEL}", "sensor/encoder_left"),
+    (rf"{_ENCODER}{SIDES['right']}\b|\b{SIDES['right']} ?{_WHEEL}", "sensor/encoder_right"),
+    *((rf"\b{_RATE} ?{s}\b|\b{s} {_RATE}\b", f"{RATE}sensor/encoder_{name}") for name, s in SIDES.items()),
+    *((rf"{_COMMAND} ?{s}\b|\b{s} {_COMMAND}\b", f"command/{name}") for name, s in SIDES.items()),
+    (r"\b(?:pitch|tilt|lean|inclin\w*)(?: (?:rad|deg|x10|est\w*|angle))*$|gyro ?(?:ang\w*|est\w*)", "estimate/pitch"),
+    (_BODY_RATE, GYRO),
+    (r"gyro x\b", OTHER_GYRO),
+    (r"\bbat\w*|\bvbat\w*|\bvcc\b", "sensor/battery"),
+    (r"\b(?:heading|compass|yaw)(?: (?:rad|deg))?$", "sensor/compass"),
+    (r"^(?:d ?t|delta ?t(?:ime)?|loop ?time|time ?(?:step|diff))\b", f"{RATE}{TIME}"),
+    (r"^(?:t|time\w*|ts|clock|elapsed|tiempo|seconds|secs?|millis|micros|[mun]s)\b|\b(?:time ?stamp|stamp)$", TIME),
+    (r"^(?:enc\w*|cnt|counts?|tacho\w*|wheel|motor)(?: (?:angle|pos\w*|rad|deg|mean))*$", f"{BOTH}sensor/encoder_"),
+    (rf"^{_COMMAND}(?: (?:v|m ?v|volts?|percent|m|n?nm|mnm|mean))*$", f"{BOTH}command/"),
+)
+"""Names of our channels in other programs, the more specific first; one encoder or command stands for both sides."""
+
+_SUFFIXES: Sequence[tuple[str, str]] = (
+    (r"\bm(?:dps| ?deg(?:ps| s|s))\b", "mdeg/s"), (r"\brad(?:ians?)? ?(?:p|per)? ?s(?:ec)?\b", "rad/s"),
+    (r"\bdeg(?:rees?)? ?(?:p|per)? ?s(?:ec)?\b|\bdps\b", "deg/s"), (r"\bm ?deg\b", "mdeg"), (r"\bm ?rad\b", "mrad"),
+    (r"\bdeg(?:rees?)?\b", "deg"), (r"\brad(?:ians?)?\b", "rad"), (r"mv\b|\bm v\b", "mV"),
+    (r"\b(?:ms|millis)\b", "ms"), (r"\b(?:us|micros)\b", "us"), (r"\bns\b", "ns"), (r"\bm ?nm\b", "mN m"),
+    (r"\bn?nm\b", "N m"), (r"pwm\b|\b(?:pwm|duty|percent|power)", "%"), (r"\brpm\b", "rpm"),
+    (r"\b(?:turns?|revs?|revolutions?)\b", "turn"), (r"\b(?:torque|tau)\b", "N m"), (r"\bvolt", "V"),
+)  # fmt: skip
+
+_BY_UNIT = {
+    "sensor/encoder_": ("deg", "rad", "turn", "mdeg", "mrad"),
+    f"{RATE}sensor/encoder_": ("deg/s", "rad/s", "rpm", "mdeg/s"),
+    "command/": ("V", "mV", "%", "N m", "mN m"),
+}
+"""What a column of one side holds by its unit alone."""
+
+_ENDS = (("left", "right"), ("l", "r"), ("izq", "der"), ("izquierda", "derecha"))
+_PORTS = (("1", "2"), ("a", "b"), ("b", "c"), ("a", "d"))
+_PORTED = r"\b(?:enc|mot|m|pwm|wheel|tick|count|cnt|tacho|pos|duty|power|volt|cmd)"
+"""How two columns of one kind differ. Numbers and letters are motor ports, of which the first is taken for the left."""
+
+
+def plain(column: str) -> str:
+    """`motorAngleLeft_deg` → `motor angle left deg`."""
+    apart = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", column)
+    return re.sub(r"[_\W]+", " ", apart).lower().strip()
+
+
+def is_motor(column: str) -> bool:
+    """Whether a name says a motor's side and no more: its angle or, beside encoders, its command."""
+    return bool(re.search(_MOTOR, plain(column)))
+
+
+def recognised(columns: Sequence[str]) -> dict[str, str]:
+    """The channel of each column whose name says one, in the order of the columns."""
+    channels = {column: _channel(plain(column)) for column in columns}
+    silent = [column for column in columns if not channels[column]]
+    for left, right in pairs(silent):
+        for column, side, words in zip((left, right), SIDES, _sided(plain(left), plain(right)) or (), strict=True):
+            unit = unit_by_name(column)
+            by_words = "" if words.split()[-1] == "w" else _channel(words)  # a wheel, or omega
+            channels[column] = next((group + side for group, units in _BY_UNIT.items() if unit in units), by_words)
+    return {column: name for column, name in channels.items() if name}
+
+
+def _channel(words: str) -> str:
+    return next((name for pattern, name in _WORDS if re.search(pattern, words)), "")
+
+
+def pairs(columns: Iterable[str]) -> list[tuple[str, str]]:
+    """The columns whose names differ by the side alone, the left one first."""
+    left_over, several = list(columns), list[tuple[str, str]]()
+    while left_over:
+        column = left_over.pop(0)
+        for other in left_over:
+            one = next((p for p in ((column, other), (other, column)) if _sided(*map(plain, p))), None)
+            if one:
+                several.append(one)
+                left_over.remove(other)
+                break
+    return several
+
+
+def _sided(left: str, right: str) -> tuple[str, str] | None:
+    """Two names in words with "left" and "right" for what differs between them; None where that is no side."""
+    one, other = left.split(), right.split()
+    different = [i for i, (a, b) in enumerate(zip(one, other, strict=False)) if a != b]
+    if len(one) != len(other) or len(different) != 1:
+        return None
+    (i,) = different
+    for a, b in (*_ENDS, *(_PORTS if re.search(_PORTED, left) else ())):
+        if one[i].endswith(a) and other[i] == one[i].removesuffix(a) + b:
+            stem, first = one[i].removesuffix(a), False
+        elif one[i].startswith(a) and other[i] == b + one[i].removeprefix(a):
+            stem, first = one[i].removeprefix(a), True
+        else:
+            continue
+        new = (f"{side} {stem}" if first else f"{stem} {side}" for side in SIDES)
+        left, right = (" ".join([*one[:i], *words.split(), *one[i + 1 :]]) for words in new)
+        return left, right
+    return None
+
+
+def unit_by_name(column: str) -> str:
+    """The unit that a name ends in or says, '' where it says none."""
+    if re.search(r"(?:[_\s(\[]|^)V\)?\]?$", column):
+        return "V"
+    words = plain(column)
+    return next((unit for pattern, unit in _SUFFIXES if re.search(pattern, words)), "")
+
+
+def by_letter(gyro: str, columns: Iterable[str]) -> bool:
+    """Whether a column was taken for the gyro for a Greek letter alone, while there is one with the other letter too:
+    pitch is ψ to some and θ to others, and the other letter then is yaw or a wheel."""
+    letters = {letter for column in columns for letter in ("psi", "theta") if letter in plain(column).split()}
+    return len(letters) == 2 and plain(gyro).split()[0] in letters
