@@ -18,10 +18,13 @@ from xarray import Dataset
 from upright.comparison import compare
 from upright.decimate import decimate
 from upright.errors import InvalidLog, UnknownName, UprightError
+from upright.experiment.pushes import Impulse
 from upright.fleet.binomial import clopper_pearson
+from upright.fleet.fleet import ensemble_of
 from upright.fleet.tally import Cases, CaseSummary, Moments
 from upright.plotting import COLOURS, legend, line, number, numbered, panels, plane, points, span
 from upright.report import PAGES, Figure, Formula, Page, Section, Table, Verdict, page_of, report
+from upright.report.campaign import falls_verdict, harder
 from upright.report.page import cell_text
 from upright.signals import STATE_NAMES, Log
 from upright.tables import spoken
@@ -370,6 +373,14 @@ def test_a_campaign_is_ranked_by_falls_and_what_nobody_survived_has_a_dash():
     assert ["a", "0", "3"] in rows
     assert ["b", "100", "–"] in rows
     assert str(cases).splitlines()[-1].endswith("–")
+
+
+def test_a_knock_harder_than_a_certificates_is_said_and_no_red_light():
+    """`upright certify` knocks nxtway-gs with 0.186 N s (low battery) to 0.245 N s (full): printed there."""
+    fleets = {size: ensemble_of("nxtway-gs", pushes=(Impulse(impulse=size),)).origin() for size in (0.24, 0.3)}
+    assert harder([fleets[0.24]]) == ""
+    assert harder(list(fleets.values())) == " A certificate knocks nxtway-gs with 0.19 to 0.24 N s; here it is 0.3 N s."
+    assert [falls_verdict(30, 100, words).level for words in ("", "harder")] == ["bad", "warn"]
 
 
 def test_a_run_that_dwarfs_the_reference_is_cut_and_named():

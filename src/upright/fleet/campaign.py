@@ -141,8 +141,8 @@ def summaries(campaign: Campaign, folder: Path) -> Cases:
     for chunk in campaign.chunks():
         paths.setdefault(chunk.case, []).append(chunk_path(folder, chunk.number))
     cases = Cases(tally(case.labels, case.n, paths[i]) for i, case in enumerate(campaign.cases))
-    first = campaign.cases[0].ensemble
-    origin, family = first.origin(), first.family
+    cases.origins = [case.ensemble.origin() for case in campaign.cases]
+    origin, family = cases.origins[0], campaign.cases[0].ensemble.family
     cases.pushes = origin["scenario"]["push"]
     cases.spreads = (origin.get("vary") or {}).get("spreads", ())
     numbers = {*family.names, *(n for case in cases for n, value in case.labels.items() if not isinstance(value, str))}

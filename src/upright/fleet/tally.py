@@ -66,9 +66,10 @@ class CaseSummary:
 
 
 class Cases(Shown, tuple[CaseSummary, ...]):
-    """The summaries of a campaign, in the order of its plan. `pushes` and `spreads` (what varies) are those of the
-    first case, as its origin has them; `units` are those of labels and of what varies."""
+    """The summaries of a campaign, in the order of its plan, whose `origins` are those of its cases. `pushes` and
+    `spreads` (what varies) are those of the first case; `units` are those of labels and of what varies."""
 
+    origins: Sequence[Mapping[str, Any]] = ()
     pushes: Sequence[Mapping[str, Any]] = ()
     spreads: Sequence[Mapping[str, Any]] = ()
     units: Mapping[str, str] = MappingProxyType({})

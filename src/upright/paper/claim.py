@@ -54,15 +54,15 @@ class Claim:
         return textwrap.fill(self.first, width, initial_indent="    ", subsequent_indent="    ")
 
     def section(self) -> Section:
-        """The claim as a section of the page: the figures that come first, or else the first, or a short table; the
-        rest is folded."""
+        """The claim as a folded section of the page: the figures that come first, or else the first, or a short table;
+        the rest is folded once more."""
         figures = [item for item in self.items if isinstance(item, Figure)]
         short = [item for item in self.items[:1] if isinstance(item, Table) and len(item.rows) <= SHORT]
         leading = itertools.takewhile(lambda item: isinstance(item, Figure), self.items)
         shown = list(leading) or figures[:1] or short
         rest = [item for item in self.items if item not in shown]
         folded = [Details("Tables, figures and derivations", rest, printed=False)] if rest else []
-        return Section(f"{self.part} {self.title}", [self.summary, *shown, *folded], self.badge)
+        return Section(f"{self.part} {self.title}", [self.summary, *shown, *folded], self.badge, folded=True)
 
     def to_json(self) -> dict[str, Any]:
         named = {"part": self.part, "title": self.title, "verdict": self.verdict, "summary": self.summary}

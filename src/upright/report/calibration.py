@@ -11,13 +11,13 @@ from upright.calibrate.calibration import GOOD, NORMAL, PREDICTED, VERDICTS, VIS
 from upright.plotting import COLOURS, INK, SMALL, legend, line, number, panels, rows_of, span
 from upright.report.figure import Figure
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
-from upright.tables import least, sentence, spoken
+from upright.tables import joined, least, sentence, spoken
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as MplFigure
 
 CLOSE = 0.25  # of a value: the half width of an interval up to which it counts as measured
-GIVEN = 3  # values at most on the first screen
+GIVEN = 2  # parameters named on the first screen
 STRONG = 0.9
 """Correlations from this size up are listed: only the prior separates such pairs."""
 
@@ -26,10 +26,11 @@ def page_of(calibration: Calibration) -> Page:
     """The calibration's page, not yet written."""
     wrong = calibration.check()
     others = (*calibration.delays, *calibration.electronics)
+    drawn = [figure for figure in (_measured(calibration), _by_name(calibration)) if figure]
     sections = [
         *([Section("Reservations", _reservations(calibration))] if wrong else []),
-        Section("Prediction", [*_measured(calibration), *_predicted_words(calibration), *_predicted(calibration)]),
-        Section("Estimates", [*calibration.notes, *_estimates(calibration.parameters)]),
+        Section("Parameters", [*calibration.notes, *drawn[1:], *_estimates(calibration.parameters)]),
+        Section("Predictions of each sensor", [*_predicted_words(calibration), *_predicted(calibration)], folded=True),
         *([Section("Delays and motors", [_DELAYS, *_estimates(others)], folded=True)] if others else []),
         Section(
             "Coefficients of the motion",
@@ -47,7 +48,7 @@ def page_of(calibration: Calibration) -> Page:
     }
     return Page(
         _title(calibration), sections, _lead(calibration), kept, False, verdict=_verdict(calibration),
-        picture=_by_name(calibration), numbers=_numbers(calibration),
+        picture=drawn[0] if drawn else None, numbers=_numbers(calibration),
     )  # fmt: skip
 
 
@@ -62,19 +63,17 @@ def _verdict(c: Calibration) -> Verdict:
         return Verdict("refused", "bad")
     if wrong:
         return Verdict(f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}", "warn")
-    rest = f"; {kept} of {len(c.parameters)} {NOT_VISIBLE}" if kept else ""
+    rest = f"; {kept} of {len(c.parameters)} parameters stay uncertain" if kept else ""
     return Verdict(f"predicts the log{rest}", "warn" if 2 * kept > len(c.parameters) else "good")
 
 
 def _title(c: Calibration) -> str:
     if c.refused:
         return f"The log does not describe {c.robot.name}"
-    measured, bounded, rough = (len(group) for group in _groups(c))
-    logs, ends = ("This log", "s") if len(c.sources) < 2 else (f"These {len(c.sources)} logs", "")
-    known = [f"measure{ends} {measured}"] if measured else []
-    known += [f"bound{ends} {bounded + rough}"] if bounded + rough else []
-    known = known or [f"measure{ends} none"]
-    return f"{logs} {' and '.join(known)} of {len(c.parameters)} parameters of {c.robot.name}"
+    told, logs = sum(map(len, _groups(c))), "this log" if len(c.sources) < 2 else f"these {len(c.sources)} logs"
+    predicts = "predicts" if _least(c)[0] >= GOOD else "predicts in part"
+    tell = f"{'it tells' if len(c.sources) < 2 else 'they tell'} {told or 'none'} of {len(c.parameters)} parameters"
+    return f"{c.robot.name}, calibrated, {predicts} {logs}; {tell}"
 
 
 def _groups(c: Calibration) -> tuple[list[Estimate], list[Estimate], list[Estimate]]:
@@ -104,21 +103,23 @@ def _sentence(text: str) -> str:
 
 
 def _numbers(c: Calibration) -> list[tuple[str, str]]:
+    """How well it predicts, how fast the robot falls, and how many parameters the log tells, the closest one named."""
+    if c.refused:
+        return []
+    (lowest, sensor), pole = _least(c), c["unstable_pole"]
     measured, bounded, rough = _groups(c)
-    numbers = [
-        (_whole(f"{_value(e)} {e.unit}"), f"{spoken(e.name)}, ± {cell_text(100 * _width(e), 2)} %; before {_prior(e)}")
-        for e in (*measured, *rough)
-    ]
-    numbers += [_bounded(e) for e in bounded]
-    return numbers[:GIVEN]
-
-
-def _bounded(e: Estimate) -> tuple[str, str]:
-    """The upper end of the interval, and its lower one where that is above zero."""
-    if e.low > 0:
-        text = f"{spoken(e.name)}, bounded: at least {_whole(cell_text(e.low, 2))}; before {_prior(e)}"
-        return _whole(f"≤ {cell_text(e.high, 2)} {e.unit}"), text
-    return _whole(f"≤ {cell_text(e.high, 2)} {e.unit}"), f"{spoken(e.name)}, bounded; before {_prior(e)}"
+    numbers: list[tuple[str, str]] = []
+    if math.isfinite(lowest):
+        numbers.append((least(lowest), f"R² over half a second, the least of all sensors ({sensor}); target {GOOD:g}"))
+    if pole.value > 0:
+        doubles = cell_text(1e3 * math.log(2) / pole.value, 2)
+        within = f"{cell_text(pole.low, 3)} to {cell_text(pole.high, 3)}"
+        numbers.append((_whole(f"{_value(pole)} {pole.unit}"),
+                        f"unstable pole (95 % interval {within}): a lean doubles every {doubles} ms"))  # fmt: skip
+    kinds = [f"{len(measured)} measured to ± {100 * CLOSE:g} % or better" if measured else ""]
+    kinds += [f"{len(bounded) + len(rough)} bounded" if bounded or rough else ""]
+    told = f"parameters that the log tells: {', '.join(filter(None, kinds)) or 'none'}"
+    return [*numbers, (f"{sum(map(len, _groups(c)))} of {len(c.parameters)}", told)]
 
 
 def _whole(text: str) -> str:
@@ -130,20 +131,16 @@ def _value(e: Estimate) -> str:
     return cell_text(e.value, 3)
 
 
-def _prior(e: Estimate) -> str:
-    return f"{cell_text(e.prior, 3)}{', a guess' if e.guess else ''}"
-
-
-def _measured(c: Calibration) -> list[Item]:
+def _measured(c: Calibration) -> Figure | None:
     if not c.free:
-        return []
+        return None
     drawn = [name for name in c.channels if name in PREDICTED] or c.channels
     rest = [name for name in c.channels if name not in drawn]
-    title = f"Measured and predicted for half a second at a time: R² of {_each(c, drawn)}"
+    title = f"Measured and predicted, half a second at a time: R² of {_each(c, drawn)}"
     note = "Each half second starts from a fitted state and gets only the commands."
     note += " Shaded: held out, not used in the fit; R² counts it too." if c.held_out else ""
     note += f" Not drawn: R² of {_each(c, rest)}." if rest else ""
-    return [Figure(title, c.plot_prediction(), note)]
+    return Figure(title, c.plot_prediction(), note)
 
 
 def _each(c: Calibration, names: Sequence[str]) -> str:
@@ -248,15 +245,15 @@ def _lead(c: Calibration) -> str:
     """How well the calibrated robot predicts, and what to run next."""
     if c.refused:
         return sentence(c.refused[0])
-    lowest, sensor = _least(c)
+    lowest, _ = _least(c)
     logs = ", ".join(c.sources) or "the log"
     text = f"{c.robot.name} was fitted to {c.samples} rows of {logs}."
     if math.isfinite(lowest):
-        text += (
-            f" It predicts every sensor over half a second: R² at least {least(lowest)} ({sensor}); the target is 0.9."
-        )
-        text = text if lowest >= GOOD else text.replace("predicts every sensor", "predicts the sensors in part")
+        text += f" It predicts {'every sensor' if lowest >= GOOD else 'the sensors in part'} over half a second."
+    measured = [f"{spoken(e.name)} (± {cell_text(100 * _width(e), 2)} %)" for e in _groups(c)[0]]
+    text += f" Measured best: {joined(measured[:GIVEN])}." if measured else ""
     unknown = sum(e.verdict != VISIBLE for e in c.parameters)
+    text += f" {unknown} parameters keep what was known before." if unknown else ""
     return text + (" Next: `upright excite` plans a run that tells more parameters." if unknown else "")
 
 

@@ -13,6 +13,8 @@ from upright.fleet.tally import Cases, CaseSummary
 from upright.plotting import AXIS, legend, number
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict
+from upright.robots import PARAMETERS, Kit, Robot
+from upright.robots.kit import Battery, Motor
 from upright.tables import joined, spoken
 
 if TYPE_CHECKING:
@@ -31,9 +33,10 @@ def page_of(cases: Cases) -> Page:
     if not counted:
         return Page(f"{len(cases)} cases", sections, "This campaign does not keep who fell.", twin_note=False)
     fallen, all_of_them = sum(case.fell or 0 for case in counted), sum(case.n for case in counted)
+    verdict = falls_verdict(fallen, all_of_them, harder(cases.origins))
     return Page(
-        _title(cases, fallen / all_of_them), sections, _lead(cases), twin_note=False,
-        verdict=falls_verdict(fallen, all_of_them), picture=Figure(_claim(cases), _limited(cases)),
+        _title(cases, fallen / all_of_them), sections, _lead(cases), twin_note=False, verdict=verdict,
+        picture=Figure(_claim(cases), _limited(cases)),
         numbers=_numbers(cases, fallen, all_of_them),
     )  # fmt: skip
 
@@ -48,12 +51,44 @@ def _limited(cases: Cases) -> Drawing:
     return legend(drawing)
 
 
-def falls_verdict(fallen: int, all_of_them: int) -> Verdict:
-    """Green where none fell, red where more fall than a certificate allows."""
+def falls_verdict(fallen: int, all_of_them: int, harder: str = "") -> Verdict:
+    """Green where none fell, red where more fall than a certificate allows; amber where they were pushed `harder` than
+    a certificate pushes."""
     limit = f"{100 * MOST_FALLS:g} % that a certificate allows"
     few = clopper_pearson(fallen, all_of_them).value <= MOST_FALLS
+    if harder and not few:
+        return Verdict(f"{_percent(fallen / all_of_them)} fall: pushed harder than for a certificate", "warn")
     level = "good" if not fallen else "warn" if few else "bad"
     return Verdict(f"{'below' if few else 'above'} the {limit}", level)
+
+
+def robot_of(origin: Mapping[str, Any]) -> tuple[Robot, Kit] | None:
+    """The nominal robot of an origin and its motors and battery; None without a kit."""
+    kit, numbers = origin.get("kit"), origin.get("robot", {})
+    if not kit:
+        return None
+    robot = Robot(name=numbers["name"], drive=numbers["drive"], **{n: numbers[n] for n in PARAMETERS})
+    return robot, Kit(name=kit["name"], motor=Motor(**kit["motor"]), battery=Battery(**kit["battery"]),
+                      delay=kit["delay"])  # fmt: skip
+
+
+def harder(origins: Sequence[Mapping[str, Any]]) -> str:
+    """How much harder the hardest knock of these runs is than those of a certificate on the same robot, as a sentence
+    with a space before it; nothing where it is not harder."""
+    from upright.certify.checks import batteries, standard_pushes
+
+    def knock(origin: Mapping[str, Any]) -> float:
+        return max((abs(p.get("impulse") or 0.0) for p in origin.get("scenario", {}).get("push") or ()), default=0.0)
+
+    origin = max(origins, key=knock, default={})
+    known = robot_of(origin)
+    if not known or not knock(origin):
+        return ""
+    sizes = [[*standard_pushes(*known, volts).values()][-1].size for volts in batteries(*known) or (None,)]
+    if knock(origin) <= max(sizes):
+        return ""
+    ends = " to ".join(dict.fromkeys(number(size, 2) for size in sorted(sizes)))
+    return f" A certificate knocks {known[0].name} with {ends} N s; here it is {number(knock(origin), 2)} N s."
 
 
 def pushed(pushes: Sequence[Mapping[str, Any]] | None) -> str:
@@ -120,7 +155,7 @@ def _lead(cases: Cases) -> str:
     apart = {name for name, *_ in _apart(cases)}
     alike = [spoken(name) for name in cases.varied() if name not in apart]
     second = f" Which {joined(alike)} they have makes no clear difference to falls." if alike else ""
-    return f"{first}{_strongest(cases)}{second}{_next(cases)}"
+    return f"{first}{harder(cases.origins)}{_strongest(cases)}{second}{_next(cases)}"
 
 
 def _next(cases: Cases) -> str:

@@ -15,7 +15,7 @@ from upright.fleet.ensemble import SETTLED
 from upright.fleet.fleet import Fleet, distribution, stood
 from upright.fleet.results import OUTCOMES, Summary, origin_of, summarise
 from upright.plotting import AXIS, INK, bars, legend, line, number, panels
-from upright.report.campaign import falls_verdict, provenance, pushed, where
+from upright.report.campaign import falls_verdict, harder, provenance, pushed, where
 from upright.report.figure import Figure
 from upright.report.maps import basin_page, push_map_page
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
@@ -175,7 +175,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     after = "`upright push-map`, which finds the largest push, or `upright sweep`, which compares controllers"
     few = 0 < len(_varied(data)) <= FEW
     all_vary = "; `--vary spread` varies all numbers of the robot" if few else ""
-    lead = f"{_differ(data, robot)}{where(pushes)} Next: {after}{all_vary}."
+    lead = f"{_differ(data, robot)}{where(pushes)}{harder([origin_of(data)])} Next: {after}{all_vary}."
     bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %" if summary.fell else ""
     numbers = [
         (
@@ -212,7 +212,7 @@ def _varied(data: Dataset) -> list[str]:
 
 def _verdict(data: Dataset, summary: Summary) -> Verdict:
     """A certificate varies every number: where a few do, few falls are no green light."""
-    verdict = falls_verdict(summary.fell, summary.n)
+    verdict = falls_verdict(summary.fell, summary.n, harder([origin_of(data)]))
     names = _varied(data)
     if verdict.level == "bad" or len(names) > FEW:
         return verdict

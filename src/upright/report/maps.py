@@ -10,11 +10,9 @@ from numpy.typing import NDArray
 
 from upright.fleet.results import origin_of
 from upright.plotting import COLOURS, GRID, INK, RIGHT, colour_map, edges, legend, line, number, panels, round_levels
-from upright.report.campaign import provenance
+from upright.report.campaign import provenance, robot_of
 from upright.report.figure import Figure
 from upright.report.page import Page, Section, Verdict, cell_text
-from upright.robots import PARAMETERS, Kit, Robot
-from upright.robots.kit import Battery, Motor
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -333,13 +331,8 @@ def _savable(data: Dataset) -> float:
     infinite where the basin is not over pitch, or no kit is known."""
     from upright.control.reach import largest_pitch
 
-    origin = origin_of(data)
-    kit, numbers = origin.get("kit"), origin["robot"]
-    if not kit or str(data["recovered"].dims[0]) != "pitch":
-        return math.inf
-    robot = Robot(name=numbers["name"], drive=numbers["drive"], **{n: numbers[n] for n in PARAMETERS})
-    parts = Kit(name=kit["name"], motor=Motor(**kit["motor"]), battery=Battery(**kit["battery"]), delay=kit["delay"])
-    return largest_pitch(robot, parts)
+    known = robot_of(origin_of(data))
+    return largest_pitch(*known) if known and str(data["recovered"].dims[0]) == "pitch" else math.inf
 
 
 def _in_degrees(value: float, data: Dataset, name: str) -> str:

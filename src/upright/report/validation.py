@@ -77,12 +77,21 @@ def page_of(result: Validation) -> Page:
     title = (
         f"{result.robot} {result.verdict}{of} {logs}: R² of {_judged(result)} at least {least_of(worst.worst.r2, 4)}"
     )
-    lowest = "Measured, and predicted for half a second at a time, each from a fitted start"
+    half = f"Measured and predicted, half a second at a time: R² of {_each(worst)}"
     lead = _lead(result) if result.verdict == PREDICTS else f"{result.sentence}. {_lead(result)}"
     return Page(
         title, sections, lead, {"kit": result.kit, "logs": ", ".join(x.source for x in result.logs)},
-        False, verdict=verdict, picture=Figure(lowest, half_second_figure(worst)), numbers=_numbers(result),
+        False, verdict=verdict, picture=Figure(half, half_second_figure(worst), _STARTS), numbers=_numbers(result),
     )  # fmt: skip
+
+
+_STARTS = "Each half second starts from a state fitted to it, and gets only the logged commands."
+
+
+def _each(log: LogJudged) -> str:
+    """R² of each sensor that is judged."""
+    judged = [c for c in log.half_seconds if c.name in PREDICTED]
+    return ", ".join(f"{short(c.name)} {least_of(c.r2, 3)}" for c in sorted(judged, key=lambda c: c.r2))
 
 
 def _judged(result: Validation) -> str:
@@ -137,7 +146,9 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
         lowest = min(loops, key=lambda c: c.r2)
         if lowest.r2 < 0 and (first := _first(loops)):
             pushed = next((p for p in map(_pushed, judged) if p is not None), None)
-            followed = f"simulated freely, until the {short(first.name)} is lost: {_lost(loops, pushed)}"
+            followed = (
+                f"the whole run, simulated from its first row alone, follows the log: then {_lost(loops, pushed)}"
+            )
             numbers.append((f"{first.breaks:.2g} s", followed))
         else:
             whole = f"R² of the whole run from its first row alone ({short(lowest.name)})"
@@ -147,7 +158,7 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
         first = max(shifts, key=lambda s: s.explains)
         numbers.append((f"{first.name.replace('_', ' ')}", "is the parameter to doubt first"))
     elif len(numbers) < MOST:
-        numbers.append(("none", "of the parameters, moved alone, would explain what is left"))
+        numbers.append(("none", "of its parameters is to doubt: moving one alone would hardly help"))
     return numbers
 
 
