@@ -70,9 +70,9 @@ def _verdict(c: Calibration) -> Verdict:
 def _title(c: Calibration) -> str:
     if c.refused:
         return f"The log does not describe {c.robot.name}"
-    told, logs = sum(map(len, _groups(c))), "this log" if len(c.sources) < 2 else f"these {len(c.sources)} logs"
+    count, logs = sum(map(len, _groups(c))), "this log" if len(c.sources) < 2 else f"these {len(c.sources)} logs"
     predicts = "predicts" if _least(c)[0] >= GOOD else "predicts in part"
-    tell = f"{'it tells' if len(c.sources) < 2 else 'they tell'} {told or 'none'} of {len(c.parameters)} parameters"
+    tell = f"{'it tells' if len(c.sources) < 2 else 'they tell'} {count or 'none'} of {len(c.parameters)} parameters"
     return f"{c.robot.name}, calibrated, {predicts} {logs}; {tell}"
 
 
@@ -118,8 +118,8 @@ def _numbers(c: Calibration) -> list[tuple[str, str]]:
                         f"unstable pole (95 % interval {within}): a lean doubles every {doubles} ms"))  # fmt: skip
     kinds = [f"{len(measured)} measured to ± {100 * CLOSE:g} % or better" if measured else ""]
     kinds += [f"{len(bounded) + len(rough)} bounded" if bounded or rough else ""]
-    told = f"parameters that the log tells: {', '.join(filter(None, kinds)) or 'none'}"
-    return [*numbers, (f"{sum(map(len, _groups(c)))} of {len(c.parameters)}", told)]
+    words = f"parameters that the log tells: {', '.join(filter(None, kinds)) or 'none'}"
+    return [*numbers, (f"{sum(map(len, _groups(c)))} of {len(c.parameters)}", words)]
 
 
 def _whole(text: str) -> str:
