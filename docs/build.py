@@ -16,6 +16,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from html import escape
 from pathlib import Path
+from typing import Any
 
 from nbformat import NotebookNode
 from sphinx.cmd.build import build_main
@@ -27,7 +28,8 @@ import build as notebooks  # noqa: E402
 
 PARTS = {
     "Start": ("start", "first-robot", "lab"),
-    "Course": ("notebooks/index", "lesson.en", "lesson.es", "worksheet.en", "worksheet.es"),
+    "Course": ("notebooks/index", "lesson.en", "worksheet.en"),
+    "En español": ("index.es", "lesson.es", "worksheet.es"),
     "How to": ("how-to", "add-a-robot", "add-a-body", "add-a-controller", "examples/index"),
     "Concepts": (
         "model", "twin", "logs", "calibrate", "identify", "excite", "tune", "certificate", "post-mortem", "fleet",
@@ -135,7 +137,8 @@ def _switched(page: Path, text: str) -> str:
     if language not in SWITCH:
         return text
     (other,) = SWITCH.keys() - {language}
-    return re.sub(r"\A(# .+\n\n\*.+\*\n)", rf"\1\n[{SWITCH[language]}]({name}.{other}.md)\n", text)
+    there = f"{name}.{other}.md" if page.with_name(f"{name}.{other}.md").exists() else f"{name}.md"
+    return re.sub(r"\A(# .+\n\n\*.+\*\n)", rf"\1\n[{SWITCH[language]}]({there})\n", text)
 
 
 def _texts(source: Path) -> list[str]:
@@ -226,9 +229,12 @@ def _gallery(page: Path) -> None:
     def drawn(fence: re.Match[str]) -> str:
         names.pop("figure", None)
         exec(compile(fence[1], "gallery.md", "exec"), names)
-        figure = names["figure"]
+        figure: Any = names["figure"]
+        for key, ax in [(key, ax) for ax in figure.axes if (key := ax.get_legend())]:
+            key.set_loc("upper left")  # beside the panel, over no line
+            key.set_bbox_to_anchor((1.0, 1.0), ax.transAxes)
         path = f"gallery-{next(count)}.svg"
-        figure.savefig(page.with_name(path))  # type: ignore[attr-defined]
+        figure.savefig(page.with_name(path), bbox_inches="tight")
         return f"![What the example below draws]({path})\n\n{fence[0]}"
 
     _write(page, FENCE.sub(drawn, page.read_text("utf-8")))

@@ -873,6 +873,22 @@ def test_a_calibration_that_is_done_is_no_red_toast(page):
     assert "error" not in toast.get_attribute("class")
 
 
+def test_a_job_says_what_it_computes_and_how_long_it_still_takes(page):
+    """A third of what is left was done in 1.2 s or more: two thirds take at least twice as long, and not a minute."""
+    tab(page, "Identify")
+    tell = "upright.store.hear({{kind: 'Progress', job: 'calibrate', fraction: {}}})"
+    page.evaluate(tell.format(0))
+    assert "one at a time" in page.inner_text(".bar")
+    page.evaluate(tell.format(0.1))
+    page.wait_for_timeout(1200)
+    page.evaluate(tell.format(0.4))
+    found = re.search(r"40 % · about (\d+) s left\s+The parameters", page.inner_text(".bar"))
+    assert found
+    assert 2.4 <= int(found[1]) < 60
+    page.evaluate(tell.format(1))
+    assert page.locator(".bar").count() == 0
+
+
 ENGLISH = (
     r"\b(the|of|and|with|from|is|are|to|in|at|by|under|this|that|more|delay|gain|pitch|wheel|body|mass|survives)\b"
 )

@@ -308,7 +308,7 @@ def legend(figure: Figure) -> Figure:
     for ax in figure.axes:
         names = set(ax.get_legend_handles_labels()[1])
         if names - known and len(names | known) > 1:
-            ax.legend(loc="upper right")
+            ax.legend(loc="best")
         known |= names
     return figure
 

@@ -129,13 +129,13 @@ def calibrate(
     straight = drives_straight(stated)
     held = (*(INERTIAL if reason else ()), *(TURNING if straight else ()))
     problem = replace(problem, held=frozenset(p.name for p in problem.parameters if p.name in held))
-    show(0.05)
+    show(0.01)  # these shares are of the time that logs of half a minute took
     problem, z = annealed(problem, limits)
-    show(0.4)
+    show(0.04)
     problem, z, normal, paths = refined(problem, z, limits)
     if not np.isfinite(normal.objective):
         raise _lost()
-    show(0.8)
+    show(0.77)
     wrong = [text for log in several for text in contradictions(log)]
     result = summarised(Fitted(problem, z, normal, paths), several, reason, began, stated=stated, wrong=wrong)
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)

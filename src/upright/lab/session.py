@@ -384,7 +384,7 @@ class Session:
         if job == "robot":
             return self._read(result)
         name = Path(result).name
-        return [Made(name.rpartition(".")[2], name, name)]
+        return [Made(name.rpartition(".")[2], name, name), Progress(job, 1.0)]  # type: ignore[arg-type]
 
     def _analysed(self, controller: Controller | None, analysis: Analysed) -> list[Any]:
         if controller is None:

@@ -322,7 +322,7 @@ class Page {
   private lamp(): void {
     const light = lamplight();
     if (store.recorded && (store.lit?.light ?? "none") === "none") return replace(this.light);
-    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, certificate()[1].textContent ?? ""));
+    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, certificate()[1]?.textContent ?? ""));
   }
 
   private recovered(impulse: number, best: number, fell: boolean): void {

@@ -3,6 +3,7 @@ import { button, digits, fresh, h, plainNumbers, replace, select, slider, table,
 import type { Slider } from "./dom";
 import type { BodyName, Job, Keep, Setup } from "./messages";
 import { exported } from "./exported";
+import { JobBar } from "./job_bar";
 import { address } from "./opening";
 import { session } from "./remember";
 import { LEAN, STATES, SYMBOLS, UNITS, store } from "./store";
@@ -33,12 +34,11 @@ export class ControllerPanel extends Panel {
   private light = h("div", { className: "light", role: "status" });
   private sliders: Slider[] = [];
   private shape = "";
-  private share = h("progress", { max: 1, hidden: true });
-  private percent = h("span", { className: "note" });
+  private bar: JobBar | null = null;
+  private working = h("div", {});
 
   build(): void {
     this.shape = "";
-    this.share.ariaLabel = t("fullCertificate");
     const families = (store.catalogue?.families ?? []).map((f): [string, string] => [f.name, named(f.name)]);
     const choice = select(t("family"), families, store.setup.controller, (v) => {
       store.change({ controller: v, gains: v === "gains" ? this.present() : store.setup.gains });
@@ -50,7 +50,7 @@ export class ControllerPanel extends Panel {
       h("div", { className: "column" }, choice, this.weights),
       h("div", { className: "column full" }, this.gain),
       h("div", { className: exported ? "column full" : "column" }, this.numbers),
-      exported ? null : h("div", { className: "column" }, this.light, certify, h("div", { className: "share" }, this.share, this.percent)),
+      exported ? null : h("div", { className: "column" }, this.light, certify, this.working),
     );
     this.update();
   }
@@ -58,9 +58,11 @@ export class ControllerPanel extends Panel {
   /** How far the full certificate is. */
   certifying(share: number): void {
     this.root.querySelector("[data-key=certify]")?.toggleAttribute("aria-busy", share < 1);
-    this.share.value = share;
-    this.share.hidden = share >= 1;
-    this.percent.textContent = share < 1 ? `${(100 * share).toFixed(0)} %` : "";
+    if (share >= 1 && !this.bar) return;
+    this.bar ??= new JobBar("certify");
+    this.bar.to(share);
+    replace(this.working, share < 1 ? this.bar.root : null);
+    if (share >= 1) this.bar = null;
   }
 
   /** The gains of the present controller; none where it has none, and the session begins with the regulator's. */
@@ -133,7 +135,7 @@ export class ControllerPanel extends Panel {
   private analysis(): Node[] {
     const a = store.analysed;
     if (store.setup.controller === "off") return [h("p", { className: "note" }, t("noLoop"))];
-    if (!a) return [h("p", { className: "note" }, t("designing"))];
+    if (!a) return [h("p", { className: "note" }, t("designing") + (store.setup.controller === "robust" ? " " + t("robustTakes") : ""))];
     const parts: Node[] = [];
     const range = (low: number | null, high: number | null) => `${low === null ? "0" : digits(low, 2)} … ${high === null ? "∞" : digits(high, 3)}`;
     const rows = [
@@ -158,7 +160,7 @@ export function lamplight(): "green" | "amber" | "red" | "none" {
   return store.setup.controller === "off" ? "red" : (store.lit?.light ?? "none");
 }
 
-export function certificate(): Node[] {
+export function certificate(): (Node | null)[] {
   const off = store.setup.controller === "off";
   const lit = off ? null : store.lit;
   const light = lamplight();
@@ -166,6 +168,7 @@ export function certificate(): Node[] {
   const lamp = h("span", { className: `lamp ${light}`, "aria-hidden": "true" });
   return [
     h("h4", {}, t("certificate")), h("p", { className: "lit" }, lamp, h("b", {}, words + changedRobot())),
+    light === "none" && !lit?.reasons.length ? h("p", { className: "note" }, t("lightNote")) : null,
     ...(lit?.reasons ?? []).map((reason) => h("p", { className: "note" }, sentence(translate(reason)))),
   ];
 }
@@ -308,7 +311,7 @@ export class IdentifyPanel extends Panel {
   private bars = h("div", { className: "bars" });
   private result = h("div", { className: "result", role: "region", "aria-live": "polite" });
   private shares = new Map<Job, number>();
-  private running = new Map<Job, { root: HTMLElement; done: HTMLProgressElement }>();
+  private running = new Map<Job, JobBar>();
   private source = "";
 
   constructor() {
@@ -346,20 +349,13 @@ export class IdentifyPanel extends Panel {
   progress(job: Job, share: number): void {
     if (share >= 1) this.shares.delete(job);
     else this.shares.set(job, share);
-    for (const [name, bar] of this.running) if (!this.shares.has(name)) this.running.delete(name) && bar.root.remove();
-    for (const [name, done] of this.shares) if (name !== "design") this.bar(name).value = done;
-  }
-
-  /** The bar of a job, which stays where it is: who presses Stop presses it on one and the same button. */
-  private bar(job: Job): HTMLProgressElement {
-    const there = this.running.get(job);
-    if (there) return there.done;
-    const label = job.startsWith("keep ") ? t("writing") : named(job);
-    const done = h("progress", { max: 1, "aria-label": label });
-    const root = h("div", { className: "bar" }, h("span", {}, label), done, button(t("stop"), () => store.send({ kind: "Cancel", job }), { "data-key": `stop-${job}` }));
-    this.running.set(job, { root, done });
-    this.bars.append(root);
-    return done;
+    if (job === "design") return;
+    const bar = this.running.get(job) ?? new JobBar(job);
+    bar.to(share);
+    if (share >= 1) bar.root.remove();
+    else if (!this.running.has(job)) this.bars.append(bar.root); // it stays where it is: so does its Stop
+    if (share >= 1) this.running.delete(job);
+    else this.running.set(job, bar);
   }
 
   found(): void {
