@@ -22,9 +22,9 @@ from upright.calibrate.knocks import unpushed, without_knocks
 from upright.certify.agreement import LARGER, RED, Agreement, agreement
 from upright.certify.certificate import Certificate, certify
 from upright.certify.checks import Course, kernel_controller
-from upright.certify.learnt import calibrated
-from upright.certify.logged import as_sent, loaded
-from upright.certify.support import Support, supported
+from upright.certify.learnt import _weighed, calibrated
+from upright.certify.logged import Logged, as_sent, loaded
+from upright.certify.support import LOAD_KNOWN, Support, supported
 from upright.certify.taking import as_logged, doubted
 from upright.certify.verdict import GREEN
 from upright.control import Controller, make_controller
@@ -265,3 +265,12 @@ def test_half_the_mass_is_taken_over_or_doubted_where_the_file_knows_the_robot_b
     doubt = doubted(log, met, {s.name for s in taken})
     numbers = {s.name: s.value for s in (*taken, *([doubt[1]] if doubt else []))}
     assert numbers["body's mass"] == pytest.approx(0.24, rel=0.5)  # the likeliest is 1.0 to 1.5 times a lighter body's
+
+
+def test_a_body_as_heavy_as_the_log_shows_keeps_its_source_and_is_known_as_well_as_that() -> None:
+    """Without a source it would be a guess, within a factor of two, and a short log moves a guess far."""
+    light = dataclasses.replace(course(), logged=dataclasses.replace(Logged.alone(KIT), load=0.5))
+    known = _weighed(light)
+    assert known.body_mass == pytest.approx(0.5 * ROBOT.body_mass)
+    assert known.provenance["body_mass"].spread == pytest.approx(LOAD_KNOWN * known.body_mass)
+    assert known.provenance["wheel_mass"] == ROBOT.provenance["wheel_mass"]

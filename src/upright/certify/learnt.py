@@ -69,8 +69,9 @@ def _weighed(met: Course) -> Robot:
     robot = met.met_robot
     if robot is met.robot:
         return robot
-    known = {name: replace(source, spread=max(source.spread or 0.0, LOAD_KNOWN * getattr(robot, name)))
-             for name, source in robot.provenance.items() if name in LOADED and source.spread is not None}  # fmt: skip
+    stated = {name: source for name, source in met.robot.provenance.items() if name in LOADED}
+    known = {name: replace(source, spread=max(source.spread, LOAD_KNOWN * getattr(robot, name)))
+             for name, source in stated.items() if source.spread is not None}  # fmt: skip
     return robot.replace(provenance={**robot.provenance, **known})
 
 
