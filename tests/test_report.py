@@ -16,13 +16,28 @@ import pytest
 from xarray import Dataset
 
 from upright.comparison import compare
+from upright.comparison.bench import Bench, BenchRow
 from upright.decimate import decimate
 from upright.errors import InvalidLog, UnknownName, UprightError
 from upright.experiment.pushes import Impulse
 from upright.fleet.binomial import clopper_pearson
 from upright.fleet.fleet import ensemble_of
 from upright.fleet.tally import Cases, CaseSummary, Moments
-from upright.plotting import COLOURS, legend, line, number, numbered, panels, plane, points, span
+from upright.plotting import (
+    BESIDE,
+    COLOURS,
+    RIGHT,
+    WIDTH,
+    legend,
+    line,
+    number,
+    numbered,
+    panels,
+    plane,
+    points,
+    rows_of,
+    span,
+)
 from upright.report import PAGES, Figure, Formula, Page, Section, Table, Verdict, page_of, report
 from upright.report.campaign import falls_verdict, harder
 from upright.report.page import cell_text
@@ -123,6 +138,18 @@ def test_pages_are_well_formed_and_their_links_lead_to_ids_that_exist_once(compa
 def test_the_key_names_the_unit_circle_by_a_dotted_line():
     (entry,) = [entry for entry in Figure("Poles", circle([0.9 + 0.1j])).key() if "unit circle" in entry.name]
     assert 'stroke-dasharray="2 3"' in entry.sample
+
+
+def test_a_phone_shows_letters_beside_a_row_above_it_and_leaves_the_drawing_as_it_was():
+    drawing, ax = rows_of(["a", "b"], "pole [1/s]", "method")
+    beside = ax.annotate("7.4 to 7.6", (1, 0), (8, 0), xycoords=ax.get_yaxis_transform(), textcoords="offset points")
+    beside.set_gid(BESIDE)
+    figure = Figure("Poles", drawing)
+    wide, narrow = figure.svg(), figure.narrow()
+    across = [float(re.findall(r'x="([\d.]+)"[^>]*>7.4 to', svg)[0]) for svg in (wide, narrow)]
+    assert across[0] > 72 * (WIDTH - RIGHT)  # right of the panel, 72 units an inch
+    assert across[1] < 72 * 1.0  # at its left end
+    assert figure.svg() == wide
 
 
 def test_pages_fetch_nothing(comparison):
@@ -381,6 +408,20 @@ def test_a_knock_harder_than_a_certificates_is_said_and_no_red_light():
     assert harder([fleets[0.24]]) == ""
     assert harder(list(fleets.values())) == " A certificate knocks nxtway-gs with 0.19 to 0.24 N s; here it is 0.3 N s."
     assert [falls_verdict(30, 100, words).level for words in ("", "harder")] == ["bad", "warn"]
+
+
+def test_a_bench_takes_of_tied_controllers_the_one_with_the_least_effort():
+    """a and b are within the 3 % of a place, c is not; the worse side counts: 0.29 N s of a, 0.295 N s of b."""
+    rows = [
+        BenchRow(controller=name, push=push, outcome="yes", peak=0.1, effort=effort, impulse=size, spread=falls)
+        for name, effort, size, falls in (("a", 5.0, 0.29, 0.01), ("b", 9.0, 0.295, 0.0), ("c", 1.0, 0.2, 0.0))
+        for push in ("front, 0.1 rad", "back, -0.12 rad")
+    ]
+    logs = {(row.controller, row.push): run() for row in rows}
+    page = page_of(Bench(robot="r", kit="k", body="twin", seed=0, rows=tuple(rows), logs=logs))
+    assert page.verdict == Verdict("take a; 3 of 3 hold the robot", "good")
+    assert [value for value, _ in page.numbers] == ["0.29 N s", "1 %", "5 V² s"]
+    assert page.numbers[2][1] == "effort of a; of all 1 (c) to 9 (b)"
 
 
 def test_a_run_that_dwarfs_the_reference_is_cut_and_named():

@@ -56,7 +56,7 @@ PANEL, HEAD, FOOT = 1.85, 0.42, 0.55
 SCREEN, LEAST = 4.7, 0.7  # [inches] of all panels that a screen shows below a title, and of one panel at least
 CIRCLE = "unit circle: inside it a motion fades"
 BELOW: dict[str, Any] = {"linewidth": 4.0, "alpha": 0.35}
-WIDE_ONLY = "wide-only"  # the id of letters right of a panel that a phone has no room for; its table has them
+BESIDE = "beside"  # the id of letters right of a row; a phone shows them above it
 MANY = 12  # rows of names: more are closer together
 COLUMNS = 1000  # of a line that is thinned: two for each column of pixels at the width of a page
 

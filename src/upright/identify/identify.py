@@ -91,7 +91,7 @@ class MethodComparison(Shown):
 
 def _beside(ax: Axes, poles: Sequence[Pole]) -> None:
     """The numbers of each interval in a column on the right, since a short one hides under its mark."""
-    from upright.plotting import WIDE_ONLY, WIDTH
+    from upright.plotting import BESIDE, WIDTH
 
     box = ax.get_position()
     left, above = ax.yaxis.label.get_position()
@@ -102,7 +102,7 @@ def _beside(ax: Axes, poles: Sequence[Pole]) -> None:
             text = f"{p.low:.3g} to {p.high:.3g}".replace("-", "−")
             beside = ax.annotate(text, (1, row), (8, 0), xycoords=ax.get_yaxis_transform(), textcoords="offset points",
                                  va="center")  # fmt: skip
-            beside.set_gid(WIDE_ONLY)
+            beside.set_gid(BESIDE)
 
 
 COLUMN = 1.2  # [inches] for the numbers of an interval

@@ -19,22 +19,17 @@ def page_of(bench: Bench) -> Page:
     ranked = bench.ranked()
     held = [name for name in ranked if all(row.holds for row in bench.rows if row.controller == name)]
     best, largest = next(iter(ranked.items()), ("", math.nan))
-    verdict = Verdict(f"{len(held)} of {len(ranked)} hold the nominal robot", "good" if held else "warn")
     knocked = not math.isnan(largest)
     places = bench.places()
     firsts = [name for name, place in places.items() if place == 1]
+    take = min(
+        (name for name in firsts if name in held), key=lambda name: _worse(bench, name, "effort") or 0.0, default=""
+    )
+    held_by = f"{len(held)} of {len(ranked)} hold the robot"
+    verdict = Verdict(f"take {take}; {held_by}" if take and knocked else held_by, "good" if held else "warn")
     ties = f"the best {len(firsts)}, in green, tie" if len(firsts) > 1 else f"{best}, in green, is the best"
     title = f"Largest knock that each controller survives: {ties}"
-    last, least = list(ranked.items())[-1] if ranked else ("", math.nan)
-    numbers = [
-        (f"{cell_text(size, 2)} N s", f"largest knock survived by {name}")
-        for name, size in ((best, largest), (last, least))
-    ]
-    if knocked and best != last:
-        numbers = [(size, f"{words}, the {end}") for (size, words), end in zip(numbers, ("most", "least"), strict=True)]
-        numbers.append(
-            (f"{number(100 * TOLERANCE, 2)} %", "resolution of the search: closer controllers share a place")
-        )
+    numbers = _numbers(bench, take or best) if knocked else []
     facts = {"robot": bench.robot, "kit": bench.kit, "body": bench.body, "seed": str(bench.seed)}
     full = [*tables(bench), *_unsettled(bench)]
     sections = [Section("Tables", [_summary(bench), Details("Numbers under each push", full)])]
@@ -43,13 +38,42 @@ def page_of(bench: Bench) -> Page:
     who = f"{joined(firsts)} survive" if 1 < len(firsts) <= FEW else f"{best} survives"
     heading = f"{who} the largest knock on {bench.robot}" if knocked else f"Controllers of {bench.robot}"
     lead = f"{len(ranked)} controllers on a {bench.body} of {bench.robot} with kit {bench.kit}: knocked ever "
-    lead += "harder, and held at a lean until 3 s. Next: `upright certify` the best one with slightly different robots."
+    lead += "harder, and held at a lean until 3 s."
+    lead += f" {take} is in the first place with the least effort." if take and len(firsts) > 1 else ""
+    lead += f" Next: `upright certify` {take or 'the best one'} with slightly different robots."
     return Page(
         heading, sections, lead, facts,
         bench.body == "twin", verdict=verdict,
         picture=Figure(title, bench.plot(), _SMALLER) if knocked else responses(bench),
-        numbers=numbers if knocked else (),
+        numbers=numbers,
     )  # fmt: skip
+
+
+def _worse(bench: Bench, name: str, what: str) -> float | None:
+    """A number of a controller under the worse push."""
+    return max(
+        (x for row in bench.rows if row.controller == name and (x := getattr(row, what)) is not None), default=None
+    )
+
+
+def _numbers(bench: Bench, name: str) -> list[tuple[str, str]]:
+    """The knock that this controller survives, its falls over the spreads and its effort, beside the others."""
+    knocks = {n: size for n, size in bench.ranked().items() if not math.isnan(size)}
+    efforts = {n: effort for n in knocks if (effort := _worse(bench, n, "effort")) is not None}
+    (last, least), falls = list(knocks.items())[-1], _worse(bench, name, "spread")
+    others = f"; the least: {cell_text(least, 2)} ({last})" if last != name else ""
+    numbers = [(f"{cell_text(knocks[name], 2)} N s", f"largest knock survived by {name}{others}")]
+    if falls is not None:
+        numbers.append(
+            (f"{cell_text(100 * falls, 2)} %", f"of {DRAWN} similar robots fall under {name}, held and let go")
+        )
+    if name in efforts:
+        ends = (
+            f"{cell_text(efforts[n], 2)} ({n})" for n in (pick(efforts, key=efforts.__getitem__) for pick in (min, max))
+        )
+        unit = _effort_unit(bench)
+        numbers.append((f"{cell_text(efforts[name], 2)} {unit}", f"effort of {name}; of all {' to '.join(ends)}"))
+    return numbers
 
 
 _SMALLER = (

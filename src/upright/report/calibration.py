@@ -323,6 +323,8 @@ def _predicted(c: Calibration) -> list[Item]:
         line(ax, _plain(name), [float(h) for h in c.fits], [fits[name] for fits in c.fits.values()])
     for drawn in ax.lines:
         drawn.set(marker="o", markersize=4)
+    ax.set_xticks([float(h) for h in c.fits], list(map(str, c.fits)))
+    ax.minorticks_off()
     ax.set_ylim(0, 100)
     tables.append(Figure(f"Fit of each sensor, {_ahead(str(list(c.fits)[-1]))} ahead and less", legend(figure)))
     return tables

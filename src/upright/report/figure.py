@@ -29,6 +29,7 @@ from upright import plotting
 UNIT = 72  # a drawing has 72 units for an inch of matplotlib's
 NARROW = 4.0  # [inches] of a drawing for phones: its letters of 9 pt are 11 px high on a screen of 390 px
 SHARP = 216  # dots for an inch of a map, so that its borders are no stairs
+ABOVE = 0.14  # [inches] that a row is higher on a phone, for letters that stood right of it
 SCALE, SQUARE = 0.5, 3.0  # [inches]: a scale of colours is narrower, a plane or a map higher
 
 _VARIABLES = {colour: f"var(--c{k})" for k, colour in enumerate(plotting.COLOURS)} | {
@@ -128,20 +129,22 @@ class Figure:
 def _narrowed(drawing: mpl.Figure) -> Generator[None]:
     """The same drawing for a phone, `NARROW` inches wide: its letters keep their size, its panels lose width.
 
-    What is as high as wide loses height too, a scale of colours only moves, letters right of a panel go.
+    What is as high as wide loses height too, a scale of colours only moves, letters right of a row stand above it.
     """
     width, height = drawing.get_size_inches()
     less = max(width - NARROW, 0.0)
     boxes = {ax: ax.get_position() for ax in drawing.axes}
     labels = {ax: ax.yaxis.label.get_position() for ax in drawing.axes}
-    beside = [text for ax in drawing.axes for text in ax.texts if text.get_gid() == plotting.WIDE_ONLY]
+    beside: list[Any] = [text for ax in drawing.axes for text in ax.texts if text.get_gid() == plotting.BESIDE]
     square = any(
         box.height * height > SQUARE and abs(box.height * height - box.width * width) < 0.2 for box in boxes.values()
     )
-    lower = less if square else 0.0
+    lower = less if square else -ABOVE * len(beside)
     drawing.set_size_inches(width - less, height - lower)
+    places = [(text.xy, text.xyann, text.get_va()) for text in beside]
     for text in beside:
-        text.set_visible(False)
+        text.xy, text.xyann = (0, text.xy[1]), (2, 4)
+        text.set_va("bottom")
     for ax, box in boxes.items():
         across = less if box.width * width > SCALE else 0.0
         left = box.x0 * width - (less - across)
@@ -155,8 +158,9 @@ def _narrowed(drawing: mpl.Figure) -> Generator[None]:
         x, y = labels[ax]
         ax.yaxis.set_label_coords(x * box.width * width / inside[0], 1 + (y - 1) * box.height * height / inside[1])
     yield
-    for text in beside:
-        text.set_visible(True)
+    for text, (xy, offset, side) in zip(beside, places, strict=True):
+        text.xy, text.xyann = xy, offset
+        text.set_va(side)
     drawing.set_size_inches(width, height)
     for ax, box in boxes.items():
         ax.set_position(box)

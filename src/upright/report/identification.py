@@ -278,6 +278,8 @@ def _predictions(compared: MethodComparison) -> list[Item]:
         ax.set_ylim(0, 100)
         for drawn in ax.lines:
             drawn.set(marker="o", markersize=4)
+    axes[-1].set_xticks([float(h) for h in horizons], horizons)
+    axes[-1].minorticks_off()
     note = "The lines join what was computed, at the marks. Skills below 0 are not drawn; the tables have them."
     drawing = Figure("Predictions of the held-out part", legend(figure), note)
     tables = [
