@@ -35,7 +35,7 @@ from upright.lab.printed import linear_plant, printed_law, printed_robot, readin
 from upright.lab.rerun import rerun
 from upright.lab.tasks import analysed
 from upright.robots import Kit, Robot, Sensor
-from upright.signals import STATE_NAMES
+from upright.signals import STATE_NAMES, Log
 
 WEB = Path(__file__).resolve().parents[1] / "src" / "upright" / "lab" / "web"
 SIMULATOR = WEB / "src" / "simulator.js"
@@ -520,6 +520,21 @@ def test_what_a_student_hands_in_is_run_again(page, tmp_path, setup, lean):
     assert (replayed.fell, replayed.seconds, replayed.best) == (False, done.claimed.seconds, done.claimed.best)
     assert (replayed.peak, replayed.travel) == pytest.approx((done.claimed.peak, done.claimed.travel), rel=1e-4)
     assert grade_file(tmp_path / "hand-in.json").verdict == "ok"
+
+
+@marked
+def test_the_traces_are_kept_as_a_log_that_upright_reads(page, tmp_path):
+    send(page, kind="Play", paused=True, speed=1)
+    send(page, kind="StandUp", pitch=0.05)
+    send(page, kind="Step", periods=100)
+    page.click("#tab-Keep")
+    with page.expect_download() as saved:
+        page.click("[data-key=keep-csv]")
+    saved.value.save_as(tmp_path / "run.csv")
+    log = Log.load(tmp_path / "run.csv")
+    assert log["truth/pitch"][-1] == page.evaluate("upright.store.snapshot.x[0][0]")
+    assert log.t[-1] == page.evaluate("upright.store.snapshot.t")
+    assert (log.units["truth/yaw_rate"], log.units["applied/left"]) == ("rad/s", "V")
 
 
 @marked

@@ -9,7 +9,7 @@ import { analysed, shown } from "./margins";
 import type { Plant } from "./margins";
 import { Loop, combined, linearMotion } from "./simulator";
 import type { Kit, Law, Motion, Push } from "./simulator";
-import { store } from "./store";
+import { STATES, UNITS, store } from "./store";
 
 export interface Controller {
   kind: string;
@@ -166,7 +166,7 @@ export class LocalSession {
       case "Step": this.stepped(message.periods); break;
       case "Scrub": [this.paused, this.back] = [true, message.back]; break;
       case "StandUp": this.stand(message.pitch); break;
-      case "Save": this.handIn(message.name); break;
+      case "Save": message.what === "csv" ? this.keepTraces() : this.handIn(message.name); break;
       default: return;
     }
     if (message.kind === "Drag" || message.kind === "Strike" || message.kind === "Steer") this.recorder.note(message, this.t);
@@ -274,6 +274,19 @@ export class LocalSession {
     if (!text) return store.hear({ kind: "Notice", level: "error", text: "", key: facts.setup ? "noRun" : "noReplay" });
     const url = URL.createObjectURL(new Blob([text], { type: "application/json" }));
     store.hear({ kind: "Made", what: "json", name: "hand-in.json", url });
+  }
+
+  /** The traces of the first body, as a log that upright reads. */
+  private keepTraces(): void {
+    const { t, x, volts } = store.traces;
+    const unit = this.facts.look.command_unit;
+    const columns: [string, string, number[]][] = STATES.map((name, i) => [`truth/${name}`, UNITS[i], x[0][i]]);
+    columns.push(["applied/left", unit, volts[0]], ["applied/right", unit, volts[1]]);
+    const origin = { robot: { name: this.setup.robot }, controller: { kind: this.controller?.kind ?? OFF }, body: { kind: "nonlinear model, in a page", real: false } };
+    const head = JSON.stringify({ units: Object.fromEntries(columns.map(([name, u]) => [name, u])), origin });
+    const rows = t.map((time, k) => [time, ...columns.map(([, , values]) => values[k])].join());
+    const text = [`# upright-log: ${head}`, ["t", ...columns.map(([name]) => name)].join(), ...rows].join("\n") + "\n";
+    store.hear({ kind: "Made", what: "csv", name: "run.csv", url: URL.createObjectURL(new Blob([text], { type: "text/csv" })) });
   }
 
   private strike(what: string, size: number): void {

@@ -376,9 +376,12 @@ export class KeepPanel extends Panel {
     super();
   }
 
-  /** Without Python there is nothing to keep but the picture and the hand-in. */
+  /** Without Python there are the traces, the picture and the hand-in to keep. */
   buildExported(): void {
-    replace(this.root, h("div", { className: "column wide" }, h("p", { className: "note" }, t("handInNote")), this.handIn(), h("div", { className: "row" }, this.pictureButton()), this.links));
+    const csv = button(t("csv"), () => store.send({ kind: "Save", what: "csv", name: "" }), { "data-key": "keep-csv" });
+    replace(this.root, h("div", { className: "column wide" },
+      h("p", { className: "note" }, t("csvNote")), h("div", { className: "row" }, csv, this.pictureButton()),
+      h("p", { className: "note" }, t("handInNote")), this.handIn(), this.links));
   }
 
   build(): void {
