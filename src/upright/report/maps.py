@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.fleet.results import origin_of
-from upright.plotting import COLOURS, GRID, INK, RIGHT, colour_map, edges, legend, line, number, panels, round_levels
+from upright.plotting import COLOURS, GRID, INK, RIGHT, colour_map, legend, line, number, panels, round_levels
 from upright.report.campaign import provenance, robot_of
 from upright.report.figure import Figure
 from upright.report.page import Page, Section, Verdict, cell_text
@@ -223,7 +223,7 @@ def _zoom(ax: Axes, x: Array, y: Array, recovered: Array) -> None:
         inside = values[some > 0]
         if len(inside) > 1:
             room = 0.5 * float(np.ptp(inside))
-            low, high = edges(values)
+            low, high = float(values[0]), float(values[-1])
             limit(max(low, float(inside.min()) - room), min(high, float(inside.max()) + room))
 
 
@@ -295,7 +295,7 @@ def basin_page(data: Dataset) -> Page:
     title = f"{who} from a {words} of {held}" if known else f"{name} recovers from {percent} of these states"
     kind = (origin.get("controller") or {}).get("kind", "")
     lead = (
-        f"It recovers if it still stands {origin['scenario']['seconds']:g} s later"
+        f"{'It' if _several(data) == 1 else 'A robot'} recovers if it still stands {origin['scenario']['seconds']:g} s later"
         f"{f', under {kind}' if kind else ''}. "
         "All other states are zero at the start. "
         "Next: `upright push-map`, which asks for pushes instead."
