@@ -295,8 +295,8 @@ def basin_page(data: Dataset) -> Page:
     title = f"{who} from a {words} of {held}" if known else f"{name} recovers from {percent} of these states"
     kind = (origin.get("controller") or {}).get("kind", "")
     lead = (
-        f"{'It' if _several(data) == 1 else 'A robot'} recovers if it still stands {origin['scenario']['seconds']:g} s later"
-        f"{f', under {kind}' if kind else ''}. "
+        f"{'It' if _several(data) == 1 else 'A robot'} recovers if it still stands {origin['scenario']['seconds']:g} s "
+        f"later{f', under {kind}' if kind else ''}. "
         "All other states are zero at the start. "
         "Next: `upright push-map`, which asks for pushes instead."
     )
