@@ -19,6 +19,7 @@ import postmortem as bench
 import postmortem_open as open_bench
 
 from upright.bodies import Electronics
+from upright.bodies.electronics import drive
 from upright.bodies.twin import Twin
 from upright.calibrate.filter_log import one_step_noise
 from upright.cli.main import main
@@ -28,7 +29,8 @@ from upright.diagnose import PostMortem, post_mortem
 from upright.diagnose.causes import CANNOT_TELL, CAUSES, DEAD, NO_FALL, NONE, REVERSED, SATURATION, SCALED
 from upright.diagnose.fall import stuck_sensor
 from upright.diagnose.fault_fits import fits
-from upright.diagnose.innovations import follow
+from upright.diagnose.innovations import driven, follow
+from upright.diagnose.remedy import Window, remedied, searched
 from upright.diagnose.signatures import bank
 from upright.errors import InvalidLog, InvalidRobot
 from upright.experiment import Drive, Impulse, Push, run
@@ -201,6 +203,35 @@ def test_a_window_shorter_than_a_push_has_no_pushes() -> None:
     short = bank(follow(standing(), NXT, KIT).between(1.0, 1.1), 1.0, pushes_only=True)
     assert len(short.pushes) == 0
     assert [fit.pushes for fit in fits(short)] == [()]
+
+
+def test_a_battery_that_fades_is_fitted_by_what_is_left_and_how_fast() -> None:
+    # planted: a fifth is left half a second after `ONSET`, while the robot drives off. Freed of the truth the log
+    # leaves a NIS of 1.4; of a battery that breaks down at once 18 at least, which hides a bias or a slope beside it
+    run = follow(logged("weak battery", "pwm", 0.2, wanted=Drive(speed=0.3, start=ONSET - 0.1)), NXT, KIT)
+    window = Window(ONSET + 0.54, 2.0, 1.0)  # it falls then
+    found = searched(run, window)[0]
+    freed = remedied(run, found)
+    assert freed is not None
+    assert np.mean(window.of(freed).whitened ** 2) < 2.0
+    assert found.rise == pytest.approx(0.5, abs=0.1)  # twice the last step
+
+
+def test_a_charge_for_every_row_is_what_the_electronics_make_of_each() -> None:
+    asked, charge = np.array([[9.0, -3.0], [0.4, 7.0], [5.0, 5.0]]), np.array([1.0, 0.5, 0.2])
+    for pwm in (True, False):
+        one_by_one = [
+            drive(
+                (u * (c if pwm else 1.0)).tolist(),
+                dataclasses.replace(
+                    KIT,
+                    motor=dataclasses.replace(KIT.motor, limit=c * KIT.motor.limit),
+                    battery=dataclasses.replace(KIT.battery, voltage=c * KIT.battery.voltage),
+                ),
+            )[0]
+            for u, c in zip(asked, charge, strict=True)
+        ]
+        assert np.allclose(driven(asked, KIT, "V", charge, pwm=pwm), one_by_one)
 
 
 def test_changed_gain_is_named_with_its_number_with_the_file() -> None:

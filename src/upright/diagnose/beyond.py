@@ -4,20 +4,33 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from upright.diagnose.fall import StuckSensor
-from upright.diagnose.fault_fits import FAULT_NUMBERS, FaultFit, as_fit, least_squares, score_of, with_pushes
+from upright.diagnose.fault_fits import (
+    FAULT_NUMBERS,
+    TRIED,
+    FaultFit,
+    as_fit,
+    dearer,
+    least_squares,
+    score_of,
+    with_pushes,
+)
 from upright.diagnose.innovations import FilterRun, follow
-from upright.diagnose.remedy import COMMAND_FAULTS, RARE, READING_FAULTS, SHORT, Window, both, remedied
-from upright.diagnose.signatures import Bank
+from upright.diagnose.remedy import COMMAND_FAULTS, FADE_PRICE, RARE, READING_FAULTS, SHORT, Window, moved, remedied
+from upright.diagnose.signatures import Bank, signatures_of
 from upright.signals import Log
 
 Array = NDArray[np.float64]
 
 MOST_PAIRS = 3  # that are examined by the filter itself, of those whose signatures explain most
+BESIDE = ("ramp", "payload")  # faults whose signature may stand beside one that a log was freed of
+NEAR = 0.12  # [s] before and after their onset, that are tried while the other one is searched
+MORE = 2  # faults, besides the likeliest, beside which another one is looked for
 SECONDS = 2  # kinds of a second fault that are tried with pushes beside them
 RAPID = 0.75  # of the NIS, that slow steps leave where a disturbance is too rapid for them
 LOUD, BLOCK = 0.5, 0.2  # squared innovations over their mean, in blocks of so many seconds, from which they show
@@ -64,12 +77,28 @@ def jam_or_stuck(run: FilterRun, stuck: StuckSensor, window: Window, bank: Bank)
 
 
 def paired(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank) -> list[Pair]:
-    """Two faults at once, the likeliest first: those that explain most together, and beside the likeliest fault alone
+    """Two faults at once, the likeliest first: those that explain most together, and beside the likeliest faults alone
     what explains most of the rest."""
-    alone = next((fit for fit in fits if fit.fault not in ("none", "dropped")), None)
-    pairs = _seconds(alone, window.beside(alone, bank), bank) if alone else []
+    best: dict[str, FaultFit] = {}
+    for fit in fits:
+        if fit.fault not in ("none", "dropped"):
+            best.setdefault(fit.fault, fit)
+    several = list(best.values())
+    firsts = several[:1] + [fit for fit in several[1:] if fit.run is not None][:MORE]
+    pairs = [
+        Pair(first=one, second=second) for one in firsts for second in _seconds(one, window.beside(one, bank), bank)
+    ]
+    pairs += [_together(run, pair.first, pair.second, window, bank) for pair in pairs if _movable(pair)[0]]
     pairs += [_together(run, first, second, window, bank) for first, second in _linear(bank)]
     return sorted(pairs, key=lambda pair: -pair.score)
+
+
+def _movable(pair: Pair) -> tuple[list[FaultFit], FaultFit | None]:
+    """Which of both a log can be freed of, where all or the other's signature can be searched, and that other one."""
+    fits = (pair.first, pair.second)
+    several = [fit for fit in fits if fit.fault in READING_FAULTS + COMMAND_FAULTS]
+    other = next((fit for fit in fits if fit.fault in BESIDE), None)
+    return (several if len(several) == 2 or other else []), other
 
 
 def _linear(bank: Bank) -> list[tuple[FaultFit, FaultFit]]:
@@ -103,34 +132,53 @@ def _linear(bank: Bank) -> list[tuple[FaultFit, FaultFit]]:
 
 
 def _together(run: FilterRun, first: FaultFit, second: FaultFit, window: Window, bank: Bank) -> Pair:
-    """A pair with what it leaves: of the log without both where it can be freed of them, else by their signatures."""
-    if all(fit.fault in READING_FAULTS + COMMAND_FAULTS for fit in (first, second)):
-        first, second = both(run, (first, second), window)
-        freed = remedied(run, first, second)
+    """A pair with what it leaves: of the log without both where it can be freed of them, else of the log without one
+    beside the other's signature, or by the signatures of both."""
+    several, other = _movable(Pair(first=first, second=second))
+    if several:
+        around = partial(_around, other) if other else None
+        several = moved(run, several, window, around)
+        freed = remedied(run, *several)
         if freed is not None and freed.t[-1] > window.end - SHORT:
-            here = window.bank(freed)
-            again = with_pushes(here, against=bank, beside=here.y)
-            onsets = {"onset": second.onset, "size": second.size, "run": freed}
-            return Pair(first=first, second=replace(again, fault=second.fault, way=second.way, **onsets))
-    again = with_pushes(bank, beside=bank.y + first.values + second.values)
-    again = replace(
-        again, spent=again.spent + FAULT_NUMBERS, score=score_of(bank, again.rest, again.spent + FAULT_NUMBERS)
-    )
+            fades = FADE_PRICE * sum(fit.rise > 0 for fit in several)
+            here = window.bank(freed, beside_it=other.fault if other else "")
+            if other is None:
+                last = several[1]
+                again = with_pushes(here, against=bank, beside=here.y)
+                again = replace(again, fault=last.fault, way=last.way, onset=last.onset, size=last.size, rise=last.rise)
+            else:
+                some = sorted(here.faults, key=lambda one: least_squares(here.y, one)[1])[:TRIED]
+                tried = [with_pushes(here, one, against=bank, beside=here.y) for one in some]
+                again = max(tried, key=lambda fit: fit.score)
+            return Pair(first=several[0], second=replace(dearer(again, fades, bank), run=freed))
+    again = dearer(with_pushes(bank, beside=bank.y + first.values + second.values), FAULT_NUMBERS, bank)
     return Pair(
         first=first, second=replace(again, fault=second.fault, way=second.way, onset=second.onset, size=second.size)
     )
 
 
-def _seconds(first: FaultFit, here: Bank, bank: Bank) -> list[Pair]:
-    """A fault, and what explains most of what it leaves."""
+def _around(fit: FaultFit, run: FilterRun) -> Array:
+    """The signature of a fault that a log cannot be freed of, near its onset, that explains most."""
+    onsets = fit.onset + NEAR * np.array([-1.0, 0.0, 1.0])
+    some = signatures_of(run, fit.fault, onsets)
+    best = min(some, key=lambda one: least_squares(run.whitened, one)[1])
+    return best.values[:, None]
+
+
+def _seconds(first: FaultFit, here: Bank, bank: Bank) -> list[FaultFit]:
+    """What explains most of what a fault leaves."""
     y = bank.y + first.values if first.run is None else here.y
     best: dict[str, tuple[float, int]] = {}
     for i, one in enumerate(here.faults):
         left = least_squares(y, one)[1]
         if one.fault != first.fault and left < best.get(one.fault, (np.inf, 0))[0]:
             best[one.fault] = (left, i)
-    chosen = sorted(best.values())[:SECONDS]
-    return [Pair(first=first, second=with_pushes(here, here.faults[i], against=bank, beside=y)) for _, i in chosen]
+    several: list[FaultFit] = []
+    for _, i in sorted(best.values())[:SECONDS]:
+        plain = as_fit(here, i, least_squares(y, here.faults[i])[0])
+        fit = with_pushes(here, here.faults[i], against=bank, beside=y)
+        several.append(replace(fit, way=plain.way, size=plain.size))
+    return several
 
 
 def leftover(fits: Sequence[FaultFit], window: Window, bank: Bank) -> Leftover | None:

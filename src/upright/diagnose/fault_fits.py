@@ -42,15 +42,17 @@ class PushEstimate:
 class FaultFit:
     """A fault (or "none") that explains the innovations by `score`, the log likelihood ratio [nats] less the penalty.
 
-    `size` is in the fault's own unit from `onset` [s] on, `pushes` stand beside it. `explained` is the fraction of the
-    squares that it explains, `nis` the mean square that it leaves, `rest` the innovations themselves that it leaves.
-    `values` is what it took from them, `run` the log's run without it, where there is one.
+    `size` is in the fault's own unit from `onset` [s] on, which a battery reaches after the `rise` [s]; `pushes` stand
+    beside it. `explained` is the fraction of the squares that it explains, `nis` the mean square that it leaves, `rest`
+    the innovations themselves that it leaves. `values` is what it took from them, `run` the log's run without it, where
+    there is one.
     """
 
     fault: str
     way: str = ""
     onset: float = math.nan
     size: float = 0.0
+    rise: float = 0.0
     score: float = -math.inf
     pushes: tuple[PushEstimate, ...] = ()
     explained: float = math.nan
@@ -175,6 +177,12 @@ def score_of(bank: Bank, rest: Array, spent: float) -> float:
     n, floor = size / CORRELATED, size * bank.scale
     squares = (rest @ rest) * size / len(rest)
     return n / 2 * math.log((bank.y @ bank.y + floor) / (squares + floor)) - spent * math.log(n)
+
+
+def dearer(fit: FaultFit, numbers: float, bank: Bank) -> FaultFit:
+    """The fit with the price of more free `numbers`."""
+    spent = fit.spent + numbers
+    return replace(fit, spent=spent, score=score_of(bank, fit.rest, spent))
 
 
 def remaining(run: FilterRun, fit: FaultFit) -> float:

@@ -17,10 +17,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.bodies.electronics import drive
 from upright.calibrate.filter_log import FilteredLog, filter_log
+from upright.calibrate.knocks import Arrays
 from upright.errors import InvalidLog
 from upright.logs.recording import FEWEST
+from upright.physics import electronics
 from upright.physics.dynamics import Disturbance, derivative
 from upright.physics.integrate import PREDICTED, rk4_step, substeps
 from upright.physics.linear import linearise
@@ -54,17 +55,9 @@ class FilterRun(FilteredLog):
     log: Log
     asked: Array
 
-    @cached_property
-    def drives(self) -> dict[tuple[float, bool], Array]:
-        """What the kit's driver makes of the commands by the battery's charge, as far as it was asked for."""
-        return {}
-
-    def driven(self, charge: float = 1.0, *, pwm: bool = True) -> Array:
+    def driven(self, charge: float | Array = 1.0, *, pwm: bool = True) -> Array:
         """What the kit's driver makes of the commands (samples, 2) with the fraction `charge` of the battery."""
-        key = charge, pwm
-        if key not in self.drives:
-            self.drives[key] = driven(self.asked, self.kit, self.robot.command_unit, charge, pwm=pwm)
-        return self.drives[key]
+        return driven(self.asked, self.kit, self.robot.command_unit, charge, pwm=pwm)
 
     @property
     def spans(self) -> Array:
@@ -113,13 +106,13 @@ def asked_of(log: Log) -> tuple[str, str]:
     raise InvalidLog("the log has no commands", expected="channels command/left and command/right")
 
 
-def driven(asked: Array, kit: Kit, unit: str, charge: float = 1.0, *, pwm: bool = True) -> Array:
-    """What the kit's driver makes of commands (n, 2) with the fraction `charge` of the battery's voltage; with `pwm` a
-    command is a duty, so that it shrinks with the battery, else only the limit does."""
+def driven(asked: Array, kit: Kit, unit: str, charge: float | Array = 1.0, *, pwm: bool = True) -> Array:
+    """What the kit's driver makes of commands (n, 2) with the fraction `charge` (n,) of the battery's voltage; with
+    `pwm` a command is a duty, so that it shrinks with the battery, else only the limit does."""
     scale = charge if pwm else 1.0
-    motor = replace(kit.motor, limit=charge * kit.motor.limit)
-    weaker = replace(kit, motor=motor, battery=replace(kit.battery, voltage=charge * kit.battery.voltage))
-    return np.array([drive((scale * left, scale * right), weaker, unit)[0] for left, right in asked.tolist()])
+    motor = SimpleNamespace(**vars(kit.motor) | {"limit": charge * kit.motor.limit})
+    battery = SimpleNamespace(**vars(kit.battery) | {"voltage": charge * kit.battery.voltage})
+    return np.stack(electronics.driven([scale * u for u in asked.T], motor, battery, Arrays, volts=unit == "V"), axis=1)
 
 
 def follow(log: Log, robot: Robot, kit: Kit, sent: Array | None = None) -> FilterRun:

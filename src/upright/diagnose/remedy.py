@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from upright.diagnose.changes import MOTORS, lost_command, scaled_sensors
 from upright.diagnose.fall import without
-from upright.diagnose.fault_fits import FaultFit, remaining, with_pushes
+from upright.diagnose.fault_fits import FaultFit, dearer, remaining, with_pushes
 from upright.diagnose.innovations import FilterRun, follow
-from upright.diagnose.signatures import YOUNGEST, Bank, bank, finer
+from upright.diagnose.signatures import YOUNGEST, Bank, bank, finer, pushing
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -25,9 +25,12 @@ COMMAND_FAULTS = ("weak", "delay", "motor")
 
 CHARGES = (0.05, 0.15, 0.3, 0.5, 0.7)  # fractions of the battery's voltage that are tried first
 DELAYS = (1.0, 2.0, 3.5, 5.0, 7.0, 10.0)  # periods that are tried first
+FADE, FADE_PRICE = 0.4, 1  # [s] in which a battery breaks down that are tried first, and its free number
+NO_TIME = 1e-9  # [s]
 ONSET_STEP = 0.4  # [s] between onsets that are tried first
 WARM_UP = 2.0  # [s] that the filter has to find the robot before the part of the log that is judged
 HALVINGS = 4  # of the steps in size and onset, round the best
+MOST_MOVES = 4  # by steps of one length
 BIAS_ROUNDS = 2  # most times that a gyro's offset is estimated again on the log freed of it
 BEHIND = 150.0  # nats behind the likeliest, from which a gyro's offset is not examined again
 RARE = 50.0
@@ -35,6 +38,7 @@ RARE = 50.0
 noise: it follows the motion, so it takes up a part of whatever else is wrong."""
 
 MOST_BIASES, MOST_SCALES, MOST_MOTORS = 4, 2, 2  # that are examined again
+PUSHED = 2  # faults of the commands that are searched again together with the pushes beside them
 SHORT = 0.1  # [s] before the window's end: a filter that stops earlier has lost the robot
 
 
@@ -68,8 +72,11 @@ def _sent(run: FilterRun, fit: FaultFit, before: Array | None = None) -> Array:
     usual = run.driven() if before is None else before
     if fit.fault == "motor":
         return _without_motor(run, fit, usual)
-    faulty = _delayed(usual, fit.size) if fit.fault == "delay" else run.driven(fit.size, pwm=fit.way == "pwm")
-    return np.where((run.log.t >= fit.onset)[:, None], faulty, usual)
+    if fit.fault == "delay":
+        return np.where((run.log.t >= fit.onset)[:, None], _delayed(usual, fit.size), usual)
+    grown = np.clip((run.log.t - fit.onset) / max(fit.rise, NO_TIME), 0.0, 1.0)
+    faulty = run.driven(1 - (1 - fit.size) * grown, pwm=fit.way == "pwm")
+    return np.where((grown > 0)[:, None], faulty, usual)
 
 
 def _without_motor(run: FilterRun, fit: FaultFit, usual: Array) -> Array:
@@ -105,10 +112,10 @@ class Window:
         """This part of a run."""
         return run.between(self.end - self.seconds, self.end)
 
-    def bank(self, run: FilterRun, *, pushes_only: bool = True) -> Bank:
+    def bank(self, run: FilterRun, *, pushes_only: bool = True, beside_it: str = "") -> Bank:
         """The bank of hypotheses on this part of a run."""
         part = self.of(run)
-        coarse = bank(part, self.usual, pushes_only=pushes_only)
+        coarse = bank(part, self.usual, pushes_only=pushes_only, beside_it=beside_it)
         return finer(part, coarse, [(push.start, push.stop) for push in with_pushes(coarse).pushes])
 
     def beside(self, fit: FaultFit, usual: Bank) -> Bank:
@@ -124,43 +131,53 @@ def searched(run: FilterRun, window: Window) -> list[FaultFit]:
     """A weak battery of either kind and a longer delay, each of the size and onset with the smallest innovations; their
     scores are not yet exact."""
     recent = follow(run.log.between(window.end - window.seconds - WARM_UP, math.inf), run.robot, run.kit)
-    faults = [(FaultFit(fault="weak", way="pwm"), CHARGES), (FaultFit(fault="weak", way="limit"), CHARGES)]
+    faults = [(FaultFit(fault="weak", way=way, rise=FADE), CHARGES) for way in ("pwm", "limit")]
     faults += [(FaultFit(fault="delay"), DELAYS), *((FaultFit(fault="motor", way=way), (1.0,)) for way in MOTORS)]
     return [_searched(recent, window, *fault) for fault in faults]
 
 
 def _searched(recent: FilterRun, window: Window, fault: FaultFit, sizes: tuple[float, ...]) -> FaultFit:
-    """By a grid in size and onset, then by steps that are halved; sizes move by factors."""
+    """By a grid in size and onset, then by steps that are halved."""
 
-    def squares(onset: float, size: float) -> float:
-        sent = _sent(recent, replace(fault, onset=onset, size=size))
-        freed = follow(recent.log, recent.robot, recent.kit, sent)
+    def squares(tried: FaultFit) -> float:
+        freed = follow(recent.log, recent.robot, recent.kit, _sent(recent, tried))
         if freed.t[-1] < recent.t[-1] - SHORT:
             return math.inf
         return float((window.of(freed).whitened ** 2).sum())
 
     onsets = np.arange(window.end - window.seconds, window.end - YOUNGEST, ONSET_STEP).tolist()
-    least, onset, size = min((squares(t, x), t, x) for t in onsets for x in sizes)
-    step, factor = ONSET_STEP / 2, math.sqrt(sizes[1] / sizes[0]) if len(sizes) > 1 else 1.0
-    for _ in range(HALVINGS):
-        moves = ((-1, 0), (1, 0), (0, -1), (0, 1)) if len(sizes) > 1 else ((-1, 0), (1, 0))
-        near = [(onset + i * step, size * factor**j) for i, j in moves]
-        tried = min((squares(t, x), t, x) for t, x in near if fault.fault != "weak" or x < 1)
-        least, onset, size = min(tried, (least, onset, size))
-        step, factor = step / 2, math.sqrt(factor)
-    return replace(fault, onset=onset, size=size)
+    least, best = _least(squares, [replace(fault, onset=t, size=x) for t in onsets for x in sizes])
+    for halving in range(HALVINGS):
+        for _ in range(MOST_MOVES):
+            tried = _least(squares, _near(best, 0.5**halving, window.end - YOUNGEST))
+            if tried[0] >= least:
+                break
+            least, best = tried
+    return best
 
 
-def both(run: FilterRun, fits: Sequence[FaultFit], window: Window) -> list[FaultFit]:
-    """Two faults that a log can be freed of, with the onsets and sizes that leave the smallest innovations near those
-    given."""
+def _least(squares: Callable[[FaultFit], float], several: Sequence[FaultFit]) -> tuple[float, FaultFit]:
+    """What leaves the smallest squares, and these."""
+    return min(((squares(one), one) for one in several), key=lambda one: one[0])
+
+
+def moved(
+    run: FilterRun, fits: Sequence[FaultFit], window: Window, others: Callable[[FilterRun], Array] | None = None
+) -> list[FaultFit]:
+    """Faults that a log can be freed of, with the onsets and sizes that leave the smallest innovations near those
+    given, beside what the signatures (readings, signatures) of `others` on the freed part explain together."""
     recent = follow(run.log.between(window.end - window.seconds - WARM_UP, math.inf), run.robot, run.kit)
 
     def squares(tried: Sequence[FaultFit]) -> float:
         freed = remedied(recent, *tried)
         if freed is None or freed.t[-1] < recent.t[-1] - SHORT:
             return math.inf
-        return float((window.of(freed).whitened ** 2).sum())
+        part = window.of(freed)
+        y = part.whitened
+        if others is not None:
+            columns = others(part)
+            y = y - columns @ np.linalg.lstsq(columns, y, rcond=1e-6)[0]
+        return float(y @ y)
 
     best, least = list(fits), squares(fits)
     for halving in range(HALVINGS):
@@ -182,7 +199,14 @@ def _near(fit: FaultFit, step: float, latest: float) -> list[FaultFit]:
     if fit.fault == "scale":
         return near + [replace(fit, size=fit.size + change * step) for change in (-0.2, 0.2)]
     sizes = [fit.size * 1.6**change for change in (-step, step)]
-    return near + [replace(fit, size=min(size, 0.97) if fit.fault == "weak" else size) for size in sizes]
+    if fit.fault != "weak":
+        return near + [replace(fit, size=size) for size in sizes]
+    near += [replace(fit, size=min(size, 0.97)) for size in sizes]
+    rises = [max(0.0, fit.rise - step * FADE), fit.rise + step * FADE]  # about the same middle
+    near += [replace(fit, rise=rise, onset=fit.onset - (rise - fit.rise) / 2) for rise in rises]
+    longer = [1 - step / 2, 1 + step / 2]  # as steep: the robot may fall while its battery fades
+    sizes = [min(max(1 - (1 - fit.size) * k, 0.03), 0.97) for k in longer]
+    return near + [replace(fit, rise=k * fit.rise, size=size) for k, size in zip(longer, sizes, strict=True)]
 
 
 def exact(run: FilterRun, fit: FaultFit, window: Window, against: Bank) -> FaultFit:
@@ -193,7 +217,9 @@ def exact(run: FilterRun, fit: FaultFit, window: Window, against: Bank) -> Fault
         if freed is None or freed.t[-1] < window.end - SHORT:
             return best
         again = with_pushes(window.bank(freed), against=against)
-        now = replace(again, fault=fit.fault, way=fit.way, onset=fit.onset, size=fit.size, run=freed)
+        now = replace(again, fault=fit.fault, way=fit.way, onset=fit.onset, size=fit.size, rise=fit.rise, run=freed)
+        if fit.rise > 0:
+            now = dearer(now, FADE_PRICE, against)
         if now.score <= best.score and best is not fit:
             return best
         best = now if now.score > best.score else best
@@ -201,6 +227,13 @@ def exact(run: FilterRun, fit: FaultFit, window: Window, against: Bank) -> Fault
             more = remaining(window.of(freed), fit)
             fit = replace(fit, size=fit.size + (more if fit.fault == "bias" else more * (1 - fit.size)))
     return best
+
+
+def beside_pushes(run: FilterRun, fit: FaultFit, window: Window, against: Bank) -> FaultFit:
+    """The fit again, with the onset and size that explain most together with the pushes beside it."""
+    edges = [(push.start, push.stop, push.height) for push in fit.pushes]
+    again = moved(run, [fit], window, lambda part: pushing(part, edges))[0]
+    return max(fit, exact(run, again, window, against), key=lambda one: one.score)
 
 
 def dropped(run: FilterRun, frozen: NDArray[np.bool_], window: Window, against: Bank) -> FaultFit:
@@ -235,4 +268,7 @@ def sharpened(run: FilterRun, fits: Sequence[FaultFit], window: Window, against:
         else fit
         for fit in every
     ]
+    every.sort(key=lambda fit: -fit.score)
+    likely = [fit for fit in every if fit.fault in COMMAND_FAULTS and fit.pushes and fit.run is not None][:PUSHED]
+    every = [beside_pushes(run, fit, window, against) if any(fit is one for one in likely) else fit for fit in every]
     return sorted(every, key=lambda fit: -fit.score)

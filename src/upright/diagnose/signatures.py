@@ -63,8 +63,9 @@ class Bank:
     basis: Array
 
 
-def bank(run: FilterRun, scale: float, *, pushes_only: bool = False) -> Bank:
-    """All hypotheses on a part of a run, or `pushes_only` where the fault was taken out of the log."""
+def bank(run: FilterRun, scale: float, *, pushes_only: bool = False, beside_it: str = "") -> Bank:
+    """All hypotheses on a part of a run, or `pushes_only` where the fault was taken out of the log, with the signatures
+    of the fault `beside_it`."""
     basis, use = unknown_parameters(run), run.readings
     start, last = float(run.t[0]), float(run.t[-1]) - YOUNGEST
     onsets = np.arange(start, last, ONSET_STEP)
@@ -74,20 +75,37 @@ def bank(run: FilterRun, scale: float, *, pushes_only: bool = False) -> Bank:
             *biases(run, np.arange(start, last, run.log.period)), *_loads(run, onsets), *_slips(run, onsets),
             *scales(run, onsets), *motors(run, onsets), *payloads(run, onsets), *commands(run, onsets),
         ]  # fmt: skip
-        left = beside(basis, np.array([one.values for one in faults]).reshape(len(faults), int(use.sum())).T).T
-        faults = [replace(one, values=values) for one, values in zip(faults, left, strict=True)]
         free = {channel: beside(basis, values) for channel, values in free_steps(run, onsets).items()}
+    elif beside_it:
+        faults = signatures_of(run, beside_it, onsets)
+        free = {"moment": beside(basis, free_steps(run, onsets)["moment"])} if beside_it == "payload" else {}
+    left = beside(basis, np.array([one.values for one in faults]).reshape(len(faults), int(use.sum())).T).T
+    faults = [replace(one, values=values) for one, values in zip(faults, left, strict=True)]
     pushes, matrix = _pushes(run, np.arange(start, float(run.t[-1]), PUSH_STEP), last)
     matrix = beside(basis, matrix)
     squares = np.maximum((matrix**2).sum(axis=0), 1e-12)
     y = beside(basis, run.whitened)
-    if faults:
+    if faults and free:
         loads = [one for one in faults if one.fault == "payload"]
         faults = [one for one in faults if one.fault != "payload"] + placed(loads, y, free["moment"], onsets)
     return Bank(
         y=y, then=run.t[use], scale=scale, faults=faults, pushes=pushes, matrix=matrix, squares=squares, free=free,
         steps=onsets, basis=basis,
     )  # fmt: skip
+
+
+def signatures_of(run: FilterRun, fault: str, onsets: Array) -> list[Signature]:
+    """The signatures of one kind of fault that a log cannot be freed of."""
+    makers = {"ramp": _loads, "load": _loads, "payload": payloads, "slip": _slips}
+    return [one for one in makers[fault](run, onsets) if one.fault == fault]
+
+
+def pushing(run: FilterRun, pushes: Sequence[tuple[float, float, float]]) -> Array:
+    """What a newton of each of some pushes, by (start [s], stop [s], height [m]), does to the innovations (readings,
+    pushes)."""
+    height = run.robot.com_height
+    columns = [_forces(run, np.array([start, stop]), [(0, 1)], [h / height])[1] for start, stop, h in pushes]
+    return np.concatenate(columns, axis=1)
 
 
 def unknown_parameters(run: FilterRun) -> Array:

@@ -75,8 +75,8 @@ GAIN_STEP = 0.03  # |ln| of a gain from which it is another one
 EXACT = 0.9999  # fraction of the difference between commands and file that a changed gain explains
 
 TWO, TWO_WIDTH, TWO_LEAVE = 25.0, 5.0, 0.6
-"""Nats by which two faults must explain more than one, the width of that step, and the most NIS that they may leave
-over what one leaves."""
+"""Nats by which two faults must explain more than one, the width of that step, and the most NIS beyond the calm one
+that they may leave over what one leaves."""
 
 UNKNOWN, UNKNOWN_LEAVES = (-5.0, 29.0), (0.65, 0.8)
 UNKNOWN_WIDTH, UNKNOWN_LEAVES_WIDTH = 3.0, 0.03
@@ -96,6 +96,7 @@ it may leave besides, over the NIS without any fault: beyond both, nothing expla
 
 SLIPPERY = 0.3  # of the probability of something unknown that is left where a slip explains most
 PUSH_LEAVES = 0.065  # of the NIS without any fault, that a fault and a push beside it may leave
+NOISE = 0.1  # of the calm NIS, that counts as nothing left
 FITS_TWO = 2.7  # NIS over the calm one, that two faults may leave
 HALF = 0.8  # of the lean that topples, from which a push beside a fault is a cause of its own
 TEMPER = 6.0  # nats that count as one between two faults: neighbouring rows share what is wrong with the model
@@ -243,7 +244,7 @@ def _two(evidence: Evidence) -> list[_Answer]:
         if names[0] == names[1] or not (possible(evidence, pair.first) and possible(evidence, pair.second)):
             continue
         chance = step(pair.score - best.score - TWO, TWO_WIDTH) * step(
-            TWO_LEAVE - pair.second.nis / max(best.nis, 1e-9), EXPLAINED_WIDTH
+            TWO_LEAVE - _beyond_noise(evidence, pair.second.nis) / _beyond_noise(evidence, best.nis), EXPLAINED_WIDTH
         )
         if evidence.left is not None:  # one unknown cause rather than two that are known
             chance *= step(pair.score - evidence.left.score, TWO_WIDTH)
@@ -263,6 +264,11 @@ def _two(evidence: Evidence) -> list[_Answer]:
     name = f"{name_of(best)} and {PUSH}"
     left = 1 - sum(one.probability for one in answers)
     return [*answers, _Answer(left * FACT * chance, name, min(best.onset, push.start), text)]
+
+
+def _beyond_noise(evidence: Evidence, nis: float) -> float:
+    """What a hypothesis leaves, over what nothing explains."""
+    return max(nis - evidence.calm, NOISE * evidence.calm)
 
 
 def _none(evidence: Evidence) -> list[_Answer]:

@@ -56,7 +56,8 @@ def _weak_text(evidence: Evidence, fit: FaultFit) -> str:
     part = "as the largest command" if fit.way == "limit" else "of every command"
     before, last = evidence.battery
     volts = f" (the battery shows {last:.2f} V after {before:.2f} V)" if math.isfinite(last + before) else ""
-    return f"motors that get {percent(fit.size)} {part}{volts}"
+    fades = f", fading to it within {fit.rise:.2g} s," if fit.rise > 0 else ""
+    return f"motors that get {percent(fit.size)} {part}{volts}{fades}"
 
 
 def _delay_text(evidence: Evidence, fit: FaultFit) -> str:
