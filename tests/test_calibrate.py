@@ -19,7 +19,7 @@ from upright.bodies.twin import Twin
 from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import HELD, VISIBLE, Calibration
 from upright.calibrate.fitting import DRIVEN, LEVEL, ROLLING_DRY, events_of, normal_equations, objective
-from upright.calibrate.informativity import drives_straight
+from upright.calibrate.informativity import _within_prior, drives_straight
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, parameters_of, with_values
 from upright.calibrate.process_noise import arrival
 from upright.calibrate.threads import in_threads
@@ -409,6 +409,18 @@ def test_dry_friction_of_the_twin_is_found() -> None:
         assert sum(e.low <= true <= e.high for e in found) >= 3
         assert all(abs(e.value - true) < 3 / 1.96 * (e.high - e.low) / 2 for e in found)
     assert several[0]["coulomb_friction"].low <= robot.coulomb_friction <= several[0]["coulomb_friction"].high
+
+
+def test_no_direction_is_less_known_than_by_the_prior_alone() -> None:
+    """There the mean square error of an estimate z is I + zzᵀ."""
+    z = np.array([2.0, 0.0, -1.0])
+    ceiling = np.eye(3) + np.outer(z, z)
+    assert _within_prior(0.1 * ceiling, z) == pytest.approx(0.1 * ceiling)
+    directions = np.linalg.qr(np.random.default_rng(0).normal(size=(3, 3)))[0]
+    found = _within_prior(directions @ np.diag([0.01, 1.0, 1e6]) @ directions.T, z)
+    assert np.linalg.eigvalsh(ceiling - found).min() > -1e-9
+    known = np.linalg.inv(found) @ ceiling
+    assert np.linalg.eigvals(known).real.max() > 20  # what the log knows well stays known
 
 
 def test_rolling_friction_is_asked_where_the_file_names_it() -> None:

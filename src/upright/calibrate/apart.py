@@ -121,7 +121,7 @@ def _fitted(problem: Problem, z: Array, runs: Sequence[int]) -> tuple[Problem, A
 
 def _numbers(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> list[_Number]:
     """The robot's numbers that no run should change, and the coefficients of its motion."""
-    C, differ = posterior(problem, normal, paths), run_spreads(problem.asked)
+    C, differ = posterior(problem, z, normal, paths), run_spreads(problem.asked)
     numbers: list[_Number] = []
     for i, p in enumerate(problem.asked):
         spread = float(np.sqrt(C[i, i]))

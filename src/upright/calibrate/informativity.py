@@ -98,11 +98,13 @@ def effective_fraction(problem: Problem, normal: Normal, paths: Sequence[Path]) 
     return float(np.clip(1 / ratio.mean(), 1e-3, 1.0))
 
 
-def posterior(problem: Problem, normal: Normal, paths: Sequence[Path]) -> Array:
-    """Covariance of z (n, n): the larger of the one that takes innovations for white and the one that does not.
+def posterior(problem: Problem, z: Array, normal: Normal, paths: Sequence[Path]) -> Array:
+    """Covariance of the errors of z (n,), as (n, n): the larger of the one that takes innovations for white and the one
+    that does not.
 
     Held parameters keep their prior's unit variance, and its share in the others (Schmidt 1966). A short log's scores
-    tell their own covariance badly: it is larger by what Student's distribution has beyond the normal one.
+    tell their own covariance badly: it is larger by what Student's distribution has beyond the normal one. Nothing is
+    less known than by the prior alone.
     """
     active = problem.active
     H = normal.hessian[np.ix_(rows_of(active), rows_of(active))]
@@ -118,7 +120,17 @@ def posterior(problem: Problem, normal: Normal, paths: Sequence[Path]) -> Array:
     total[np.ix_(rows_of(active), rows_of(active))] = robust * np.outer(scale, scale) + known @ known.T
     total[np.ix_(rows_of(active), rows_of(~active))] = -known
     total[np.ix_(rows_of(~active), rows_of(active))] = -known.T
-    return total
+    return _within_prior(total, z)
+
+
+def _within_prior(C: Array, z: Array) -> Array:
+    """C (n, n), in no direction larger than I + zzᵀ: by the prior alone the mean square error of z (n,) is that."""
+    root = np.linalg.cholesky(np.eye(len(z)) + np.outer(z, z))
+    values, directions = np.linalg.eigh(np.linalg.solve(root, np.linalg.solve(root, C).T))
+    if values[-1] <= 1:
+        return C
+    half = root @ directions
+    return (half * np.minimum(values, 1.0)) @ half.T
 
 
 def student(problem: Problem) -> float:

@@ -76,7 +76,7 @@ def summarised(
     fitted, runs = z, len(problem.recordings)
     white = np.linalg.inv(np.eye(len(z)) + information(problem, normal))
     _, right = of_robot(problem.parameters, z, white + _floor(problem), runs)
-    z, C = of_robot(problem.parameters, z, posterior(problem, normal, paths) + _floor(problem), runs)
+    z, C = of_robot(problem.parameters, z, posterior(problem, z, normal, paths) + _floor(problem), runs)
     spread = np.sqrt(np.diag(C))
     every = [_estimate(p, float(z[i]), float(spread[i]), p.name in problem.held) for i, p in enumerate(problem.asked)]
     combinations = combined_numbers(problem, z)
