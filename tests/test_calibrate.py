@@ -400,9 +400,11 @@ def dry_twin(robot: Robot, amplitude: float, hold: int, seed: int = 3) -> Log:
 def test_dry_friction_of_the_twin_is_found() -> None:
     """MuJoCo's dry friction is sharp, and so is the predictor's: both friction numbers to a few hundredths, though they
     make up for one another; under smooth friction the viscous one was 5 % off and four deviations. Of four logs each
-    number's 95 % interval may miss one: two or more miss by chance once in seventy."""
+    number's 95 % interval may miss one: two or more miss by chance once in seventy. The torque of the wheels is known:
+    a log gives frictions up to that factor."""
     robot = Robot.preset("twipr").replace(coulomb_friction=0.012)
-    several = [calibrate(dry_twin(robot, 0.03, 6, seed), Robot.preset("twipr")) for seed in (3, 4, 5, 6)]
+    logs = [dry_twin(robot, 0.03, 6, seed) for seed in (3, 4, 5, 6)]
+    several = [calibrate(log, Robot.preset("twipr"), known=["gear_ratio"]) for log in logs]
     for name, share in (("coulomb_friction", 0.01), ("motor_friction", 0.05)):
         true, found = getattr(robot, name), [c[name] for c in several]
         assert [e.value for e in found] == pytest.approx([true] * len(found), rel=share)

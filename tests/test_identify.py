@@ -468,7 +468,7 @@ def test_a_pole_says_whether_it_has_dry_friction(shared: Path) -> None:
     pole = identify_one(studied, "calibrate").pole
     assert pole.value == pytest.approx(unstable_pole(rolling(robot)), rel=1e-6)
     assert pole.without_friction == (free, free - 0.1, free + 0.1)
-    assert pole.value < free - 1  # what friction takes
+    assert pole.value < free - 0.5  # what friction takes: more than the intervals of either, 0.1
     linear = identify_one(studied, "subspace")
     assert linear.pole.without_friction is None  # no linear method knows it
     assert "friction counted as damping" in str(linear)

@@ -246,10 +246,10 @@ def test_low_gain_shows_in_the_data_alone() -> None:
 
 def test_high_gain_is_named_with_the_file() -> None:
     twipr = Robot.preset("twipr")
-    log = logged("gain too high", "law", 4.0, robot="twipr")
+    log = logged("gain too high", "law", 10.0, robot="twipr")
     found = post_mortem(log, twipr, Kit.preset("twipr"), designed("twipr"))
     assert found.verdict == "gain too high"
-    assert "4.00 times" in found.causes[0].evidence
+    assert "10.00 times" in found.causes[0].evidence
 
 
 def test_a_standing_robot_is_not_mourned() -> None:
