@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import cmath
 import json
+import re
 import sys
 from dataclasses import replace
 from functools import cache
@@ -20,9 +21,11 @@ from upright.calibrate.calibrate import calibrate, prepared
 from upright.calibrate.calibration import HELD, VISIBLE, Calibration
 from upright.calibrate.fitting import DRIVEN, LEVEL, ROLLING_DRY, events_of, normal_equations, objective
 from upright.calibrate.informativity import _within_prior, drives_straight
+from upright.calibrate.judge import poorly
 from upright.calibrate.parameters import ROLL_FRACTION, Parameter, parameters_of, with_values
 from upright.calibrate.process_noise import arrival
 from upright.calibrate.threads import in_threads
+from upright.calibrate.validate import segments
 from upright.control import Estimated, kalman, lqr, make_controller
 from upright.control.excited import Excited, random_binary
 from upright.errors import InvalidLog, UnknownName
@@ -236,6 +239,39 @@ def test_a_useless_prediction_is_no_number_of_thousands() -> None:
     page = str(page_of(found).html())
     assert "3592" not in page
     assert "worse than the mean" in page
+
+
+def test_a_gyro_that_also_measures_the_turn_is_told_and_how_much_of_it() -> None:
+    """A sensor tilted so that it reads 0.3 of the yaw rate, of a robot whose numbers are the file's: without it no
+    reading is poorly predicted. A twentieth of the share is what fitted first states take of it, and noise."""
+    controller = Estimated(lqr(PRIOR, 0.01), kalman(PRIOR, NXT))
+    excitation = random_binary(400, 2.0, 5, hold=10)
+    plain = run(Electronics(NonlinearBody(PRIOR), NXT), Excited(controller, excitation), seconds=4.0, seed=5)
+    tilted = {**plain.channels, "sensor/gyro": 0.95 * plain["sensor/gyro"] + 0.3 * plain["truth/yaw_rate"]}
+    told: list[list[str]] = []
+    for log in (plain, Log(plain.t, tilted, plain.units, plain.origin)):
+        problem, _ = prepared([log], PRIOR, NXT, (), 0.0)
+        (recording,), z = problem.recordings, np.zeros(len(problem.parameters))
+        told.append(poorly(problem, recording, z, segments(problem, recording, z)))
+    assert told[0] == []
+    (words,) = told[1]
+    assert words.startswith("gyro: half a second of free simulation explains ")
+    share = re.search(r"measures the turn \(yaw\), (0.\d+) of it", words)
+    assert share is not None
+    assert float(share[1]) == pytest.approx(0.3, abs=0.015)
+
+
+def test_a_number_that_a_log_knows_less_of_than_the_file_has_no_per_cent() -> None:
+    """Of three EV3 runs the page said that 287 % of the resistance's uncertainty is left."""
+    from upright.report.calibration import page_of
+
+    found = calibration()
+    loose = replace(found["motor_resistance"], shrink=2.87, guess=False)
+    several = [loose if e.name == loose.name else e for e in found.parameters]
+    page = str(page_of(replace(found, parameters=tuple(several), missed=("gyro: missed",))).html())
+    assert "290 %" not in page
+    assert "Wider: the log knows less of it than the file" in page
+    assert "Gyro: missed" in page
 
 
 def test_a_run_that_differs_and_a_sensor_that_is_not_white_are_each_said_once() -> None:

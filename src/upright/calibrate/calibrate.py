@@ -159,7 +159,7 @@ def prepared(
     recordings = tuple(record(log, robot, kit, skip=delay + 0.02, held_out=held_out) for log in logs)
     sensors = dict.fromkeys(s for r in recordings for s in r.sensors)
     delays = {s: _dead_time(kit, logs) + _delay(kit, s) for s in sensors}
-    variances = [first_noise(r, kit) for r in recordings]
+    variances = [first_noise(r) for r in recordings]
     limits = {s: max(v[s] for v in variances if s in v) for s in sensors}
     noise = {s: float(np.log(v)) for s, v in limits.items()}
     noise |= arrival(kit, logs)

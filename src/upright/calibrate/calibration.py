@@ -15,7 +15,7 @@ from upright.atomic import finite
 from upright.errors import InvalidRobot
 from upright.physics.linear import rolling, unstable_pole
 from upright.robots import Kit, Robot
-from upright.tables import Listing, Shown
+from upright.tables import Listing, Shown, sentence
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -46,6 +46,8 @@ FAR = 4.0  # a reading missed by more than twice its deviation counts as missed 
 NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution
 SURPRISE = 3.0
 """Prior deviations beyond which the log contradicts a stated value."""
+WIDER = 1.05
+"""Of a prior's deviation: from here up, by more than rounding, a fit leaves a number less certain than its file."""
 FOREIGN = 6.0
 """Prior deviations of a stated value beyond which the log is of another robot."""
 
@@ -73,6 +75,11 @@ class Estimate:
     def spread(self) -> float:
         """One standard deviation, as a quarter of the interval's width over 0.98."""
         return (self.high - self.low) / (2 * NORMAL)
+
+    @property
+    def wider(self) -> bool:
+        """Whether the log knows less of the number than the robot's file states."""
+        return not self.guess and self.shrink > WIDER
 
     @property
     def surprising(self) -> bool:
@@ -163,7 +170,8 @@ class Calibration(Shown):
     part kept back, `segments` R² of free simulation. `notes` are sentences for the reader. `refused` says why the fit
     is no description of this robot: then no number is called visible. `widening` is by how much the intervals of what
     is visible are wider than those of a right model, `supported` how many numbers and combinations such a model would
-    have visible. `quiet` says why the logs can give no inertia, `apart` which of several runs differs from the rest."""
+    have visible. `quiet` says why the logs can give no inertia, `apart` which of several runs differs from the rest,
+    `missed` which readings half seconds explain too little of, and why where that is known."""
 
     robot: Robot
     prior: Robot
@@ -190,6 +198,7 @@ class Calibration(Shown):
     supported: int = 0
     quiet: str = ""
     apart: tuple[str, ...] = ()
+    missed: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         covariance = np.array(self.covariance, dtype=np.float64)
@@ -203,7 +212,7 @@ class Calibration(Shown):
 
     def check(self) -> tuple[str, ...]:
         """What is wrong with this calibration, from its own numbers; nothing where it may be trusted."""
-        wrong = [*self.refused, *([self.quiet] if self.quiet else []), *self.apart]
+        wrong = [*self.refused, *([self.quiet] if self.quiet else []), *self.apart, *self.missed]
         wrong += [
             f"{e.name}: {e.low:g} ≤ {e.value:g} ≤ {e.high:g} does not hold"
             for e in self.parameters
@@ -267,7 +276,7 @@ class Calibration(Shown):
             "temper": self.temper, "widening": self.widening, "supported": self.supported,
             "samples": self.samples, "seconds": self.seconds, "sources": list(self.sources),
             "notes": list(self.notes), "unseen": list(self.unseen), "refused": list(self.refused),
-            "quiet": self.quiet, "apart": list(self.apart), "wrong": list(self.check()),
+            "quiet": self.quiet, "apart": list(self.apart), "missed": list(self.missed), "wrong": list(self.check()),
             "file": self.known_robot().to_toml(),
         }  # fmt: skip
 
@@ -323,7 +332,8 @@ class Calibration(Shown):
         followed = [f"R² of predictions over half a second: {', '.join(scores)}"] if scores else []
         lines = [_line(e) for e in (*self.parameters, *self.delays, *self.electronics)]
         lines += ["Coefficients of the motion:", *(_line(e) for e in self.combinations)]
-        return "\n".join([head, *refused, *followed, *self.apart, *lines, *self.which_pole, *self.unseen, *self.notes])
+        lines += [*self.which_pole, *self.unseen, *self.notes]
+        return "\n".join([head, *refused, *followed, *map(sentence, self.missed), *self.apart, *lines])
 
     @property
     def which_pole(self) -> tuple[str, ...]:

@@ -75,7 +75,7 @@ def _problem(log: Log, robot: Robot, kit: Kit, delay: float) -> Problem:
     after_command = {
         s: delay + max((d for n, d in delays.items() if SENSOR[n] == s), default=0.0) for s in recording.sensors
     }
-    noise = {s: math.log(variance) for s, variance in first_noise(recording, kit).items()}
+    noise = {s: math.log(variance) for s, variance in first_noise(recording).items()}
     return Problem(
         recordings=(recording,), robot=robot, parameters=_motors(robot, kit, log), delays=after_command, noise=noise
     )

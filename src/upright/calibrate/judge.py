@@ -16,7 +16,11 @@ from numpy.typing import NDArray
 from upright.calibrate.calibration import FOREIGN, GOOD, PREDICTED, Estimate, Segments
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.fitting import Problem
+from upright.calibrate.parameters import columns
 from upright.calibrate.validate import score
+from upright.logs.recording import SENSOR, Recording, first_noise
+from upright.physics.dynamics import turn_ratio
+from upright.physics.linear import unstable_pole
 from upright.robots import Robot, preset_names
 
 Array = NDArray[np.float64]
@@ -26,6 +30,8 @@ NEARER = 2 / 3  # [1] of what the file's numbers leave of half seconds: another 
 LEVEL = 1.1  # [1] of what the best leaves: presets that leave no more are proposed beside it, those of the kit first
 MOST_LAGS = 8  # readings by which a prediction is shifted to see whether it is a delay
 HALF = 0.5  # [1] of the readings' deviation: what a sign, a unit or a delay must explain of them to be named
+NOISY = 4.0  # times the variance that a sensor's noise and steps give: what is left beyond is of the motion
+LEAST = 8  # readings of a half second in which a turn is told
 TURNED = 1.5  # a factor between prediction and reading that no tolerance of a motor makes
 
 
@@ -93,6 +99,63 @@ def unpredicted(parts: Segments) -> list[str]:
         for name in parts.rows
         if parts.r_squared(name) < 0
     ]
+
+
+def poorly(problem: Problem, recording: Recording, z: Array, parts: Segments, *, only_known: bool = False) -> list[str]:
+    """Readings of which half a second of free simulation leaves more than the target and more than noise, and what
+    explains that, in words; those without a known cause are left out where `only_known`."""
+    told: list[str] = []
+    noise = first_noise(recording)
+    for name in parts.rows:
+        r2 = parts.r_squared(name)
+        left = (1 - r2) * float(parts.measured[parts.row == parts.rows.index(name)].var())
+        if r2 >= GOOD or left < NOISY * noise[SENSOR[name]]:
+            continue
+        share = 0.0
+        pair = [i for i, row in enumerate(parts.rows) if SENSOR[row] == "encoder"]
+        if SENSOR[name] == "gyro" and len(pair) == 2:
+            delays = dict(zip(recording.kind.tolist(), problem.own_delays(recording, z).tolist(), strict=True))
+            late = delays[parts.rows.index(name)] - delays[pair[0]]
+            turn = float(np.ravel(turn_ratio(columns(problem.robot, problem.values(z[:, None]))))[0])
+            pole = unstable_pole(problem.robot.without_dry_friction())
+            share = turning(parts, (parts.rows.index(name), *pair), late, turn, pole)
+        if only_known and not share:
+            continue
+        why = (
+            f"it also measures the turn (yaw), {share:.2g} of it. Mount the sensor level, or take that part of the "
+            "wheels' turn off its column"
+            if share
+            else "the cause was not found"
+        )
+        plain = name.removeprefix("sensor/").replace("_", " ")
+        told.append(f"{plain}: half a second of free simulation explains {max(r2, 0):.0%} of it; {why}")
+    return told
+
+
+def turning(parts: Segments, rows: Sequence[int], late: float, turn: float, pole: float) -> float:
+    """Which share of the yaw rate, as the simulated wheels turn, the gyro's misses follow; 0 where that explains less
+    than half of them. `rows` are those of gyro, left and right encoder; the gyro is `late` [s], W/(2R) is `turn`,
+    and a lean grows by the `pole` [1/s]."""
+    misses, rates = [np.empty(0)], [np.empty(0)]
+    for number in np.unique(parts.segment):
+        inside = parts.segment == number
+        gyro, left, right = (np.flatnonzero(inside & (parts.row == row)) for row in rows)
+        both = min(len(left), len(right))
+        if min(len(gyro), both) < LEAST or not np.isfinite(parts.predicted[inside]).all():
+            continue
+        t = parts.when[left[:both]]
+        yaw = (parts.predicted[right[:both]] - parts.predicted[left[:both]]) / (2 * turn)
+        yaw = yaw if "rate" in parts.rows[rows[1]] else np.gradient(yaw, t)
+        now, missed = parts.when[gyro] - late, (parts.measured - parts.predicted)[gyro]
+        first = np.exp(np.outer(now - now[0], (0.0, pole, -pole)))
+        Q = np.linalg.qr(first)[0]  # what a first state, which was fitted to these readings, has taken of them
+        rate = np.interp(now, t, yaw)
+        misses.append(missed - Q @ (Q.T @ missed))
+        rates.append(rate - Q @ (Q.T @ rate))
+    e, rate = np.concatenate(misses), np.concatenate(rates)
+    power = float(rate @ rate)
+    share = float(e @ rate) / power if power > 0 else 0.0
+    return share if share**2 * power > HALF * float(e @ e) else 0.0
 
 
 def worst(parts: Segments, name: str) -> float:

@@ -24,11 +24,11 @@ from upright.calibrate.calibration import (
     Estimate,
     Segments,
 )
-from upright.calibrate.effects import of_robot
+from upright.calibrate.effects import SHARES, of_robot
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.fitting import Normal, Path, Problem, around, slopes_of
 from upright.calibrate.informativity import information, posterior, unseen_directions
-from upright.calibrate.judge import proposed, reasons
+from upright.calibrate.judge import poorly, proposed, reasons
 from upright.calibrate.parameters import GEAR, ROLL_FRACTION, Parameter, columns, with_values
 from upright.calibrate.validate import segments, steps_ahead, whiteness
 from upright.logs.marks import marks_of
@@ -118,7 +118,18 @@ def summarised(
         quiet=reason,
         unseen=tuple(unseen_directions(problem, normal)),
         refused=refused,
+        missed=() if reason else _missed(problem, fitted, free, only_known=bool(refused)),
     )
+
+
+def _missed(problem: Problem, z: Array, free: Sequence[Segments], *, only_known: bool) -> tuple[str, ...]:
+    """What half seconds explain too little of, by run where there are several; of a refused fit
+    only where the cause is known."""
+    told: list[str] = []
+    for number, (recording, parts) in enumerate(zip(problem.recordings, free, strict=True), 1):
+        which = f"Log {number}, " if len(free) > 1 else ""
+        told += [which + text for text in poorly(problem, recording, z, parts, only_known=only_known)]
+    return tuple(told)
 
 
 def _fitted_part(log: Log, recording: Recording) -> FittedLog:
@@ -300,6 +311,12 @@ def _notes(
             )
     elif other:
         notes.append(f"The log may be of another robot than the file{other}.")
+    runs = [e.name for e in every if e.wider and e.name in SHARES and len(problem.recordings) > 1]
+    rest = [e.name for e in every if e.wider and e.name not in runs]
+    for names, why in ((runs, "the runs differ by more than that"), (rest, "what the model leaves out bends it")):
+        if names:
+            less = f"Less is known of {', '.join(names)} than the robot's file states, since {why}"
+            notes.append(f"{less}: where that number was measured, state it by --known.")
     if free["lost"] > 0.1:
         notes.append(
             f"In {free['lost']:.0%} of the half-second free simulations the model falls where the robot did not."

@@ -224,11 +224,11 @@ def _first(reading: Array) -> float:
     return float(reading[np.isfinite(reading)][0])
 
 
-def first_noise(recording: Recording, kit: Kit) -> dict[str, float]:
-    """Variance of each sensor, by the kit and the resolution of its readings."""
+def first_noise(recording: Recording) -> dict[str, float]:
+    """Variance of each sensor, by its kit and the resolution of its readings."""
     variances: dict[str, float] = {}
     for row, name in enumerate(recording.rows):
-        known = kit.sensors.get(name, Sensor())
+        known = recording.parts.get(name, Sensor())
         grain = _grain(recording.value[recording.kind == row])
         variances[SENSOR[name]] = max(known.noise**2 + known.quantum**2 / 12, grain**2 / 12, 1e-10)
     return variances

@@ -167,6 +167,8 @@ def _by_name(c: Calibration) -> Figure | None:
         "more. Not visible: it does not, or not reliably. The kinds of both are at the end."
     )
     short = [e for e in c.parameters if 0 < e.prior_spread < math.inf and e.high - e.low < 0.1 * e.prior_spread]
+    if any(e.wider for e in c.parameters):
+        note += " Wider: the log knows less of it than the file, for the reason beside the estimates."
     note += " A dot without a bar: its interval is shorter than the dot." if short else ""
     return Figure("What this log tells of each parameter, beside what was known before", _bars(c), note)
 
@@ -191,7 +193,7 @@ def _bars(c: Calibration) -> MplFigure:
             ax.plot(value, rows, "o", markersize=4.5, color=colour)
             for e, row, end in zip(group, rows, high, strict=True):
                 ax.annotate(
-                    f"{_left(e)} %",
+                    _left(e),
                     (max(end, *value), row),
                     (6, 0),
                     textcoords="offset points",
@@ -205,9 +207,12 @@ def _bars(c: Calibration) -> MplFigure:
 
 
 def _left(e: Estimate) -> str:
-    """How much of the uncertainty is left [%], with more digits where they decide whether it is half."""
-    left = 100 * e.shrink
-    return next((text for digits in (2, 3, 4) if (text := number(left, digits)) != "50"), "50")
+    """How much of the uncertainty is left [%], with more digits where they decide whether it is half; in a word where
+    it is more than before."""
+    if e.wider:
+        return "wider"
+    left = min(100 * e.shrink, 100.0)
+    return next((text for digits in (2, 3, 4) if (text := number(left, digits)) != "50"), "50") + " %"
 
 
 ROOM = 0.08  # of the width, for the number beside the longest bar
