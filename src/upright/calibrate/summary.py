@@ -92,7 +92,6 @@ def summarised(
     names, covariance = _in_units(problem, z, C)
     by_name = {e.name: e for e in every} | ({"roll_inertia": _roll_inertia(problem, combined[0])})
     parameters = tuple(by_name[name] for name in names if name in PARAMETERS)
-    sources = tuple(map(named, logs))
     robot = _calibrated(problem, z, parameters, logs)
     return Calibration(
         robot=robot,
@@ -111,7 +110,7 @@ def summarised(
         temper=problem.temper,
         samples=int(sum((r.fitted & (r.kind < 0)).sum() for r in problem.recordings)),
         seconds=time.perf_counter() - began,
-        sources=sources,
+        sources=tuple(map(named, logs)),
         notes=(*(() if refused else map(sentence, wrong)), *_notes(problem, every, scores, reason, other, widening)),
         widening=widening,
         supported=int(supported),
@@ -123,8 +122,8 @@ def summarised(
 
 
 def _missed(problem: Problem, z: Array, free: Sequence[Segments], *, only_known: bool) -> tuple[str, ...]:
-    """What half seconds explain too little of, by run where there are several; of a refused fit
-    only where the cause is known."""
+    """What half seconds explain too little of, by run where there are several; of a refused fit only where the cause
+    is known."""
     told: list[str] = []
     for number, (recording, parts) in enumerate(zip(problem.recordings, free, strict=True), 1):
         which = f"Log {number}, " if len(free) > 1 else ""
