@@ -104,37 +104,37 @@ def unpredicted(parts: Segments) -> list[str]:
 def poorly(problem: Problem, recording: Recording, z: Array, parts: Segments, *, only_known: bool = False) -> list[str]:
     """Readings of which half a second of free simulation leaves more than the target and more than noise, and what
     explains that, in words; those without a known cause are left out where `only_known`."""
-    told: list[str] = []
+    texts: list[str] = []
     noise = first_noise(recording)
     for name in parts.rows:
         r2 = parts.r_squared(name)
         left = (1 - r2) * float(parts.measured[parts.row == parts.rows.index(name)].var())
         if r2 >= GOOD or left < NOISY * noise[SENSOR[name]]:
             continue
-        share = 0.0
+        fraction = 0.0
         pair = [i for i, row in enumerate(parts.rows) if SENSOR[row] == "encoder"]
         if SENSOR[name] == "gyro" and len(pair) == 2:
             delays = dict(zip(recording.kind.tolist(), problem.own_delays(recording, z).tolist(), strict=True))
-            late = delays[parts.rows.index(name)] - delays[pair[0]]
+            delay = delays[parts.rows.index(name)] - delays[pair[0]]
             turn = float(np.ravel(turn_ratio(columns(problem.robot, problem.values(z[:, None]))))[0])
             pole = unstable_pole(problem.robot.without_dry_friction())
-            share = turning(parts, (parts.rows.index(name), *pair), late, turn, pole)
-        if only_known and not share:
+            fraction = turning(parts, (parts.rows.index(name), *pair), delay, turn, pole)
+        if only_known and not fraction:
             continue
         why = (
-            f"it also measures the turn (yaw), {share:.2g} of it. Mount the sensor level, or take that part of the "
+            f"it also measures the turn (yaw), {fraction:.2g} of it. Mount the sensor level, or take that part of the "
             "wheels' turn off its column"
-            if share
+            if fraction
             else "the cause was not found"
         )
         plain = name.removeprefix("sensor/").replace("_", " ")
-        told.append(f"{plain}: half a second of free simulation explains {max(r2, 0):.0%} of it; {why}")
-    return told
+        texts.append(f"{plain}: half a second of free simulation explains {max(r2, 0):.0%} of it; {why}")
+    return texts
 
 
-def turning(parts: Segments, rows: Sequence[int], late: float, turn: float, pole: float) -> float:
-    """Which share of the yaw rate, as the simulated wheels turn, the gyro's misses follow; 0 where that explains less
-    than half of them. `rows` are those of gyro, left and right encoder; the gyro is `late` [s], W/(2R) is `turn`,
+def turning(parts: Segments, rows: Sequence[int], delay: float, turn: float, pole: float) -> float:
+    """Which fraction of the yaw rate of the simulated wheels the gyro's misses follow; 0 where that explains less
+    than half of them. `rows` are those of gyro, left and right encoder; the gyro's `delay` in [s], W/(2R) is `turn`,
     and a lean grows by the `pole` [1/s]."""
     misses, rates = [np.empty(0)], [np.empty(0)]
     for number in np.unique(parts.segment):
@@ -146,7 +146,7 @@ def turning(parts: Segments, rows: Sequence[int], late: float, turn: float, pole
         t = parts.when[left[:both]]
         yaw = (parts.predicted[right[:both]] - parts.predicted[left[:both]]) / (2 * turn)
         yaw = yaw if "rate" in parts.rows[rows[1]] else np.gradient(yaw, t)
-        now, missed = parts.when[gyro] - late, (parts.measured - parts.predicted)[gyro]
+        now, missed = parts.when[gyro] - delay, (parts.measured - parts.predicted)[gyro]
         first = np.exp(np.outer(now - now[0], (0.0, pole, -pole)))
         Q = np.linalg.qr(first)[0]  # what a first state, which was fitted to these readings, has taken of them
         rate = np.interp(now, t, yaw)
@@ -154,8 +154,8 @@ def turning(parts: Segments, rows: Sequence[int], late: float, turn: float, pole
         rates.append(rate - Q @ (Q.T @ rate))
     e, rate = np.concatenate(misses), np.concatenate(rates)
     power = float(rate @ rate)
-    share = float(e @ rate) / power if power > 0 else 0.0
-    return share if share**2 * power > HALF * float(e @ e) else 0.0
+    fraction = float(e @ rate) / power if power > 0 else 0.0
+    return fraction if fraction**2 * power > HALF * float(e @ e) else 0.0
 
 
 def worst(parts: Segments, name: str) -> float:

@@ -124,11 +124,11 @@ def summarised(
 def _missed(problem: Problem, z: Array, free: Sequence[Segments], *, only_known: bool) -> tuple[str, ...]:
     """What half seconds explain too little of, by run where there are several; of a refused fit only where the cause
     is known."""
-    told: list[str] = []
+    texts: list[str] = []
     for number, (recording, parts) in enumerate(zip(problem.recordings, free, strict=True), 1):
         which = f"Log {number}, " if len(free) > 1 else ""
-        told += [which + text for text in poorly(problem, recording, z, parts, only_known=only_known)]
-    return tuple(told)
+        texts += [which + text for text in poorly(problem, recording, z, parts, only_known=only_known)]
+    return tuple(texts)
 
 
 def _fitted_part(log: Log, recording: Recording) -> FittedLog:
