@@ -408,6 +408,9 @@ def test_a_knock_harder_than_a_certificates_is_said_and_no_red_light():
     assert harder([fleets[0.24]]) == ""
     assert harder(list(fleets.values())) == " A certificate knocks nxtway-gs with 0.19 to 0.24 N s; here it is 0.3 N s."
     assert [falls_verdict(30, 100, words).level for words in ("", "harder")] == ["bad", "warn"]
+    # 4 of 100 fell, but with 95 % confidence up to 8.9 % may (Clopper and Pearson), which a certificate counts
+    assert [falls_verdict(fell, 100).level for fell in (0, 4)] == ["good", "warn"]
+    assert falls_verdict(4, 100).text == "up to 8.9 % may fall: above the 5 % that a certificate allows"
 
 
 def test_a_bench_takes_of_tied_controllers_the_one_with_the_least_effort():

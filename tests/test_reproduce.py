@@ -150,7 +150,7 @@ def test_the_table_at_the_end_names_every_part(done: Reproduction) -> None:
     lines = str(done).splitlines()
     heads = [line for line in lines if line and line[0].isdigit()]
     assert [line.split()[0] for line in heads] == [*VERDICTS, "5e", "5f", "6"]
-    assert all(line.endswith(f.verdict) for line, f in zip(heads, done.claims, strict=True))
+    assert all(line.endswith(f.says) for line, f in zip(heads, done.claims, strict=True))
     reasons = [line for line in lines if line.startswith("    ")]
     assert len(reasons) >= len(heads)  # every part says why, in a sentence below it
     assert "report.html" in lines[-1]

@@ -21,7 +21,7 @@ from upright.physics.dynamics import derivative
 from upright.report.validation import page_of as report_page
 from upright.robots import FittedLog, Kit, Motor, Robot
 from upright.validate.law import LinearLaw, law_of, recorded
-from upright.validate.validation import LogJudged, Validation
+from upright.validate.validation import LogJudged, Validation, half_second_figure
 
 ROBOT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
 
@@ -68,6 +68,23 @@ def test_a_sensor_that_never_changes_is_named_in_the_verdict(channel: str) -> No
     assert f"{name} never changes" in result.sentence
     assert any(f"{name} never changes" in note for note in result.logs[0].notes)
     assert judged().notes == ()
+
+
+def test_the_page_names_what_is_not_predicted_and_draws_it_first() -> None:
+    """A gyro that half seconds miss, after perfect encoders: the headline, the first picture and the closed loop, which
+    no law was known for, say so."""
+    log = judged()
+    fits = tuple(replace(c, r2=0.588 if c.name == "sensor/gyro" else 0.99) for c in log.half_seconds)
+    unknown = "is not simulated: the law is unknown"
+    log = replace(log, source="/a/b/run.csv", half_seconds=fits, law=unknown, loop=(), simulated=None, shifts=())
+    page = report_page(Validation(robot="mine", kit="", logs=(log,)))
+    assert page.title == "mine predicts the encoders of run.csv, not the gyro (R² 0.588, needs 0.9)"
+    assert page.verdict is not None
+    assert page.verdict.text == "predicts the log in part"
+    assert half_second_figure(log).axes[0].get_ylabel().startswith("gyro")
+    html = page.html()
+    assert "closed loop is not simulated" in html
+    assert "closed loop is simulated" not in html
 
 
 def test_a_loop_of_a_law_that_reads_estimates_is_not_taken_for_the_programs() -> None:

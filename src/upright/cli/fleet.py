@@ -133,7 +133,10 @@ def basin(
         data = cut(ensemble, first, second, samples=samples, threads=asked.threads, progress=show)
     recovered = data["recovered"].values
     mean, points = float(recovered.mean()), int(recovered.size)
-    text = f"recovers from {100 * mean:.4g} % of {points} states ({first.name} × {second.name})"
+    grid = " × ".join(
+        f"{axis.name} {axis.low:.3g} to {axis.high:.3g} {data[axis.name].attrs['unit']}" for axis in (first, second)
+    )
+    text = f"recovers from {100 * mean:.4g} % of {points} states ({grid})"
     apart = float(data["island"].values.mean())
     text += f"; {100 * apart:.2g} % of them are islands, with states between that fall" if apart else ""
     _show(data, text, {"fraction": mean, "islands": apart, "points": points}, asked)

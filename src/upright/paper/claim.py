@@ -18,7 +18,9 @@ BEYOND = "beyond the paper"
 
 SHORT = 6  # rows of a table that is shown without being asked for
 
-LEVEL_OF = {REPRODUCED: "good", NOT_AS_PRINTED: "warn", BEYOND: "info"}
+IN_PART = "reproduced in part"  # a reproduced claim with an aside
+
+LEVEL_OF = {REPRODUCED: "good", IN_PART: "info", NOT_AS_PRINTED: "warn", BEYOND: "info"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +44,12 @@ class Claim:
     @property
     def badge(self) -> Verdict:
         """The verdict as a page shows it."""
-        return Verdict(f"{self.verdict} ({self.aside})" if self.aside else self.verdict, LEVEL_OF[self.verdict])
+        return Verdict(f"{self.says} ({self.aside})" if self.aside else self.says, LEVEL_OF[self.says])
+
+    @property
+    def says(self) -> str:
+        """The verdict in words, the same on the page and in the terminal."""
+        return IN_PART if self.aside and self.verdict == REPRODUCED else self.verdict
 
     @property
     def first(self) -> str:

@@ -49,7 +49,7 @@ class Reproduction(Shown):
 
     def __str__(self) -> str:
         width = max(len(f.title) for f in self.claims)
-        rows = [f"{f.part:<3} {f.title:<{width}}  {f.verdict}\n{f.why(100)}" for f in self.claims]
+        rows = [f"{f.part:<3} {f.title:<{width}}  {f.says}\n{f.why(100)}" for f in self.claims]
         return "\n".join([*rows, "", f"wrote {self.folder / 'report.html'}, results.json and the logs beside it"])
 
     def to_json(self) -> dict[str, Any]:

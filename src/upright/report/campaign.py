@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from upright.certify.verdict import MOST_FALLS
-from upright.fleet.binomial import clopper_pearson
+from upright.fleet.binomial import upper_bound
 from upright.fleet.results import origin_of
 from upright.fleet.tally import Cases, CaseSummary
 from upright.plotting import AXIS, legend, number
@@ -52,14 +52,15 @@ def _limited(cases: Cases) -> Drawing:
 
 
 def falls_verdict(fallen: int, all_of_them: int, harder: str = "") -> Verdict:
-    """Green where none fell, red where more fall than a certificate allows; amber where they were pushed `harder` than
-    a certificate pushes."""
+    """By a certificate's rule, which counts the upper bound of falls: green where none fell and it is within the limit,
+    red where what was counted is above it too; amber also where they were pushed `harder` than a certificate pushes."""
     limit = f"{100 * MOST_FALLS:g} % that a certificate allows"
-    few = clopper_pearson(fallen, all_of_them).value <= MOST_FALLS
+    bound = upper_bound(fallen, all_of_them)
+    few = bound <= MOST_FALLS
     if harder and not few:
         return Verdict(f"{_percent(fallen / all_of_them)} fall: pushed harder than for a certificate", "warn")
-    level = "good" if not fallen else "warn" if few else "bad"
-    return Verdict(f"{'below' if few else 'above'} the {limit}", level)
+    level = "bad" if fallen > MOST_FALLS * all_of_them else "good" if few and not fallen else "warn"
+    return Verdict(f"up to {_percent(bound)} may fall: {'below' if few else 'above'} the {limit}", level)
 
 
 def robot_of(origin: Mapping[str, Any]) -> tuple[Robot, Kit] | None:
@@ -163,7 +164,8 @@ def _next(cases: Cases) -> str:
     least = min((case.chance.value for case in cases if case.chance), default=0.0)
     if least > MOST_FALLS and cases.pushes:
         return " Next: `upright push-map`, which finds the largest push that each survives."
-    return " Next: `upright tune` the best controller." if any(case.fell for case in cases) else ""
+    best = "the best" if any(name == "controller" for name, *_ in _apart(cases)) else "a"
+    return f" Next: `upright tune` {best} controller." if any(case.fell for case in cases) else ""
 
 
 def _one_robot(cases: Cases) -> bool:

@@ -163,7 +163,7 @@ def _verdict(comparison: Comparison) -> Verdict | None:
     if fits:
         worst = min(fits.values())
         levels = {"good": "good", "fair": "warn", "poor": "bad"}
-        return Verdict(f"{_grade(worst)} fit: {_RANGES[_grade(worst)]}", levels[_grade(worst)])
+        return Verdict(f"{words(first)}: {_grade(worst)} fit, {_RANGES[_grade(worst)]}", levels[_grade(worst)])
     return None if any(f is None for f in fell) else Verdict("stood", "good")
 
 

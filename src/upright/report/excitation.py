@@ -70,9 +70,11 @@ _DITHERS = (
     "for 40 ms. What a hundred runs leave comes from other numbers of the file, such as masses: measure those."
 )
 _TRIED = (
-    "Each excitation is as large as the limits allow; energies are those at the motors. The plan may use less, where "
-    "the intervals hardly widen. So a dither is louder here than the one above, and comes closer. "
-    "The last column is the width of the intervals after the run over that before. It is the geometric mean over {}."
+    "Each alternative is as large as the limits allow; energies are those at the motors. The plan takes the best, then "
+    "less of it: as little energy as leaves the intervals hardly wider. So an alternative may be narrower than the "
+    "plan, by more energy, and a dither is louder here than the one above. "
+    "The last column is what is minimised: the width of the intervals after the run over that before, as the geometric "
+    "mean over {}."
 )
 
 
@@ -97,7 +99,7 @@ def _lead(plan: ExcitationPlan) -> str:
     names = ", ".join(spoken(p.name) for p in halved[:3])
     most = f" It sharpens {names} most." if names else ""
     better = [spoken(p.name) for p in plan.predicted if p.after < VISIBLE * p.before and p.dither < BETTER * p.after]
-    most += f" A random dither of the same energy would be better for {joined(better)}." if better else ""
+    most += f" A random dither of the same energy would tell more of {joined(better)}." if better else ""
     from upright.excite.search import COMBINED
 
     way = "a mix of random steps, sines, drives and turns" if plan.way == COMBINED else f"a {plan.way}"
@@ -167,7 +169,8 @@ DRAWN = 0.95  # of the width before: parameters whose intervals shrink less are 
 
 
 def _title(plan: ExcitationPlan) -> str:
-    return f"A run of {plan.seconds:.3g} s should halve the uncertainty of {_halved(plan)} parameters of {plan.robot}"
+    of = f"{_halved(plan)} of {len(plan.predicted)} parameters of {plan.robot}"
+    return f"A run of {plan.seconds:.3g} s should halve the uncertainty of {of}"
 
 
 def _halved(plan: ExcitationPlan) -> int:
@@ -236,7 +239,7 @@ def _named(p: Predicted) -> str:
 
 def _checked_words(plan: ExcitationPlan) -> str:
     c = plan.checked
-    times = "this excitation" if plan.margin == 1 else f"{plan.margin:g} times this excitation"
+    times = "this excitation" if plan.margin == 1 else f"this excitation made {plan.margin:g} times as large"
     return (
         f"{c.samples} robots drawn from the uncertainty of {plan.robot}, in the nonlinear model with kit {plan.kit} "
         f"and {times}: {c.fell} fell. With 95 % confidence the probability of a fall is "
@@ -261,6 +264,7 @@ def _tried(plan: ExcitationPlan) -> Table:
     known = [(t.name, t.energy, t.shrinks) for t in plan.tried]
     tried = sorted([*known, ("this plan", plan.energy, whole)], key=lambda one: np.nan_to_num(one[2], nan=math.inf))
     rows: list[list[Cell]] = [list(one) for one in tried]
-    return Table(
-        ["excitation", f"energy [{_energy_unit(plan)}]", "width after / before"], rows, "Excitations, the best first", 3
-    )
+    return Table(["excitation", f"energy [{_energy_unit(plan)}]", "width after / before"], rows, _NARROWEST, 3)
+
+
+_NARROWEST = "Excitations, the narrowest intervals first"

@@ -149,12 +149,20 @@ def basin_figure(data: Dataset) -> Figure:
     if not family:
         _named_areas(drawing)
     steps = " and ".join(_step(data, name) for name in (across, up))
-    note = f"Tried every {steps}; the border is drawn smooth, with every state tried on its side."
-    if family:
-        note = f"Tried every {steps}, with {_several(data)} robots at each state."
+    whole = " and ".join(f"{n.replace('_', ' ')} {_reach_of(data, n)}" for n in (across, up))
+    note = f"Tried: {whole}, every {steps}"
+    note += f", with {_several(data)} robots at each state." if family else "."
+    note += " Drawn is the part around what recovers."
+    note += "" if family else " The border is drawn smooth, with every state tried on its side."
     apart = float(data["island"].values.mean())
     islands = f" {100 * apart:.2g} % of these states are islands: from states between them and rest the robot falls."
     return Figure(title, drawing, note + (islands if apart else ""))
+
+
+def _reach_of(data: Dataset, name: str) -> str:
+    """From where to where a state was tried."""
+    values = data[name].values
+    return f"{_in_degrees(float(values.min()), data, name)} to {_in_degrees(float(values.max()), data, name)}"
 
 
 def _several(data: Dataset) -> int:
@@ -182,12 +190,14 @@ def _step(data: Dataset, name: str) -> str:
 
 
 def _mark(ax: Axes, best: float, colour: str) -> None:
-    """The leans beyond which no controller saves the robot, let go at rest."""
+    """The leans beyond which no controller saves the robot, let go at rest: so only where the other state is zero."""
     for side in (-best, best):
-        ax.axvline(
+        ax.plot(
             side,
-            linestyle="--",
-            linewidth=1.2,
+            0.0,
+            "|",
+            markersize=22,
+            markeredgewidth=2,
             color=colour,
             label="limit of any controller, let go at rest" if side > 0 else "_",
         )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Sequence
+from pathlib import Path
 
 import numpy as np
 
@@ -60,7 +61,7 @@ _SHIFTS = (
 
 _NONE = (
     "None: no single parameter accounts for the error that is left over half seconds. Moving any one alone would "
-    "shrink the squared error by less than a tenth."
+    "shrink the squared error by less than a tenth. Moving several together may help more."
 )
 
 
@@ -68,24 +69,36 @@ def page_of(result: Validation) -> Page:
     """The validation's page, not yet written."""
     worst = result.worst
     level = {PREDICTS: "good", DOES_NOT: "bad"}.get(result.verdict, "warn")
-    words = f"{result.verdict} the log" if result.verdict != JUDGED else result.verdict
+    words = result.verdict if result.verdict == JUDGED else result.says("the log")
     used = any(log.no_test for log in result.logs)
     verdict = Verdict(f"{words}; no test" if used else words, "warn" if used and level == "good" else level)
     sections = [section for log in result.logs for section in _sections(log, len(result.logs) > 1)]
-    of = " of" if result.verdict == JUDGED else ""
-    logs = result.logs[0].source or "the log" if len(result.logs) == 1 else f"{len(result.logs)} logs"
-    title = (
-        f"{result.robot} {result.verdict}{of} {logs}: R² of {_judged(result)} at least {least_of(worst.worst.r2, 4)}"
-    )
     half = f"Measured and predicted, half a second at a time: R² of {_each(worst)}"
     lead = _lead(result) if result.verdict == PREDICTS else f"{result.sentence}. {_lead(result)}"
     return Page(
-        title, sections, lead, {"kit": result.kit, "logs": ", ".join(x.source for x in result.logs)},
+        _title(result), sections, lead, {"kit": result.kit, "logs": ", ".join(x.source for x in result.logs)},
         False, verdict=verdict, picture=Figure(half, half_second_figure(worst), _STARTS), numbers=_numbers(result),
     )  # fmt: skip
 
 
 _STARTS = "Each half second starts from a state fitted to it, and gets only the logged commands."
+
+
+def _title(result: Validation) -> str:
+    """Which sensors are predicted, and which are not, with the R² of the worst."""
+    least_r2 = result.worst.worst.r2
+    logs = Path(result.logs[0].source).name or "the log" if len(result.logs) == 1 else f"{len(result.logs)} logs"
+    fits = [c for log in result.logs for c in log.half_seconds if c.name in PREDICTED]
+    poor = {c.name for c in fits if c.r2 < GOOD}
+    good = {c.name for c in fits} - poor
+    if not poor:
+        r2 = f"R² of {_named(good)} at least {least_of(least_r2, 3)}"
+        return f"{result.robot} {result.says(logs)}: {r2}"
+    lowest = f"R² {least_of(least_r2, 3)}" if least_r2 >= 0 else "R² below 0"
+    lowest = f"{lowest}, needs {GOOD:g}" if len(poor) == 1 else f"least {lowest}, needs {GOOD:g}"
+    if good:
+        return f"{result.robot} predicts the {_named(good)} of {logs}, not the {_named(poor)} ({lowest})"
+    return f"{result.robot} does not predict the {_named(poor)} of {logs} well ({lowest})"
 
 
 def _each(log: LogJudged) -> str:
@@ -94,11 +107,10 @@ def _each(log: LogJudged) -> str:
     return ", ".join(f"{short(c.name)} {least_of(c.r2, 3)}" for c in sorted(judged, key=lambda c: c.r2))
 
 
-def _judged(result: Validation) -> str:
-    """The sensors that are judged, in words."""
-    names = {c.name: short(c.name) for log in result.logs for c in log.half_seconds if c.name in PREDICTED}
-    words = dict.fromkeys("encoders" if _both(name, names) else word for name, word in names.items())
-    return " and ".join(sorted(words, reverse=True))
+def _named(names: Collection[str]) -> str:
+    """Sensors in words."""
+    words = {"encoders" if _both(name, names) else short(name) for name in names}
+    return joined(sorted(words, reverse=True))
 
 
 def _both(name: str, names: Collection[str]) -> bool:
@@ -109,7 +121,8 @@ def _both(name: str, names: Collection[str]) -> bool:
 def _lead(result: Validation) -> str:
     """What was done, what passes, and what to run next."""
     seconds = sum(log.seconds for log in result.logs)
-    then = "`upright design` a controller" if result.worst.worst.r2 >= GOOD else "`upright calibrate` with this log"
+    again = "`upright calibrate` with this log, which moves all parameters together"
+    then = "`upright design` a controller" if result.worst.worst.r2 >= GOOD else again
     then = "`upright validate` with a log of another run" if any(log.no_test for log in result.logs) else then
     compass = any(c.name.endswith("compass") for log in result.logs for c in log.half_seconds)
     aside = " The compass is shown, not judged: it also turns with iron and motors nearby." if compass else ""
@@ -158,7 +171,9 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
         first = max(shifts, key=lambda s: s.explains)
         numbers.append((f"{first.name.replace('_', ' ')}", "is the parameter to doubt first"))
     elif len(numbers) < MOST:
-        numbers.append(("none", "of its parameters is to doubt: moving one alone would hardly help"))
+        alone = "of its parameters is to doubt" if worst.r2 >= GOOD else "of its parameters explains the error alone"
+        together = "hardly help" if worst.r2 >= GOOD else "hardly help, moving several together may"
+        numbers.append(("none", f"{alone}: moving one would {together}"))
     return numbers
 
 
@@ -197,9 +212,10 @@ def _lost(loop: Sequence[ChannelFit], pushed: float | None) -> str:
 
 def _sections(log: LogJudged, several: bool) -> list[Section]:
     """What the page says of one log."""
-    name = f" of {log.source}" if several else ""
+    name = f" of {Path(log.source).name}" if several else ""
     named = log.law.startswith("law")
-    loop: list[Item] = [_LOOP, sentence(log.law if named else f"the loop {log.law}")]
+    loop: list[Item] = [sentence(log.law if named else f"the closed loop {log.law}")]
+    loop[:0] = [_LOOP] if log.loop else []
     loop += [log.caution] if log.caution else []
     if log.simulated is not None:
         loop += [_beyond(log.simulated)]

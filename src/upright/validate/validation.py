@@ -181,14 +181,19 @@ class Validation(Shown):
         several = f" of {log.source}" if len(self.logs) > 1 else ""
         r2 = least_of(log.worst.r2, 4)
         dead = {short(name) for one in self.logs for name in one.dead}
-        of = " of" if self.verdict == JUDGED else ""
         r2 += f" ({least_of(least(log.own_run).r2, 4)} with what belongs to its run)" if log.own_run else ""
         never = f"; {joined(sorted(dead))} never change{'s' if len(dead) == 1 else ''}" if dead else ""
         return (
-            f"{self.robot} {self.verdict}{of} {'this log' if len(self.logs) == 1 else f'these {len(self.logs)} logs'}: "
+            f"{self.robot} {self.says('this log' if len(self.logs) == 1 else f'these {len(self.logs)} logs')}: "
             f"over half seconds the {short(log.worst.name)}{several} has the smallest R², {r2}{never}"
             + "".join(f"; no test: {one.no_test}" for one in self.logs if one.no_test)
         )
+
+    def says(self, logs: str) -> str:
+        """The verdict on `logs`, in words."""
+        if self.verdict == PARTLY:
+            return f"predicts {logs} in part"
+        return f"{self.verdict} {'of ' if self.verdict == JUDGED else ''}{logs}"
 
     def to_json(self) -> dict[str, Any]:
         """Plain numbers; what is not finite is null."""
@@ -207,10 +212,12 @@ class Validation(Shown):
 
 
 def half_second_figure(log: LogJudged) -> Figure:
-    """Measured and predicted readings, half a second at a time."""
+    """Measured and predicted readings, half a second at a time; those that do not pass first, the worst of them."""
     from upright.plotting import legend, line, panels, span
 
+    r2 = {c.name: min(c.r2, GOOD) for c in log.half_seconds}
     names = [name for name in log.segments.rows if name in PREDICTED] or list(log.segments.rows)
+    names.sort(key=lambda name: r2.get(name, GOOD))
     figure, axes = panels([_label(name) for name in names])
     for ax, name in zip(axes, names, strict=True):
         t, measured, predicted = log.segments.series(name)
