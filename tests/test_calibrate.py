@@ -274,6 +274,21 @@ def test_a_number_that_a_log_knows_less_of_than_the_file_has_no_per_cent() -> No
     assert "Gyro: missed" in page
 
 
+def test_no_bar_and_no_prior_of_a_positive_number_is_drawn_below_zero() -> None:
+    from upright.report.calibration import page_of
+    from upright.report.figure import Figure
+    from upright.tables import spoken
+
+    found = calibration()
+    items = [item for section in page_of(found).sections for item in section.items if isinstance(item, Figure)]
+    (ax,) = next(item for item in items if item.title.startswith("What this log tells")).drawing.axes
+    known = {spoken(e.name): e for e in found.parameters}
+    assert len(ax.patches) == len(ax.get_yticklabels())
+    for label, band in zip(ax.get_yticklabels(), ax.patches, strict=True):
+        e = known[label.get_text()]
+        assert band.get_x() * e.prior_spread >= -e.prior * (1 + 1e-9)
+
+
 def test_a_run_that_differs_and_a_sensor_that_is_not_white_are_each_said_once() -> None:
     """Of three runs with the same loud sensor, and one file with an underscore in its name."""
     from upright.report.calibration import page_of

@@ -386,6 +386,13 @@ def test_a_finding_keeps_its_numbers_as_plain_json(parts: dict[str, Claim]) -> N
     assert replace(parts["4"], verdict=BEYOND).section().verdict is not None
 
 
+def test_a_claim_reproduced_in_part_is_not_green() -> None:
+    claim = Claim("1", "A push", REPRODUCED, "It holds.", {}, aside="the twin keeps swinging")
+    assert claim.says == "reproduced in part"
+    assert claim.badge.text == "reproduced in part (the twin keeps swinging)"
+    assert claim.badge.level == "info"
+
+
 # Chapter 6
 
 

@@ -8,9 +8,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from upright.calibrate.calibration import GOOD, NORMAL, PREDICTED, VERDICTS, VISIBLE, Calibration, Estimate
-from upright.plotting import COLOURS, INK, SMALL, legend, line, number, panels, rows_of, span
+from upright.plotting import COLOURS, INK, SMALL, SPAN, legend, line, number, panels, rows_of
 from upright.report.figure import Figure
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
+from upright.robots import PARAMETERS
 from upright.tables import joined, least, sentence, spoken
 
 if TYPE_CHECKING:
@@ -166,10 +167,13 @@ def _by_name(c: Calibration) -> Figure | None:
         f"Visible: the log halves it; measured where that leaves ± {100 * CLOSE:g} % or less, bounded where it leaves "
         "more. Not visible: it does not, or not reliably. The kinds of both are at the end."
     )
-    short = [e for e in c.parameters if 0 < e.prior_spread < math.inf and e.high - e.low < 0.1 * e.prior_spread]
+    drawn = [e for e in c.parameters if 0 < e.prior_spread < math.inf]
+    one_sided = [e for e in _groups(c)[1] if e in drawn and e.name in PARAMETERS]
+    short = [e for e in drawn if e not in one_sided and e.high - e.low < 0.1 * e.prior_spread]
     if any(e.wider for e in c.parameters):
         note += " Wider: the log knows less of it than the file, for the reason beside the estimates."
     note += " A dot without a bar: its interval is shorter than the dot." if short else ""
+    note += " A bar without a dot: only an upper bound is known; it reaches from zero to that." if one_sided else ""
     return Figure("What this log tells of each parameter, beside what was known before", _bars(c), note)
 
 
@@ -189,8 +193,12 @@ def _bars(c: Calibration) -> MplFigure:
             rows = [names.index(e.name) for e in group]
             value, low, high = ([(x - e.prior) / e.prior_spread for e, x in zip(group, xs, strict=True)]
                                 for xs in zip(*((e.value, e.low, e.high) for e in group), strict=True))  # fmt: skip
+            one_sided = [e in bounded and e.name in PARAMETERS for e in group]
+            low = [_zero(e) if side else x for e, x, side in zip(group, low, one_sided, strict=True)]
             ax.hlines(rows, low, high, linewidth=2.5, color=colour, label=label)
-            ax.plot(value, rows, "o", markersize=4.5, color=colour)
+            for row, x, end, side in zip(rows, value, high, one_sided, strict=True):
+                mark, size = ("|", 9.0) if side else ("o", 4.5)
+                ax.plot(end if side else x, row, mark, color=colour, markersize=size, markeredgewidth=size / 4.5)
             for e, row, end in zip(group, rows, high, strict=True):
                 ax.annotate(
                     _left(e),
@@ -200,10 +208,26 @@ def _bars(c: Calibration) -> MplFigure:
                     va="center",
                     size=SMALL,
                 )
-    span([ax], -NORMAL, NORMAL, "95 % before this log")
+    every = [e for group, _ in kept.values() for e in group]
+    least = [max(-NORMAL, _zero(e)) if e.name in PARAMETERS else -NORMAL for e in every]
+    ax.barh(
+        range(len(every)),
+        [NORMAL - x for x in least],
+        1.0,
+        least,
+        color=SPAN,
+        alpha=0.22,
+        zorder=0,
+        label="95 % before this log",
+    )
     low, high = ax.get_xlim()
     ax.set_xlim(low, high + ROOM * (high - low))
     return legend(figure)
+
+
+def _zero(e: Estimate) -> float:
+    """Where zero lies, which no number of a robot is below, in standard deviations of the prior."""
+    return -e.prior / e.prior_spread
 
 
 def _left(e: Estimate) -> str:

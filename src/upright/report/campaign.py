@@ -254,7 +254,7 @@ def _numbers(cases: Cases, fallen: int, all_of_them: int) -> list[tuple[str, str
 
 
 def _claim(cases: Cases) -> str:
-    apart = [spoken(name) for name, *_ in _apart(cases)]
+    apart = [f"{spoken(name)} (most fall with {cases.labelled(name, worst)})" for name, _, (worst, _) in _apart(cases)]
     return (
         f"Falls of each case; what makes a difference between cases: {', '.join(apart)}"
         if apart
