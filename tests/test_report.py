@@ -19,7 +19,7 @@ from upright.comparison import compare
 from upright.comparison.bench import Bench, BenchRow
 from upright.decimate import decimate
 from upright.errors import InvalidLog, UnknownName, UprightError
-from upright.experiment.pushes import Impulse
+from upright.experiment.pushes import Impulse, Slope
 from upright.fleet.binomial import clopper_pearson
 from upright.fleet.fleet import ensemble_of
 from upright.fleet.tally import Cases, CaseSummary, Moments
@@ -400,6 +400,13 @@ def test_a_campaign_is_ranked_by_falls_and_what_nobody_survived_has_a_dash():
     assert ["a", "0", "3"] in rows
     assert ["b", "100", "–"] in rows
     assert str(cases).splitlines()[-1].endswith("–")
+
+
+def test_a_campaign_says_what_is_done_in_each_scenario():
+    cases = Cases(CaseSummary({"scenario": name}, 100, 0, clopper_pearson(0, 100), {}) for name in ("knock", "hill"))
+    pushes = ((Impulse(impulse=0.3),), (Slope(angle=math.radians(5.0)),))
+    cases.origins = [ensemble_of("nxtway-gs", pushes=push).origin() for push in pushes]
+    assert "Scenarios: knock: pushed forward by 0.3 N s; hill: on a floor tilted by 5°." in page_of(cases).lead
 
 
 def test_a_knock_harder_than_a_certificates_is_said_and_no_red_light():

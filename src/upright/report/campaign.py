@@ -102,6 +102,8 @@ def pushed(pushes: Sequence[Mapping[str, Any]] | None) -> str:
                 words.append(f"pushed {'forward' if size > 0 else 'backward'} by {number(abs(size))} {unit}")
         if push.get("pitch"):
             words.append(f"held at {number(math.degrees(push['pitch']), 2)}° and released")
+        if push.get("angle"):
+            words.append(f"on a floor tilted by {number(math.degrees(push['angle']), 2)}°")
     return " and ".join(words[:3]) or ("pushed" if pushes else "without a push")
 
 
@@ -152,11 +154,24 @@ def _lead(cases: Cases) -> str:
     scene = (
         f", {pushed(cases.pushes)}" if known else f" in scenario {scenes[0]}" if len(scenes) == 1 and scenes[0] else ""
     )
-    first = f"{len(cases)} cases, each with {many}{scene}.{where(cases.pushes) if known else ''}"
+    first = f"{len(cases)} cases, each with {many}{scene}.{where(cases.pushes) if known else _scenarios(cases)}"
     apart = {name for name, *_ in _apart(cases)}
     alike = [spoken(name) for name in cases.varied() if name not in apart]
     second = f" Which {joined(alike)} they have makes no clear difference to falls." if alike else ""
     return f"{first}{harder(cases.origins)}{_strongest(cases)}{second}{_next(cases)}"
+
+
+def _scenarios(cases: Cases) -> str:
+    """What is done to the robots in each scenario, as a sentence with a space before it; nothing for a single one."""
+    if len(cases.origins) != len(cases):
+        return ""
+    pushes = {str(case.labels.get("scenario", "")): origin.get("scenario", {}).get("push")
+              for case, origin in zip(cases, cases.origins, strict=True)}  # fmt: skip
+    return (
+        f" Scenarios: {'; '.join(f'{name}: {pushed(push)}' for name, push in pushes.items())}."
+        if len(pushes) > 1
+        else ""
+    )
 
 
 def _next(cases: Cases) -> str:
