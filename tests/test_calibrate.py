@@ -248,13 +248,13 @@ def test_a_gyro_that_also_measures_the_turn_is_told_and_how_much_of_it() -> None
     excitation = random_binary(400, 2.0, 5, hold=10)
     plain = run(Electronics(NonlinearBody(PRIOR), NXT), Excited(controller, excitation), seconds=4.0, seed=5)
     tilted = {**plain.channels, "sensor/gyro": 0.95 * plain["sensor/gyro"] + 0.3 * plain["truth/yaw_rate"]}
-    told: list[list[str]] = []
+    remarks: list[list[str]] = []
     for log in (plain, Log(plain.t, tilted, plain.units, plain.origin)):
         problem, _ = prepared([log], PRIOR, NXT, (), 0.0)
         (recording,), z = problem.recordings, np.zeros(len(problem.parameters))
-        told.append(poorly(problem, recording, z, segments(problem, recording, z)))
-    assert told[0] == []
-    (words,) = told[1]
+        remarks.append(poorly(problem, recording, z, segments(problem, recording, z)))
+    assert remarks[0] == []
+    (words,) = remarks[1]
     assert words.startswith("gyro: half a second of free simulation explains ")
     share = re.search(r"measures the turn \(yaw\), (0.\d+) of it", words)
     assert share is not None

@@ -169,14 +169,14 @@ def test_what_a_stranger_calls_a_column_is_proposed(header: str) -> None:
         scaled = held()[what.rstrip("°‰µ%")] * factor.get(what[-1], 1.0)
         columns[name] = np.rint(scaled) if what[-1] in "‰µ%" and what[0] != "Δ" else 1.0 * scaled
         at[what.rstrip("°‰µ%")] = name
-    told = proposed(RawTable(columns))[0]
-    read = {name.replace("applied/", "command/"): source.column for name, source in told.channels.items()}
+    draft = proposed(RawTable(columns))[0]
+    read = {name.replace("applied/", "command/"): source.column for name, source in draft.channels.items()}
     wanted = {name: at[what] for name, what in TRUE.items() if what in at and name != "t"}
     assert read == wanted
-    t, channels, _ = channels_of(told, RawTable(columns))
+    t, channels, _ = channels_of(draft, RawTable(columns))
     assert np.diff(t) == pytest.approx(np.diff(parts()["t"]), abs=1.1e-3)  # of whole milliseconds
     for name, what in TRUE.items():  # a unit is right, or nothing states one, and the doctor's checks find it
-        if name in channels and told.channels[name].unit not in ("", "1") and told.channels[GYRO].unit:
+        if name in channels and draft.channels[name].unit not in ("", "1") and draft.channels[GYRO].unit:
             assert channels[name] == pytest.approx(held()[what], abs=0.05), name
 
 

@@ -31,7 +31,7 @@ LEVEL = 1.1  # [1] of what the best leaves: presets that leave no more are propo
 MOST_LAGS = 8  # readings by which a prediction is shifted to see whether it is a delay
 HALF = 0.5  # [1] of the readings' deviation: what a sign, a unit or a delay must explain of them to be named
 NOISY = 4.0  # times the variance that a sensor's noise and steps give: what is left beyond is of the motion
-LEAST = 8  # readings of a half second in which a turn is told
+LEAST = 8  # readings of a half second from which a turn is estimated
 TURNED = 1.5  # a factor between prediction and reading that no tolerance of a motor makes
 
 

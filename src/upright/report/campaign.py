@@ -33,9 +33,10 @@ def page_of(cases: Cases) -> Page:
     if not counted:
         return Page(f"{len(cases)} cases", sections, "This campaign does not keep who fell.", twin_note=False)
     fallen, all_of_them = sum(case.fell or 0 for case in counted), sum(case.n for case in counted)
-    verdict = falls_verdict(fallen, all_of_them, harder(cases.origins))
+    knocks = harder(cases.origins)
+    verdict = falls_verdict(fallen, all_of_them, knocks)
     return Page(
-        _title(cases, fallen / all_of_them), sections, _lead(cases), twin_note=False, verdict=verdict,
+        _title(cases, fallen / all_of_them), sections, _lead(cases, knocks), twin_note=False, verdict=verdict,
         picture=Figure(_claim(cases), _limited(cases)),
         numbers=_numbers(cases, fallen, all_of_them),
     )  # fmt: skip
@@ -139,8 +140,8 @@ def _apart(cases: Cases) -> list[tuple[str, tuple[str | float, float], tuple[str
     return apart
 
 
-def _lead(cases: Cases) -> str:
-    """What was run, and what makes no difference."""
+def _lead(cases: Cases, knocks: str) -> str:
+    """What was run, how hard its `knocks` are, and what makes no difference."""
     sizes = sorted({case.n for case in cases})
     robots = " and ".join(dict.fromkeys(str(case.labels.get("robot", "")) for case in cases))
     same = "the same " if len(sizes) == 1 and _one_robot(cases) and len(cases) > 1 else ""
@@ -158,7 +159,7 @@ def _lead(cases: Cases) -> str:
     apart = {name for name, *_ in _apart(cases)}
     alike = [spoken(name) for name in cases.varied() if name not in apart]
     second = f" Which {joined(alike)} they have makes no clear difference to falls." if alike else ""
-    return f"{first}{harder(cases.origins)}{_strongest(cases)}{second}{_next(cases)}"
+    return f"{first}{knocks}{_strongest(cases)}{second}{_next(cases)}"
 
 
 def _scenarios(cases: Cases) -> str:

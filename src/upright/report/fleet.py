@@ -175,7 +175,8 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     after = "`upright push-map`, which finds the largest push, or `upright sweep`, which compares controllers"
     few = 0 < len(_varied(data)) <= FEW
     all_vary = "; `--vary spread` varies all numbers of the robot" if few else ""
-    lead = f"{_differ(data, robot)}{where(pushes)}{harder([origin_of(data)])} Next: {after}{all_vary}."
+    knocks = harder([origin_of(data)])
+    lead = f"{_differ(data, robot)}{where(pushes)}{knocks} Next: {after}{all_vary}."
     bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %" if summary.fell else ""
     numbers = [
         (
@@ -201,7 +202,7 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     ]
     return Page(
         f"{summary.fell} of {summary.n} robots fell, {pushed(pushes)}", sections, lead, provenance(data), False,
-        picture=picture, numbers=numbers, verdict=_verdict(data, summary),
+        picture=picture, numbers=numbers, verdict=_verdict(data, summary, knocks),
     )  # fmt: skip
 
 
@@ -210,9 +211,9 @@ def _varied(data: Dataset) -> list[str]:
     return [spread["name"] for spread in (origin_of(data).get("vary") or {}).get("spreads", [])]
 
 
-def _verdict(data: Dataset, summary: Summary) -> Verdict:
+def _verdict(data: Dataset, summary: Summary, knocks: str) -> Verdict:
     """A certificate varies every number: where a few do, few falls are no green light."""
-    verdict = falls_verdict(summary.fell, summary.n, harder([origin_of(data)]))
+    verdict = falls_verdict(summary.fell, summary.n, knocks)
     names = _varied(data)
     if verdict.level == "bad" or len(names) > FEW:
         return verdict
