@@ -95,7 +95,7 @@ def test_a_loop_of_a_law_that_reads_estimates_is_not_taken_for_the_programs() ->
     assert "--controller" in log.caution
     assert "--controller" in str(Validation(robot="", kit="", logs=(log,)))
     whole = report_page(Validation(robot="", kit="", logs=(log,)))
-    assert not any("first row" in label for _, label in whole.numbers)
+    assert not any("whole run" in label for _, label in whole.numbers)
     given = up.validate(ROBOT, foreign, KIT, lqg(ROBOT, KIT, KIT.period)).logs[0]
     assert given.caution == ""
 
@@ -168,7 +168,7 @@ def test_a_log_of_the_robots_own_fit_is_said_to_be_no_test() -> None:
     assert judged().fitted is None  # a preset does not say
     pages = [report_page(result) for result in (own, other)]
     assert [page.verdict.level for page in pages if page.verdict] == ["warn", "good"]
-    assert ["This is a test:" in page.lead for page in pages] == [False, True]
+    assert ["A test on " in page.lead for page in pages] == [False, True]
 
 
 def test_marks_know_rows_again_in_another_file_and_in_a_part(tmp_path: Path) -> None:

@@ -28,7 +28,7 @@ class Claim:
     """One claim: `part` of the paper, `title`, `verdict`, a `summary` with its numbers, and the evidence.
 
     `numbers` are plain JSON; `items` the figures and tables of the page;
-    `logs` the runs behind it, by file name without suffix. `aside` says on the page what the verdict does not cover.
+    `logs` the runs behind it, by file name without suffix. `aside` says what holds of a claim that holds in part.
     """
 
     part: str
@@ -44,7 +44,7 @@ class Claim:
     @property
     def badge(self) -> Verdict:
         """The verdict as a page shows it."""
-        return Verdict(f"{self.says} ({self.aside})" if self.aside else self.says, LEVEL_OF[self.says])
+        return Verdict(self.says, LEVEL_OF[self.says])
 
     @property
     def says(self) -> str:
@@ -53,8 +53,9 @@ class Claim:
 
     @property
     def first(self) -> str:
-        """The first sentence of the summary."""
-        return f"{self.summary.split('. ')[0].rstrip('.')}."
+        """What holds of a claim that holds in part, and the first sentence of the summary."""
+        part = f"In part: {self.aside}. " if self.aside else ""
+        return f"{part}{self.summary.split('. ')[0].rstrip('.')}."
 
     def why(self, width: int) -> str:
         """The first sentence of the summary, indented and wrapped to `width` columns."""
@@ -69,8 +70,9 @@ class Claim:
         shown = list(leading) or figures[:1] or short
         rest = [item for item in self.items if item not in shown]
         folded = [Details("Tables, figures and derivations", rest, printed=False)] if rest else []
-        return Section(f"{self.part} {self.title}", [self.summary, *shown, *folded], self.badge, folded=True)
+        part = [f"In part: {self.aside}."] if self.aside else []
+        return Section(f"{self.part} {self.title}", [*part, self.summary, *shown, *folded], self.badge, folded=True)
 
     def to_json(self) -> dict[str, Any]:
-        named = {"part": self.part, "title": self.title, "verdict": self.verdict, "summary": self.summary}
-        return {**named, "numbers": dict(self.numbers), "logs": sorted(self.logs)}
+        named = {"part": self.part, "title": self.title, "verdict": self.says, "aside": self.aside}
+        return {**named, "summary": self.summary, "numbers": dict(self.numbers), "logs": sorted(self.logs)}

@@ -61,9 +61,9 @@ def _model() -> Claim:
     models: tuple[Model, Model] = ("published", "complete")
     off = {model: disagreement(model, robot) for model in models}
     summary = (
-        "The equations of this package are (11) to (24) with their misprints corrected. They agree with those that "
-        f"SymPy derives from the energies to {_power(max(off.values()))} of the largest acceleration, over {STATES} "
-        "random states and voltages. So do those of the complete model (chapter 2)."
+        "With their misprints corrected, (11) to (24) agree with what SymPy derives from the energies, to "
+        f"{_power(max(off.values()))} of the largest acceleration. Compared are {STATES} random states and voltages. "
+        "The complete model (chapter 2) agrees as well."
     )
     items: list[Item] = [
         "As in the paper and in its source, reference [4], the rolling constraint is put into the energies before they "

@@ -113,7 +113,7 @@ def _fitted(log: Log, fit: LeastSquares) -> Claim:
         numbers,
         [table, *both],
         {"identification": log},
-        aside="with the sign of the yaw inputs turned",
+        aside="only with the sign of the yaw inputs turned",
     )
 
 

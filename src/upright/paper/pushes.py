@@ -141,10 +141,10 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     fits, rates = ({n: cell_text(f[state], 2) for n, f in comparison.fits.items()} for state in ("pitch", "pitch_rate"))
     why = _why_long(comparison, measured)
     summary = (
-        f"Held at {cell_text(PUSHES[side])} rad by {cell_text(force, 2)} N at the centre of mass and released, pitch "
-        f"settles to 5 %: {_times(measured.settling)}.{why} The fit of pitch to the twin is {fits['nonlinear']} % for "
-        f"the nonlinear and {fits['linear']} % for the linear model; that of pitch rate, which noise lowers, "
-        f"{rates['nonlinear']} and {rates['linear']} %. {trial.why}"
+        f"Pitch fits the twin to {fits['nonlinear']} % (nonlinear) and {fits['linear']} % (linear), and settles to "
+        f"5 %: {_times(measured.settling)}. Held at {cell_text(PUSHES[side])} rad by {cell_text(force, 2)} N at the "
+        f"centre of mass, then released.{why} Pitch rate, where noise lowers the fit, fits to {rates['nonlinear']} "
+        f"and {rates['linear']} %. {trial.why}"
     )
     figures = _figures(comparison, measured, FIGURES[side])
     strip = Figure(
@@ -157,7 +157,7 @@ def _shown(trial: RegulatedRobot, side: str, comparison: Comparison, measured: M
     numbers = {"force": force, "hold": PUSHES[side], **comparison.to_json()}
     logs = {f"{robot.name}-{side}-{name}": log for name, log in comparison.logs.items()}
     verdict = REPRODUCED if stood else NOT_AS_PRINTED
-    aside = "shape; the twin keeps swinging" if why and stood else ""
+    aside = "the shape, but the twin keeps swinging" if why and stood else ""
     return Claim(part, title, verdict, summary, numbers, items, logs, aside=aside)
 
 

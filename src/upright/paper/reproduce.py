@@ -11,7 +11,7 @@ from typing import Any
 from upright.atomic import make_folder, write_json
 from upright.control import lqr
 from upright.paper import as_built, controllers, equations, linear_model, printed, pushes, regulator, sensors, turning
-from upright.paper.claim import BEYOND, NOT_AS_PRINTED, REPRODUCED, Claim
+from upright.paper.claim import BEYOND, IN_PART, NOT_AS_PRINTED, REPRODUCED, Claim
 from upright.paper.pushes import RegulatedRobot
 from upright.progress import Progress, unwatched
 from upright.report import Details, Figure, Page, Section, Table, Verdict
@@ -23,10 +23,9 @@ from upright.tables import Shown
 
 LIGHT, HEAVY = "nxtway-gs", "herrera2015"
 
-TITLE = "Herrera et al. (2015): {} of {} claims reproduced{}"
 LEAD = (
-    "Herrera, Chamorro, Gómez and Camacho model the LEGO NXT balancing robot twice, put robot and models under one "
-    "regulator, and push them. This page repeats each step; a simulated twin stands in for their robot."
+    "The paper models the LEGO NXT balancing robot twice, and pushes robot and models under one regulator. Here a "
+    "simulated twin stands in for the robot."
 )
 PAPER = (
     "M. Herrera, W. Chamorro, A. Gómez and O. Camacho (2015), Two-Wheeled Inverted Pendulum Robot NXT Lego Mindstorms: "
@@ -76,27 +75,23 @@ def reproduce(folder: str | Path = "herrera2015", progress: Progress = unwatched
 
 def _page(claims: Sequence[Claim]) -> Page:
     """What holds and what does not, figure 5, then each claim with its evidence folded."""
-    counted = {verdict: sum(c.verdict == verdict for c in claims) for verdict in (REPRODUCED, NOT_AS_PRINTED, BEYOND)}
-    judged = counted[REPRODUCED] + counted[NOT_AS_PRINTED]
-    partly = sum(bool(c.aside) for c in claims if c.verdict == REPRODUCED)
-    parts = (("claims reproduced", counted[REPRODUCED] - partly), ("claims reproduced in part", partly))
-    parts += ((f"claims {NOT_AS_PRINTED}", counted[NOT_AS_PRINTED]),)
-    numbers = [(f"{count} of {judged}", words) for words, count in parts if count]
-    numbers.append((str(counted[BEYOND]), "further checks, beyond the paper"))
-    failed = [f"{c.part} ({c.title.split(',')[0].split(':')[0]})" for c in claims if c.verdict == NOT_AS_PRINTED]
-    missed = f" Not as printed: {'; '.join(failed)}." if failed else ""
+    judged = [c for c in claims if c.says != BEYOND]
+    counted = {verdict: sum(c.says == verdict for c in judged) for verdict in (REPRODUCED, IN_PART, NOT_AS_PRINTED)}
+    numbers = [(f"{n} of {len(judged)}", f"claims {verdict}") for verdict, n in counted.items() if n]
+    failed = [_named(c) for c in judged if c.says == NOT_AS_PRINTED]
+    missed = f" Not as printed: {', '.join(failed)}." if failed else ""
     part = next(c for c in claims if c.part == "5c")
     drawn = next(item for item in part.items if isinstance(item, Figure))
     picture = replace(drawn, title=_finding(part, drawn.title))
     tables = [
         Table(
             ["claim", "verdict", "because"],
-            [[f"{c.part} {c.title}", c.badge, c.first] for c in claims if c.verdict != BEYOND],
+            [[f"{c.part} {c.title}", c.badge, c.first] for c in judged],
         ),
         COUNTED,
         Details(
             "Further checks, beyond the paper",
-            [Table(["check", "result"], [[f"{c.part} {c.title}", c.first] for c in claims if c.verdict == BEYOND])],
+            [Table(["check", "result"], [[f"{c.part} {c.title}", c.first] for c in claims if c not in judged])],
         ),
     ]
     robots = [Robot.preset(name) for name in (LIGHT, HEAVY)]
@@ -112,11 +107,18 @@ def _page(claims: Sequence[Claim]) -> Page:
         ]),
     ]  # fmt: skip
     sections = [*opening, *(claim.section() for claim in claims)]
-    held = counted[REPRODUCED]
-    title = TITLE.format(held, judged, f", {partly} of them in part" if partly else "")
-    verdict = Verdict("all as printed", "good") if not failed else Verdict(f"{len(failed)} not as printed", "warn")
+    rest = ((counted[IN_PART], "in part"), (len(failed), "not as printed"))
+    title = f"Herrera et al. (2015): {counted[REPRODUCED]} of {len(judged)} claims reproduced"
+    title += "".join(f", {n} {words}" for n, words in rest if n)
+    verdict = Verdict("all as printed", "good") if not failed else Verdict("not all as printed", "warn")
     facts = {"command": "upright reproduce", "paper": PAPER, **_versions()}
     return Page(title, sections, f"{LEAD}{missed}{AFTER}", facts, verdict=verdict, picture=picture, numbers=numbers)
+
+
+def _named(claim: Claim) -> str:
+    """What a claim is about, with its number in brackets: "the regulator and its gains (4)"."""
+    name = claim.title.split(",")[0].split(":")[0]
+    return f"{name[0].lower()}{name[1:]} ({claim.part})"
 
 
 def _finding(part: Claim, plain: str) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 
 from upright.calibrate.calibration import GOOD, PREDICTED
 from upright.report.figure import Figure
-from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
+from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import joined, sentence
 from upright.tables import least as least_of
 from upright.validate.loop import FreeLoop
@@ -59,10 +59,7 @@ _SHIFTS = (
 )
 
 
-_NONE = (
-    "None: no single parameter accounts for the error that is left over half seconds. Moving any one alone would "
-    "shrink the squared error by less than a tenth. Moving several together may help more."
-)
+_NONE = "None: changing any one alone removes less than a tenth of the squared error. Changing several may help more."
 
 
 def page_of(result: Validation) -> Page:
@@ -74,9 +71,8 @@ def page_of(result: Validation) -> Page:
     verdict = Verdict(f"{words}; no test" if used else words, "warn" if used and level == "good" else level)
     sections = [section for log in result.logs for section in _sections(log, len(result.logs) > 1)]
     half = f"Measured and predicted, half a second at a time: R² of {_each(worst)}"
-    lead = _lead(result) if result.verdict == PREDICTS else f"{result.sentence}. {_lead(result)}"
     return Page(
-        _title(result), sections, lead, {"kit": result.kit, "logs": ", ".join(x.source for x in result.logs)},
+        _title(result), sections, _lead(result), {"kit": result.kit, "logs": ", ".join(x.source for x in result.logs)},
         False, verdict=verdict, picture=Figure(half, half_second_figure(worst), _STARTS), numbers=_numbers(result),
     )  # fmt: skip
 
@@ -102,9 +98,17 @@ def _title(result: Validation) -> str:
 
 
 def _each(log: LogJudged) -> str:
-    """R² of each sensor that is judged."""
-    judged = [c for c in log.half_seconds if c.name in PREDICTED]
-    return ", ".join(f"{short(c.name)} {least_of(c.r2, 3)}" for c in sorted(judged, key=lambda c: c.r2))
+    """R² of each sensor that is judged, of both encoders the smaller."""
+    judged = sorted((c for c in log.half_seconds if c.name in PREDICTED), key=lambda c: c.r2)
+    names, least_r2 = {c.name for c in judged}, dict[str, float]()
+    for c in judged:
+        least_r2.setdefault("encoders" if _both(c.name, names) else short(c.name), c.r2)
+    return ", ".join(f"{name} {_r2(r2)}" for name, r2 in least_r2.items())
+
+
+def _r2(r2: float) -> str:
+    """R² to three digits, never rounded up."""
+    return least_of(r2, 3) if r2 >= 0 else "below 0"
 
 
 def _named(names: Collection[str]) -> str:
@@ -119,26 +123,38 @@ def _both(name: str, names: Collection[str]) -> bool:
 
 
 def _lead(result: Validation) -> str:
-    """What was done, what passes, and what to run next."""
-    seconds = sum(log.seconds for log in result.logs)
+    """Whether this is a test, how the worst sensor misses, what is not judged, and what to run next."""
     again = "`upright calibrate` with this log, which moves all parameters together"
     then = "`upright design` a controller" if result.worst.worst.r2 >= GOOD else again
     then = "`upright validate` with a log of another run" if any(log.no_test for log in result.logs) else then
-    compass = any(c.name.endswith("compass") for log in result.logs for c in log.half_seconds)
-    aside = " The compass is shown, not judged: it also turns with iron and motors nearby." if compass else ""
-    return (
-        f"{seconds:.3g} s of log against the model of {result.robot}. {_tested(result)} "
-        f"A sensor passes from R² {GOOD:g} up.{aside} Next: {then}."
-    )
+    dead = sorted({short(name) for log in result.logs for name in log.dead})
+    never = f" Not judged, since constant: {joined(dead)}." if dead else ""
+    return f"{_tested(result)}{_size(result.worst)}{never} Next: {then}."
+
+
+def _size(log: LogJudged) -> str:
+    """How large the swings are that are predicted for the worst sensor, where it does not pass, as a sentence with a
+    space before it."""
+    if log.worst.r2 >= GOOD:
+        return ""
+    _, measured, predicted = log.segments.series(log.worst.name)
+    there = np.isfinite(measured) & np.isfinite(predicted)
+    if not there.any() or not measured[there].std():
+        return ""
+    part = cell_text(float(predicted[there].std() / measured[there].std()), 2)
+    return f" The predicted {short(log.worst.name)} swings {part} times as much as the measured one (rms)."
 
 
 def _tested(result: Validation) -> str:
     """Whether these logs test the robot: only what it was not fitted to does."""
+    seconds = f"{sum(log.seconds for log in result.logs):.3g} s"
     if any(log.fitted is None for log in result.logs):
-        return "This counts as a test only if that robot was not fitted to this log; its file does not say."
+        return (
+            f"{seconds} of log. It is a test only if {result.robot} was not fitted to it, which its file does not say."
+        )
     used = [log.no_test for log in result.logs if log.no_test]
     if not used:
-        return "This is a test: that robot was fitted to other rows."
+        return f"A test on {seconds} of log: {result.robot} was fitted to other rows."
     few = "" if len(used) == len(result.logs) else " The other logs do."
     return f"{sentence('; '.join(used))} That part tests nothing.{few}"
 
@@ -147,34 +163,41 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
     worst = result.worst.worst
     numbers = [
         (
-            least_of(worst.r2, 4),
-            f"R² over half seconds of the {short(worst.name)}, the worst sensor judged; passes from {GOOD:g}",
+            _r2(worst.r2),
+            f"R² of the {short(worst.name)} over half seconds, the worst sensor; passes from {GOOD:g}",
         )
     ]
     if own := result.worst.own_run:
-        numbers.append((least_of(least(own).r2, 4), "with what belongs to its run, fitted to this log"))
+        numbers.append((_r2(least(own).r2), "the same with friction, battery and delays fitted to this run"))
     judged = [log for log in result.logs if log.loop and not log.caution]
     loops = [c for log in judged for c in log.loop]
     if loops:
         lowest = min(loops, key=lambda c: c.r2)
         if lowest.r2 < 0 and (first := _first(loops)):
             pushed = next((p for p in map(_pushed, judged) if p is not None), None)
-            followed = (
-                f"the whole run, simulated from its first row alone, follows the log: then {_lost(loops, pushed)}"
+            numbers.append(
+                (f"{first.breaks:.2g} s", f"the whole run, simulated, follows the log; {_lost(loops, pushed)}")
             )
-            numbers.append((f"{first.breaks:.2g} s", followed))
         else:
-            whole = f"R² of the whole run from its first row alone ({short(lowest.name)})"
+            whole = f"R² of the whole run, simulated ({short(lowest.name)})"
             numbers.append((cell_text(lowest.r2, 3), whole))
     shifts = [s for log in result.logs for s in log.shifts]
     if shifts:
         first = max(shifts, key=lambda s: s.explains)
-        numbers.append((f"{first.name.replace('_', ' ')}", "is the parameter to doubt first"))
+        numbers.append((f"{first.name.replace('_', ' ')}", "the parameter to doubt first"))
     elif len(numbers) < MOST:
-        alone = "of its parameters is to doubt" if worst.r2 >= GOOD else "of its parameters explains the error alone"
-        together = "hardly help" if worst.r2 >= GOOD else "hardly help, moving several together may"
-        numbers.append(("none", f"{alone}: moving one would {together}"))
-    return numbers
+        numbers.append(("none", "of the parameters, changed alone, would make the prediction much better"))
+    return [*numbers, *_passing(result)][:MOST]
+
+
+def _passing(result: Validation) -> list[tuple[str, str]]:
+    """The least R² of the sensors that pass, where others do not."""
+    fits = [c for log in result.logs for c in log.half_seconds if c.name in PREDICTED]
+    poor = {c.name for c in fits if c.r2 < GOOD}
+    good = [c for c in fits if c.name not in poor]
+    if not poor or not good:
+        return []
+    return [(_r2(min(c.r2 for c in good)), f"R² of the {_named({c.name for c in good})}: passes")]
 
 
 MOST = 3  # numbers on the first screen
@@ -202,47 +225,52 @@ def _lost(loop: Sequence[ChannelFit], pushed: float | None) -> str:
     first = _first(loop)
     assert first
     if pushed is not None:
-        return f"a push at {cell_text(pushed, 3)} s, not simulated"
+        return f"a push at {cell_text(pushed, 3)} s is not simulated"
     if "encoder" in first.name:
-        return "the wheels drift off"
+        return "then the wheels drift off"
     if "gyro" in first.name:
-        return "the gyro leaves, as a push would make it"
-    return f"the simulated {short(first.name)} swings by itself, away from the log"
+        return "then the gyro jumps, as after a push"
+    return f"then the simulated {short(first.name)} swings away"
 
 
 def _sections(log: LogJudged, several: bool) -> list[Section]:
     """What the page says of one log."""
     name = f" of {Path(log.source).name}" if several else ""
     named = log.law.startswith("law")
-    loop: list[Item] = [sentence(log.law if named else f"the closed loop {log.law}")]
-    loop[:0] = [_LOOP] if log.loop else []
-    loop += [log.caution] if log.caution else []
+    law = sentence(log.law if named else f"the closed loop {log.law}".replace("; --controller", "; `--controller`"))
+    loop: list[Item] = [log.caution] if log.caution else []
     if log.simulated is not None:
-        loop += [_beyond(log.simulated)]
-        loop += [_ESTIMATED] if any(name.startswith("estimate/") for name in log.simulated.names) else []
-        loop += [_FELL.format(log.simulated.fell)] if log.simulated.fell is not None else []
+        estimated = any(name.startswith("estimate/") for name in log.simulated.names)
         loop += [
-            _table(log.loop, "lost after [s]"),
             Figure("Measured, and the whole run simulated from its first row", loop_figure(log.simulated)),
+            *([_FELL.format(log.simulated.fell)] if log.simulated.fell is not None else []),
+            _table(log.loop, "lost after [s]"),
+            Details(_COMPUTED, [law, _LOOP, _beyond(log.simulated), *([_ESTIMATED] if estimated else [])]),
         ]
+    else:
+        loop += [law]
     rows: list[list[Cell]] = [
         [s.name.replace("_", " "), s.unit, s.value, s.proposed, s.deviations, s.explains] for s in log.shifts
     ]
-    moves: list[Item] = [_SHIFTS, Table(["", "unit", "value", "proposed", "step", "removes"], rows, digits=3)]
+    steps = Table(["parameter", "unit", "value", "proposed", "step", "removes"], rows, digits=3)
+    moves: list[Item] = [steps, Details(_COMPUTED, [_SHIFTS])]
     names = {c.name for c in log.half_seconds}
     one = "sensor/encoder_left" in names and "sensor/encoder_right" not in names
-    half: list[Item] = [*log.notes, _HALF, _table(log.half_seconds), *([_ONE] if one else [])]
+    half: list[Item] = [*log.notes, _table(log.half_seconds), *([_ONE] if one else [])]
+    half += [_COMPASS] if COMPASS in names else []
     half += [_STILL] if _still(log) else []
     if log.own_run:
         effects: list[list[Cell]] = [[e.name.replace("_", " "), e.unit, e.known, e.here] for e in log.effects]
-        half += [_OWN, _table(log.own_run), Table(["", "unit", "known", "this run"], effects, digits=3)]
+        half += [_OWN, _table(log.own_run), Table(["parameter", "unit", "known", "this run"], effects, digits=3)]
     return [
-        Section(f"Half a second at a time{name}", half),
-        Section(f"The whole run from its first row{name}", loop),
+        Section(f"Half a second at a time{name}", [*half, Details(_COMPUTED, [_HALF])]),
+        Section(f"The whole run{name}", loop, folded=log.simulated is not None),
         Section(f"Parameters to doubt{name}", moves if rows else [_NONE]),
     ]
 
 
+_COMPUTED = "How this is computed"
+_COMPASS = "The compass is not judged: it also turns with iron and motors nearby."
 _ESTIMATED = "The measured pitch is the estimate that the log holds, not a reading: it is shown, not judged."
 
 
@@ -277,7 +305,7 @@ def _table(channels: Sequence[ChannelFit], when: str = "first missed at [s]") ->
          float(least_of(c.r2, 4)) if c.r2 > 0 else "below 0", c.fit if c.r2 > 0 else None, c.breaks]
         for c in channels
     ]  # fmt: skip
-    return Table(["", "R²", "fit [%]", when], [[*row[:2], _rounded(row[2]), row[3]] for row in rows])
+    return Table(["sensor", "R²", "fit [%]", when], [[*row[:2], _rounded(row[2]), row[3]] for row in rows])
 
 
 def _rounded(fit: Cell) -> Cell:
