@@ -385,6 +385,37 @@ def test_a_payload_is_put_on_and_taken_off(page):
     assert page.evaluate("upright.store.changed.look.weight") - weight == pytest.approx(0.3 * 9.81, rel=0.01)
     page.click("[data-key=load]")
     assert page.evaluate("upright.store.changed.look.weight") == weight
+    page.select_option("[data-key=robot]", "twipr")
+    page.click("[data-key=load]")  # every robot of the page can carry it
+    assert page.evaluate("upright.store.changed.look.payload") == 0.3
+
+
+@marked
+def test_a_slope_is_drawn_as_steep_as_it_is(page):
+    """Positive climbs forward, to the right of the side view; the robot's pitch counts from the floor's normal."""
+    page.evaluate("upright.store.change({slope: 0.1, controller: 'off'})")
+    page.evaluate("upright.store.send({kind: 'Step', periods: 1})")
+    page.wait_for_function("document.querySelector('.ground').getCTM().b")
+    steep = "(part => Math.atan2(-part.getCTM().b, part.getCTM().a))(document.querySelector('%s'))"
+    assert page.evaluate(steep % ".ground") == pytest.approx(0.1, abs=1e-4)
+    lean = page.evaluate("upright.store.snapshot.x[0][0]")
+    assert page.evaluate(steep % ".shell") == pytest.approx(0.1 - lean, abs=1e-3)  # forward is clockwise
+    assert "0.100 rad" in page.inner_text(".force")
+
+
+@marked
+def test_traces_are_broken_where_the_robot_does_not_go_on(page):
+    """By another controller, and by standing up; not by a knock, however fast it makes the wheels."""
+    send(page, kind="Step", periods=20)
+    send(page, kind="Strike", what="impulse", size=0.2)
+    send(page, kind="Step", periods=100)
+    assert page.evaluate("upright.store.traces.breaks.length") == 0
+    page.evaluate("upright.store.change({controller: 'pid'})")
+    send(page, kind="Step", periods=20)
+    send(page, kind="StandUp", pitch=0.0)
+    send(page, kind="Step", periods=1)
+    (_, first), (_, second) = page.evaluate("upright.store.traces.breaks")
+    assert second - first == pytest.approx(0.2, abs=0.011)  # 20 periods of 10 ms, and one to see it
 
 
 @pytest.mark.parametrize(

@@ -203,7 +203,9 @@ def test_weights_and_gains_reach_the_controller(tmp_path):
 
 def test_the_light_follows_and_a_spoilt_gain_is_red(tmp_path):
     session, desk = a_session(tmp_path)
-    assert only(Light, attended(session, desk))[-1].light == "green"
+    lit = only(Light, attended(session, desk))[-1]
+    assert lit.light == "green"
+    assert any(f"{1e3 * (lit.delay or 0):.1f} ms more delay at the {lit.delay_at}" in reason for reason in lit.reasons)
     session.handle(Change(replace(MODEL, controller="gains", gains=(-3.0, 0.0, 0.0, 0.0, 0.0, 0.0))))
     events = attended(session, desk)
     assert [lit.light for lit in only(Light, events)] == ["none", "red"]  # gravity alone asks for more than 3 V/rad

@@ -295,10 +295,13 @@ class Equations:
 
 @message
 class Light:
-    """The certificate's light: "green", "amber", "red", or "none" while it is computed, with its reasons."""
+    """The certificate's light: "green", "amber", "red", or "none" while it is computed, with its reasons, and the
+    smallest `delay` [s] that makes the loop unstable, with the channel where it does."""
 
     light: Literal["green", "amber", "red", "none"]
     reasons: tuple[str, ...]
+    delay: float | None = None
+    delay_at: str = ""
 
 
 @message

@@ -20,6 +20,7 @@ from upright.robots import Kit, Robot
 from upright.signals import Log
 
 if TYPE_CHECKING:
+    from upright.certify import Certificate
     from upright.certify.loop import Loop
 
 Report = Callable[[float], None]
@@ -93,7 +94,13 @@ def light(report: Report, setup: Setup) -> Light:  # noqa: ARG001 (it is over be
         certificate = certify(controller, plant.nominal, plant.kit, samples=QUICK, sweeps=False, threads=1)
     except SpecMismatch as error:
         return Light("none", (str(error).split(";")[0],))
-    return Light(certificate.light, certificate.reasons)  # type: ignore[arg-type]
+    return _lit(certificate)
+
+
+def _lit(certificate: Certificate) -> Light:
+    linear = certificate.linear
+    delay, at = (finite(linear.delay), linear.delay_at) if linear and linear.stable else (None, "")
+    return Light(certificate.light, certificate.reasons, delay, at or "both motors")  # type: ignore[arg-type]
 
 
 def certify(report: Report, setup: Setup) -> tuple[Light, JobResult]:
@@ -110,8 +117,9 @@ def certify(report: Report, setup: Setup) -> tuple[Light, JobResult]:
     )
     header = ("push", "battery", "fell", "saturated", "travel [m]", "peak [rad]")
     title = f"{certificate.controller} on {certificate.robot}: {certificate.light}"
-    lit = Light(certificate.light, certificate.reasons)  # type: ignore[arg-type]
-    return lit, JobResult("certify", title, "\n".join(certificate.reasons), header, rows, certificate.light != "red")
+    return _lit(certificate), JobResult(
+        "certify", title, "\n".join(certificate.reasons), header, rows, certificate.light != "red"
+    )
 
 
 def doctor(report: Report, source: Path | Log, robot: Robot) -> tuple[JobResult]:

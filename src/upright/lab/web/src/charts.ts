@@ -27,7 +27,7 @@ export class Strip {
           { ...axis, size: 20 * scale, values: (_u, ticks) => ticks.map((v) => (v < 0 ? "" : local(`${+v.toFixed(1)} s`))), space: 46 * scale },
           { ...axis, size: 46 * scale, space: 18 * scale, values: (_u, ticks) => ticks.map((v) => local(String(+v.toPrecision(4)).replace("-", "−"))) },
         ],
-        series: [{}, ...lines.map((l) => ({ label: l.label, stroke: l.colour, width: (l.width ?? 1.6) * scale, dash: l.dash, points: { show: false }, spanGaps: false }))],
+        series: [{}, ...lines.map((l) => ({ label: l.label, stroke: l.colour, width: (l.width ?? 1.6) * scale, dash: l.dash, points: { show: false }, spanGaps: false, gaps: (u: uPlot, _i: number, _from: number, _to: number, holes: [number, number][]) => [...holes, ...breaks(u)].sort(([a], [b]) => a - b) }))],
       },
       [[], ...lines.map(() => [])] as uPlot.AlignedData,
       box,
@@ -47,6 +47,16 @@ export class Strip {
   }
 }
 
+/** Where the lines are broken [pixels of the canvas], wide enough to be seen. */
+function breaks(plot: uPlot): [number, number][] {
+  const { left, width } = plot.bbox;
+  const wide = 2 * devicePixelRatio;
+  return store.traces.breaks
+    .map((pair) => pair.map((t) => plot.valToPos(t, "x", true)) as [number, number])
+    .map(([from, to]): [number, number] => [from - wide / 2, Math.max(to, from + wide)])
+    .filter(([from, to]) => from > left && to < left + width);
+}
+
 export function around(low: number, high: number, floor: number): [number, number] {
   if (!Number.isFinite(low) || !Number.isFinite(high)) return [-floor, floor];
   const middle = (low + high) / 2;
@@ -60,16 +70,23 @@ export class Charts {
   root = h("section", { className: "charts", "aria-label": t("charts") });
   private strips: Strip[] = [];
   private legend = h("div", { className: "legend" });
+  private small = matchMedia("(max-width: 40rem)");
+  slot = h("div", { className: "slot" }); // in the scene: on a phone the pitch stands right below the robot
 
-  constructor(private seconds: () => number) {}
+  constructor(private seconds: () => number) {
+    this.small.addEventListener("change", () => this.build());
+  }
 
   /** New charts: other bodies, another language or theme. */
   build(): void {
     const bodies = store.changed?.bodies ?? [];
-    const lines = bodies.map((name) => ({ label: named(name), colour: laneColour(name), dash: laneDash(name) }));
+    const lines = bodies.map((name) => ({ label: named(name), colour: laneColour(name), dash: laneDash(name, bodies) }));
     this.strips = STATES.map((name, i) => new Strip(`${SYMBOLS[i]}  ${named(name)}`, UNITS[i], lines, 104, FLOORS[i]));
     replace(this.legend, ...bodies.map((name) => legendEntry(name)));
-    replace(this.root, this.legend, h("div", { className: "strips" }, ...this.strips.map((strip) => strip.root)));
+    const all = this.strips.map((strip) => strip.root);
+    const near = this.small.matches ? [this.legend, all.shift() as HTMLElement] : [];
+    replace(this.slot, ...near);
+    replace(this.root, near.length ? null : this.legend, h("div", { className: "strips" }, ...all));
   }
 
   draw(): void {
@@ -91,7 +108,7 @@ export function legendEntry(name: string): HTMLElement {
   svg.setAttribute("height", "10");
   svg.setAttribute("aria-hidden", "true");
   const line = document.createElementNS("http://www.w3.org/2000/svg", "line");
-  const set = { x1: "0", x2: "28", y1: "5", y2: "5", stroke: laneColour(name), "stroke-width": "2.5", "stroke-dasharray": laneDash(name).join(" ") };
+  const set = { x1: "0", x2: "28", y1: "5", y2: "5", stroke: laneColour(name), "stroke-width": "2.5", "stroke-dasharray": laneDash(name, store.changed?.bodies ?? []).join(" ") };
   for (const [key, value] of Object.entries(set)) line.setAttribute(key, value);
   svg.append(line);
   const notes: Record<string, string> = { twin: t("twinNote"), nonlinear: t("nonlinearNote"), linear: t("linearNote"), published: t("publishedNote"), calibrated: t("calibratedNote") };

@@ -209,7 +209,7 @@ export class LocalSession {
     if (another) store.hear(facts.equations);
     store.analysed = null;
     window.clearTimeout(this.thinking);
-    if (!controller) return store.hear(store.lit ?? { kind: "Light", light: "none", reasons: [] });
+    if (!controller) return store.hear(store.lit ?? { kind: "Light", light: "none", reasons: [], delay: null, delay_at: "" });
     const { plant } = controller;
     if (controller.analysed) store.hear({ ...controller.analysed, L: [shown(facts.every), ...controller.analysed.L] });
     else if (plant) this.thinking = window.setTimeout(() => {

@@ -7,6 +7,7 @@ import { forceOf } from "./stage";
 const SVG = "http://www.w3.org/2000/svg";
 const FLOOR = 170; // of 200 units of height
 const TALL = 110; // units for the robot's height
+const WIDE = 600; // units of the floor to either side: a room may be wide
 
 interface Side {
   root: SVGElement;
@@ -17,6 +18,7 @@ interface Side {
 export class Flat implements Stage {
   readonly element = part("svg", { viewBox: "-200 0 400 200", class: "room flat", role: "img", tabindex: "0" }) as SVGSVGElement;
   private sides: Side[] = [];
+  private ground = part("g"); // floor, robots and arrow, which a slope tilts
   private arrow = part("path", { class: "arrow" });
   private look: Look | null = null;
   private grip: { x: number; height: number } | null = null;
@@ -33,11 +35,12 @@ export class Flat implements Stage {
 
   furnish(look: Look, bodies: string[]): void {
     this.look = look;
-    this.element.replaceChildren(part("line", { x1: -200, x2: 200, y1: FLOOR, y2: FLOOR, class: "ground" }));
+    this.element.replaceChildren(this.ground);
+    this.ground.replaceChildren(part("line", { x1: -WIDE, x2: WIDE, y1: FLOOR, y2: FLOOR, class: "ground" }));
     this.sides = bodies.map((name, i) => this.side(look, name, i > 0)).reverse();
-    for (const side of this.sides) this.element.append(side.root);
+    for (const side of this.sides) this.ground.append(side.root);
     this.sides.reverse();
-    this.element.append(this.arrow);
+    this.ground.append(this.arrow);
   }
 
   private scale(look: Look): number {
@@ -67,6 +70,7 @@ export class Flat implements Stage {
     if (!look || s.x.length !== this.sides.length) return;
     const unit = this.scale(look);
     const degrees = 180 / Math.PI;
+    this.ground.setAttribute("transform", `rotate(${-s.f[2] * degrees} 0 ${FLOOR})`);
     this.sides.forEach((side, i) => {
       const [pitch, , wheel] = s.x[i];
       const apart = (wheel - s.x[0][2]) * look.wheel_radius * unit;

@@ -143,7 +143,7 @@ class Page {
       button("◐", () => this.theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"), { "aria-label": t("theme"), title: t("theme"), "data-key": "theme" }),
       button("?", () => this.help(), { "aria-label": t("help"), title: t("help"), "data-key": "help" }));
     header.querySelector("select")?.setAttribute("aria-label", "Language / Idioma");
-    const scene = h("section", { className: "scene", "aria-label": t("scene") }, this.room.element, this.force, this.fell, h("p", { className: "hint" }, t("hint"), this.invitation()), this.transport(), this.pushes());
+    const scene = h("section", { className: "scene", "aria-label": t("scene") }, this.room.element, this.force, this.fell, h("p", { className: "hint" }, t("hint"), this.invitation()), this.charts.slot, this.transport(), this.pushes());
     new IntersectionObserver(([seen]) => scene.classList.toggle("pinned", !seen.isIntersecting)).observe(scene); // for a phone
     replace(this.app, header, h("main", {}, scene, this.panels(), this.charts.root), this.toasts, this.spoken);
     this.lamp();
@@ -322,7 +322,7 @@ class Page {
   private lamp(): void {
     const light = lamplight();
     if (store.recorded && (store.lit?.light ?? "none") === "none") return replace(this.light);
-    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, certificate()[1]?.textContent ?? ""));
+    replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, `${t("certificate")}: ${certificate()[1]?.textContent ?? ""}`));
   }
 
   private recovered(impulse: number, best: number, fell: boolean): void {
@@ -343,7 +343,9 @@ class Page {
       replace(this.fell, ...(fell ? [h("span", {}, t("fallen") + " "), store.recorded ? null : button(t("standUp"), () => this.stand(), { className: "main" })] : []));
     }
     const force = s.f[0];
-    this.force.textContent = Math.abs(force) > 0.005 ? t("newtons", { force: fixed(force, 2) }) : "";
+    const slope = s.f[2] ? `${t("slope")}: ${fixed(s.f[2], 3)} rad` : "";
+    this.force.textContent = Math.abs(force) > 0.005 ? t("newtons", { force: fixed(force, 2) }) : slope;
+    this.force.classList.toggle("slope", !(Math.abs(force) > 0.005));
   }
 
   /** A recording has come so far, which its time line shows unless it is held. */

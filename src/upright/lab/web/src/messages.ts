@@ -227,6 +227,8 @@ export interface Light {
   kind: "Light";
   light: "green" | "amber" | "red" | "none";
   reasons: string[];
+  delay: number | null;
+  delay_at: string;
 }
 
 export interface Progress {

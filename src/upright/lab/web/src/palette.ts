@@ -17,8 +17,9 @@ export function laneColour(name: string): string {
   return (dark() ? DARK : LIGHT)[name] ?? "#888888";
 }
 
-export function laneDash(name: string): number[] {
-  return DASHES[name] ?? [];
+/** The first body's line is whole. */
+export function laneDash(name: string, bodies: string[]): number[] {
+  return name === bodies[0] ? [] : (DASHES[name] ?? []);
 }
 
 export function ink(): { text: string; soft: string; grid: string; paper: string; push: string } {

@@ -144,7 +144,9 @@ export class ControllerPanel extends Panel {
       [t("delayMargin"), a.delay === null ? t("unlimited") : `${digits(a.delay * 1000, 3)} ms`],
     ];
     if (a.stable) parts.push(h("h4", {}, t("margins")), table([], rows, "margins"));
-    parts.push(h("p", { className: "note" }, sentence(translate(a.words))));
+    const { delay, delay_at } = store.lit ?? {};
+    if (!a.stable) parts.push(h("p", { className: "note" }, sentence(translate(a.words))));
+    else if (typeof delay === "number") parts.push(h("p", { className: "note least" }, t("leastDelay", { delay: digits(delay * 1000, 2), place: translate(delay_at ?? "") })));
     return parts;
   }
 }

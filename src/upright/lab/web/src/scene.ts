@@ -140,6 +140,7 @@ export class Room implements Stage {
   private sun = new DirectionalLight("#fffdf8", 2.4);
   private sky = new HemisphereLight("#ffffff", "#c4c6c8", 1.1);
   private floor: Mesh<PlaneGeometry, MeshStandardMaterial>;
+  private ground = new Group(); // floor, robots and arrow: a slope tilts them all, since ψ counts from the floor's normal
   private figures: Figure[] = [];
   private bodies: string[] = [];
   private look: Look | null = null;
@@ -169,7 +170,8 @@ export class Room implements Stage {
     this.sun.shadow.radius = 6;
     this.sun.shadow.bias = -0.0005;
     this.arrow.visible = false;
-    this.scene.add(this.floor, this.sky, this.sun, this.sun.target, new AmbientLight("#ffffff", 0.35), this.arrow);
+    this.ground.add(this.floor, this.arrow);
+    this.scene.add(this.ground, this.sky, this.sun, this.sun.target, new AmbientLight("#ffffff", 0.35));
     this.paint();
     this.listen();
   }
@@ -192,7 +194,7 @@ export class Room implements Stage {
   /** Other robots, or another look of them; where they stand is kept. */
   furnish(look: Look, bodies: string[]): void {
     const old = new Map(this.bodies.map((name, i) => [name, this.figures[i]]));
-    for (const figure of this.figures) this.scene.remove(figure.root);
+    for (const figure of this.figures) this.ground.remove(figure.root);
     const fresh = this.look === null;
     this.look = look;
     this.bodies = bodies;
@@ -200,7 +202,7 @@ export class Room implements Stage {
     this.stale = true;
     this.figures = bodies.map((name, i) => new Figure(look, laneColour(name), i > 0));
     this.figures.forEach((figure, i) => figure.start(old.get(bodies[i])));
-    for (const figure of this.figures) this.scene.add(figure.root);
+    for (const figure of this.figures) this.ground.add(figure.root);
     const size = this.size();
     const reach = size * 2.2;
     Object.assign(this.sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.01, far: size * 12 });
@@ -217,6 +219,7 @@ export class Room implements Stage {
     this.seen = s.n;
     this.stale = true;
     const width = this.look.track;
+    this.ground.rotation.z = s.f[2];
     this.figures.forEach((figure, i) => figure.move(s.x[i], ghostPlace(i, width)));
     const main = this.figures[0];
     if (Math.hypot(main.x, main.z) > 3) {
@@ -280,11 +283,13 @@ export class Room implements Stage {
     const away = size * 3.5 * this.eye.away * portrait;
     const { azimuth, height } = this.eye;
     const flat = away * Math.cos(height);
-    const target = new Vector3(this.centre.x, size * 0.42, this.centre.z);
+    this.ground.updateMatrixWorld();
+    const at = this.ground.localToWorld(this.centre.clone());
+    const target = at.clone().setY(at.y + size * 0.42);
     this.camera.position.set(target.x + flat * Math.sin(azimuth), target.y + away * Math.sin(height), target.z + flat * Math.cos(azimuth));
     this.camera.lookAt(target);
-    this.sun.position.set(this.centre.x - size * 2, size * 5, this.centre.z + size * 2.4);
-    this.sun.target.position.copy(this.centre);
+    this.sun.position.set(at.x - size * 2, at.y + size * 5, at.z + size * 2.4);
+    this.sun.target.position.copy(at);
     const cell = (v: number) => Math.round(v / CELL) * CELL;
     this.floor.position.set(cell(this.centre.x), 0, cell(this.centre.z));
     return main ? Math.hypot(main.x - this.centre.x, main.z - this.centre.z) > 1e-3 : false;
@@ -373,7 +378,7 @@ export class Room implements Stage {
     const mouse = this.ray(grip.mouse).ray.intersectPlane(plane, new Vector3());
     if (!mouse) return;
     const yaw = figure.root.rotation.y;
-    const along = mouse.sub(held).dot(new Vector3(Math.cos(yaw), 0, -Math.sin(yaw)));
+    const along = mouse.sub(held).dot(new Vector3(Math.cos(yaw), 0, -Math.sin(yaw)).applyQuaternion(this.ground.quaternion));
     this.push({ force: forceOf(along, look), height: grip.height });
   }
 

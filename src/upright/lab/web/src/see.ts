@@ -87,7 +87,7 @@ export class See {
     const plane = (state: number, least: [number, number]) => {
       const lines = x.map((body, i) => {
         const name = store.changed?.bodies[i] ?? "";
-        return { x: body[state].slice(first), y: body[state + 1].slice(first), colour: laneColour(name), dash: laneDash(name) };
+        return { x: body[state].slice(first), y: body[state + 1].slice(first), colour: laneColour(name), dash: laneDash(name, store.changed?.bodies ?? []) };
       });
       const span = (axis: "x" | "y", floor: number): [number, number] => {
         const all = lines.flatMap((l) => l[axis]);

@@ -13,11 +13,17 @@ const LONGEST = 3200; // a minute at 50 Hz and some
 const GAP = 0.15; // [s] without a sample: this page, or the way to it, is too slow for every one
 const AGAIN = 1000; // [ms] between two questions for what is missing
 const APART = 0.03; // [s] a sample of the history is taken where there is none so near before it
+const [STEP, SWIFT] = [0.1, 2]; // [rad] and times what its rate makes of it: an angle that goes further was set, not reached
 const UNDESIGNED = ["bodies", "payload", "payload_height", "slope", "grip", "seed"]; // what no controller is designed for
 
 /** The part of a set-up that a controller is designed for. */
 function designed(setup: Setup): string {
   return JSON.stringify(Object.entries(setup).filter(([name]) => !UNDESIGNED.includes(name)));
+}
+
+/** The robot and the controller of a set-up, without their numbers that a slider changes. */
+function which({ robot, drive, kit, controller }: Setup): string {
+  return [robot, drive, kit, controller].join();
 }
 
 /** Time and, for every body, its six states; then what the other plots need. */
@@ -27,6 +33,8 @@ export class Traces {
   estimate: number[] = [];
   volts: number[][] = [[], []];
   saturated: number[] = [];
+  breaks: [number, number][] = []; // [s] two samples of which the second does not go on from the first
+  other = false; // whether the next sample is another robot's or controller's
 
   reset(bodies: number): void {
     this.t = [];
@@ -34,6 +42,7 @@ export class Traces {
     this.estimate = [];
     this.volts = [[], []];
     this.saturated = [];
+    this.breaks = [];
   }
 
   add(s: Snapshot): void {
@@ -45,12 +54,21 @@ export class Traces {
   }
 
   push(t: number, x: number[][], estimate: number, left: number, right: number, saturated: number): void {
+    if (this.other || this.jumps(t, x)) this.breaks.push([this.t.at(-1) ?? t, t]);
+    this.other = false;
     this.t.push(t);
     x.forEach((row, body) => this.x[body].forEach((trace, i) => trace.push(row[i])));
     this.estimate.push(estimate);
     this.volts[0].push(left);
     this.volts[1].push(right);
     this.saturated.push(saturated);
+  }
+
+  /** Whether an angle goes further than its rates allow: the robot was stood up, or exchanged. */
+  private jumps(t: number, x: number[][]): boolean {
+    const [k, dt] = [this.t.length - 1, t - (this.t.at(-1) ?? t)];
+    const far = (row: number[], trace: number[][], i: number) => Math.abs(row[i] - trace[i][k]) > STEP + SWIFT * dt * Math.max(Math.abs(row[i + 1]), Math.abs(trace[i + 1][k]));
+    return k >= 0 && x.some((row, body) => [0, 2, 4].some((i) => far(row, this.x[body], i)));
   }
 
   /** Put samples of the history where none of its own is: six states of each body, ψ̂, both commands and their limits. */
@@ -73,6 +91,7 @@ export class Traces {
       whole.push(time, this.x.map((body) => body.map((trace) => trace[i])), this.estimate[i], this.volts[0][i], this.volts[1][i], this.saturated[i]);
     });
     history(Infinity);
+    whole.breaks.push(...this.breaks);
     Object.assign(this, whole);
   }
 
@@ -157,7 +176,7 @@ export class Store {
 
   private forget(): void {
     this.analysed = null;
-    this.lit = { kind: "Light", light: "none", reasons: [] };
+    this.lit = { kind: "Light", light: "none", reasons: [], delay: null, delay_at: "" };
     for (const listener of this.listeners) listener(this.lit);
   }
 
@@ -206,8 +225,10 @@ export class Store {
 
   private changedTo(message: Changed): void {
     const same = this.changed?.bodies.join() === message.bodies.join();
-    const other = this.changed !== null && designed(this.changed.setup) !== designed(message.setup);
+    const before = this.changed;
+    const other = before !== null && designed(before.setup) !== designed(message.setup);
     this.changed = message;
+    this.traces.other ||= before !== null && (which(before.setup) !== which(message.setup) || (before.busy && !message.busy));
     if (other && !this.waiting) this.forget();
     this.waiting = false;
     this.setup = message.setup;
