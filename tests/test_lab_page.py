@@ -26,8 +26,8 @@ pytestmark = [pytest.mark.needs("chromium", "module:playwright"), pytest.mark.sl
 FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
 WEB = Path(__file__).resolve().parents[1] / "src" / "upright" / "lab" / "web"
 PATIENCE = 180.0  # [s] for a busy machine; nothing here is about speed
-SELDOM = "window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 100)"
-"""A page that draws ten times a second: sixty times, in software, takes half a core from what is tested."""
+SELDOM = "window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 200)"
+"""A page that draws five times a second: sixty times, in software, takes half a core from what is tested."""
 
 
 class Lab:
@@ -890,7 +890,7 @@ def test_a_job_says_what_it_computes_and_how_long_it_still_takes(page):
 
 
 ENGLISH = (
-    r"\b(the|of|and|with|from|is|are|to|in|at|by|under|this|that|more|delay|gain|pitch|wheel|body|mass|survives)\b"
+    r"\b(?:the|of|and|with|from|is|are|to|in|at|by|under|this|that|more|delay|gain|pitch|wheel|body|mass|survives)\b"
 )
 
 
@@ -913,7 +913,7 @@ def test_spanish_is_spanish_to_the_last_decimal(page):
             text = page.evaluate(
                 "document.body.innerText + [...document.querySelectorAll('svg')].map(e => e.textContent)"
             )
-            assert re.findall(ENGLISH, text) == [], (name, view)
+            assert re.findall(rf".*{ENGLISH}.*", text) == [], (name, view)
             assert re.findall(r"\d\.\d[^.]*", text) == [], (name, view)
 
 
