@@ -73,8 +73,8 @@ def _title(c: Calibration) -> str:
         return f"The log does not describe {c.robot.name}"
     count, logs = sum(map(len, _groups(c))), "this log" if len(c.sources) < 2 else f"these {len(c.sources)} logs"
     predicts = "predicts" if _least(c)[0] >= GOOD else "predicts in part"
-    tell = f"{'it tells' if len(c.sources) < 2 else 'they tell'} {count or 'none'} of {len(c.parameters)} parameters"
-    return f"{c.robot.name}, calibrated, {predicts} {logs}; {tell}"
+    tell = f"{'it determines' if len(c.sources) < 2 else 'they determine'} {count or 'none'} of {len(c.parameters)}"
+    return f"Calibrated, {c.robot.name} {predicts} {logs}; {tell} parameters"
 
 
 def _groups(c: Calibration) -> tuple[list[Estimate], list[Estimate], list[Estimate]]:
@@ -111,15 +111,15 @@ def _numbers(c: Calibration) -> list[tuple[str, str]]:
     measured, bounded, rough = _groups(c)
     numbers: list[tuple[str, str]] = []
     if math.isfinite(lowest):
-        numbers.append((least(lowest), f"R² over half a second, the least of all sensors ({sensor}); target {GOOD:g}"))
+        numbers.append((least(lowest), f"R² of the {sensor} over half seconds, the worst sensor; target {GOOD:g}"))
     if pole.value > 0:
         doubles = cell_text(1e3 * math.log(2) / pole.value, 2)
         within = f"{cell_text(pole.low, 3)} to {cell_text(pole.high, 3)}"
-        numbers.append((_whole(f"{_value(pole)} {pole.unit}"),
-                        f"unstable pole (95 % interval {within}): a lean doubles every {doubles} ms"))  # fmt: skip
-    kinds = [f"{len(measured)} measured to ± {100 * CLOSE:g} % or better" if measured else ""]
-    kinds += [f"{len(bounded) + len(rough)} bounded" if bounded or rough else ""]
-    words = f"parameters that the log tells: {', '.join(filter(None, kinds)) or 'none'}"
+        grows = f"rate at which a lean grows (unstable pole; 95 %: {within}): doubles in {doubles} ms"
+        numbers.append((_whole(f"{_value(pole)} {pole.unit}"), grows))
+    kinds = [f"{len(measured)} to ± {100 * CLOSE:g} % or better" if measured else ""]
+    kinds += [f"{len(bounded) + len(rough)} more roughly" if bounded or rough else ""]
+    words = f"parameters that the log determines: {', '.join(filter(None, kinds)) or 'none'}"
     return [*numbers, (f"{sum(map(len, _groups(c)))} of {len(c.parameters)}", words)]
 
 
@@ -274,13 +274,10 @@ def _lead(c: Calibration) -> str:
     """How well the calibrated robot predicts, and what to run next."""
     if c.refused:
         return sentence(c.refused[0])
-    lowest, _ = _least(c)
     logs = ", ".join(c.sources) or "the log"
     text = f"{c.robot.name} was fitted to {c.samples} rows of {logs}."
-    if math.isfinite(lowest):
-        text += f" It predicts {'every sensor' if lowest >= GOOD else 'the sensors in part'} over half a second."
     measured = [f"{spoken(e.name)} (± {cell_text(100 * _width(e), 2)} %)" for e in _groups(c)[0]]
-    text += f" Measured best: {joined(measured[:GIVEN])}." if measured else ""
+    text += f" Best known now: {joined(measured[:GIVEN])}." if measured else ""
     unknown = sum(e.verdict != VISIBLE for e in c.parameters)
     text += f" {unknown} parameters keep what was known before." if unknown else ""
     return text + (" Next: `upright excite` plans a run that tells more parameters." if unknown else "")

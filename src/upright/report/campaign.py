@@ -7,7 +7,8 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from upright.certify.verdict import MOST_FALLS
-from upright.fleet.binomial import upper_bound
+from upright.fleet.binomial import Interval, upper_bound
+from upright.fleet.ensemble import SETTLED
 from upright.fleet.results import origin_of
 from upright.fleet.tally import Cases, CaseSummary
 from upright.plotting import AXIS, legend, number
@@ -15,7 +16,7 @@ from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict
 from upright.robots import PARAMETERS, Kit, Robot
 from upright.robots.kit import Battery, Motor
-from upright.tables import joined, spoken
+from upright.tables import joined, sentence, spoken
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Drawing
@@ -32,13 +33,12 @@ def page_of(cases: Cases) -> Page:
     counted = cases.worst_first()
     if not counted:
         return Page(f"{len(cases)} cases", sections, "This campaign does not keep who fell.", twin_note=False)
-    fallen, all_of_them = sum(case.fell or 0 for case in counted), sum(case.n for case in counted)
+    worst = max(counted, key=lambda case: (case.fell or 0) / case.n)
     knocks = harder(cases.origins)
-    verdict = falls_verdict(fallen, all_of_them, knocks)
     return Page(
-        _title(cases, fallen / all_of_them), sections, _lead(cases, knocks), twin_note=False, verdict=verdict,
-        picture=Figure(_claim(cases), _limited(cases)),
-        numbers=_numbers(cases, fallen, all_of_them),
+        _title(cases, worst), sections, _lead(cases, knocks), twin_note=False,
+        verdict=falls_verdict(worst.fell or 0, worst.n, knocks), picture=Figure(_claim(cases), _limited(cases)),
+        numbers=_numbers(cases, worst),
     )  # fmt: skip
 
 
@@ -59,7 +59,7 @@ def falls_verdict(fallen: int, all_of_them: int, harder: str = "") -> Verdict:
     bound = upper_bound(fallen, all_of_them)
     few = bound <= MOST_FALLS
     if harder and not few:
-        return Verdict(f"{_percent(fallen / all_of_them)} fall: pushed harder than for a certificate", "warn")
+        return Verdict("pushed harder than for a certificate", "warn")
     level = "bad" if fallen > MOST_FALLS * all_of_them else "good" if few and not fallen else "warn"
     return Verdict(f"up to {_percent(bound)} may fall: {'below' if few else 'above'} the {limit}", level)
 
@@ -90,7 +90,7 @@ def harder(origins: Sequence[Mapping[str, Any]]) -> str:
     if knock(origin) <= max(sizes):
         return ""
     ends = " to ".join(dict.fromkeys(number(size, 2) for size in sorted(sizes)))
-    return f" A certificate knocks {known[0].name} with {ends} N s; here it is {number(knock(origin), 2)} N s."
+    return f" A certificate knocks {known[0].name} with {ends} N s, less than here."
 
 
 def pushed(pushes: Sequence[Mapping[str, Any]] | None) -> str:
@@ -118,25 +118,39 @@ def where(pushes: Sequence[Mapping[str, Any]] | None) -> str:
     return ""
 
 
-def _title(cases: Cases, part: float) -> str:
-    """The label that makes a difference, or that none does."""
-    if not part:
+def _title(cases: Cases, worst: CaseSummary) -> str:
+    """The label that makes a difference, with 95 % intervals, or that none does."""
+    if not worst.fell:
         return f"No robot fell in {len(cases)} cases"
     apart = _apart(cases)
     if not apart:
-        return f"{_percent(part)} of the robots fall, in all {len(cases)} cases about alike"
-    (name, (best, least), (worst, most)) = apart[0]
-    good, bad = cases.labelled(name, best), cases.labelled(name, worst)
-    return f"{_percent(least)} of the robots fall with {good}, {_percent(most)} with {bad}"
+        in_case = f", in all {len(cases)} cases about alike" if len(cases) > 1 else ""
+        return f"{_chance(worst)} of the robots fall{in_case}"
+    name, (best, least), (hardest, most) = apart[0]
+    good, bad = cases.labelled(name, best), cases.labelled(name, hardest)
+    return f"With {bad} {_within(most)} of the robots fall, with {good} {_within(least)}"
 
 
-def _apart(cases: Cases) -> list[tuple[str, tuple[str | float, float], tuple[str | float, float]]]:
+def _chance(case: CaseSummary) -> str:
+    return _within(case.chance) if case.chance else "–"
+
+
+def _within(chance: Interval) -> str:
+    """A 95 % interval of a probability, or its upper end where none fell."""
+    low, high = number(100 * chance.low, 2), number(100 * chance.high, 2)
+    return f"{low} to {high} %" if chance.value else f"at most {high} %"
+
+
+Level = tuple[str | float, Interval]
+
+
+def _apart(cases: Cases) -> list[tuple[str, Level, Level]]:
     """The labels whose best and worst value have intervals apart, each with both values and fractions."""
-    apart: list[tuple[str, tuple[str | float, float], tuple[str | float, float]]] = []
+    apart: list[tuple[str, Level, Level]] = []
     for name, levels in cases.effects().items():
         best, worst = (pick(levels, key=lambda value: levels[value].value) for pick in (min, max))
         if levels[best].high < levels[worst].low:
-            apart.append((name, (best, levels[best].value), (worst, levels[worst].value)))
+            apart.append((name, (best, levels[best]), (worst, levels[worst])))
     return apart
 
 
@@ -158,8 +172,8 @@ def _lead(cases: Cases, knocks: str) -> str:
     first = f"{len(cases)} cases, each with {many}{scene}.{where(cases.pushes) if known else _scenarios(cases)}"
     apart = {name for name, *_ in _apart(cases)}
     alike = [spoken(name) for name in cases.varied() if name not in apart]
-    second = f" Which {joined(alike)} they have makes no clear difference to falls." if alike else ""
-    return f"{first}{knocks}{_strongest(cases)}{second}{_next(cases)}"
+    second = f" The {joined(alike)} {'makes' if len(alike) == 1 else 'make'} no clear difference." if alike else ""
+    return f"{first}{knocks}{second}{_next(cases)}"
 
 
 def _scenarios(cases: Cases) -> str:
@@ -168,11 +182,9 @@ def _scenarios(cases: Cases) -> str:
         return ""
     pushes = {str(case.labels.get("scenario", "")): origin.get("scenario", {}).get("push")
               for case, origin in zip(cases, cases.origins, strict=True)}  # fmt: skip
-    return (
-        f" Scenarios: {'; '.join(f'{name}: {pushed(push)}' for name, push in pushes.items())}."
-        if len(pushes) > 1
-        else ""
-    )
+    if len(pushes) < 2:
+        return ""
+    return "".join(f" {sentence(f'{name}: {pushed(push)}')}" for name, push in pushes.items())
 
 
 def _next(cases: Cases) -> str:
@@ -188,23 +200,15 @@ def _one_robot(cases: Cases) -> bool:
     return len({case.labels.get("robot", "") for case in cases}) == 1
 
 
-def _strongest(cases: Cases) -> str:
-    """The drawn number that matters most, as a sentence with a space before it."""
+def _strongest(cases: Cases) -> list[tuple[str, str]]:
+    """How many fall at both ends of the varied parameter that matters most; none where chance explains them all."""
     drawn = cases.drawn()
     if not drawn:
-        return ""
+        return []
     name, (case, least, most) = next(iter(drawn.items()))
-    of_case = f" ({cases.names()[cases.index(case)]})" if len(cases) > 1 else ""
-    return (
-        f" Of the varied parameters {spoken(name)} matters most{_assumed(cases, name)}: among the fifth of "
-        f"the robots with the least of it {_percent(least)} fall, with the most {_percent(most)}{of_case}."
-    )
-
-
-def _assumed(cases: Cases, name: str) -> str:
-    """How far a parameter is assumed to vary, in brackets with a space before it."""
-    spread = next((s for s in cases.spreads if s["name"] == name), None)
-    return f" (varied {_size(spread, cases.units.get(name, ''))})" if spread else ""
+    of_case = f", {cases.names()[cases.index(case)]}" if len(cases) > 1 else ""
+    most_of_it = f"fall with the least and the most {spoken(name)} (a fifth of the robots each{of_case})"
+    return [(f"{number(100 * least, 2)} and {_percent(most)}", most_of_it)]
 
 
 MATTER = 8  # drawn numbers in the table
@@ -217,10 +221,7 @@ def _matter(cases: Cases, drawn: Mapping[str, tuple[CaseSummary, float, float]])
         [f"{spoken(name)}", 100 * least, 100 * most, names[cases.index(case)]]
         for name, (case, least, most) in list(drawn.items())[:MATTER]
     ]
-    caption = (
-        "How many fall of the fifth of the robots with the least and with the most of it, in the case where it matters "
-        "most"
-    )
+    caption = "Falls of the fifth of the robots with the least and with the most of it, where it matters most"
     return Table(["parameter", "least fifth [%]", "largest fifth [%]", "case"], rows, caption, 3, even=True)
 
 
@@ -251,31 +252,29 @@ def _spreads(cases: Cases) -> Table:
     return Table(["number", "middle", "varies"], rows, "± and factors are one standard deviation")
 
 
-def _numbers(cases: Cases, fallen: int, all_of_them: int) -> list[tuple[str, str]]:
-    if not fallen:
-        return [(f"{_percent(fallen / all_of_them)}", f"of all robots fall; the limit is {100 * MOST_FALLS:g} %")]
+def _numbers(cases: Cases, worst: CaseSummary) -> list[tuple[str, str]]:
+    if not worst.fell:
+        at_most = f"≤ {_percent(upper_bound(0, worst.n))}"
+        return [(at_most, f"of the robots of a case fall (95 %, one-sided); the limit is {100 * MOST_FALLS:g} %")]
     numbers: list[tuple[str, str]] = []
     name, levels = next(iter(cases.effects().items()), ("", {}))
     ranked = sorted(levels, key=lambda v: levels[v].value)
-    for level in ranked if len(ranked) <= 2 else (ranked[0], ranked[-1]):
+    for level in reversed(ranked if len(ranked) <= 2 else (ranked[0], ranked[-1])):
         chance = levels[level]
-        within = f"{number(100 * chance.low, 3)} to {number(100 * chance.high, 3)} %"
-        numbers.append((_percent(chance.value), f"fall with {cases.labelled(name, level)} (95 % interval {within})"))
+        numbers.append((_percent(chance.value), f"fall with {cases.labelled(name, level)} (95 %: {_within(chance)})"))
+    numbers += _strongest(cases)
     times = {case.mean("settling"): label for case, label in zip(cases, cases.names(), strict=True)}
     known = sorted(time for time in times if time is not None)
-    if known and known[-1] > 1.05 * known[0]:
+    if len(numbers) < 3 and known and known[-1] > 1.05 * known[0]:
         ends = f"{number(known[0], 3)} to {number(known[-1], 3)} s"
         numbers.append((ends, f"mean time to settle, longest with {times[known[-1]]}"))
     return numbers
 
 
 def _claim(cases: Cases) -> str:
-    apart = [f"{spoken(name)} (most fall with {cases.labelled(name, worst)})" for name, _, (worst, _) in _apart(cases)]
-    return (
-        f"Falls of each case; what makes a difference between cases: {', '.join(apart)}"
-        if apart
-        else "Robots that fell in each case, with 95 % intervals"
-    )
+    apart = [f"{cases.labelled(name, worst)}" for name, _, (worst, _) in _apart(cases)]
+    most = f": most with {joined(apart)}" if apart else ""
+    return f"Robots that fell in each case, with 95 % intervals{most}"
 
 
 def _table(cases: Cases) -> Table:
@@ -295,7 +294,8 @@ def _table(cases: Cases) -> Table:
         rows.append([name, fell, *(None if mean is None else factor * mean for mean, factor in means)])
     header = ["case", "fell [%]", *(kinds[o][0] for o in shown)]
     caption = (
-        "The worst first, unless chance explains it; means of those that stood: largest pitch, settling time, effort"
+        "The worst first; means of those that stood: largest pitch, time until it stays within "
+        f"±{math.degrees(SETTLED):.3g}° (– where none does), effort"
     )
     return Table(header, rows, caption, 3, even=True)
 

@@ -270,7 +270,10 @@ def _linear(model: LinearModel, unit_of_command: str = "V, or in N m for a robot
         "ẋ\u00a0=\u00a0A\u00a0x\u00a0+\u00a0B\u00a0u" if model.continuous else f"x⁺ = A x + B u, every {model.dt:g} s"
     )
     numbers = [
-        *((f"{cell_text(p.real, 3)} {unit}", "unstable pole, real part") for p in unstable[:1]),
+        *(
+            (f"{cell_text(p.real, 3)}{' 1/s' if model.continuous else ''}", _POLE[model.continuous])
+            for p in unstable[:1]
+        ),
         *([(doubles, "in which a small lean doubles")] if unstable else []),
         (f"{model.A.shape[0]} × {model.B.shape[1]}", "states × inputs of the model"),
     ]
@@ -286,6 +289,10 @@ def _linear(model: LinearModel, unit_of_command: str = "V, or in N m for a robot
     )  # fmt: skip
 
 
+_POLE = {
+    True: "rate at which a lean grows: the unstable pole",
+    False: "by which a lean grows every period: the unstable pole",
+}
 TURNING = ("yaw", "yaw_rate")
 
 

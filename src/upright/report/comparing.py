@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+MOST = 3  # numbers on the first screen
 CLOSE, FAIR = 80.0, 50.0  # [%] of fit: from where two runs agree well, and at all
 AVERAGED = 0.3  # [s] over which quick swings (noise, rounded readings) average out, the answer to a push does not
 DWARFED = 5.0
@@ -40,10 +41,10 @@ def page_of(comparison: Comparison) -> Page:
     quiet = [sentence(f"no motion of {' or '.join(name.replace('_', ' ') for name in still)}")] if still else []
     sections = [
         Section("Numbers", [listed_metrics(comparison), *fit_tables(comparison), how(comparison)]),
-        Section("Other states", [*figures, *quiet]),
+        Section("Other states", [*figures, *quiet], folded=True),
     ]
     commands = comparison.plot_commands()
-    sections += [Section("Commands", [Figure(_efforts(comparison), commands)])] if commands else []
+    sections += [Section("Commands", [Figure(_efforts(comparison), commands)], folded=True)] if commands else []
     sections.append(Section("Origin of the runs", [_origin_table(comparison)], folded=True))
     return Page(
         _title(comparison, first), sections, _lead(comparison), _provenance(comparison),
@@ -89,9 +90,9 @@ def _lead(comparison: Comparison) -> str:
     pushes = [f"from {start:.3g} to {stop:.3g} s" for start, stop in comparison.pushed]
     size = f" with {force}" if (force := _force(log)) else ""
     pushed = f", pushed {_way(log)}".rstrip() + f"{size} {' and '.join(pushes[:2])}" if pushes else ", without a push"
-    several = f"; runs: {', '.join(comparison.logs)}" if comparison.fits else ""
+    several = f"; runs: {', '.join(comparison.logs)}" if len(comparison.fits) > 1 else ""
     twin = any(kind.startswith("twin") for kind in comparison.kinds.values())
-    stands = " Simulated by a physics engine (twin), no real robot." if twin else ""
+    stands = " The twin is a simulation, no real robot." if twin else ""
     after = (
         "`upright compare` it with another body" if len(comparison.logs) == 1 else "`upright certify` the controller"
     )
@@ -121,8 +122,8 @@ def _worse(comparison: Comparison) -> str:
     if averaged < FAIR:
         return f" {sentence(words(name), '')} fits {plain} only."
     return (
-        f" {sentence(words(name), '')}, averaged over {AVERAGED:g} s, fits {_percent(averaged)}; sample by sample "
-        f"{plain}, since its quick swings do not coincide."
+        f" {sentence(words(name), '')} fits {plain}, and {_percent(averaged)} averaged over {AVERAGED:g} s: its quick "
+        "swings do not coincide."
     )
 
 
@@ -196,13 +197,14 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
     peaks = {label: degrees(m.pitch_peak) for label, m in comparison.metrics.items() if not m.fell}
     rest = [at_rest(comparison, label) for label in comparison.logs] if comparison.pushed else []
     if len(rest) == 2 and all(math.isfinite(seconds) for seconds, _ in rest):
-        times, within = " and ".join(_settles(seconds) for seconds, _ in rest), degrees(max(size for _, size in rest))
-        fits.append((times, f"settling of {' and '.join(comparison.logs)} after the release, to ±{within}"))
-    if len(peaks) == len(comparison.logs) == 2:
+        times = " and ".join(cell_text(seconds, 3) for seconds, _ in rest)
+        within = degrees(max(size for _, size in rest))
+        fits.append((f"{times} s", f"after the release, {' and '.join(comparison.logs)} stay within ±{within}"))
+    if len(peaks) == len(comparison.logs) == 2 and len(fits) < MOST:
         return [*fits, (" and ".join(peaks.values()), f"largest pitch of {' and '.join(peaks)}")]
     return fits + [
         (degrees(m.pitch_peak), f"{label}: largest pitch") if not m.fell else ("fell", label)
-        for label, m in list(comparison.metrics.items())[: 3 - len(fits)]
+        for label, m in list(comparison.metrics.items())[: MOST - len(fits)]
     ]  # fmt: skip
 
 

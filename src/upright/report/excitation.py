@@ -22,15 +22,20 @@ def page_of(plan: ExcitationPlan) -> Page:
     several = f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}"
     verdict = Verdict(several, "warn") if wrong else Verdict(_safe(plan), "good")
     sections = [
-        Section("The run", [_WHAT, _over_time(plan), _spectrum(plan), _energy(plan), _energies(plan)]),
-        Section("Limits", [_checked_words(plan), _limits(plan), *wrong, *plan.notes]),
-        Section("Predicted intervals", [_PREDICTED, *_tables(plan)]),
+        *([Section("Reservations", wrong)] if wrong else []),
+        Section("The run", [_over_time(plan), _WHAT]),
+        Section("Limits", [_limits(plan), _checked_words(plan), *plan.notes]),
+        Section("Frequencies and energy", [_spectrum(plan), _energies(plan), _energy(plan)], folded=True),
+        Section("Predicted intervals", [_PREDICTED, *_tables(plan)], folded=True),
         Section("Alternatives", [_TRIED.format(_focus(plan)), _tried(plan)], folded=True),
     ]
     facts = {"controller": plan.hash[:12], "seed": str(plan.seed), "kit": plan.kit}
     numbers = [
         (f"≤ {number(100 * plan.checked.bound, 2)} %", _falls(plan)),
-        (f"{cell_text(plan.checked.travel, 2)} m", f"95 % of the robots travel less; allowed {plan.limits.travel:g} m"),
+        (
+            f"{cell_text(plan.checked.travel, 2)} m",
+            f"or less is the travel of 95 % of the robots; allowed {plan.limits.travel:g} m",
+        ),
         (
             f"{number(100 * plan.checked.saturated, 2)} %",
             f"of the time a motor is at its limit; allowed {100 * plan.limits.saturated:g} %",
@@ -44,10 +49,8 @@ def page_of(plan: ExcitationPlan) -> Page:
 
 def _falls(plan: ExcitationPlan) -> str:
     c = plan.checked
-    of = " that stand without the run" if c.dropped else ""
-    return (
-        f"probability of a fall: {c.fell} of {c.samples} sampled robots{of} fell; allowed {100 * plan.limits.falls:g} %"
-    )
+    of = " that stand without it" if c.dropped else ""
+    return f"fall (95 %, one-sided): {c.fell} of {c.samples} robots{of} fell; allowed {100 * plan.limits.falls:g} %"
 
 
 def _safe(plan: ExcitationPlan) -> str:
@@ -96,10 +99,8 @@ def _focus(plan: ExcitationPlan) -> str:
 
 def _lead(plan: ExcitationPlan) -> str:
     halved = sorted((p for p in plan.predicted if p.after < VISIBLE * p.before), key=lambda p: p.after / p.before)
-    names = ", ".join(spoken(p.name) for p in halved[:3])
-    most = f" It sharpens {names} most." if names else ""
-    better = [spoken(p.name) for p in plan.predicted if p.after < VISIBLE * p.before and p.dither < BETTER * p.after]
-    most += f" A random dither of the same energy would tell more of {joined(better)}." if better else ""
+    names = joined([spoken(p.name) for p in halved[:3]])
+    most = f" It tells most of {names}." if names else ""
     from upright.excite.search import COMBINED
 
     way = "a mix of random steps, sines, drives and turns" if plan.way == COMBINED else f"a {plan.way}"
@@ -200,8 +201,9 @@ def _widths(plan: ExcitationPlan) -> Figure:
     lost = [spoken(p.name) for p in plan.predicted if p not in shown]
     none = f" Not shown, since the run tells nothing of them: {', '.join(lost)}." if lost else ""
     title = f"The run halves the uncertainty of {_halved(plan)} of {len(plan.predicted)} parameters; left is better"
-    title += f" ({len(shown)} shown)" if lost else ""
-    note = f"Dither: a random binary signal, at the motors of the same energy, {_joules(plan)}.{none}{_vague(plan)}"
+    better = [spoken(p.name) for p in plan.predicted if p.after < VISIBLE * p.before and p.dither < BETTER * p.after]
+    dither = f" It would tell more of {joined(better)}." if better else ""
+    note = f"Dither: a random binary signal of the same energy at the motors.{dither}{none}{_vague(plan)}"
     return Figure(title, legend(figure), note)
 
 
@@ -209,7 +211,7 @@ def _vague(plan: ExcitationPlan) -> str:
     """Which intervals stay wide although they are halved: a prior that knows little is soon improved."""
     vague = [p for p in plan.predicted if p.after < VISIBLE * p.before and p.after > 2 * VAGUE * abs(p.value) > 0]
     named = [f"{spoken(p.name)} (± {number(50 * p.after / abs(p.value), 2)} %)" for p in vague]
-    return f" Halved is not known well: still unsure of {joined(named)}." if named else ""
+    return f" Halved, but still unsure: {joined(named)}." if named else ""
 
 
 VAGUE = 0.5  # of a value: a half width above which it is named, though halved

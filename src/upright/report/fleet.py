@@ -61,8 +61,9 @@ def _called(data: Dataset, name: str) -> str:
     return words.replace("the last push", "the push") if len(pushes) == 1 else words
 
 
+_BAND = f"±{math.degrees(SETTLED):.3g}°"
 _GROUPS = (
-    f"Settled: from here on pitch stays within {math.degrees(SETTLED):.3g}° ({SETTLED:g} rad). A robot whose next "
+    f"Settled: from here on pitch stays within {_BAND} ({SETTLED:g} rad). A robot whose next "
     "swing leaves this band too settles a swing later; so there may be groups with a gap between them."
 )
 
@@ -80,7 +81,8 @@ def influence(data: Dataset, outcome: str) -> Figure | None:
     ranked = list(sizes)[:12]
     drawing = bars(ranked, [abs(sizes[n]) for n in ranked], "size of the rank correlation [1]", "varied number")
     follow = "Falls follow" if outcome == "fell" else f"{_words(data, outcome)} follows"
-    return Figure(f"{follow} {spoken(ranked[0])} most", drawing)
+    chance = 2 / math.sqrt(len(data[outcome]))  # two standard deviations without any relation
+    return Figure(f"{follow} {spoken(ranked[0])} most", drawing, f"Below {number(chance, 2)} it may be chance.")
 
 
 def over_strongest(data: Dataset, outcome: str) -> Figure | None:
@@ -181,16 +183,17 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     numbers = [
         (
             bounds or f"≤ {number(100 * upper_bound(0, summary.n), 2)} %",
-            f"of all such robots fall, with 95 % confidence; the limit is {100 * MOST_FALLS:g} %",
+            f"of all such robots fall (95 %{'' if bounds else ', one-sided'}); a certificate allows "
+            f"{100 * MOST_FALLS:g} %",
         )
     ]
     if "peak_pitch" in summary.quantiles and np.isfinite(summary.quantiles["peak_pitch"][2]):
         peak, fall = math.degrees(summary.quantiles["peak_pitch"][2]), math.degrees(FALLEN)
-        numbers.append((f"{peak:.3g}°", f"95 % of those that stood stay below this pitch; at {fall:.0f}° a robot lies"))
+        numbers.append((f"{peak:.3g}°", f"largest pitch of 95 % of those that stood; a fall is {fall:.0f}°"))
     if "settling" in summary.quantiles and np.isfinite(summary.quantiles["settling"]).all():
         _, half, most = summary.quantiles["settling"]
         after = _called(data, "settling").removeprefix("settling time ")
-        numbers.append((f"{half:.3g} s", f"{after} half of them have settled; 95 % after {most:.3g} s"))
+        numbers.append((f"{half:.3g} s", f"{after} half of them stay within {_BAND}; 95 % after {most:.3g} s"))
     outcomes = ["fell"] if some else names[:1]
     causes = [figure for name in outcomes for figure in (over_strongest(data, name), influence(data, name)) if figure]
     histograms = [histogram(data, name) for name in names]

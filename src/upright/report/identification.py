@@ -20,9 +20,9 @@ def page_of(compared: MethodComparison) -> Page:
     """The comparison's page, not yet written."""
     data = compared.samples
     sections = [
-        Section("Regulators in closed loop", [_lead_of_loop(compared), trial_table(compared), methods_table(compared)]),
-        Section("The unstable pole", [*_poles(compared), pole_table(compared), _eigenvalues(compared)]),
-        Section("Predictions", [*_about_predictions(compared), *_predictions(compared)]),
+        Section("Regulators in closed loop", [trial_table(compared), _lead_of_loop(compared), methods_table(compared)]),
+        Section("The unstable pole", [pole_table(compared), *_poles(compared), _eigenvalues(compared)], folded=True),
+        Section("Predictions", [*_about_predictions(compared), *_predictions(compared)], folded=True),
         Section("Model order", _orders(compared), folded=True),
         Section("Notes", [*compared.notes, *_failures(compared), *_delays(compared)], folded=True),
     ]
@@ -98,13 +98,10 @@ def _pole_figure(compared: MethodComparison) -> Figure:
     if math.isnan(compared.true_pole):
         return Figure("The unstable pole by each method, with its 95 % interval", compared.plot())
     inside = [n for n, m in compared.models.items() if m.pole.low <= compared.true_pole <= m.pole.high]
-    missed = [n for n in compared.models if n not in inside]
-    title = (
-        f"The intervals of {joined(inside)} contain the true pole" if inside else "No interval contains the true pole"
+    those = f"that of {inside[0]} contains" if len(inside) == 1 else f"those of {joined(inside)} contain"
+    return Figure(
+        f"95 % intervals of the unstable pole; {those if inside else 'none contains'} the true one", compared.plot()
     )
-    if len(inside) == 1:
-        title = f"The interval of {inside[0]} contains the true pole"
-    return Figure(title + (f"; those of {joined(missed)} do not" if missed else ""), compared.plot())
 
 
 def _numbers(compared: MethodComparison) -> list[tuple[str | Verdict, str]]:
@@ -118,7 +115,7 @@ def _numbers(compared: MethodComparison) -> list[tuple[str | Verdict, str]]:
     ranked = _ranked(compared)
     held: tuple[str | Verdict, str] = (
         f"{len(ranked)} of {len(compared.trials)}",
-        "methods whose regulator holds the robot",
+        "regulators, each from a method's model, hold the robot",
     )
     if not ranked:
         return [held]
@@ -127,7 +124,7 @@ def _numbers(compared: MethodComparison) -> list[tuple[str | Verdict, str]]:
     true = f"; true: {cell_text(compared.true_pole, 3)}" if math.isfinite(compared.true_pole) else ""
     return [
         held,
-        (f"{cell_text(pole.value, 3)} 1/s", f"unstable pole by {best}{true}"),
+        (f"{cell_text(pole.value, 3)} 1/s", f"rate at which a lean grows (unstable pole), by {best}{true}"),
         (f"{cell_text(math.degrees(lean), 3)}°", f"largest lean under the regulator of {best}, let go at 2.9°"),
     ]
 

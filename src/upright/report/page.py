@@ -273,6 +273,14 @@ def _code(text: str) -> str:
     return f"<code>{' '.join(f'<span>{word}</span>' if '-' in word else word for word in text.split(' '))}</code>"
 
 
+def whole_names(text: str) -> str:
+    """Text as HTML, in which no line breaks inside a name with a hyphen, such as nxtway-gs."""
+    return _HYPHENED.sub(r'<span class="unit">\g<0></span>', escape(text))
+
+
+_HYPHENED = re.compile(r"\w+(?:-\w+)+")
+
+
 def united(name: str) -> str:
     """A column's name as HTML; its unit may stand on a line of its own, but is never broken."""
     head, bracket, unit = name.rpartition(" [")
@@ -303,4 +311,5 @@ def _template() -> Template:
     environment.filters["symbols"] = symbols
     environment.filters["bound"] = bound
     environment.filters["united"] = united
+    environment.filters["whole_names"] = whole_names
     return environment.get_template("page.html")
