@@ -156,6 +156,20 @@ def test_settling_counts_from_the_release_that_the_push_channel_shows():
     assert result.metrics["slow"].fell is None  # no outcome in this log, and nothing in it lies
 
 
+def test_page_text_and_json_tell_one_settling_time_within_one_band():
+    """0.1 rad decays with τ: it stays within 0.02 rad (1.15°) from τ ln 5 on, to within a sample of 10 ms."""
+    result = compare({"slow": pushed(0.5), "fast": pushed(0.25)})
+    told = {label: log["metrics"] for label, log in result.to_json()["logs"].items()}
+    assert [told[label]["settled"] for label in told] == pytest.approx(
+        [0.5 * math.log(5), 0.25 * math.log(5)], abs=0.01
+    )
+    assert {log["settled_within"] for log in told.values()} == {0.02}
+    line = next(line for line in str(result).splitlines() if line.startswith("settling ±1.15°"))
+    seconds = " and ".join(f"{told[label]['settled']:.4g}" for label in ("slow", "fast"))
+    assert line.split()[-2:] == seconds.split(" and ")
+    assert (f"{seconds} s", "after the release, slow and fast stay within ±1.15°") in page_of(result).numbers
+
+
 def test_logs_on_other_time_bases_are_interpolated_on_the_common_interval():
     result = compare({"a": pushed(period=0.01), "b": pushed(period=0.004, seconds=5.0)})
     assert min(result.fits["b"].values()) > 99.9  # the same curve; linear interpolation errs by (h/τ)²/8 = 8e-6

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from upright.atomic import finite
-from upright.comparison import metrics
+from upright.comparison import metrics, resting
 from upright.errors import InvalidLog, UnknownName
 from upright.experiment import outcome_of
 from upright.signals import STATE_NAMES, Log
@@ -111,6 +111,8 @@ class Comparison(Shown):
     def _log_json(self, label: str) -> dict[str, Any]:
         numbers = {name: finite(value) for name, value in dataclasses.asdict(self.metrics[label]).items()}
         fits = {name: finite(value) for name, value in self.fits.get(label, {}).items()}
+        seconds, within = self.at_rest(label)
+        numbers |= {"settled": finite(seconds), "settled_within": finite(within)} if self.pushed else {}
         where = {"kind": self.kinds[label], "source": self.sources[label], "release": finite(self.releases[label])}
         return where | {"metrics": numbers, "fit": fits}
 
@@ -156,10 +158,31 @@ class Comparison(Shown):
         log = next((log for log in logs if "push/force" in log), None)
         return () if log is None else metrics.active_intervals(log.t, log["push/force"])
 
+    def released(self, label: str) -> resting.Released:
+        """|pitch| of a run from the release on; empty where it fell, or is pushed to its end."""
+        log, release = self.logs[label], self.releases[label]
+        ends = self.metrics[label].fell or not release <= log.t[-1]
+        after = log.between(release, math.inf) if not ends else None
+        name = f"{self.sources[label]}/pitch"
+        none = np.zeros(0)
+        return (
+            resting.Released(after.t, np.abs(after[name])) if after and name in after else resting.Released(none, none)
+        )
+
+    def at_rest(self, label: str) -> tuple[float, float]:
+        """How long after the release until pitch stays near zero [s], and what near means for all runs [rad]:
+        `resting.at_rest`; where the run never rests NaN and 5 % of its largest pitch."""
+        seconds, within = resting.at_rest({name: self.released(name) for name in self.logs}, label)
+        return seconds, 0.05 * abs(self.metrics[label].pitch_peak) if math.isnan(seconds) else within
+
     def listing(self) -> Listing:
         """Metrics and fits, one column for each log."""
         labels = list(self.logs)
         rows: list[list[str]] = []
+        if self.pushed:
+            calm = [self.at_rest(label) for label in labels]
+            within = f"{math.degrees(max(limit for _, limit in calm)):.3g}°"
+            rows.append([f"settling ±{within}", "s", *(_cell(seconds) for seconds, _ in calm)])
         for name, (_, text) in METRICS.items():
             rows.append([text, self.unit(name), *(_cell(getattr(self.metrics[label], name)) for label in labels)])
         for name in self.signals if self.fits else ():

@@ -9,7 +9,7 @@ from upright.comparison import compare
 from upright.comparison.bench import DRAWN, TOLERANCE, Bench
 from upright.plotting import number
 from upright.report.figure import Figure
-from upright.report.metrics import at_rest, degrees
+from upright.report.metrics import degrees
 from upright.report.page import Cell, Details, Page, Section, Table, Verdict, cell_text
 from upright.tables import in_degrees, joined
 
@@ -113,7 +113,7 @@ def _rest(bench: Bench, push: str) -> tuple[dict[str, float], float]:
     if not logs:
         return {}, math.nan
     comparison = compare(logs)
-    rest = {name: at_rest(comparison, label) for name, label in zip(logs, comparison.logs, strict=True)}
+    rest = {name: comparison.at_rest(label) for name, label in zip(logs, comparison.logs, strict=True)}
     known = [limit for seconds, limit in rest.values() if math.isfinite(seconds)]
     return {name: seconds for name, (seconds, _) in rest.items()}, max(known, default=math.nan)
 

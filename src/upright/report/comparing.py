@@ -14,7 +14,7 @@ from upright.comparison.metrics import nrmse_fit
 from upright.experiment import outcome_of
 from upright.plotting import AXIS, line
 from upright.report.figure import Figure
-from upright.report.metrics import around, at_rest, degrees, fit_tables, how, left_out, listed_metrics, words
+from upright.report.metrics import around, degrees, fit_tables, how, left_out, listed_metrics, words
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.tables import sentence
 
@@ -178,7 +178,7 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
     """Of one run pitch, calm and travel; of several the fit, the largest difference and pitch; a fall says so."""
     if len(comparison.logs) == 1:
         ((label, m),) = comparison.metrics.items()
-        rest, limit = at_rest(comparison, label)
+        rest, limit = comparison.at_rest(label)
         return [
             (degrees(m.pitch_peak), "largest pitch"),
             (_settles(rest), f"after the release, until pitch has settled: it stays within ±{degrees(limit)}"),
@@ -195,7 +195,7 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
         for label, size in list(apart.items())[:1]
     ]
     peaks = {label: degrees(m.pitch_peak) for label, m in comparison.metrics.items() if not m.fell}
-    rest = [at_rest(comparison, label) for label in comparison.logs] if comparison.pushed else []
+    rest = [comparison.at_rest(label) for label in comparison.logs] if comparison.pushed else []
     if len(rest) == 2 and all(math.isfinite(seconds) for seconds, _ in rest):
         times = " and ".join(cell_text(seconds, 3) for seconds, _ in rest)
         within = degrees(max(size for _, size in rest))
@@ -285,7 +285,7 @@ def _means(comparison: Comparison, name: str, ax: Axes) -> None:
 def _band(comparison: Comparison, ax: Axes) -> None:
     """Dotted: what counts as settled after the release."""
     ((label, log),) = comparison.logs.items()
-    calm, limit = at_rest(comparison, label)
+    calm, limit = comparison.at_rest(label)
     if math.isfinite(calm):
         for side in (-1, 1):
             level, start = side * math.degrees(limit), comparison.releases[label]
@@ -328,7 +328,7 @@ def _alone(comparison: Comparison, name: str) -> str:
     """What one run shows of a state."""
     ((label, log),) = comparison.logs.items()
     if name == "pitch" and comparison.pushed and not comparison.metrics[label].fell:
-        calm, limit = at_rest(comparison, label)
+        calm, limit = comparison.at_rest(label)
         if math.isnan(calm):
             return "Pitch does not come to rest within the run"
         return f"Pitch has settled, within the dotted ±{degrees(limit)}, {_settles(calm)} after the release"

@@ -11,12 +11,10 @@ import numpy as np
 from upright.comparison import Comparison
 from upright.comparison.comparison import DIVERGED, METRICS, NEGLIGIBLE
 from upright.comparison.metrics import last_part
+from upright.comparison.resting import STEADY, near
 from upright.fleet.ensemble import SETTLED
 from upright.report.page import Cell, Table, cell_text
 
-STEADY, WIDE = 1.6, 0.5
-"""A wobble that grows no more than this between the last quarter and the last half is steady; beyond this part of the
-peak it is no rest."""
 BESIDE = 1.0  # [s] shown before a push and after it has settled
 SMALL = 0.6  # [1] of a run: less is shown alone
 QUIET = 0.1  # [1] of a state's range over a run: who moves less is near rest
@@ -36,7 +34,7 @@ def metrics_table(comparison: Comparison) -> Table:
         values = [getattr(numbers, name) for numbers in comparison.metrics.values()]
         rows.append([SAID.get(name, text), unit, *(factor * value if factor else value for value in values)])
     if comparison.pushed:
-        calm = [at_rest(comparison, label) for label in comparison.logs]
+        calm = [comparison.at_rest(label) for label in comparison.logs]
         within = f"settling after the release, to ±{degrees(max(limit for _, limit in calm))}"
         rows.insert(0, [within, "s", *(seconds for seconds, _ in calm)])
     return Table(["", "unit", *comparison.logs], rows, "Metrics of each run", digits=3)
@@ -57,11 +55,10 @@ def listed_metrics(comparison: Comparison) -> Table:
 
 def _noisy(comparison: Comparison, label: str, band: float) -> bool:
     """Whether pitch at rest swings beyond this part of its largest deviation after the release."""
-    log, rest = comparison.logs[label], _rest(comparison, label)
-    if math.isnan(rest):
+    run = comparison.released(label)
+    if math.isnan(near(run)):
         return False
-    pitch = np.abs(log.between(comparison.releases[label], math.inf)[f"{comparison.sources[label]}/pitch"])
-    return float(pitch[last_part(len(pitch)) :].max()) > band * float(pitch.max())
+    return float(run.size[last_part(len(run.size)) :].max()) > band * float(run.size.max())
 
 
 def fit_tables(comparison: Comparison) -> list[Table]:
@@ -100,7 +97,7 @@ def how(comparison: Comparison) -> str:
 
 def _band(comparison: Comparison) -> str:
     """Why pitch has settled within the angle of the table, as a sentence with a space behind it."""
-    limits = [at_rest(comparison, label)[1] for label in comparison.logs] if comparison.pushed else []
+    limits = [comparison.at_rest(label)[1] for label in comparison.logs] if comparison.pushed else []
     if not limits:
         return ""
     named = f"Within ±{degrees(max(limits))} it counts as settled: "
@@ -109,39 +106,9 @@ def _band(comparison: Comparison) -> str:
     return f"{named}5 % of its largest deviation, or what it swings at rest if that is more. "
 
 
-def at_rest(comparison: Comparison, label: str) -> tuple[float, float]:
-    """From how long after the release on pitch stays near zero [s], and what near means for all runs [rad].
-
-    That is `SETTLED`, as in a fleet, where pitch went clearly beyond it and sways less at rest. Else it is 5 % of its
-    largest value, or its wobble at rest where that is more: then the noise of the sensors decides.
-    """
-    limits = {name: _rest(comparison, name) for name in comparison.logs}
-    limit = max((own for own in limits.values() if math.isfinite(own)), default=math.nan)
-    if math.isnan(limits[label]):
-        return math.nan, 0.05 * abs(comparison.metrics[label].pitch_peak)
-    released = comparison.logs[label].between(comparison.releases[label], math.inf)
-    peak = float(np.max(np.abs(released[f"{comparison.sources[label]}/pitch"])))
-    limit = SETTLED if limit <= SETTLED <= WIDE * peak else limit
-    beyond = np.flatnonzero(np.abs(released[f"{comparison.sources[label]}/pitch"]) > limit)
-    return (float(released.t[beyond[-1]] - released.t[0]) if len(beyond) else 0.0), limit
-
-
-def _rest(comparison: Comparison, label: str) -> float:
-    """What near zero means for one run [rad]; NaN where it falls, is pushed to its end, or never rests."""
-    log, release = comparison.logs[label], comparison.releases[label]
-    if comparison.metrics[label].fell or not release <= log.t[-1]:
-        return math.nan
-    pitch = np.abs(log.between(release, math.inf)[f"{comparison.sources[label]}/pitch"])
-    if len(pitch) < 8:
-        return math.nan
-    half, quarter = (float(pitch[-len(pitch) // part :].max()) for part in (2, 4))
-    limit = max(0.05 * float(pitch.max()), half if half <= STEADY * quarter else quarter)
-    return limit if limit <= WIDE * float(pitch.max()) else math.nan
-
-
 def around(comparison: Comparison) -> tuple[float, float] | None:
     """The time [s] round the pushes until every run is calm, where that is a small part of the runs."""
-    calm = {label: at_rest(comparison, label)[0] for label in comparison.logs} if comparison.pushed else {}
+    calm = {label: comparison.at_rest(label)[0] for label in comparison.logs} if comparison.pushed else {}
     if not calm or "pitch" not in comparison.signals or not all(map(math.isfinite, calm.values())):
         return None
     settled = max(comparison.releases[label] + seconds for label, seconds in calm.items())
