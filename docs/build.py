@@ -12,6 +12,7 @@ import re
 import shutil
 import sys
 import tempfile
+import zipfile
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from html import escape
@@ -73,6 +74,7 @@ def build(site: Path, *, draft: bool = False) -> int:
         _reference(source)
         _glossary(source)
         _course(source, draft)
+        _archive(source)
         gallery = source / "gallery.md"
         if draft:
             _write(gallery, gallery.read_text("utf-8").replace(".*\n", f".*\n\n{WITHOUT}\n", 1))
@@ -139,6 +141,27 @@ def _switched(page: Path, text: str) -> str:
     (other,) = SWITCH.keys() - {language}
     there = f"{name}.{other}.md" if page.with_name(f"{name}.{other}.md").exists() else f"{name}.md"
     return re.sub(r"\A(# .+\n\n\*.+\*\n)", rf"\1\n[{SWITCH[language]}]({there})\n", text)
+
+
+ARCHIVE = "upright.zip"
+PACKED = ("pyproject.toml", "README.md", "LICENSE", "CITATION.cff", "CHANGELOG.md", "src", "examples", "notebooks")
+GET = {
+    "start.md": ("## 1. Install\n\n", f"Download [{ARCHIVE}]({ARCHIVE}) and unpack it. "),
+    "index.es.md": ("## Instalar\n\n", f"Descargue [{ARCHIVE}]({ARCHIVE}) y descomprímalo. "),
+}
+"""The pages that say how to install, each with its title and what stands below it on the site, where the archive is."""
+
+
+def _archive(source: Path) -> None:
+    """What `pip install .` needs, as a download of the site."""
+    with zipfile.ZipFile(source / ARCHIVE, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path in sorted(p for name in PACKED for p in [ROOT / name, *(ROOT / name).rglob("*")] if p.is_file()):
+            inside = path.relative_to(ROOT)
+            if not {"node_modules", "__pycache__"}.intersection(inside.parts):
+                archive.write(path, Path("upright") / inside)
+    for name, (title, words) in GET.items():
+        page = source / name
+        _write(page, page.read_text("utf-8").replace(title, title + words, 1))
 
 
 def _texts(source: Path) -> list[str]:

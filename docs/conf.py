@@ -115,14 +115,21 @@ def accessible(_app: Sphinx, _page: str, _template: str, context: dict[str, Any]
 COMMANDS = re.compile(
     r'(<div class="highlight-sh[^>]*><div class="highlight"><pre[^>]*><span></span>)(.*?)(?=</pre>)', re.S
 )
+PYTHON = re.compile(COMMANDS.pattern.replace("highlight-sh", "highlight-(?:python|pycon|default|toml)"), re.DOTALL)
+OPTION = re.compile(
+    r'(<span class="word">-[^<]*)</span>(<span class="w">[^<]*</span>)<span class="word">(?!-)(?=[^ ]{1,24}</span>)'
+)
+"""An option and its short value, which stay on one line."""
+LONG = re.compile(r'<span class="pre">([^<]{28,})<')
+"""A word of code that may be broken: it is longer than a line of a phone."""
 TABLE = re.compile(r'<table class="docutils align-default">.*?</table>', re.DOTALL)
 COLUMN, PHONE, MANY, BRIEF = 90, 40, 7, 14
 """Letters of a line of code, of a line of a table on a phone, columns in the usual type, letters of half a card."""
 
 
 DARK = (
-    r'<img\1src="_images/lab.webp" class="only-light" loading="lazy"\2>'
-    r'<img\1src="_static/lab-dark.webp" class="only-dark" loading="lazy"\2>'
+    r'<img\1src="_images/lab\2.webp" class="only-light" loading="lazy"\3>'
+    r'<img\1src="_static/lab-dark\2.webp" class="only-dark" loading="lazy"\3>'
 )
 """The picture of the lab, as dark as the page."""
 
@@ -130,8 +137,10 @@ DARK = (
 def readable(_app: Sphinx, _page: str, _template: str, context: dict[str, Any], _tree: object) -> None:
     """Commands are never cut, and a table that is too wide for a phone is a card for each of its rows there."""
     body = COMMANDS.sub(lambda block: block[1] + wrapped(block[2]), context.get("body", ""))
+    body = PYTHON.sub(lambda block: block[1] + rows(block[2]), body)
+    body = LONG.sub(lambda word: f'<span class="pre long">{re.sub("(?=[#?]|&amp;)", "<wbr>", word[1])}<', body)
     body = TABLE.sub(lambda table: stacked(table[0]), body)
-    context["body"] = re.sub(r'<img([^>]*?)src="_images/lab.webp"([^>]*)>', DARK, body)
+    context["body"] = re.sub(r'<img([^>]*?)src="_images/lab(\.es)?\.webp"([^>]*)>', DARK, body)
 
 
 def wrapped(shell: str) -> str:
@@ -143,9 +152,20 @@ def wrapped(shell: str) -> str:
     for line in lines:
         command, mark, comment = line.rstrip("\n").partition('<span class="c1">')
         parts = filter(None, re.split(r'(<span class="w">.*?</span>)', command))
-        words = "".join(part if 'class="w"' in part else f'<span class="word">{part}</span>' for part in parts)
+        words = OPTION.sub(
+            r"\1\2", "".join(part if 'class="w"' in part else f'<span class="word">{part}</span>' for part in parts)
+        )
         words = words and f'<span class="command">{words}</span>'
         made.append(f'<span class="line{apart}">{words}{mark}{comment}\n</span>')
+    return "".join(made)
+
+
+def rows(python: str) -> str:
+    """Each line apart, with how far it is indented: a phone breaks it below itself."""
+    made: list[str] = []
+    for line in python.splitlines(keepends=True):
+        plain = unescape(re.sub(r"<[^>]+>", "", line))
+        made.append(f'<span class="row" style="--in: {len(plain) - len(plain.lstrip(" ")) + 4}ch">{line}</span>')
     return "".join(made)
 
 

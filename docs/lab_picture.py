@@ -1,4 +1,5 @@
-"""Makes docs/lab.webp, the moving picture of the lab, and a dark one for the site: run `python docs/lab_picture.py`.
+"""Makes docs/lab.webp, the moving picture of the lab, with its dark and its Spanish ones for the site: run
+`python docs/lab_picture.py [NAME …]`, by default all.
 
 To be run after a change of the page. Needs Chromium and Playwright. The page is paused and stepped, so that a slow
 machine makes the same picture.
@@ -7,6 +8,7 @@ machine makes the same picture.
 from __future__ import annotations
 
 import io
+import sys
 import tempfile
 from pathlib import Path
 from typing import Literal
@@ -14,6 +16,7 @@ from typing import Literal
 from PIL import Image
 from playwright.sync_api import sync_playwright
 
+from upright.atomic import write_bytes
 from upright.lab.export import export
 
 FLAGS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
@@ -23,13 +26,21 @@ WIDTH = 800  # [px] of the picture
 HERE = Path(__file__).resolve().parent
 
 
-def film(scheme: Literal["light", "dark"], target: Path) -> None:
+PLACES: dict[str, tuple[Literal["light", "dark"], str]] = {
+    "lab.webp": ("light", "en"),
+    "_static/lab-dark.webp": ("dark", "en"),
+    "lab.es.webp": ("light", "es"),
+    "_static/lab-dark.es.webp": ("dark", "es"),
+}
+
+
+def film(scheme: Literal["light", "dark"], language: str, target: Path) -> None:
     """The lab in a colour scheme, knocked forward and back."""
     pictures: list[Image.Image] = []
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as driver:
         page_file = export(folder, ["nxtway-gs"], ["lqg"])
         browser = driver.chromium.launch(executable_path="/usr/bin/chromium", args=FLAGS)
-        page = browser.new_page(viewport={"width": 1200, "height": 675}, color_scheme=scheme)
+        page = browser.new_page(viewport={"width": 1200, "height": 675}, color_scheme=scheme, locale=language)
         page.goto(page_file.as_uri())
         page.wait_for_selector("canvas.room")  # which takes the side view's place
         page.evaluate("upright.store.send({ kind: 'Step', periods: 200 })")
@@ -44,10 +55,12 @@ def film(scheme: Literal["light", "dark"], target: Path) -> None:
             pictures.append(shot.resize((WIDTH, round(WIDTH * shot.height / shot.width)), Image.Resampling.LANCZOS))
         browser.close()
     first, *others = pictures
-    first.save(target, save_all=True, append_images=others, duration=10 * EVERY, loop=0, quality=55, method=6)
+    made = io.BytesIO()
+    first.save(made, "webp", save_all=True, append_images=others, duration=10 * EVERY, loop=0, quality=55, method=6)
+    write_bytes(target, made.getvalue())
     print(f"wrote {target}: {target.stat().st_size / 1e3:.0f} kB")
 
 
 if __name__ == "__main__":
-    film("light", HERE / "lab.webp")
-    film("dark", HERE / "_static" / "lab-dark.webp")
+    for name in sys.argv[1:] or PLACES:
+        film(*PLACES[name], HERE / name)

@@ -8,6 +8,7 @@ import os
 import re
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
@@ -38,9 +39,9 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-CUT = """[...document.querySelectorAll('.highlight-sh pre, article .table-wrapper')]
-    .filter((wide) => wide.scrollWidth > wide.clientWidth + 1).map((wide) => wide.textContent)"""
-COPIED = """[...document.querySelectorAll('.highlight-sh pre')].flatMap((block) => {
+CUT = """[...document.querySelectorAll('.highlight-sh pre, article .table-wrapper' + (innerWidth < 500 ? ', pre:has(.row)' : ''))]
+    .filter((wide) => wide.scrollWidth > wide.clientWidth + 1).map((wide) => wide.textContent)"""  # noqa: E501
+COPIED = """[...document.querySelectorAll('.highlight pre')].flatMap((block) => {
     getSelection().selectAllChildren(block); return getSelection().toString().split('\\n') })"""
 
 
@@ -96,6 +97,15 @@ def test_notebooks_are_there_in_both_languages_without_answers(site: Path) -> No
             assert len(json.dumps(cells)) < 1e6  # figures; a lab is a file beside
 
 
+def test_the_download_is_what_pip_installs_from(site: Path) -> None:
+    (link,) = {target for tag, target in links(site / "start.html") if tag == "a" and target.endswith("upright.zip")}
+    names = zipfile.ZipFile(site / link).namelist()
+    assert {"upright/pyproject.toml", "upright/README.md", "upright/LICENSE", "upright/src/upright/__init__.py"} <= set(
+        names
+    )
+    assert not [name for name in names if "node_modules" in name or "__pycache__" in name]
+
+
 @pytest.mark.needs("chromium", "module:playwright")
 @pytest.mark.parametrize("width", [1280, 390])
 def test_in_a_browser_from_a_folder(site: Path, browser: Any, width: int) -> None:
@@ -113,6 +123,7 @@ def test_in_a_browser_from_a_folder(site: Path, browser: Any, width: int) -> Non
     copied = page.evaluate(COPIED)  # each command is shown over some lines, and copied as one
     push = "upright simulate --robot nxtway-gs --body twin --push hold:0.1,until=4"
     assert f"{push} -o twin.parquet --report push.html" in copied
+    assert "log = up.run(body, controller, up.Impulse(impulse=0.05, start=2.0), seconds=6.0, seed=1)" in copied
     page.goto((site / "search.html").as_uri() + "?q=kalman")
     page.wait_for_selector("#search-results li a")
     page.close()

@@ -132,9 +132,9 @@ def _standing(record: Record, m: Resampled, a: int, b: int, rate: Array) -> Find
     start, end = float(m.t[a]), float(m.t[b - 1])
     driven = float(np.abs((m.commands[0] + m.commands[1])[a:b] / 2).mean()) if m.commands is not None else 0.0
     unit = record.units.get(record.commands[0], "") if record.commands else ""
-    evidence = f"from {moment(start)} to {moment(end)} s (rows {a} to {b - 1}) the wheels stand still and the gyro "
-    evidence += f"reads noise of {rate[a:b].std():.2g} rad/s, with a mean command of {driven:.2g} {unit}".rstrip()
-    evidence += ": held by hand, or stuck by friction"
+    evidence = f"wheels at rest from {moment(start)} to {moment(end)} s (rows {a} to {b - 1}): gyro noise "
+    evidence += f"{rate[a:b].std():.2g} rad/s, mean command {driven:.2g} {unit}".rstrip()
+    evidence += "; held by hand, or stuck by friction"
     return note("segment/still", m.gyro_name, evidence, "exclude these rows from a fit", span=(start, end))
 
 
@@ -174,15 +174,13 @@ def _events(m: Resampled, miss: Array, loud: NDArray[np.bool_], scatter: float) 
         both = min(float(part.max()), float(-part.min())) / largest
         balance = abs(float(part.sum())) / float(np.abs(part).sum())
         span = float(m.t[a + join]), float(m.t[b - 1 - join])
-        evidence = (
-            f"from {moment(span[0])} to {moment(span[1])} s the wheels deviate from the pendulum equation by up to "
-        )
-        evidence += f"{largest:.3g} rad/s², {largest / scatter:.0f} standard deviations"
+        evidence = f"from {moment(span[0])} to {moment(span[1])} s: up to {largest:.3g} rad/s² off the pendulum "
+        evidence += f"equation ({largest / scatter:.0f} standard deviations), in "
         if both > 0.35 and balance < 0.35:
-            evidence += ", in both directions: the wheels slip"
+            evidence = f"wheel slip {evidence}both directions"
             findings.append(warning("segment/slip", LEFT, evidence, "exclude these rows from a fit", span=span))
         else:
-            evidence += ", in one direction: a push"
+            evidence = f"a push {evidence}one direction"
             repair = "exclude these rows from a fit, or log the push"
             findings.append(note("segment/push", LEFT, evidence, repair, span=span))
     return findings

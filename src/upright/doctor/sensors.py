@@ -205,10 +205,8 @@ def bias(record: Record) -> list[Finding]:
     if drifted is None or abs(drifted[0]) <= drifted[1]:
         return []
     mean, limit, span = drifted
-    evidence = (
-        f"mean {mean:+.3g} rad/s over {span:.3g} s, a drift of {mean * span:+.3g} rad; at most {limit:.2g} rad/s is "
-    )
-    evidence += "plausible for a robot upright at both ends"
+    evidence = f"mean {mean:+.3g} rad/s over {span:.3g} s: a drift of {mean * span:+.3g} rad; plausible: at most "
+    evidence += f"{limit:.2g} rad/s"
     return [warning("gyro/bias", GYRO, evidence, f"subtract {mean:.4g} rad/s", Fix("offset", (GYRO,), (-mean,)))]
 
 
@@ -261,8 +259,8 @@ def grain(record: Record) -> list[Finding]:
         alike = ", both encoders" if abs(grain_of(record[RIGHT]) - grain_of(record[LEFT])) < 0.01 * step else ""
         rate = float(smooth(values, m.period, widths(m.period)[0], 1).std())
         noise = step / np.sqrt(6) / m.period
-        evidence = f"{2 * np.pi / step:.0f} counts per turn (steps of {step:.3g} rad{alike}) are coarse: a rate from "
-        evidence += f"two rows has a noise of {noise:.2g} rad/s, the motion has {rate:.2g} rad/s"
+        evidence = f"{2 * np.pi / step:.0f} counts per turn{alike}: noise of a rate from two rows {noise:.2g} rad/s, "
+        evidence += f"its motion {rate:.2g} rad/s"
         if step > COARSE_ENCODER:
             findings.append(warning("encoder/grain", name, evidence, "fit the angles, not their differences"))
         elif noise > 0.3 * rate and name == LEFT:

@@ -309,6 +309,12 @@ async function send(file: File, what: "log" | "robot"): Promise<void> {
   }
 }
 
+/** What the doctor has found: where, on what evidence, and what to do. */
+function finding([severity, , channel, evidence, repair]: string[]): HTMLElement {
+  const where = translate(channel.replace(/^\w+\//, "").replaceAll("_", " "));
+  return h("li", {}, h("b", {}, [translate(severity), where].filter(Boolean).join(", ")), h("p", {}, sentence(translate(evidence))), h("p", { className: "note" }, repair ? `→ ${translate(repair)}` : ""));
+}
+
 export class IdentifyPanel extends Panel {
   private bars = h("div", { className: "bars" });
   private result = h("div", { className: "result", role: "region", "aria-live": "polite" });
@@ -365,9 +371,10 @@ export class IdentifyPanel extends Panel {
     if (!f) return;
     const lines = f.text.split("\n").filter(Boolean);
     const plain = (text: string) => text.replace(/\bin-(?=[\w.-]+\.\w+)/g, "").replace(/\b[a-z]+(_[a-z]+)+\b/g, (name) => name.replaceAll("_", " ")); // names of files and parameters
-    const text = lines.map((line) => h("p", { className: "note", lang: translated(line) ? "" : "en" }, plain(translate(line))));
+    const text = lines.map((line) => h("li", { className: "note", lang: translated(line) ? "" : "en" }, plain(translate(line))));
     const words = (cells: string[]) => cells.map((cell) => plainNumbers(translate(f.job === "calibrate" ? cell.replaceAll("_", " ") : cell)));
-    replace(this.result, h("h4", {}, plain(translate(f.title))), ...text, f.rows.length ? table(f.header.map(translate), f.rows.map(words), f.job) : null);
+    const rows = f.job === "doctor" ? h("ul", { className: "findings" }, ...f.rows.map(finding)) : table(f.header.map(translate), f.rows.map(words), f.job);
+    replace(this.result, h("h4", {}, plain(translate(f.title))), f.rows.length ? rows : null, text.length ? h("ul", { className: "remarks" }, ...text) : null);
   }
 }
 
