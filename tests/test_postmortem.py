@@ -8,6 +8,7 @@ import math
 import sys
 from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,7 @@ from upright.bodies.electronics import drive
 from upright.bodies.twin import Twin
 from upright.calibrate.filter_log import one_step_noise
 from upright.cli.main import main
+from upright.compiled.generated import constants
 from upright.control import LinearController, make_controller, write_controller
 from upright.control.delay import RAW
 from upright.diagnose import PostMortem, post_mortem
@@ -30,14 +32,17 @@ from upright.diagnose.causes import CANNOT_TELL, CAUSES, DEAD, NO_FALL, NONE, RE
 from upright.diagnose.fall import stuck_sensor
 from upright.diagnose.fault_fits import fits
 from upright.diagnose.innovations import driven, follow
+from upright.diagnose.propagation import fly
 from upright.diagnose.remedy import Window, remedied, searched
 from upright.diagnose.signatures import bank
 from upright.errors import InvalidLog, InvalidRobot
 from upright.experiment import Drive, Impulse, Push, run
 from upright.experiment.examples import example
 from upright.logs.raw import raw_log
+from upright.physics.dynamics import Disturbance, derivative
+from upright.physics.integrate import rk4_step
 from upright.report.postmortem import page_of
-from upright.robots import Kit, Robot
+from upright.robots import PARAMETERS, Kit, Robot
 from upright.signals import Log
 
 NXT, KIT = Robot.preset("nxtway-gs"), Kit.preset("nxt")
@@ -196,6 +201,27 @@ def test_the_robot_as_it_should_be_leaves_its_dead_time_to_no_fault() -> None:
     log = logged(bench.NO_FALL, robot="twipr", seconds=3.0)
     found = follow(log, twipr, kit)
     assert np.mean(found.between(1.0, np.inf).whitened ** 2) < 1.5
+
+
+def test_the_compiled_flow_is_that_of_the_equations() -> None:
+    run = follow(standing(), NXT, KIT).between(1.0, 1.2)
+    rng, spans = np.random.default_rng(0), run.spans
+    x, u = rng.normal(scale=0.3, size=(1, len(spans), 6)), rng.normal(size=(1, len(spans), 2))
+    heavier: Any = SimpleNamespace(**NXT.numbers() | {"body_mass": 1.1 * NXT.body_mass})
+    steps, force, moment = 20, 0.7, 0.2  # of any number, the same for both; N, N m
+    wanted: Any = x[0].T
+    push = Disturbance(force, moment / force)
+    step: Any = rk4_step
+
+    def slope(state: Any) -> Any:
+        return derivative(state, [*u[0].T], heavier, push, np)
+
+    for _ in range(steps):
+        wanted = step(slope, wanted, spans / steps)
+    pushed = np.tile([force, moment], (1, len(spans), 1))
+    numbers = constants([np.array([getattr(heavier, name)]) for name in PARAMETERS], 1.0)
+    found = fly(np.array(numbers), x, u, pushed, spans, steps)
+    assert np.allclose(found[0].T, wanted, rtol=0, atol=1e-9)  # rounding, in a thousand operations
 
 
 def test_a_window_shorter_than_a_push_has_no_pushes() -> None:

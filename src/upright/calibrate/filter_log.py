@@ -57,18 +57,26 @@ def filter_log(
     of its own, from a calibration, that is the filter's. Raises `InvalidLog` for a log without commands, without two
     sensors that move, or with too few samples.
     """
-    problem = _problem(log, robot, kit, delay)
+    return filtered(known(log, robot, kit, delay), disturbance=disturbance, friction=friction)
+
+
+def filtered(problem: Problem, *, disturbance: float, friction: float) -> FilteredLog:
+    """The same of a log that is `known` already."""
+    robot = problem.robot
     dry = friction * robot.coulomb_friction / motor_gain(robot)
     noise = {**problem.noise, **process(problem.recordings, robot, disturbance), **NO_STICKING}
     noise["motor"] = math.log(math.exp(noise["motor"]) + dry**2 * NOISE_TIME)
     noise |= {name: 2 * math.log(size) for name, size in robot.noise.items() if name in noise}
     problem = replace(problem, noise=noise)
-    return _in_order(
-        problem, problem.filtered(problem.recordings[0], np.zeros(len(problem.parameters)), keep=True), log
-    )
+    return _in_order(problem, problem.filtered(problem.recordings[0], np.zeros(len(problem.parameters)), keep=True))
 
 
-def _problem(log: Log, robot: Robot, kit: Kit, delay: float) -> Problem:
+def commanded_by(problem: Problem, commands: Array) -> Problem:
+    """The same log with other `commands` (rows, 2) at the motors."""
+    return replace(problem, recordings=(replace(problem.recordings[0], commands=np.ascontiguousarray(commands)),))
+
+
+def known(log: Log, robot: Robot, kit: Kit, delay: float) -> Problem:
     """A log of a known robot, with the noise that its kit has and none between readings."""
     delays = {name: sensor.delay for name, sensor in kit.sensors.items() if name in SENSOR}
     recording = record(log, robot, kit, skip=kit.delay + max(delays.values(), default=0.0) + 0.02, held_out=0.0)
@@ -87,7 +95,7 @@ def one_step_noise(log: Log, robot: Robot, kit: Kit, *, delay: float) -> dict[st
 
     What the equations leave out is in it: the noise of a calibration is that of half seconds, or bounded.
     """
-    problem = _problem(log, robot, kit, delay)
+    problem = known(log, robot, kit, delay)
     first = process(problem.recordings, robot, KNOWN_WELL)
     bounds = {name: (value / 4, value * MOST) for name, value in ((s, math.exp(v)) for s, v in problem.noise.items())}
     bounds |= {name: (math.exp(first[name]) / MOST, math.exp(first[name]) * MOST) for name in ("motor", "push")}
@@ -106,7 +114,7 @@ def _motors(robot: Robot, kit: Kit, log: Log) -> tuple[Parameter, ...]:
     return tuple(p for p in electronics_of(robot, kit, [log]) if p.name in (ASYMMETRY, BATTERY))
 
 
-def _in_order(problem: Problem, path: Path, log: Log) -> FilteredLog:
+def _in_order(problem: Problem, path: Path) -> FilteredLog:
     recording, z = problem.recordings[0], np.zeros(len(problem.parameters))
     order = problem.order(recording, z)
     row, after = recording.kind[order], path.states[order]
@@ -122,7 +130,7 @@ def _in_order(problem: Problem, path: Path, log: Log) -> FilteredLog:
         rows=recording.rows,
         t=(recording.when - problem.own_delays(recording, z))[order][keep],
         row=row[keep],
-        sample=np.searchsorted(log.t, recording.when[order] - 1e-9)[keep],
+        sample=np.searchsorted(recording.when[recording.kind < 0], recording.when[order] - 1e-9)[keep],
         innovation=path.e[order][keep],
         variance=path.s[order][keep],
         gains=path.gains[order][keep],

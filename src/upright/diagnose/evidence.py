@@ -202,10 +202,11 @@ def gather(
     show(0.1)
     if not fallen and (window.usual > FOREIGN or (fell_at is None and not _lost(run, window))):
         return run, None
-    bank = window.bank(run, pushes_only=False)
+    foreign = window.usual > FOREIGN and stuck_sensor(log, kit, window.end) is None  # no cause will rest on the fits
+    bank = window.bank(run, pushes_only=foreign)
     show(0.4)
     several = fits(bank)
-    if _unexplained(several, bank):
+    if not foreign and _unexplained(several, bank):
         several += [*searched(run, window), *with_commands(bank, several)]
     if fell_at is None:
         fell_at = _hidden_fall(run, several)
@@ -213,7 +214,7 @@ def gather(
             return run, None
     several = sharpened(run, several, window, bank)
     frozen = frozen_rows(run)
-    if frozen[(log.t > fell_at - REPEATING) & (log.t <= fell_at)].sum() >= 2:
+    if not foreign and frozen[(log.t > fell_at - REPEATING) & (log.t <= fell_at)].sum() >= 2:
         stale = stale_rows(log) & (log.t >= log.t[np.flatnonzero(frozen)[0]] - 0.1)
         several = sorted([*several, dropped(run, stale, window, bank)], key=lambda f: -f.score)
     show(0.9)
@@ -274,7 +275,7 @@ def _evidence(
     match, stable, notes = _match(run, controller, end)
     stuck = stuck_sensor(log, run.kit, end)
     jam = jam_or_stuck(run, stuck, window, bank) if stuck and "encoder" in stuck.channel else None
-    open_ = not stuck and several[0].nis > EXPLAINED * window.usual  # something is left to explain
+    open_ = not stuck and window.usual <= FOREIGN and several[0].nis > EXPLAINED * window.usual  # more to explain
     pairs = paired(run, several, window, bank) if open_ else []
     if window.usual > FOREIGN:
         notes = (*notes, foreign(window.usual, robot))

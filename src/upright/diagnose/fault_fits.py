@@ -141,10 +141,10 @@ def with_pushes(
     best, pushes = score_of(first, y, spent), list[PushEstimate]()
     free = np.ones(len(bank.pushes), dtype=np.bool_)
     for _ in range(MOST_PUSHES if len(bank.pushes) else 0):
-        dots = bank.matrix.T @ y
+        dots = bank.dots(y)
         i = int(np.argmax(np.where(free, dots**2 / bank.squares, 0.0)))
         force = -float(dots[i] / bank.squares[i])
-        after = y + force * bank.matrix[:, i]
+        after = y + force * bank.push(i)
         score = score_of(first, after, spent + PUSH_NUMBERS)
         if score < best + LEAST_GAIN:
             break

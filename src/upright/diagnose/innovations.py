@@ -17,15 +17,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.calibrate.filter_log import FilteredLog, filter_log
+from upright.calibrate.filter_log import FilteredLog, commanded_by, filtered, known
+from upright.calibrate.fitting import Problem
 from upright.calibrate.knocks import Arrays
+from upright.compiled.generated import constants
 from upright.errors import InvalidLog
 from upright.logs.recording import FEWEST
 from upright.physics import electronics
-from upright.physics.dynamics import Disturbance, derivative
-from upright.physics.integrate import PREDICTED, rk4_step, substeps
+from upright.physics.integrate import PREDICTED, substeps
 from upright.physics.linear import linearise
-from upright.robots import Kit, Robot
+from upright.robots import PARAMETERS, Kit, Robot
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -48,12 +49,14 @@ _SPREAD_STEP = 0.01  # of its spread, by which a parameter is moved for a finite
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class FilterRun(FilteredLog):
-    """The filter of a `robot` in its `kit` along a log, whose controller `asked` for commands (samples, 2)."""
+    """The filter of a `robot` in its `kit` along a log, whose controller `asked` for commands (samples, 2), as the
+    `problem` that gave it."""
 
     robot: Robot
     kit: Kit
     log: Log
     asked: Array
+    problem: Problem
 
     def driven(self, charge: float | Array = 1.0, *, pwm: bool = True) -> Array:
         """What the kit's driver makes of the commands (samples, 2) with the fraction `charge` of the battery."""
@@ -92,6 +95,14 @@ class FilterRun(FilteredLog):
         error += self.gains[i][:, None] * innovation
         return innovation / math.sqrt(self.variance[i])
 
+    def sent(self, commands: Array) -> FilterRun:
+        """The run of the same log with these commands (samples, 2) at the motors."""
+        more = len(self.problem.recordings[0].commands) - len(commands)
+        if more:
+            commands = np.vstack([commands, np.repeat(commands[-1:], more, axis=0)])
+        problem = commanded_by(self.problem, commands)
+        return _run(problem, self.robot, self.kit, self.log, self.asked)
+
     @cached_property
     def tangent(self) -> Tangent:
         """The flow between events, linearised along the path."""
@@ -124,11 +135,13 @@ def follow(log: Log, robot: Robot, kit: Kit, sent: Array | None = None) -> Filte
         sent = driven(asked, kit, robot.command_unit)
     others = {n: v for n, v in log.channels.items() if not n.startswith(("applied/", "truth/", "command/"))}
     channels = {n: _inside(v, kit, n) for n, v in others.items()} | dict(zip(names, sent.T, strict=True))
-    result = filter_log(
-        _long_enough(Log(log.t, channels, {n: log.unit(n) for n in channels}), names), robot, kit,
-        delay=_dead_time(names[0], kit), disturbance=PROCESS_NOISE, friction=DRY_FRICTION_NOISE,
-    )  # fmt: skip
-    run = FilterRun(**vars(result), robot=robot, kit=kit, log=log, asked=asked)
+    long = _long_enough(Log(log.t, channels, {n: log.unit(n) for n in channels}), names)
+    return _run(known(long, robot, kit, _dead_time(names[0], kit)), robot, kit, log, asked)
+
+
+def _run(problem: Problem, robot: Robot, kit: Kit, log: Log, asked: Array) -> FilterRun:
+    result = filtered(problem, disturbance=PROCESS_NOISE, friction=DRY_FRICTION_NOISE)
+    run = FilterRun(**vars(result), robot=robot, kit=kit, log=log, asked=asked, problem=problem)
     return run.only(run.sample < len(log)) if len(log) < FEWEST else run
 
 
@@ -220,18 +233,14 @@ def entering(run: FilterRun, changes: Sequence[Mapping[str, float]]) -> Array:
 def _flown(robot: Robot, p: Any, x: Array, u: Array, w: Array, spans: Array) -> Array:
     """States (lanes, n, 6) of parameters `p` after `spans` [s] under commands u (lanes, n, 2), forces and moments w
     (lanes, n, 2), in steps that are short enough for `robot`."""
+    from upright.diagnose.propagation import fly
+
     fastest = float(np.abs(linearise(robot).poles()).max())
     steps = substeps(float(spans.max()), fastest, PREDICTED, numbers=robot.numbers())
-    lasting = spans > 0  # readings of one sample follow each other at once
-    force = w[:, lasting, 0] + 1e-12  # a moment alone is a force of next to nothing, far up
-    push = Disturbance(force, w[:, lasting, 1] / force)
-    left, right = u[:, lasting, 0], u[:, lasting, 1]
-    state = tuple(x[:, lasting, i] for i in range(6))
-    for _ in range(steps):
-        state = rk4_step(lambda s: derivative(s, (left, right), p, push, np), state, spans[lasting] / steps)  # type: ignore[arg-type]
-    end = x.copy()
-    end[:, lasting] = np.stack(state, axis=-1)
-    return end
+    lanes = np.ones(len(x))
+    coefficients = [np.ravel(one) * lanes for one in constants([getattr(p, name) for name in PARAMETERS], 1.0)]
+    arrays = (np.array(coefficients), x, u, w, spans)
+    return fly(*(np.ascontiguousarray(array, dtype=np.float64) for array in arrays), steps)
 
 
 def answer(run: FilterRun, entered: Array, shifted: Array | None = None) -> Array:

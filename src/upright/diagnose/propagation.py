@@ -1,4 +1,4 @@
-"""Small errors through the filter of a log, in compiled code."""
+"""The equations of motion from event to event, and small errors through the filter of a log, in compiled code."""
 
 from __future__ import annotations
 
@@ -8,6 +8,30 @@ from typing import Any
 import numpy as np
 
 from upright.calibrate.kept import njit
+from upright.calibrate.motion import block_of
+from upright.compiled.generated_motion import constants_rolling, rk4_rolling
+
+
+@njit
+def fly(constants: Any, x: Any, u: Any, w: Any, spans: Any, steps: int) -> Any:
+    """States (lanes, n, 6) of robots with these `constants` (constants, lanes), from the states x (lanes, n, 6), after
+    the `spans` (n,) [s], each in so many `steps`, under the commands u (lanes, n, 2), forces [N] and moments [N m] w
+    (lanes, n, 2)."""
+    whole = np.zeros((len(constants) + 4, x.shape[0]))
+    whole[: len(constants)] = constants
+    block, end = block_of(whole), x.copy()
+    for lane in range(x.shape[0]):
+        known = constants_rolling(block, lane)
+        for i in range(x.shape[1]):
+            h = spans[i] / steps
+            if h <= 0:  # readings of one sample follow each other at once
+                continue
+            a, b, c, d, e, f = x[lane, i]
+            left, right, force, moment = u[lane, i, 0], u[lane, i, 1], w[lane, i, 0], w[lane, i, 1]
+            for _ in range(steps):
+                a, b, c, d, e, f = rk4_rolling(a, b, c, d, e, f, h, left, right, force, moment, *known)
+            end[lane, i] = np.array([a, b, c, d, e, f])
+    return end
 
 
 @njit

@@ -56,7 +56,9 @@ def remedied(run: FilterRun, *fits: FaultFit) -> FilterRun | None:
             channels |= {name: _rescaled(run.log.t, name, channels[name], fit) for name in names}
         else:
             sent = _sent(run, fit, sent)
-    return follow(Log(run.log.t, channels, run.log.units, run.log.origin), run.robot, run.kit, sent)
+    if any(fit.fault in READING_FAULTS for fit in fits):
+        run = follow(Log(run.log.t, channels, run.log.units, run.log.origin), run.robot, run.kit)
+    return run if sent is None else run.sent(sent)
 
 
 def _rescaled(t: Array, name: str, values: Array, fit: FaultFit) -> Array:
@@ -140,7 +142,7 @@ def _searched(recent: FilterRun, window: Window, fault: FaultFit, sizes: tuple[f
     """By a grid in size and onset, then by steps that are halved."""
 
     def squares(tried: FaultFit) -> float:
-        freed = follow(recent.log, recent.robot, recent.kit, _sent(recent, tried))
+        freed = recent.sent(_sent(recent, tried))
         if freed.t[-1] < recent.t[-1] - SHORT:
             return math.inf
         return float((window.of(freed).whitened ** 2).sum())

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,11 +44,46 @@ LARGEST_SPREAD = 0.08
 """Most that a parameter may be off, as a fraction of its value; settled likewise."""
 
 
+@dataclass(frozen=True, eq=False)
+class Forces:
+    """What a newton between two times does to the innovations, for many forces: differences of the `steps` (readings,
+    2n) that a newton from each of the n times on gives, and then a newton metre. Each force is from place `first` among
+    the times to place `last`, an `arm` [m] above the axle."""
+
+    steps: Array
+    first: NDArray[np.int64]
+    last: NDArray[np.int64]
+    arm: Array
+
+    def dots(self, y: Array) -> Array:
+        """The product of each (forces,) with the innovations y."""
+        force, moment = np.split(y @ self.steps, 2)
+        return force[self.first] - force[self.last] + self.arm * (moment[self.first] - moment[self.last])
+
+    @cached_property
+    def squares(self) -> Array:
+        """The sum of squares of each (forces,)."""
+        i, j, n = self.first, self.last, self.steps.shape[1] // 2
+        products = self.steps.T @ self.steps
+
+        def of(a: int, b: int) -> Array:
+            p, q, r, s = a * n + i, a * n + j, b * n + i, b * n + j
+            return products[p, r] - products[p, s] - products[q, r] + products[q, s]
+
+        return np.maximum(of(0, 0) + 2 * self.arm * of(0, 1) + self.arm**2 * of(1, 1), 1e-12)
+
+    def values(self, i: int | NDArray[np.int64]) -> Array:
+        """Force i (readings,), or forces i (readings, many)."""
+        n = self.steps.shape[1] // 2
+        first, last = self.first[i], self.last[i]
+        force = self.steps[:, first] - self.steps[:, last]
+        return force + self.arm[i] * (self.steps[:, n + first] - self.steps[:, n + last])
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Bank:
     """The window's whitened innovations `y` at the times `then`, the `scale` of ordinary ones, the signatures of all
-    faults, onset [s], stop [s] and height [m] of all `pushes` (pushes, 3), and what a newton of each does as a `matrix`
-    (readings, pushes) with its column `squares`.
+    faults, onset [s], stop [s] and height [m] of all `pushes` (pushes, 3), and what a newton of each does by `forces`.
     `free` are steps at all onsets by the channel that they enter by: together a disturbance of any shape. `basis` is
     that of the unknown parameters, which all of these are beside."""
 
@@ -56,11 +92,27 @@ class Bank:
     scale: float
     faults: list[Signature]
     pushes: Array
-    matrix: Array
-    squares: Array
+    forces: tuple[Forces, ...]
     free: Mapping[str, Array]
     steps: Array
     basis: Array
+
+    def dots(self, y: Array) -> Array:
+        """The product of what each push does (pushes,) with the innovations y."""
+        return np.concatenate([one.dots(y) for one in self.forces])
+
+    @cached_property
+    def squares(self) -> Array:
+        """The sum of squares of what each push does (pushes,)."""
+        return np.concatenate([one.squares for one in self.forces])
+
+    def push(self, i: int) -> Array:
+        """What a newton of push i does (readings,)."""
+        for one in self.forces:
+            if i < len(one.arm):
+                return one.values(i)
+            i -= len(one.arm)
+        raise IndexError(i)
 
 
 def bank(run: FilterRun, scale: float, *, pushes_only: bool = False, beside_it: str = "") -> Bank:
@@ -81,16 +133,15 @@ def bank(run: FilterRun, scale: float, *, pushes_only: bool = False, beside_it: 
         free = {"moment": beside(basis, free_steps(run, onsets)["moment"])} if beside_it == "payload" else {}
     left = beside(basis, np.array([one.values for one in faults]).reshape(len(faults), int(use.sum())).T).T
     faults = [replace(one, values=values) for one, values in zip(faults, left, strict=True)]
-    pushes, matrix = _pushes(run, np.arange(start, float(run.t[-1]), PUSH_STEP), last)
-    matrix = beside(basis, matrix)
-    squares = np.maximum((matrix**2).sum(axis=0), 1e-12)
+    pushes, forces = _pushes(run, np.arange(start, float(run.t[-1]), PUSH_STEP), last)
+    forces = replace(forces, steps=beside(basis, forces.steps))
     y = beside(basis, run.whitened)
     if faults and free:
         loads = [one for one in faults if one.fault == "payload"]
         faults = [one for one in faults if one.fault != "payload"] + placed(loads, y, free["moment"], onsets)
     return Bank(
-        y=y, then=run.t[use], scale=scale, faults=faults, pushes=pushes, matrix=matrix, squares=squares, free=free,
-        steps=onsets, basis=basis,
+        y=y, then=run.t[use], scale=scale, faults=faults, pushes=pushes, forces=(forces,), free=free, steps=onsets,
+        basis=basis,
     )  # fmt: skip
 
 
@@ -103,9 +154,8 @@ def signatures_of(run: FilterRun, fault: str, onsets: Array) -> list[Signature]:
 def pushing(run: FilterRun, pushes: Sequence[tuple[float, float, float]]) -> Array:
     """What a newton of each of some pushes, by (start [s], stop [s], height [m]), does to the innovations (readings,
     pushes)."""
-    height = run.robot.com_height
-    columns = [_forces(run, np.array([start, stop]), [(0, 1)], [h / height])[1] for start, stop, h in pushes]
-    return np.concatenate(columns, axis=1)
+    times, many = np.array([push[:2] for push in pushes]).ravel(), np.arange(len(pushes))
+    return Forces(_steps(run, times), 2 * many, 2 * many + 1, np.array([push[2] for push in pushes])).values(many)
 
 
 def unknown_parameters(run: FilterRun) -> Array:
@@ -140,7 +190,7 @@ def beside(basis: Array, values: Array) -> Array:
     return left
 
 
-def _pushes(run: FilterRun, onsets: Array, latest: float) -> tuple[Array, Array]:
+def _pushes(run: FilterRun, onsets: Array, latest: float) -> tuple[Array, Forces]:
     """Forces of some time at some heights, free in size, that begin before the `latest` [s]; none where the window is
     shorter than the shortest."""
     starts = int((onsets < latest).sum())
@@ -162,31 +212,28 @@ def finer(run: FilterRun, known: Bank, pushes: Sequence[tuple[float, float]]) ->
         for j in (stop + near).round(6)
         if j >= i + FINE_STEP
     ]
-    more, matrix = _forces(run, onsets, list(dict.fromkeys(edges)), FINE_HEIGHTS)
-    matrix = beside(known.basis, matrix)
-    whole = np.concatenate([known.matrix, matrix], axis=1)
-    squares = np.concatenate([known.squares, np.maximum((matrix**2).sum(axis=0), 1e-12)])
-    return replace(known, pushes=np.concatenate([known.pushes, more]), matrix=whole, squares=squares)
+    more, forces = _forces(run, onsets, list(dict.fromkeys(edges)), FINE_HEIGHTS)
+    forces = replace(forces, steps=beside(known.basis, forces.steps))
+    return replace(known, pushes=np.concatenate([known.pushes, more]), forces=(*known.forces, forces))
 
 
 def _forces(
     run: FilterRun, onsets: Array, edges: Sequence[tuple[int, int]], heights: Sequence[float]
-) -> tuple[Array, Array]:
-    """Forces between two of the `onsets` each, at heights over that of the centre of mass, as `Bank` has them; their
-    values together (readings, forces)."""
+) -> tuple[Array, Forces]:
+    """Forces between two of the `onsets` each, at heights over that of the centre of mass, as `Bank` has them."""
+    first, last = (np.tile(one, len(heights)) for one in np.array(edges, dtype=np.int64).reshape(-1, 2).T)
+    arm = np.repeat(np.array(heights) * run.robot.com_height, len(edges))
     if not edges:
-        return np.zeros((0, 3)), np.zeros((int(run.readings.sum()), 0))
-    n = len(onsets)
+        onsets = onsets[:0]
+    return np.column_stack([onsets[first], onsets[last], arm]), Forces(_steps(run, onsets), first, last, arm)
+
+
+def _steps(run: FilterRun, onsets: Array) -> Array:
+    """What a newton at the axle, and a newton metre, from each of the times on do (readings, 2 × onsets)."""
     on = np.clip((run.t[:, None] - onsets) / np.maximum(run.spans, 1e-9)[:, None], 0.0, 1.0)
     gamma = run.tangent.gamma[:, :, 2:]
     steps = propagated(run, np.concatenate([one * on[:, None] for one in np.split(gamma, 2, axis=2)], axis=2))
-    steps = steps[run.readings]
-    first, last = np.array(edges).T
-    force, moment = steps[:, first] - steps[:, last], steps[:, n + first] - steps[:, n + last]
-    arms = [height * run.robot.com_height for height in heights]
-    together = np.concatenate([force + h * moment for h in arms], axis=1)
-    kinds = [np.column_stack([onsets[first], onsets[last], np.full(len(first), h)]) for h in arms]
-    return np.concatenate(kinds), together
+    return steps[run.readings]
 
 
 def _loads(run: FilterRun, onsets: Array) -> list[Signature]:
