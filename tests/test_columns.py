@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from functools import cache
 from pathlib import Path
 
@@ -146,6 +148,10 @@ STRANGERS = (
     "t=t omega=g alpha_l=l alpha_r=r U_l=ul U_r=ur",
     "tick=row t_ms=t‰ gyro_dps=g° left=l° right=r° left_u=ul right_u=ur",
     "tiempo=t giro=g enc_izq=l enc_der=r volt_izq=ul volt_der=ur",
+    "hora=t giro_(°/s)=g° ángulo_izq_(º)=l° ángulo_der_(º)=r° mando_izq=ul mando_der=ur",
+    "t=t gyro=g enc1=l enc2=r m1=ul m2=ur left_motor_current=noise target_left_pos=row",
+    "t=t gyro=g encoder1=l encoder2=r motor1=ul motor2=ur left_speed_cmd=noise",
+    "t=t gyro=g enc_left=l enc_right=r motor_left_pwm=ul% pwm_motor_right=ur%",
 )
 """Headers of Arduino, EV3, NXT and ESP32 programs: the name of each column, what it holds, and its unit: ° degrees, ‰
 thousandths, µ millionths, % counts of a duty of 255."""
@@ -193,3 +199,94 @@ def test_a_duty_of_eight_bits_is_no_per_cent_and_no_millivolts() -> None:
         assert repaired(record, found.fixes[0])["command/left"].max() == pytest.approx(7.5)
     with pytest.raises(InvalidLog, match="a duty"):
         check_unit(Log(t, channels, stated), "command", up.Robot.preset("nxtway-gs"))
+
+
+def sensors(**changes: NDArray[np.float64] | None) -> dict[str, NDArray[np.float64]]:
+    """Columns of an Arduino's log, in SI units and a duty of 8 bits, with some of them changed."""
+    duty = {f"pwm_{side}": np.rint(held()[u] * 255 / 8.0) for side, u in (("left", "ul"), ("right", "ur"))}
+    plain = {"t": parts()["t"], "enc_left": held()["l"], "enc_right": held()["r"], "gyro": held()["g"], **duty}
+    return plain | {name: values for name, values in changes.items() if values is not None}
+
+
+def told(columns: dict[str, NDArray[np.float64]], robot: str | None = "nxtway-gs") -> dict[tuple[str, str], str]:
+    return {(f.code, f.channel): f.evidence for f in up.doctor(RawTable(columns), robot).findings}
+
+
+COMMAND, WRONG = ("units/command", "command/left"), ("error", "warning")
+
+
+@pytest.mark.parametrize("robot", ["nxtway-gs", None])
+def test_a_duty_beside_right_units_spoils_no_unit(robot: str | None) -> None:
+    """Its back-EMF is of a count, and no reason to take radians for something else."""
+    findings = up.doctor(RawTable(sensors()), robot).findings
+    assert [(f.code, f.channel) for f in findings if f.severity in WRONG] == [COMMAND]
+    (found,) = (f for f in findings if f.code == COMMAND[0])
+    # the motor's own 0.468 V s/rad, and what its friction takes: 6.69 · 0.0022 / 0.317
+    assert "0.48" in found.evidence.partition("logged, ")[2] or "0.51" in found.evidence.partition("logged, ")[2]
+
+
+def test_a_duty_that_stays_small_is_of_the_number_that_the_motor_needs() -> None:
+    """A robot that stands uses a third of 255, which could be per cent: only the file of the robot tells. (A battery of
+    8.9 V in place of 8.)"""
+    small = {n: np.rint(0.9 * sensors()[n]) for n in ("pwm_left", "pwm_right")}
+    assert max(np.abs(x).max() for x in small.values()) < 100
+    assert "255 of which are full" in told(sensors(**small))[COMMAND]
+
+
+@pytest.mark.parametrize("gyro", [1, -1])
+def test_a_mirrored_side_is_found_though_the_robot_turns_much(gyro: int) -> None:
+    """A motor that is mounted the other way round turns encoder and command; which side it is follows the gyro."""
+    mirrored = {"enc_right": -held()["r"], "pwm_right": -sensors()["pwm_right"], "gyro": gyro * held()["g"]}
+    found = told(sensors(**mirrored))
+    side = "right" if gyro > 0 else "left"
+    assert {("motion/flipped", f"sensor/encoder_{side}"), ("motion/flipped", f"command/{side}")} <= found.keys()
+    assert not [code for code, _ in found if code == "units/scale"]
+
+
+@pytest.mark.parametrize("turn", [1320.0, 2400.0, 4096.0])
+def test_ticks_of_an_encoder_are_no_degrees(turn: float) -> None:
+    """How many are a turn cannot be said to better than what is not known of the robot; the range has the true one."""
+    ticks = {f"enc_{side}": np.rint(held()[side[0]] * turn / math.tau) for side in ("left", "right")}
+    evidence = told(sensors(**ticks))["units/counts", LEFT]
+    low, high = (float(x) for x in re.findall(r"[\d.e+]+", evidence.partition("robots ")[2])[:2])
+    assert low < turn < high < 2.5 * low
+    raw = told(sensors(**ticks, gyro=np.rint(held()["g"] / DEGREE * 131)))  # an MPU-6050 at its finest range
+    assert {("units/counts", name) for name in (LEFT, RIGHT, GYRO)} <= raw.keys()
+    assert not [code for code, _ in raw if code == "units/scale"]
+
+
+def test_text_between_the_rows_and_times_of_day_are_read(tmp_path: Path) -> None:
+    """Messages of a program, a row that was cut off, a second header; midnight passes; all is left out and told."""
+    columns = sensors()
+    stamp = np.datetime64("2026-05-01T23:59:55") + np.rint(1e3 * columns.pop("t")).astype("timedelta64[ms]")
+    table = np.column_stack(list(columns.values()))
+    rows = [f"{s},{','.join(f'{x:.9g}' for x in row)}" for s, row in zip(stamp, table, strict=True)]
+    header = ",".join(["timestamp", *columns])
+    rows[900:900], rows[700:700], rows[500:500] = [header], ["2026-05-02T00:00:02.000,0.1,"], ["WARN: late"]
+    path = tmp_path / "day.csv"
+    path.write_text("\n".join([header, *rows, "Done."]))
+    found = up.doctor(path, "nxtway-gs")
+    assert (found.rows, found.seconds) == (len(stamp), pytest.approx(11.99, abs=1e-3))
+    assert {f.code for f in found.findings if f.severity in WRONG} == {"units/command"}
+    (skipped,) = (f.evidence for f in found.findings if f.code == "rows/skipped")
+    assert skipped.startswith("4 lines")
+    assert "line 502: WARN: late" in skipped
+    clock = [s[11:] for s in np.datetime_as_string(stamp)]  # without the date
+    path.write_text("\n".join([header, *(f"{c}{row[23:]}" for c, row in zip(clock, rows[:500], strict=False))]))
+    assert up.doctor(path).seconds == pytest.approx(4.99, abs=1e-3)
+
+
+def test_a_table_of_which_many_lines_are_no_rows_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "torn.csv"
+    path.write_text("\n".join(["t,gyro", *(f"{0.01 * i},1" if i % 10 else "torn" for i in range(200))]))
+    with pytest.raises(InvalidLog, match="cannot be read"):
+        up.doctor(path)
+
+
+@pytest.mark.parametrize(("name", "unit", "bits"), [("micros", 1e6, 32), ("ms", 1e3, 16)])
+def test_a_timer_that_begins_again_goes_on(name: str, unit: float, bits: int) -> None:
+    columns = sensors()
+    counts = np.rint(unit * columns.pop("t")) + 2.0**bits - 5 * unit
+    found = up.doctor(RawTable({name: counts % 2.0**bits, **columns}), "nxtway-gs")
+    assert found.seconds == pytest.approx(11.99, abs=1e-3)
+    assert not [f for f in found.findings if f.code.startswith("time/") and f.severity in WRONG]

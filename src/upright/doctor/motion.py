@@ -86,7 +86,6 @@ class _Wheels:
 def _against_gyro(m: Resampled) -> _Wheels:
     if m.gyro is None:
         return _Wheels(0, 0, 0.0, 0.0)
-    fits = [pendulum(m, wheel) for wheel in (m.left, m.right)]
     pair = {+1: m.law, -1: pendulum(m, (m.left - m.right) / 2)}
     best = max(pair.values(), key=lambda fit: fit.r2)
     if best.r2 < TRUSTED or not best.values:
@@ -94,11 +93,10 @@ def _against_gyro(m: Resampled) -> _Wheels:
     if best is pair[1]:
         both = _direction(best)
         return _Wheels(both, both, best.r2, best.values[0])
-    clear = pair[-1].r2 > pair[1].r2 + MARGIN and min(fit.r2 for fit in fits) > TRUSTED / 2
-    turned = [_direction(fit) for fit in fits]
-    if clear and turned[0] == -turned[1]:
-        return _Wheels(turned[0], turned[1], best.r2, best.values[0])
-    return _Wheels(0, 0, 0.0, 0.0)
+    if pair[-1].r2 < pair[1].r2 + MARGIN:
+        return _Wheels(0, 0, 0.0, 0.0)
+    left = _direction(best)
+    return _Wheels(left, -left, best.r2, best.values[0])
 
 
 def _direction(fit: LaggedFit) -> int:

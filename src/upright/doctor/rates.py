@@ -15,6 +15,7 @@ _SURE = 3.0  # standard deviations by which the response must be too small
 _GRAINS = 3.0  # [quantisation steps of the command] a smaller unpredictable part is rounding in the driver
 _LAW = 0.98  # R² of the motor equation above which its lag is accurate to a few hundredths of a row
 _SHARP = 2.0  # smallest sharpness of the lag: a slow motion fits any lag
+SHOWN = 3  # lines without a row that are quoted
 _EARLY = 0.05  # [rows] tolerated lead of the wheels over a held command
 
 
@@ -34,6 +35,14 @@ def stated(decimation: tuple[int, str], findings: Sequence[Finding]) -> list[Fin
     evidence = f"the file says {words}: one row in {one_in} was logged, and the commands changed between them"
     repair = "log at the controller's rate; one-step regression on this log is biased"
     return [warning("samples/controller", "command", evidence, repair)]
+
+
+def skipped(lines: Sequence[str]) -> list[Finding]:
+    """Lines of a file that are no rows."""
+    if not lines:
+        return []
+    evidence = f"{len(lines)} line{'s' if len(lines) > 1 else ''} among the rows hold no row and are left out: "
+    return [note("rows/skipped", "t", evidence + "; ".join(lines[:SHOWN]) + ("; …" if len(lines) > SHOWN else ""))]
 
 
 def _too_early(m: Resampled) -> list[Finding]:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -26,13 +28,15 @@ from upright.doctor.finding import (
 from upright.doctor.fixes import COARSE, levels
 from upright.doctor.motion import TRUSTED
 from upright.doctor.physics import Resampled, lagged, motion, motor, smooth, widths
-from upright.logs.mapping import full_duty
+from upright.logs.mapping import FULL_DUTIES, full_duty
 from upright.logs.outliers import grain_of
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.robots import Robot
 
 DEGREE = math.pi / 180
 STANDARD_GRAVITY = 9.80665
+LARGER_DUTY = 2.0  # negative log odds that a full duty is a larger number than the smallest usual one
+USUAL_BATTERY = 7.5  # [V] of a robot whose log and file tell no battery
 
 
 @dataclass(frozen=True)
@@ -99,15 +103,24 @@ def scales(record: Record, robot: Robot | None = None) -> list[Finding]:
     if fit.r2 < TRUSTED or not fit.values or fit.values[0] <= 0 or fit.values[1] <= 0:
         return []
     usual = expected(robot)
-    estimated = _estimated(record, m, fit.values)
+    estimated, units = _estimated(record, m, fit.values), _command_units(record)
     by_gravity = _gyro_by_gravity(record, m)
-    plain = _penalty(estimated, usual, by_gravity, _Suspect("none"))
-    graded = sorted((FAULT + _penalty(estimated, usual, by_gravity, s), i) for i, s in enumerate(_SUSPECTS))
+    plain = _penalty(estimated, usual, by_gravity, units, _Suspect("none"))
+    graded = sorted((FAULT + _penalty(estimated, usual, by_gravity, units, s), i) for i, s in enumerate(_SUSPECTS))
     if graded[0][0] >= plain:
         return []
-    if _SUSPECTS[graded[0][1]].gyro >= _COUNTS and counted(record[GYRO]):
+    suspect = _SUSPECTS[graded[0][1]]
+    q = estimated["q"] * suspect.gyro / suspect.encoder
+    possible = q > 1 and _fine(estimated, suspect)
+    if counted(record[GYRO]) and (suspect.gyro >= _COUNTS or not possible):
         return _raw_counts(record, estimated["q"], usual["q"])
-    return _wrong(_SUSPECTS[graded[0][1]], estimated, plain - graded[0][0], by_gravity)
+    centre, spread = usual["q"]
+    usual_robot = possible and abs(math.log(q) - centre) < 2 * spread
+    counts = suspect.encoder != 1 and counted(record[LEFT]) and counted(record[RIGHT])
+    if counts and not usual_robot:
+        return _encoder_counts(estimated["q"] * suspect.gyro, usual["q"])
+    repair = ", or where these are counts: state in a mapping how many are a turn" if counts else ""
+    return _wrong(suspect, estimated, plain - graded[0][0], by_gravity, repair)
 
 
 def _estimated(record: Record, m: Resampled, values: tuple[float, ...]) -> dict[str, float]:
@@ -151,25 +164,41 @@ def _gyro_by_gravity(record: Record, m: Resampled) -> float:
     return 1 / fit.values[0] if fit.r2 > 0.7 and fit.values and fit.values[0] else 0.0
 
 
-def _penalty(estimated: dict[str, float], usual: dict[str, tuple[float, float]], gravity: float, s: _Suspect) -> float:
-    """Negative log prior density of the robot that results from correcting the suspect's scale."""
+def _penalty(
+    estimated: dict[str, float],
+    usual: dict[str, tuple[float, float]],
+    gravity: float,
+    units: Sequence[CommandUnit],
+    s: _Suspect,
+) -> float:
+    """Negative log prior density of the robot that results from correcting the suspect's scale, its commands in the
+    likeliest of their `units`."""
     gyro, wheel = s.gyro, s.encoder
-    divide = {"q": wheel / gyro, "p": wheel / gyro, "pitch": gyro, "wheel_rate": wheel, "back_emf": 1 / wheel}
+    divide = {"q": wheel / gyro, "p": wheel / gyro, "pitch": gyro, "wheel_rate": wheel}
     total = 0.0
     for name, divisor in divide.items():
         if name in estimated:
             centre, spread = usual[name]
             total += ((math.log(estimated[name] / divisor) - centre) / spread) ** 2 / 2
+    if "back_emf" in estimated:
+        centre, spread = usual["back_emf"]
+        volts = [(u.prior, math.log(estimated["back_emf"] * wheel / u.factor)) for u in units]
+        total += min(prior + ((value - centre) / spread) ** 2 / 2 for prior, value in volts)
     if estimated["q"] / divide["q"] < 1.0:
         total += 20 * (1 - estimated["q"] / divide["q"])  # masses are positive: q > 1
-    total += 8.0 * (estimated["grain"] / wheel > 0.3)  # [rad] no robot balances on twenty counts per turn
-    total += 8.0 * (estimated["gyro_grain"] / gyro > 0.5)  # [rad/s] nor on steps of 30 degrees per second
+    total += 0.0 if _fine(estimated, s) else 8.0
     if gravity:
         total += (math.log(abs(gravity) / gyro) / 0.3) ** 2 / 2
     return total
 
 
-def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float) -> list[Finding]:
+def _fine(estimated: dict[str, float], s: _Suspect) -> bool:
+    """Whether the sensors resolve enough: no robot balances on twenty counts per turn, nor on steps of 30 degrees per
+    second."""
+    return estimated["grain"] / s.encoder < 0.3 and estimated["gyro_grain"] / s.gyro < 0.5  # [rad] and [rad/s]
+
+
+def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float, or_else: str = "") -> list[Finding]:
     ratio = s.encoder / s.gyro
     evidence = (
         f"{s.why}: as logged, the pendulum equation has q = {estimated['q']:.3g} and p = {estimated['p']:.3g} 1/s² "
@@ -183,7 +212,8 @@ def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float
     if gravity and s.gyro != 1:
         evidence += f"; by the accelerometer the gyro is {abs(gravity):.3g} times too large"
     groups = (((GYRO,), s.gyro), ((LEFT, RIGHT), s.encoder))
-    return [_divide(channels, evidence, factor) for channels, factor in groups if factor != 1]
+    found = [_divide(channels, evidence, factor) for channels, factor in groups if factor != 1]
+    return [replace(f, repair=f.repair + or_else) if f.channel != GYRO else f for f in found]
 
 
 def counted(values: Array) -> bool:
@@ -207,10 +237,55 @@ def _raw_counts(record: Record, q: float, usual: tuple[float, float]) -> list[Fi
     ]
 
 
+def _encoder_counts(q: float, usual: tuple[float, float]) -> list[Finding]:
+    """Encoders of which nobody knows how many counts are a turn, beside a gyro in a known unit, with q in counts."""
+    least, most = (math.tau * q / math.exp(usual[0] + side * usual[1]) for side in (1, -1))
+    evidence = f"raw counts: by the pendulum equation, of usual robots {least:.2g} to {most:.2g} are a turn"
+    repair = "state in a mapping how many counts are a turn: unit turn, scale 1 over that number"
+    return [error("units/counts", name, evidence, repair) for name in (LEFT, RIGHT)]
+
+
 def _divide(channels: tuple[str, ...], evidence: str, divisor: float) -> Finding:
     return error(
         "units/scale", channels[0], evidence, f"divide by {divisor:.6g}", Fix("scale", channels, (1 / divisor,))
     )
+
+
+class CommandUnit(NamedTuple):
+    """What commands may be in: how many of it are a volt, and the negative log prior of that, by their size alone."""
+
+    name: str
+    factor: float
+    prior: float
+
+
+def _command_units(record: Record) -> list[CommandUnit]:
+    """Volts, a duty or millivolts; a duty alone where a name or the mapping says so, of whatever number is full: a
+    robot that stands seldom needs a half of 255."""
+    names = record.commands
+    if names is None:
+        return [CommandUnit("volts", 1.0, 0.0)]
+    largest, battery = _largest(record, names), _battery(record)
+
+    def size(factor: float) -> float:
+        total = (max(0.0, math.log(largest / factor / 9.0)) / 0.6) ** 2 / 2 if largest else 0.0
+        return total + 8.0 * (battery > 0 and largest / factor > 1.25 * battery)
+
+    name, full = _duty(record, names, largest)
+    duty = CommandUnit(name, full / (battery or USUAL_BATTERY), 0.0)
+    if record.units.get(names[0]) == "1":
+        larger = [f for f in FULL_DUTIES if f > full > 1]
+        return [duty, *(CommandUnit(_counts(f), duty.factor * f / full, LARGER_DUTY) for f in larger)]
+    others = [duty._replace(prior=FAULT + size(duty.factor)), CommandUnit("millivolts", 1e3, FAULT + size(1e3))]
+    return [CommandUnit("volts", 1.0, size(1.0)), *others]
+
+
+def _largest(record: Record, names: tuple[str, str]) -> float:
+    return max(float(np.nanmax(np.abs(record[name]))) for name in names)
+
+
+def _battery(record: Record) -> float:
+    return float(np.nanmedian(record[BATTERY])) if BATTERY in record else 0.0
 
 
 def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
@@ -218,37 +293,31 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     names, m = record.commands, motion(record)
     if names is None or record.torque_driven:
         return []
-    largest = max(float(np.nanmax(np.abs(record[name]))) for name in names)
-    battery = float(np.nanmedian(record[BATTERY])) if BATTERY in record else 0.0
+    largest, battery = _largest(record, names), _battery(record)
     emf = back_emf(record, m) if m is not None else 0.0
     centre, spread = expected(robot)["back_emf"]
 
-    def penalty(factor: float) -> float:
-        total = (max(0.0, math.log(largest / factor / 9.0)) / 0.6) ** 2 / 2 if largest else 0.0
-        total += ((math.log(emf / factor) - centre) / spread) ** 2 / 2 if emf else 0.0
-        return total + 8.0 * (battery > 0 and largest / factor > 1.25 * battery)
+    def penalty(unit: CommandUnit) -> float:
+        return unit.prior + (((math.log(emf / unit.factor) - centre) / spread) ** 2 / 2 if emf else 0.0)
 
-    volts = battery or 7.5
-    duty, full = _duty(record, names, largest)
-    options = {duty: full / volts, "millivolts": 1000.0}
-    best = min(options, key=lambda name: penalty(options[name]))
-    if record.units.get(names[0]) == "1":  # a duty, by its name or by what the mapping says
-        best = duty
-    elif penalty(options[best]) + FAULT >= penalty(1.0):
+    unit = min(_command_units(record), key=penalty)
+    if unit.name == "volts":
         return []
+    best, full = unit.name, unit.factor * (battery or USUAL_BATTERY)
     evidence = f"{best} instead of volts: they reach {largest:.3g}" + (
         f" on a battery of {battery:.3g} V" if battery else ""
     )
     if emf:
-        evidence += f"; back-EMF {emf:.3g} V s/rad as logged, {emf / options[best]:.3g} V s/rad repaired"
+        evidence += f"; back-EMF {emf:.3g} V s/rad as logged, {emf / unit.factor:.3g} V s/rad repaired"
     also = tuple(n for n in ("command/left", "command/right") if n in record and n not in names)
     channels = (*names, *also)
-    if best == duty and battery:
+    if best != "millivolts" and battery:
         fixes = (Fix("scale", channels, (100 / full,)),) if full != 100 else ()
         repair = f"multiply by the battery over {full:g}"
         return [error("units/command", names[0], evidence, repair, *fixes, Fix("percent", (*channels, BATTERY)))]
-    repair = f"divide by {options[best]:.4g}" + ("" if best == "millivolts" else ", assuming a battery of 7.5 V")
-    return [error("units/command", names[0], evidence, repair, Fix("scale", channels, (1 / options[best],)))]
+    assumed = "" if best == "millivolts" else f", assuming a battery of {USUAL_BATTERY:g} V"
+    repair = f"divide by {unit.factor:.4g}{assumed}"
+    return [error("units/command", names[0], evidence, repair, Fix("scale", channels, (1 / unit.factor,)))]
 
 
 def _duty(record: Record, names: tuple[str, str], largest: float) -> tuple[str, float]:
@@ -257,7 +326,11 @@ def _duty(record: Record, names: tuple[str, str], largest: float) -> tuple[str, 
     if record.units.get(names[0]) == "1" and largest <= 1:
         return "a fraction of full duty", 1.0
     full = full_duty(np.concatenate([record[name] for name in names])) if counted(record[names[0]]) else 100.0
-    return ("per cent", 100.0) if full <= 100 else (f"counts of a duty, {full:g} of which are full,", full)
+    return ("per cent", 100.0) if full <= 100 else (_counts(full), full)
+
+
+def _counts(full: float) -> str:
+    return f"counts of a duty, {full:g} of which are full,"
 
 
 def constants(record: Record) -> list[Finding]:

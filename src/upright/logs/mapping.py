@@ -171,7 +171,7 @@ def channels_of(mapping: Mapping, table: RawTable) -> tuple[Array, dict[str, Arr
     rows = np.arange(len(table), dtype=np.float64)
     t: Array = rows * mapping.time.period
     if mapping.time.column:
-        t = _values(mapping.time, table)
+        t = _values(mapping.time, replace(table, columns={**table.columns, **_unwrapped(mapping.time.column, table)}))
         t = np.cumsum(t) - t[0] if mapping.time.integrate else t
     channels = {name: np.full(len(t), value) for name, value in mapping.constants.items()}
     units = {name: KNOWN[name].unit if name in KNOWN else "" for name in channels}
@@ -225,6 +225,23 @@ def _values(source: Source, table: RawTable) -> Array:
         row = int(beyond[0])
         raise InvalidLog(f"column '{source.column}' holds {column[row]:g} at row {row}", expected=f"up to ±{MOST:g}")
     return column * (source.sign * source.scale * UNITS[source.unit][0])
+
+
+TIMERS = (2.0**16, 2.0**24, 2.0**32)  # counts after which timers of microcontrollers begin again
+_AHEAD = 50.0  # rows that may be missing where one does
+
+
+def _unwrapped(clock: str, table: RawTable) -> dict[str, Array]:
+    """The clock where its timer began again, going on; empty where it did not."""
+    counts = table.columns.get(clock, np.zeros(0))
+    steps = np.diff(counts)
+    for size in TIMERS:
+        back = steps < -size / 2
+        if back.any() and counts.min() >= 0 and counts.max() < size:
+            usual = float(np.median(steps))
+            again = np.concatenate([[0.0], np.cumsum(back)]) * size
+            return {clock: counts + again} if (steps[back] + size < _AHEAD * usual).all() else {}
+    return {}
 
 
 def _summed(rates: Array, t: Array) -> Array:
@@ -332,12 +349,13 @@ def in_volts(sources: Mapped[str, Source], table: RawTable) -> dict[str, Source]
     return new
 
 
+FULL_DUTIES = (1.0, 100.0, 255.0, 1000.0, 1023.0, 4095.0)  # fraction; per cent; Arduino; thousandths; 10 and 12 bits
+
+
 def full_duty(values: Array) -> float:
-    """The number that means full duty: the smallest usual one that no row exceeds (fraction; per cent; Arduino 255; 10
-    and 12 bits)."""
+    """The number that means full duty: the smallest usual one that no row exceeds."""
     largest = float(np.nanmax(np.abs(values), initial=0.0))
-    usual = (1.0, 100.0, 255.0, 1000.0, 1023.0, 4095.0)
-    return next((full for full in usual if 0 < largest <= full), 100.0)
+    return next((full for full in FULL_DUTIES if 0 < largest <= full), 100.0)
 
 
 def _stated_unit(column: str, table: RawTable) -> str:

@@ -15,32 +15,40 @@ BOTH, RATE = "both of ", "rate of "
 """Before the beginning of two channels, or a channel: what one column says of both sides, or the rate of."""
 
 _ENCODER = (
-    r"(?:(?:enc|encoder|cnt|counts?|ticks?|tacho|pos|angle|wheel|motor|theta|phi|alpha) ?"
+    r"(?:(?:enc|encoder|cnt|counts?|ticks?|tacho|pos|angle|wheel|rueda|motor|theta|phi|alpha) ?"
     r"|(?:enc|count|tick|tacho|pos|rot|motor)\w* )"
 )
-_WHEEL = r"(?:enc\w*|cnt|count\w*|tick\w*|tacho\w*|pos\w*|rot\w*|angle|wheel|motor\w*|theta|phi|alpha)"
+_WHEEL = r"(?:enc\w*|cnt|count\w*|tick\w*|tacho\w*|pos\w*|rot\w*|angle|wheel|rueda|motor\w*|theta|phi|alpha)"
 _RATE = r"(?:speed|spd|vel\w*|omega|rpm|w)"
-_COMMAND = r"\b(?:pwm|duty(?: cycle)?|volt\w*|u|cmd|command|torque|tau|power)"
-_MOTOR = r"\bmotor (?:l|left|r|right)\b|\b(?:l|left|r|right) motor\b"  # an angle; beside encoders, a command
+_COMMAND = r"\b(?:(?:mot\w* )?(?:pwm|duty(?: cycle)?|volt\w*|u|cmd|command|torque|tau|power|mando|tensi[oó]n))"
+_DRIVEN = r"pwm|duty|volt\w*|cmd|command|torque|power|mando|tensi[oó]n"
+_NEITHER = (
+    r"\b(?:current|curr|amps?|corriente|temp\w*|target|set ?points?|desired|goal|ref\w*|err\w*)\b"
+    rf"|\b{_RATE} (?:cmd|command)\b|\b(?:cmd|command) {_RATE}\b"
+)
+"""What is no reading and no voltage or torque of a motor, whatever else its name says."""
+_MOTOR = r"\bmotor ?(?:l|left|r|right|[1-4a-d])\b|\b(?:l|left|r|right) motor\b"  # an angle; beside encoders, a command
+_TIME = r"t|time\w*|ts|clock|elapsed|tiempo|hora|fecha|date"
 _BODY_RATE = (
     r"(?:pitch|tilt|theta|psi|body)[ _]?(?:rate|dot|vel|speed)"
-    r"|(?:gyro|\bgyr)(?! (?:x|z|off\w*|bias|temp\w*)\b)(?: (?:y|raw|rate|spd|speed))?\b|\bg ?y\b"
+    r"|(?:gyro|\bgyr|gir[oó](?:sc[oó]pio)?)(?! (?:x|z|off\w*|bias|temp\w*)\b)(?: (?:y|raw|rate|spd|speed))?\b|\bg ?y\b"
     r"|angular (?:velocity|rate) y\b"
 )
 SIDES = {"left": r"(?:l|left|izq\w*)", "right": r"(?:r|right|der(?:echa|echo)?)"}
 
 _WORDS: Sequence[tuple[str, str]] = (
+    *((rf"^(?!.*\b{_RATE}\b)(?=.*\b(?:{_DRIVEN})\b).*\b{s}\b|^m {s}$", f"command/{n}") for n, s in SIDES.items()),
     (rf"{_ENCODER}{SIDES['left']}\b|\b{SIDES['left']} ?{_WHEEL}", "sensor/encoder_left"),
     (rf"{_ENCODER}{SIDES['right']}\b|\b{SIDES['right']} ?{_WHEEL}", "sensor/encoder_right"),
     *((rf"\b{_RATE} ?{s}\b|\b{s} {_RATE}\b", f"{RATE}sensor/encoder_{name}") for name, s in SIDES.items()),
     *((rf"{_COMMAND} ?{s}\b|\b{s} {_COMMAND}\b", f"command/{name}") for name, s in SIDES.items()),
     (r"\b(?:pitch|tilt|lean|inclin\w*)(?: (?:rad|deg|x10|est\w*|angle))*$|gyro ?(?:ang\w*|est\w*)", "estimate/pitch"),
     (_BODY_RATE, GYRO),
-    (r"gyro x\b", OTHER_GYRO),
+    (r"gyro x\b|\bg ?x\b", OTHER_GYRO),
     (r"\bbat\w*|\bvbat\w*|\bvcc\b", "sensor/battery"),
     (r"\b(?:heading|compass|yaw)(?: (?:rad|deg))?$", "sensor/compass"),
     (r"^(?:d ?t|delta ?t(?:ime)?|loop ?time|time ?(?:step|diff))\b", f"{RATE}{TIME}"),
-    (r"^(?:t|time\w*|ts|clock|elapsed|tiempo|seconds|secs?|millis|micros|[mun]s)\b|\b(?:time ?stamp|stamp)$", TIME),
+    (rf"^(?:{_TIME}|seconds|secs?|millis|micros|[mun]s)\b|\b(?:time ?stamp|stamp)$", TIME),
     (r"^(?:enc\w*|cnt|counts?|tacho\w*|wheel|motor)(?: (?:angle|pos\w*|rad|deg|mean))*$", f"{BOTH}sensor/encoder_"),
     (rf"^{_COMMAND}(?: (?:v|m ?v|volts?|percent|m|n?nm|mnm|mean))*$", f"{BOTH}command/"),
 )
@@ -70,8 +78,8 @@ _PORTED = r"\b(?:enc|mot|m|pwm|wheel|tick|count|cnt|tacho|pos|duty|power|volt|cm
 
 def plain(column: str) -> str:
     """`motorAngleLeft_deg` → `motor angle left deg`."""
-    apart = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", column)
-    return re.sub(r"[_\W]+", " ", apart).lower().strip()
+    apart = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", re.sub("[°º]", " deg ", column))
+    return re.sub(r"\bmot\b", "motor", re.sub(r"[_\W]+", " ", apart).lower().strip())
 
 
 def is_motor(column: str) -> bool:
@@ -82,16 +90,19 @@ def is_motor(column: str) -> bool:
 def recognised(columns: Sequence[str]) -> dict[str, str]:
     """The channel of each column whose name says one, in the order of the columns."""
     channels = {column: _channel(plain(column)) for column in columns}
-    silent = [column for column in columns if not channels[column]]
+    silent = [column for column in columns if not channels[column] or channels[column].startswith(BOTH)]
     for left, right in pairs(silent):
         for column, side, words in zip((left, right), SIDES, _sided(plain(left), plain(right)) or (), strict=True):
             unit = unit_by_name(column)
             by_words = "" if words.split()[-1] == "w" else _channel(words)  # a wheel, or omega
-            channels[column] = next((group + side for group, units in _BY_UNIT.items() if unit in units), by_words)
+            by_unit = "" if channels[column] else next((g + side for g, units in _BY_UNIT.items() if unit in units), "")
+            channels[column] = by_unit or by_words or channels[column]
     return {column: name for column, name in channels.items() if name}
 
 
 def _channel(words: str) -> str:
+    if re.search(_NEITHER, words):
+        return ""
     return next((name for pattern, name in _WORDS if re.search(pattern, words)), "")
 
 

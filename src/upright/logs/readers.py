@@ -7,7 +7,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from os import PathLike
 from pathlib import Path
 from typing import Any, cast
@@ -39,13 +39,15 @@ class RawTable:
     """`columns` of equal length by name, as they stand in the file `source`.
 
     `units` holds the units that the file states; `text` names the columns without numbers, each with an example;
-    `comments` are the lines before the header; `origin` is the origin of one of our own logs.
+    `comments` are the lines before the header, `skipped` those among the rows that are no row, each with its number;
+    `origin` is the origin of one of our own logs.
     """
 
     columns: Mapping[str, Array]
     units: Mapping[str, str] = field(default_factory=dict[str, str])
     text: Mapping[str, str] = field(default_factory=dict[str, str])
     comments: tuple[str, ...] = ()
+    skipped: tuple[str, ...] = ()
     source: str = ""
     origin: Mapping[str, Any] = field(default_factory=dict[str, Any])
 
@@ -87,7 +89,7 @@ def read_table(path: str | PathLike[str]) -> RawTable:
         raise InvalidLog(f"{source.name}: {error}") from None
     except OSError as error:
         raise InvalidLog(f"{source} cannot be read: {error.strerror or error}") from None
-    return RawTable(table.columns, table.units, table.text, table.comments, source.name, table.origin)
+    return replace(table, source=source.name)
 
 
 def table_of(log: Log) -> RawTable:
@@ -108,8 +110,9 @@ def _text(path: Path) -> RawTable:
     form = layout(lines[:HEAD])
     units, origin = _noted(form)
     check_lines(path, len(form.names))
-    columns, words = _parse(text.encode(), form)
-    return RawTable(columns, {**form.units, **units}, words, form.comments, origin=origin)
+    columns, words, clocks, skipped = _parse(text.encode(), form)
+    units = {**form.units, **dict.fromkeys(clocks, "s"), **units}
+    return RawTable(columns, units, words, form.comments, origin=origin, skipped=skipped)
 
 
 HEAD = 5000  # lines, comments included, in which the numbers begin
@@ -146,7 +149,8 @@ def _noted(form: Layout) -> tuple[Mapping[str, str], Mapping[str, Any]]:
         return {}, {}
 
 
-def _parse(raw: bytes, form: Layout) -> tuple[dict[str, Array], dict[str, str]]:
+def _parse(raw: bytes, form: Layout) -> tuple[dict[str, Array], dict[str, str], list[str], tuple[str, ...]]:
+    """Numbers, words and clocks as of `_sorted`, and the lines that are no row."""
     import pyarrow as pa
     import pyarrow.csv as pc
 
@@ -160,32 +164,88 @@ def _parse(raw: bytes, form: Layout) -> tuple[dict[str, Array], dict[str, str]]:
     options = pc.ConvertOptions(decimal_point=form.decimal, strings_can_be_null=True)
     reading = pc.ReadOptions(column_names=names)
     parsing = pc.ParseOptions(delimiter=form.separator, ignore_empty_lines=True)
+
+    def read(rows: bytes) -> Any:
+        return pc.read_csv(io.BytesIO(rows), read_options=reading, convert_options=options, parse_options=parsing)
+
+    wrong = ""
     try:
-        table = pc.read_csv(io.BytesIO(body), read_options=reading, convert_options=options, parse_options=parsing)
+        table = read(body)
+        plain = all(not pa.types.is_string(table.column(name).type) for name in names)
     except pa.ArrowInvalid as error:
+        table, plain, wrong = None, False, one_line(error)
+    skipped: tuple[str, ...] = ()
+    if not plain:
+        rows, skipped = _rows_alone(body.decode(), form)
+        table = read(rows.encode()) if skipped else table
+    if table is None:
         raise InvalidLog(
-            f"the rows cannot be read ({one_line(error)})",
+            f"the rows cannot be read ({wrong})",
             expected=f"{len(names)} values in each",
             likely="a row that was cut off",
-        ) from None
-    return _sorted({name: table.column(name) for name in names})
+        )
+    return *_sorted({name: table.column(name) for name in names}), skipped
 
 
-def _sorted(columns: Mapping[str, Any]) -> tuple[dict[str, Array], dict[str, str]]:
-    """Numbers apart from text, from columns of Arrow."""
+MOST_SKIPPED = 0.05  # [1] of the lines below the header: where more are no rows, the layout is misread
+
+
+def _rows_alone(body: str, form: Layout) -> tuple[str, tuple[str, ...]]:
+    """The lines that are rows, and the others: messages of a program, rows that were cut off, a header once more."""
+    lines = body.split("\n")
+    table = [[cell.strip() for cell in cells_of(line, form.separator)] if line.strip() else [] for line in lines]
+    full = [cells for cells in table if len(cells) == len(form.names)]
+
+    def numeric(cell: str) -> bool:
+        return not cell or is_number(cell.replace(form.decimal, "."))
+
+    held = [sum(numeric(cells[i]) for cells in full) >= (1 - MOST_SKIPPED) * len(full) for i in range(len(form.names))]
+    good = [
+        not cells
+        or (len(cells) == len(held) and all(numeric(c) for c, is_held in zip(cells, held, strict=True) if is_held))
+        for cells in table
+    ]
+    wrong = [i for i, is_row in enumerate(good) if not is_row]
+    if not any(held) or len(wrong) > MOST_SKIPPED * len(lines):
+        return body, ()
+    kept = "\n".join(line for line, is_row in zip(lines, good, strict=True) if is_row)
+    return kept, tuple(f"line {form.first + i + 1}: {lines[i].strip()[:60]}" for i in wrong)
+
+
+_TIME_OF_DAY = re.compile(
+    r"(?:\d{4}[-/.]\d{1,2}[-/.]\d{1,2}[ T])?(\d{1,2}):(\d\d):(\d\d(?:[.,]\d+)?)(?:Z|[-+]\d\d:?\d\d)?"
+)
+_DAY = 86400.0  # [s]
+
+
+def _seconds(values: Sequence[Any]) -> Array | None:
+    """Times of day as seconds, over midnight too; None where a value is none."""
+    found = [_TIME_OF_DAY.fullmatch(str(value).strip()) for value in values]
+    if not found or not all(found):
+        return None
+    t = np.array([3600 * int(m[1]) + 60 * int(m[2]) + float(m[3].replace(",", ".")) for m in found if m])
+    return t + _DAY * np.cumsum(np.r_[0.0, np.diff(t) < -_DAY / 2])
+
+
+def _sorted(columns: Mapping[str, Any]) -> tuple[dict[str, Array], dict[str, str], list[str]]:
+    """Numbers apart from text, from columns of Arrow, and which of the numbers are clocks: times of day as seconds."""
     import pyarrow as pa
 
     numbers: dict[str, Array] = {}
     text: dict[str, str] = {}
+    clocks: list[str] = []
     kinds = pa.types
     for name, column in columns.items():
         kind = column.type
         if kinds.is_integer(kind) or kinds.is_floating(kind) or kinds.is_null(kind) or kinds.is_boolean(kind):
             cast_to = column.cast(pa.int8()) if kinds.is_boolean(kind) else column
             numbers[name] = np.asarray(cast_to.cast(pa.float64(), safe=False).to_numpy(), dtype=np.float64)
+        elif (t := _seconds(column.to_pylist())) is not None:
+            numbers[name] = t
+            clocks.append(name)
         else:
             text[name] = _first_text(column.to_pylist())
-    return numbers, text
+    return numbers, text, clocks
 
 
 def _first_text(values: Sequence[Any]) -> str:
@@ -286,7 +346,7 @@ def _parquet(path: Path) -> RawTable:
     table = parquet.table_of(path)
     note = (table.schema.metadata or {}).get(b"upright-log")
     units, origin = understand(note) if note is not None else ({}, {})
-    columns, text = _sorted({name: table.column(name) for name in table.column_names})
+    columns, text, _ = _sorted({name: table.column(name) for name in table.column_names})
     return RawTable(columns, units, text, origin=origin)
 
 
