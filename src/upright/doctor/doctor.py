@@ -246,8 +246,11 @@ def _record(table: RawTable, mapping: Mapping) -> Record:
             f"the time, column '{mapping.time.column}', never changes", likely="another column is the time"
         )
     if not any(np.isfinite(values).any() for name, values in measured.items() if name.startswith("sensor/")):
+        read = ", ".join(dict.fromkeys(mapping.channels[n].column for n in measured if n in mapping.channels))
         raise InvalidLog(
-            "no sensor holds a number", expected="encoders or a gyro", likely="a recording without its sensors"
+            f"no sensor holds a number, in what is read: {read}",
+            expected="wheel angles or a pitch rate",
+            hint="--write-mapping MINE.toml, and name their columns",
         )
     return record
 
