@@ -5,10 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
 import numpy as np
 
+from upright.doctor.duty import (
+    FAULT,
+    USUAL_BATTERY,
+    CommandUnit,
+    back_emf,
+    battery_of,
+    command_units,
+    counted,
+    largest_command,
+)
 from upright.doctor.finding import (
     BATTERY,
     COMPASS,
@@ -18,7 +27,6 @@ from upright.doctor.finding import (
     PITCH,
     RIGHT,
     UP,
-    Array,
     Finding,
     Fix,
     Record,
@@ -27,16 +35,13 @@ from upright.doctor.finding import (
 )  # fmt: skip
 from upright.doctor.fixes import COARSE, levels
 from upright.doctor.motion import TRUSTED
-from upright.doctor.physics import Resampled, lagged, motion, motor, smooth, widths
-from upright.logs.mapping import FULL_DUTIES, full_duty
+from upright.doctor.physics import Resampled, lagged, motion, smooth, widths
 from upright.logs.outliers import grain_of
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.robots import Robot
 
 DEGREE = math.pi / 180
 STANDARD_GRAVITY = 9.80665
-LARGER_DUTY = 2.0  # negative log odds that a full duty is a larger number than the smallest usual one
-USUAL_BATTERY = 7.5  # [V] of a robot whose log and file tell no battery
 
 
 @dataclass(frozen=True)
@@ -65,9 +70,6 @@ _SUSPECTS = (
 
 _COUNTS = 500.0
 """Of 1 rad/s, fewer than any chip of 16 bits has: 940 where its range is ±2000 degrees per second."""
-
-FAULT = 6.0
-"""Prior of a fault in natural log odds: one log in 400 has a given unit wrong."""
 
 # Logarithms of usual values and their spreads over known robots: q from 1.2 (low, heavy wheels) to 15 (tall, slender),
 # p = MgL/(a11 + a12) < g/R, motors of 0.05 to 1.5 V s/rad, pitch of 0.002 to 1 rad, wheels of 0.2 to 40 rad/s.
@@ -103,7 +105,7 @@ def scales(record: Record, robot: Robot | None = None) -> list[Finding]:
     if fit.r2 < TRUSTED or not fit.values or fit.values[0] <= 0 or fit.values[1] <= 0:
         return []
     usual = expected(robot)
-    estimated, units = _estimated(record, m, fit.values), _command_units(record)
+    estimated, units = _estimated(record, m, fit.values), command_units(record)
     by_gravity = _gyro_by_gravity(record, m)
     plain = _penalty(estimated, usual, by_gravity, units, _Suspect("none"))
     graded = sorted((FAULT + _penalty(estimated, usual, by_gravity, units, s), i) for i, s in enumerate(_SUSPECTS))
@@ -135,15 +137,6 @@ def _estimated(record: Record, m: Resampled, values: tuple[float, ...]) -> dict[
     estimated["gyro_grain"] = grain_of(record[GYRO])
     emf = back_emf(record, m)
     return estimated | ({"back_emf": emf} if emf else {})
-
-
-def back_emf(record: Record, m: Resampled) -> float:
-    """Volts for each rad/s of a steady wheel, by the motor equation; 0 where that does not fit, or the commands are
-    torques or in an unknown unit."""
-    if m.commands is None or record.commands is None or record.units.get(record.commands[0], "V") in ("N m", ""):
-        return 0.0
-    fit = motor(m, (m.commands[0] + m.commands[1]) / 2, m.left, m.right, None)
-    return fit.values[1] if fit.r2 > 0.8 and len(fit.values) > 1 else 0.0
 
 
 def _gyro_by_gravity(record: Record, m: Resampled) -> float:
@@ -216,12 +209,6 @@ def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float
     return [replace(f, repair=f.repair + or_else) if f.channel != GYRO else f for f in found]
 
 
-def counted(values: Array) -> bool:
-    """Whether a channel holds whole numbers, but for those that were interpolated."""
-    fine = values[np.isfinite(values)]
-    return bool(len(fine) and (fine == np.rint(fine)).mean() > 0.8)
-
-
 def _raw_counts(record: Record, q: float, usual: tuple[float, float]) -> list[Finding]:
     """A gyro of which nobody knows what a count means: robots differ by more than chips do."""
     encoders = [name for name in (LEFT, RIGHT) if counted(record[name])]
@@ -251,56 +238,19 @@ def _divide(channels: tuple[str, ...], evidence: str, divisor: float) -> Finding
     )
 
 
-class CommandUnit(NamedTuple):
-    """What commands may be in: how many of it are a volt, and the negative log prior of that, by their size alone."""
-
-    name: str
-    factor: float
-    prior: float
-
-
-def _command_units(record: Record) -> list[CommandUnit]:
-    """Volts, a duty or millivolts; a duty alone where a name or the mapping says so, of whatever number is full: a
-    robot that stands seldom needs a half of 255."""
-    names = record.commands
-    if names is None:
-        return [CommandUnit("volts", 1.0, 0.0)]
-    largest, battery = _largest(record, names), _battery(record)
-
-    def size(factor: float) -> float:
-        total = (max(0.0, math.log(largest / factor / 9.0)) / 0.6) ** 2 / 2 if largest else 0.0
-        return total + 8.0 * (battery > 0 and largest / factor > 1.25 * battery)
-
-    name, full = _duty(record, names, largest)
-    duty = CommandUnit(name, full / (battery or USUAL_BATTERY), 0.0)
-    if record.units.get(names[0]) == "1":
-        larger = [f for f in FULL_DUTIES if f > full > 1]
-        return [duty, *(CommandUnit(_counts(f), duty.factor * f / full, LARGER_DUTY) for f in larger)]
-    others = [duty._replace(prior=FAULT + size(duty.factor)), CommandUnit("millivolts", 1e3, FAULT + size(1e3))]
-    return [CommandUnit("volts", 1.0, size(1.0)), *others]
-
-
-def _largest(record: Record, names: tuple[str, str]) -> float:
-    return max(float(np.nanmax(np.abs(record[name]))) for name in names)
-
-
-def _battery(record: Record) -> float:
-    return float(np.nanmedian(record[BATTERY])) if BATTERY in record else 0.0
-
-
 def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     """Per cent or millivolts instead of volts: by battery voltage, back-EMF and magnitude."""
     names, m = record.commands, motion(record)
     if names is None or record.torque_driven:
         return []
-    largest, battery = _largest(record, names), _battery(record)
+    largest, battery = largest_command(record, names), battery_of(record)
     emf = back_emf(record, m) if m is not None else 0.0
     centre, spread = expected(robot)["back_emf"]
 
     def penalty(unit: CommandUnit) -> float:
         return unit.prior + (((math.log(emf / unit.factor) - centre) / spread) ** 2 / 2 if emf else 0.0)
 
-    unit = min(_command_units(record), key=penalty)
+    unit = min(command_units(record), key=penalty)
     if unit.name == "volts":
         return []
     best, full = unit.name, unit.factor * (battery or USUAL_BATTERY)
@@ -318,19 +268,6 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     assumed = "" if best == "millivolts" else f", assuming a battery of {USUAL_BATTERY:g} V"
     repair = f"divide by {unit.factor:.4g}{assumed}"
     return [error("units/command", names[0], evidence, repair, Fix("scale", channels, (1 / unit.factor,)))]
-
-
-def _duty(record: Record, names: tuple[str, str], largest: float) -> tuple[str, float]:
-    """What the commands are if they are a duty, and the number that is full: per cent, counts of a timer, which are
-    whole numbers, or a fraction."""
-    if record.units.get(names[0]) == "1" and largest <= 1:
-        return "a fraction of full duty", 1.0
-    full = full_duty(np.concatenate([record[name] for name in names])) if counted(record[names[0]]) else 100.0
-    return ("per cent", 100.0) if full <= 100 else (_counts(full), full)
-
-
-def _counts(full: float) -> str:
-    return f"counts of a duty, {full:g} of which are full,"
 
 
 def constants(record: Record) -> list[Finding]:

@@ -1,0 +1,83 @@
+"""What commands may be in: volts, a duty of the battery, millivolts."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from upright.doctor.finding import BATTERY, Array, Record
+from upright.doctor.physics import Resampled, motor
+from upright.logs.mapping import FULL_DUTIES, full_duty
+
+FAULT = 6.0
+"""Prior of a fault in natural log odds: one log in 400 has a given unit wrong."""
+
+LARGER_DUTY = 2.0  # negative log odds that a full duty is a larger number than the smallest usual one
+USUAL_BATTERY = 7.5  # [V] of a robot whose log and file tell no battery
+
+
+class CommandUnit(NamedTuple):
+    """What commands may be in: how many of it are a volt, and the negative log prior of that, by their size alone."""
+
+    name: str
+    factor: float
+    prior: float
+
+
+def command_units(record: Record) -> list[CommandUnit]:
+    """Volts, a duty or millivolts; a duty alone where a name or the mapping says so, of whatever number is full: a
+    robot that stands seldom needs a half of 255."""
+    names = record.commands
+    if names is None:
+        return [CommandUnit("volts", 1.0, 0.0)]
+    largest, battery = largest_command(record, names), battery_of(record)
+
+    def size(factor: float) -> float:
+        total = (max(0.0, math.log(largest / factor / 9.0)) / 0.6) ** 2 / 2 if largest else 0.0
+        return total + 8.0 * (battery > 0 and largest / factor > 1.25 * battery)
+
+    name, full = _duty(record, names, largest)
+    duty = CommandUnit(name, full / (battery or USUAL_BATTERY), 0.0)
+    if record.units.get(names[0]) == "1":
+        larger = [f for f in FULL_DUTIES if f > full > 1]
+        return [duty, *(CommandUnit(_counts(f), duty.factor * f / full, LARGER_DUTY) for f in larger)]
+    others = [duty._replace(prior=FAULT + size(duty.factor)), CommandUnit("millivolts", 1e3, FAULT + size(1e3))]
+    return [CommandUnit("volts", 1.0, size(1.0)), *others]
+
+
+def largest_command(record: Record, names: tuple[str, str]) -> float:
+    return max(float(np.nanmax(np.abs(record[name]))) for name in names)
+
+
+def battery_of(record: Record) -> float:
+    return float(np.nanmedian(record[BATTERY])) if BATTERY in record else 0.0
+
+
+def _duty(record: Record, names: tuple[str, str], largest: float) -> tuple[str, float]:
+    """What the commands are if they are a duty, and the number that is full: per cent, counts of a timer, which are
+    whole numbers, or a fraction."""
+    if record.units.get(names[0]) == "1" and largest <= 1:
+        return "a fraction of full duty", 1.0
+    full = full_duty(np.concatenate([record[name] for name in names])) if counted(record[names[0]]) else 100.0
+    return ("per cent", 100.0) if full <= 100 else (_counts(full), full)
+
+
+def _counts(full: float) -> str:
+    return f"counts of a duty, {full:g} of which are full,"
+
+
+def counted(values: Array) -> bool:
+    """Whether a channel holds whole numbers, but for those that were interpolated."""
+    fine = values[np.isfinite(values)]
+    return bool(len(fine) and (fine == np.rint(fine)).mean() > 0.8)
+
+
+def back_emf(record: Record, m: Resampled) -> float:
+    """Volts for each rad/s of a steady wheel, by the motor equation; 0 where that does not fit, or the commands are
+    torques or in an unknown unit."""
+    if m.commands is None or record.commands is None or record.units.get(record.commands[0], "V") in ("N m", ""):
+        return 0.0
+    fit = motor(m, (m.commands[0] + m.commands[1]) / 2, m.left, m.right, None)
+    return fit.values[1] if fit.r2 > 0.8 and len(fit.values) > 1 else 0.0
