@@ -205,8 +205,8 @@ def _wrong(s: _Suspect, estimated: dict[str, float], odds: float, gravity: float
     if gravity and s.gyro != 1:
         evidence += f"; by the accelerometer the gyro is {abs(gravity):.3g} times too large"
     groups = (((GYRO,), s.gyro), ((LEFT, RIGHT), s.encoder))
-    found = [_divide(channels, evidence, factor) for channels, factor in groups if factor != 1]
-    return [replace(f, repair=f.repair + or_else) if f.channel != GYRO else f for f in found]
+    divided = [_divide(channels, evidence, factor) for channels, factor in groups if factor != 1]
+    return [replace(f, repair=f.repair + or_else) if f.channel != GYRO else f for f in divided]
 
 
 def _raw_counts(record: Record, q: float, usual: tuple[float, float]) -> list[Finding]:

@@ -220,10 +220,10 @@ _DAY = 86400.0  # [s]
 
 def _seconds(values: Sequence[Any]) -> Array | None:
     """Times of day as seconds, over midnight too; None where a value is none."""
-    found = [_TIME_OF_DAY.fullmatch(str(value).strip()) for value in values]
-    if not found or not all(found):
+    matches = [_TIME_OF_DAY.fullmatch(str(value).strip()) for value in values]
+    if not matches or not all(matches):
         return None
-    t = np.array([3600 * int(m[1]) + 60 * int(m[2]) + float(m[3].replace(",", ".")) for m in found if m])
+    t = np.array([3600 * int(m[1]) + 60 * int(m[2]) + float(m[3].replace(",", ".")) for m in matches if m])
     return t + _DAY * np.cumsum(np.r_[0.0, np.diff(t) < -_DAY / 2])
 
 
