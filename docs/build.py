@@ -244,6 +244,10 @@ FENCE = re.compile(r"^```python\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
 WITHOUT = "```{note}\nThis is a draft. `python docs/build.py` draws the picture below each example.\n```"
 
 
+NARROW = 0.5
+"""Of a figure's width that is enough for its letters to be read on a phone."""
+
+
 def _gallery(page: Path) -> None:
     """Each example of the gallery is executed, and the `figure` that it makes stands below it."""
     names: dict[str, object] = {"__name__": "gallery"}
@@ -256,9 +260,15 @@ def _gallery(page: Path) -> None:
         for key, ax in [(key, ax) for ax in figure.axes if (key := ax.get_legend())]:
             key.set_loc("upper left")  # beside the panel, over no line
             key.set_bbox_to_anchor((1.0, 1.0), ax.transAxes)
-        path = f"gallery-{next(count)}.svg"
-        figure.savefig(page.with_name(path), bbox_inches="tight")
-        return f"![What the example below draws]({path})\n\n{fence[0]}"
+        number, (width, height) = next(count), figure.get_size_inches()
+        shown, round_ones = "", any(ax.get_aspect() != "auto" for ax in figure.axes)
+        for name, scale in (("wide", 1.0), ("narrow", NARROW)):
+            path = f"gallery-{number}-{name}.svg"
+            tall = scale if round_ones else max(scale, 0.8)
+            figure.set_size_inches(scale * width, tall * height)
+            figure.savefig(page.with_name(path), bbox_inches="tight")
+            shown += f"![What the example below draws]({path}){{.{name}}}\n"
+        return f"{shown}\n{fence[0]}"
 
     _write(page, FENCE.sub(drawn, page.read_text("utf-8")))
 

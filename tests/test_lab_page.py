@@ -446,9 +446,7 @@ def test_a_newcomer_is_shown_the_tour(chromium, lab):
     assert page.locator("[role=tab]").first.get_attribute("aria-selected") == "true"
     page.click("[data-key=invitation]")
     until(page, "Boolean(document.querySelector('.scene.pinned'))")
-    bottoms = (
-        "[...document.querySelectorAll('.scene .room, .strip:first-child')].map(e => e.getBoundingClientRect().bottom)"
-    )
+    bottoms = "[...document.querySelectorAll('.scene .room, .slot .strip')].map(e => e.getBoundingClientRect().bottom)"
     lowest = f"Math.max(...{bottoms})"
     assert page.locator(".tour h3").bounding_box()["y"] > page.evaluate(lowest)
     page.evaluate("upright.store.hear({kind: 'Notice', level: 'error', text: 'a', key: 'own'})")

@@ -2,7 +2,10 @@
 addEventListener("DOMContentLoaded", () => {
   const list = document.querySelector(".sidebar-scroll");
   const here = list?.querySelector(".current-page");
-  if (here) list.scrollTop += here.getBoundingClientRect().top - list.getBoundingClientRect().top - list.clientHeight / 3;
+  const below = (part) => part.getBoundingClientRect().top - list.getBoundingClientRect().top;
+  if (here) list.scrollTop += below(here) - list.clientHeight / 3;
+  const whole = list && list.scrollTop > 0 && [...list.querySelectorAll(".caption, li")].find((part) => below(part) >= 0);
+  if (whole) list.scrollTop += below(whole); // no line is cut in two
   unfold();
 });
 

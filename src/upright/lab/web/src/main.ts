@@ -26,6 +26,7 @@ const TABS = ["Tour", "Controller", "Robot", "Kit", "See", "Identify", "Keep", "
 type Tab = (typeof TABS)[number];
 const EXPORTED: readonly Tab[] = ["Tour", "Controller", "Robot", "See", "Keep", "Python"]; // the tabs of a page without Python
 
+const PINNED = 0.19; // of the window's height that the room takes while it is pinned, as in the style sheet
 const SEEN = 400; // [ms] from the first picture to the work on another one
 
 /** Whether the browser draws in three dimensions, and whether by a processor that is made for it. */
@@ -76,6 +77,7 @@ class Page {
   private said = 0;
   private shape = "";
   private steering = new Steering();
+  private pinned: IntersectionObserver | null = null;
 
   constructor(private app: HTMLElement) {
     this.theme(remembered.getItem("theme") ?? "");
@@ -144,11 +146,20 @@ class Page {
       button("?", () => this.help(), { "aria-label": t("help"), title: t("help"), "data-key": "help" }));
     header.querySelector("select")?.setAttribute("aria-label", "Language / Idioma");
     const scene = h("section", { className: "scene", "aria-label": t("scene") }, this.room.element, this.force, this.fell, h("p", { className: "hint" }, t("hint"), this.invitation()), this.charts.slot, this.transport(), this.pushes());
-    new IntersectionObserver(([seen]) => scene.classList.toggle("pinned", !seen.isIntersecting)).observe(scene); // for a phone
+    this.pin(scene);
     replace(this.app, header, h("main", {}, scene, this.panels(), this.charts.root), this.toasts, this.spoken);
     this.lamp();
     if (!store.snapshot && !store.recorded) this.fell.textContent = t("starting");
     if (store.changed) this.rebuild();
+  }
+
+  /** For a phone: where the tabs come up to where the room and the pitch would be pinned, they are. */
+  private pin(scene: HTMLElement): void {
+    const line = PINNED * innerHeight + 8 * parseFloat(getComputedStyle(document.documentElement).fontSize);
+    const pinned = new IntersectionObserver((seen) => scene.classList.toggle("pinned", seen.some((one) => one.boundingClientRect.top < line)), { rootMargin: `0px 0px ${line - innerHeight}px` });
+    this.pinned?.disconnect();
+    this.pinned = pinned;
+    pinned.observe(this.tabs);
   }
 
   /** The room, or its side view in a browser without WebGL; where a page without Python would have to draw the room
@@ -196,7 +207,8 @@ class Page {
     const line = t(store.recorded ? "timeLine" : "back");
     this.scrub.setAttribute("aria-label", line);
     if (store.recorded) [this.scrub.min, this.scrub.max] = ["0", String(store.recorded)];
-    return h("div", { className: "transport" }, this.pauseButton, step, speed, h("label", { className: "scrubbing" }, h("span", {}, line), this.scrub));
+    const stand = button(t("standUp"), () => this.stand(), { "data-key": "stand", className: "main" });
+    return h("div", { className: "transport" }, this.pauseButton, step, stand, speed, h("label", { className: "scrubbing" }, h("span", {}, line), this.scrub));
   }
 
   private pushes(): HTMLElement {
@@ -210,8 +222,7 @@ class Page {
       button(t("impulse"), () => strike("impulse", this.knock)(), { "data-key": "impulse" }), size.root,
       button(t("pullLeft"), () => strike("pull_left", 0.25 * weight())(), { "data-key": "pull_left" }),
       button(t("pullRight"), () => strike("pull_right", 0.25 * weight())(), { "data-key": "pull_right" }),
-      button(t("tilt"), () => store.send({ kind: "StandUp", pitch: 0.1 }), { "data-key": "tilt" }),
-      button(t("standUp"), () => this.stand(), { "data-key": "stand", className: "main" }));
+      button(t("tilt"), () => store.send({ kind: "StandUp", pitch: 0.1 }), { "data-key": "tilt" }));
   }
 
   private panels(): HTMLElement {
