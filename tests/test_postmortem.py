@@ -29,6 +29,7 @@ from upright.control import LinearController, make_controller, write_controller
 from upright.control.delay import RAW
 from upright.diagnose import PostMortem, post_mortem
 from upright.diagnose.causes import CANNOT_TELL, CAUSES, DEAD, NO_FALL, NONE, REVERSED, SATURATION, SCALED
+from upright.diagnose.evidence import Series
 from upright.diagnose.fall import stuck_sensor
 from upright.diagnose.fault_fits import fits
 from upright.diagnose.innovations import driven, follow
@@ -297,6 +298,22 @@ def test_json_brings_it_back() -> None:
     page = page_of(found).html()
     assert found.verdict in page
     assert "<svg" in page
+
+
+def test_no_return_is_where_the_lean_stays_beyond_what_can_be_recovered() -> None:
+    """It passes the line at 0.1 s, comes back at 0.2 s, and passes it for good at 0.6 s of the second to the fall."""
+    t = np.arange(0, 1.001, 0.01)
+    reserve = np.select([(t > 0.1) & (t < 0.2), t > 0.6], [1.2, 1.5], 0.5)
+    still = np.zeros_like(t)
+    series = Series(t=t, pitch=0.8 * t, pitch_rate=still + 0.8, command=still, reserve=reserve, nis=still + 1)
+    named: dict[str, Any] = {"robot": "a", "kit": "", "controller": "", "hash": "", "rows": 101}
+    found = PostMortem(
+        verdict=NONE, causes=(), fell_at=1.0, onset=0.0, missing=(), notes=(), series=series, **named
+    )  # fmt: skip
+    page = page_of(found)
+    assert page.numbers[1][0] == "0.6 s"
+    assert page.picture is not None
+    assert "came back" in page.picture.note
 
 
 def test_what_is_missing_is_reported() -> None:

@@ -25,15 +25,18 @@ def page_of(result: Analysis | Designed) -> Page:
     analysis = result
     words = analysis.words()
     first = sentence(words[0], "")
-    sections = [Section("All margins", [*words[2:3], *_margins(analysis)] if analysis.stable else _margins(analysis))]
+    margins = [*words[2:3], *_margins(analysis)] if analysis.stable else _margins(analysis)
+    sections = [Section("All margins", margins, folded=analysis.stable)]
     if analysis.stable:
         both = analysis.both()
         last = f"Bode diagram: beyond {both.crossover:.3g} rad/s the gain stays below 1, the dashed line"
         bode = Figure(last, analysis.plot(), _BODE)
-        drawn = [_nyquist(analysis), bode, _where(both), *_delayed_first(analysis)]
+        drawn = [_nyquist(analysis), bode, _where(both)]
+        first_lost = _delayed_first(analysis)
+        sections = [*([Section("The loop at one sensor", first_lost, folded=True)] if first_lost else []), *sections]
         sections = [Section("Frequency response", drawn), *sections]
         near = Figure(f"The {SLOW} slowest poles, near 1", analysis.plot_poles(slow=SLOW), _NEAR)
-        sections += [Section("Closed-loop poles", [_poles(analysis), near])]
+        sections += [Section("Closed-loop poles", [_poles(analysis), near], folded=True)]
     facts = {"controller": analysis.hash[:12], "period": f"{analysis.period * 1e3:g} ms"}
     return Page(
         _title(analysis), sections, _lead(analysis, first), facts, False, verdict=_verdict(analysis),
@@ -142,7 +145,7 @@ def _delayed_first(analysis: Analysis) -> list[Figure]:
     first, name = analysis.weakest, _weakest(analysis)
     if first not in analysis.outputs or name != first.channel or not first.delay_at > 0:
         return []
-    title = f"The loop at the {name}: {_delay(analysis)} more delay there makes it unstable"
+    title = f"{_delay(analysis)} more delay at the {name} makes the loop unstable"
     rule = first.phase / first.phase_at
     note = (
         f"The loop is broken at the {name} alone. A delay there uses up the phase margin of "

@@ -14,7 +14,7 @@ from upright.certify.recovery import KNOCK_DURATION
 from upright.certify.verdict import GREEN, MOST_FALLS, LinearMargins, placed
 from upright.plotting import AXIS, line, number, panels
 from upright.report.figure import Figure
-from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
+from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import in_degrees, joined, sentence
 
 LEVEL = {GREEN: "good", AMBER: "warn", RED: "bad"}
@@ -31,7 +31,7 @@ def page_of(certificate: Certificate) -> Page:
         learn = [sentence(str(certificate.narrowing)), *certificate.narrowing.ways(certificate.robot)]
         sections.append(Section("What would have to be known better", learn))
     sections += [
-        Section("Pushes", [_intro(certificate), _trials(certificate)]),
+        Section("Pushes", [_trials(certificate), Details("How this was tried", [_intro(certificate)])]),
     ]
     if certificate.linear:
         sections.append(Section("Nominal loop", [_linear(certificate.linear)], folded=True))

@@ -51,23 +51,25 @@ def _diagnosis(result: Diagnosis) -> Page:
     columns: list[list[Cell]] = [[name, source.column] for name, source in result.mapping.channels.items()]
     renamed = any(name != column for name, column in columns)
     drawn = result.plot()
-    poses = ", ".join(dict.fromkeys(segment.kind for segment in result.segments))
-    counted = "no fault found" if not faults else "1 fault" if faults == 1 else f"{faults} faults"
+    poses = ", then ".join(dict.fromkeys(segment.kind for segment in result.segments))
+    of = ", ".join(dict.fromkeys(_check_of(f) for f in result.findings if f.severity != "note"))
+    counted = f"{faults} fault{'' if faults == 1 else 's'} ({of})" if faults else "no fault found"
     checks, values, limits = _checks(result), _values(result), _limits(result)
     checked_rows: list[list[Cell]] = [[*c, values.get(c[0], ""), limits[c[0]]] for c in checks]
     passed = sum(verdict.level in ("good", "info") for _, verdict in checks)
     return Page(
         f"{result.source or 'Log'}: {counted}",
         [
-            Section("Findings", [Table(["", "channel", "evidence", "what to do"], rows)]),
-            Section("Checks", [_TOLD, Table(["check", "result", "measured", "a finding from"], checked_rows)]),
+            Section("Findings", [Table(["kind", "channel", "evidence", "what to do"], rows)]),
+            Section("Checks", [_TOLD, Table(["check", "result", "measured", "a finding from"], checked_rows)],
+                    folded=True),
             *([Section("Columns of the log", [Table(["channel", "column"], columns)], folded=True)] if renamed else []),
         ],
         _advice(result, faults),
         {"columns read as": _mapped(result.mapping.name), "rows": str(result.rows)}, False,
         verdict=Verdict("healthy: can be used as it is", "good") if result.healthy else Verdict(
             "to repair", "bad" if any(f.severity == "error" for f in result.findings) else "warn"),
-        picture=Figure(f"The readings of the log{poses and f'; the robot is {poses}'}", drawn) if drawn else None,
+        picture=Figure(f"The readings of the log{poses and f'; the robot was {poses}'}", drawn) if drawn else None,
         numbers=[
             (f"{passed} of {len(checks)}", "checks passed, from time stamps to falls; all are listed below"),
             (f"{result.seconds:.4g} s", f"length: {result.rows} rows, one every {result.period * 1e3:.4g} ms"),

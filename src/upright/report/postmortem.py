@@ -73,19 +73,21 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
     lost = _lost(result)
     if known and lost is not None:
         numbers.append(
-            (f"{lost - result.onset:.2g} s", "until the motors could no longer save it: the second panel passes 1")
+            (f"{lost - result.onset:.2g} s", "until the motors could no longer save it: the second panel stays above 1")
         )
     likely = [c for k, c in enumerate(result.causes[:3]) if c.likelihood >= (WORTH if k else SHOWN)]
     return numbers + [(f"{100 * c.likelihood:.0f} %", f"probability of the cause: {c.name}") for c in likely]
 
 
 def _lost(result: PostMortem) -> float | None:
-    """When the drawn lean passes the largest one to recover from [s], within the time that is examined."""
+    """From when on the drawn lean stays beyond the largest one to recover from, up to the fall [s]."""
     s = result.series
-    beyond = (s.t >= result.onset) & (s.t <= result.fell_at) & (s.reserve >= 1)
-    if not beyond.any():
+    examined = np.flatnonzero((s.t >= result.onset) & (s.t <= result.fell_at) & np.isfinite(s.reserve))
+    inside = np.flatnonzero(s.reserve[examined] < 1)
+    after = examined[inside[-1] + 1 :] if len(inside) else examined
+    if not len(after):
         return None
-    row = int(beyond.argmax())
+    row = int(after[0])
     low, high = s.reserve[max(row - 1, 0) : row + 1][[0, -1]].tolist()
     if not low < 1 <= high:  # it was beyond before, or is not known there
         return float(s.t[row])
@@ -162,12 +164,16 @@ def _figure(result: PostMortem) -> Figure:
         return Figure("The last seconds", figure)
     if (lost := _lost(result)) is not None:
         reach.plot(lost, 1.0, "o", color=INK, markersize=6)
-        reach.annotate(f"after {lost - result.onset:.2g} s", (lost, 1.0), (8, -12), textcoords="offset points")
+        late = lost > (result.onset + result.fell_at) / 2
+        words, beside = f"after {lost - result.onset:.2g} s", (-8, -12) if late else (8, -12)
+        reach.annotate(words, (lost, 1.0), beside, textcoords="offset points", ha="right" if late else "left")
     span(axes, max(result.onset, float(s.t[0])), result.fell_at, "_trouble")
     start = max(float(s.t[0]), result.onset - max(BEFORE, result.fell_at - result.onset))
     axes[0].set_xlim(start, min(float(s.t[-1]), result.fell_at + AFTER))
     lasted = result.fell_at - result.onset
     note = "Shaded: from the first sign to the fall."
+    if lost is not None and (s.reserve[(s.t >= start) & (s.t < lost)] > 1).any():
+        note += " The lean passed “no return” before and came back: this limit, the model's, is rough here."
     return Figure(f"From the first sign at {result.onset:.2f} s to the fall it took {lasted:.2g} s", figure, note)
 
 
