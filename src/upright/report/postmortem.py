@@ -164,9 +164,9 @@ def _figure(result: PostMortem) -> Figure:
         return Figure("The last seconds", figure)
     if (lost := _lost(result)) is not None:
         reach.plot(lost, 1.0, "o", color=INK, markersize=6)
-        late = lost > (result.onset + result.fell_at) / 2
-        words, beside = f"after {lost - result.onset:.2g} s", (-8, -12) if late else (8, -12)
-        reach.annotate(words, (lost, 1.0), beside, textcoords="offset points", ha="right" if late else "left")
+        last_half = lost > (result.onset + result.fell_at) / 2
+        words, beside = f"after {lost - result.onset:.2g} s", (-8, -12) if last_half else (8, -12)
+        reach.annotate(words, (lost, 1.0), beside, textcoords="offset points", ha="right" if last_half else "left")
     span(axes, max(result.onset, float(s.t[0])), result.fell_at, "_trouble")
     start = max(float(s.t[0]), result.onset - max(BEFORE, result.fell_at - result.onset))
     axes[0].set_xlim(start, min(float(s.t[-1]), result.fell_at + AFTER))
