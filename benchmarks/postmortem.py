@@ -34,7 +34,7 @@ from upright.bodies.body import REST, Sample
 from upright.bodies.twin import Twin
 from upright.control import Controller, make_controller
 from upright.control.mpc import largest_command
-from upright.errors import UprightError
+from upright.errors import InvalidRobot, UprightError
 from upright.experiment import Drive, Impulse, Push, run
 from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Kit, Robot
@@ -285,7 +285,7 @@ def planted(cause: str, seed: int) -> Planted:
         seconds = fault.onset + AFTER
         try:
             log, end, skipped = _run(true, kit, robot, design, fault, pushes, references, seconds, seed)
-        except ValueError:  # MuJoCo: a drawn robot that no rigid body is
+        except (ValueError, InvalidRobot):  # MuJoCo: a drawn robot that no rigid body is
             continue
         if cause == NO_FALL:
             if not end["fell"]:

@@ -31,7 +31,13 @@ from upright.bodies.body import REST, Sample
 from upright.bodies.mjcf import mjcf
 from upright.bodies.twin import Twin, mujoco
 from upright.diagnose import PostMortem, post_mortem
-from upright.errors import UprightError
+from upright.diagnose.beyond import _together
+from upright.diagnose.changes import scaled_sensors
+from upright.diagnose.evidence import Evidence, _window, gather
+from upright.diagnose.fault_fits import FAULT_NUMBERS, FaultFit, score_of, with_pushes
+from upright.diagnose.innovations import FilterRun
+from upright.diagnose.remedy import COMMAND_FAULTS, READING_FAULTS, beside_pushes, exact, moved
+from upright.errors import InvalidRobot, UprightError
 from upright.experiment import Drive, run
 from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Kit, Robot
@@ -70,6 +76,7 @@ PAIRS = (
 )  # fmt: skip
 NONE = "none of these"
 SEED, TRIES, AFTER = 2000, 120, 5.0
+NEAREST = 20  # signatures of the planted kind, by their onset, in which the log is searched for it
 APART = 0.4  # [s] at most between the onsets of a pair
 WALL_FRICTION = 0.5
 BODY, LEFT, RIGHT = 1, 6, 7  # MuJoCo's number of the body, and of both wheels' degrees of freedom
@@ -256,7 +263,7 @@ def broken(causes: tuple[str, ...], seed: int) -> Broken:
         world = (true, robot, design, rng.integers(2**31))
         try:
             got = _run(world, faults, pushes, references)
-        except ValueError:  # a drawn robot that no rigid body is
+        except (ValueError, InvalidRobot):  # a drawn robot that no rigid body is
             continue
         if got is None:
             continue
@@ -337,9 +344,56 @@ class Stalling(FaultyController):
             self.inner.applied(command)
 
 
+def planted_fit(fault: Fault) -> FaultFit | None:
+    """What was planted, in the terms of the code under test; None of a push, which needs none."""
+    size, way = fault.size, fault.way
+    if fault.cause == "push too large":
+        return None
+    if fault.cause == "gyro bias":
+        return FaultFit(fault="bias", way=way, onset=fault.onset, size=fault.sign * size)
+    if fault.cause == "weak battery":
+        return FaultFit(fault="weak", way=way, onset=fault.onset, size=size, rise=0.5)
+    if fault.cause == "sensor mis-scaled":
+        return FaultFit(fault="scale", way=way, onset=fault.onset, size=1 - 1 / size)
+    return FaultFit(fault=fault.cause.split()[0].replace("load", "payload"), onset=fault.onset, size=size)
+
+
+def supported(case: Broken, run: FilterRun, evidence: Evidence) -> tuple[float, float]:
+    """What the log supports: nats by which a fit that is started at both planted causes explains it better than each of
+    them alone, and than the best that was found."""
+    window = _window(run, evidence.fell_at)
+    bank = window.bank(run, pushes_only=False)
+    planted = [fit for fault in case.faults if (fit := planted_fit(fault)) is not None]
+    alone: list[FaultFit] = []
+    if len(scaled_sensors(run)) == 2:  # two encoders that agree are read as one
+        planted = [replace(fit, way=fit.way.replace("encoders", "encoder_left")) for fit in planted]
+    for i, fit in enumerate(planted):
+        if fit.fault in READING_FAULTS + COMMAND_FAULTS:
+            near = (exact(run, one, window, bank) for one in (fit, *moved(run, [fit], window)))
+            best = max(near, key=lambda one: one.score)
+            alone.append(beside_pushes(run, best, window, bank) if best.pushes else best)
+        else:
+            signatures = sorted(
+                (o for o in bank.faults if o.fault == fit.fault), key=lambda o: abs(o.onset - fit.onset)
+            )
+            alone.append(max((with_pushes(bank, one) for one in signatures[:NEAREST]), key=lambda one: one.score))
+            planted[i] = replace(fit, values=alone[-1].values)
+    if len(planted) == 2:
+        both, lesser = _together(run, *planted, window, bank).score, [fit.score for fit in alone]
+    else:  # beside a push
+        if not len(alone[0].rest):  # the filter loses the robot even so
+            return -math.inf, -math.inf
+        here = window.bank(alone[0].run) if alone[0].run is not None else None
+        y = bank.y + alone[0].values if here is None else here.y
+        both, lesser = alone[0].score, [evidence.pushes_only.score, score_of(bank, y, FAULT_NUMBERS)]
+    found = max([fit.score for fit in evidence.fits] + [pair.score for pair in evidence.pairs[:1]])
+    return both - max(lesser), both - found
+
+
 @dataclass(frozen=True)
 class Told:
-    """What was planted and what was answered; `odds` are the likelihoods of the first three causes."""
+    """What was planted and what was answered; `odds` are the likelihoods of the first three causes. `log` is what the
+    log supports of two causes (`supported`), `pair` the nats by which the best two found explain more than one."""
 
     causes: str
     seed: int
@@ -354,6 +408,8 @@ class Told:
     evidence: str = ""
     seconds: float = 0.0
     trouble: str = ""
+    log: tuple[float, float] | None = None
+    pair: float = math.nan
 
     @property
     def right(self) -> bool:
@@ -394,12 +450,19 @@ def judged(work: tuple[tuple[str, ...], int, str]) -> Told:
     except NoFall as error:
         return Told(name, seed, trouble=str(error))
     began = time.process_time()
-    found: PostMortem = post_mortem(case.log, Robot.preset(case.robot))
+    nominal = Robot.preset(case.robot)
+    found: PostMortem = post_mortem(case.log, nominal)
+    seconds, log, pair = time.process_time() - began, None, math.nan
+    if len(causes) == 2:
+        run, evidence = gather(case.log, nominal, Kit.preset(nominal.kit), None, lambda _: None)
+        if evidence is not None:
+            log = supported(case, run, evidence)
+            pair = evidence.pairs[0].score - evidence.fits[0].score if evidence.pairs else -math.inf
     odds = ", ".join(f"{c.name} {c.likelihood:.2f}" for c in found.causes[:3])
     return Told(
         name, seed, case.robot, case.design, "+".join(f.way for f in case.faults),
         "+".join(f"{f.size:.3g}" for f in case.faults), case.faults[0].onset, case.fell_at, found.verdict,
-        odds or found.verdict, found.causes[0].evidence if found.causes else "", time.process_time() - began,
+        odds or found.verdict, found.causes[0].evidence if found.causes else "", seconds, "", log, pair,
     )  # fmt: skip
 
 
@@ -453,8 +516,10 @@ def report(told: Sequence[Told]) -> None:
     pairs = [t for t in runs if "+" in t.causes]
     alone = sum(one_alone(t) for t in pairs)
     print(f"\npairs: both named in {sum(t.right for t in pairs)} of {len(pairs)}; one alone at 0.9 or more in {alone}")
+    print("  what the log supports of both: nats over one of them, and over the best that was found")
     for t in pairs:
-        print(f"  {'right' if t.right else 'WRONG'} {t}")
+        log = "      –       –" if t.log is None else f"{t.log[0]:+7.0f} {t.log[1]:+7.0f}"
+        print(f"  {'right' if t.right else 'WRONG'} {log}  {t}")
     if runs:
         print(f"post-mortem: median {np.median([t.seconds for t in runs]):.1f} s of processor time")
 
