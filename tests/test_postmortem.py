@@ -28,10 +28,11 @@ from upright.compiled.generated import constants
 from upright.control import LinearController, make_controller, write_controller
 from upright.control.delay import RAW
 from upright.diagnose import PostMortem, post_mortem
+from upright.diagnose.beyond import _together
 from upright.diagnose.causes import CANNOT_TELL, CAUSES, DEAD, NAMES, NO_FALL, NONE, REVERSED, SATURATION, SCALED
 from upright.diagnose.evidence import Series
 from upright.diagnose.fall import stuck_sensor
-from upright.diagnose.fault_fits import fits
+from upright.diagnose.fault_fits import FaultFit, fits
 from upright.diagnose.innovations import driven, follow
 from upright.diagnose.propagation import fly
 from upright.diagnose.remedy import Window, remedied, searched
@@ -225,6 +226,14 @@ def test_the_compiled_flow_is_that_of_the_equations() -> None:
     numbers = constants([np.array([getattr(heavier, name)]) for name in PARAMETERS], 1.0)
     found = fly(np.array(numbers), x, u, pushed, spans, steps)
     assert np.allclose(found[0].T, wanted, rtol=0, atol=1e-9)  # rounding, in a thousand operations
+
+
+def test_two_faults_of_runs_of_different_length_stay_as_they_were_found() -> None:
+    # a log freed of a fault may lose readings; two such faults cannot be added row by row
+    run, window = follow(standing(), NXT, KIT), Window(2.9, 1.0, 1.0)
+    known = window.bank(run)
+    one, other = (FaultFit(fault="load", values=known.y[rows:]) for rows in (0, 3))
+    assert _together(run, one, other, window, known).second is other
 
 
 def test_a_window_shorter_than_a_push_has_no_pushes() -> None:

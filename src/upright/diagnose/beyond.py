@@ -151,6 +151,8 @@ def _together(run: FilterRun, first: FaultFit, second: FaultFit, window: Window,
                 tried = [with_pushes(here, one, against=bank, beside=here.y) for one in some]
                 again = max(tried, key=lambda fit: fit.score)
             return Pair(first=several[0], second=replace(dearer(again, fades, bank), run=freed))
+    if not len(first.values) == len(second.values) == len(bank.y):  # found on a run of fewer readings
+        return Pair(first=first, second=second)
     again = dearer(with_pushes(bank, beside=bank.y + first.values + second.values), FAULT_NUMBERS, bank)
     return Pair(
         first=first, second=replace(again, fault=second.fault, way=second.way, onset=second.onset, size=second.size)
