@@ -300,7 +300,7 @@ def test_a_run_that_differs_and_a_sensor_that_is_not_white_are_each_said_once() 
     assert sum("not white" in text for text in several.check()) == 1
     assert several.to_json()["apart"] == [words]
     page = page_of(several)
-    assert "these 3 logs; they tell " in page.title
+    assert "these 3 logs; they determine " in page.title
     assert page.verdict is not None
     assert page.verdict.level == "warn"
     assert words in str(page.html())
