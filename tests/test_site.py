@@ -22,8 +22,8 @@ pytestmark = [pytest.mark.needs("module:sphinx", "module:nbclient"), pytest.mark
 ROOT = Path(__file__).parents[1]
 LINK = re.compile(r'<(a|link|script|img|iframe|source|video)\b[^>]*?\b(href|src)="([^"]*)"')
 SHOWN = (
-    "index.html", "start.html", "api.html", "gallery.html", "model.html", "excite.html", "notebooks/en/3_lqg.html",
-    "notebooks/es/5_certificate.html",
+    "index.html", "start.html", "api.html", "gallery.html", "model.html", "excite.html", "firmware.html",
+    "notebooks/en/3_lqg.html", "notebooks/es/5_certificate.html",
 )  # fmt: skip
 
 
