@@ -53,9 +53,10 @@ FILES = {
 """What the mistaken calls below are given to read, by file name."""
 
 BAD = {
-    "unknown command": ("simulat", "simulat"),
-    "unknown option": ("simulate --speed 1", "--speed"),
-    "missing argument": ("compare", "LOG"),
+    "unknown command": ("simulat", "Did you mean 'simulate'"),
+    "command unlike any": ("campaign", "'campaign'; try: upright --help"),
+    "unknown option": ("simulate --xyz 1", "--xyz; try: upright simulate --help"),
+    "missing argument": ("compare", "LOG'; try: upright compare --help"),
     "missing value": ("simulate --seconds", "--seconds"),
     "a word for a number": ("simulate --seconds long", "--seconds"),
     "unknown robot": ("simulate --robot nxtway", "nxtway-gs"),

@@ -81,17 +81,17 @@ def epilog(name: str) -> str:
     return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in EXAMPLES[name])
 
 
-def option_meant(error: Exception) -> str:
-    """What to try where words were given that a command has no place for: the option whose values have such a name, or
-    else its help; empty for any other error."""
-    context = getattr(error, "ctx", None)
-    match = re.fullmatch(r"Got unexpected extra arguments?(?:\(s\))? \((\S+).*\)", str(error))
-    if context is None or not match:
+def option_meant(error: typer.TyperException) -> str:
+    """What to try after a mistake in the words of a command: the option whose values have such a name, or else its
+    help; empty where the error proposes something itself, or has no command."""
+    context, message = getattr(error, "ctx", None), error.format_message()
+    if context is None or "Did you mean" in message or "Possible options" in message:
         return ""
-    word = match[1]
-    for option in context.command.params:
-        if word in (item.value for item in option.shell_complete(context, word)):
-            return f"; try: {max(option.opts, key=len)} {word}"
+    extra = re.fullmatch(r"Got unexpected extra arguments?(?:\(s\))? \((\S+).*\)", message)
+    if extra is not None:
+        for option in context.command.params:
+            if extra[1] in (item.value for item in option.shell_complete(context, extra[1])):
+                return f"; try: {max(option.opts, key=len)} {extra[1]}"
     return f"; try: {context.command_path} --help"
 
 
