@@ -17,12 +17,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.compiled.straight_line import written
 from upright.control.controller import Controller
 from upright.control.mpc import largest_command
 from upright.control.reach import largest_pitch, static_pitch
 from upright.errors import DesignFailed
-from upright.physics.dynamics import CALM, derivative, motor_damping, motor_gain
-from upright.physics.integrate import PREDICTED, rk4_step, substeps
+from upright.physics.dynamics import CALM, motor_damping, motor_gain
+from upright.physics.integrate import PREDICTED, substeps
 from upright.physics.linear import linearise
 from upright.robots import Kit, Robot
 
@@ -119,12 +120,13 @@ def _ends(robot: Robot, pitch: float, period: float, commands: Array) -> Array:
     """Pitch, its rate and the wheels' rate (lanes, 3) after commands (lanes, n), from rest."""
     fastest = float(np.abs(linearise(robot).poles()).max())
     steps = max(2, substeps(period, fastest, PREDICTED, numbers=robot.numbers()))
-    zero = np.zeros(len(commands))
-    x: tuple[Any, ...] = (zero + pitch, *([zero] * 5))
-    for u in commands.T:
-        for _ in range(steps):
-            x = rk4_step(lambda s, u=u: derivative(s, (u, u), robot, CALM, np), x, period / steps)
-    return np.column_stack([x[0], x[1], x[3]])
+    step, ends = written(robot, "complete", period, steps), list[tuple[float, float, float]]()
+    for lane in commands.tolist():
+        x: Sequence[float] = (pitch, 0.0, 0.0, 0.0, 0.0, 0.0)
+        for u in lane:
+            x = step(x[:6], (u, u), CALM)
+        ends.append((x[0], x[1], x[3]))
+    return np.array(ends)
 
 
 class StandUpController:
