@@ -12,7 +12,7 @@ from upright.bodies.body import Sample as Sample
 from upright.bodies.electronics import Electronics as Electronics
 from upright.bodies.models import LinearBody as LinearBody
 from upright.bodies.models import NonlinearBody as NonlinearBody
-from upright.physics.linear import linearise, rolling
+from upright.physics.linear import linearise_rolling
 from upright.plugins import Registry, made
 from upright.robots import Robot
 
@@ -42,7 +42,7 @@ BODIES: Registry[Callable[[Robot], Body]] = Registry(
         "twin": _twin,
         "nonlinear": NonlinearBody,
         "published": lambda robot: NonlinearBody(robot, "published"),
-        "linear": lambda robot: LinearBody(linearise(rolling(robot)), robot),
+        "linear": lambda robot: LinearBody(linearise_rolling(robot), robot),
         "nxt": _nxt,
         "pybricks": _pybricks,
     },

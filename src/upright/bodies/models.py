@@ -13,7 +13,7 @@ from upright.compiled.straight_line import Step, written
 from upright.errors import InvalidModel, InvalidScenario
 from upright.physics.dynamics import CALM, MODELS, Disturbance, accelerations
 from upright.physics.integrate import substeps
-from upright.physics.linear import DISTURBANCES, LinearModel, linearise, rolling
+from upright.physics.linear import DISTURBANCES, LinearModel, linearise, linearise_rolling
 from upright.physics.sensing import readings
 from upright.robots import Robot
 from upright.signals.signal import SENSORS, STATE_NAMES, TRUTH
@@ -115,6 +115,6 @@ def _spec(kind: str, robot: Robot, period: float) -> BodySpec:
 
 
 def _push_columns(robot: Robot, model: LinearModel) -> np.ndarray:
-    physical = linearise(rolling(robot)).c2d(model.dt)
+    physical = linearise_rolling(robot).c2d(model.dt)
     assert physical.disturbances == DISTURBANCES
     return physical.E

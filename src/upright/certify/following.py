@@ -18,7 +18,7 @@ from upright.control.delay import MOST_PERIODS, RAW, SampledRobot, sampled
 from upright.control.kalman import DISTURBED, Disturbed, Filter, filtered, kalman_filter
 from upright.logs.recording import commanded
 from upright.physics.dynamics import turn_ratio
-from upright.physics.linear import LinearModel, linearise, rolling
+from upright.physics.linear import LinearModel, linearise_rolling
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
 from upright.robots.kit import Motor
@@ -112,7 +112,7 @@ class White(Disturbed):
         C = sensor_matrix(model.reads, turn_ratio(robot), model.kit.sensors)
         waits = [model.kit.sensors[name].delay % dt if f"{name}@1" in names else 0.0 for name in model.reads]
         inside = [dt - wait if dt > wait + ROUNDING and wait > ROUNDING else 0.0 for wait in waits]
-        linear = linearise(rolling(robot))
+        linear = linearise_rolling(robot)
         edges, columns = sorted({0.0, dt, *inside}), list[Array]()
         for start, end in pairwise(edges):
             held = linear.c2d(end - start)

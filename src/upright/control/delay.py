@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from upright.control.controller import TRUE_STATE
 from upright.errors import DesignFailed, SpecMismatch
 from upright.physics.dynamics import turn_ratio
-from upright.physics.linear import LinearModel, delay_line, linearise, rolling
+from upright.physics.linear import LinearModel, delay_line, linearise_rolling
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
@@ -128,7 +128,7 @@ def _held(robot: Robot, h: float) -> tuple[Array, Array, Array]:
     """Φ, Γ and ε of one command over `h` [s]."""
     if h <= 0:
         return np.eye(6), np.zeros((6, 2)), np.zeros(6)
-    held = linearise(rolling(robot)).c2d(h)
+    held = linearise_rolling(robot).c2d(h)
     return held.A, held.B, held.E[:, 0] + robot.com_height * held.E[:, 1]
 
 

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from upright.control.feedback import StateFeedback
 from upright.errors import DesignFailed
-from upright.physics.linear import LinearModel, linearise, rolling
+from upright.physics.linear import LinearModel, linearise_rolling
 from upright.robots import Robot, find_robot
 
 Array = NDArray[np.float64]
@@ -63,7 +63,7 @@ def lqr(robot: Robot | str, dt: float, Q: ArrayLike | None = None, R: ArrayLike 
     robot = find_robot(robot)
     state_weight = bryson(LARGEST_STATE) if Q is None else Q
     command_weight = bryson([LARGEST_COMMAND[robot.command_unit]] * 2) if R is None else R
-    return dlqr(linearise(rolling(robot)).c2d(dt), state_weight, command_weight, robot.command_unit)
+    return dlqr(linearise_rolling(robot).c2d(dt), state_weight, command_weight, robot.command_unit)
 
 
 def dlqr(model: LinearModel, Q: ArrayLike, R: ArrayLike, command_unit: str = "V") -> Lqr:

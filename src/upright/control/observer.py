@@ -11,7 +11,7 @@ from upright.control.delay import SampledRobot
 from upright.control.design import Design
 from upright.control.kalman import Filter, one_step
 from upright.control.linear_controller import LinearController
-from upright.physics.linear import delay_line, linearise, rolling
+from upright.physics.linear import delay_line, linearise_rolling
 from upright.robots import Robot
 
 Array = NDArray[np.float64]
@@ -64,7 +64,7 @@ class Steady:
 
 def steady(robot: Robot) -> Steady:
     """Pitch and both commands that make the three accelerations zero, from the dynamics linearised upright."""
-    model = linearise(rolling(robot))
+    model = linearise_rolling(robot)
     rows = [1, 3, 5]
     unknown = np.column_stack([model.A[rows, 0], model.B[rows]])
     push = model.E[rows, 0] + robot.com_height * model.E[rows, 1]

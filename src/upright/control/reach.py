@@ -7,7 +7,7 @@ import numpy as np
 from upright.control.mpc import largest_command
 from upright.errors import DesignFailed
 from upright.physics.dynamics import motor_gain
-from upright.physics.linear import linearise, rolling
+from upright.physics.linear import linearise_rolling
 from upright.robots import Kit, Robot
 
 
@@ -21,7 +21,7 @@ def largest_pitch(robot: Robot, kit: Kit, limit: float | None = None) -> float:
     most = largest_command(robot, kit) if limit is None else limit
     if not most > 0:
         raise DesignFailed(f"limit is {most}", expected="a positive command")
-    model = linearise(rolling(robot))
+    model = linearise_rolling(robot)
     values, vectors = np.linalg.eig(model.A.T)
     index = int(np.argmax(np.real(values)))
     falling, w = float(np.real(values)[index]), np.real(vectors)[:, index]

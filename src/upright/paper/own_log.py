@@ -30,7 +30,7 @@ from upright.experiment.pushes import PushProgramme
 from upright.logs.mapping import Mapping as Columns
 from upright.logs.raw import LogSource, raw_log
 from upright.paper.own_trial import MEASURED, NONLINEAR, WIDEST, Trial, trial_of
-from upright.physics.linear import linearise, rolling
+from upright.physics.linear import linearise_rolling
 from upright.progress import Progress, unwatched
 from upright.robots import PARAMETERS, Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import GUESS, stated
@@ -169,7 +169,7 @@ def compare_own(
     runs = {
         MEASURED: measured,
         NONLINEAR: trial.simulated(nominal),
-        LINEAR: trial.simulated(nominal, body=LinearBody(linearise(rolling(nominal)), nominal, period=trial.step)),
+        LINEAR: trial.simulated(nominal, body=LinearBody(linearise_rolling(nominal), nominal, period=trial.step)),
         CALIBRATED if known.numbers else ELECTRONICS: trial.simulated(known.robot, known.kit),
     }
     progress(0.6)

@@ -298,6 +298,12 @@ def rolling(robot: Robot, rate: float = 3.0) -> Robot:
     )
 
 
+@lru_cache(maxsize=256)
+def linearise_rolling(robot: Robot) -> LinearModel:
+    """The tangent upright of the robot as it rolls (`rolling`): what designs and linear bodies take for the robot."""
+    return linearise(rolling(robot))
+
+
 @lru_cache(maxsize=256)  # a margin asks for that of one robot hundreds of times
 def _tangent(robot: Robot, x: tuple[float, ...], u: tuple[float, ...], model: str) -> LinearModel:
     def column(dx: Sequence[complex], du: Sequence[complex], w: Disturbance) -> Array:
