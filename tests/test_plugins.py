@@ -114,6 +114,15 @@ def test_the_bench_takes_what_is_registered(monkeypatch):
     assert benched == ["lqg", "lqg", "mine", "mine"]
 
 
+def test_the_bench_compares_a_file_and_refuses_a_name_that_there_is_not(rod):
+    bench = bench_controllers(NXT, KIT, "nonlinear", methods=[f"{rod}:Rod"], knocks=False)
+    assert [(row.controller, row.holds) for row in bench.rows] == [(f"{rod}:Rod", True)] * 2
+    with pytest.raises(UnknownName, match="lgq"):
+        bench_controllers(NXT, KIT, "nonlinear", methods=["lgq"])
+    with pytest.raises(InvalidPlugin, match="no Nobody"):
+        bench_controllers(NXT, KIT, "nonlinear", methods=[f"{rod}:Nobody"])
+
+
 def test_registering_a_name_twice_is_refused():
     with pytest.raises(InvalidPlugin, match="'lqg' already"):
         CONTROLLERS.register("lqg", lambda robot, kit, dt: None)

@@ -56,12 +56,17 @@ def bench_controllers(
     *,
     robot: RobotOption = "nxtway-gs",
     kit: KitOption = None,
+    controller: Annotated[
+        list[str] | None,
+        typer.Option("--controller", "-c", metavar="METHOD", autocompletion=complete_method,
+                     help="Controller by name or my.py:Name (repeatable; default: all)."),
+    ] = None,
     body: BodyOption = "twin",
     seed: SeedOption = 1,
     output: OutputOption = None,
     report: ReportOption = None,
     as_json: JsonOption = False,
-) -> None:
+) -> None:  # fmt: skip
     """Compare all controllers under the same pushes.
 
     Tests: both pushes of Herrera et al. (2015), and the largest impulse that the robot recovers from. Linear
@@ -71,5 +76,5 @@ def bench_controllers(
 
     check_targets(output, report)
     with progress("simulating") as show:
-        result = bench(robot, kit, body, seed=seed, progress=show)
+        result = bench(robot, kit, body, seed=seed, methods=controller or (), progress=show)
     finish(result, as_json, output=output, page=report)

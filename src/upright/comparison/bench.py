@@ -170,11 +170,13 @@ def bench_controllers(
     the paper, held until 3 s and released; with `knocks` also the largest impulse that each recovers from, which takes
     ten runs a row.
 
-    A method that has no design for this robot gets a row that says why.
+    A method that has no design for this robot gets a row that says why. Raises `UnknownName` for one that there is not.
     """
     nominal = find_robot(robot)
     parts = find_kit(kit or nominal.kit)
     methods = methods or [name for name, method in CONTROLLERS.items() if method.benched]
+    for method in methods:
+        _ = CONTROLLERS[method]  # raises for a name that there is not, before the work
     rows, logs, drawn = list[BenchRow](), dict[tuple[str, str], Log](), draw(nominal, DRAWN, seed)
     for method in methods:
         controller = _designed(method, nominal, parts)
