@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import Annotated
 
@@ -18,6 +17,7 @@ from upright.cli.options import (
     MappingOption,
     ReportOption,
     RobotOption,
+    part_of_log,
 )
 from upright.cli.output import check_targets, finish, progress
 
@@ -52,13 +52,11 @@ def calibrate(
     """
     from upright.atomic import write_json
     from upright.calibrate.calibrate import calibrate as estimate
-    from upright.logs.raw import raw_log
 
     check_targets(output, report, save, logs=logs)
-    ends = (-math.inf if start is None else start, math.inf if until is None else until)
     with progress("calibrating") as show:
         result = estimate(
-            [raw_log(path, mapping).between(*ends) for path in logs], robot, kit,
+            [part_of_log(path, mapping, start, until) for path in logs], robot, kit,
             known=known or (), held_out=held_out, between_knocks=between_knocks, progress=show,
         )  # fmt: skip
     withheld = result.withheld() if output and not force else ""

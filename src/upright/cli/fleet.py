@@ -81,7 +81,7 @@ def push_map(
     """
     import numpy as np
 
-    from upright.fleet.push_map import PushGrid
+    from upright.fleet.push_map import PushGrid, summary
     from upright.fleet.push_map import push_map as search
 
     asked.check()
@@ -101,8 +101,7 @@ def push_map(
         data = search(
             ensemble, grid, samples=samples, tolerance=tolerance, watch=watch, threads=asked.threads, progress=show
         )
-    text, numbers = _push_map_summary(data)
-    _show(data, text, numbers, asked)
+    _show(data, *summary(data), asked)
 
 
 @asked_alike
@@ -122,7 +121,7 @@ def basin(
 
     On a grid of any two of the six states; with samples, the fraction of the robots that recover.
     """
-    from upright.fleet.basin import Axis
+    from upright.fleet.basin import Axis, summary
     from upright.fleet.basin import basin as cut
 
     asked.check()
@@ -131,15 +130,7 @@ def basin(
     ensemble = asked.ensemble(start=_state(start), seconds=seconds)
     with progress("simulating") as show:
         data = cut(ensemble, first, second, samples=samples, threads=asked.threads, progress=show)
-    recovered = data["recovered"].values
-    mean, points = float(recovered.mean()), int(recovered.size)
-    grid = " × ".join(
-        f"{axis.name} {axis.low:.3g} to {axis.high:.3g} {data[axis.name].attrs['unit']}" for axis in (first, second)
-    )
-    text = f"recovers from {100 * mean:.4g} % of {points} states ({grid})"
-    apart = float(data["island"].values.mean())
-    text += f"; {100 * apart:.2g} % of them are islands, with states between that fall" if apart else ""
-    _show(data, text, {"fraction": mean, "islands": apart, "points": points}, asked)
+    _show(data, *summary(data), asked)
 
 
 def sweep(
@@ -205,32 +196,6 @@ def _show(data: Dataset, text: str, numbers: Any, asked: Asked) -> None:
         print_json({"result": numbers, "origin": origin_of(data), **written})
         return
     print_text("\n".join([text, *(f"wrote {path}" for path in (output, report) if path)]))
-
-
-def _push_map_summary(data: Dataset) -> tuple[str, dict[str, Any]]:
-    import numpy as np
-
-    lines: list[str] = []
-    numbers: dict[str, Any] = {}
-    for direction in data["direction"].values.tolist():
-        part = data.sel(direction=direction)
-        impulse = part["impulse"].values
-        least = np.unravel_index(int(np.argmin(impulse)), impulse.shape)
-        row = {"impulse": float(impulse[least]), "height": float(part["height"][least[0]])}
-        row |= {"duration": float(part["duration"][least[1]])}
-        row |= {name: float(part[name].values[least]) for name in ("low", "high") if name in part}
-        band = f" (95 %: {row['low']:.3g} … {row['high']:.3g})" if "low" in row else ""
-        lines.append(
-            f"{direction}: survives at least {row['impulse']:.3g} N s{band}, "
-            f"worst at {row['height']:.3g} m above the axle within {row['duration']:.3g} s"
-        )
-        apart = float(part["island"].values.mean())
-        if apart:
-            lines.append(
-                f"  at {100 * apart:.2g} % of the points a larger push is survived again: the first border counts"
-            )
-        numbers[direction] = row | {"islands": apart}
-    return "\n".join(lines), numbers
 
 
 @contextmanager

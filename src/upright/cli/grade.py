@@ -7,15 +7,9 @@ from typing import Annotated
 
 import typer
 
-from upright.cli.options import JsonOption, ReportOption, completed
+from upright.cli.options import JsonOption, ReportOption, completed, registered
 from upright.cli.output import check_targets, print_json, print_text, progress
 from upright.errors import UprightError
-
-
-def _languages() -> tuple[str, ...]:
-    from upright.classwork.worksheet import LANGUAGES
-
-    return LANGUAGES
 
 
 def grade(
@@ -29,7 +23,9 @@ def grade(
     worksheet: Annotated[
         str | None,
         typer.Option(
-            metavar="LANGUAGE", help="Write the worksheet instead: es or en.", autocompletion=completed(_languages)
+            metavar="LANGUAGE",
+            help="Write the worksheet instead: es or en.",
+            autocompletion=completed(registered("upright.classwork.worksheet", "LANGUAGES")),
         ),
     ] = None,
     lab: Annotated[

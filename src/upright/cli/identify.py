@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import Annotated
 
@@ -20,6 +19,7 @@ from upright.cli.options import (
     RobotOption,
     SeedOption,
     completed,
+    part_of_log,
 )
 from upright.cli.output import check_targets, finish, progress, write_page
 from upright.errors import UprightError
@@ -67,14 +67,12 @@ def identify(
     from upright.control import write_controller
     from upright.identify.identify import ALL, identify_all, identify_one, study_of
     from upright.identify.judge import regulator
-    from upright.logs.raw import raw_log
     from upright.robots import find_kit, find_robot
 
     _check_method(method, output or controller)
     check_targets(output, controller, report, logs=[log])
-    ends = (-math.inf if start is None else start, math.inf if until is None else until)
     study = study_of(
-        raw_log(log, mapping).between(*ends), find_robot(robot), find_kit(kit) if kit else None,
+        part_of_log(log, mapping, start, until), find_robot(robot), find_kit(kit) if kit else None,
         source="states" if states else "sensors", delay=delay, order=order, held_out=held_out, runs=repeats, seed=seed,
     )  # fmt: skip
     with progress("identifying") as show:

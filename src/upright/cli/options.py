@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import dataclasses
 import glob
+import inspect
 import math
 from collections.abc import Callable, Iterable, Sequence
+from importlib import import_module
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from upright.errors import InvalidScenario, UnknownName
+
+if TYPE_CHECKING:
+    from upright.signals import Log
 
 Names = Callable[[], Iterable[str]]
 
@@ -29,29 +34,18 @@ def completed(names: Names, suffix: str = "") -> Callable[[str], list[str]]:
     return complete
 
 
-def _robots() -> Iterable[str]:
-    from upright.robots import preset_names
+def registered(module: str, name: str) -> Names:
+    """The names in the registry `name` of a module, or by its function of that name; it is imported when they are asked
+    for."""
 
-    return preset_names()
+    def names() -> Iterable[str]:
+        entries: Any = getattr(import_module(module), name)
+        return entries() if inspect.isfunction(entries) else entries
 
-
-def _kits() -> Iterable[str]:
-    from upright.robots import kit_names
-
-    return kit_names()
-
-
-def _mappings() -> Iterable[str]:
-    from upright.logs.mapping import mappings
-
-    return mappings()
+    return names
 
 
-def controllers() -> Iterable[str]:
-    """Names of the registered controllers."""
-    from upright.control import CONTROLLERS
-
-    return CONTROLLERS
+controllers = registered("upright.control", "CONTROLLERS")
 
 
 def _tunable() -> Iterable[str]:
@@ -60,43 +54,13 @@ def _tunable() -> Iterable[str]:
     return [name for name, method in CONTROLLERS.items() if method.tunable]
 
 
-def _bodies() -> Iterable[str]:
-    from upright.bodies import BODIES
-
-    return BODIES
-
-
-def _targets() -> Iterable[str]:
-    from upright.firmware.targets import TARGETS
-
-    return TARGETS
-
-
-def _hubs() -> Iterable[str]:
-    from upright.firmware.generate import GYROS
-
-    return GYROS
-
-
-def _parameters() -> Iterable[str]:
-    from upright.robots import PARAMETERS
-
-    return PARAMETERS
-
-
-def _models() -> Iterable[str]:
-    from upright.physics.dynamics import MODELS
-
-    return MODELS
-
-
-complete_parameter = completed(_parameters)
-complete_model = completed(_models)
-complete_robot = completed(_robots, ".toml")
-complete_kit = completed(_kits, ".toml")
-complete_mapping = completed(_mappings, ".toml")
+complete_parameter = completed(registered("upright.robots", "PARAMETERS"))
+complete_model = completed(registered("upright.physics.dynamics", "MODELS"))
+complete_robot = completed(registered("upright.robots", "preset_names"), ".toml")
+complete_kit = completed(registered("upright.robots", "kit_names"), ".toml")
+complete_mapping = completed(registered("upright.logs.mapping", "mappings"), ".toml")
 complete_controller = completed(controllers, ".json")
-complete_body = completed(_bodies)
+complete_body = completed(registered("upright.bodies", "BODIES"))
 complete_method = completed(controllers)
 complete_tunable = completed(_tunable)
 
@@ -167,11 +131,18 @@ ReportOption = Annotated[Path | None, typer.Option("--report", help="Write a pag
 TargetOption = Annotated[
     str,
     typer.Option(
-        "--target", "-t", help="Language: pybricks, nxc, c, arduino or ev3dev.", autocompletion=completed(_targets)
+        "--target",
+        "-t",
+        help="Language: pybricks, nxc, c, arduino or ev3dev.",
+        autocompletion=completed(registered("upright.firmware.targets", "TARGETS")),
     ),
 ]
 HubOption = Annotated[
-    str, typer.Option(help="Hub of pybricks: prime, technic, ev3 or nxt.", autocompletion=completed(_hubs))
+    str,
+    typer.Option(
+        help="Hub of pybricks: prime, technic, ev3 or nxt.",
+        autocompletion=completed(registered("upright.firmware.generate", "GYROS")),
+    ),
 ]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
@@ -180,6 +151,14 @@ PUSH_HELP = (
     "impulse:NS,start=S. Each takes height=M above the axle (default: the centre of mass)."
 )
 PushOption = Annotated[list[str] | None, typer.Option("--push", "-p", metavar="KIND:NUMBER,...", help=PUSH_HELP)]
+
+
+def part_of_log(path: Path, mapping: str | None, start: float | None, until: float | None) -> Log:
+    """The raw log of a file between two of its times [s]; None: from its begin, or to its end."""
+    from upright.logs.raw import raw_log
+
+    ends = (-math.inf if start is None else start, math.inf if until is None else until)
+    return raw_log(path, mapping).between(*ends)
 
 
 def number(text: str, where: str) -> float:

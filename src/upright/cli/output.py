@@ -16,6 +16,7 @@ import typer
 
 from upright.atomic import json_text, place_of, write_json
 from upright.errors import UprightError
+from upright.progress import unwatched
 from upright.tables import Listing, wrapped
 
 
@@ -104,7 +105,7 @@ def check_targets(*targets: Path | None, logs: Iterable[Path] = ()) -> None:
 def progress(label: str) -> Generator[Callable[[float], None]]:
     """A bar on stderr in a terminal: yields what takes the fraction done."""
     if not sys.stderr.isatty():
-        yield _not_shown
+        yield unwatched
         return
     from rich.console import Console
     from rich.progress import Progress
@@ -120,7 +121,3 @@ def progress(label: str) -> Generator[Callable[[float], None]]:
         yield show
     finally:
         bar.stop()
-
-
-def _not_shown(fraction: float) -> None:
-    """Show nothing of the `fraction` done."""

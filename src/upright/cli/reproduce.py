@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import Annotated
 
@@ -57,14 +56,12 @@ def reproduce(
         return
     if robot is None:
         raise InvalidScenario("--log without a robot", expected="--robot NAME or FILE", hint="upright robots")
-    from upright.logs.raw import raw_log
     from upright.paper.own_page import reproduce_log
 
-    ends = (-math.inf if start is None else start, math.inf if until is None else until)
     pushes = [options.push(text) for text in push or ()]
     with progress("reproducing") as show:
-        finish(
-            reproduce_log(output, raw_log(log, mapping).between(*ends), robot, kit, controller=controller, push=pushes,
-                          learnt=calibrated, progress=show),
-            as_json,
+        result = reproduce_log(
+            output, options.part_of_log(log, mapping, start, until), robot, kit,
+            controller=controller, push=pushes, learnt=calibrated, progress=show,
         )  # fmt: skip
+    finish(result, as_json)

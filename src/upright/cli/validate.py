@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import Annotated
 
@@ -18,6 +17,7 @@ from upright.cli.options import (
     ReportOption,
     complete_controller,
     complete_robot,
+    part_of_log,
 )
 from upright.cli.output import check_targets, finish, progress
 
@@ -47,11 +47,11 @@ def validate(
     Predicts each half second from a fitted state, and simulates the closed loop freely where its law is known. Says
     where that breaks, and which number would have to move. Exit code 0 for any verdict.
     """
-    from upright.logs.raw import raw_log
     from upright.validate.validate import validate as judge
 
     check_targets(output, report, logs=logs)
-    ends = (-math.inf if start is None else start, math.inf if until is None else until)
     with progress("predicting") as show:
-        result = judge(robot, [raw_log(path, mapping).between(*ends) for path in logs], kit, controller, progress=show)
+        result = judge(
+            robot, [part_of_log(path, mapping, start, until) for path in logs], kit, controller, progress=show
+        )
     finish(result, as_json, output=output, page=report)

@@ -83,6 +83,17 @@ def basin(
     return _labelled(ensemble, across, up, stood, settled)
 
 
+def summary(data: Dataset) -> tuple[str, dict[str, Any]]:
+    """The fraction of the grid from which robots recover: in words, and as plain numbers."""
+    recovered, apart = data["recovered"], float(data["island"].values.mean())
+    fraction, points = float(recovered.values.mean()), int(recovered.size)
+    axes = [data[name] for name in recovered.dims]
+    grid = " × ".join(f"{a.name} {a.values[0]:.3g} to {a.values[-1]:.3g} {a.attrs['unit']}" for a in axes)
+    text = f"recovers from {100 * fraction:.4g} % of {points} states ({grid})"
+    text += f"; {100 * apart:.2g} % of them are islands, with states between that fall" if apart else ""
+    return text, {"fraction": fraction, "islands": apart, "points": points}
+
+
 def _starts(ensemble: Ensemble, across: Axis, up: Axis) -> Array:
     """States (points, 6), the second axis running faster."""
     starts = np.tile(np.array(ensemble.start), (across.points * up.points, 1))

@@ -182,6 +182,31 @@ def push_map(
     return _labelled(ensemble, grid, small, (first, last), capped, spread, search)
 
 
+def summary(data: Dataset) -> tuple[str, dict[str, Any]]:
+    """The smallest impulse that fells the nominal robot, by direction: in words, and as plain numbers."""
+    lines: list[str] = []
+    numbers: dict[str, Any] = {}
+    for direction in data["direction"].values.tolist():
+        part = data.sel(direction=direction)
+        impulse = part["impulse"].values
+        least = np.unravel_index(int(np.argmin(impulse)), impulse.shape)
+        row = {"impulse": float(impulse[least]), "height": float(part["height"][least[0]])}
+        row |= {"duration": float(part["duration"][least[1]])}
+        row |= {name: float(part[name].values[least]) for name in ("low", "high") if name in part}
+        band = f" (95 %: {row['low']:.3g} … {row['high']:.3g})" if "low" in row else ""
+        lines.append(
+            f"{direction}: survives at least {row['impulse']:.3g} N s{band}, "
+            f"worst at {row['height']:.3g} m above the axle within {row['duration']:.3g} s"
+        )
+        apart = float(part["island"].values.mean())
+        if apart:
+            lines.append(
+                f"  at {100 * apart:.2g} % of the points a larger push is survived again: the first border counts"
+            )
+        numbers[direction] = row | {"islands": apart}
+    return "\n".join(lines), numbers
+
+
 class _Search:
     """Searches with one set of settings; `runs` counts the robots that were simulated."""
 
