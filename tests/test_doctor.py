@@ -16,7 +16,7 @@ from upright.bodies import Electronics
 from upright.bodies.twin import Twin
 from upright.control import lqg
 from upright.doctor.doctor import Diagnosis, doctor
-from upright.doctor.physics import _solved
+from upright.doctor.physics import _r_squared, _solved
 from upright.errors import InvalidLog
 from upright.experiment import Hold, Impulse, run
 from upright.logs.mapping import Mapping, Source
@@ -116,6 +116,12 @@ def test_the_repair_undoes_the_fault(name: str) -> None:
 def test_a_command_that_never_changes_has_no_effect() -> None:
     none = np.zeros((2, 2)), np.zeros(2)  # its normal equations; they ended a certificate from a log with a traceback
     assert [_solved(*none, positive=positive).tolist() for positive in (True, False)] == [[0.0, 0.0]] * 2
+
+
+def test_wheels_that_stand_explain_nothing() -> None:
+    """Two regressors that never change; their product of scales ended a calibration in a traceback."""
+    y = np.sin(np.arange(50.0))
+    assert _r_squared(y, np.ones((3, 50, 2)), positive=True).tolist() == [0.0, 0.0, 0.0]
 
 
 def test_truth_is_not_read() -> None:

@@ -221,7 +221,8 @@ def _r_squared(y: Array, X: Array, positive: bool) -> Array:
         return np.zeros(len(X))
     centred = X - X.mean(axis=1, keepdims=True)
     gram, side = centred.swapaxes(1, 2) @ centred, z @ centred
-    scale = np.maximum(np.sqrt(np.diagonal(gram, axis1=1, axis2=2) / len(y)), 1e-300)
+    scale = np.sqrt(np.diagonal(gram, axis1=1, axis2=2) / len(y))
+    scale = np.where(scale > 0, scale, 1.0)  # of what never changes, as wheels that stand
     gram, side = gram / (scale[:, :, None] * scale[:, None, :]), side / scale
     values = (np.linalg.pinv(gram, rcond=1e-12, hermitian=True) @ side[:, :, None])[:, :, 0]
     for i in np.flatnonzero((values < 0).any(axis=1)) if positive else ():
