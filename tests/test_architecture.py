@@ -19,8 +19,8 @@ CHECKOUT = Path(__file__).resolve().parents[1]
 SOURCE = CHECKOUT / "src" / "upright"
 
 ROOMS = (
-    "errors", "interrupts", "atomic", "progress", "reading", "tables", "decimate", "plotting", "plugins", "signals",
-    "robots",
+    "arrays", "errors", "interrupts", "atomic", "progress", "reading", "tables", "decimate", "plotting", "plugins",
+    "signals", "robots",
     "physics", "compiled", "links", "bodies", "control", "logs", "doctor", "experiment", "kernel", "calibrate", "fleet",
     "firmware", "bricks", "parity", "excite", "identify", "validate", "certify", "tune", "diagnose", "flight",
     "comparison", "report", "paper", "lab", "classwork", "cli", "__main__",

@@ -6,6 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from scipy.linalg import solve_continuous_are
 
 from upright.bodies import Electronics, LinearBody, NonlinearBody
 from upright.bodies.twin import Twin
@@ -32,7 +33,6 @@ from upright.control.delay import RAW, sampled
 from upright.control.excited import Excited, random_binary
 from upright.control.kalman import DISTURBED, kalman_filter
 from upright.control.linear_controller import MATRICES
-from upright.control.lqi import nxtway_servo
 from upright.control.near_rest import near_rest
 from upright.control.observed import observed
 from upright.control.observer import steady
@@ -44,6 +44,7 @@ from upright.experiment import Drive, Hold, Impulse, Turn, run
 from upright.physics.dynamics import accelerations
 from upright.physics.linear import linearise, rolling
 from upright.robots import Kit, Robot, Sensor, preset_names
+from upright.signals import STATE_NAMES
 
 NXT = Robot.preset("nxtway-gs")
 KIT = Kit.preset("nxt")
@@ -57,6 +58,19 @@ def made(name, preset):
     robot = Robot.preset(preset)
     kit = Kit.preset(robot.kit)
     return robot, kit, make_controller(name, robot, kit, kit.period)
+
+
+def nxtway_servo(robot, Q, R):
+    """The continuous servo gains of NXTway-GS: k (2, 4) on wheel, pitch and their rates, and k_i (2,) on ∫θ.
+
+    u = −k x − k_i ∫θ. Source: Yamamoto (2008), appendix.
+    """
+    model = linearise(robot)
+    order = [STATE_NAMES.index(name) for name in ("wheel", "pitch", "wheel_rate", "pitch_rate")]
+    A, B = np.zeros((5, 5)), np.zeros((5, 2))
+    A[:4, :4], A[4, 0], B[:4] = model.A[np.ix_(order, order)], 1.0, model.B[order]
+    gain = np.linalg.solve(np.diag(R), B.T @ solve_continuous_are(A, B, np.diag(Q), np.diag(R)))
+    return gain[:, :4], gain[:, 4]
 
 
 def test_servo_gains_of_nxtway_gs():

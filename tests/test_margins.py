@@ -11,8 +11,7 @@ from scipy.linalg import expm
 
 from upright.certify import Loop, analyse, delay_margin, disk_margin, margins, parameter_mu, robot_loop
 from upright.certify.margins import broken_at, disk_gain, disk_phase, sign_changes
-from upright.certify.mu import upper_bound
-from upright.certify.scaling import balanced
+from upright.certify.scaling import balanced, best_scaling
 from upright.certify.verdict import linear_margins
 from upright.control import Controller, make_controller
 from upright.control.delay import RAW, sampled
@@ -284,6 +283,11 @@ def test_the_nyquist_curve_goes_round_as_often_as_the_page_says(channel: str) ->
     assert result.stable
     assert turns == pytest.approx(result.turns(channel), abs=1e-6)  # the argument principle: a whole number
     assert result.turns(channel) > 0  # a robot that falls needs one at least
+
+
+def upper_bound(matrix, blocks):
+    """μ̄ of a square complex matrix for Δ of these diagonal blocks."""
+    return float(best_scaling(matrix, blocks).bounds(matrix[None])[0])
 
 
 def test_mu_of_a_positive_matrix_with_scalar_blocks_is_its_perron_root():

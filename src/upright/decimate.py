@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from upright.arrays import Array
 
 
 def decimate(x: Array, y: Array, columns: int) -> tuple[Array, Array]:

@@ -22,13 +22,13 @@ from matplotlib.figure import Figure
 from matplotlib.image import NonUniformImage
 from matplotlib.patches import Circle
 from matplotlib.ticker import Formatter, FuncFormatter, LogFormatter, MaxNLocator
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array, Complex
 from upright.decimate import decimate
 from upright.errors import InvalidLog
 from upright.tables import power_of_ten, spoken
 
-Array = NDArray[np.float64]
 P = ParamSpec("P")
 T = TypeVar("T")
 
@@ -152,7 +152,7 @@ def points(ax: Axes, name: str, values: Sequence[complex], style: int | None = N
     """Complex numbers under one name, such as the poles of a closed loop; what is not finite is left out."""
     names = _names(ax)
     place = len(names) if style is None else style
-    z: NDArray[np.complex128] = np.asarray(values, dtype=np.complex128).ravel()
+    z: Complex = np.asarray(values, dtype=np.complex128).ravel()
     z = z[np.isfinite(z)]
     ax.plot(
         z.real, z.imag, label=name, linestyle="", marker=MARKERS[place % len(MARKERS)], fillstyle="none",
@@ -164,7 +164,7 @@ def points(ax: Axes, name: str, values: Sequence[complex], style: int | None = N
 def nyquist(response: ArrayLike, distance: float, reach: float = 3.0) -> Figure:
     """The curve L(jω) and its mirror image, with an arrow towards rising ω, the point −1, and the circle of radius
     `distance` round it, which the curve touches; cut `reach` away from the origin."""
-    L: NDArray[np.complex128] = np.asarray(response, dtype=np.complex128)
+    L: Complex = np.asarray(response, dtype=np.complex128)
     reach = min(reach, max(1.2 * float(np.abs(L).max(initial=0.0)), 1.6))
     near = np.abs(L) < 2 * reach
     real, imaginary = np.where(near, L.real, np.nan), np.where(near, L.imag, np.nan)

@@ -8,14 +8,12 @@ from dataclasses import dataclass
 from typing import NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Robot
 from upright.signals import Signal
-
-Array = NDArray[np.float64]
 
 REST = (0.0,) * 6
 FALLEN = 1.4

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.calibrate.knocks import SETTLED, at_motors, recorded
 from upright.certify.checks import Course, standard_pushes, watched
 from upright.control.delay import RAW, sampled
@@ -22,8 +22,6 @@ from upright.errors import SpecMismatch
 from upright.logs.recording import commanded
 from upright.physics.dynamics import turn_ratio
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 AMBER, RED = "amber", "red"
 

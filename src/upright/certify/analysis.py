@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Complex
 from upright.certify.gap import nu_gap, stability_margin
 from upright.certify.loop import Loop, commanded, robot_loop
 from upright.certify.margins import Margins, broken_at, disk_gain, disk_margin, disk_phase, margins
@@ -19,7 +19,7 @@ from upright.control.delay import MOST_PERIODS, sampled
 from upright.control.lqr import LARGEST_COMMAND
 from upright.control.near_rest import near_rest
 from upright.control.state_space import controller_of
-from upright.physics.linear import Complex, LinearModel
+from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import draw
 from upright.tables import Shown
@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 
 INPUTS = {"left motor": (1.0, 0.0), "right motor": (0.0, 1.0), "both motors": (1.0, 1.0), "steering": (-1.0, 1.0)}
 """Where the loop is broken at the robot's input: one motor, both alike, both opposed."""

@@ -12,8 +12,8 @@ from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.certify.logged import Logged, delaying, loaded
 from upright.certify.recovery import KNOCK_DURATION, largest_hold, largest_knock, means, recoverable
 from upright.control.controller import Controller
@@ -26,8 +26,6 @@ from upright.kernel.batch import NAMES, FleetBatch, FleetResult, parameters_of, 
 from upright.kernel.pack import RESIDUAL
 from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
-
-Array = NDArray[np.float64]
 
 SECONDS = 8.0  # [s] a push, what follows it, and `TAIL` to see what the robot does at rest
 RELEASE = 3.0  # [s] a hold of this length lets every preset come to rest against it
@@ -253,10 +251,10 @@ class TriedPush(NamedTuple):
     trial: PushTrial
     push: Any
     rows: Sequence[FleetResult]
-    beyond: NDArray[np.bool_]
+    beyond: Mask
 
     @property
-    def fell(self) -> NDArray[np.bool_]:
+    def fell(self) -> Mask:
         """Which robots (n,) fell."""
         return np.concatenate([row.fell for row in self.rows])
 
@@ -265,8 +263,8 @@ class Trials(NamedTuple):
     """The trials, which robots (n,) fell in any of them, and which of these no controller could save in one."""
 
     trials: tuple[PushTrial, ...]
-    fell: NDArray[np.bool_]
-    beyond: NDArray[np.bool_]
+    fell: Mask
+    beyond: Mask
 
 
 def trials(course: Course) -> Trials:

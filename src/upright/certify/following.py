@@ -9,8 +9,8 @@ from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.calibrate.knocks import SETTLED, at_motors, first_state, moved_by, pushed, recorded
 from upright.certify.checks import Course
 from upright.certify.logged import loaded
@@ -23,8 +23,6 @@ from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
 from upright.robots.kit import Motor
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 FREEDOM = 4.0  # of Student's distribution, under which a push costs little
 SCALES = (0.15, 0.2, 0.28, 0.4, 0.55, 0.75, 1.0, 1.3, 1.7, 2.2, 3.0, 4.0, 5.5)
@@ -45,7 +43,7 @@ class FollowedLog:
     states: Array
     predicted: Array
     whiten: Array
-    keep: NDArray[np.bool_]
+    keep: Mask
     raw: Array
     errors: Array
 
@@ -55,7 +53,7 @@ class FollowedLog:
         linear, start = model.linear, first_state(model, readings[0])
         states, errors = filtered(linear.A, linear.C, estimator.L, readings, moved_by(model, motors), start)
         whiten = 1 / np.sqrt(np.diag(linear.C @ estimator.P @ linear.C.T + model.noise))
-        keep: NDArray[np.bool_] = np.isfinite(errors).all(axis=1) & (np.arange(len(errors)) >= SETTLED / model.dt)
+        keep: Mask = np.isfinite(errors).all(axis=1) & (np.arange(len(errors)) >= SETTLED / model.dt)
         keep &= ~pushed(errors, model.dt)
         whitened = (errors * whiten)[keep].ravel()
         return cls(estimator, states, np.nan_to_num(readings - errors), whiten, keep, errors, whitened)

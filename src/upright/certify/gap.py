@@ -14,15 +14,13 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Complex
 from upright.certify.loop import Loop
 from upright.certify.margins import peak
 from upright.control.state_space import continuous
 from upright.errors import DesignFailed, InvalidModel
-from upright.physics.linear import Complex, LinearModel
-
-Array = NDArray[np.float64]
+from upright.physics.linear import LinearModel
 
 GRID = 1500
 """Frequencies looked at, before the peak is refined and the winding is followed."""

@@ -6,13 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.kernel.batch import NAMES
 from upright.robots import Kit, Robot
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 LOADED = ("body_mass", "pitch_inertia", "roll_inertia", "yaw_inertia")  # what goes with the mass of a body
 

@@ -12,14 +12,14 @@ from dataclasses import KW_ONLY, asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array, Complex
 from upright.atomic import finite
 from upright.control.state_space import continuous
 from upright.errors import InvalidModel
-from upright.physics.linear import Complex, LinearModel
+from upright.physics.linear import LinearModel
 
-Array = NDArray[np.float64]
 ScalarLoop = Callable[[Array], Complex]
 
 GRID = 3000

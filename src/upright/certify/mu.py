@@ -15,21 +15,20 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Complex
 from upright.certify.loop import Loop, commanded
 from upright.certify.margins import SLOWEST
-from upright.certify.scaling import Block, Scaling, balanced, best_scaling, checked_blocks
+from upright.certify.scaling import Block, Scaling, balanced, best_scaling
 from upright.control.controller import Controller
 from upright.control.delay import sampled
 from upright.control.near_rest import near_rest
 from upright.control.state_space import controller_of
 from upright.errors import InvalidModel, InvalidRobot
-from upright.physics.linear import Complex, LinearModel
+from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import deviations
 
-Array = NDArray[np.float64]
 POINTS = 100
 
 REACH = 2.0
@@ -71,12 +70,6 @@ class Mu:
         """Plain numbers."""
         numbers = {"lower": self.lower, "upper": self.upper, "frequency": self.frequency, "curvature": self.curvature}
         return numbers | {"ranks": dict(self.ranks), "worst": dict(self.worst)}
-
-
-def upper_bound(matrix: Complex, blocks: Sequence[Block]) -> float:
-    """μ̄ of a square complex matrix for Δ of these diagonal blocks; raises `InvalidModel` for blocks that do not fit."""
-    checked_blocks(len(matrix), blocks)
-    return float(best_scaling(matrix, blocks).bounds(matrix[None])[0]) if np.abs(matrix).max(initial=0.0) > 0 else 0.0
 
 
 def parameter_mu(

@@ -10,16 +10,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.certify.checks import Course, tried
 from upright.certify.verdict import CONFIDENCE, MOST_FALLS
 from upright.fleet.binomial import upper_bound
 from upright.kernel.batch import NAMES, parameters_of
 from upright.robots.robot import PARAMETERS
 from upright.robots.uncertainty import Spread, Uncertainty, draw
-
-Array = NDArray[np.float64]
 
 TRIED = 300  # robots: without a fall they bound it to 1 %
 FACTORS = (0.1, 0.2, 0.35, 0.5, 0.7)
@@ -75,7 +73,7 @@ class Narrowing:
         return tuple(ways)
 
 
-def narrowing(course: Course, unknown: Uncertainty, fell: NDArray[np.bool_]) -> Narrowing:
+def narrowing(course: Course, unknown: Uncertainty, fell: Mask) -> Narrowing:
     """What would have to be known of the robot of `course`, `fell` (n,) of whose robots, drawn from `unknown`, fell."""
 
     def falls(factors: dict[str, float], *, all_pushes: bool = False) -> int:
@@ -113,7 +111,7 @@ def red(fell: int, runs: int = TRIED) -> bool:
     return upper_bound(fell, runs, CONFIDENCE) > MOST_FALLS
 
 
-def ranking(unknown: Uncertainty, parameters: Array, fell: NDArray[np.bool_]) -> Sequence[Spread]:
+def ranking(unknown: Uncertainty, parameters: Array, fell: Mask) -> Sequence[Spread]:
     """The spreads, first the one by which the fraction that falls sinks most where it is known as well as `WELL`."""
     rest: dict[str, float] = {}
     for spread in (s for s in unknown.spreads if s.name in NAMES and s.high != s.low * (s.kind == "uniform")):

@@ -16,8 +16,8 @@ from types import SimpleNamespace
 from typing import Any, NamedTuple, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.bodies.body import FALLEN
 from upright.control import LinearController
 from upright.experiment.pushes import Hold, Impulse
@@ -25,8 +25,6 @@ from upright.kernel.batch import NAMES, FleetBatch
 from upright.kernel.simulate import simulate
 from upright.physics.dynamics import motor_gain
 from upright.robots import Kit, Robot
-
-Array = NDArray[np.float64]
 
 KNOCK_DURATION = 0.02  # [s] of a standard knock
 WATCHED = 2.5  # [s] of full command: who falls to neither side by then is at the very border
@@ -74,7 +72,7 @@ def largest_knock(robot: Robot, kit: Kit, side: int = 1, *, battery: float | Non
 
 def recoverable(
     parameters: Array, able: Means, push: Hold | Impulse, slope: float = 0.0, threads: int | None = None
-) -> NDArray[np.bool_]:
+) -> Mask:
     """Which of the robots with `parameters` (n, 21) a controller with these means could save from this push."""
     if not (math.isfinite(able.most) and len(parameters)):
         return np.ones(len(parameters), dtype=np.bool_)
@@ -92,7 +90,7 @@ def _largest(numbers: tuple[float, ...], able: Means, slope: float, kind: str, s
     table = np.array([numbers])
     p = _columns(table)
 
-    def saved(sizes: Array) -> NDArray[np.bool_]:
+    def saved(sizes: Array) -> Mask:
         if kind == "hold":
             pushes = [Hold(pitch=side * float(size), until=1.0) for size in sizes]
             force = np.concatenate([push.force(cast(Robot, p)) for push in pushes])
@@ -115,7 +113,7 @@ def _largest(numbers: tuple[float, ...], able: Means, slope: float, kind: str, s
 def _saved(
     parameters: Array, able: Means, slope: float, side: int, *,
     force: Array | None = None, impulse: Array | None = None, duration: float = STEP, threads: int | None = None,
-) -> NDArray[np.bool_]:  # fmt: skip
+) -> Mask:  # fmt: skip
     """Which of n robots full command towards `side` keeps from falling to that side: let go from rest under `force`
     (n,) [N] at the centre of mass, or given an `impulse` (n,) [N s] at rest. Until the command comes they keep the one
     of their rest."""

@@ -17,12 +17,10 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Complex
 from upright.errors import InvalidModel
-from upright.physics.linear import Complex
 
-Array = NDArray[np.float64]
 Block = tuple[int, bool]
 """Size of one block of Δ, and whether it is a repeated real number rather than a full complex matrix."""
 

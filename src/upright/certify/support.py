@@ -14,8 +14,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.calibrate.knocks import at_motors, moved_by
 from upright.certify.checks import Course, batteries
 from upright.certify.following import FollowedLog, body_load, dead_zone, filtered_log, gyro_scale
@@ -23,8 +23,6 @@ from upright.control.delay import MOST_PERIODS, sampled
 from upright.logs.recording import commanded
 from upright.robots import Kit, Robot
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 OUTSIDE = "outside what the log supports: "
 NORMAL = 1.96  # standard deviations either side that hold 95 % of a normal distribution

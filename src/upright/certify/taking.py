@@ -13,16 +13,14 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.certify.checks import Course
 from upright.certify.following import as_disturbed, filtered_log, surprise, surprises
 from upright.certify.logged import Logged, delaying
 from upright.certify.support import NORMAL, Support, supported
 from upright.robots import Kit
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 TURNS = 12  # of Gauss and Newton's method
 LEAST_GAIN = 20.0  # of −2 log likelihood: robots as they were assumed gain 3 to 10 by another mass

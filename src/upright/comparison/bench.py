@@ -8,8 +8,8 @@ from dataclasses import asdict, dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.bodies import Body, Electronics, make_body
 from upright.certify.checks import Course, kernel_controller, watched
 from upright.comparison.comparison import compare
@@ -26,7 +26,6 @@ from upright.tables import Listing, Shown, in_degrees
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 
 PUSHES = {"front": 0.1, "back": -0.12}
 """Pitch [rad] at which each push holds the robot (Herrera et al. 2015, section 3.2)."""
@@ -244,7 +243,7 @@ def _border(course: Course, way: float) -> float | None:
 def _largest(stands: Callable[[Impulse], bool], robot: Robot, way: float, near: float | None = None) -> float:
     mass = robot.body_mass + 2 * robot.wheel_mass
 
-    def survived(sizes: Array, _: Any) -> NDArray[np.bool_]:
+    def survived(sizes: Array, _: Any) -> Mask:
         return np.array([stands(Impulse(impulse=way * float(sizes[0]), start=STRUCK, duration=KNOCK))])
 
     guess, factor = (GUESS * mass, 2.0) if near is None else (near, 1 + TOLERANCE)

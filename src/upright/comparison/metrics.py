@@ -9,11 +9,10 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array
 from upright.errors import InvalidLog
-
-Array = NDArray[np.float64]
 
 CALM = 0.25
 """[1] of the record after a release: what has settled stays in its band at least so long."""

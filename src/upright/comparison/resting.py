@@ -7,9 +7,8 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from upright.arrays import Array
 
 STEADY, WIDE = 1.6, 0.5
 """A wobble that grows no more than this between the last quarter and the last half is steady; beyond this part of the

@@ -12,8 +12,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.compiled.program import (
     Absolute,
     Choose,
@@ -27,8 +27,6 @@ from upright.compiled.program import (
 )
 from upright.errors import InvalidController
 from upright.physics.linear import impulse_norm
-
-Array = NDArray[np.float64]
 
 WORD, WIDE = 31, 62  # bits of magnitude in a word, and in a sum with its rounding
 INTERFACE = 16  # bits of fraction of inputs and outputs

@@ -29,9 +29,6 @@ njit: Any = partial(
 inlined: Any = partial(njit, forceinline=True)
 """The same, put into its callers, where it is vectorised across robots."""
 
-merged: Any = partial(njit, inline="always")
-"""The same, put into its one caller before that is compiled, which spares the compiler a second look at all of it."""
-
 
 class RobotBlock(NamedTuple):
     """The rows `w` of so many `robots`, the first of which is number `first` of the batch's `index`."""

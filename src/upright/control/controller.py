@@ -8,12 +8,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol, runtime_checkable
 
-import numpy as np
-from numpy.typing import NDArray
-
+from upright.arrays import Array
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 TRUE_STATE = tuple(f"truth/{name}" for name in STATE_NAMES)
 """What a controller of the full true state reads: no real robot offers it."""

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from functools import cache, lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control.controller import TRUE_STATE
 from upright.errors import DesignFailed, SpecMismatch
 from upright.physics.dynamics import turn_ratio
@@ -21,8 +21,6 @@ from upright.physics.linear import LinearModel, delay_line, linearise_rolling
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, Sensor
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 RAW = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro")
 GYRO = RAW[2]

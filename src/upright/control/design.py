@@ -5,11 +5,9 @@ from __future__ import annotations
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control.controller import Controller
-
-Array = NDArray[np.float64]
 
 
 class Design:

@@ -8,16 +8,14 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control.controller import Controller, ControllerSpec
 from upright.control.delay import RAW, sampled
 from upright.control.kalman import DISTURBED, Disturbed, corrected, kalman_filter
 from upright.errors import InvalidController, SpecMismatch
 from upright.physics.dynamics import turn_ratio
 from upright.robots import Kit, Robot, Sensor, find_kit, find_robot
-
-Array = NDArray[np.float64]
 
 ACCELEROMETER = ("sensor/accel_forward", "sensor/accel_up")
 

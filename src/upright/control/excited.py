@@ -8,12 +8,11 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array
 from upright.control.controller import Controller
 from upright.errors import InvalidController
-
-Array = NDArray[np.float64]
 
 
 class Excited:

@@ -16,15 +16,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control.delay import SampledRobot
 from upright.control.kalman import DISTURBED, Disturbed, Filter
 from upright.control.observer import observer
 from upright.control.state_space import kept, plant_of
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 _DOUBLINGS = 18  # 2¹⁸ periods: an hour, after which a loop that still remembers its start counts as unstable
 

@@ -7,13 +7,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control.controller import TRUE_STATE, ControllerSpec, ShortRepr
 from upright.errors import InvalidController
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -21,11 +21,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.errors import DesignFailed
 
-Array = NDArray[np.float64]
 Model = tuple[Array, Array]
 """A (n, n) and b (n, 1)."""
 

@@ -20,8 +20,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control.delay import GYRO, RAW, SampledRobot, sampled
 from upright.control.design import Design
 from upright.control.family import halves, sides
@@ -35,8 +35,6 @@ from upright.physics.dynamics import turn_ratio
 from upright.physics.linear import LinearModel, delay_line
 from upright.physics.sensing import sensor_matrix
 from upright.robots import Kit, Robot, find_kit, find_robot
-
-Array = NDArray[np.float64]
 
 COMMAND = {"V": 4.0, "N m": 0.02}
 """Commands of this size cost one. Torque is dear, since it is what the dead time of the torque-driven robot forbids."""

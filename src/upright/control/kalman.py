@@ -11,15 +11,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control.delay import GYRO, SampledRobot
 from upright.control.lqr import LARGEST_COMMAND, riccati_residual
 from upright.errors import DesignFailed
 from upright.physics.dynamics import motor_gain
 from upright.robots import Robot
-
-Array = NDArray[np.float64]
 
 NXTWAY_WEIGHT = 6.0  # [N] of the body of NXTway-GS, to which pushes are scaled
 

@@ -15,8 +15,8 @@ from importlib.metadata import version
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.compiled.program import INFINITY, Block, Program
 from upright.compiled.tracer import Form, Tracer
 from upright.control.controller import Controller
@@ -25,8 +25,6 @@ from upright.control.mpc import PredictiveController, Splitting
 from upright.control.sliding import SlidingMode
 from upright.errors import InvalidController
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 SIDES = ("left", "right")
 ROUNDING = 1e-13  # relative: what a product of matrices leaves of a zero

@@ -8,16 +8,15 @@ from dataclasses import KW_ONLY, dataclass, field, fields
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array
 from upright.control.controller import Controller, ControllerSpec, ShortRepr
 from upright.control.design import Design
 from upright.control.estimators import Estimated, Kalman
 from upright.control.feedback import StateFeedback
 from upright.control.kalman import one_step
 from upright.errors import InvalidController
-
-Array = NDArray[np.float64]
 
 MOST_STATES = 1000
 """Of a controller in a file."""

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array
 from upright.control.delay import RAW, SampledRobot, sampled
 from upright.control.design import Design
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
@@ -15,8 +16,6 @@ from upright.control.lqr import LARGEST_COMMAND, LARGEST_STATE, bryson, riccati,
 from upright.control.observer import output_feedback
 from upright.errors import DesignFailed
 from upright.robots import Kit, Robot, find_kit, find_robot
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array
 from upright.control.delay import RAW, sampled
 from upright.control.design import Design
 from upright.control.kalman import RECOVERED, Disturbed, Filter, kalman_filter
@@ -15,17 +16,12 @@ from upright.control.lqg import command_weight
 from upright.control.lqr import LARGEST_STATE, bryson, riccati, riccati_residual, weight_matrix
 from upright.control.observer import Extra, output_feedback
 from upright.errors import DesignFailed
-from upright.physics.linear import LinearModel, linearise
+from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import STATE_NAMES
 
-Array = NDArray[np.float64]
-
 LARGEST_INTEGRAL = 4.0  # [rad s] of the wheel: 4 rad off for a second
 UNWINDING = 2.0  # [s] in which saturation is taken back out of the integral
-
-SERVO = ("wheel", "pitch", "wheel_rate", "pitch_rate")
-"""The order of NXTway-GS's servo regulator, before the integral of the wheel angle."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,23 +89,3 @@ def with_integral(plant: LinearModel) -> LinearModel:
     A, B = np.eye(n + 1), np.vstack([plant.B, np.zeros((1, 2))])
     A[:n, :n], A[n, STATE_NAMES.index("wheel")] = plant.A, plant.dt
     return LinearModel(A, B, dt=plant.dt, states=(*plant.states, "integral"), inputs=plant.inputs)
-
-
-def nxtway_servo(robot: Robot, Q: ArrayLike, R: ArrayLike) -> tuple[Array, Array]:
-    """The continuous servo gains of NXTway-GS: k (2, 4) on `SERVO` and k_i (2,) on ∫θ, for u = −k x − k_i ∫θ.
-
-    Q is (5, 5) or its diagonal in that order, R (2, 2) or (2,). Source: Yamamoto (2008), appendix. There
-    Q = diag(1, 6e5, 1, 1, 4e2) and R = 1e3·I give k = [−0.835, −34.19, −1.294, −2.814], k_i = −0.447.
-    """
-    from scipy.linalg import solve_continuous_are
-
-    model = linearise(robot)
-    order = [STATE_NAMES.index(name) for name in SERVO]
-    A, B = np.zeros((5, 5)), np.zeros((5, 2))
-    A[:4, :4], A[4, 0], B[:4] = model.A[np.ix_(order, order)], 1.0, model.B[order]
-    weight, price = weight_matrix(Q, 5, "Q"), weight_matrix(R, 2, "R")
-    try:
-        gain = np.linalg.solve(price, B.T @ solve_continuous_are(A, B, weight, price))
-    except (np.linalg.LinAlgError, ValueError):
-        raise DesignFailed("no servo gain under these weights", expected="R positive, and Q on the integral") from None
-    return gain[:, :4], gain[:, 4]

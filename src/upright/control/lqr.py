@@ -6,14 +6,13 @@ import contextlib
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array, Complex
 from upright.control.feedback import StateFeedback
 from upright.errors import DesignFailed
 from upright.physics.linear import LinearModel, linearise_rolling
 from upright.robots import Robot, find_robot
-
-Array = NDArray[np.float64]
 
 # Bryson's rule: a deviation or a command of this size costs one.
 LARGEST_STATE = (0.15, 1.5, 4.0, 15.0, 0.5, 3.0)  # [rad, rad/s, rad, rad/s, rad, rad/s]
@@ -34,7 +33,7 @@ class Lqr(StateFeedback):
     R: Array = field(kw_only=True)
     cost: Array = field(kw_only=True)
 
-    def poles(self) -> NDArray[np.complex128]:
+    def poles(self) -> Complex:
         """Eigenvalues of A − BK, largest magnitude first."""
         poles = np.linalg.eigvals(self.model.A - self.model.B @ self.gain).astype(complex)
         return poles[np.argsort(-np.abs(poles))]

@@ -7,9 +7,7 @@ from dataclasses import dataclass, replace
 from os import PathLike
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from upright.arrays import Array
 from upright.control.controller import Controller
 from upright.control.estimators import Estimated, complementary
 from upright.control.files import read_controller
@@ -28,8 +26,6 @@ from upright.errors import InvalidController, UnknownName
 from upright.plugins import Registry, made
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)

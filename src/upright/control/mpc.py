@@ -25,8 +25,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array
 from upright.control.controller import ControllerSpec, ShortRepr
 from upright.control.delay import RAW, sampled
 from upright.control.kalman import Disturbed, kalman_filter, offset_free
@@ -36,8 +37,6 @@ from upright.control.observer import memory, steady_push, steady_state
 from upright.errors import DesignFailed, InvalidController
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 HORIZON = 30  # periods
 UNLIMITED = 1e9  # [V or N m] in place of no limit: more than any driver gives

@@ -5,14 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control.controller import Controller
 from upright.control.linear_controller import LinearController, as_linear
 from upright.control.mpc import PredictiveController
 from upright.control.sliding import SlidingMode
-
-Array = NDArray[np.float64]
 
 
 def near_rest(controller: Controller) -> LinearController:

@@ -9,9 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from upright.arrays import Array
 from upright.control.delay import RAW, sampled
 from upright.control.design import Design
 from upright.control.feedback import StateFeedback
@@ -20,8 +18,6 @@ from upright.control.linear_controller import LinearController
 from upright.control.observer import output_feedback
 from upright.errors import SpecMismatch
 from upright.robots import Kit, Robot
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

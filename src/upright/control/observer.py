@@ -5,16 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control.delay import SampledRobot
 from upright.control.design import Design
 from upright.control.kalman import Filter, one_step
 from upright.control.linear_controller import LinearController
 from upright.physics.linear import delay_line, linearise_rolling
 from upright.robots import Robot
-
-Array = NDArray[np.float64]
 
 
 def observer(estimator: Filter) -> LinearController:

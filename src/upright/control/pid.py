@@ -19,8 +19,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Complex
 from upright.control.delay import RAW, SampledRobot, sampled
 from upright.control.design import Design
 from upright.control.kalman import DISTURBED, Disturbed, Filter, kalman_filter
@@ -31,9 +31,6 @@ from upright.errors import DesignFailed
 from upright.physics.dynamics import motor_damping, motor_gain
 from upright.physics.linear import rolling
 from upright.robots import Kit, Robot, find_kit, find_robot
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 STIFFNESSES = np.geomspace(1.4, 24, 10)  # pitch gains tried, against the gravity they must overcome
 TIMES = np.geomspace(0.03, 0.3, 7)  # [s] derivative times tried

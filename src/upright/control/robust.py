@@ -18,8 +18,8 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.atomic import finite
 from upright.control.delay import SampledRobot, sampled
 from upright.control.design import Design
@@ -33,8 +33,6 @@ from upright.errors import DesignFailed
 from upright.robots import Kit, Robot, find_kit, find_robot
 from upright.robots.uncertainty import Uncertainty, draw
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 DRAWN = 200
 WORTH = 0.01

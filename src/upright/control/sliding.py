@@ -8,8 +8,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array, Complex
 from upright.control.controller import ControllerSpec, ShortRepr
 from upright.control.delay import RAW, sampled
 from upright.control.design import Design
@@ -19,8 +20,6 @@ from upright.control.lqg import Lqg, regulated
 from upright.control.observer import memory, steady_state
 from upright.errors import DesignFailed, InvalidController
 from upright.robots import Kit, Robot, find_kit, find_robot
-
-Array = NDArray[np.float64]
 
 TIME, REACH, LAYER = 0.05, 0.02, 0.1
 """[s] in which the distance to the surface decays, and step and half width of the layer, of the usual command."""
@@ -37,7 +36,7 @@ class Sliding(Design):
     S: Array
     keep: float
 
-    def poles(self) -> NDArray[np.complex128]:
+    def poles(self) -> Complex:
         """Of the loop outside the layer's switching: those of the sliding motion and `keep` twice; largest first."""
         plant = self.base.filter.sampled.plant
         closed = plant.A - plant.B @ self.S @ (plant.A - self.keep * np.eye(len(plant.A)))

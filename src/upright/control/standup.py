@@ -15,8 +15,8 @@ from math import ceil
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.compiled.straight_line import written
 from upright.control.controller import Controller
 from upright.control.mpc import largest_command
@@ -26,8 +26,6 @@ from upright.physics.dynamics import CALM, motor_damping, motor_gain
 from upright.physics.integrate import PREDICTED, substeps
 from upright.physics.linear import linearise
 from upright.robots import Kit, Robot
-
-Array = NDArray[np.float64]
 
 PARTS = 6
 LONGEST = 0.6  # [s] in a longer lift the model's error grows more than e⁴-fold on any robot here

@@ -5,15 +5,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from upright.control.delay import SampledRobot
 from upright.control.linear_controller import LinearController
 from upright.errors import InvalidModel
 from upright.physics.linear import LinearModel, delay_line
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 
 def continuous(system: LinearModel) -> LinearModel:

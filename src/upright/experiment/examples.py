@@ -11,14 +11,12 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.errors import UnknownName
 from upright.experiment.pushes import Impulse, PushProgramme
 from upright.experiment.run import run
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 ROBOT = "nxtway-gs"
 SECONDS = 12.0

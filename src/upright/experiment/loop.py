@@ -9,8 +9,9 @@ from importlib.metadata import version
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array
 from upright.atomic import finite
 from upright.bodies.body import REST, Body, BodySpec
 from upright.bodies.electronics import advanced
@@ -20,8 +21,6 @@ from upright.experiment.outcome import RunOutcome
 from upright.physics.dynamics import Disturbance
 from upright.signals import Log
 from upright.signals.signal import ESTIMATE, PUSH, REFERENCE, command_signals
-
-Array = NDArray[np.float64]
 
 
 class Stepper:

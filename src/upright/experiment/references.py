@@ -8,12 +8,10 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.errors import InvalidScenario
 from upright.robots import Robot
-
-Array = NDArray[np.float64]
 
 
 class Reference(Protocol):

@@ -15,8 +15,8 @@ from collections.abc import Sequence
 from importlib.metadata import version
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.compiled.program import Program, Repeat
 from upright.compiled.tracer import Form, Tracer
 from upright.control.controller import Controller, controller_hash
@@ -45,8 +45,6 @@ from upright.firmware.setup import (
 from upright.firmware.targets import BATTERY, COMPASS, ENCODERS, GYRO, Driver, driver, find_target, largest
 from upright.robots import Kit, Robot
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 
 def trace(

@@ -7,15 +7,13 @@ from dataclasses import dataclass, replace
 from decimal import Decimal, localcontext
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control.controller import Controller
 from upright.control.law import Law, as_law
 from upright.control.linear_controller import LinearController
 from upright.errors import InvalidController
 from upright.physics.linear import FADING, impulse_norm
-
-Array = NDArray[np.float64]
 
 ROUNDING = 1e-11  # relative to the numbers it is computed from: a smaller result is rounding
 DIGITS = 50

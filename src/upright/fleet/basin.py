@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask, Whole
 from upright.errors import InvalidScenario, UnknownName, check_within
 from upright.fleet.ensemble import Ensemble
 from upright.progress import Progress
@@ -18,7 +18,6 @@ from upright.signals.signal import STATE
 if TYPE_CHECKING:
     from xarray import Dataset
 
-Array = NDArray[np.float64]
 
 MOST_ROBOTS = 10_000_000
 _AT_ONCE = 65536  # robots in one batch, which bounds the memory
@@ -103,11 +102,11 @@ def _starts(ensemble: Ensemble, across: Axis, up: Axis) -> Array:
     return starts
 
 
-def islands(recovered: NDArray[np.bool_], across: Array, up: Array) -> NDArray[np.bool_]:
+def islands(recovered: Mask, across: Array, up: Array) -> Mask:
     """Which of `recovered` (across, up) are not joined, side by side, to the region nearest to rest."""
     from scipy.ndimage import label
 
-    regions: NDArray[np.int64] = np.asarray(label(recovered)[0], dtype=np.int64)  # type: ignore[index]
+    regions: Whole = np.asarray(label(recovered)[0], dtype=np.int64)  # type: ignore[index]
     if not recovered.any():
         return recovered
     far = np.hypot(*np.meshgrid(across / np.ptp(across), up / np.ptp(up), indexing="ij"))

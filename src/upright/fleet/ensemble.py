@@ -11,6 +11,7 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.bodies.body import REST
 from upright.control import Controller, controller_hash
 from upright.errors import InvalidScenario, check_within
@@ -21,7 +22,6 @@ from upright.kernel.batch import FleetBatch, FleetResult, parameters_of
 from upright.robots import PARAMETERS
 from upright.robots.uncertainty import Family, Uncertainty
 
-Array = NDArray[np.float64]
 Index = NDArray[Any] | range
 
 SETTLED = 0.02

@@ -7,8 +7,8 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control import Controller
 from upright.errors import UnknownName, check_within
 from upright.fleet.ensemble import Ensemble
@@ -68,7 +68,7 @@ def distribution(data: Dataset, outcome: str, bins: int = 60) -> Figure:
     return figure
 
 
-def _borders(values: NDArray[np.float64], bins: int) -> int | list[float]:
+def _borders(values: Array, bins: int) -> int | list[float]:
     """Borders between the values where these are few, as of counted periods; other bins would look like a comb."""
     few = np.unique(np.round(values, 9))
     step = float(np.diff(few).min()) if len(few) > 1 else 0.0
@@ -77,7 +77,7 @@ def _borders(values: NDArray[np.float64], bins: int) -> int | list[float]:
     return [float(few[0]) + step * (k - 0.5) for k in range(round(float(np.ptp(few)) / step) + 2)]
 
 
-def stood(data: Dataset, outcome: str) -> NDArray[np.float64]:
+def stood(data: Dataset, outcome: str) -> Array:
     """An outcome of the robots that stood, as far as they have one."""
     values = data[outcome].values[data["fell"].values == 0]
     return values[np.isfinite(values)]

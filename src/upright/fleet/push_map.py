@@ -18,8 +18,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array, Mask, Whole
 from upright.errors import InvalidScenario, check_within
 from upright.experiment.run import MAX_SECONDS
 from upright.fleet.ensemble import Ensemble
@@ -31,8 +32,7 @@ from upright.robots import Robot
 if TYPE_CHECKING:
     from xarray import Dataset
 
-Array = NDArray[np.float64]
-Stands = Callable[[Array, NDArray[np.int64]], NDArray[np.bool_]]
+Stands = Callable[[Array, Whole], Mask]
 
 FORWARD, BACKWARD = 1, -1
 CEILING = 5.0
@@ -221,7 +221,7 @@ class _Search:
         mass = robot.body_mass + 2 * robot.wheel_mass
         self.ceiling, self.floor = CEILING * mass, FLOOR * mass
 
-    def nominal(self, grid: PushGrid) -> tuple[Array, NDArray[np.bool_]]:
+    def nominal(self, grid: PushGrid) -> tuple[Array, Mask]:
         """The nominal robot's impulses, shape of the grid, and where they reach the ceiling."""
         ensemble = self.ensemble.nominal()
         points = grid.flat()
@@ -236,7 +236,7 @@ class _Search:
         """The first borders of the nominal robot, shape of the grid, below those found."""
         table, points = self.ensemble.nominal().batch(np.zeros(last.size, dtype=np.int64)), grid.flat()
 
-        def stands(impulse: Array, which: NDArray[np.int64]) -> NDArray[np.bool_]:
+        def stands(impulse: Array, which: Whole) -> Mask:
             return self._stand(table, points, impulse, which, self.watch)
 
         return first_border(stands, last.reshape(-1), self.floor, self.tolerance).reshape(grid.shape)
@@ -261,14 +261,14 @@ class _Search:
         self,
         ensemble: Ensemble,
         points: tuple[Array, Array, Array],
-        robots: NDArray[np.int64],
+        robots: Whole,
         guess: Any,
         factor: float,
     ) -> Array:
         """Search with `glance`, try each result for the whole `watch`, and search again where the robot fell."""
         table = ensemble.batch(robots)
 
-        def stands(seconds: float, part: NDArray[np.int64]) -> Stands:
+        def stands(seconds: float, part: Whole) -> Stands:
             return lambda impulse, which: self._stand(table, points, impulse, part[which], seconds)
 
         everyone = np.arange(robots.size)
@@ -286,9 +286,9 @@ class _Search:
         table: FleetBatch,
         points: tuple[Array, Array, Array],
         impulse: Array,
-        which: NDArray[np.int64],
+        which: Whole,
         beyond: float,
-    ) -> NDArray[np.bool_]:
+    ) -> Mask:
         """Whether searches number `which` survive `impulse` [N s] (n,), simulated until `beyond` [s] after it."""
         from upright.kernel.simulate import simulate
 
@@ -322,7 +322,7 @@ def _between(values: Array, small: PushGrid, grid: PushGrid) -> Array:
 
 
 def _labelled(
-    ensemble: Ensemble, grid: PushGrid, small: PushGrid, borders: tuple[Array, Array], capped: NDArray[np.bool_],
+    ensemble: Ensemble, grid: PushGrid, small: PushGrid, borders: tuple[Array, Array], capped: Mask,
     spread: Array | None, search: _Search,
 ) -> Dataset:  # fmt: skip
     import xarray as xr

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.atomic import place_of, write_folder, writing
 from upright.errors import InvalidLog, MissingTool, UprightError
 from upright.fleet.binomial import Interval, clopper_pearson
@@ -25,7 +26,6 @@ from upright.tables import Shown
 if TYPE_CHECKING:
     from xarray import Dataset
 
-Array = NDArray[np.float64]
 
 _NOTE = b"upright-fleet"
 

@@ -9,15 +9,13 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.errors import InvalidLog
 from upright.firmware.setup import STATUS
 from upright.firmware.targets import DEGREE
 from upright.logs.pace import overdue, pace_of
 from upright.signals import Log
-
-Array = NDArray[np.float64]
 
 ROW = "<hhhhHbbBH"
 """Encoders [deg, modulo 32768], gyro [mrad/s], pitch [0.1 mrad], battery [mV], duties [%], status, time [ms, modulo

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from upright.arrays import Array, Mask, Whole
 from upright.control import Controller
 from upright.control.law import Law, as_law
 from upright.control.linear_controller import LinearController
@@ -18,9 +19,7 @@ from upright.physics.dynamics import MODELS
 from upright.robots import Kit, Robot
 from upright.robots.robot import PARAMETERS
 
-Array = NDArray[np.float64]
-
-Selection = slice | NDArray[np.int64]
+Selection = slice | Whole
 """Numbers of some robots of a batch."""
 
 NAMES = tuple(PARAMETERS)
@@ -175,7 +174,7 @@ class FleetResult:
     """
 
     final: NDArray[Any]
-    fell: NDArray[np.bool_]
+    fell: Mask
     lived: NDArray[Any]
     peak: NDArray[Any]
     settled: NDArray[Any]

@@ -9,15 +9,13 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Whole
 from upright.compiled.electronics import SENSOR_NUMBERS
 from upright.errors import InvalidScenario, SpecMismatch, UnknownName
 from upright.kernel.batch import FleetBatch
 from upright.kernel.rows import SENSOR_SIZE
 from upright.robots import Kit, Sensor
-
-Array = NDArray[np.float64]
 
 BARE = Kit(name="bare")
 KINDS = tuple(
@@ -36,9 +34,9 @@ class KitTables:
     `times` (s, 3): kind, delay and period [steps] of each sensor."""
 
     motor: Array
-    dead_time: NDArray[np.int64]
+    dead_time: Whole
     sensor: Array
-    times: NDArray[np.int64]
+    times: Whole
 
     @property
     def unequal(self) -> bool:
@@ -124,7 +122,7 @@ def _sensor(kit: Kit | None, name: str) -> Sensor:
     return kit.sensors[name]
 
 
-def _dead_time(numbers: _Numbers, period: float, stride: int) -> NDArray[np.int64]:
+def _dead_time(numbers: _Numbers, period: float, stride: int) -> Whole:
     steps, jitter = (np.rint(numbers[name] / period).astype(np.int64) for name in ("delay", "jitter"))
     if jitter.max() > stride:
         raise InvalidScenario(

@@ -8,15 +8,13 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.compiled.generated import LANES, ROW, H
 from upright.control import Controller
 from upright.errors import SpecMismatch
 from upright.kernel.pack import Packed
 from upright.kernel.rows import COMMAND, REFERENCE
-
-Array = NDArray[np.float64]
 
 _CALLED = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int64, ctypes.c_int64)
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.compiled.generated import LEFT
 from upright.compiled.print_lanes import LanesPrinter, RowOf, constants
 from upright.compiled.program import Block, Kind, Program, Step, Sum
@@ -16,8 +16,6 @@ from upright.control.law import Law, program
 from upright.kernel.rows import COMMAND, REFERENCE
 from upright.kernel.store import functions_of
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 NUMBERS = {"float64": "double", "float32": "float"}
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from upright.arrays import Array, Whole
 from upright.compiled import generated as g
 from upright.control.linear_controller import LinearController
 from upright.errors import SpecMismatch
@@ -18,9 +19,6 @@ from upright.kernel.kit import KitTables
 from upright.kernel.law import CompiledLaw, compiled
 from upright.kernel.rows import Rows
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
-Whole = NDArray[np.int64]
 
 RESIDUAL = "command/residual"
 """By how much the last iteration of a predictive controller moved its command, over the limit [1]."""

@@ -13,8 +13,8 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Whole
 from upright.compiled.generated import LANES
 from upright.control import Controller
 from upright.errors import InvalidScenario, SpecMismatch
@@ -23,8 +23,6 @@ from upright.kernel.work import Order, Outcome, Piece, run_piece
 from upright.physics.dynamics import derivative
 from upright.physics.integrate import SIMULATED, substeps
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 STATE = tuple(f"truth/{name}" for name in STATE_NAMES)
 FOREVER = (math.inf, math.inf, math.inf)
@@ -102,7 +100,7 @@ def _piece(kind: int, rows: Selection) -> Piece:
     return Piece(rows, VARIANTS[kind % len(VARIANTS)], 1 + kind // len(VARIANTS))
 
 
-def steps_of(batch: FleetBatch) -> NDArray[np.int64]:
+def steps_of(batch: FleetBatch) -> Whole:
     """Runge–Kutta steps (·,) in a body's period that follow the fastest pole of each robot, as `NonlinearBody` does."""
     if batch.substeps:
         return np.array([batch.substeps])
@@ -111,7 +109,7 @@ def steps_of(batch: FleetBatch) -> NDArray[np.int64]:
     return each[models[0]] if len(each) == 1 else np.array([each[m][i % len(each[m])] for i, m in enumerate(models)])
 
 
-def _steps(parameters: Array, model: str, period: float) -> NDArray[np.int64]:
+def _steps(parameters: Array, model: str, period: float) -> Whole:
     jacobian, steps = _jacobian(parameters, model), np.ones(len(parameters), dtype=np.int64)
     stiff = np.flatnonzero(~(_bound(jacobian) * period <= SIMULATED))
     for i, poles in zip(stiff.tolist(), np.abs(np.linalg.eigvals(jacobian[stiff])), strict=True):

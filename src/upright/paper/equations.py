@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from dataclasses import asdict, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from upright.paper.claim import NOT_AS_PRINTED, REPRODUCED, Claim
 from upright.paper.derivation import Derivation, Model, derive
@@ -18,8 +17,6 @@ from upright.report import Formula, Table
 from upright.report.page import Cell, Item
 from upright.robots import Robot
 from upright.tables import power_of_ten
-
-Array = NDArray[np.float64]
 
 STATES = 200
 LARGEST = np.array([0.6, 4.0, 6.0, 15.0, 3.0, 6.0])  # [rad, rad/s, …] leaning, rolling and turning hard, all at once

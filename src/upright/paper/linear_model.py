@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.control import Controller, Estimated, StateFeedback, kalman
@@ -20,8 +20,6 @@ from upright.report import Table
 from upright.report.page import Cell, cell_text
 from upright.robots import Kit, Robot
 from upright.signals import STATE, STATE_NAMES, Log
-
-Array = NDArray[np.float64]
 
 SMALL = 0.3  # [V] excitation; pitch stays within 3 mrad, where sin ψ = ψ to 2e-6
 LAST_DIGIT = 1e-4  # (34) and (35) are printed to four decimals, trailing zeros left out

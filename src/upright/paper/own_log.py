@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.atomic import finite
 from upright.bodies import LinearBody
 from upright.calibrate.calibrate import calibrate, prepared
@@ -37,8 +37,6 @@ from upright.robots.uncertainty import GUESS, stated
 from upright.signals import STATE_NAMES, Log
 from upright.validate.law import CommandLaw, LinearLaw, law_by, law_of, recorded
 from upright.validate.loop import first_state
-
-Array = NDArray[np.float64]
 
 LINEAR, CALIBRATED = "linear", "calibrated"
 ELECTRONICS = "with electronics"

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.bodies import Body, Electronics, NonlinearBody
 from upright.comparison import compare
 from upright.comparison.metrics import active_intervals, settling_time
@@ -19,8 +19,6 @@ from upright.physics.dynamics import turn_ratio
 from upright.robots import Kit, Motor, Robot, Sensor
 from upright.signals import STATE_NAMES, Log
 from upright.validate.law import CommandLaw
-
-Array = NDArray[np.float64]
 
 MEASURED, NONLINEAR = "robot", "nonlinear"
 SENSED = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro", "sensor/compass")

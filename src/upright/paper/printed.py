@@ -8,9 +8,9 @@ these matrices beside the equations must flip the sign of φ once.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from upright.arrays import Array
 
 
 def _matrix(rows: ArrayLike) -> Array:

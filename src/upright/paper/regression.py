@@ -5,14 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array
 from upright.errors import InvalidLog
 from upright.physics.linear import LinearModel
 from upright.robots import Robot
 from upright.signals import STATE_NAMES, Log
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,8 +6,8 @@ import itertools
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.control import Lqr, StateFeedback, dlqr
 from upright.paper import printed
 from upright.paper.claim import NOT_AS_PRINTED, Claim
@@ -17,8 +17,6 @@ from upright.report import Figure, Table
 from upright.report.page import cell_text
 from upright.robots import Robot
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 PRICES: list[float] = np.logspace(0, 4, 41).tolist()
 

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.bodies import Body, NonlinearBody
 from upright.bodies.twin import Twin
 from upright.control import StateFeedback, lqr
@@ -29,7 +29,6 @@ from upright.signals import Log
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Array = NDArray[np.float64]
 
 RATES = (1.0, 3.0, 6.0)  # [rad/s] of yaw
 SHOWN = 3.0  # [rad/s] the rate that is drawn, and at which the contact is stiffened

@@ -9,8 +9,8 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.bodies.electronics import drive
 from upright.compiled.fixed import fractions, memory
 from upright.compiled.program import Kind, Program
@@ -22,8 +22,6 @@ from upright.firmware.tools import ExecutionFailed
 from upright.parity.executor import Executor, Values
 from upright.robots import Battery, Kit
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 TOLERANCE = {"double": 1e-6, "float": 1e-4}
 """The largest difference of a command [V or N m] from the design's, by arithmetic; fixed point states its own."""

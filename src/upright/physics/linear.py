@@ -11,17 +11,15 @@ from importlib import import_module
 from typing import Any, cast
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array, Complex
 from upright.errors import InvalidModel, InvalidRobot, UprightError
 from upright.physics.dynamics import CALM, MODELS, Disturbance, derivative
 from upright.robots import Robot, find_robot
 from upright.robots.robot import unusual
 from upright.signals import STATE_NAMES
 from upright.tables import Listing, Shown
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 FADING = 1 - 1e-5  # |pole| beyond which a memory counts as one that never fades: it would take 1000 s
 CONVERGED = 1e-10  # of the sum: a response that has faded so far adds less than `SPARE` from then on
@@ -251,11 +249,6 @@ def delay_line(width: int, periods: int, dt: float) -> LinearModel:
     n = width * periods
     A, B, C = np.eye(n, k=-width), np.eye(n, width), np.eye(width, n, k=n - width)
     return LinearModel(A, B, C, np.zeros((width, width)) if periods else np.eye(width), dt)
-
-
-def delayed(model: LinearModel, periods: int) -> LinearModel:
-    """A discrete model whose inputs arrive `periods` periods later."""
-    return model * delay_line(len(model.inputs), periods, model.dt)
 
 
 def one_period(one: LinearModel, other: LinearModel) -> None:

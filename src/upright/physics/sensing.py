@@ -8,14 +8,13 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array
 from upright.errors import SpecMismatch
 from upright.physics.dynamics import turn_ratio
 from upright.physics.electronics import response
 from upright.signals import STATE_NAMES
-
-Array = NDArray[np.float64]
 
 _TRUTH = tuple(f"truth/{name}" for name in STATE_NAMES)
 

@@ -24,14 +24,13 @@ from types import SimpleNamespace
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array, Mask
 from upright.errors import InvalidRobot, InvalidScenario, UnknownName, check_within
 from upright.reading import read_json, understood
 from upright.robots.kit import Kit
 from upright.robots.robot import PARAMETERS, Robot, possible
-
-Array = NDArray[np.float64]
 
 GUESS = math.log(2.0)
 """Standard deviation of the logarithm of a number that is a guess: right within a factor of two."""
@@ -242,7 +241,7 @@ class Family:
         rows = zip(*(values.tolist() for values in drawn.values()), strict=True)
         return [self.robot.replace(**dict(zip(drawn, row, strict=True))) for row in rows]
 
-    def possible(self, values: Array) -> NDArray[np.bool_]:
+    def possible(self, values: Array) -> Mask:
         """Which rows (n, len(names)) make a robot and a kit, by the rules of `Robot` and `Kit`."""
         column: dict[str, Any] = {name: np.full(len(values), v) for name, v in self.robot.numbers().items()}
         good = np.isfinite(values).all(axis=1)

@@ -10,8 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from upright.arrays import Array
 from upright.errors import InvalidLog
 from upright.signals import files
 from upright.signals.header import Columns
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from pandas import DataFrame
     from xarray import Dataset
 
-Array = NDArray[np.float64]
 
 PLOTTED = r"^(truth|estimate)/(pitch|wheel)$|^applied/"
 """The channels of a plot where none are named."""

@@ -22,12 +22,10 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.errors import InvalidLog
 from upright.signals.header import TIME, Columns, assemble, check_names, describe, understand
-
-Array = NDArray[np.float64]
 
 _NOTE = "upright"
 _VALUE = "value"
@@ -151,7 +149,7 @@ def _records(stream: BinaryIO) -> tuple[str | None, dict[str, list[bytes]]]:
     return note, messages
 
 
-def _column(name: str, topics: Mapping[str, Sequence[Mapping[str, Any]]]) -> NDArray[np.float64]:
+def _column(name: str, topics: Mapping[str, Sequence[Mapping[str, Any]]]) -> Array:
     topic, field = _address(name)
     if topic not in topics:
         raise InvalidLog(f"the MCAP has no topic '{topic}' for channel '{name}'", likely="a recording that was edited")

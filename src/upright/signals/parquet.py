@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.errors import InvalidLog
 from upright.signals.header import TIME, Columns, assemble, check_names, check_size, check_twice, describe, understand
 
@@ -61,7 +61,7 @@ def _field_units(schema: Any) -> dict[str, str]:
     return {name: unit.decode(errors="replace") for name, unit in units.items() if unit is not None}
 
 
-def _numbers(name: str, column: Any) -> NDArray[np.float64]:
+def _numbers(name: str, column: Any) -> Array:
     import pyarrow as pa
 
     kind = column.type

@@ -8,8 +8,8 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.atomic import finite
 from upright.certify.checks import SECONDS, Course, PushTrial, kernel_controller, tried
 from upright.certify.recovery import KNOCK_DURATION
@@ -20,8 +20,6 @@ from upright.kernel.batch import FleetBatch, parameters_of
 from upright.kernel.simulate import simulate
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import draw
-
-Array = NDArray[np.float64]
 
 KNOCKED, WATCHED = 0.5, 3.0  # [s] when a knock comes, and how long the robot has to stand after it
 SOFTEST, HARDEST = 0.02, 5.0  # [m/s] of the whole robot: the knocks that are tried

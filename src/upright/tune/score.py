@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Complex
 from upright.certify.analysis import INPUTS, LATEST, delayed_kit
 from upright.certify.checks import Course, kernel_controller
 from upright.certify.loop import Loop, commanded, robot_loop
@@ -18,11 +18,9 @@ from upright.control.controller import Controller
 from upright.control.delay import MOST_PERIODS, sampled
 from upright.control.methods import Method
 from upright.errors import UprightError
-from upright.physics.linear import Complex, LinearModel
+from upright.physics.linear import LinearModel
 from upright.robots import Kit, Robot
 from upright.tune.figures import knock, pushed, slack
-
-Array = NDArray[np.float64]
 
 GRID = 300  # frequencies of modulus and phase, from 0.1 rad/s to Nyquist's: a resonance is wider than a step of 3 %
 SLACK = 1.01

@@ -14,16 +14,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.atomic import write_json
 from upright.control.tunable import NARROWER, WIDTH
 from upright.errors import InvalidScenario
 from upright.progress import Progress
 from upright.reading import read_json, understood
 from upright.tune.score import FALLS, KNOCK, CandidateScore, Emphasis, cost, row_of, score_from
-
-Array = NDArray[np.float64]
 
 KIND, VERSION = "upright search", 1
 STEP, NARROWED = 0.6, 0.3

@@ -13,15 +13,14 @@ from dataclasses import dataclass, field, replace
 from typing import Protocol, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Mask
 from upright.control import Controller
 from upright.control.files import FORMS
 from upright.errors import UprightError
 from upright.signals import Log
 from upright.signals.signal import STATE_NAMES
 
-Array = NDArray[np.float64]
 Values = TypeVar("Values", float, Array)
 
 EXPLAINED = 0.99  # [1] R² of the commands from which a law is known
@@ -177,7 +176,7 @@ def _added(log: Log) -> dict[str, Array]:
     return {name: values for name, values in added.items() if np.isfinite(values).all() and np.ptp(values) > 0}
 
 
-Choice = Callable[[Array, Mapping[str, Array], Array, NDArray[np.bool_]], list[str]]
+Choice = Callable[[Array, Mapping[str, Array], Array, Mask], list[str]]
 
 
 def _fitted(u: Array, terms: Mapping[str, Array], added: Mapping[str, Array], delay: int, choice: Choice) -> LinearLaw:
@@ -199,7 +198,7 @@ def _fitted(u: Array, terms: Mapping[str, Array], added: Mapping[str, Array], de
     )
 
 
-def _forward(known: Array, pool: Mapping[str, Array], y: Array, fitted: NDArray[np.bool_]) -> list[str]:
+def _forward(known: Array, pool: Mapping[str, Array], y: Array, fitted: Mask) -> list[str]:
     """One term after the other, each the one that explains most."""
     chosen, left = list[str](), _of(known, pool, [], y, fitted)[1]
     while pool.keys() - chosen and len(chosen) < MOST_TERMS and left > EXACT:
@@ -212,12 +211,12 @@ def _forward(known: Array, pool: Mapping[str, Array], y: Array, fitted: NDArray[
     return chosen
 
 
-def _states(known: Array, pool: Mapping[str, Array], y: Array, fitted: NDArray[np.bool_]) -> list[str]:  # noqa: ARG001
+def _states(known: Array, pool: Mapping[str, Array], y: Array, fitted: Mask) -> list[str]:  # noqa: ARG001
     """Every logged estimate: state feedback."""
     return [name for name in pool if name in ESTIMATES]
 
 
-def _backward(known: Array, pool: Mapping[str, Array], y: Array, fitted: NDArray[np.bool_]) -> list[str]:
+def _backward(known: Array, pool: Mapping[str, Array], y: Array, fitted: Mask) -> list[str]:
     """All terms, less one after the other that explains least, down to those that all count; none where more than
     `MOST_TERMS` do."""
     chosen = list(pool)
@@ -232,14 +231,12 @@ def _backward(known: Array, pool: Mapping[str, Array], y: Array, fitted: NDArray
     return chosen if len(chosen) <= MOST_TERMS else []
 
 
-def _of(
-    known: Array, pool: Mapping[str, Array], chosen: Sequence[str], y: Array, fitted: NDArray[np.bool_]
-) -> tuple[Array, float]:
+def _of(known: Array, pool: Mapping[str, Array], chosen: Sequence[str], y: Array, fitted: Mask) -> tuple[Array, float]:
     """Least squares on what is known and the chosen terms."""
     return _solved(np.column_stack([known, *(pool[name] for name in chosen)]), y, fitted)
 
 
-def _solved(X: Array, y: Array, fitted: NDArray[np.bool_]) -> tuple[Array, float]:
+def _solved(X: Array, y: Array, fitted: Mask) -> tuple[Array, float]:
     """Least squares (columns, 2) on the `fitted` rows, and the fraction of `y` that they leave there."""
     scale = np.maximum(np.sqrt((X[fitted] ** 2).mean(axis=0)), 1e-300)
     W = np.asarray(np.linalg.lstsq(X[fitted] / scale, y[fitted], rcond=1e-10)[0]) / scale[:, None]

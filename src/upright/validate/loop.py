@@ -8,8 +8,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array, Whole
 from upright.calibrate.fitting import Problem
 from upright.calibrate.stretch import Stretch
 from upright.control.delay import RAW
@@ -18,9 +18,6 @@ from upright.logs.recording import SENSOR, Recording, commanded, one_encoder
 from upright.robots import Kit
 from upright.signals import Log
 from upright.validate.law import ESTIMATES, CommandLaw
-
-Array = NDArray[np.float64]
-Whole = NDArray[np.int64]
 
 PITCH = "estimate/pitch"
 SOURCE = {n: "gyro" if n.startswith(PITCH) else "encoder" for n in ESTIMATES}

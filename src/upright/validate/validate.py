@@ -16,8 +16,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from upright.arrays import Array
 from upright.calibrate.calibrate import SEGMENT, SEGMENT_NOISE, prepared
 from upright.calibrate.calibration import GOOD, PREDICTED, Segments
 from upright.calibrate.fitting import EQUATION, Problem, normal_equations, objective
@@ -49,8 +49,6 @@ from upright.validate.validation import (
     loop_channels,
     short,
 )
-
-Array = NDArray[np.float64]
 
 CHANCE = 2.0  # [deviations] of the gradient below which chance makes it
 TRIED = 3  # steps that are tried, each whole and halved
