@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import base64
+import json
 import re
 import shutil
 import sys
@@ -30,7 +31,7 @@ import build as notebooks  # noqa: E402
 PARTS = {
     "Start": ("start", "first-robot", "lab"),
     "Course": ("notebooks/index", "lesson.en", "worksheet.en"),
-    "En español": ("index.es", "lesson.es", "worksheet.es"),
+    "En español": ("index.es", "lesson.es", "worksheet.es", "notebooks/es/index"),
     "How to": ("how-to", "add-a-robot", "add-a-body", "add-a-controller", "examples/index"),
     "Concepts": (
         "model", "twin", "logs", "calibrate", "identify", "excite", "tune", "certificate", "post-mortem", "fleet",
@@ -95,6 +96,8 @@ def build(site: Path, *, draft: bool = False) -> int:
             sys.exit(f"docs/build.py: {site} holds files that are no such site; try: another folder")
         shutil.rmtree(site, ignore_errors=True)
         status = build_main([*arguments, str(source), str(site)])
+        if status == 0:
+            _about(source, site)
         if not draft and status == 0:
             _lab(site)
             notebooks.labs_beside(site / "notebooks", Path(scratch) / LABS)
@@ -115,10 +118,17 @@ def _lab(site: Path) -> None:
     export(site / "try", TRIED, say=lambda _: None)
 
 
+BLANK = re.compile("_{8,}")
+"""Where a student writes on a worksheet."""
+
+
 def _pages(source: Path) -> None:
     for page in HERE.glob("*.md"):
         text = _switched(page, page.read_text("utf-8").replace("](../", "]("))
-        _write(source / page.name, re.sub(r"\]\((notebooks|examples|benchmarks)/README\.md\)", r"](\1/index.md)", text))
+        text = re.sub(r"\]\((notebooks|examples|benchmarks)/README\.md\)", r"](\1/index.md)", text)
+        if page.stem.endswith(".es"):
+            text = text.replace("](notebooks/index.md)", "](notebooks/es/index.md)")
+        _write(source / page.name, BLANK.sub('<span class="blank"></span>', text))
     for picture in [*HERE.glob("*.gif"), *HERE.glob("*.webp")]:
         shutil.copy(picture, source)
     for name, path in OUTSIDE.items():
@@ -162,6 +172,20 @@ def _archive(source: Path) -> None:
     for name, (title, words) in GET.items():
         page = source / name
         _write(page, page.read_text("utf-8").replace(title, title + words, 1))
+
+
+WHOM = re.compile(r"\A(?:---\n.*?---\n)?# [^\n]+\n\n\*(.+?)\*\n", re.DOTALL)
+
+
+def _about(source: Path, site: Path) -> None:
+    """For whom each page is, which stands below it where it is found: `site.js` shows it."""
+    pages = {
+        page.relative_to(source).with_suffix("").as_posix(): page.read_text("utf-8") for page in source.rglob("*.md")
+    }
+    whom = {
+        name: " ".join(found[1].replace("`", "").split()) for name, text in pages.items() if (found := WHOM.match(text))
+    }
+    _write(site / "_static" / "about.js", f"window.aboutPages = {json.dumps(whom, ensure_ascii=False)};\n")
 
 
 def _texts(source: Path) -> list[str]:
@@ -235,6 +259,8 @@ HERE_TOO = re.compile(r"\[([^]]+)\]\(http://127\.0\.0\.1:8765/#([^)]+)\)|`#(cont
 def _tried(link: re.Match[str], language: str) -> str:
     """The same as a link to the lab that is a page of the site, in the page's language."""
     words, what = (link[1], link[2]) if link[1] else (f"<code>#{link[3]}</code>".replace("&", "&amp;"), link[3])
+    if what == f"lang={language}":
+        return f'<a class="now" href="try/index.html#{what}">{words}</a>'
     return f'<a href="try/index.html#{what.replace("&", "&amp;")}&amp;lang={language}">{words}</a>'
 
 
@@ -293,9 +319,7 @@ def _course(source: Path, draft: bool) -> None:
         rows = "".join(f"- [{_title(folder / lang / f'{name}.md')}]({name}.md)\n" for name in names)
         _write(folder / lang / "index.md", f"# {title}\n\n*{whom}*\n\n{rows}{_tree('', names)}")
     _write(folder / "build.py", (ROOT / "notebooks" / "build.py").read_text("utf-8"))
-    _write(
-        folder / "index.md", re.sub(r"\]\((\d_\w+)\.py\)", r"](en/\1.md)", page) + _tree("", ["en/index", "es/index"])
-    )
+    _write(folder / "index.md", re.sub(r"\]\((\d_\w+)\.py\)", r"](en/\1.md)", page) + _tree("", ["en/index"]))
 
 
 def _title(page: Path) -> str:
@@ -304,7 +328,7 @@ def _title(page: Path) -> str:
 
 LANGUAGE = {
     "en": ("In English", "For students; take a notebook with you, or read it here."),
-    "es": ("En español", "Para estudiantes; lleve consigo un cuaderno, o léalo aquí."),
+    "es": ("El curso: seis cuadernos", "Para estudiantes; lleve consigo un cuaderno, o léalo aquí."),
 }
 TAKE = {"en": "Take this notebook with you", "es": "Lleve consigo este cuaderno"}
 

@@ -237,7 +237,9 @@ def spanish(_app: Sphinx, page: str, _template: str, context: dict[str, Any], _t
     context |= {"language": "es", "_": said, "gettext": said}
     captions = re.compile(r'(?<=<span class="caption-text">)[^<]+')
     tree = context.get("furo_navigation_tree", "")
-    context["furo_navigation_tree"] = captions.sub(lambda found: SPANISH.get(found[0], found[0]), tree)
+    head, *parts = captions.sub(lambda found: SPANISH.get(found[0], found[0]), tree).split('<p class="caption"')
+    parts.sort(key=lambda part: ">En español<" not in part)  # its own part comes first
+    context["furo_navigation_tree"] = '<p class="caption"'.join([head, *parts])
 
 
 def setup(app: Sphinx) -> None:

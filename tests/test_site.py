@@ -39,8 +39,8 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-CUT = """[...document.querySelectorAll('.highlight-sh pre, article .table-wrapper' + (innerWidth < 500 ? ', pre:has(.row)' : ''))]
-    .filter((wide) => wide.scrollWidth > wide.clientWidth + 1).map((wide) => wide.textContent)"""  # noqa: E501
+CUT = """[...document.querySelectorAll('.highlight-sh pre, article .table-wrapper, pre:has(.row)')]
+    .filter((wide) => wide.scrollWidth > wide.clientWidth + 1).map((wide) => wide.textContent)"""
 COPIED = """[...document.querySelectorAll('.highlight pre')].flatMap((block) => {
     getSelection().selectAllChildren(block); return getSelection().toString().split('\\n') })"""
 
@@ -97,6 +97,15 @@ def test_notebooks_are_there_in_both_languages_without_answers(site: Path) -> No
             assert len(json.dumps(cells)) < 1e6  # figures; a lab is a file beside
 
 
+def test_a_spanish_page_leads_to_spanish_ones_first(site: Path) -> None:
+    page = (site / "index.es.html").read_text("utf-8")
+    captions = re.findall(r'class="caption-text">([^<]+)', page)
+    assert captions[0] == "En español"
+    assert page.index('href="notebooks/es/index.html"') < page.index('href="notebooks/index.html"')
+    assert '<a class="now" href="try/index.html#lang=es">' in page
+    assert "___" not in (site / "worksheet.es.html").read_text("utf-8")  # a line to write on, as long as there is room
+
+
 def test_the_download_is_what_pip_installs_from(site: Path) -> None:
     (link,) = {target for tag, target in links(site / "start.html") if tag == "a" and target.endswith("upright.zip")}
     names = zipfile.ZipFile(site / link).namelist()
@@ -126,6 +135,7 @@ def test_in_a_browser_from_a_folder(site: Path, browser: Any, width: int) -> Non
     assert "log = up.run(body, controller, up.Impulse(impulse=0.05, start=2.0), seconds=6.0, seed=1)" in copied
     page.goto((site / "search.html").as_uri() + "?q=kalman")
     page.wait_for_selector("#search-results li a")
+    page.wait_for_selector("#search-results li a[href^='notebooks/es'] ~ .whom:text('Para estudiantes')")
     page.close()
     assert not [url for url in asked if not url.startswith(("file:", "data:"))]
     assert not errors

@@ -20,3 +20,27 @@ function unfold() {
 addEventListener("hashchange", unfold);
 addEventListener("load", () => document.querySelectorAll("details:has(.highlighted)").forEach((part) => (part.open = true)));
 addEventListener("beforeprint", () => document.querySelectorAll("article details").forEach((part) => (part.open = true)));
+
+// Below each page that a search finds: for whom it is.
+addEventListener("DOMContentLoaded", () => {
+  const results = document.getElementById("search-results");
+  if (!results) return;
+  const script = document.createElement("script");
+  script.src = "_static/about.js";
+  script.onload = () => {
+    tell(results);
+    new MutationObserver(() => tell(results)).observe(results, { childList: true, subtree: true });
+  };
+  document.head.append(script);
+});
+
+function tell(results) {
+  for (const link of results.querySelectorAll("li > a")) {
+    const whom = aboutPages[link.getAttribute("href").split(".html")[0]];
+    if (!whom || link.parentElement.querySelector(".whom")) continue;
+    const line = document.createElement("p");
+    line.className = "whom";
+    line.textContent = whom;
+    link.parentElement.append(line);
+  }
+}
