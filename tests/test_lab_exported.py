@@ -442,6 +442,13 @@ def test_gains_by_hand_begin_with_the_present_ones_and_act_at_once(page):
     present = page.evaluate("upright.store.analysed.gain[0]")
     page.select_option("[data-key=controller]", "gains")
     assert page.evaluate("upright.store.setup.gains") == present[:6]
+    typed = page.locator("[data-key=gain-0-typed]")
+    page.select_option("[data-key=language]", "es")  # as people type there
+    for text, gain in (("-30,5", -30.5), ("-30,5,1", -30.5), (str(present[0]), present[0])):
+        typed.fill(text)
+        typed.press("Enter")
+        page.wait_for_function(f"upright.store.setup.gains[0] === {gain!r}")
+        assert (typed.get_attribute("aria-invalid") == "true") == (text == "-30,5,1")
     page.wait_for_function("upright.store.analysed?.delay > 0.02")  # the page's own margins: as those of the LQR
     assert page.locator(".margins tr").count() == 3
     assert not page.evaluate("upright.store.snapshot.x[0][8]")

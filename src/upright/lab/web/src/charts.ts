@@ -66,15 +66,17 @@ export function around(low: number, high: number, floor: number): [number, numbe
 
 const FLOORS = [0.05, 0.3, 0.5, 1, 0.05, 0.2]; // half heights below which noise would fill the chart
 
+/** A phone, upright or on its side: the pitch stands by itself, right below the robot. */
+export const small = matchMedia("(max-width: 40rem), (max-width: 62rem) and (max-height: 32rem)");
+
 export class Charts {
   root = h("section", { className: "charts", "aria-label": t("charts") });
   private strips: Strip[] = [];
   private legend = h("div", { className: "legend" });
-  private small = matchMedia("(max-width: 40rem)");
-  slot = h("div", { className: "slot" }); // in the scene: on a phone the pitch stands right below the robot
+  slot = h("div", { className: "slot" }); // in the scene
 
   constructor(private seconds: () => number) {
-    this.small.addEventListener("change", () => this.build());
+    small.addEventListener("change", () => this.build());
   }
 
   /** New charts: other bodies, another language or theme. */
@@ -84,7 +86,7 @@ export class Charts {
     this.strips = STATES.map((name, i) => new Strip(`${SYMBOLS[i]}  ${named(name)}`, UNITS[i], lines, 104, FLOORS[i]));
     replace(this.legend, ...bodies.map((name) => legendEntry(name)));
     const all = this.strips.map((strip) => strip.root);
-    const near = this.small.matches ? [this.legend, all.shift() as HTMLElement] : [];
+    const near = small.matches ? [this.legend, all.shift() as HTMLElement] : [];
     replace(this.slot, ...near);
     replace(this.root, near.length ? null : this.legend, h("div", { className: "strips" }, ...all));
   }

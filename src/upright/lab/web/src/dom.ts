@@ -30,7 +30,22 @@ export function fresh(prefix: string): string {
   return `${prefix}-${counter}`;
 }
 
-/** A labelled slider that says its value with its unit, linear or logarithmic. */
+/** A field for a number, with a decimal point or a comma; what is no number is marked and changes nothing. */
+export function numberField(act: (value: number) => void, attributes: Record<string, unknown>): { root: HTMLInputElement; set(value: number): void } {
+  const input = h("input", { type: "text", inputMode: "decimal", autocomplete: "off", className: "number", ...attributes, onchange: () => {
+    const text = input.value.trim().replace("−", "-").replace(",", ".");
+    const fine = text !== "" && Number.isFinite(Number(text));
+    input.setAttribute("aria-invalid", String(!fine));
+    if (fine) act(Number(text));
+  } });
+  return { root: input, set: (value) => {
+    if (document.activeElement === input) return;
+    input.value = local(String(value));
+    input.removeAttribute("aria-invalid");
+  } };
+}
+
+/** A labelled slider that says its value with its unit, linear or logarithmic; where it is `typed`, the value is a field before that unit. */
 export interface Slider {
   root: HTMLElement;
   set(value: number): void;
@@ -38,21 +53,27 @@ export interface Slider {
 
 export function slider(
   label: string,
-  options: { low: number; high: number; step?: number; log?: boolean; show: (v: number) => string; key?: string },
+  options: { low: number; high: number; step?: number; log?: boolean; show: (v: number) => string; typed?: string; key?: string },
   act: (value: number) => void,
 ): Slider {
   const id = fresh("slider");
   const to = (v: number) => (options.log ? Math.log(v) : v);
   const from = (v: number) => (options.log ? Math.exp(v) : v);
-  const output = h("output", { "for": id });
   const span = to(options.high) - to(options.low);
   const input = h("input", {
     type: "range", id, min: String(to(options.low)), max: String(to(options.high)),
     step: String(options.step ?? span / 200), "data-key": options.key ?? "",
   });
   const whole = (value: number) => (!options.log && Math.abs(value) < 1e-6 * span ? 0 : value); // steps do not add up to 0
+  const field = options.typed === undefined ? null : numberField((value) => {
+    input.value = String(to(value));
+    input.setAttribute("aria-valuetext", options.show(value));
+    act(value);
+  }, { "aria-label": label, "data-key": `${options.key ?? ""}-typed` });
+  const output = field ? h("span", { className: "typed" }, field.root, ` ${options.typed}`) : h("output", { "for": id });
   const say = (value: number) => {
-    output.textContent = options.show(value);
+    if (field) field.set(Number(value.toPrecision(4)));
+    else output.textContent = options.show(value);
     input.setAttribute("aria-valuetext", options.show(value));
   };
   input.addEventListener("input", () => {

@@ -1,8 +1,8 @@
 // The page: puts its parts together, follows the session, and takes keys, mouse and gamepad.
-import { Charts } from "./charts";
+import { Charts, small } from "./charts";
 import { LocalSession, exported } from "./exported";
 import { ExportedRobotPanel, PythonPanel, linkButton } from "./exported_panels";
-import { button, h, replace, select, slider, throttled } from "./dom";
+import { button, digits, h, replace, select, slider, throttled } from "./dom";
 import { isLink, tokenIn } from "./link";
 import type { ServerMessage } from "./messages";
 import { Line } from "./net";
@@ -60,7 +60,7 @@ class Page {
   private scrub = h("input", { type: "range", min: "-60", max: "0", step: "0.02", value: "0", className: "scrub", "data-key": "scrub" });
   private pauseButton = h("button", { type: "button", "data-key": "pause" });
   private status = h("span", { className: "status", role: "status" });
-  private light = h("span", { className: "headlight" });
+  private light = h("button", { type: "button", className: "headlight", onclick: () => this.open("Controller") });
   private force = h("div", { className: "force", "aria-hidden": "true" });
   private fell = h("div", { className: "fell", role: "status" });
   private toasts = h("div", { className: "toasts", role: "log", "aria-live": "polite" });
@@ -139,7 +139,7 @@ class Page {
     const header = h("header", {},
       h("a", { className: "skip", href: "#panel", onclick: () => this.panel.focus() }, t("skip")),
       h("h1", {}, h("span", { className: "mark", "aria-hidden": "true" }), t("title")),
-      this.light, h("span", { className: "grow" }), this.clock, this.status,
+      h("p", { className: "what" }, t("what")), this.light, h("span", { className: "grow" }), this.clock, this.status,
       exported ? linkButton((text) => this.toast(text, "info")) : null,
       select("", languages, language(), (key) => this.speak(key), "language"),
       button("◐", () => this.theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"), { "aria-label": t("theme"), title: t("theme"), "data-key": "theme" }),
@@ -156,7 +156,8 @@ class Page {
   /** For a phone: where the tabs come up to where the room and the pitch would be pinned, they are. */
   private pin(scene: HTMLElement): void {
     const line = PINNED * innerHeight + 8 * parseFloat(getComputedStyle(document.documentElement).fontSize);
-    const pinned = new IntersectionObserver((seen) => scene.classList.toggle("pinned", seen.some((one) => one.boundingClientRect.top < line)), { rootMargin: `0px 0px ${line - innerHeight}px` });
+    const above = { rootMargin: `1000000px 0px ${line - innerHeight}px` }; // so far up that no jump passes it by
+    const pinned = new IntersectionObserver((seen) => scene.classList.toggle("pinned", seen.at(-1)?.isIntersecting ?? false), above);
     this.pinned?.disconnect();
     this.pinned = pinned;
     pinned.observe(this.tabs);
@@ -207,7 +208,7 @@ class Page {
     const line = t(store.recorded ? "timeLine" : "back");
     this.scrub.setAttribute("aria-label", line);
     if (store.recorded) [this.scrub.min, this.scrub.max] = ["0", String(store.recorded)];
-    const stand = button(t("standUp"), () => this.stand(), { "data-key": "stand", className: "main" });
+    const stand = button(t("standUp"), () => this.stand(), { "data-key": "stand" });
     return h("div", { className: "transport" }, this.pauseButton, step, stand, speed, h("label", { className: "scrubbing" }, h("span", {}, line), this.scrub));
   }
 
@@ -217,12 +218,12 @@ class Page {
     const size = slider(t("size"), { low: 0.01, high: 0.5, log: true, show: (v) => t("newtons", { force: fixed(v, 2) }) + " s", key: "knock" }, (v) => (this.knock = v));
     size.set(this.knock);
     return h("div", { className: "pushes", role: "group", "aria-label": t("pushes") },
+      button(t("impulse"), () => strike("impulse", this.knock)(), { title: t("impulseTip"), className: "main", "data-key": "impulse" }), size.root,
       button(t("front"), strike("front", 0.1), { title: t("frontTip"), "data-key": "front" }),
       button(t("backPush"), strike("back", -0.12), { title: t("backTip"), "data-key": "back" }),
-      button(t("impulse"), () => strike("impulse", this.knock)(), { "data-key": "impulse" }), size.root,
-      button(t("pullLeft"), () => strike("pull_left", 0.25 * weight())(), { "data-key": "pull_left" }),
-      button(t("pullRight"), () => strike("pull_right", 0.25 * weight())(), { "data-key": "pull_right" }),
-      button(t("tilt"), () => store.send({ kind: "StandUp", pitch: 0.1 }), { "data-key": "tilt" }));
+      button(t("pullLeft"), () => strike("pull_left", 0.25 * weight())(), { title: t("pullTip"), "data-key": "pull_left" }),
+      button(t("pullRight"), () => strike("pull_right", 0.25 * weight())(), { title: t("pullTip"), "data-key": "pull_right" }),
+      button(t("tilt"), () => store.send({ kind: "StandUp", pitch: 0.1 }), { title: t("tiltTip"), "data-key": "tilt" }));
   }
 
   private panels(): HTMLElement {
@@ -232,7 +233,7 @@ class Page {
       Keep: t("tabKeep"), Tour: t("tabTour"), Class: t("tabClass"), Python: t("tabPython"),
     };
     this.tabs.setAttribute("aria-label", t("tabs"));
-    replace(this.tabs, ...there.map((tab) => button(labels[tab], () => this.open(tab), {
+    replace(this.tabs, ...there.map((tab) => button(labels[tab], () => this.bring(tab), {
       role: "tab", id: `tab-${tab}`, "aria-selected": String(tab === this.tab), "aria-controls": "panel", tabIndex: tab === this.tab ? 0 : -1, "data-key": `tab-${tab}`,
       onkeydown: (event: KeyboardEvent) => this.along(event, there, tab),
     })));
@@ -251,10 +252,13 @@ class Page {
 
   /** For who is here for the first time, where the tour is below the robot. */
   private invitation(): HTMLElement | null {
-    return this.newcomer ? button(t("newHere"), () => {
-      this.open("Tour");
-      this.tabs.scrollIntoView();
-    }, { className: "main", "data-key": "invitation" }) : null;
+    return this.newcomer ? button(t("newHere"), () => this.bring("Tour"), { className: "main", "data-key": "invitation" }) : null;
+  }
+
+  /** Open a tab; on a phone, where it is below the robot, its first lines come into sight. */
+  private bring(tab: Tab): void {
+    this.open(tab);
+    if (small.matches) this.tabs.scrollIntoView();
   }
 
   private open(tab: Tab): void {
@@ -333,11 +337,12 @@ class Page {
   private lamp(): void {
     const light = lamplight();
     if (store.recorded && (store.lit?.light ?? "none") === "none") return replace(this.light);
+    this.light.title = t("lightNote");
     replace(this.light, h("span", { className: `lamp ${light}`, "aria-hidden": "true" }), h("span", {}, `${t("certificate")}: ${certificate()[1]?.textContent ?? ""}`));
   }
 
   private recovered(impulse: number, best: number, fell: boolean): void {
-    const values = { impulse: impulse.toFixed(3), best: best.toFixed(3) };
+    const values = { impulse: digits(impulse), best: digits(best) };
     this.toast(fell ? t("lostPush", values) : t("recovered", values), "info");
   }
 
@@ -355,6 +360,7 @@ class Page {
     }
     const force = s.f[0];
     const slope = s.f[2] ? `${t("slope")}: ${fixed(s.f[2], 3)} rad` : "";
+    this.app.querySelector("[data-key=stand]")?.classList.toggle("main", fell);
     this.force.textContent = Math.abs(force) > 0.005 ? t("newtons", { force: fixed(force, 2) }) : slope;
     this.force.classList.toggle("slope", !(Math.abs(force) > 0.005));
   }

@@ -1,5 +1,5 @@
 // The panels below: controller, robot, kit, what was found, what is kept. Each builds itself from the store.
-import { button, digits, fresh, h, plainNumbers, replace, select, slider, table, throttled } from "./dom";
+import { button, digits, fresh, h, numberField, plainNumbers, replace, select, slider, table, throttled } from "./dom";
 import type { Slider } from "./dom";
 import type { BodyName, Job, Keep, Setup } from "./messages";
 import { exported } from "./exported";
@@ -99,8 +99,9 @@ export class ControllerPanel extends Panel {
       const present = this.byHand();
       const largest = Math.max(...present.map(Math.abs), 0.1);
       const unit = store.changed?.look.command_unit ?? "V";
+      const per = (i: number) => `${unit}${i % 2 ? " s" : ""}/rad`;
       const reach = (i: number) => Math.max(4 * Math.abs(present[i] ?? 0), largest / 4); // there is room on both sides
-      this.sliders = SYMBOLS.map((symbol, i) => slider(`${symbol} ${named(STATES[i])} → u`, { low: -reach(i), high: reach(i), step: reach(i) / 500, show: (v) => `${digits(v, 4)} ${unit}${i % 2 ? " s" : ""}/rad`, key: `gain-${i}` }, (v) => {
+      this.sliders = SYMBOLS.map((symbol, i) => slider(`${symbol} ${named(STATES[i])} → u`, { low: -reach(i), high: reach(i), step: reach(i) / 500, show: (v) => `${digits(v, 4)} ${per(i)}`, typed: per(i), key: `gain-${i}` }, (v) => {
         const gains = [...(this.byHand().length ? this.byHand() : [0, 0, 0, 0, 0, 0])];
         gains[i] = v;
         later({ gains });
@@ -243,11 +244,10 @@ export class RobotPanel extends Panel {
     const values = { ...base, ...store.setup.numbers };
     const rows = Object.entries(values).map(([name, value]) => {
       const id = fresh("number");
-      const input = h("input", { type: "number", id, step: "any", value: String(value), "data-key": `number-${name}`, onchange: () => {
-        if (Number.isFinite(input.valueAsNumber)) store.change({ numbers: { ...store.setup.numbers, [name]: input.valueAsNumber } });
-      } });
+      const field = numberField((v) => store.change({ numbers: { ...store.setup.numbers, [name]: v } }), { id, "data-key": `number-${name}` });
+      field.set(value);
       const symbol = store.catalogue?.symbols[name] ?? "";
-      return h("div", { className: "parameter" }, h("label", { "for": id }, `${translate(name.replaceAll("_", " "))} ${symbol}`), input, h("span", {}, (store.catalogue?.units[name] ?? "").replace(/^1$/, "")));
+      return h("div", { className: "parameter" }, h("label", { "for": id }, `${translate(name.replaceAll("_", " "))} ${symbol}`), field.root, h("span", {}, (store.catalogue?.units[name] ?? "").replace(/^1$/, "")));
     });
     replace(this.table, ...rows, button(t("ownNumbers"), () => store.change({ numbers: {}, drive: "" }), { className: "quiet", "data-key": "own-numbers" }));
   }
