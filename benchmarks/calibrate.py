@@ -28,7 +28,7 @@ from upright.bodies import Electronics
 from upright.bodies.twin import Twin
 from upright.calibrate.calibrate import annealed, calibrate, prepared, refined
 from upright.calibrate.calibration import VISIBLE
-from upright.calibrate.effects import SHARES
+from upright.calibrate.effects import FRACTIONS
 from upright.calibrate.fitting import Problem, events_of
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.parameters import ROLLING
@@ -106,7 +106,7 @@ def runs_of(name: str, true: Robot, seed: int) -> list[Log]:
     rng = np.random.default_rng(5000 + seed)
     logs: list[Log] = []
     for number in range(RUNS):
-        values = {n: getattr(true, n) * math.exp(size * rng.standard_normal()) for n, size in SHARES.items()
+        values = {n: getattr(true, n) * math.exp(size * rng.standard_normal()) for n, size in FRACTIONS.items()
                   if true.drive == "voltage" or n != "motor_resistance"}  # fmt: skip
         slope = math.radians(0.5) * rng.standard_normal()
         logs.append(twin_log(name, true.replace(**values), RUNS * seed + number, 8.0, slope))

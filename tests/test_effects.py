@@ -10,7 +10,7 @@ import pytest
 from upright.bodies import Electronics, NonlinearBody
 from upright.calibrate.apart import apart
 from upright.calibrate.calibrate import FREEDOM, prepared, process
-from upright.calibrate.effects import RUN, SHARES, effects_of, maps_of, of_robot, respread, run_spreads, spread_of
+from upright.calibrate.effects import FRACTIONS, RUN, effects_of, maps_of, of_robot, respread, run_spreads, spread_of
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.own_run import spread_here
 from upright.calibrate.parameters import Parameter, parameters_of
@@ -79,7 +79,7 @@ def apart_of(logs: list[Log]) -> tuple[str, ...]:
 def test_a_robot_is_the_mean_of_its_runs_and_as_unknown_as_they_differ() -> None:
     """One run alone knows its own friction, not the robot's: the stated spread is added. Of more runs, the mean's."""
     parameters = [p for p in parameters_of(PRIOR, {}) if p.name in ("motor_friction", "com_height")]
-    size = SHARES["motor_friction"] * parameters[1].prior / parameters[1].spread
+    size = FRACTIONS["motor_friction"] * parameters[1].prior / parameters[1].spread
     for runs, own in ((1, []), (2, [1.0, 0.5])):
         every = (*parameters, *effects_of(parameters, runs))
         z, C = np.array([0.3, 0.0, *own]), np.zeros((len(every),) * 2)
@@ -99,13 +99,13 @@ def test_a_runs_numbers_are_the_robots_and_its_own_deviation() -> None:
     assert moved[0] == pytest.approx(0.0)
     assert np.flatnonzero(moved[1]).tolist() == [row]
     p = parameters[row]
-    assert float(p.value(moved[1, row])) - p.prior == pytest.approx(SHARES["motor_friction"] * p.prior)
+    assert float(p.value(moved[1, row])) - p.prior == pytest.approx(FRACTIONS["motor_friction"] * p.prior)
     assert not effects_of(parameters, 1)  # of one run nobody can tell its number from the robot's
 
 
 def test_the_spread_between_runs_is_that_of_the_runs() -> None:
     """Many runs, their deviations known: the spread becomes theirs, whatever was stated; of few it stays nearer."""
-    rng, share = np.random.default_rng(0), SHARES["motor_friction"]
+    rng, share = np.random.default_rng(0), FRACTIONS["motor_friction"]
     friction = Parameter("motor_friction", "N m s/rad", 0.01, 0.005, "linear", 0.0)
     for runs, near in ((400, 0.1), (3, 0.8)):
         parameters = (friction, *effects_of([friction], runs))

@@ -16,7 +16,7 @@ from upright.bricks.vm import Machine
 from upright.errors import UprightError
 
 REPLY, NO_REPLY = 0x02, 0x80  # type of a reply; bit of a telegram that requests none
-NO_PROGRAM, UNKNOWN, BAD_DATA, NOT_FOUND, BROKEN, SHORT, NO_SENSOR = 0xEC, 0xBE, 0xC0, 0x87, 0xE5, 0xBF, 0xDD
+NO_PROGRAM, UNKNOWN, BAD_DATA, NO_FILE, BROKEN, SHORT, NO_SENSOR = 0xEC, 0xBE, 0xC0, 0x87, 0xE5, 0xBF, 0xDD
 """Statuses: no program runs, unknown command, value out of range, no such file, program error, telegram too short,
 nothing on the bus of a digital sensor."""
 ANSWER = 16  # bytes that a digital sensor's answer takes
@@ -78,7 +78,7 @@ class VirtualBrick:
         """Begin a program; the status."""
         stored = self.hardware.flash.files.get(name)
         if stored is None:
-            return NOT_FOUND
+            return NO_FILE
         try:
             program = read_rxe(bytes(stored))
         except InvalidProgram:
@@ -149,7 +149,7 @@ def _find_next(brick: VirtualBrick, data: bytes) -> Answer:
 def _next_file(brick: VirtualBrick, handle: int) -> Answer:
     names = brick.searches.get(handle, [])
     if not names:
-        return NOT_FOUND, bytes([handle]) + bytes(24)
+        return NO_FILE, bytes([handle]) + bytes(24)
     name = names.pop(0)  # with the size it was opened for, as d_loader.c (dLoaderFindNext) has it
     return OK, bytes([handle]) + _padded(name) + struct.pack("<I", brick.hardware.flash.sizes[name])
 

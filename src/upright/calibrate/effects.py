@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 RUN = "run "
 """How the names of deviations begin: "run 0/motor_friction"."""
 
-SHARES = {"motor_friction": 0.3, "wheel_friction": 0.3, "coulomb_friction": 0.3, "rolling_friction": 0.5,
+FRACTIONS = {"motor_friction": 0.3, "wheel_friction": 0.3, "coulomb_friction": 0.3, "rolling_friction": 0.5,
           "motor_resistance": 0.025}  # fmt: skip
 """Standard deviation between runs, over the number. Where one run is 6 K warmer than another, grease has lost a quarter
 of its viscosity (half in 15 K) and copper is 2.4 % more resistive; dry friction differs by load, and rolling friction
@@ -42,7 +42,7 @@ WORTH = 2.0
 def spread_of(p: Parameter, value: float) -> float:
     """Standard deviation between runs of a number of the robot that is `value`, in deviations of its prior; zero of
     what does not differ."""
-    return SHARES.get(p.name, 0.0) * (p.prior if p.scale == "logarithm" else abs(value)) / p.spread
+    return FRACTIONS.get(p.name, 0.0) * (p.prior if p.scale == "logarithm" else abs(value)) / p.spread
 
 
 def effects_of(parameters: Sequence[Parameter], runs: int) -> tuple[Parameter, ...]:
@@ -84,7 +84,7 @@ def of_robot(parameters: Sequence[Parameter], z: Array, C: Array, runs: int) -> 
     robot[: len(least)] = np.maximum(maps @ z, least).mean(axis=0)  # what no run has less of, their mean has not
     estimated = {p.name.partition("/")[2]: p.spread for p in parameters if p.name.startswith(RUN)}
     for i, p in enumerate(parameters):
-        if p.name in SHARES:
+        if p.name in FRACTIONS:
             total[i, i] += estimated.get(p.name, spread_of(p, float(p.value(robot[i])))) ** 2 / runs
     return robot, total
 

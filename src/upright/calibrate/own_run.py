@@ -15,7 +15,7 @@ import numpy as np
 
 from upright.calibrate.calibrate import segmented
 from upright.calibrate.calibration import Segments
-from upright.calibrate.effects import SHARES, run_spreads
+from upright.calibrate.effects import FRACTIONS, run_spreads
 from upright.calibrate.fitting import Problem
 from upright.calibrate.gauss_newton import gauss_newton
 from upright.calibrate.informativity import effective_fraction
@@ -38,7 +38,7 @@ class RunEffect:
 def spread_here(p: Parameter, between: float) -> float:
     """Standard deviation of a run's own number, of which runs differ by `between` deviations of what is known: where
     somebody measured the robot's friction or winding, they know it no better than that."""
-    return p.spread * (math.hypot(1.0, between) if p.name in SHARES and not p.guess else between)
+    return p.spread * (math.hypot(1.0, between) if p.name in FRACTIONS and not p.guess else between)
 
 
 def of_this_run(problem: Problem, limits: Mapping[str, float]) -> tuple[Segments, tuple[RunEffect, ...]] | None:

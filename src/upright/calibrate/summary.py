@@ -24,7 +24,7 @@ from upright.calibrate.calibration import (
     Estimate,
     Segments,
 )
-from upright.calibrate.effects import SHARES, of_robot
+from upright.calibrate.effects import FRACTIONS, of_robot
 from upright.calibrate.electronics import MEANING
 from upright.calibrate.fitting import Normal, Path, Problem, around, slopes_of
 from upright.calibrate.informativity import information, posterior, unseen_directions
@@ -310,7 +310,7 @@ def _notes(
             )
     elif other:
         notes.append(f"The log may be of another robot than the file{other}.")
-    runs = [e.name for e in every if e.wider and e.name in SHARES and len(problem.recordings) > 1]
+    runs = [e.name for e in every if e.wider and e.name in FRACTIONS and len(problem.recordings) > 1]
     rest = [e.name for e in every if e.wider and e.name not in runs]
     for names, why in ((runs, "the runs differ by more than that"), (rest, "what the model leaves out bends it")):
         if names:

@@ -69,7 +69,7 @@ def agreement(log: Log, course: Course) -> tuple[Agreement, ...]:
     Robots that fall are left out. Raises `InvalidLog` where the log lacks encoders, gyro or commands, is uneven, or too
     short; `SpecMismatch` for a kit without these sensors.
     """
-    robot, kit, period = course.met_robot, course.met_kit, course.controller.law.period
+    robot, kit, period = course.actual_robot, course.actual_kit, course.controller.law.period
     followed = sampled(robot, kit, log.period)
     readings, commands = recorded(log, followed.delay)
     applied = at_motors(commands, kit, robot.command_unit, sent=commanded(log) == "command")

@@ -11,7 +11,7 @@ import numpy as np
 
 from upright.arrays import Array, Complex
 from upright.certify.gap import nu_gap, stability_margin
-from upright.certify.loop import Loop, commanded, robot_loop
+from upright.certify.loop import Loop, commanded_plant, robot_loop
 from upright.certify.margins import Margins, broken_at, disk_gain, disk_margin, disk_phase, margins
 from upright.certify.mu import Mu, parameter_mu
 from upright.control.controller import Controller, controller_hash
@@ -233,7 +233,7 @@ def analyse(
     loop = robot_loop(robot, controller, kit)
     linear = near_rest(controller)
     family = draw(robot, DRAWN, seed) if robots is None else list(robots)
-    plants = [commanded(sampled(each, kit, linear.period, linear.reads, longest=MOST_PERIODS)) for each in family]
+    plants = [commanded_plant(sampled(each, kit, linear.period, linear.reads, longest=MOST_PERIODS)) for each in family]
     drawn = [Loop(plant, loop.controller).closed.poles() for plant in plants]
     readings = [COMPARABLE.get(name, _ANGLE) for name in linear.reads]
     command = [LARGEST_COMMAND[robot.command_unit]] * 2
@@ -303,7 +303,7 @@ def delay_margin(robot: Robot, controller: Controller, kit: Kit, *, at: str = ""
 
     def stable(more: float) -> bool:
         delayed = sampled(robot, delayed_kit(kit, more, at), linear.period, linear.reads, longest=MOST_PERIODS)
-        return Loop(commanded(delayed), K).stable
+        return Loop(commanded_plant(delayed), K).stable
 
     high = low = 0.0
     while stable(high):

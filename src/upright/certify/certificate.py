@@ -15,7 +15,16 @@ from typing import TYPE_CHECKING, Any
 
 from upright.atomic import finite, write_json
 from upright.certify.agreement import RED, Agreement, agreement
-from upright.certify.checks import Course, PushTrial, RunCounter, Swept, delayed, kernel_controller, slower, trials
+from upright.certify.checks import (
+    Course,
+    PushTrial,
+    RunCounter,
+    Swept,
+    delay_sweep,
+    kernel_controller,
+    period_sweep,
+    trials,
+)
 from upright.certify.learnt import calibrated
 from upright.certify.logged import as_sent
 from upright.certify.narrowing import Narrowing, NeededSpread, narrowing, red
@@ -243,7 +252,7 @@ def certify(
     taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
     course = replace(course, progress=RunCounter(course.runs, progress)) if progress else course
     runs, fallen, beyond = trials(course)
-    linear, period = linear_margins(design, course.met_robot, course.met_kit), design.spec.period
+    linear, period = linear_margins(design, course.actual_robot, course.actual_kit), design.spec.period
     fell, hopeless = int(fallen.sum()), int(beyond.sum())
     compared = agreement(recording, course) if recording else ()
     light, reasons = judge(len(family), fell, linear, runs, period, compared, shown, beyond=hopeless, taken=taken)
@@ -254,7 +263,7 @@ def certify(
         kit=parts.name, controller=design.spec.kind, hash=who.hash, period=period, seed=seed, samples=len(family),
         fell=fell, beyond=hopeless, linear=linear, trials=runs, agreement=compared, support=shown, taken=taken,
         subject=subject, asked=who.asked, response=who.response,
-        delayed=delayed(course) if sweeps else (), slower=slower(course) if sweeps else (),
+        delayed=delay_sweep(course) if sweeps else (), slower=period_sweep(course) if sweeps else (),
         narrowing=narrowing(course, unknown or Uncertainty.of(nominal), fallen) if examined else None,
     )  # fmt: skip
 

@@ -192,16 +192,16 @@ class Course:
     disturbed: float = 1.0
 
     @property
-    def met_kit(self) -> Kit:
+    def actual_kit(self) -> Kit:
         """The kit as the log shows it, or as assumed."""
         return self.logged.kit if self.logged else self.kit
 
     @property
-    def met_robot(self) -> Robot:
+    def actual_robot(self) -> Robot:
         """The nominal robot as the log shows it, or as assumed."""
-        return self.met(self.robot)
+        return self.actual(self.robot)
 
-    def met(self, robot: Robot) -> Robot:
+    def actual(self, robot: Robot) -> Robot:
         """A robot with the load that the log shows."""
         return loaded(robot, self.logged.load) if self.logged else robot
 
@@ -294,7 +294,7 @@ def tried(course: Course) -> Iterator[TriedPush]:
             rows = list(_runs(sloped, course.robots, standard.push, number, changed, course.controller, channels))
             called = f"{name}, slope {math.degrees(slope):+.1f}°" if slope else name
             fell, beyond = np.concatenate([row.fell for row in rows]), np.zeros(len(parameters), dtype=np.bool_)
-            able = means(course.robot, course.met_kit, voltage)
+            able = means(course.robot, course.actual_kit, voltage)
             beyond[fell] = ~recoverable(parameters[fell], able, standard.push, slope, course.threads)
             trial = replace(
                 _trial(called, battery, rows, parameters, law.period), size=standard.size, beyond=int(beyond.sum()),
@@ -304,13 +304,13 @@ def tried(course: Course) -> Iterator[TriedPush]:
             number += 1
 
 
-def delayed(course: Course) -> tuple[Swept, ...]:
+def delay_sweep(course: Course) -> tuple[Swept, ...]:
     """Falls under every standard push with `DELAYS` periods of additional dead time, unknown to the controller."""
-    kits = {value: delaying(course.met_kit, value) for value in _extra(course)}
+    kits = {value: delaying(course.actual_kit, value) for value in _extra(course)}
     return tuple(_swept(_on(course, kit), value, course.controller) for value, kit in kits.items())
 
 
-def slower(course: Course) -> tuple[Swept, ...]:
+def period_sweep(course: Course) -> tuple[Swept, ...]:
     """Falls under every standard push with the same gains at `SLOWER` times the period."""
     law, called = course.controller
     tried = [(period, KernelController(law.with_period(period), called)) for period in _periods(course)]
@@ -329,7 +329,7 @@ def _extra(course: Course) -> list[float]:
 def _periods(course: Course) -> list[float]:
     """In the kernel no command may be delayed beyond the next one, so that jitter limits the period from below."""
     tried = sorted({max(1, round(fraction * course.controller.law.period / _STEP)) * _STEP for fraction in SLOWER})
-    return [period for period in tried if period >= course.met_kit.jitter]
+    return [period for period in tried if period >= course.actual_kit.jitter]
 
 
 def _on(course: Course, kit: Kit) -> Course:
@@ -359,7 +359,7 @@ def _runs(
             some = logged.weighed(some, first)
         index = np.arange(row * n + first, row * n + first + len(some), dtype=np.uint64)
         batch = FleetBatch(
-            parameters=some, controller=controller.law, kit=course.met_kit, seed=course.seed,
+            parameters=some, controller=controller.law, kit=course.actual_kit, seed=course.seed,
             kit_changes={**(logged.part(first, len(some)) if logged else {}), **changes},
             pushes=tables([push], (), some).pushes, index=index, period=_STEP, slope=np.array([course.slope, 0.0]),
         )  # fmt: skip

@@ -85,7 +85,7 @@ class FollowedLog:
 def filtered_log(log: Log, course: Course, kit: Kit | None = None) -> tuple[FollowedLog, Array, Array]:
     """The filter of the nominal robot with a `kit` (None: that of the course) along the log, the commands that were
     sent and what the motors make of them (n, 2)."""
-    robot, kit = course.met_robot, kit or course.met_kit
+    robot, kit = course.actual_robot, kit or course.actual_kit
     estimator = _estimator(robot, kit, log.period, course.disturbed)
     readings, sent = recorded(log, estimator.sampled.delay)
     motors = at_motors(sent, kit, robot.command_unit, sent=commanded(log) == "command")
@@ -158,10 +158,10 @@ def _surprise(estimator: Filter, innovations: Array) -> float:
 def gyro_scale(log: Log, course: Course) -> float:
     """The gyro's scale over the kit's with which the log is likeliest; a signature's would be drawn towards one by the
     noise of what the filter predicts."""
-    kit, gyro = course.met_kit, course.met_kit.sensors[RAW[2]]
+    kit, gyro = course.actual_kit, course.actual_kit.sensors[RAW[2]]
 
     def scaled(scale: float) -> tuple[Robot, Kit]:
-        return course.met_robot, replace(kit, sensors={**kit.sensors, RAW[2]: replace(gyro, gain=scale * gyro.gain)})
+        return course.actual_robot, replace(kit, sensors={**kit.sensors, RAW[2]: replace(gyro, gain=scale * gyro.gain)})
 
     return _likeliest(log, scaled, course.disturbed)
 
@@ -169,7 +169,7 @@ def gyro_scale(log: Log, course: Course) -> float:
 def body_load(log: Log, course: Course) -> float:
     """The body's mass over the nominal one with which the log is likeliest; beside what the spreads explain, a
     signature's would be lost: a lighter body looks like a lower one."""
-    return _likeliest(log, lambda factor: (loaded(course.met_robot, factor), course.met_kit), course.disturbed)
+    return _likeliest(log, lambda factor: (loaded(course.actual_robot, factor), course.actual_kit), course.disturbed)
 
 
 def dead_zone(path: FollowedLog, motors: Array, made: Callable[[float], Array], tried: Sequence[float]) -> float:

@@ -60,13 +60,13 @@ def calibrated(log: Log, course: Course, progress: Progress | None = None) -> tu
 
 def _own(log: Log, course: Course, progress: Progress | None) -> Calibration:
     """The calibration of the robot of `course`, as the log shows it, between knocks."""
-    robot, kit = course.met_robot, course.met_kit
+    robot, kit = course.actual_robot, course.actual_kit
     return calibrate(unpushed(log, robot, kit), _weighed(course), kit, progress=progress)
 
 
 def _weighed(met: Course) -> Robot:
     """The robot with the load that the log shows, whose mass and inertias are then known as well as that."""
-    robot = met.met_robot
+    robot = met.actual_robot
     if robot is met.robot:
         return robot
     stated = {name: source for name, source in met.robot.provenance.items() if name in LOADED}

@@ -71,10 +71,10 @@ def robot_loop(robot: Robot, controller: Controller, kit: Kit) -> Loop:
             f"the controller commands {linear.command_unit}", expected=f"{robot.command_unit}, as '{robot.name}'"
         )
     model = sampled(robot, kit, linear.period, linear.reads, longest=MOST_PERIODS)
-    return Loop(commanded(model), controller_of(linear, model.delay))
+    return Loop(commanded_plant(model), controller_of(linear, model.delay))
 
 
-def commanded(model: SampledRobot) -> LinearModel:
+def commanded_plant(model: SampledRobot) -> LinearModel:
     """From the commands alone to the readings."""
     whole = plant_of(model)
     return LinearModel(whole.A, whole.B[:, :2], whole.C, whole.D[:, :2], whole.dt)

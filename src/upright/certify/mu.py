@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array, Complex
-from upright.certify.loop import Loop, commanded
+from upright.certify.loop import Loop, commanded_plant
 from upright.certify.margins import SLOWEST
 from upright.certify.scaling import Block, Scaling, balanced, best_scaling
 from upright.control.controller import Controller
@@ -85,7 +85,9 @@ def parameter_mu(
     K = controller_of(linear, delay)
 
     def plant(changed: Mapping[str, float]) -> LinearModel:
-        return commanded(sampled(robot.replace(**changed) if changed else robot, kit, linear.period, linear.reads))
+        return commanded_plant(
+            sampled(robot.replace(**changed) if changed else robot, kit, linear.period, linear.reads)
+        )
 
     nominal = plant({})
     slopes, curvature = _slopes(robot, plant, nominal, chosen)
@@ -118,7 +120,7 @@ def _peak(matrices: Complex, blocks: Sequence[Block]) -> tuple[float, int]:
 def _slopes(
     robot: Robot, plant: Any, nominal: LinearModel, chosen: Mapping[str, float]
 ) -> tuple[dict[str, Array], float]:
-    """Mᵢ of each parameter that counts, and the largest share of curvature."""
+    """Mᵢ of each parameter that counts, and the largest fraction of curvature."""
     result: dict[str, Array] = {}
     curvature = 0.0
     centre = _stacked(nominal)

@@ -38,8 +38,8 @@ GYRO_NOISE = 2.0  # times the kit's: a guess counts as right within a factor of 
 LOAD = 0.3  # [1] of the body's mass beyond its spread, with which the errors of its inertia and height go
 LOAD_KNOWN = 0.2  # of it: as far as the likeliest mass of robots within their spreads lies from theirs
 LEVEL = math.radians(1.0)  # [rad] of a floor that counts as level
-EARLIER = -2.0  # [periods] of less delay, which harms no loop
-LATER = 0.5  # [periods] of further delay that count as none
+LEAD = -2.0  # [periods] of less delay, which harms no loop
+LAG = 0.5  # [periods] of further delay that count as none
 CLOCK = 1e-3  # [s] resolution of a log's clock
 SAG = 2.0  # times the kit's: a guess counts as right within a factor of two
 FEWEST_VOLTS = 20  # readings of a battery from which its sag is fitted
@@ -100,12 +100,12 @@ def supported(log: Log, course: Course) -> tuple[Support, ...]:
 
     Raises like `agreement`. Numbers that the log does not show at all are left out.
     """
-    return (*_battery(log, course), *_jitter(log, course.met_kit), *_dynamics(log, course))
+    return (*_battery(log, course), *_jitter(log, course.actual_kit), *_dynamics(log, course))
 
 
 def _battery(log: Log, course: Course) -> list[Support]:
     """The battery's open-circuit voltage and its sag, from its own readings."""
-    kit, prefix = course.met_kit, commanded(log)
+    kit, prefix = course.actual_kit, commanded(log)
     nominal, expected = kit.battery.voltage, batteries(course.robot, course.kit)
     if "sensor/battery" not in log or expected is None:
         return []
@@ -166,7 +166,7 @@ def _jitter(log: Log, kit: Kit) -> list[Support]:
 
 def _dynamics(log: Log, course: Course) -> list[Support]:
     """What the filter's innovations say."""
-    robot, kit = course.met_robot, course.met_kit
+    robot, kit = course.actual_robot, course.actual_kit
     path, sent, motors = filtered_log(log, course)
     raw = commanded(log) == "command"
     names, columns = _signatures(path, motors)
@@ -183,7 +183,7 @@ def _dynamics(log: Log, course: Course) -> list[Support]:
         _of("motors' strength", "1", 1.0, fitted["strength"], STRENGTH),
         _of("difference of the motors", "1", 0.0, fitted["asymmetry"], UNEQUAL),
         replace(_of("gyro's scale", "1", scale, (0.0, SCALE_KNOWN * scale), 0.0), **within),
-        replace(_of("gyro's further delay", "s", 0.0, lag, LATER * log.period), least=EARLIER * log.period),
+        replace(_of("gyro's further delay", "s", 0.0, lag, LAG * log.period), least=LEAD * log.period),
         replace(_of("body's mass", "kg", heavy, (0.0, LOAD_KNOWN * heavy), 0.0), **about_mass),
         _slope(path, log.period, course),
         *_noise(log, kit, path),
@@ -226,7 +226,7 @@ def _spreads(path: FollowedLog, course: Course, motors: Array) -> Array:
     """What robots within their spreads add (rows·sensors, k), so that their sum with normal weights has their
     covariance."""
     some = course.robots[:DRAWN]
-    return _others(path, [course.met(robot) for robot in some], motors) / math.sqrt(len(some))
+    return _others(path, [course.actual(robot) for robot in some], motors) / math.sqrt(len(some))
 
 
 class _Fit:
@@ -285,11 +285,11 @@ def _delay(fit: _Fit, path: FollowedLog, motors: Array, period: float) -> Suppor
     # neighbours of the best cannot be distinguished from it by half a step of the grid
     value, low, high = period * _profile(fit, path, DELAYS, shifted, motors)
     half = period * (DELAYS[1] - DELAYS[0]) / (2 * BETWEEN)
-    return Support("further delay", "s", value, low - half, high + half, EARLIER * period, LATER * period)
+    return Support("further delay", "s", value, low - half, high + half, LEAD * period, LAG * period)
 
 
 def _dead_zone(path: FollowedLog, course: Course, sent: Array, motors: Array) -> Support:
-    kit, unit = course.met_kit, course.robot.command_unit
+    kit, unit = course.actual_kit, course.robot.command_unit
     sizes = np.abs(sent)
     unit_zone = max(kit.motor.dead_zone, LEAST_ZONE * float(np.abs(motors).max()))
     most = 0.9 * float(sizes.max())  # a dead zone beyond all commands is a strength of zero
@@ -305,7 +305,7 @@ def _dead_zone(path: FollowedLog, course: Course, sent: Array, motors: Array) ->
 
 def _slope(path: FollowedLog, period: float, course: Course) -> Support:
     """The floor's slope from the steady push that the filter sees, apart from friction, which turns with the wheels."""
-    linear, robot = path.estimator.sampled.linear, course.met_robot
+    linear, robot = path.estimator.sampled.linear, course.actual_robot
     rows = path.keep
     push, wheel = path.states[rows, linear.states.index("push")], path.states[rows, 3]
     scale = max(float(np.abs(wheel).max()), 1e-9)

@@ -71,7 +71,7 @@ def _next(log: Log, course: Course, shown: Sequence[Support], names: set[str], n
     best, then = _best(log, course, strays, [s for s in shown if s.name in names])
     if not then < now - LEAST_GAIN:
         return set()
-    within = [(course.met(robot), course.met_kit) for robot in course.robots[:WITHIN]]
+    within = [(course.actual(robot), course.actual_kit) for robot in course.robots[:WITHIN]]
     parts = (within[i : i + AT_ONCE] for i in range(0, len(within), AT_ONCE))
     return set() if any(min(surprises(log, part, course.disturbed)) <= then for part in parts) else {best.name}
 
@@ -113,7 +113,7 @@ def _likeliest(log: Log, course: Course, numbers: Sequence[Support]) -> tuple[Co
 
 def _in_place_of(assumed: Support, last: Support, course: Course) -> Support:
     """What was taken over in all, with the width of the `last` interval, beside what had been `assumed`."""
-    kit, before, logged = course.met_kit, course.kit, course.logged
+    kit, before, logged = course.actual_kit, course.kit, course.logged
     motor, gyro = kit.motor, kit.sensors[GYRO]
     mean, difference = (motor.left + motor.right) / 2, motor.right - motor.left
     encoder, turning = (kit.sensors[name].delay - before.sensors[name].delay for name in (ENCODER, GYRO))
@@ -139,7 +139,7 @@ def _strays(s: Support) -> bool:
 
 def _learnt(course: Course, shown: Sequence[Support]) -> Course:
     """The course moved by what the filter of it shows."""
-    n, kit = len(course.robots), course.met_kit
+    n, kit = len(course.robots), course.actual_kit
     logged = course.logged or Logged.alone(kit)
     changes = dict(logged.changes)
     for s in shown:

@@ -99,7 +99,7 @@ class Hinf(Design):
         return max(self.forward.gamma, self.turning.gamma)
 
     def check(self) -> float:
-        """By how much the measured norms exceed γ, as a share of it: zero where they do not."""
+        """By how much the measured norms exceed γ, as a fraction of it: zero where they do not."""
         return max(0.0, *(channel.norm() / channel.gamma - 1 for channel in (self.forward, self.turning)))
 
 

@@ -130,10 +130,10 @@ def program(law: Law, referred: int = 6) -> Program:
     y = [t.input(name, "1", INFINITY) for name in inputs]
     r = [t.input(f"reference_{name}", "1", INFINITY) for name in STATE_NAMES[:referred]]
     r += [Form()] * (len(STATE_NAMES) - referred)
-    u = commanded(t, law, z, y, r, unit=linear.command_unit)
+    u = command_forms(t, law, z, y, r, unit=linear.command_unit)
     command = t.block("command")
     a = [t.input(f"applied_{side}", linear.command_unit, INFINITY) for side in SIDES]
-    for state, row in zip(z, remembered(law, z=z, y=y, r=r, u=u, a=a), strict=True):
+    for state, row in zip(z, memory_forms(law, z=z, y=y, r=r, u=u, a=a), strict=True):
         t.commit(state, t.let(f"next_{state.name}", row, "1"))
     return Program(
         robot="any", kit="any", kind=linear.kind, hash="", target="law", period=linear.period,
@@ -143,7 +143,7 @@ def program(law: Law, referred: int = 6) -> Program:
     )  # fmt: skip
 
 
-def commanded(
+def command_forms(
     t: Tracer, law: Law, z: Sequence[Form], y: Sequence[Form], r: Sequence[Form], *, unit: str, most: float = INFINITY
 ) -> list[Form]:
     """The command to each motor within ±`most`."""
@@ -204,7 +204,7 @@ def _sums_and_differences(part: Splitting) -> tuple[Array, Array, Array]:
     return to, np.where(np.abs(inner) > ROUNDING * np.abs(inner).max(), inner, 0.0), to.T
 
 
-def remembered(
+def memory_forms(
     law: Law, *, z: Sequence[Form], y: Sequence[Form], r: Sequence[Form], u: Sequence[Form], a: Sequence[Form]
 ) -> list[Form]:
     """The rows of the memory's update."""

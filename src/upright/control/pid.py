@@ -34,13 +34,13 @@ from upright.robots import Kit, Robot, find_kit, find_robot
 
 STIFFNESSES = np.geomspace(1.4, 24, 10)  # pitch gains tried, against the gravity they must overcome
 TIMES = np.geomspace(0.03, 0.3, 7)  # [s] derivative times tried
-LAGS = (0.02, 0.1)  # integral gains tried, as a share of p times the rate at which the robot falls
+LAGS = (0.02, 0.1)  # integral gains tried, as a fraction of p times the rate at which the robot falls
 BANDWIDTHS = np.geomspace(0.3, 3, 8)  # [rad/s] of the position loop: well below the rate at which a robot falls
 DAMPINGS = (0.7, 1.0, 1.5)
 FILTERED = 100.0  # the derivative time is so many times that of its filter, since the gyro has been filtered before
 HEADING = 3.0, math.radians(60)  # [rad/s] crossover and phase margin of the heading loop
 MARGIN = 0.6  # min |1 + L| at the motors: a largest sensitivity of 1.7 (Åström and Hägglund 2006, section 4.6)
-SHARE = 0.8  # of the best margin, where MARGIN is out of reach
+NEARLY_BEST = 0.8  # of the best margin, where MARGIN is out of reach
 LEAST = 0.1  # a sensitivity of 10: with less, the smallest error of the model topples the robot
 
 
@@ -174,7 +174,7 @@ def _halved(model: SampledRobot, states: range, sign: int) -> tuple[Array, Array
 
 
 def _tuned(plane: _Plane, motor: float, heading: tuple[float, float]) -> PidGains:
-    """The stiffest position loop of all that keep `MARGIN`, or `SHARE` of the best where none does."""
+    """The stiffest position loop of all that keep `MARGIN`, or `NEARLY_BEST` of the best where none does."""
     cascades: list[tuple[float, PidGains]] = []
     for pitch in _pitches(plane, motor):
         tried = list(_positions(plane, replace(pitch, yaw=heading[0], yaw_rate=heading[1])))
@@ -184,7 +184,7 @@ def _tuned(plane: _Plane, motor: float, heading: tuple[float, float]) -> PidGain
     cascades = list(itertools.compress(cascades, stable))
     if not cascades:
         raise _no_cascade(plane)
-    enough = min(MARGIN, SHARE * max(margin for margin, _ in cascades))
+    enough = min(MARGIN, NEARLY_BEST * max(margin for margin, _ in cascades))
     return max((gains.wheel, margin, i, gains) for i, (margin, gains) in enumerate(cascades) if margin >= enough)[3]
 
 

@@ -117,7 +117,7 @@ def sliding(
     """The sliding mode controller of `robot` on the sensors of `kit`, on the surface s = (BᵀPB)⁻¹BᵀP ξ (Utkin 1992).
 
     P is the regulator's cost under Q and R, as in `lqg`; s shrinks with the time constant `time` [s] and by `reach`
-    each period outside of ± `layer`, both as shares of the largest usual command. Raises `DesignFailed` like `lqg`.
+    each period outside of ± `layer`, both as fractions of the largest usual command. Raises `DesignFailed` like `lqg`.
     """
     robot, kit = find_robot(robot), find_kit(kit)
     if not (time > 0 and layer > 0 and reach >= 0):

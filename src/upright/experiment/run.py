@@ -39,7 +39,7 @@ def run(
 
     One row for each of the controller's periods: what the body read at that time, the command decided on it, and the
     command that was really applied from then on. `push` and `reference` are one programme or several that add up;
-    `start` is the state (6,); `progress` is called with the share done. The same arguments give the same log.
+    `start` is the state (6,); `progress` is called with the fraction done. The same arguments give the same log.
     Hardware is not driven by a controller that its `certificate` refuses, unless `anyway`.
 
     Raises `SpecMismatch` when body and controller do not fit, `InvalidScenario` for times that make no sense,

@@ -20,7 +20,7 @@ from upright.arrays import Array
 from upright.compiled.program import Program, Repeat
 from upright.compiled.tracer import Form, Tracer
 from upright.control.controller import Controller, controller_hash
-from upright.control.law import SIDES, commanded, dot, remembered
+from upright.control.law import SIDES, command_forms, dot, memory_forms
 from upright.errors import SpecMismatch
 from upright.firmware.incremental import incremental
 from upright.firmware.readings import calibrate, inputs, kept, moved, numbers, reading
@@ -77,11 +77,11 @@ def trace(
     z = [_counted(t, state, i, inner.X[i], steps) for i, state in enumerate(w)]
     r = _reference(t, setup)
     pitch = _pitch(t, setup, z, y)
-    u = commanded(t, inner.law, z, y, r, unit=setup.driver.unit, most=setup.typed)
+    u = command_forms(t, inner.law, z, y, r, unit=setup.driver.unit, most=setup.typed)
     fit = _fit(t, setup, read, [*read.values(), *r, *u])
     a = _applied(t, setup, u, read, fit)
     command = t.block("command")
-    rows = remembered(inner.law, z=z, y=y, r=r, u=u, a=_arrived(t, setup, a))
+    rows = memory_forms(inner.law, z=z, y=y, r=r, u=u, a=_arrived(t, setup, a))
     _remember(t, w, rows, bounds is not None)
     _stop(t, setup, pitch, fit)
     update = t.block("update")

@@ -61,7 +61,7 @@ def _diagnosis(result: Diagnosis) -> Page:
         f"{result.source or 'Log'}: {counted}",
         [
             Section("Findings", [Table(["kind", "channel", "evidence", "what to do"], rows)]),
-            Section("Checks", [_TOLD, Table(["check", "result", "measured", "a finding from"], checked_rows)],
+            Section("Checks", [_FINDING_FROM, Table(["check", "result", "measured", "a finding from"], checked_rows)],
                     folded=True),
             *([Section("Columns of the log", [Table(["channel", "column"], columns)], folded=True)] if renamed else []),
         ],
@@ -102,7 +102,7 @@ def _channel(finding: Finding) -> str:
     return finding.channel.removeprefix("sensor/").replace("_", " ")
 
 
-_TOLD = "A finding from: how large what is measured must be for a warning or a remark."
+_FINDING_FROM = "A finding from: how large what is measured must be for a warning or a remark."
 
 
 def _limits(result: Diagnosis) -> dict[str, str]:

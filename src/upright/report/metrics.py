@@ -18,7 +18,7 @@ from upright.report.page import Cell, Table, cell_text
 BESIDE = 1.0  # [s] shown before a push and after it has settled
 SMALL = 0.6  # [1] of a run: less is shown alone
 QUIET = 0.1  # [1] of a state's range over a run: who moves less is near rest
-SAID = {"saturated": "motors at their limit", "wheel_travel": "largest turn of the wheels"}
+SPOKEN_NAMES = {"saturated": "motors at their limit", "wheel_travel": "largest turn of the wheels"}
 """Metrics that a page calls otherwise than a terminal does."""
 BANDS = {"settling 2 %": 0.02, "settling 5 %": 0.05}
 """Settling times that noise may decide → their band, relative to the largest deviation."""
@@ -32,7 +32,7 @@ def metrics_table(comparison: Comparison) -> Table:
     for name, (_, text) in METRICS.items():
         factor, unit = PERCENT.get(comparison.unit(name), (0.0, comparison.unit(name)))
         values = [getattr(numbers, name) for numbers in comparison.metrics.values()]
-        rows.append([SAID.get(name, text), unit, *(factor * value if factor else value for value in values)])
+        rows.append([SPOKEN_NAMES.get(name, text), unit, *(factor * value if factor else value for value in values)])
     if comparison.pushed:
         calm = [comparison.at_rest(label) for label in comparison.logs]
         within = f"settling after the release, to ±{degrees(max(limit for _, limit in calm))}"

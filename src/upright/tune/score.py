@@ -11,7 +11,7 @@ import numpy as np
 from upright.arrays import Array, Complex
 from upright.certify.analysis import INPUTS, LATEST, delayed_kit
 from upright.certify.checks import Course, kernel_controller
-from upright.certify.loop import Loop, commanded, robot_loop
+from upright.certify.loop import Loop, commanded_plant, robot_loop
 from upright.certify.margins import ScalarResponse, broken_at
 from upright.certify.verdict import MOST_CYCLE, MOST_SATURATED, MOST_TRAVEL, LinearMargins
 from upright.control.controller import Controller
@@ -130,7 +130,7 @@ class Scorer:
             for at in ("", *(name for name in reads if name in self.kit.sensors)):
                 kit = delayed_kit(self.kit, more, at)
                 model = sampled(self.robot, kit, self.period, reads, longest=MOST_PERIODS)
-                self._delayed.append((commanded(model), more))
+                self._delayed.append((commanded_plant(model), more))
         return [plant for plant, _ in self._delayed]
 
 

@@ -40,7 +40,7 @@ SEARCHED, CHOSEN, JUDGED = (k * 2**61 for k in (1, 2, 3))
 
 ROBOTS = 48  # in the search
 DRAWN = 400  # of which half of these are the hardest for the default: of 48 robots at random one or two decide
-CHOICE = 400  # robots on which the rule chooses: a share of 1 % shows
+CHOICE = 400  # robots on which the rule chooses: a fraction of 1 % shows
 BUDGET = 400
 MOST_BUDGET, MOST_SAMPLES = 100_000, 100_000
 FINALISTS = 10  # whose margins and falls are measured as a certificate does, which takes a second or two each
