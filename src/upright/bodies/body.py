@@ -9,7 +9,7 @@ from typing import NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 
-from upright.arrays import Array
+from upright.arrays import Array, read_only
 from upright.errors import InvalidScenario, SpecMismatch
 from upright.physics.dynamics import CALM, Disturbance
 from upright.robots import Robot
@@ -54,9 +54,7 @@ class Sample(NamedTuple):
     @property
     def values(self) -> Array:
         """The numbers as a read-only array; most steps of a run need none."""
-        array = np.array(self.numbers)
-        array.setflags(write=False)
-        return array
+        return read_only(self.numbers)
 
 
 @runtime_checkable

@@ -102,7 +102,7 @@ class Kalman:
 
 
 def kalman(robot: Robot | str, kit: Kit | str, dt: float | None = None, disturbed: Disturbed = DISTURBED) -> Kalman:
-    """The filter for `robot` under `kit`, every `dt` [s] (None: the kit's period): `filtering.kalman_filter` of the kit
+    """The filter for `robot` under `kit`, every `dt` [s] (None: the kit's period): `kalman.kalman_filter` of the kit
     without its delays.
 
     Raises `SpecMismatch` for a kit without both encoders and a gyro, `DesignFailed` when it has no solution.

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from upright.arrays import Array
+from upright.arrays import Array, read_only
 from upright.control.controller import TRUE_STATE, ControllerSpec, ShortRepr
 from upright.errors import InvalidController
 from upright.signals import STATE_NAMES
@@ -29,7 +29,7 @@ class StateFeedback(ShortRepr):
     _times: Callable[[Array], Array] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        gain = np.array(self.gain, dtype=np.float64)
+        gain = read_only(self.gain)
         if gain.shape != (2, 6):
             raise InvalidController(
                 f"the gain has shape {gain.shape}",
@@ -41,7 +41,6 @@ class StateFeedback(ShortRepr):
             raise InvalidController("the gain holds NaN or infinity", expected="finite numbers")
         if not (np.isfinite(self.period) and self.period > 0):
             raise InvalidController(f"the period is {self.period} s", expected="a positive number")
-        gain.setflags(write=False)
         object.__setattr__(self, "gain", gain)
         object.__setattr__(self, "_times", gain.dot)
         object.__setattr__(self, "spec", ControllerSpec(self.kind, TRUE_STATE, self.period, self.command_unit))

@@ -8,18 +8,10 @@ these matrices beside the equations must flip the sign of φ once.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from upright.arrays import Array
+from upright.arrays import read_only
 
-
-def _matrix(rows: ArrayLike) -> Array:
-    matrix = np.array(rows, dtype=np.float64)
-    matrix.setflags(write=False)
-    return matrix
-
-
-A = _matrix(
+A = read_only(
     [
         [1.0037, 0.0092, 0, 0.0008, 0, 0],
         [0.6347, 0.9004, 0, 0.1034, -0.0001, 0.002],
@@ -31,7 +23,7 @@ A = _matrix(
 )
 """State matrix (6, 6) of the fitted discrete model, eq. (34)."""
 
-B = _matrix(
+B = read_only(
     [
         [-0.0008, -0.0008],
         [-0.1005, -0.1005],
@@ -43,19 +35,19 @@ B = _matrix(
 )
 """Input matrix (6, 2) of the fitted discrete model [per V], eq. (35)."""
 
-Q = _matrix(np.diag([800.0, 1, 1, 80, 1, 1]))
+Q = read_only(np.diag([800.0, 1, 1, 80, 1, 1]))
 """State weights (6, 6) of the regulator, eq. (38)."""
 
-R = _matrix(np.diag([10000.0, 10000]))
+R = read_only(np.diag([10000.0, 10000]))
 """Input weights (2, 2) of the regulator, eq. (38)."""
 
-KU1 = _matrix([-85.2, -11.5, -1.2, -1.3, -1.7, -0.005])
+KU1 = read_only([-85.2, -11.5, -1.2, -1.3, -1.7, -0.005])
 """Gain (6,) of the left motor in u = −K x [V per rad or rad/s], printed below eq. (38)."""
 
-KU2 = _matrix([-85.18, -11.5, -1.2, -1.3, 1.7, 0.005])
+KU2 = read_only([-85.18, -11.5, -1.2, -1.3, 1.7, 0.005])
 """Gain (6,) of the right motor, printed below eq. (38)."""
 
-K = _matrix([KU1, KU2])
+K = read_only([KU1, KU2])
 """Both gains as the matrix (2, 6) of u = −K x."""
 
 PERIOD = 0.01

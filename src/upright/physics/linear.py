@@ -13,7 +13,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import ArrayLike
 
-from upright.arrays import Array, Complex
+from upright.arrays import Array, Complex, read_only
 from upright.errors import InvalidModel, InvalidRobot, UprightError
 from upright.physics.dynamics import CALM, MODELS, Disturbance, derivative
 from upright.robots import Robot, find_robot
@@ -46,9 +46,7 @@ def _zeros(shape: tuple[int, ...]) -> Array:
 
 @lru_cache(maxsize=64)
 def _identity(n: int) -> Array:
-    value = np.eye(n)
-    value.setflags(write=False)
-    return value
+    return read_only(np.eye(n))
 
 
 def _numbered(letter: str, count: int) -> tuple[str, ...]:

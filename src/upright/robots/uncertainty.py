@@ -26,7 +26,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from upright.arrays import Array, Mask
+from upright.arrays import Array, Mask, read_only
 from upright.errors import InvalidRobot, InvalidScenario, UnknownName, check_within
 from upright.reading import read_json, understood
 from upright.robots.kit import Kit
@@ -109,8 +109,8 @@ class Uncertainty:
         if twice:
             raise InvalidScenario(f"{twice[0]} varies twice", expected="each name once")
         if self.correlation is not None:
-            object.__setattr__(self, "correlation", _fixed(self.correlation))
-            object.__setattr__(self, "root", _fixed(_root(self.correlation, len(self.spreads))))
+            object.__setattr__(self, "correlation", read_only(self.correlation))
+            object.__setattr__(self, "root", read_only(_root(self.correlation, len(self.spreads))))
 
     @classmethod
     def of(cls, robot: Robot, known: Sequence[str] = ()) -> Uncertainty:
@@ -355,9 +355,3 @@ def _root(correlation: ArrayLike, size: int) -> Array:
     if values[0] < -1e-6 or np.abs(matrix - matrix.T).max() > 1e-6:
         raise InvalidRobot("the covariance is not one", expected="a symmetric matrix without negative eigenvalues")
     return vectors * np.sqrt(np.maximum(values, 0.0))
-
-
-def _fixed(values: ArrayLike) -> Array:
-    array = np.array(values, dtype=np.float64)
-    array.setflags(write=False)
-    return array

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from upright.arrays import Array
+from upright.arrays import Array, read_only
 from upright.errors import InvalidLog
 from upright.signals import files
 from upright.signals.header import Columns
@@ -173,10 +173,9 @@ class Log:
 
 
 def _column(name: str, values: ArrayLike) -> Array:
-    column = np.array(values, dtype=np.float64)
+    column = read_only(values)
     if column.ndim != 1:
         raise InvalidLog(f"channel '{name}' has shape {column.shape}", expected="one number per sample")
-    column.setflags(write=False)
     return column
 
 
