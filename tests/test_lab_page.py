@@ -931,6 +931,8 @@ def test_spanish_is_spanish_to_the_last_decimal(page):
             )
             assert re.findall(rf".*{ENGLISH}.*", text) == [], (name, view)
             assert re.findall(r"\d\.\d[^.]*", text) == [], (name, view)
+    page.evaluate("upright.store.change({ robot: 'twipr', numbers: {} })")  # under the kit of a LEGO robot
+    page.wait_for_selector("text=la electrónica 'nxt' actúa por tensión; se esperaba par, como en el robot")
 
 
 def test_compare_takes_the_opened_log(page, tmp_path):
