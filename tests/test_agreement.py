@@ -16,11 +16,11 @@ import pytest
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import Sample
 from upright.calibrate.calibration import HELD, Calibration
+from upright.certify.actual import as_logged
 from upright.certify.agreement import AMBER, RED, Agreement, agreement
+from upright.certify.calibrated import learnt
 from upright.certify.certificate import Certificate, certify, read_certificate
 from upright.certify.checks import Course, KernelController, PushTrial, kernel_controller, standard_pushes, trials
-from upright.certify.learnt import learnt
-from upright.certify.taking import as_logged
 from upright.certify.verdict import GREEN, LinearMargins, judge
 from upright.cli.main import main
 from upright.comparison.bench import TOLERANCE, bench_one, largest_knock

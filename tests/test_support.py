@@ -19,13 +19,13 @@ import pytest
 from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.body import Sample
 from upright.calibrate.knocks import unpushed, without_knocks
+from upright.certify.actual import as_logged, doubted
 from upright.certify.agreement import LARGER, RED, Agreement, agreement
+from upright.certify.calibrated import _weighed, calibrated
 from upright.certify.certificate import Certificate, certify
 from upright.certify.checks import Course, kernel_controller
-from upright.certify.learnt import _weighed, calibrated
 from upright.certify.logged import Logged, as_sent, loaded
 from upright.certify.support import LOAD_KNOWN, Support, supported
-from upright.certify.taking import as_logged, doubted
 from upright.certify.verdict import GREEN
 from upright.control import Controller, make_controller
 from upright.errors import InvalidLog
@@ -175,7 +175,7 @@ def test_a_gyro_s_scale_is_corrected_once_before_a_calibration(monkeypatch: pyte
     """Either the readings or the kit, not both: a gyro that counts 1.5 times was calibrated as one of 1.5²."""
     given: list[Any] = []
     monkeypatch.setattr(
-        import_module("upright.certify.learnt"),
+        import_module("upright.certify.calibrated"),
         "calibrate",
         lambda *args, **_: given.append(args) or SimpleNamespace(refused=("enough",)),
     )

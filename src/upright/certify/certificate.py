@@ -14,7 +14,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from upright.atomic import finite, write_json
+from upright.certify.actual import as_logged
 from upright.certify.agreement import RED, Agreement, agreement
+from upright.certify.calibrated import calibrated
 from upright.certify.checks import (
     Course,
     PushTrial,
@@ -25,11 +27,9 @@ from upright.certify.checks import (
     period_sweep,
     trials,
 )
-from upright.certify.learnt import calibrated
 from upright.certify.logged import as_sent
 from upright.certify.narrowing import Narrowing, NeededSpread, narrowing, red
 from upright.certify.support import Support
-from upright.certify.taking import as_logged
 from upright.certify.verdict import CONFIDENCE, MOST_FALLS, LinearMargins, judge, linear_margins
 from upright.control import find_controller
 from upright.control.controller import Controller

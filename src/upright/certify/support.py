@@ -18,7 +18,7 @@ import numpy as np
 from upright.arrays import Array
 from upright.calibrate.knocks import at_motors, moved_by
 from upright.certify.checks import Course, batteries
-from upright.certify.following import FollowedLog, body_load, dead_zone, filtered_log, gyro_scale
+from upright.certify.likelihood import FollowedLog, body_load, dead_zone, filtered_log, gyro_scale
 from upright.control.delay import MOST_PERIODS, sampled
 from upright.logs.recording import commanded
 from upright.robots import Kit, Robot

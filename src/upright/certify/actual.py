@@ -16,7 +16,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.certify.checks import Course
-from upright.certify.following import as_disturbed, filtered_log, surprise, surprises
+from upright.certify.likelihood import as_disturbed, filtered_log, surprise, surprises
 from upright.certify.logged import Logged, delaying
 from upright.certify.support import NORMAL, Support, supported
 from upright.robots import Kit

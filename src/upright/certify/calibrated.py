@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 from upright.calibrate.calibrate import calibrate
 from upright.calibrate.calibration import HELD, Calibration
 from upright.calibrate.knocks import unpushed
+from upright.certify.actual import as_logged, doubted
 from upright.certify.checks import Course
 from upright.certify.logged import LOADED
 from upright.certify.support import LOAD_KNOWN, Support
-from upright.certify.taking import as_logged, doubted
 from upright.errors import InvalidLog
 from upright.logs.recording import SENSOR
 from upright.progress import Progress
