@@ -31,7 +31,7 @@ import numpy as np
 
 from upright.certify.certificate import certify
 from upright.certify.checks import (
-    Course,
+    TrialSetup,
     kernel_controller,
     trials,
 )  # fmt: skip
@@ -156,8 +156,8 @@ def fraction(
     while count < most:
         part = FIRST if count < 3 * FIRST else min(most - count, 3500)
         robots = draw(robot, part, seed + 7919 * count, unknown)
-        course = Course(kernel_controller(controller, robot, kit), robot, robots, kit, seed + count, threads=1)
-        fell, count = fell + int(trials(course).fell.sum()), count + part
+        setup = TrialSetup(kernel_controller(controller, robot, kit), robot, robots, kit, seed + count, threads=1)
+        fell, count = fell + int(trials(setup).fell.sum()), count + part
         if fell > 2 * MANY * count or (count >= 3 * FIRST and fell < FEW * count / 3):
             break
     return fell / count, count
@@ -222,7 +222,7 @@ def exactly(robots: Sequence[str], count: int) -> None:
         kit, drawn = find_kit(robot.kit), draw(robot, count, SEED)
         for method in DESIGNS:
             default = kernel_controller(make_controller(method, robot, kit, kit.period), robot, kit)
-            fell = int(trials(Course(default, robot, drawn, kit, SEED, threads=1)).fell.sum())
+            fell = int(trials(TrialSetup(default, robot, drawn, kit, SEED, threads=1)).fell.sum())
             own = sum(_falls_under_its_own(method, robot, one, kit) for one in drawn)
             print(f"{name:<22}{method:<10}{fell:>9}{own:>9}{count:>6}", flush=True)
 
@@ -233,7 +233,7 @@ def _falls_under_its_own(method: str, nominal: Robot, robot: Robot, kit: Kit) ->
         own = kernel_controller(make_controller(method, robot, kit, kit.period), robot, kit)
     except UprightError:
         return True
-    return bool(trials(Course(own, nominal, [robot], kit, SEED, threads=1)).fell.any())
+    return bool(trials(TrialSetup(own, nominal, [robot], kit, SEED, threads=1)).fell.any())
 
 
 def main() -> None:

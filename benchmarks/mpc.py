@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.certify.checks import Course, kernel_controller, trials
+from upright.certify.checks import TrialSetup, kernel_controller, trials
 from upright.comparison.bench import largest_knock
 from upright.compiled.program import Program
 from upright.control import mpc
@@ -201,9 +201,9 @@ def gaps(judge: Exact, other: PredictiveController, robot: Robot, kit: Kit) -> t
 
 def falls(controller: Any, robot: Robot, kit: Kit, runs: int) -> tuple[NDArray[np.int64], float, float]:
     """Falls of each trial of a certificate, the seconds that took, and the worst residual."""
-    course = Course(kernel_controller(controller, robot, kit), robot, draw(robot, runs, 0, None), kit)
+    setup = TrialSetup(kernel_controller(controller, robot, kit), robot, draw(robot, runs, 0, None), kit)
     start = time.perf_counter()
-    results = trials(course).trials
+    results = trials(setup).trials
     return np.array([t.fell for t in results]), time.perf_counter() - start, max(t.residual for t in results)
 
 

@@ -20,7 +20,7 @@ from upright.certify.actual import as_logged
 from upright.certify.agreement import AMBER, RED, Agreement, agreement
 from upright.certify.calibrated import learnt
 from upright.certify.certificate import Certificate, certify, read_certificate
-from upright.certify.checks import Course, KernelController, PushTrial, kernel_controller, standard_pushes, trials
+from upright.certify.checks import KernelController, PushTrial, TrialSetup, kernel_controller, standard_pushes, trials
 from upright.certify.verdict import GREEN, LinearMargins, judge
 from upright.cli.main import main
 from upright.comparison.bench import TOLERANCE, bench_one, largest_knock
@@ -65,9 +65,11 @@ def red() -> Certificate:
 def test_a_controller_that_is_called_falls_where_its_matrices_fall() -> None:
     # the same lqg once as gains in compiled code and once called for each of 70 robots, more than one block of them
     family = draw(ROBOT, 70, 3)
-    course = Course(kernel_controller(designed("lqg"), ROBOT, KIT), ROBOT, family, KIT)
-    called = dataclasses.replace(course, controller=KernelController(as_law(silent(designed("lqg"))), designed("lqg")))
-    (first, fell, _), (second, dropped, _) = trials(course), trials(called)
+    trial_setup = TrialSetup(kernel_controller(designed("lqg"), ROBOT, KIT), ROBOT, family, KIT)
+    called = dataclasses.replace(
+        trial_setup, controller=KernelController(as_law(silent(designed("lqg"))), designed("lqg"))
+    )
+    (first, fell, _), (second, dropped, _) = trials(trial_setup), trials(called)
     assert np.array_equal(fell, dropped)
     # products are summed in another order: rounding, which quantised sensors now and then make a step of
     assert [t.peak for t in first] == pytest.approx([t.peak for t in second], abs=2e-3)
@@ -75,7 +77,7 @@ def test_a_controller_that_is_called_falls_where_its_matrices_fall() -> None:
 
 def test_a_predictive_controller_holds_in_the_compiled_loop_as_in_run() -> None:
     controller = make_controller("mpc", ROBOT, KIT, KIT.period)
-    found, fell, _ = trials(Course(kernel_controller(controller, ROBOT, KIT), ROBOT, [ROBOT] * 3, KIT))
+    found, fell, _ = trials(TrialSetup(kernel_controller(controller, ROBOT, KIT), ROBOT, [ROBOT] * 3, KIT))
     assert not fell.any()
     push = standard_pushes(ROBOT, KIT, 1.12 * KIT.battery.voltage)[found[1].push].push
     log = run(Electronics(NonlinearBody(ROBOT), KIT), controller, push, seconds=4, seed=3)
@@ -158,20 +160,22 @@ def test_the_thresholds_of_surprise_stand_between_the_lights() -> None:
 
 
 def test_missing_readings_are_left_out_and_short_or_uneven_logs_refused() -> None:
-    log, course = recording(), Course(kernel_controller(designed("pid"), ROBOT, KIT), ROBOT, [ROBOT] * 12, KIT)
+    log, trial_setup = recording(), TrialSetup(kernel_controller(designed("pid"), ROBOT, KIT), ROBOT, [ROBOT] * 12, KIT)
     holes = np.array(log["sensor/gyro"])
     holes[::7] = np.nan
     with_holes = Log(log.t, {**log.channels, "sensor/gyro": holes})
     # one gyro reading in seven less: the filter foretells the others about as well
-    assert agreement(with_holes, course)[2].measured == pytest.approx(agreement(log, course)[2].measured, rel=0.3)
+    assert agreement(with_holes, trial_setup)[2].measured == pytest.approx(
+        agreement(log, trial_setup)[2].measured, rel=0.3
+    )
     with pytest.raises(InvalidLog, match="lasts"):
-        agreement(log.between(0.0, 1.5), course)
+        agreement(log.between(0.0, 1.5), trial_setup)
     rows = np.sort(np.random.default_rng(0).choice(len(log), 400, replace=False))
     with pytest.raises(InvalidLog, match="uneven"):
-        agreement(Log(log.t[rows], {n: v[rows] for n, v in log.channels.items()}), course)
+        agreement(Log(log.t[rows], {n: v[rows] for n, v in log.channels.items()}), trial_setup)
     silent = {n: v for n, v in log.channels.items() if "applied" not in n and "command" not in n}
     with pytest.raises(InvalidLog, match="no commands"):
-        agreement(Log(log.t, silent), course)
+        agreement(Log(log.t, silent), trial_setup)
 
 
 class Hardware:
@@ -266,8 +270,8 @@ def test_command_calibrates_the_log_first(tmp_path: Path, capsys: pytest.Capture
 def test_a_quiet_log_of_this_very_robot_shows_no_other_one() -> None:
     """A filter that expects larger disturbances than there are finds the gyro to count 0.83 times: its innovations are
     then expected to be smaller."""
-    course = Course(kernel_controller(designed("pid"), ROBOT, KIT), ROBOT, draw(ROBOT, 100, 0), KIT)
-    assert as_logged(recording(), course)[2] == ()
+    trial_setup = TrialSetup(kernel_controller(designed("pid"), ROBOT, KIT), ROBOT, draw(ROBOT, 100, 0), KIT)
+    assert as_logged(recording(), trial_setup)[2] == ()
 
 
 def test_the_table_of_controllers_counts_drawn_robots_that_fall() -> None:

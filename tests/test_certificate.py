@@ -17,7 +17,7 @@ from upright.bodies import Electronics, NonlinearBody
 from upright.certify.agreement import AMBER, RED
 from upright.certify.analysis import analyse
 from upright.certify.certificate import VERSION, Certificate, certify, read_certificate
-from upright.certify.checks import RELEASE, Course, PushTrial, kernel_controller, standard_pushes, trials
+from upright.certify.checks import RELEASE, PushTrial, TrialSetup, kernel_controller, standard_pushes, trials
 from upright.certify.verdict import GREEN, LinearMargins, judge
 from upright.cli import certify as command
 from upright.cli.main import main
@@ -111,7 +111,7 @@ def test_falls_decide_by_their_bound(fell: int, light: str) -> None:
 
 def test_trials_are_the_loop_of_run() -> None:
     # the same robot in the one loop of `experiment.run`: peaks differ by noise alone, below some hundredths of a radian
-    found, fell, _ = trials(Course(kernel_controller(designed("pid"), ROBOT, KIT), ROBOT, [ROBOT] * 20, KIT))
+    found, fell, _ = trials(TrialSetup(kernel_controller(designed("pid"), ROBOT, KIT), ROBOT, [ROBOT] * 20, KIT))
     for trial in found[1::2]:  # one battery: a motor is at its limit for a few hundredths of the time, with either
         push = standard_pushes(ROBOT, KIT, 1.12 * KIT.battery.voltage)[trial.push].push
         log = run(Electronics(NonlinearBody(ROBOT), KIT), designed("pid"), push, seconds=RELEASE + 1, seed=3)

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from upright.bodies import Electronics, NonlinearBody
-from upright.certify.checks import RELEASE, Course, batteries, kernel_controller, standard_pushes, trials
+from upright.certify.checks import RELEASE, TrialSetup, batteries, kernel_controller, standard_pushes, trials
 from upright.certify.support import supported
 from upright.control import lqg
 from upright.errors import InvalidRobot
@@ -69,9 +69,9 @@ def test_batteries_are_the_files_or_the_kits() -> None:
 def test_trials_on_a_slope_are_the_loop_of_run() -> None:
     """As on level ground, peaks differ by noise alone, below some hundredths of a radian."""
     robot, angle = expecting(Conditions(slope=(0.0, math.radians(3)))), math.radians(3)
-    course = Course(kernel_controller(lqg(robot, KIT), robot, KIT), robot, [robot] * 10, KIT)
-    runs = trials(course).trials
-    assert len(runs) == course.runs_of_trials // 10 == 12
+    trial_setup = TrialSetup(kernel_controller(lqg(robot, KIT), robot, KIT), robot, [robot] * 10, KIT)
+    runs = trials(trial_setup).trials
+    assert len(runs) == trial_setup.runs_of_trials // 10 == 12
     full = 1.12 * KIT.battery.voltage
     sloped = [t for t in runs if t.push.endswith(", slope +3.0°") and t.battery == "full"]
     assert len(sloped) == 3
@@ -91,8 +91,8 @@ def test_a_log_is_compared_with_what_the_file_expects() -> None:
 
     def outside(robot: Robot) -> set[str]:
         drawn = draw(robot, 100, 3, Uncertainty.of(robot).scaled(0.2))
-        course = Course(kernel_controller(lqg(ROBOT, KIT), robot, KIT), robot, drawn, KIT)
-        return {s.name for s in supported(raw, course) if s.outside}
+        trial_setup = TrialSetup(kernel_controller(lqg(ROBOT, KIT), robot, KIT), robot, drawn, KIT)
+        return {s.name for s in supported(raw, trial_setup) if s.outside}
 
     assert {"battery", "slope"} <= outside(ROBOT)
     assert not {"battery", "slope"} & outside(expecting(HILLS))

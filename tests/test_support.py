@@ -23,7 +23,7 @@ from upright.certify.actual import as_logged, doubted
 from upright.certify.agreement import LARGER, RED, Agreement, agreement
 from upright.certify.calibrated import _weighed, calibrated
 from upright.certify.certificate import Certificate, certify
-from upright.certify.checks import Course, kernel_controller
+from upright.certify.checks import TrialSetup, kernel_controller
 from upright.certify.logged import Logged, as_sent, loaded
 from upright.certify.support import LOAD_KNOWN, Support, supported
 from upright.certify.verdict import GREEN
@@ -108,12 +108,12 @@ def within(s: Support) -> bool:
 
 
 @cache
-def course() -> Course:
-    return Course(kernel_controller(designed(), ROBOT, KIT), ROBOT, draw(ROBOT, 100, 3, KNOWN), KIT)
+def trial_setup() -> TrialSetup:
+    return TrialSetup(kernel_controller(designed(), ROBOT, KIT), ROBOT, draw(ROBOT, 100, 3, KNOWN), KIT)
 
 
 def found(log: Log) -> dict[str, Support]:
-    return {s.name: s for s in supported(log, course())}
+    return {s.name: s for s in supported(log, trial_setup())}
 
 
 def certified(log: Log) -> Certificate:
@@ -126,7 +126,7 @@ CERTIFIED = ("battery", "asymmetry")  # of which whole certificates are judged b
 @pytest.mark.parametrize("planted", [name for name in PLANTED if name not in CERTIFIED])
 def test_what_was_planted_is_taken_over_with_its_size(planted: str) -> None:
     log = logged(**PLANTED[planted][3])
-    met, left, taken = as_logged(log, course())
+    met, left, taken = as_logged(log, trial_setup())
     explained(planted, taken, left, agreement(log, met))
 
 
@@ -181,7 +181,7 @@ def test_a_gyro_s_scale_is_corrected_once_before_a_calibration(monkeypatch: pyte
     )
     log = logged(**PLANTED["gyro's scale"][3])
     with pytest.raises(InvalidLog):
-        calibrated(log, course())
+        calibrated(log, trial_setup())
     parts, _, kit = given[0]
     assert kit.sensors[GYRO].gain == pytest.approx(1.5, abs=0.2)  # as planted, see there
     for part in parts:
@@ -203,7 +203,7 @@ def test_what_robots_within_their_spreads_explain_is_taken_for_no_other_mass() -
     known, design = Uncertainty.of(robot).scaled(0.2), make_controller("hinf", robot, KIT, KIT.period)
     truth = Electronics(NonlinearBody(draw(robot, 1, 1, known)[0]), KIT)
     log = run(truth, design, KNOCKS, reference=DRIVEN, seconds=9.0, seed=5)
-    assumed = Course(kernel_controller(design, robot, KIT), robot, draw(robot, 100, 3, known), KIT)
+    assumed = TrialSetup(kernel_controller(design, robot, KIT), robot, draw(robot, 100, 3, known), KIT)
     assert not as_logged(log, assumed)[2]
 
 
@@ -243,7 +243,7 @@ def test_what_was_sent_is_examined_where_the_log_also_tells_what_the_motors_got(
     late = Electronics(NonlinearBody(ROBOT), kit_with(delay=KIT.delay + 0.02))
     log = run(late, designed(), KNOCKS, reference=DRIVEN, seconds=9.0, seed=5)
     assert {"command/left", "applied/left"} <= set(log.channels)
-    _, _, taken = as_logged(as_sent(log), course())
+    _, _, taken = as_logged(as_sent(log), trial_setup())
     found = next(s.value for s in taken if s.name == "further delay")
     assert found == pytest.approx(0.02, abs=0.00125)  # half a step of the delays that are tried
 
@@ -252,7 +252,7 @@ def test_readings_that_come_late_show_beside_what_the_motors_got() -> None:
     sensors = {n: dataclasses.replace(s, delay=s.delay + 0.02) for n, s in KIT.sensors.items()}
     log = run(Electronics(NonlinearBody(ROBOT), kit_with(sensors=sensors)), designed(), KNOCKS, reference=DRIVEN,
               seconds=9.0, seed=5)  # fmt: skip
-    _, _, taken = as_logged(with_channels(log, ("sensor/", "applied/")), course())
+    _, _, taken = as_logged(with_channels(log, ("sensor/", "applied/")), trial_setup())
     found = next(s.value for s in taken if s.name == "further delay")
     assert found == pytest.approx(0.02, abs=0.00125)
 
@@ -260,7 +260,7 @@ def test_readings_that_come_late_show_beside_what_the_motors_got() -> None:
 def test_half_the_mass_is_taken_over_or_doubted_where_the_file_knows_the_robot_badly() -> None:
     """Robots within the file's spreads may explain the log as well; then it is calibrated both ways."""
     log = logged(NonlinearBody(loaded(ROBOT, 0.4)))
-    wide = dataclasses.replace(course(), robots=draw(ROBOT, 100, 0))
+    wide = dataclasses.replace(trial_setup(), robots=draw(ROBOT, 100, 0))
     met, _, taken = as_logged(log, wide)
     doubt = doubted(log, met, {s.name for s in taken})
     numbers = {s.name: s.value for s in (*taken, *([doubt[1]] if doubt else []))}
@@ -269,7 +269,7 @@ def test_half_the_mass_is_taken_over_or_doubted_where_the_file_knows_the_robot_b
 
 def test_a_body_as_heavy_as_the_log_shows_keeps_its_source_and_is_known_as_well_as_that() -> None:
     """Without a source it would be a guess, within a factor of two, and a short log moves a guess far."""
-    light = dataclasses.replace(course(), logged=dataclasses.replace(Logged.alone(KIT), load=0.5))
+    light = dataclasses.replace(trial_setup(), logged=dataclasses.replace(Logged.alone(KIT), load=0.5))
     known = _weighed(light)
     assert known.body_mass == pytest.approx(0.5 * ROBOT.body_mass)
     assert known.provenance["body_mass"].spread == pytest.approx(LOAD_KNOWN * known.body_mass)

@@ -13,7 +13,7 @@ import pytest
 
 from upright.bodies import Electronics, NonlinearBody
 from upright.certify.analysis import analyse
-from upright.certify.checks import KNOCK_DURATION, Course, kernel_controller
+from upright.certify.checks import KNOCK_DURATION, TrialSetup, kernel_controller
 from upright.certify.margins import margins
 from upright.certify.verdict import LinearMargins, linear_margins
 from upright.control import CONTROLLERS, controller_hash, lqg, make_controller
@@ -209,7 +209,7 @@ def test_the_largest_knock_is_that_of_single_runs() -> None:
     """The loop of `run` on the nonlinear body, knock by knock, which shares nothing with the kernel but the equations;
     its noise is another, and sizes are 1.2 % apart in one, 2 % in the other."""
     controller = lqg(NXT, KIT)
-    found = knock(Course(kernel_controller(controller, NXT, KIT), NXT, [NXT], KIT, 0, 1))
+    found = knock(TrialSetup(kernel_controller(controller, NXT, KIT), NXT, [NXT], KIT, 0, 1))
     body = Electronics(NonlinearBody(NXT), KIT)
 
     def stands(size: float) -> bool:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from upright.calibrate.parameters import parameters_of
-from upright.certify.checks import Course, kernel_controller, trials
+from upright.certify.checks import TrialSetup, kernel_controller, trials
 from upright.control import make_controller
 from upright.errors import InvalidRobot, InvalidScenario, UnknownName
 from upright.fleet.ensemble import Ensemble
@@ -208,8 +208,8 @@ def test_a_certificate_and_a_fleet_draw_the_same_robots(source, tmp_path):
     batch = ensemble.batch(range(100)).parameters
     certified = draw(robot, 100, 5, uncertainty)
     assert (batch == np.array([list(each.numbers().values()) for each in certified])).all()
-    course = Course(kernel_controller(controller, robot, NXT), robot, certified, NXT, 5)
-    assert len(trials(course)[1]) == 100
+    trial_setup = TrialSetup(kernel_controller(controller, robot, NXT), robot, certified, NXT, 5)
+    assert len(trials(trial_setup)[1]) == 100
 
 
 def test_draws_repeat_with_the_seed():

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from upright.arrays import Array
-from upright.certify.checks import Course
+from upright.certify.checks import TrialSetup
 from upright.certify.likelihood import as_disturbed, filtered_log, surprise, surprises
 from upright.certify.logged import Logged, delaying
 from upright.certify.support import NORMAL, Support, supported
@@ -35,85 +35,85 @@ DIRECT = frozenset({"battery", "battery's sag", "slope"})  # read off, whatever 
 FROM_ZERO = frozenset({"further delay", "gyro's further delay", "gyro's noise"})  # ranges that do not lie round nominal
 
 
-def as_logged(log: Log, course: Course) -> tuple[Course, tuple[Support, ...], tuple[Support, ...]]:
-    """`course` with what `log` shows in it, what the log then says of the numbers, and those that were taken over, each
+def as_logged(log: Log, setup: TrialSetup) -> tuple[TrialSetup, tuple[Support, ...], tuple[Support, ...]]:
+    """`setup` with what `log` shows in it, what the log then says of the numbers, and those that were taken over, each
     beside what had been assumed. Raises like `supported`.
 
     What is read off directly is taken over first, then one number after the other: the one with which the filter
     predicts the log best, since the rest may only be its image. The next one is looked for where those taken over
     stand. A number with which it predicts no better than robots within their spreads do is neither taken over nor said.
     """
-    course, now = as_disturbed(log, course)
-    shown = first = supported(log, course)
+    setup, now = as_disturbed(log, setup)
+    shown = first = supported(log, setup)
     names, stands = set[str](), True
     for _ in range(TURNS):
-        new = _next(log, course, shown, names, now) if stands else set[str]()
+        new = _next(log, setup, shown, names, now) if stands else set[str]()
         if stands and not new:
             break
-        moved, then = _likeliest(log, course, [s for s in shown if s.name in names | new])
+        moved, then = _likeliest(log, setup, [s for s in shown if s.name in names | new])
         stands = not new and then > now - LEAST_GAIN
         if new or then < now:
             names |= new
-            course, now = as_disturbed(log, moved)
-            shown = supported(log, course)
+            setup, now = as_disturbed(log, moved)
+            shown = supported(log, setup)
     shown = tuple(s for s in shown if s.name in (*names, *DIRECT, *NOT_LEARNT) or not _strays(s))
     last = {s.name: s for s in shown}
-    return course, shown, tuple(_in_place_of(s, last.get(s.name, s), course) for s in first if s.name in names)
+    return setup, shown, tuple(_in_place_of(s, last.get(s.name, s), setup) for s in first if s.name in names)
 
 
-def _next(log: Log, course: Course, shown: Sequence[Support], names: set[str], now: float) -> set[str]:
+def _next(log: Log, setup: TrialSetup, shown: Sequence[Support], names: set[str], now: float) -> set[str]:
     """Which numbers to take over besides those of these `names`, with which the log surprises by `now`."""
     strays = [s for s in shown if _strays(s) and s.name not in (*names, *NOT_LEARNT)]
     if direct := {s.name for s in strays if s.name in DIRECT}:
         return direct
     if not strays:
         return set()
-    best, then = _best(log, course, strays, [s for s in shown if s.name in names])
+    best, then = _best(log, setup, strays, [s for s in shown if s.name in names])
     if not then < now - LEAST_GAIN:
         return set()
-    within = [(course.actual(robot), course.actual_kit) for robot in course.robots[:WITHIN]]
+    within = [(setup.actual(robot), setup.actual_kit) for robot in setup.robots[:WITHIN]]
     parts = (within[i : i + AT_ONCE] for i in range(0, len(within), AT_ONCE))
-    return set() if any(min(surprises(log, part, course.disturbed)) <= then for part in parts) else {best.name}
+    return set() if any(min(surprises(log, part, setup.disturbed)) <= then for part in parts) else {best.name}
 
 
-def _best(log: Log, course: Course, several: Sequence[Support], known: Sequence[Support]) -> tuple[Support, float]:
+def _best(log: Log, setup: TrialSetup, several: Sequence[Support], known: Sequence[Support]) -> tuple[Support, float]:
     """Of `several` numbers the one that makes the log likeliest beside those that are `known`, and its surprise."""
-    then = [surprise(filtered_log(log, _learnt(course, [*known, s]))[0]) for s in several]
+    then = [surprise(filtered_log(log, _learnt(setup, [*known, s]))[0]) for s in several]
     best = int(np.argmin(then))
     return several[best], then[best]
 
 
-def doubted(log: Log, course: Course, names: Collection[str]) -> tuple[Course, Support] | None:
-    """`course` with a number that makes the log much likelier, beside those of these `names` that it knows, and what
+def doubted(log: Log, setup: TrialSetup, names: Collection[str]) -> tuple[TrialSetup, Support] | None:
+    """`setup` with a number that makes the log much likelier, beside those of these `names` that it knows, and what
     the log says of it; None where there is none. Robots within their spreads may explain the log as well."""
-    strays = [s for s in supported(log, course) if _strays(s) and s.name not in (*names, *DIRECT, *NOT_LEARNT)]
+    strays = [s for s in supported(log, setup) if _strays(s) and s.name not in (*names, *DIRECT, *NOT_LEARNT)]
     if not strays:
         return None
-    now, (best, then) = surprise(filtered_log(log, course)[0]), _best(log, course, strays, ())
+    now, (best, then) = surprise(filtered_log(log, setup)[0]), _best(log, setup, strays, ())
     if not then < now - LEAST_GAIN:
         return None
-    moved, _ = _likeliest(log, course, [best])
+    moved, _ = _likeliest(log, setup, [best])
     last = next(s for s in supported(log, moved) if s.name == best.name)
     return moved, _in_place_of(best, last, moved)
 
 
-def _likeliest(log: Log, course: Course, numbers: Sequence[Support]) -> tuple[Course, float]:
-    """The course moved to these `numbers`, each at the value within its interval with which the log surprises least,
+def _likeliest(log: Log, setup: TrialSetup, numbers: Sequence[Support]) -> tuple[TrialSetup, float]:
+    """The setup moved to these `numbers`, each at the value within its interval with which the log surprises least,
     and that surprise."""
     result, now = list(numbers), math.inf
     for place, s in enumerate(result):
         values = [] if s.name in DIRECT else np.linspace(s.low, s.high, TRIED).tolist()
         for value in (s.value, *values):
             shifted = replace(s, value=value, low=s.low + value - s.value, high=s.high + value - s.value)
-            then = surprise(filtered_log(log, _learnt(course, [*result[:place], shifted, *result[place + 1 :]]))[0])
+            then = surprise(filtered_log(log, _learnt(setup, [*result[:place], shifted, *result[place + 1 :]]))[0])
             if then < now:
                 result[place], now = shifted, then
-    return _learnt(course, result), now
+    return _learnt(setup, result), now
 
 
-def _in_place_of(assumed: Support, last: Support, course: Course) -> Support:
+def _in_place_of(assumed: Support, last: Support, setup: TrialSetup) -> Support:
     """What was taken over in all, with the width of the `last` interval, beside what had been `assumed`."""
-    kit, before, logged = course.actual_kit, course.kit, course.logged
+    kit, before, logged = setup.actual_kit, setup.kit, setup.logged
     motor, gyro = kit.motor, kit.sensors[GYRO]
     mean, difference = (motor.left + motor.right) / 2, motor.right - motor.left
     encoder, turning = (kit.sensors[name].delay - before.sensors[name].delay for name in (ENCODER, GYRO))
@@ -122,7 +122,7 @@ def _in_place_of(assumed: Support, last: Support, course: Course) -> Support:
         "gyro's scale": gyro.gain / before.sensors[GYRO].gain, "gyro's noise": gyro.noise,
         "gyro's further delay": turning - encoder, "motors' strength": mean,
         "difference of the motors": difference / mean,
-        "body's mass": course.robot.body_mass * (logged.load if logged else 1.0),
+        "body's mass": setup.robot.body_mass * (logged.load if logged else 1.0),
     }  # fmt: skip
     value = totals.get(assumed.name, last.value)
     half = (last.high - last.low) / 2
@@ -137,13 +137,13 @@ def _strays(s: Support) -> bool:
     return not (s.least <= s.low and s.high <= s.most) and not s.low <= nominal <= s.high
 
 
-def _learnt(course: Course, shown: Sequence[Support]) -> Course:
-    """The course moved by what the filter of it shows."""
-    n, kit = len(course.robots), course.actual_kit
-    logged = course.logged or Logged.alone(kit)
+def _learnt(setup: TrialSetup, shown: Sequence[Support]) -> TrialSetup:
+    """The setup moved by what the filter of it shows."""
+    n, kit = len(setup.robots), setup.actual_kit
+    logged = setup.logged or Logged.alone(kit)
     changes = dict(logged.changes)
     for s in shown:
-        rng = np.random.Generator(np.random.Philox([course.seed, sum(s.name.encode())]))
+        rng = np.random.Generator(np.random.Philox([setup.seed, sum(s.name.encode())]))
         drawn = s.value + (s.high - s.low) / (2 * NORMAL) * rng.standard_normal(n)
         if s.name == "battery":
             kit = replace(kit, battery=replace(kit.battery, voltage=s.value))
@@ -151,13 +151,13 @@ def _learnt(course: Course, shown: Sequence[Support]) -> Course:
         elif s.name == "slope":
             logged = replace(logged, slopes=(s.value,))
         elif s.name == "body's mass":
-            load, loads = s.value / course.robot.body_mass, drawn / course.robot.body_mass
+            load, loads = s.value / setup.robot.body_mass, drawn / setup.robot.body_mass
             loads -= rng.uniform(0.0, LIGHTER, n) * np.maximum(1 - loads, 0.0)
             logged = replace(logged, load=max(load, LEAST_FACTOR), loads=np.maximum(loads, LEAST_FACTOR))
         else:
             kit, changed = _fitted(kit, s, drawn)
             changes |= changed
-    return replace(course, logged=replace(logged, kit=kit, changes=changes))
+    return replace(setup, logged=replace(logged, kit=kit, changes=changes))
 
 
 def _fitted(kit: Kit, s: Support, drawn: Array) -> tuple[Kit, dict[str, Array]]:

@@ -15,7 +15,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.calibrate.knocks import SETTLED, at_motors, recorded
-from upright.certify.checks import Course, standard_pushes, watched
+from upright.certify.checks import TrialSetup, standard_pushes, watched
 from upright.control.delay import RAW, sampled
 from upright.control.kalman import Filter, filtered, kalman_filter
 from upright.errors import SpecMismatch
@@ -63,24 +63,24 @@ def disagreements(agreements: Sequence[Agreement], light: str) -> list[str]:
     ]
 
 
-def agreement(log: Log, course: Course) -> tuple[Agreement, ...]:
-    """Each sensor of `log`, recorded on the robot of `course`, against the first `DRAWN` of its drawn robots.
+def agreement(log: Log, setup: TrialSetup) -> tuple[Agreement, ...]:
+    """Each sensor of `log`, recorded on the robot of `setup`, against the first `DRAWN` of its drawn robots.
 
     Robots that fall are left out. Raises `InvalidLog` where the log lacks encoders, gyro or commands, is uneven, or too
     short; `SpecMismatch` for a kit without these sensors.
     """
-    robot, kit, period = course.actual_robot, course.actual_kit, course.controller.law.period
+    robot, kit, period = setup.actual_robot, setup.actual_kit, setup.controller.law.period
     followed = sampled(robot, kit, log.period)
     readings, commands = recorded(log, followed.delay)
     applied = at_motors(commands, kit, robot.command_unit, sent=commanded(log) == "command")
     measured = innovation_size(kalman_filter(followed), readings[None], applied[None])[0]
     estimator, agreements = kalman_filter(sampled(robot, kit, period)), list[Array]()
     sides = [kit.motor.left, kit.motor.right]
-    reads = course.controller.law.linear.reads
+    reads = setup.controller.law.linear.reads
     if not set(RAW) <= set(reads):
         raise SpecMismatch(f"the controller reads {', '.join(reads)}", expected="both encoders and the gyro")
-    for row, standard in enumerate(standard_pushes(course.robot, course.kit).values()):
-        some = replace(course, robots=course.robots[:DRAWN], progress=None)
+    for row, standard in enumerate(standard_pushes(setup.robot, setup.kit).values()):
+        some = replace(setup, robots=setup.robots[:DRAWN], progress=None)
         for result in watched(some, standard.push, row, (*RAW, *APPLIED)):
             readings, moved = np.split(result.trace[~result.fell], [3], axis=2)
             agreements.append(innovation_size(estimator, readings, moved * sides))

@@ -8,7 +8,7 @@ from upright.calibrate.calibrate import calibrate
 from upright.calibrate.calibration import HELD, Calibration
 from upright.calibrate.knocks import unpushed
 from upright.certify.actual import as_logged, doubted
-from upright.certify.checks import Course
+from upright.certify.checks import TrialSetup
 from upright.certify.logged import LOADED
 from upright.certify.support import LOAD_KNOWN, Support
 from upright.errors import InvalidLog
@@ -33,15 +33,15 @@ class Learnt:
     uncertainty: Uncertainty
 
 
-def calibrated(log: Log, course: Course, progress: Progress | None = None) -> tuple[Learnt, tuple[Support, ...]]:
-    """The robot of `course` calibrated from `log`, and what its file and its kit had wrong, beside what they say.
+def calibrated(log: Log, setup: TrialSetup, progress: Progress | None = None) -> tuple[Learnt, tuple[Support, ...]]:
+    """The robot of `setup` calibrated from `log`, and what its file and its kit had wrong, beside what they say.
 
     A calibration doubts no scale, no weighed mass and little of the electronics: where these are wrong it bends other
     numbers. So the log is first compared with the file, and what it contradicts is corrected. Where robots within the
     file's spreads explain as much as one more number would, the log is calibrated with it too, and the robot with the
     whiter innovations is kept. Raises `InvalidLog` where the calibration is refused.
     """
-    met, _, taken = as_logged(log, course)
+    met, _, taken = as_logged(log, setup)
     own = _own(log, met, progress)
     unlike = own.refused or own.temper * WHITER < 1
     if unlike and (doubt := doubted(log, met, {s.name for s in taken})):
@@ -49,22 +49,22 @@ def calibrated(log: Log, course: Course, progress: Progress | None = None) -> tu
         if not other.refused and (own.refused or other.temper > WHITER * own.temper):
             own, taken = other, (*taken, doubt[1])
     if own.refused and taken:
-        own, taken = _own(log, course, progress), ()
+        own, taken = _own(log, setup, progress), ()
     if own.refused:
         raise InvalidLog(
-            f"the log does not describe {course.robot.name}: {own.refused[0]}",
+            f"the log does not describe {setup.robot.name}: {own.refused[0]}",
             hint="upright doctor LOG; or certify without the log, or with the robot that it is of",
         )
-    return learnt(own, course.kit), taken
+    return learnt(own, setup.kit), taken
 
 
-def _own(log: Log, course: Course, progress: Progress | None) -> Calibration:
-    """The calibration of the robot of `course`, as the log shows it, between knocks."""
-    robot, kit = course.actual_robot, course.actual_kit
-    return calibrate(unpushed(log, robot, kit), _weighed(course), kit, progress=progress)
+def _own(log: Log, setup: TrialSetup, progress: Progress | None) -> Calibration:
+    """The calibration of the robot of `setup`, as the log shows it, between knocks."""
+    robot, kit = setup.actual_robot, setup.actual_kit
+    return calibrate(unpushed(log, robot, kit), _weighed(setup), kit, progress=progress)
 
 
-def _weighed(met: Course) -> Robot:
+def _weighed(met: TrialSetup) -> Robot:
     """The robot with the load that the log shows, whose mass and inertias are then known as well as that."""
     robot = met.actual_robot
     if robot is met.robot:

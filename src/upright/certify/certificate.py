@@ -18,10 +18,10 @@ from upright.certify.actual import as_logged
 from upright.certify.agreement import RED, Agreement, agreement
 from upright.certify.calibrated import calibrated
 from upright.certify.checks import (
-    Course,
     PushTrial,
     RunCounter,
     Swept,
+    TrialSetup,
     delay_sweep,
     kernel_controller,
     period_sweep,
@@ -241,30 +241,30 @@ def certify(
         assumed = find_controller(controller, nominal, parts, parts.period)
         as_filed = draw(nominal, FEWEST, seed)
         own, wrong = calibrated(
-            recording, Course(kernel_controller(assumed, nominal, parts), nominal, as_filed, parts, seed), progress
+            recording, TrialSetup(kernel_controller(assumed, nominal, parts), nominal, as_filed, parts, seed), progress
         )
         nominal, parts, unknown = own.robot, own.kit, own.uncertainty
     design = find_controller(controller, nominal, parts, parts.period)
     family = draw(nominal, samples, seed, unknown) if robots is None else list(robots)
     _check_family(family, nominal)
-    course = Course(kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads)
-    course, shown, taken = as_logged(recording, course) if recording else (course, (), ())
+    setup = TrialSetup(kernel_controller(design, nominal, parts), nominal, family, parts, seed, threads)
+    setup, shown, taken = as_logged(recording, setup) if recording else (setup, (), ())
     taken = (*taken, *(s for s in wrong if s.name not in {t.name for t in taken}))
-    course = replace(course, progress=RunCounter(course.runs, progress)) if progress else course
-    runs, fallen, beyond = trials(course)
-    linear, period = linear_margins(design, course.actual_robot, course.actual_kit), design.spec.period
+    setup = replace(setup, progress=RunCounter(setup.runs, progress)) if progress else setup
+    runs, fallen, beyond = trials(setup)
+    linear, period = linear_margins(design, setup.actual_robot, setup.actual_kit), design.spec.period
     fell, hopeless = int(fallen.sum()), int(beyond.sum())
-    compared = agreement(recording, course) if recording else ()
+    compared = agreement(recording, setup) if recording else ()
     light, reasons = judge(len(family), fell, linear, runs, period, compared, shown, beyond=hopeless, taken=taken)
-    examined = sweeps and robots is None and not course.controller.called and red(fell, len(family))
+    examined = sweeps and robots is None and not setup.controller.called and red(fell, len(family))
     who = identity(design)
     return Certificate(
         light=light, reasons=reasons, bound=upper_bound(fell, len(family), CONFIDENCE), robot=nominal.name,
         kit=parts.name, controller=design.spec.kind, hash=who.hash, period=period, seed=seed, samples=len(family),
         fell=fell, beyond=hopeless, linear=linear, trials=runs, agreement=compared, support=shown, taken=taken,
         subject=subject, asked=who.asked, response=who.response,
-        delayed=delay_sweep(course) if sweeps else (), slower=period_sweep(course) if sweeps else (),
-        narrowing=narrowing(course, unknown or Uncertainty.of(nominal), fallen) if examined else None,
+        delayed=delay_sweep(setup) if sweeps else (), slower=period_sweep(setup) if sweeps else (),
+        narrowing=narrowing(setup, unknown or Uncertainty.of(nominal), fallen) if examined else None,
     )  # fmt: skip
 
 

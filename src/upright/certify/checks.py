@@ -173,7 +173,7 @@ class RunCounter:
 
 
 @dataclass(frozen=True, eq=False)
-class Course:
+class TrialSetup:
     """A controller, the robots it drives, their kit, the seed of their noise, and the floor's slope [rad].
 
     Pushes have the sizes of `robot` and `kit`, which were assumed. What a log shows instead is `logged`, and is tried.
@@ -227,10 +227,10 @@ class Condition(NamedTuple):
     expected_voltage: float | None
 
 
-def conditions(course: Course) -> list[Condition]:
+def conditions(setup: TrialSetup) -> list[Condition]:
     """What every push is tried at: the expected batteries and slopes, and those that only a log shows."""
-    volts, logged = batteries(course.robot, course.kit), course.logged
-    expected = course.robot.conditions.slopes
+    volts, logged = batteries(setup.robot, setup.kit), setup.logged
+    expected = setup.robot.conditions.slopes
     named = [(name, volts and volts[i]) for i, name in enumerate(BATTERIES)]
     named += [(f"{v:.3g} V", v) for v in logged.batteries] if logged else []
     slopes = [*expected, *(logged.slopes if logged else ())]
@@ -267,35 +267,35 @@ class Trials(NamedTuple):
     beyond: Mask
 
 
-def trials(course: Course) -> Trials:
+def trials(setup: TrialSetup) -> Trials:
     """Every standard push at every battery on all robots."""
-    fell, beyond = (np.zeros(len(course.robots), dtype=np.bool_) for _ in range(2))
+    fell, beyond = (np.zeros(len(setup.robots), dtype=np.bool_) for _ in range(2))
     results = list[PushTrial]()
-    for one in tried(course):
+    for one in tried(setup):
         results.append(one.trial)
         fell |= one.fell
         beyond |= one.beyond
     return Trials(tuple(results), fell, beyond)
 
 
-def tried(course: Course) -> Iterator[TriedPush]:
+def tried(setup: TrialSetup) -> Iterator[TriedPush]:
     """Every standard push at every battery, and on every slope, on all robots."""
-    law, number, logged = course.controller.law, 0, course.logged
+    law, number, logged = setup.controller.law, 0, setup.logged
     planned = law.nonlinear is not None and isinstance(law.nonlinear.part, Splitting)
     channels = (*PITCH, RESIDUAL) if planned else PITCH
-    parameters = parameters_of(course.robots)
+    parameters = parameters_of(setup.robots)
     parameters = logged.weighed(parameters) if logged else parameters
     for kind in range(PUSHES):
-        for slope, battery, voltage, expected_slope, expected_voltage in conditions(course):
-            sized = standard_pushes(course.robot, course.kit, expected_voltage, expected_slope)
+        for slope, battery, voltage, expected_slope, expected_voltage in conditions(setup):
+            sized = standard_pushes(setup.robot, setup.kit, expected_voltage, expected_slope)
             name, standard = list(sized.items())[kind]
             changed = {} if voltage is None else {"battery.voltage": [voltage]}
-            sloped = replace(course, slope=slope)
-            rows = list(_runs(sloped, course.robots, standard.push, number, changed, course.controller, channels))
+            sloped = replace(setup, slope=slope)
+            rows = list(_runs(sloped, setup.robots, standard.push, number, changed, setup.controller, channels))
             called = f"{name}, slope {math.degrees(slope):+.1f}°" if slope else name
             fell, beyond = np.concatenate([row.fell for row in rows]), np.zeros(len(parameters), dtype=np.bool_)
-            able = means(course.robot, course.actual_kit, voltage)
-            beyond[fell] = ~recoverable(parameters[fell], able, standard.push, slope, course.threads)
+            able = means(setup.robot, setup.actual_kit, voltage)
+            beyond[fell] = ~recoverable(parameters[fell], able, standard.push, slope, setup.threads)
             trial = replace(
                 _trial(called, battery, rows, parameters, law.period), size=standard.size, beyond=int(beyond.sum()),
                 bound=standard.bound if math.isfinite(standard.bound) else None,
@@ -304,71 +304,71 @@ def tried(course: Course) -> Iterator[TriedPush]:
             number += 1
 
 
-def delay_sweep(course: Course) -> tuple[Swept, ...]:
+def delay_sweep(setup: TrialSetup) -> tuple[Swept, ...]:
     """Falls under every standard push with `DELAYS` periods of additional dead time, unknown to the controller."""
-    kits = {value: delaying(course.actual_kit, value) for value in _extra(course)}
-    return tuple(_swept(_on(course, kit), value, course.controller) for value, kit in kits.items())
+    kits = {value: delaying(setup.actual_kit, value) for value in _extra(setup)}
+    return tuple(_swept(_on(setup, kit), value, setup.controller) for value, kit in kits.items())
 
 
-def period_sweep(course: Course) -> tuple[Swept, ...]:
+def period_sweep(setup: TrialSetup) -> tuple[Swept, ...]:
     """Falls under every standard push with the same gains at `SLOWER` times the period."""
-    law, called = course.controller
-    tried = [(period, KernelController(law.with_period(period), called)) for period in _periods(course)]
-    return tuple(_swept(course, period, controller) for period, controller in tried)
+    law, called = setup.controller
+    tried = [(period, KernelController(law.with_period(period), called)) for period in _periods(setup)]
+    return tuple(_swept(setup, period, controller) for period, controller in tried)
 
 
-def watched(course: Course, push: Any, row: int, channels: Sequence[str]) -> Iterator[FleetResult]:
-    """One run of each robot of `course` under `push`, with `channels` recorded; `row` is the number of the trial."""
-    return _runs(course, course.robots, push, row, {}, course.controller, channels)
+def watched(setup: TrialSetup, push: Any, row: int, channels: Sequence[str]) -> Iterator[FleetResult]:
+    """One run of each robot of `setup` under `push`, with `channels` recorded; `row` is the number of the trial."""
+    return _runs(setup, setup.robots, push, row, {}, setup.controller, channels)
 
 
-def _extra(course: Course) -> list[float]:
-    return sorted({round(fraction * course.controller.law.period / _STEP) * _STEP for fraction in DELAYS} - {0.0})
+def _extra(setup: TrialSetup) -> list[float]:
+    return sorted({round(fraction * setup.controller.law.period / _STEP) * _STEP for fraction in DELAYS} - {0.0})
 
 
-def _periods(course: Course) -> list[float]:
+def _periods(setup: TrialSetup) -> list[float]:
     """In the kernel no command may be delayed beyond the next one, so that jitter limits the period from below."""
-    tried = sorted({max(1, round(fraction * course.controller.law.period / _STEP)) * _STEP for fraction in SLOWER})
-    return [period for period in tried if period >= course.actual_kit.jitter]
+    tried = sorted({max(1, round(fraction * setup.controller.law.period / _STEP)) * _STEP for fraction in SLOWER})
+    return [period for period in tried if period >= setup.actual_kit.jitter]
 
 
-def _on(course: Course, kit: Kit) -> Course:
+def _on(setup: TrialSetup, kit: Kit) -> TrialSetup:
     """The same pushes on another kit."""
-    return replace(course, logged=replace(course.logged or Logged.alone(kit), kit=kit))
+    return replace(setup, logged=replace(setup.logged or Logged.alone(kit), kit=kit))
 
 
-def _swept(course: Course, value: float, controller: KernelController) -> Swept:
-    some = course.robots[:SWEPT]
+def _swept(setup: TrialSetup, value: float, controller: KernelController) -> Swept:
+    some = setup.robots[:SWEPT]
     fell = runs = 0
-    for row, standard in enumerate(standard_pushes(course.robot, course.kit).values()):
-        for result in _runs(course, some, standard.push, row, {}, controller):
+    for row, standard in enumerate(standard_pushes(setup.robot, setup.kit).values()):
+        for result in _runs(setup, some, standard.push, row, {}, controller):
             fell, runs = fell + int(result.fell.sum()), runs + len(result.fell)
     return Swept(value, runs, fell)
 
 
 def _runs(
-    course: Course, robots: Sequence[Robot], push: Any, row: int, changes: Mapping[str, Any],
+    setup: TrialSetup, robots: Sequence[Robot], push: Any, row: int, changes: Mapping[str, Any],
     controller: KernelController, channels: Sequence[str] = (),
 ) -> Iterator[FleetResult]:  # fmt: skip
     """One run of each robot, in batches; `row` is the number of the trial, so that each has its own noise."""
     n, part = len(robots), CALLED if controller.called else len(robots)
-    logged = course.logged
+    logged = setup.logged
     for first in range(0, n, part):
         some = parameters_of(robots[first : first + part])
         if logged:
             some = logged.weighed(some, first)
         index = np.arange(row * n + first, row * n + first + len(some), dtype=np.uint64)
         batch = FleetBatch(
-            parameters=some, controller=controller.law, kit=course.actual_kit, seed=course.seed,
+            parameters=some, controller=controller.law, kit=setup.actual_kit, seed=setup.seed,
             kit_changes={**(logged.part(first, len(some)) if logged else {}), **changes},
-            pushes=tables([push], (), some).pushes, index=index, period=_STEP, slope=np.array([course.slope, 0.0]),
+            pushes=tables([push], (), some).pushes, index=index, period=_STEP, slope=np.array([setup.slope, 0.0]),
         )  # fmt: skip
         called, record = controller.called, int(bool(channels))
         yield simulate(
-            batch, SECONDS, record=record, channels=channels, bands=BANDS, threads=course.threads, called=called
+            batch, SECONDS, record=record, channels=channels, bands=BANDS, threads=setup.threads, called=called
         )
-        if course.progress:
-            course.progress.add(len(some))
+        if setup.progress:
+            setup.progress.add(len(some))
 
 
 def batteries(robot: Robot, kit: Kit) -> tuple[float, float] | None:

@@ -12,7 +12,7 @@ import numpy as np
 
 from upright.arrays import Array, Mask
 from upright.calibrate.knocks import SETTLED, at_motors, first_state, moved_by, pushed, recorded
-from upright.certify.checks import Course
+from upright.certify.checks import TrialSetup
 from upright.certify.logged import loaded
 from upright.control.delay import MOST_PERIODS, RAW, SampledRobot, sampled
 from upright.control.kalman import DISTURBED, Disturbed, Filter, filtered, kalman_filter
@@ -82,11 +82,11 @@ class FollowedLog:
         return result
 
 
-def filtered_log(log: Log, course: Course, kit: Kit | None = None) -> tuple[FollowedLog, Array, Array]:
-    """The filter of the nominal robot with a `kit` (None: that of the course) along the log, the commands that were
+def filtered_log(log: Log, setup: TrialSetup, kit: Kit | None = None) -> tuple[FollowedLog, Array, Array]:
+    """The filter of the nominal robot with a `kit` (None: that of the setup) along the log, the commands that were
     sent and what the motors make of them (n, 2)."""
-    robot, kit = course.actual_robot, kit or course.actual_kit
-    estimator = _estimator(robot, kit, log.period, course.disturbed)
+    robot, kit = setup.actual_robot, kit or setup.actual_kit
+    estimator = _estimator(robot, kit, log.period, setup.disturbed)
     readings, sent = recorded(log, estimator.sampled.delay)
     motors = at_motors(sent, kit, robot.command_unit, sent=commanded(log) == "command")
     return FollowedLog.of(estimator, readings, motors), sent, motors
@@ -155,21 +155,21 @@ def _surprise(estimator: Filter, innovations: Array) -> float:
     return float((FREEDOM + e.shape[1]) * np.log1p(squared / FREEDOM).sum() + len(e) * np.linalg.slogdet(S)[1])
 
 
-def gyro_scale(log: Log, course: Course) -> float:
+def gyro_scale(log: Log, setup: TrialSetup) -> float:
     """The gyro's scale over the kit's with which the log is likeliest; a signature's would be drawn towards one by the
     noise of what the filter predicts."""
-    kit, gyro = course.actual_kit, course.actual_kit.sensors[RAW[2]]
+    kit, gyro = setup.actual_kit, setup.actual_kit.sensors[RAW[2]]
 
     def scaled(scale: float) -> tuple[Robot, Kit]:
-        return course.actual_robot, replace(kit, sensors={**kit.sensors, RAW[2]: replace(gyro, gain=scale * gyro.gain)})
+        return setup.actual_robot, replace(kit, sensors={**kit.sensors, RAW[2]: replace(gyro, gain=scale * gyro.gain)})
 
-    return _likeliest(log, scaled, course.disturbed)
+    return _likeliest(log, scaled, setup.disturbed)
 
 
-def body_load(log: Log, course: Course) -> float:
+def body_load(log: Log, setup: TrialSetup) -> float:
     """The body's mass over the nominal one with which the log is likeliest; beside what the spreads explain, a
     signature's would be lost: a lighter body looks like a lower one."""
-    return _likeliest(log, lambda factor: (loaded(course.actual_robot, factor), course.actual_kit), course.disturbed)
+    return _likeliest(log, lambda factor: (loaded(setup.actual_robot, factor), setup.actual_kit), setup.disturbed)
 
 
 def dead_zone(path: FollowedLog, motors: Array, made: Callable[[float], Array], tried: Sequence[float]) -> float:
@@ -190,10 +190,10 @@ def _likeliest(log: Log, changed: Callable[[float], tuple[Robot, Kit]], disturbe
     return near[int(np.argmin(surprises(log, [changed(value) for value in near], disturbed)))]
 
 
-def as_disturbed(log: Log, course: Course) -> tuple[Course, float]:
-    """`course` with the disturbances that make the log likeliest, and its surprise. With larger ones the filter expects
+def as_disturbed(log: Log, setup: TrialSetup) -> tuple[TrialSetup, float]:
+    """`setup` with the disturbances that make the log likeliest, and its surprise. With larger ones the filter expects
     larger innovations than there are, and whatever makes them smaller looks likely: a gyro that counts too little."""
-    several = [replace(course, disturbed=factor) for factor in DISTURBANCES]
+    several = [replace(setup, disturbed=factor) for factor in DISTURBANCES]
     then = [surprise(filtered_log(log, one)[0]) for one in several]
     best = int(np.argmin(then))
     return several[best], then[best]

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from upright.arrays import Array, Mask
-from upright.certify.checks import Course, tried
+from upright.certify.checks import TrialSetup, tried
 from upright.certify.verdict import CONFIDENCE, MOST_FALLS
 from upright.fleet.binomial import upper_bound
 from upright.kernel.batch import NAMES, parameters_of
@@ -73,15 +73,15 @@ class Narrowing:
         return tuple(ways)
 
 
-def narrowing(course: Course, unknown: Uncertainty, fell: Mask) -> Narrowing:
-    """What would have to be known of the robot of `course`, `fell` (n,) of whose robots, drawn from `unknown`, fell."""
+def narrowing(setup: TrialSetup, unknown: Uncertainty, fell: Mask) -> Narrowing:
+    """What would have to be known of the robot of `setup`, `fell` (n,) of whose robots, drawn from `unknown`, fell."""
 
     def falls(factors: dict[str, float], *, all_pushes: bool = False) -> int:
         """How many fall; by default no push is tried after one that makes it red."""
         spreads = tuple(s.scaled(factors.get(s.name, 1.0)) for s in unknown.spreads)
         known = Uncertainty(spreads, unknown.correlation)
-        robots, lost = draw(course.robot, TRIED, course.seed + 1, known), np.zeros(TRIED, dtype=np.bool_)
-        for one in tried(replace(course, robots=robots, progress=None)):
+        robots, lost = draw(setup.robot, TRIED, setup.seed + 1, known), np.zeros(TRIED, dtype=np.bool_)
+        for one in tried(replace(setup, robots=robots, progress=None)):
             lost |= one.fell
             if red(int(lost.sum())) and not all_pushes:
                 break
@@ -96,7 +96,7 @@ def narrowing(course: Course, unknown: Uncertainty, fell: Mask) -> Narrowing:
             enough = Narrowing(tuple(_needed(s, factor) for s in chosen), TRIED, least)
         return enough
 
-    ranked = [s for s in ranking(unknown, parameters_of(course.robots), fell) if s.name in PARAMETERS]
+    ranked = [s for s in ranking(unknown, parameters_of(setup.robots), fell) if s.name in PARAMETERS]
     if alone := answer(ranked[:1]):
         return alone
     every = dict.fromkeys((s.name for s in unknown.spreads), FACTORS[0])

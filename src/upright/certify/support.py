@@ -1,6 +1,6 @@
 """What a log says of the numbers that a certificate takes as given: battery, floor, motors, delays, gyro, load, clock.
 
-The nominal robot's steady Kalman filter follows the log (`certify.following`). A number that differs from the assumed
+The nominal robot's steady Kalman filter follows the log (`certify.likelihood`). A number that differs from the assumed
 one adds a signature to its innovations; what robots within their spreads add is taken out as well as it may (ridge
 regression). The rest gives each number's value by least squares, with a 95 % interval that counts the innovations'
 correlation in time. The gyro's scale is the likeliest.
@@ -17,7 +17,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.calibrate.knocks import at_motors, moved_by
-from upright.certify.checks import Course, batteries
+from upright.certify.checks import TrialSetup, batteries
 from upright.certify.likelihood import FollowedLog, body_load, dead_zone, filtered_log, gyro_scale
 from upright.control.delay import MOST_PERIODS, sampled
 from upright.logs.recording import commanded
@@ -95,21 +95,21 @@ def contradictions(support: Sequence[Support]) -> list[str]:
     return [f"{OUTSIDE}{s}" for s in beyond]
 
 
-def supported(log: Log, course: Course) -> tuple[Support, ...]:
-    """What `log`, of the robot of `course`, shows of the numbers that its certificate takes as given.
+def supported(log: Log, setup: TrialSetup) -> tuple[Support, ...]:
+    """What `log`, of the robot of `setup`, shows of the numbers that its certificate takes as given.
 
     Raises like `agreement`. Numbers that the log does not show at all are left out.
     """
-    return (*_battery(log, course), *_jitter(log, course.actual_kit), *_dynamics(log, course))
+    return (*_battery(log, setup), *_jitter(log, setup.actual_kit), *_dynamics(log, setup))
 
 
-def _battery(log: Log, course: Course) -> list[Support]:
+def _battery(log: Log, setup: TrialSetup) -> list[Support]:
     """The battery's open-circuit voltage and its sag, from its own readings."""
-    kit, prefix = course.actual_kit, commanded(log)
-    nominal, expected = kit.battery.voltage, batteries(course.robot, course.kit)
+    kit, prefix = setup.actual_kit, commanded(log)
+    nominal, expected = kit.battery.voltage, batteries(setup.robot, setup.kit)
     if "sensor/battery" not in log or expected is None:
         return []
-    tried = [*expected, *(course.logged.batteries if course.logged else ())]
+    tried = [*expected, *(setup.logged.batteries if setup.logged else ())]
     volts = log["sensor/battery"]
     there = np.isfinite(volts)
     if there.sum() < FEWEST_VOLTS:
@@ -164,32 +164,32 @@ def _jitter(log: Log, kit: Kit) -> list[Support]:
     return [Support("jitter", "s", width, width, width, 0.0, max(2 * kit.jitter, 2 * CLOCK))]
 
 
-def _dynamics(log: Log, course: Course) -> list[Support]:
+def _dynamics(log: Log, setup: TrialSetup) -> list[Support]:
     """What the filter's innovations say."""
-    robot, kit = course.actual_robot, course.actual_kit
-    path, sent, motors = filtered_log(log, course)
+    robot, kit = setup.actual_robot, setup.actual_kit
+    path, sent, motors = filtered_log(log, setup)
     raw = commanded(log) == "command"
     names, columns = _signatures(path, motors)
-    spreads = _spreads(path, course, motors)
+    spreads = _spreads(path, setup, motors)
     fit = _Fit(path, np.column_stack([*columns, spreads]), len(columns), log.period)
     values, errors = fit.solved(path.errors)
     fitted = {name: (float(v), NORMAL * float(e)) for name, v, e in zip(names, values, errors, strict=True)}
     lag = tuple(log.period * x for x in fitted["gyro delay"])
-    mass, spread = robot.body_mass, float(np.std([r.body_mass for r in course.robots]))
-    heavy, most_load = mass * body_load(log, course), max(LOAD * mass, 2 * spread)
+    mass, spread = robot.body_mass, float(np.std([r.body_mass for r in setup.robots]))
+    heavy, most_load = mass * body_load(log, setup), max(LOAD * mass, 2 * spread)
     about_mass = {"least": mass - most_load, "most": mass + most_load}
-    scale, within = gyro_scale(log, course), {"least": 1 - GYRO_SCALE, "most": 1 + GYRO_SCALE}
+    scale, within = gyro_scale(log, setup), {"least": 1 - GYRO_SCALE, "most": 1 + GYRO_SCALE}
     numbers = [
         _of("motors' strength", "1", 1.0, fitted["strength"], STRENGTH),
         _of("difference of the motors", "1", 0.0, fitted["asymmetry"], UNEQUAL),
         replace(_of("gyro's scale", "1", scale, (0.0, SCALE_KNOWN * scale), 0.0), **within),
         replace(_of("gyro's further delay", "s", 0.0, lag, LAG * log.period), least=LEAD * log.period),
         replace(_of("body's mass", "kg", heavy, (0.0, LOAD_KNOWN * heavy), 0.0), **about_mass),
-        _slope(path, log.period, course),
+        _slope(path, log.period, setup),
         *_noise(log, kit, path),
         _delay(fit, path, motors, log.period),
     ]  # fmt: skip
-    return [*numbers, _dead_zone(path, course, sent, motors)] if raw else numbers
+    return [*numbers, _dead_zone(path, setup, sent, motors)] if raw else numbers
 
 
 def _of(name: str, unit: str, middle: float, numbers: Sequence[float], around: float) -> Support:
@@ -222,11 +222,11 @@ def _others(path: FollowedLog, robots: Sequence[Robot], motors: Array) -> Array:
     return -path.answer(np.zeros((len(known), 3, len(moved))), np.stack(moved, axis=2))
 
 
-def _spreads(path: FollowedLog, course: Course, motors: Array) -> Array:
+def _spreads(path: FollowedLog, setup: TrialSetup, motors: Array) -> Array:
     """What robots within their spreads add (rows·sensors, k), so that their sum with normal weights has their
     covariance."""
-    some = course.robots[:DRAWN]
-    return _others(path, [course.actual(robot) for robot in some], motors) / math.sqrt(len(some))
+    some = setup.robots[:DRAWN]
+    return _others(path, [setup.actual(robot) for robot in some], motors) / math.sqrt(len(some))
 
 
 class _Fit:
@@ -288,8 +288,8 @@ def _delay(fit: _Fit, path: FollowedLog, motors: Array, period: float) -> Suppor
     return Support("further delay", "s", value, low - half, high + half, LEAD * period, LAG * period)
 
 
-def _dead_zone(path: FollowedLog, course: Course, sent: Array, motors: Array) -> Support:
-    kit, unit = course.actual_kit, course.robot.command_unit
+def _dead_zone(path: FollowedLog, setup: TrialSetup, sent: Array, motors: Array) -> Support:
+    kit, unit = setup.actual_kit, setup.robot.command_unit
     sizes = np.abs(sent)
     unit_zone = max(kit.motor.dead_zone, LEAST_ZONE * float(np.abs(motors).max()))
     most = 0.9 * float(sizes.max())  # a dead zone beyond all commands is a strength of zero
@@ -303,9 +303,9 @@ def _dead_zone(path: FollowedLog, course: Course, sent: Array, motors: Array) ->
     return Support("dead zone", unit, value, value - wide, value + wide, 0.0, 2 * unit_zone)
 
 
-def _slope(path: FollowedLog, period: float, course: Course) -> Support:
+def _slope(path: FollowedLog, period: float, setup: TrialSetup) -> Support:
     """The floor's slope from the steady push that the filter sees, apart from friction, which turns with the wheels."""
-    linear, robot = path.estimator.sampled.linear, course.actual_robot
+    linear, robot = path.estimator.sampled.linear, setup.actual_robot
     rows = path.keep
     push, wheel = path.states[rows, linear.states.index("push")], path.states[rows, 3]
     scale = max(float(np.abs(wheel).max()), 1e-9)
@@ -316,7 +316,7 @@ def _slope(path: FollowedLog, period: float, course: Course) -> Support:
     weight = (robot.body_mass + 2 * robot.wheel_mass) * robot.gravity
     wide = NORMAL * math.sqrt(float(np.linalg.pinv(A.T @ A)[0, 0]) * variance) / weight
     angle = -float(values[0]) / weight
-    tried = [*robot.conditions.slopes, *(course.logged.slopes if course.logged else ())]
+    tried = [*robot.conditions.slopes, *(setup.logged.slopes if setup.logged else ())]
     return Support("slope", "rad", angle, angle - wide, angle + wide, min(tried) - LEVEL, max(tried) + LEVEL)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from upright.arrays import Array, Mask
 from upright.bodies import Body, Electronics, make_body
-from upright.certify.checks import Course, kernel_controller, watched
+from upright.certify.checks import TrialSetup, kernel_controller, watched
 from upright.comparison.comparison import compare
 from upright.control import CONTROLLERS, Controller, make_controller
 from upright.errors import UprightError
@@ -202,17 +202,17 @@ def bench_one(
     controller = controller or _designed(method, robot, kit)
     if isinstance(controller, str):
         return BenchRow(controller=method, push=push, outcome=controller), None
-    course = Course(kernel_controller(controller, robot, kit), robot, drawn, kit, seed)
+    setup = TrialSetup(kernel_controller(controller, robot, kit), robot, drawn, kit, seed)
     plant = Electronics(make_body(body, robot), kit)
     log = run(plant, controller, Hold(pitch=PUSHES[side], until=UNTIL), seconds=SECONDS, seed=seed)
     way = math.copysign(1.0, PUSHES[side])
-    impulse = largest_knock(plant, controller, way, seed, near=_border(course, way)) if knocks else None
+    impulse = largest_knock(plant, controller, way, seed, near=_border(setup, way)) if knocks else None
     plant.close()
     numbers = compare({body: log}).to_json()["logs"]
     measured = next(iter(numbers.values()))["metrics"]
     end = outcome_of(log)
     outcome = f"fell at {end.seconds:.1f} s" if end.fell else "yes"
-    spread = _spread(course, side)
+    spread = _spread(setup, side)
     names = {"peak": "pitch_peak", "settling": "settling_5", "travel": "wheel_travel"}
     numbers = {n: measured[names.get(n, n)] for n in ("peak", "settling", "travel", "effort", "saturated")}
     return BenchRow(controller=method, push=push, outcome=outcome, **numbers, impulse=impulse, spread=spread), log
@@ -232,12 +232,12 @@ def largest_knock(
     return _largest(stands, plant.spec.robot, way, near)
 
 
-def _border(course: Course, way: float) -> float | None:
+def _border(setup: TrialSetup, way: float) -> float | None:
     """`largest_knock` [N s] in the kernel's nonlinear model, which computes a hundred times as fast."""
-    if course.controller.called:
+    if setup.controller.called:
         return None
-    one = replace(course, robots=[course.robot])
-    return _largest(lambda knock: not next(watched(one, knock, 0, ())).fell[0], course.robot, way) or None
+    one = replace(setup, robots=[setup.robot])
+    return _largest(lambda knock: not next(watched(one, knock, 0, ())).fell[0], setup.robot, way) or None
 
 
 def _largest(stands: Callable[[Impulse], bool], robot: Robot, way: float, near: float | None = None) -> float:
@@ -258,11 +258,11 @@ def _designed(method: str, robot: Robot, kit: Kit) -> Controller | str:
         return f"no design: {str(error).split(';')[0]}"
 
 
-def _spread(course: Course, side: str) -> float | None:
+def _spread(setup: TrialSetup, side: str) -> float | None:
     """Fraction of drawn robots that fall, in the kernel."""
-    if course.controller.called:
+    if setup.controller.called:
         return None
-    runs = watched(course, Hold(pitch=PUSHES[side], until=UNTIL), 0, ())
+    runs = watched(setup, Hold(pitch=PUSHES[side], until=UNTIL), 0, ())
     return float(np.concatenate([result.fell for result in runs]).mean())
 
 

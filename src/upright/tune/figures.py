@@ -11,7 +11,7 @@ import numpy as np
 
 from upright.arrays import Array
 from upright.atomic import finite
-from upright.certify.checks import SECONDS, Course, PushTrial, kernel_controller, tried
+from upright.certify.checks import SECONDS, PushTrial, TrialSetup, kernel_controller, tried
 from upright.certify.recovery import KNOCK_DURATION
 from upright.certify.verdict import LinearMargins, judge
 from upright.control.controller import Controller
@@ -45,12 +45,12 @@ class Runs:
     effort: float
 
 
-def pushed(course: Course) -> Runs:
-    """The standard pushes at every battery on all robots of `course`. A robot that never settles counts to the end."""
-    fell, beyond = (np.zeros(len(course.robots), dtype=np.bool_) for _ in range(2))
+def pushed(setup: TrialSetup) -> Runs:
+    """The standard pushes at every battery on all robots of `setup`. A robot that never settles counts to the end."""
+    fell, beyond = (np.zeros(len(setup.robots), dtype=np.bool_) for _ in range(2))
     trials = list[PushTrial]()
     lived, settling, effort = list[float](), list[Array](), list[Array]()
-    for one in tried(course):
+    for one in tried(setup):
         trials.append(one.trial)
         fell |= one.fell
         beyond |= one.beyond
@@ -60,7 +60,7 @@ def pushed(course: Course) -> Runs:
             lived.append(float(np.sum(row.lived)))
             settling.append(np.maximum(np.nan_to_num(row.settled[stood], nan=SECONDS) - end, 0.0))
             effort.append(np.asarray(row.effort[stood], dtype=np.float64))
-    count = len(trials) * len(course.robots)
+    count = len(trials) * len(setup.robots)
     return Runs(
         tuple(trials),
         int(fell.sum()),
@@ -71,10 +71,10 @@ def pushed(course: Course) -> Runs:
     )
 
 
-def hardest(course: Course) -> list[int]:
-    """The numbers of the robots of `course`, first the one that leans farthest in the standard pushes, all together."""
-    lean = np.zeros(len(course.robots))
-    for one in tried(course):
+def hardest(setup: TrialSetup) -> list[int]:
+    """The numbers of the robots of `setup`, first the one that leans farthest in the standard pushes, all together."""
+    lean = np.zeros(len(setup.robots))
+    for one in tried(setup):
         lean += np.concatenate([row.peak[:, 0] for row in one.rows])
     return np.argsort(-lean, kind="stable").tolist()
 
@@ -84,33 +84,33 @@ def _mean(parts: Sequence[Array], none: float) -> float:
     return float(values.mean()) if len(values) else none
 
 
-def knock(course: Course) -> float:
+def knock(setup: TrialSetup) -> float:
     """The largest impulse [N s] at the centre of mass that the nominal robot survives from both sides, in
     `KNOCK_DURATION`.
 
     Every smaller one that was tried is survived too; the battery is the kit's.
     """
-    robot = course.robot
+    robot = setup.robot
     mass = robot.body_mass + 2 * robot.wheel_mass
     sizes = mass * np.geomspace(SOFTEST, HARDEST, COARSE)
-    first = _first_fall(course, sizes)
+    first = _first_fall(setup, sizes)
     if first in (0, COARSE):
         return float(sizes[-1]) if first else 0.0
     finer = np.geomspace(sizes[first - 1], sizes[first], FINE + 1)
-    return float(finer[_first_fall(course, finer) - 1])
+    return float(finer[_first_fall(setup, finer) - 1])
 
 
-def _first_fall(course: Course, sizes: Array) -> int:
+def _first_fall(setup: TrialSetup, sizes: Array) -> int:
     """The number of the least of `sizes` [N s] that fells the robot from either side; their count where none does."""
     pushes = np.array([[way * size / KNOCK_DURATION, np.nan, KNOCKED, KNOCK_DURATION]
                        for _ in range(STREAMS) for way in (1, -1) for size in sizes])  # fmt: skip
     noise = np.repeat(np.arange(2 * STREAMS, dtype=np.uint64), len(sizes))  # the same for every size
-    law, called = course.controller
+    law, called = setup.controller
     batch = FleetBatch(
-        parameters=parameters_of(course.robot), controller=law, kit=course.kit, seed=course.seed,
+        parameters=parameters_of(setup.robot), controller=law, kit=setup.kit, seed=setup.seed,
         pushes=pushes[:, None], index=noise,
     )  # fmt: skip
-    result = simulate(batch, KNOCKED + KNOCK_DURATION + WATCHED, threads=course.threads, called=called)
+    result = simulate(batch, KNOCKED + KNOCK_DURATION + WATCHED, threads=setup.threads, called=called)
     fell = result.fell.reshape(2 * STREAMS, len(sizes)).any(axis=0)
     return int(np.argmax(fell)) if fell.any() else len(sizes)
 
@@ -177,11 +177,11 @@ def figures(
     """What a certificate measures of `controller`, with margins `linear`, on `samples` robots drawn from the spreads,
     and the largest knock."""
     robots = draw(robot, samples, seed)
-    course = Course(kernel_controller(controller, robot, kit), robot, robots, kit, seed, threads)
-    runs = pushed(course)
+    setup = TrialSetup(kernel_controller(controller, robot, kit), robot, robots, kit, seed, threads)
+    runs = pushed(setup)
     light, reasons = judge(samples, runs.fell, linear, runs.trials, controller.spec.period, beyond=runs.beyond)
     return Figures(
-        samples=samples, fell=runs.fell, knock=knock(course), settling=runs.settling, effort=runs.effort,
+        samples=samples, fell=runs.fell, knock=knock(setup), settling=runs.settling, effort=runs.effort,
         saturated=max(t.saturated for t in runs.trials), travel=max(t.travel for t in runs.trials),
         sway=max(t.cycle for t in runs.trials), linear=linear, light=light, reasons=reasons,
     )  # fmt: skip

@@ -10,7 +10,7 @@ import numpy as np
 
 from upright.arrays import Array, Complex
 from upright.certify.analysis import INPUTS, LATEST, delayed_kit
-from upright.certify.checks import Course, kernel_controller
+from upright.certify.checks import TrialSetup, kernel_controller
 from upright.certify.loop import Loop, commanded_plant, robot_loop
 from upright.certify.margins import ScalarResponse, broken_at
 from upright.certify.verdict import MOST_CYCLE, MOST_SATURATED, MOST_TRAVEL, LinearMargins
@@ -81,8 +81,8 @@ class Scorer:
         if not modulus > 0:
             return replace(NONE, excess=excess)
         kernel = kernel_controller(controller, self.robot, self.kit)
-        course = Course(kernel, self.robot, self.robots, self.kit, self.seed, self.threads)
-        groups = [(pushed(replace(course, robots=some)), len(some)) for some in (self.robots, self.hard) if some]
+        setup = TrialSetup(kernel, self.robot, self.robots, self.kit, self.seed, self.threads)
+        groups = [(pushed(replace(setup, robots=some)), len(some)) for some in (self.robots, self.hard) if some]
         count, (runs, _), over = sum(n for _, n in groups), groups[0], 0.0
         for trial in runs.trials:
             used = (trial.saturated / MOST_SATURATED, trial.travel / MOST_TRAVEL, trial.cycle / MOST_CYCLE)
@@ -90,7 +90,7 @@ class Scorer:
         return CandidateScore(
             fell=sum(group.fell for group, _ in groups) / count,
             down=sum(group.down * n for group, n in groups) / count,
-            knock=knock(course), settling=runs.settling, effort=runs.effort, over=over, modulus=modulus, excess=excess,
+            knock=knock(setup), settling=runs.settling, effort=runs.effort, over=over, modulus=modulus, excess=excess,
         )  # fmt: skip
 
     def _margins(self, controller: Controller) -> tuple[float, float]:

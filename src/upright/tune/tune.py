@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 from upright.atomic import place_of
 from upright.certify.agreement import AMBER, RED
 from upright.certify.certificate import FEWEST
-from upright.certify.checks import Course, kernel_controller
+from upright.certify.checks import TrialSetup, kernel_controller
 from upright.certify.verdict import GREEN, LinearMargins, linear_margins
 from upright.control import CONTROLLERS, Controller, controller_hash, write_controller
 from upright.control.identity import request_hash
@@ -268,7 +268,7 @@ class _Task:
         default, seed = self.controller(self.defaults), SEARCHED + self.seed
         drawn = draw(self.robot, DRAWN, seed)
         kernel = kernel_controller(default, self.robot, self.kit)
-        order = hardest(Course(kernel, self.robot, drawn, self.kit, seed, self.threads))
+        order = hardest(TrialSetup(kernel, self.robot, drawn, self.kit, seed, self.threads))
         hard, rest = order[: ROBOTS // 2], sorted(order[ROBOTS // 2 :])
         return Scorer(
             self.method, self.robot, self.kit, [drawn[i] for i in rest[: ROBOTS - len(hard)]],
