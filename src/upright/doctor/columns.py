@@ -35,12 +35,16 @@ DRIVEN = 0.3  # [1] R² of the motor equation from which columns are taken for c
 EQUAL = 1.5  # how many times more one of two commands may vary
 TOGETHER, ALIKE = 0.3, 3.0  # [1] least correlation of two encoders, and how many times more one may vary
 SMOOTH = 0.3  # [1] of its deviation: steps of a column that may be an encoder
+TWIN, PROPORTIONAL = 0.95, 0.9999  # [1] correlations of the commands of both motors, and of one reading in two units
+FASTEST = 35.0  # [rad/s] 2000 degrees per second, the largest range of a gyro
 RATE = 0.9  # [1] correlation from which a column is the rate of another
+LEANS = 0.7  # [1] of the gyro with the steps of a column, from which that is some estimate of the tilt and no command
 MOST = 14  # columns that are tried
 VALUES = 5  # different values that a column has at least; fewer are a mode or a flag
 ROWS = 3000  # of the log, on which they are tried
 _WITHOUT_GYRO = ("time", "columns", "saturation", "channel")
 COUPLING = 1.6  # [1] q of the pendulum equation: a22/a11 plus what the rotor adds, of robots that were measured
+SPREAD = 1.2  # of its logarithm: beyond that, whole numbers are no degrees
 GYROS = ("rad/s", "deg/s", "mrad/s", "mdeg/s")
 PERIOD = 0.01  # [s] taken where no column is a clock
 
@@ -152,8 +156,11 @@ def _sources(table: RawTable, best: _Choice) -> dict[str, Source]:
     angles = (
         [named] if UNITS[named][1] == "rad" else ["deg"] if counts else ["rad", "deg"] if rate in GYROS else ["rad"]
     )
-    rates = [rate] if rate in GYROS else GYROS
+    largest = float(np.nanmax(np.abs(table.columns[best.gyro])))
+    rates = [rate] if rate in GYROS else [r for r in GYROS if largest * UNITS[r][0] < FASTEST] or GYROS
     angle, rate = min(((a, r) for a in angles for r in rates), key=lambda units: off(*units))
+    if counts and not named and off(angle, rate) > SPREAD:
+        angle = ""  # counts of another number to a turn: the doctor asks for it
     sides = {LEFT: Source(column=best.left, unit=angle), RIGHT: Source(column=best.right, unit=angle)}
     return {**sides, GYRO: Source(column=best.gyro, unit=rate, sign=best.sign)}
 
@@ -184,11 +191,13 @@ def _sensors(t: Array, moving: dict[str, Array], known: dict[str, str]) -> _Choi
     elif GYRO in known and not together:
         together = [(n, n) for n in smooth]  # one angle for both wheels
     choices: list[_Choice] = []
+    alone = [n for n in moving if not _has_twin(n, moving)]
     for left, right in dict.fromkeys([*sided, *together]):
-        for gyro in [known[GYRO]] if GYRO in known else [n for n in moving if n not in (left, right)]:
+        for gyro in [known[GYRO]] if GYRO in known else [n for n in alone if n not in (left, right)]:
             choice = _judged(t, moving, left, right, gyro, NAMED if (left, right) in sided else TRUSTED)
             choices += [choice] if choice else []
-    best = max(choices, key=lambda c: c.r2, default=None)
+    with_tilt = [c for c in choices if _tilts(moving, c)]  # a command may obey too, of which nothing is the angle
+    best = max(with_tilt or choices, key=lambda c: c.r2, default=None)
     if best is None or GYRO in known:
         return best
     rates = {n: rate_of(x, moving[best.gyro]) for n, x in moving.items() if n not in best[:3]}
@@ -196,6 +205,22 @@ def _sensors(t: Array, moving: dict[str, Array], known: dict[str, str]) -> _Choi
     if rate and rates[rate] > RATE:  # the column was the tilt, of which another is the rate
         return _judged(t, moving, best.left, best.right, rate) or best
     return best
+
+
+def _has_twin(name: str, moving: dict[str, Array]) -> bool:
+    """Whether another column is the same, or nearly: so are the commands of both motors, and a gyro in two units only
+    exactly in proportion."""
+    return any(_alike(moving[name], other) for n, other in moving.items() if n != name)
+
+
+def _alike(x: Array, other: Array) -> bool:
+    return np.array_equal(x, other) or TWIN < abs(_correlation(x, other)) < PROPORTIONAL
+
+
+def _tilts(moving: dict[str, Array], choice: _Choice) -> list[str]:
+    """The columns of which the choice's gyro is the rate."""
+    rate = choice.sign * moving[choice.gyro]
+    return [n for n, x in moving.items() if n not in choice[:3] and rate_of(rate, x) > RATE]
 
 
 def _judged(
@@ -216,7 +241,10 @@ def _commands(t: Array, table: RawTable, moving: dict[str, Array], best: _Choice
     """The pair of columns, or the one, that drives the encoders by the motor equation."""
     left, right = moving[best.left], moving[best.right]
     m = _resampled(t, {LEFT: left, RIGHT: right})
-    rest = [n for n in moving if n not in best[:3] and abs(rate_of(moving[n], left)) < RATE]
+    rate = moving[best.gyro]
+    others = [n for n in moving if n not in best[:3] and abs(rate_of(rate, moving[n])) < LEANS]
+    speeds = [n for n in others if abs(rate_of(moving[n], left)) > RATE]
+    rest = [n for n in others if n not in speeds and not any(_alike(moving[n], moving[s]) for s in speeds)]
     tries: dict[tuple[str, str, int], float] = {}
     for names in [*combinations(rest, 2), *((n, n) for n in rest)]:
         one, other = (float(np.std(moving[name])) for name in names)

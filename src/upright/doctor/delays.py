@@ -10,6 +10,10 @@ from upright.doctor.physics import REACH, Resampled, Response, backward_rate, mo
 CLEAR = 0.9
 """R² of the pendulum equation above which its lag and residuals are used; below it, quantisation dominates."""
 
+_SHARP = 3.0
+"""Sharpness of that lag below which it is not told: pushes, and friction that holds the wheels, fit a wrong lag almost
+as well as the right one."""
+
 _SURE = 8.0  # t-value that the largest response must reach before its onset is read
 _FIRST = 4.0  # t-value above which a row belongs to the response
 
@@ -30,7 +34,7 @@ def delays(record: Record) -> list[Finding]:
     lag = 0.0
     if m.gyro is not None:
         fit = m.law
-        if fit.r2 > CLEAR and fit.values and fit.values[0] > 0:
+        if fit.r2 > CLEAR and fit.sharp > _SHARP and min(fit.values, default=0.0) > 0:
             lag = fit.lag
             findings += _between(m, lag, fit.r2)
     if m.commands is not None:

@@ -261,12 +261,12 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
         [time.order],
         [time.unit],
         [time.jump],
-        [wrapped],
+        [wrapped, sensors.joined],
         [sensors.dead, sensors.outliers, sensors.repeated, time.steps],
         [sensors.stuck, units.constants],
-        [motion.kinds],
+        [motion.kinds, sensors.unsigned],
         [motion.signs],
-        [motion.sides],
+        [motion.sides, sensors.unequal],
         [partial(units.scales, robot=robot)],
         [partial(units.commands, robot=robot)],
         [units.estimates, sensors.bias, sensors.saturation, sensors.grain, sensors.quiet],
@@ -283,13 +283,13 @@ def _stages(robot: Robot | None) -> list[list[Check]]:
     ]
 
 
-_COUNTS = "units/counts"  # of a channel that no check can read, since its unit is unknown
+_UNREAD = ("units/counts", "command/unsigned")  # a channel that no check can read, since it lacks a unit or a sign
 _TIMED = 5  # the stage after which time and readings are whole, and the poses can be read
 
 _STAGE_OF = {
     "time/missing": 0, "time/backwards": 1, "time/repeated": 1, "time/coarse": 1, "time/unit": 2,
     "time/jump": 3, "time/gap": 3,
-    "encoder/wrapped": 4, "samples/repeated": 5, "channel/holes": 5, "channel/outliers": 5,
+    "encoder/wrapped": 4, "encoder/jump": 4, "samples/repeated": 5, "channel/holes": 5, "channel/outliers": 5,
     "motion/integrated": 8, "motion/differentiated": 8, "motion/flipped": 9, "motion/swapped": 10, "units/scale": 11,
     "units/command": 12, "delay/sensor": 13, "delay/command": 13, "gyro/bias": 13, "time/dropped": 20,
     "time/jitter": 20,
@@ -302,7 +302,8 @@ def contradictions(log: Log) -> list[str]:
     """What is wrong in a log of ours that a fit reads as it stands, in words: signs, sides, kinds, units, and sensors
     that stopped."""
     findings = [f for f in _examine(record_of(log), None, unwatched)[0] if f.severity == "error"]
-    wrong = [f for f in findings if f.code.split("/")[0] in ("motion", "units") or f.code == "channel/stuck"]
+    stopped = ("channel/stuck", "command/unsigned")
+    wrong = [f for f in findings if f.code.split("/")[0] in ("motion", "units") or f.code in stopped]
     return [f"the log contradicts itself, {f.channel}: {f.evidence}" for f in wrong]
 
 
@@ -322,7 +323,7 @@ def _examine(raw: Record, robot: Robot | None, progress: Progress) -> tuple[list
             progress(done / total)
         if stage is not stages[-1]:
             record = _without_empty(_repaired(record, fresh), fresh)
-            changed = any(finding.fixes or finding.code == _COUNTS for finding in fresh)
+            changed = any(finding.fixes or finding.code in _UNREAD for finding in fresh)
             if stage is stages[_TIMED] or (record.segments and changed):
                 record = replace(record, segments=poses.segments(record))
         findings += fresh
@@ -340,9 +341,9 @@ def _repaired(record: Record, findings: Sequence[Finding]) -> Record:
 
 
 def _without_empty(record: Record, findings: Sequence[Finding]) -> Record:
-    """Without the channels that hold no number or unknown counts, and the sensors that never change: no physics is read
-    into these."""
-    empty = {f.channel for f in findings if f.code in ("channel/empty", _COUNTS)}
+    """Without the channels that hold no number, unknown counts or no sign, and the sensors that never change: no
+    physics is read into these."""
+    empty = {f.channel for f in findings if f.code in ("channel/empty", *_UNREAD)}
     still = ("channel/constant", "channel/stuck")
     empty |= {f.channel for f in findings if f.code in still and f.channel.startswith("sensor/")}
     return replace(record, channels={n: x for n, x in record.channels.items() if n not in empty})

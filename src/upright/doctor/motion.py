@@ -117,18 +117,23 @@ class _Drive:
 
 
 def _against_command(m: Resampled, wheels: _Wheels) -> _Drive:
+    """By the response to what is unpredictable in the commands, or else by the motor equation. Where that equation
+    holds as logged, a response the other way is what the controller does of pushes and of wheels that stick."""
     if m.commands is None or m.gyro is None or _quiet(m.commands[0]) or _quiet(m.commands[1]):
         return _Drive(0, 0, "")  # what a controller does of a lean that was not logged looks like its surprise
     # Wheels are corrected against the gyro first: left and right then mean the same direction.
     left = m.left * (-1 if wheels.left * wheels.right < 0 and wheels.left < 0 else 1)
     right = m.right * (-1 if wheels.left * wheels.right < 0 and wheels.right < 0 else 1)
-    sides = _by_responses(m, left, right)
-    if sides is not None:
-        return sides
-    fits: dict[tuple[int, int], LaggedFit] = {}
     mixed = () if _one_encoder(m) else ((1, -1), (-1, 1))
+    answer = _by_responses(m, left, right)
+    if answer is not None and (answer.left, answer.right) == (1, 1):
+        return answer
+    fits: dict[tuple[int, int], LaggedFit] = {}
     for side in ((1, 1), (-1, -1), *mixed):
         fits[side] = motor(m, (side[0] * m.commands[0] + side[1] * m.commands[1]) / 2, left, right, None)
+    if answer is not None:
+        against = fits[1, 1].r2 > max(TRUSTED, fits[answer.left, answer.right].r2 + MARGIN)
+        return _Drive(0, 0, "") if against else answer
     best = max(fits, key=lambda side: fits[side].r2)
     plain = fits[1, 1].r2
     if fits[best].r2 < TRUSTED or (best != (1, 1) and fits[best].r2 < plain + MARGIN):

@@ -54,6 +54,7 @@ _USUAL = 5.0  # [s] to both sides, over which the median lean counts as upright
 _DRIFT = 0.03  # [rad/s] spread of a gyro's offset before anything is known
 _FOLLOWS = 0.7  # R² from which a pitch estimate follows the gyro
 _SWING = 0.1  # [rad] a usual swing of a robot that balances
+LARGEST_OFFSET = 0.35  # [rad/s] 20 degrees per second, that of the chips that people use
 _FASTEST, _WIDEST, _COARSEST = 10.0, 1.5, 0.5  # [rad/s, rad, rad/s] rms, swing and step of a gyro in degrees
 
 
@@ -90,13 +91,22 @@ def at_rest(m: Resampled) -> tuple[Mask, Mask]:
     count = max(3, round(0.1 / m.period))
     left, right = (np.abs(smooth(wheel, m.period, 2 * m.period, 1)) for wheel in (m.left, m.right))
     moved = uniform_filter1d(left + right, count, mode="constant")
-    swings = np.abs(smooth(m.gyro, m.period, _CALMED))
+    calmed = smooth(m.gyro, m.period, _CALMED)
+    swings = np.minimum(np.abs(calmed), np.abs(calmed - _commonest(calmed)))  # at rest it reads zero, or its offset
     level = max(0.02 * float(np.percentile(left + right, 95)), 1e-6)
     left_over = noise_of(m.gyro) * min(1.0, np.sqrt(m.period / (2 * np.sqrt(np.pi) * _CALMED)))
     usual = float(np.percentile(swings, 80))
     most = _CALM * usual if usual > 3 * left_over else np.inf  # what shakes at half the sampling rate is no noise
     quiet = swings < min(max(4 * left_over, _REST * usual), most)
     return _lasting(quiet, m.period), _lasting(quiet & (moved < level), m.period)
+
+
+def _commonest(values: Array) -> float:
+    """The middle of the shortest interval that holds a third of the values."""
+    ordered, count = np.sort(values), max(2, len(values) // 3)
+    widths = ordered[count - 1 :] - ordered[: len(ordered) - count + 1]
+    first = int(np.argmin(widths))
+    return float(ordered[first] + ordered[first + count - 1]) / 2
 
 
 def noise_of(rate: Array) -> float:
@@ -133,7 +143,8 @@ def _divisor(m: Resampled) -> float:
     fast = swing - smooth(swing, m.period, 8 * widths(m.period)[-1])
     rms, width = float(np.sqrt(np.mean(m.gyro**2))), float(fast.std())
     coarse = m.gyro_name == GYRO and grain_of(m.gyro) >= _COARSEST
-    if not (rms > _FASTEST or width > _WIDEST or coarse):
+    off = m.gyro_name == GYRO and abs(float(np.median(m.gyro))) > LARGEST_OFFSET and m.t[-1] - m.t[0] > _USUAL
+    if not (rms > _FASTEST or width > _WIDEST or coarse or off):
         return 1.0
     degrees = 180 / np.pi
     if rms > _FASTEST * degrees or width > _WIDEST * degrees:

@@ -16,6 +16,7 @@ _GRAINS = 3.0  # [quantisation steps of the command] a smaller unpredictable par
 _LAW = 0.98  # R² of the motor equation above which its lag is accurate to a few hundredths of a row
 _SHARP = 2.0  # smallest sharpness of the lag: a slow motion fits any lag
 SHOWN = 3  # lines without a row that are quoted
+_WHOLE = 0.6  # [rows] of lead from which a whole row is likelier than a part of one
 _EARLY = 0.05  # [rows] tolerated lead of the wheels over a held command
 
 
@@ -53,8 +54,11 @@ def _too_early(m: Resampled) -> list[Finding]:
     if fit.r2 < _LAW or fit.sharp < _SHARP or fit.lag > -_EARLY * m.period:
         return []
     evidence = f"if commands were held for {m.period * 1e3:.3g} ms, the wheels would lead by {-fit.lag * 1e3:.1f} ms "
-    evidence += f"(motor equation, R² {fit.r2:.3f}): the commands changed between the rows"
-    repair = "log at the controller's rate; one-step regression on this log is biased"
+    evidence += f"(motor equation, R² {fit.r2:.3f}): "
+    after = -fit.lag > _WHOLE * m.period
+    evidence += "each was logged a row after it acted" if after else "the commands changed between the rows"
+    repair = "log the command that acts from the row on" if after else "log at the controller's rate"
+    repair += "; one-step regression on this log is biased"
     return [warning("samples/controller", "command", evidence, repair)]
 
 
@@ -72,8 +76,10 @@ def _swallowed(m: Resampled) -> list[Finding]:
     if fraction + _SURE * spread > 1:
         return []
     evidence = f"the unpredictable part of the command moves the wheels {max(fraction, 0):.0%} (± {2 * spread:.0%}) of "
-    evidence += f"the distance expected if held for {m.period * 1e3:.3g} ms: the commands changed between the rows, or "
-    evidence += "friction absorbs the small ones"
+    evidence += (
+        f"the distance expected if held for {m.period * 1e3:.3g} ms: the commands changed between the rows, act "
+    )
+    evidence += "later than they were logged, or friction absorbs the small ones"
     repair = "if the controller is faster, log at its rate; one-step regression on this log is biased"
     return [note("samples/controller", "command", evidence, repair)]
 

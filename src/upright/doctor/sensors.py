@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,6 +66,68 @@ def dead(record: Record) -> list[Finding]:
             repair = "run it with a controller, or check" if silent else "check the cable and"
             findings.append(error("channel/constant", name, evidence, f"{repair} the mapped column"))
     return findings
+
+
+def unsigned(record: Record) -> list[Finding]:
+    """Commands of a balancing robot that are never negative: their direction is missing."""
+    m = motion(record)
+    if m is None or m.commands is None or record.commands is None:
+        return []
+    findings: list[Finding] = []
+    rate = smooth(m.wheel, m.period, widths(m.period)[-1], 1)[m.good]
+    if min(float(rate.max()), -float(rate.min())) < _BOTH_WAYS * float(np.abs(rate).max()):
+        return []  # who drives on may need volts of one sign alone
+    for name, values in zip(record.commands, m.commands, strict=True):
+        on = values[m.good]
+        if on.min() >= 0 and (on > 0).mean() > _DRIVEN:
+            evidence = f"never negative, {on.max():.4g} at most: nothing balances so, and its direction is missing"
+            findings.append(error("command/unsigned", name, evidence, "name its column in a mapping: direction = …"))
+    return findings
+
+
+_BOTH_WAYS = 0.3  # [1] of the largest rate of the wheels
+_DRIVEN = 0.3  # [1] of the rows in which a motor works, from which it must work both ways
+
+
+_JUMP, _JUMPS = 8.0, 3  # times the largest usual step of a wheel; more jumps are a way of the sensor
+
+
+def joined(record: Record) -> list[Finding]:
+    """Both encoders jump in the same row: counters that were set to zero, or another recording."""
+    if LEFT not in record or RIGHT not in record or len(record.t) < 50:
+        return []
+    steps = np.abs(np.diff(np.column_stack([record[LEFT], record[RIGHT]]), axis=0))
+    if not np.isfinite(steps).all():
+        return []
+    usual = np.maximum(np.quantile(steps, 0.995, axis=0), [grain_of(record[name]) for name in (LEFT, RIGHT)])
+    rows = np.flatnonzero((steps > _JUMP * usual).all(axis=1) & (np.diff(record.t) < 5 * record.period)) + 1
+    if not 0 < len(rows) <= _JUMPS:
+        return []
+    edges = [0, *rows.tolist(), len(record.t)]
+    first, last = max(pairwise(edges), key=lambda part: part[1] - part[0])
+    when = moment(float(record.t[rows[0]]))
+    evidence = f"both jump at {when} s, the left one by {steps[rows[0] - 1, 0]:.3g} rad: counters that were set to "
+    evidence += "zero, or two recordings"
+    fix = Fix("rows", numbers=(float(first), float(last)))
+    return [error("encoder/jump", LEFT, evidence, f"keep rows {first} to {last - 1}, the longest part", fix)]
+
+
+_ALIKE, _UNEQUAL = 0.98, 1.25  # correlation of both wheels' rates, and by how much more one may turn
+
+
+def unequal(record: Record) -> list[Finding]:
+    """One encoder that turns by a factor more than the other, at all times: another scale, or another wheel."""
+    m = motion(record)
+    if m is None or np.array_equal(m.left, m.right):
+        return []
+    left, right = (smooth(x, m.period, widths(m.period)[-1], 1)[m.good] for x in (m.left, m.right))
+    if not left.std() or not right.std() or float(np.corrcoef(left, right)[0, 1]) < _ALIKE:
+        return []
+    ratio = float(right.std() / left.std())
+    if 1 / _UNEQUAL < ratio < _UNEQUAL:
+        return []
+    evidence = f"the right one turns {ratio:.3g} times as much as the left one, at all times"
+    return [warning("encoder/unequal", RIGHT, evidence, "the same unit, counts and wheels on both sides?")]
 
 
 def repeated(record: Record) -> list[Finding]:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from upright.doctor.duty import (
     FAULT,
@@ -27,6 +28,7 @@ from upright.doctor.finding import (
     PITCH,
     RIGHT,
     UP,
+    Array,
     Finding,
     Fix,
     Record,
@@ -36,9 +38,12 @@ from upright.doctor.finding import (
 from upright.doctor.fixes import COARSE, levels
 from upright.doctor.motion import TRUSTED
 from upright.doctor.physics import Resampled, lagged, motion, smooth, widths
+from upright.doctor.poses import LARGEST_OFFSET
 from upright.logs.outliers import grain_of
 from upright.physics.dynamics import mass_matrix, motor_damping, motor_gain
 from upright.robots import Robot
+
+Mask = NDArray[np.bool_]
 
 DEGREE = math.pi / 180
 STANDARD_GRAVITY = 9.80665
@@ -102,27 +107,65 @@ def scales(record: Record, robot: Robot | None = None) -> list[Finding]:
     if m is None or m.gyro is None or m.gyro_name != GYRO:
         return []
     fit = m.law
-    if fit.r2 < TRUSTED or not fit.values or fit.values[0] <= 0 or fit.values[1] <= 0:
-        return []
+    if fit.r2 < TRUSTED or min(fit.values, default=0.0) <= 0:
+        return _of_no_unit(record, m.good, m.gyro)
+    return _scaled(record, robot, m, fit.values)
+
+
+def _scaled(record: Record, robot: Robot | None, m: Resampled, values: tuple[float, ...]) -> list[Finding]:
+    """The likeliest mistake where the pendulum equation holds with these values, or counts of which nobody knows what
+    one is."""
+    assert m.gyro is not None
     usual = expected(robot)
-    estimated, units = _estimated(record, m, fit.values), command_units(record)
+    estimated, units = _estimated(record, m, values), command_units(record)
     by_gravity = _gyro_by_gravity(record, m)
     plain = _penalty(estimated, usual, by_gravity, units, _Suspect("none"))
     graded = sorted((FAULT + _penalty(estimated, usual, by_gravity, units, s), i) for i, s in enumerate(_SUSPECTS))
     if graded[0][0] >= plain:
         return []
-    suspect = _SUSPECTS[graded[0][1]]
+    suspect, odds = _SUSPECTS[graded[0][1]], plain - graded[0][0]
     q = estimated["q"] * suspect.gyro / suspect.encoder
     possible = q > 1 and _fine(estimated, suspect)
     if counted(record[GYRO]) and (suspect.gyro >= _COUNTS or not possible):
         return _raw_counts(record, estimated["q"], usual["q"])
-    centre, spread = usual["q"]
-    usual_robot = possible and abs(math.log(q) - centre) < 2 * spread
     counts = suspect.encoder != 1 and counted(record[LEFT]) and counted(record[RIGHT])
-    if counts and not usual_robot:
-        return _encoder_counts(estimated["q"] * suspect.gyro, usual["q"])
     repair = ", or where these are counts: state in a mapping how many are a turn" if counts else ""
-    return _wrong(suspect, estimated, plain - graded[0][0], by_gravity, repair)
+    wrong = _wrong(suspect, estimated, odds, by_gravity, repair)
+    if not counts or (possible and _usual(record, estimated, usual, suspect)):
+        return wrong
+    unknown = _of_no_unit(record, m.good, m.gyro) if suspect.gyro == 1 else []
+    if any(f.channel == GYRO for f in unknown):
+        return unknown
+    gyro = [f for f in wrong if f.channel == GYRO]
+    return gyro + _encoder_counts(estimated["q"] * suspect.gyro, usual["q"])
+
+
+def _usual(
+    record: Record, estimated: dict[str, float], usual: dict[str, tuple[float, float]], suspect: _Suspect
+) -> bool:
+    """Whether whole numbers, read as the suspect says, make a usual robot. Who counts whole degrees in the gyro too, as
+    LEGO does, counts degrees of the wheels."""
+    spreads = 2.0 if counted(record[GYRO]) else 1.0
+    values = {name: estimated[name] * suspect.gyro / suspect.encoder for name in ("q", "p")}
+    return all(abs(math.log(x) - usual[name][0]) < spreads * usual[name][1] for name, x in values.items())
+
+
+_FASTEST = 35.0  # [rad/s] 2000 degrees per second, the largest range of the chips that people use
+
+
+def _of_no_unit(record: Record, on: Mask, gyro: Array) -> list[Finding]:
+    """Channels that are not in radians, where no motion tells in what: whole numbers of an encoder, and a gyro whose
+    mean or largest reading no gyro in rad/s has."""
+    findings: list[Finding] = []
+    for name in (name for name in (LEFT, RIGHT) if counted(record[name]) and np.ptp(record[name]) > 2 * math.tau):
+        evidence = "whole numbers, so degrees or counts: this motion does not tell which"
+        findings.append(error("units/counts", name, evidence, "state unit and scale in a mapping"))
+    mean, most = float(gyro[on].mean()), float(np.abs(gyro).max())
+    if abs(mean) > LARGEST_OFFSET or most > _FASTEST:
+        shown = f"its mean is {mean:.3g}" if abs(mean) > LARGEST_OFFSET else f"it reaches {most:.3g}"
+        evidence = f"{shown}, as no gyro in rad/s: another unit, and this motion does not tell which"
+        findings.append(error("units/counts", GYRO, evidence, "state unit and scale in a mapping: deg/s, …"))
+    return findings
 
 
 def _estimated(record: Record, m: Resampled, values: tuple[float, ...]) -> dict[str, float]:
@@ -270,12 +313,22 @@ def commands(record: Record, robot: Robot | None = None) -> list[Finding]:
     return [error("units/command", names[0], evidence, repair, Fix("scale", channels, (1 / unit.factor,)))]
 
 
+MOST_VOLTS, LEAST_MILLIVOLTS = 50.0, 2500.0  # of a scooter, and of one lithium cell that is empty
+
+
 def constants(record: Record) -> list[Finding]:
     """Battery and accelerometer, against usual voltages and gravity."""
     findings: list[Finding] = []
     if BATTERY in record:
-        volts = float(np.nanmedian(record[BATTERY]))
-        if 100 < volts < 1e5:
+        volts, whole = float(np.nanmedian(record[BATTERY])), counted(record[BATTERY])
+        if whole and (MOST_VOLTS < volts <= 100 or 100 < volts < LEAST_MILLIVOLTS):
+            what = "per cent of its charge" if volts <= 100 else "counts of a converter"
+            evidence = f"whole numbers about {volts:.4g}: {what}, and no volts"
+            repair = (
+                "leave it out of the mapping, and state the voltage: [constants]; so for commands that it multiplies"
+            )
+            findings.append(error("units/battery", BATTERY, evidence, repair))
+        elif 100 < volts < 1e5:
             findings.append(_divide((BATTERY,), f"millivolts instead of volts: the median is {volts:.4g}", 1000.0))
     if FORWARD in record and UP in record:
         weight = float(np.nanmedian(np.hypot(record[FORWARD], record[UP])))

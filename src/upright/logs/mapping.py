@@ -16,7 +16,18 @@ from numpy.typing import NDArray
 
 from upright.errors import InvalidLog, UnknownName
 from upright.logs.draft import clock_of, is_clock
-from upright.logs.names import BOTH, GYRO, OTHER_GYRO, RATE, SIDES, by_letter, is_motor, recognised, unit_by_name
+from upright.logs.names import (
+    BOTH,
+    GYRO,
+    OTHER_GYRO,
+    RATE,
+    SIDES,
+    by_letter,
+    direction_of,
+    is_motor,
+    recognised,
+    unit_by_name,
+)
 from upright.logs.readers import DECIMATION, RawTable
 from upright.logs.units import UNITS
 from upright.reading import check_types, parse_toml, read_text, understood
@@ -33,6 +44,7 @@ class Source:
 
     `times` names another mapped channel that multiplies this one: per cent of a battery becomes volts. `integrate` sums
     a rate over the time steps, which inverts the difference quotient exactly; `differentiate` makes a rate of an angle.
+    `direction` names a column that is zero or less where this one, a size, acts backwards.
     `delay` [s] is the delay of the reading, which is removed. A time without a column has a `period` [s].
     """
 
@@ -45,6 +57,7 @@ class Source:
     times: str = ""
     integrate: bool = False
     differentiate: bool = False
+    direction: str = ""
     period: float = 0.0
 
     def __post_init__(self) -> None:
@@ -98,7 +111,8 @@ class Mapping:
 
     def ignored(self, table: RawTable) -> list[str]:
         """The columns that this mapping does not read."""
-        read = {self.time.column, *(source.column for source in self.channels.values())}
+        sources = self.channels.values()
+        read = {self.time.column, *(source.column for source in sources), *(source.direction for source in sources)}
         return [name for name in (*table.columns, *table.text) if name not in read]
 
 
@@ -224,6 +238,8 @@ def _values(source: Source, table: RawTable) -> Array:
     if len(beyond := np.flatnonzero(np.isfinite(column) & (np.abs(column) > MOST))):
         row = int(beyond[0])
         raise InvalidLog(f"column '{source.column}' holds {column[row]:g} at row {row}", expected=f"up to ±{MOST:g}")
+    if source.direction:
+        column = np.where(table.column(source.direction) > 0, column, -column)
     return column * (source.sign * source.scale * UNITS[source.unit][0])
 
 
@@ -307,6 +323,8 @@ def _guess(table: RawTable) -> Mapping:
         sides = [group + side for side in SIDES]
         if len(one := [sources[side] for side in sides if side in sources]) == 1:
             sources |= dict.fromkeys(sides, one[0])
+    for key in [key for key in sources if key.startswith("command/")]:
+        sources[key] = _directed(sources[key], table)
     across = sources.pop(OTHER_GYRO, None)
     if across and GYRO not in sources:
         sources[GYRO] = across
@@ -320,6 +338,14 @@ def _guess(table: RawTable) -> Mapping:
         )
     return Mapping(GUESS, _timed(time, table), in_volts(sources, table),
                    about="guessed from the names of the columns; check it")  # fmt: skip
+
+
+def _directed(command: Source, table: RawTable) -> Source:
+    """A command that is never negative, with the column of its direction where one is named."""
+    if not (table.columns[command.column] >= 0).all():
+        return command
+    two = [name for name, values in table.columns.items() if len(np.unique(values)) == 2]
+    return replace(command, direction=direction_of(command.column, two))
 
 
 def _clock(table: RawTable) -> Source | None:

@@ -140,6 +140,20 @@ def _sided(left: str, right: str) -> tuple[str, str] | None:
     return None
 
 
+_DIRECTION = r"\b(?:dir\w*|sign|fwd|forward|sentido)\b"
+
+
+def direction_of(command: str, columns: Iterable[str]) -> str:
+    """The column that says which way a command acts: the words left of both names are the same, or it is the only
+    one; '' without any."""
+
+    def left(column: str) -> str:
+        return " ".join(re.sub(rf"{_DIRECTION}|\b(?:{_DRIVEN})\b", " ", plain(column)).split())
+
+    ways = [column for column in columns if re.search(_DIRECTION, plain(column)) and column != command]
+    return next((way for way in ways if left(way) == left(command)), ways[0] if len(ways) == 1 else "")
+
+
 def unit_by_name(column: str) -> str:
     """The unit that a name ends in or says, '' where it says none."""
     if re.search(r"(?:[_\s(\[]|^)V\)?\]?$", column):

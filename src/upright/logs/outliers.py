@@ -23,7 +23,7 @@ FAR = 4.0  # times the usual difference, and steps of the resolution
 STEEP = 4.0  # times the upper quartile of the steps beside it: no robot turns round so fast
 NEAR = 5  # readings on each side that it is compared with
 AWAY, SAME = 0.75, 0.02  # of its height: what both steps beside it have, and how alike two in a row are
-CALM = 0.5  # of its height: how far its neighbours may be from the median of those beyond
+CALM = 0.5  # of its height: how far its neighbours may be from the median of those beyond, and these from each other
 BACK = 0.25  # of its height to which it comes back
 MOST = 0.05  # of the readings: more are a way of the sensor, and no single ones
 
@@ -67,7 +67,8 @@ def _stands_alone(x: Array, k: int, height: float) -> bool:
     middle = float(np.median(np.concatenate([before, after])))
     steps = np.abs(np.concatenate([np.diff(before), np.diff(after)]))
     away, back = np.abs(x[k] - sides).min() > AWAY * height, np.ptp(sides) < BACK * height
-    calm = np.abs(sides - middle).max() < CALM * height
+    ranges = [float(np.ptp(side)) for side in (before, after) if len(side)]
+    calm = max(float(np.abs(sides - middle).max()), *ranges) < CALM * height
     return bool(away and back and calm and height > STEEP * np.quantile(steps, 0.75))
 
 

@@ -1,0 +1,194 @@
+"""Robots of other people, without upright: a pendulum on two wheels by its own few equations, and logs as they print.
+
+Everything lies in one plane. The motor is a DC motor behind a gear, with dry friction in it and under the wheels; a
+hand may hold the body to a course; the controller is a state feedback of a complementary filter, at the program's
+period.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from upright.logs.readers import RawTable
+
+Array = NDArray[np.float64]
+DEGREE = math.pi / 180
+STEP = 2.5e-4  # [s] of Runge and Kutta's method
+SHARP = 0.02  # [rad/s] over which dry friction changes its sign
+GRAVITY = 9.81
+
+
+@dataclass(frozen=True)
+class Bot:
+    """Numbers [SI] of both wheels and rotors together; the motor's gain and damping and the frictions are of one."""
+
+    body: float = 1.08
+    wheels: float = 0.09
+    radius: float = 0.0325
+    com: float = 0.062
+    inertia: float = 1.99e-3
+    wheel_inertia: float = 5.7e-5
+    rotor: float = 2.16e-4  # behind the gear
+    gain: float = 0.0535  # [N m/V] at the wheel
+    damping: float = 0.0154  # [N m s/rad] at the wheel, back-EMF included
+    dry: float = 0.018  # [N m] in the motor
+    rolling: float = 0.002  # [N m] under the wheel
+    ticks: float = 1320.0  # a turn
+    offset: float = -1.7 * DEGREE  # [rad/s] of the gyro
+    noise: float = 0.15 * DEGREE
+    late: float = 0.005  # [s] the gyro's readings
+    battery: float = 11.7
+    gains: tuple[float, float, float, float] = (0.7, 30.0, 0.7, 2.4)  # wheel, pitch, wheel rate, pitch rate
+    period: float = 0.005
+
+    @property
+    def masses(self) -> tuple[float, float, float]:
+        """a11, a12 (upright), a22 of the equations of motion."""
+        a11 = (self.body + self.wheels) * self.radius**2 + self.wheel_inertia + self.rotor
+        a12 = self.body * self.com * self.radius - self.rotor
+        return a11, a12, self.body * self.com**2 + self.inertia + self.rotor
+
+    @property
+    def pole(self) -> float:
+        """The unstable pole [1/s] without dry friction."""
+        a11, a12, a22 = self.masses
+        mass, d = np.array([[a11, a12], [a12, a22]]), 2 * self.damping
+        A = np.zeros((3, 3))  # pitch, wheel rate, pitch rate
+        A[0, 2] = 1.0
+        A[1:, 0] = np.linalg.solve(mass, [0.0, self.body * GRAVITY * self.com])
+        A[1:, 1:] = np.linalg.solve(mass, [[-d, d], [d, -d]])
+        return float(max(np.linalg.eigvals(A).real))
+
+
+SMALL = Bot(
+    body=0.17, wheels=0.022, radius=0.021, com=0.035, inertia=9.2e-5, wheel_inertia=5.8e-6, rotor=1.1e-5, gain=0.01444,
+    damping=2.29e-3, dry=0.002, rolling=2e-4, ticks=600.0, offset=0.6 * DEGREE, noise=0.12 * DEGREE, late=0.004,
+    battery=7.6, gains=(0.32, 14.7, 0.41, 0.91), period=0.01,
+)  # fmt: skip
+"""0.2 kg, wheels of 42 mm: a motor turns its body by 5 rad/s within a row."""
+
+
+@dataclass(frozen=True)
+class Course:
+    """What happens: how long it lies [s] and at which lean, is raised, and is held before it is let go and balances for
+    `free`; pushes (from, until, newtons) and excitation [V] then; how it ends."""
+
+    free: float = 8.0
+    lying: float = 0.0
+    lean: float = 1.25
+    raised: float = 1.0
+    held: float = 0.0
+    pushes: Sequence[tuple[float, float, float]] = ()
+    excitation: float = 0.0
+    falls: bool = False
+    jump: float = math.inf  # [s] when the wheel's reference jumps by 2 rad
+
+
+State = tuple[float, float, float, float]
+"""Pitch, pitch rate, wheel, wheel rate [rad, rad/s]."""
+
+
+def _rates(bot: Bot, x: State, volts: float, force: float, goal: float | None, on_floor: bool) -> State:
+    """The state's time derivative under a voltage and a push, the body led by a hand to `goal`, or on the floor."""
+    psi, rate, _, turn = x
+    a11, _, a22 = bot.masses
+    lever, slip = bot.body * bot.com * bot.radius, turn - rate
+    a12 = lever * math.cos(psi) - bot.rotor
+    torque = 2 * (bot.gain * volts - bot.damping * slip - bot.dry * math.tanh(slip / SHARP))
+    floor = torque - 2 * bot.rolling * math.tanh(turn / SHARP) + force * bot.radius
+    g1 = floor + lever * rate**2 * math.sin(psi)
+    g2 = -torque + bot.body * GRAVITY * bot.com * math.sin(psi) + force * bot.com * math.cos(psi)
+    if on_floor:
+        return 0.0, -rate / STEP, turn, g1 / a11
+    if goal is not None:
+        bent = 400 * (goal - psi) - 40 * rate
+        return rate, bent, turn, (g1 - a12 * bent) / a11
+    det = a11 * a22 - a12 * a12
+    return rate, (a11 * g2 - a12 * g1) / det, turn, (a22 * g1 - a12 * g2) / det
+
+
+def _stepped(bot: Bot, x: State, volts: float, force: float, goal: float | None, on_floor: bool) -> State:
+    def at(k: State, h: float) -> State:
+        return x[0] + h * k[0], x[1] + h * k[1], x[2] + h * k[2], x[3] + h * k[3]
+
+    def rates(y: State) -> State:
+        return _rates(bot, y, volts, force, goal, on_floor)
+
+    a = rates(x)
+    b = rates(at(a, STEP / 2))
+    c = rates(at(b, STEP / 2))
+    d = rates(at(c, STEP))
+    mean = [(p + 2 * q + 2 * r + s) / 6 for p, q, r, s in zip(a, b, c, d, strict=True)]
+    return at((mean[0], mean[1], mean[2], mean[3]), STEP)
+
+
+def _held(course: Course, t: float) -> float:
+    """The lean to which a hand, or the floor, brings the body [rad]."""
+    since = t - course.lying
+    if course.lying and since < course.raised:
+        return course.lean * (0.5 + 0.5 * math.cos(math.pi * max(since, 0.0) / course.raised))
+    return 0.01 * math.sin(7 * t)
+
+
+def logged(bot: Bot, course: Course, seed: int = 0) -> dict[str, Array]:
+    """Columns in SI units, and ticks of both wheels: `t`, `left`, `right`, `gyro`, `tilt`, `duty` (−1 to 1)."""
+    rng = np.random.default_rng(seed)
+    state = (course.lean if course.lying else 0.0, 0.0, 0.0, 0.0)
+    tilt, last, speed, excited, on_floor = state[0], 0.0, 0.0, 0.0, False
+    start = course.lying + (course.raised if course.lying else 0.0) + course.held
+    past, rows = [0.0], list[tuple[float, ...]]()
+    per_row, late = round(bot.period / STEP), round(bot.late / STEP)
+    for k in range(round((start + course.free + (2.0 if course.falls else 0.0)) / bot.period)):
+        t = k * bot.period
+        free = t - start
+        gyro = past[max(-len(past), -1 - late)] + bot.offset + rng.normal(0, bot.noise)
+        psi, _, wheel, _ = state
+        ticks = (wheel - psi) / math.tau * bot.ticks
+        tilt = 0.99 * (tilt + (gyro - bot.offset) * bot.period) + 0.01 * (psi + rng.normal(0, 0.02))
+        speed, last = 0.7 * speed + 0.3 * (wheel - psi - last) / bot.period, wheel - psi
+        volts = 0.0
+        if 0 <= free < course.free:
+            if k % 6 == 0:
+                excited = course.excitation * rng.choice([-1.0, 1.0])
+            aim = 2.0 if free > course.jump else 0.0
+            errors = (float(np.clip(wheel - aim, -1, 1)), tilt, speed + gyro - bot.offset, gyro - bot.offset)
+            volts = sum(g * e for g, e in zip(bot.gains, errors, strict=True)) + excited
+        duty = float(np.clip(round(255 * volts / bot.battery), -255, 255)) / 255
+        rows.append((t, math.floor(ticks), math.floor(ticks + 0.4), gyro, tilt, duty))
+        force = sum(f for a, b, f in course.pushes if a <= free < b)
+        hand = free < 0
+        goal = _held(course, t) if hand else 0.0
+        for _ in range(per_row):
+            state = _stepped(bot, state, duty * bot.battery, force, goal if hand else None, on_floor)
+            on_floor |= not hand and abs(state[0]) > 1.3
+            past.append(state[1])
+    names = ("t", "left", "right", "gyro", "tilt", "duty")
+    return dict(zip(names, np.array(rows).T, strict=True))
+
+
+def arduino(columns: dict[str, Array], bot: Bot) -> dict[str, Array]:
+    """As a serial monitor shows it: milliseconds, degrees a second, ticks, 0 to 255 of PWM."""
+    pwm = np.rint(255 * columns["duty"])
+    return {
+        "ms": np.rint(1e3 * columns["t"]), "gyro": np.round(columns["gyro"] / DEGREE, 2), "encL": columns["left"],
+        "encR": columns["right"], "pwmL": pwm, "pwmR": pwm + (np.arange(len(pwm)) % 7 == 0),
+        "vbat": np.full(len(pwm), bot.battery),
+    }  # fmt: skip
+
+
+def metric(columns: dict[str, Array], bot: Bot) -> RawTable:
+    """Seconds, radians and volts, with names that say so."""
+    volts = columns["duty"] * bot.battery
+    angles = [columns[side] * math.tau / bot.ticks for side in ("left", "right")]
+    names = ("time_s", "gyro_radps", "enc_l_rad", "enc_r_rad", "u_l_V", "u_r_V", "vbat")
+    values = (columns["t"], columns["gyro"], *angles, volts, volts, np.full(len(volts), bot.battery))
+    return RawTable(dict(zip(names, values, strict=True)), source="run.csv")
+
+
+Change = Callable[[dict[str, Array]], dict[str, Array]]
+__all__ = ["DEGREE", "SMALL", "Bot", "Change", "Course", "arduino", "logged", "metric", "replace"]
