@@ -30,7 +30,7 @@ from upright.calibrate.informativity import INERTIAL, STRAIGHT, TURNING, drives_
 from upright.calibrate.knocks import without_knocks
 from upright.calibrate.learnt_kit import learnt_kit
 from upright.calibrate.noise import Bounds, learn_noise
-from upright.calibrate.parameters import most_friction, parameters_of
+from upright.calibrate.parameters import ROLLING, most_friction, parameters_of
 from upright.calibrate.process_noise import NOISE_TIME, arrival, process
 from upright.doctor.doctor import contradictions
 from upright.doctor.wheels import on_its_wheels
@@ -83,11 +83,9 @@ NOISE_TOLERANCE = 0.05  # [1] change of a variance's logarithm that asks for no 
 WHITE = 0.15  # [1] autocorrelation of innovations below which the model is taken for right: 3 deviations of 400 samples
 
 STARTS = ((0, 0, 0), (3, 0, 0), (6, 0, 0), (0, 2, 0), (0, 0, 1), (0, 0, -1))
-"""Starts, tried in turn: [periods] added to the prior's delay of all sensors and of the gyro alone, and by how many
-deviations of its prior the pitch inertia is larger."""
+"""[periods] added to the prior's delay of all sensors and of the gyro, and [deviations] to the pitch inertia."""
 
-PLAUSIBLE_NOISE = 9.0
-"""[1] Sensor variance over the kit's: where all sensors stay below it, the prior's own delays are near enough."""
+PLAUSIBLE_NOISE = 9.0  # [1] variance of all sensors over the kit's, below which the prior's delays are near enough
 
 MOST_SENSOR = 1e6  # [1] most variance that is learnt of a sensor, over the one its kit has
 NOISE_RANGE = 1e-6  # [1] least process noise that is learnt, over the most
@@ -160,10 +158,11 @@ def prepared(
     sensors = dict.fromkeys(s for r in recordings for s in r.sensors)
     delays = {s: _dead_time(kit, logs) + _delay(kit, s) for s in sensors}
     variances = [first_noise(r) for r in recordings]
-    limits = {s: max(v[s] for v in variances if s in v) for s in sensors}
+    limits = {s: max(v[s] for v in variances if s in v) for s in delays}
     noise = {s: float(np.log(v)) for s, v in limits.items()}
     noise |= arrival(kit, logs)
-    parameters = parameters_of(robot, delays, known, electronics_of(robot, kit, logs))
+    foreign = not all("body" in log.origin for log in logs)
+    parameters = parameters_of(robot, delays, known, electronics_of(robot, kit, logs), foreign=foreign)
     every = (*parameters, *EQUATIONS, *effects_of(parameters, len(recordings)))
     problem = Problem(
         recordings=recordings, robot=robot, parameters=every, delays=delays,
@@ -267,7 +266,8 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
     if worst_correlation(*best) < WHITE:
         return _tempered(*_between_runs(best))
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        fits = [rough, *pool.map(partial(segmented, problem, limits), (np.zeros_like(z), z, rough.z))]
+        others = pool.submit(_without_first, problem, limits)
+        fits = [rough, *pool.map(partial(segmented, problem, limits), (np.zeros_like(z), z, rough.z)), *others.result()]
         best, level = _best_simulated(fits, [*pool.map(_simulated, fits)], LEVEL)
         moved = pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)
         tries = [fit for fit in moved if fit.normal.objective < best.normal.objective]
@@ -297,6 +297,13 @@ def segmented(problem: Problem, limits: Mapping[str, float], z: Array) -> Fitted
         if np.abs(z - before).max() < SETTLED:
             return fit
     return _fitted(problem, z, iterations=10)
+
+
+def _without_first(problem: Problem, limits: Mapping[str, float]) -> list[Fitted]:
+    """From a fit without rolling friction, where that is asked: with it a bad optimum may be nearer to the prior."""
+    without, zero = replace(problem, held=problem.held | {ROLLING}), np.zeros(len(problem.parameters))
+    asked = ROLLING in {p.name for p in problem.parameters} - problem.held
+    return [segmented(problem, limits, segmented(without, limits, zero).z)] if asked else []
 
 
 def _changes(problem: Problem, sensor: str) -> float:

@@ -34,8 +34,8 @@ GEAR = "gear_ratio"
 commanded torque. Masses that were weighed tell it; without them a log gives every mass and torque up to one factor."""
 
 ROLLING = "rolling_friction"
-"""Asked only where the robot's file names it, if only as zero with a guess: of the robots with published logs one shows
-it beside its other frictions (docs/calibrate.md)."""
+"""Asked of every log that no body of ours made, since real wheels resist, and where the robot's file names it. A log of
+a body has what the file says."""
 
 ROLL_FRACTION = "roll_fraction"
 """Where the roll inertia lies between |J_ψ − J_φ| and J_ψ + J_φ, its least and its largest in a rigid body."""
@@ -106,17 +106,22 @@ class Coordinates:
 
 
 def parameters_of(
-    robot: Robot, delays: Mapping[str, float], known: Sequence[str] = (), others: Sequence[Parameter] = ()
+    robot: Robot,
+    delays: Mapping[str, float],
+    known: Sequence[str] = (),
+    others: Sequence[Parameter] = (),
+    *,
+    foreign: bool = False,
 ) -> tuple[Parameter, ...]:
     """What a log of `robot` may tell, with its priors: its numbers, `others`, and the dead time from the command to
-    each sensor in `delays`.
+    each sensor in `delays`. `foreign` logs are of a robot that rolls on a real floor.
 
     `known` names what is taken for exact. Raises `UnknownName` for a name that is none of these.
     """
     never = {*NEVER, *(ELECTRICAL if robot.drive == "torque" else ())}
     if _asks_torque(robot):
         never.remove(GEAR)
-    if not (robot.rolling_friction or ROLLING in robot.provenance):
+    if not (foreign or robot.rolling_friction or ROLLING in robot.provenance):
         never.add(ROLLING)
     names = [n for n in PARAMETERS if n not in never]
     physical = [_physical(robot, name) for name in names]

@@ -6,13 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from upright.doctor.finding import FALLING, LEANING, ON_WHEELS, Record, Segment, moment
+from upright.doctor.finding import FALLING, FEWEST, LEANING, ON_WHEELS, Record, Segment, moment
 from upright.doctor.poses import segments
 from upright.doctor.time import unit
 from upright.doctor.wrapped import wrapped
 from upright.errors import InvalidLog
+from upright.logs.names import SIDES
 from upright.logs.outliers import in_words
 from upright.logs.raw import RATES
+from upright.logs.recording import commanded
 from upright.signals import Log
 
 FITTED = (*ON_WHEELS, FALLING)
@@ -34,8 +36,9 @@ def record_of(log: Log) -> Record:
 
 def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, str]:
     """The longest time of a log in which the robot balances, stands or (`falling`) falls, and what is left out, in
-    words ('' where nothing is). A log that shows no poses is taken whole. Raises `InvalidLog` for a robot that is never
-    on its wheels, for times that are no seconds, and for angles that begin again.
+    words ('' where nothing is). A log that shows no poses is taken whole, but for a start with the motors off. Raises
+    `InvalidLog` for a robot that is never on its wheels, for times that are no seconds, and for angles that begin
+    again.
     """
     record, kinds = record_of(log), FITTED if falling else ON_WHEELS
     for wrong in unit(record):
@@ -48,22 +51,43 @@ def on_its_wheels(log: Log, *, falling: bool = True) -> tuple[Log, str]:
         )
     poses = segments(record)
     others = [pose for pose in poses if pose.kind not in kinds]
-    if not others:
-        return log, in_words(log)
     spans: list[tuple[float, float]] = []
     for pose in (pose for pose in poses if pose.kind in kinds):
         first = spans.pop()[0] if spans and spans[-1][1] == pose.start else pose.start
         spans.append((first, pose.stop))
-    if not spans:
+    if others and not spans:
         raise InvalidLog(
             f"the robot is never on its wheels in this log: {'; '.join(map(_in_words, others[:3]))}",
             expected="a robot that balances", hint="upright doctor shows the poses",
         )  # fmt: skip
-    start, stop = max(spans, key=lambda span: span[1] - span[0])
-    left = "; ".join(map(_in_words, others[:3])) + (f"; and {len(others) - 3} more" if len(others) > 3 else "")
-    used = log.between(start, stop)
-    only = f"Only {moment(start)} to {moment(stop)} s is used, where the robot is on its wheels. Left out: {left}."
-    return used, f"{only} {in_words(used)}".rstrip()
+    used, notes = log, list[str]()
+    if others:
+        start, stop = max(spans, key=lambda span: span[1] - span[0])
+        left = "; ".join(map(_in_words, others[:3])) + (f"; and {len(others) - 3} more" if len(others) > 3 else "")
+        used = log.between(start, stop)
+        only = f"Only {moment(start)} to {moment(stop)} s is used, where the robot is on its wheels."
+        notes.append(f"{only} Left out: {left}.")
+    used, held = _without_held(used)
+    return used, " ".join(filter(None, [*notes, held, in_words(used)]))
+
+
+HELD = 0.1
+"""[s] with the motors off at the start of a log, from which a hand, or the floor, must hold the robot."""
+
+
+def _without_held(log: Log) -> tuple[Log, str]:
+    """The log from the moment at which its motors are switched on, and what that leaves out, in words: no equation
+    knows of the hand that holds a robot until then. Whole where the motors are on, or always off, and in logs of ours,
+    where zero at a motor is its dead zone."""
+    prefix = commanded(log) if log.origin.get("mapping", "ours") != "ours" else ""
+    on = np.flatnonzero(np.abs(np.column_stack([log[f"{prefix}/{s}"] for s in SIDES])).max(axis=1)) if prefix else []
+    first = int(on[0]) if len(on) else 0
+    if log.t[first] - log.t[0] < HELD or len(log) - first < FEWEST:
+        return log, ""
+    until = moment(float(log.t[first]))
+    return log.between(float(log.t[first]), float(log.t[-1]) + log.period), (
+        f"Until {until} s the motors are off, so that a hand or the floor holds the robot: left out."
+    )
 
 
 def _in_words(pose: Segment) -> str:

@@ -35,6 +35,9 @@ from upright.robots.robot import PARAMETERS, Robot, possible
 GUESS = math.log(2.0)
 """Standard deviation of the logarithm of a number that is a guess: right within a factor of two."""
 
+GRAVITY = 0.02
+"""[m/s²] Spread of gravity from the equator to the poles."""
+
 COUNTED = ("gear_ratio",)
 CHOSEN = ("body_depth", "body_height", "stiction_rate")
 """For pictures, or a choice of the model: they differ between no two robots."""
@@ -296,9 +299,10 @@ def deviations(robot: Robot) -> dict[str, float]:
 
 
 def stated(robot: Robot, name: str) -> float | None:
-    """The spread that the source of a parameter states; None where the number is a guess, or has no source."""
+    """The spread that the source of a parameter states; None where the number is a guess, or has no source. Gravity
+    without a source is the usual one."""
     source = robot.provenance.get(name)
-    return source.spread if source else None
+    return source.spread if source else GRAVITY if name == "gravity" else None
 
 
 def at_medians(robot: Robot, posterior: Uncertainty | str | PathLike[str] | None) -> tuple[Robot, Uncertainty | None]:
