@@ -343,7 +343,7 @@ class Page {
 
   private recovered(impulse: number, best: number, fell: boolean): void {
     const values = { impulse: digits(impulse), best: digits(best) };
-    this.toast(fell ? t("lostPush", values) : t("recovered", values), "info");
+    this.toast(t(fell ? "lostPush" : impulse < best ? "recovered" : "recoveredMost", values), "info");
   }
 
   private transported(): void {
