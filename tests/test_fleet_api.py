@@ -187,6 +187,36 @@ def test_the_summary_counts_falls_and_leaves_the_fallen_out(results):
     assert f"{summary.fell} of 100 robots fell" in page
 
 
+def test_falls_that_chance_explains_have_no_cause_and_no_chart_of_one(results):
+    """1 of 500 fell, and the page drew that "falls follow torque constant most", below the size that chance makes.
+    Here 12 fall whatever their numbers are; then those with the highest centre of mass do."""
+    from upright.report.fleet import influence
+
+    chance, clear, one = (results.copy(deep=True) for _ in range(3))
+    for data, rows in ((chance, np.arange(0, 96, 8)), (one, [7]),
+                       (clear, np.argsort(results["com_height"].values)[-12:])):  # fmt: skip
+        data["fell"].values[:] = 0
+        data["fell"].values[rows] = 1
+    assert "No varied number clearly tells which fall." in page_of(chance).lead
+    assert "1 fall is too few to tell why." in page_of(one).lead
+    pictures = [page_of(data).picture for data in (chance, one, clear)]
+    assert [bool(p and "robots with the least centre of mass height" in p.title) for p in pictures] == [0, 0, 1]
+    figure = influence(chance, "fell")
+    assert figure is not None
+    assert figure.title.startswith("Chance alone may make these")
+
+
+def test_without_a_push_there_is_no_settling_and_one_limit(results):
+    page = page_of(results)
+    words = [words for _, words in page.numbers]
+    assert not any("push" in text for text in words)
+    assert page.verdict is not None
+    standing = results.copy(deep=True)
+    standing["fell"].values[:] = 0
+    assert page_of(standing).verdict.text == "not pushed: no certificate"
+    assert page_of(standing).numbers[0][0] == "≤ 3 %"  # 1 − 0.05^(1/100)
+
+
 # The largest push
 
 

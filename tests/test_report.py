@@ -28,6 +28,7 @@ from upright.plotting import (
     COLOURS,
     RIGHT,
     WIDTH,
+    bars,
     legend,
     line,
     number,
@@ -140,7 +141,7 @@ def test_the_key_names_the_unit_circle_by_a_dotted_line():
     assert 'stroke-dasharray="2 3"' in entry.sample
 
 
-def test_a_phone_shows_letters_beside_a_row_above_it_and_leaves_the_drawing_as_it_was():
+def test_a_phone_shows_letters_beside_a_row_below_its_name_and_leaves_the_drawing_as_it_was():
     drawing, ax = rows_of(["a", "b"], "pole [1/s]", "method")
     beside = ax.annotate("7.4 to 7.6", (1, 0), (8, 0), xycoords=ax.get_yaxis_transform(), textcoords="offset points")
     beside.set_gid(BESIDE)
@@ -150,6 +151,23 @@ def test_a_phone_shows_letters_beside_a_row_above_it_and_leaves_the_drawing_as_i
     assert across[0] > 72 * (WIDTH - RIGHT)  # right of the panel, 72 units an inch
     assert across[1] < 72 * 1.0  # at its left end
     assert figure.svg() == wide
+
+
+def test_a_phone_shows_long_names_above_their_rows_and_leaves_the_drawing_as_it_was():
+    """40 letters left of the bars would leave a phone a third of its width for them."""
+    names = ["a name of a controller with forty letters", "b"]
+    figure = Figure("Falls", bars(names, [1.0, 2.0], "robots that fell [%]", "push"))
+    wide, narrow = figure.svg(), figure.narrow()
+    across = [float(re.findall(r'x="([\d.]+)"[^>]*>a name', svg)[0]) for svg in (wide, narrow)]
+    assert across[0] > 72 * 2.0  # right-aligned before the axis, 72 units an inch
+    assert across[1] < 72 * 0.5  # at the left end of its bar
+    assert figure.svg() == wide
+
+
+def test_a_column_of_per_cents_keeps_a_decimal_beside_small_ones():
+    """2.8 of 100 was shown as 3, beside a figure that said 2.8 %."""
+    table = Table(["case", "fell [%]"], [["a", 100.0], ["b", 2.8]], digits=3, even=True)
+    assert [row[1][0] for row in table.cells()] == ["100.0", "2.8"]
 
 
 def test_pages_fetch_nothing(comparison):
@@ -401,6 +419,20 @@ def test_a_campaign_is_ranked_by_falls_and_what_nobody_survived_has_a_dash():
     assert str(cases).splitlines()[-1].endswith("–")
 
 
+def test_a_campaign_names_the_cases_that_fall_and_not_their_mean_with_those_that_stand():
+    """All of b fall when knocked and 3 % on a slope: 51 % is what no case has."""
+    fell = {("a", "knock"): 0, ("a", "slope"): 0, ("b", "knock"): 100, ("b", "slope"): 3}
+    cases = Cases(
+        CaseSummary({"robot": robot, "scenario": scene}, 100, count, clopper_pearson(count, 100), {})
+        for (robot, scene), count in fell.items()
+    )
+    page = page_of(cases)
+    assert page.title == "b, knock: 96 to 100 % of the robots fall; otherwise at most 8.5 %"  # 3 of 100: up to 8.5 %
+    assert [value for value, _ in page.numbers] == ["100 %", "3 %", "2 of 4"]
+    assert page.verdict == Verdict("in 1 of 4 cases more fall than the 5 % that a certificate allows", "bad")
+    assert "100 simulated variations of a or b." in page.lead
+
+
 def test_a_campaign_says_what_is_done_in_each_scenario():
     cases = Cases(CaseSummary({"scenario": name}, 100, 0, clopper_pearson(0, 100), {}) for name in ("knock", "hill"))
     pushes = ((Impulse(impulse=0.3),), (Slope(angle=math.radians(5.0)),))
@@ -414,6 +446,9 @@ def test_a_knock_harder_than_a_certificates_is_said_and_no_red_light():
     """`upright certify` knocks nxtway-gs with 0.186 N s (low battery) to 0.245 N s (full): printed there."""
     fleets = {size: ensemble_of("nxtway-gs", pushes=(Impulse(impulse=size),)).origin() for size in (0.24, 0.3)}
     assert harder([fleets[0.24]]) == ""
+    assert harder([fleets[0.24], ensemble_of("ev3way", pushes=(Impulse(impulse=0.24),)).origin()]) == (
+        " A certificate knocks ev3way with 0.064 to 0.085 N s, less than here."
+    )  # as hard a knock for both, and too hard for one
     assert harder(list(fleets.values())) == " A certificate knocks nxtway-gs with 0.19 to 0.24 N s, less than here."
     assert [falls_verdict(30, 100, words).level for words in ("", "harder")] == ["bad", "warn"]
     # 4 of 100 fell, but with 95 % confidence up to 8.9 % may (Clopper and Pearson), which a certificate counts

@@ -389,7 +389,7 @@ def test_a_finding_keeps_its_numbers_as_plain_json(parts: dict[str, Claim]) -> N
 def test_a_claim_reproduced_in_part_is_not_green() -> None:
     claim = Claim("1", "A push", REPRODUCED, "It holds.", {}, aside="the twin keeps swinging")
     assert claim.says == "reproduced in part"
-    assert (claim.badge.text, claim.badge.level) == ("reproduced in part", "info")
+    assert (claim.badge.text, claim.badge.level) == ("reproduced in part", "warn")
     assert claim.first == "In part: the twin keeps swinging. It holds."
     assert claim.to_json()["verdict"] == "reproduced in part"  # who counts verdicts does not count it as reproduced
 

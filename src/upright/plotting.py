@@ -56,7 +56,7 @@ PANEL, HEAD, FOOT = 1.85, 0.42, 0.55
 SCREEN, LEAST = 4.7, 0.7  # [inches] of all panels that a screen shows below a title, and of one panel at least
 CIRCLE = "unit circle: inside it a motion fades"
 BELOW: dict[str, Any] = {"linewidth": 4.0, "alpha": 0.35}
-BESIDE = "beside"  # the id of letters right of a row; a phone shows them above it
+ROWS, BESIDE = "rows", "beside"  # ids: axes with a row for each name; letters right of a row, which a phone moves
 MANY = 12  # rows of names: more are closer together
 COLUMNS = 1000  # of a line that is thinned: two for each column of pixels at the width of a page
 
@@ -222,7 +222,7 @@ def rows_of(names: Sequence[str], x_label: str, y_label: str) -> tuple[Figure, A
     figure = _figure(WIDTH, total)
     ax = _axes(figure, (left / WIDTH, FOOT / total, (WIDTH - left - RIGHT) / WIDTH, height / total))
     texts = [spoken(name).replace("-0", "−0") for name in names]
-    ax.set(yticks=range(len(names)), yticklabels=texts, ylabel=y_label, ylim=(len(names) - 0.4, -0.6))
+    ax.set(yticks=range(len(names)), yticklabels=texts, ylabel=y_label, ylim=(len(names) - 0.4, -0.6), gid=ROWS)
     ax.set_xlabel(x_label, loc="right")
     ax.grid(visible=False, axis="y")
     ax.tick_params(axis="y", length=0)

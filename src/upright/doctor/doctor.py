@@ -89,7 +89,7 @@ class Diagnosis(Shown):
 
     def plot(self) -> Figure | None:
         """Gyro, encoders and commands as they were read, with the poses other than balancing; None without any."""
-        from upright.plotting import legend, line, panels, span
+        from upright.plotting import COLOURS, legend, line, panels, span
 
         record = self._raw
         groups = {"encoders": (LEFT, RIGHT), "commands": record.commands or (), "gyro": (GYRO,)}
@@ -103,6 +103,10 @@ class Diagnosis(Shown):
                 side = name.rpartition("_")[2] if "_" in name else name.rpartition("/")[2]
                 colour = style if side in ("left", "right") else 4
                 line(ax, side, record.t, record[name], step=title == "commands", style=colour, solid=True)
+            if title == "commands" and any(finding.code.startswith("saturation") for finding in self.findings):
+                most = max(float(np.nanmax(np.abs(record[name]), initial=0.0)) for name in names)
+                for end in (most, -most):
+                    ax.axhline(end, linestyle="--", linewidth=1.2, color=COLOURS[3], label="limit of the motors")
         for segment in self.segments:
             if segment.kind != BALANCING:
                 span(axes, segment.start, segment.stop, "not balancing")

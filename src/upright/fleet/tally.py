@@ -99,7 +99,7 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         for name, values in self.varied().items():
             groups = {v: [c for c in self.worst_first() if c.labels.get(name, "") == v] for v in values}
             effects[name] = {
-                v: _together(cases) for v, cases in groups.items() if cases
+                v: together(cases) for v, cases in groups.items() if cases
             }  # fmt: skip
         return dict(sorted(effects.items(), key=lambda item: -_reach(item[1])))
 
@@ -131,9 +131,9 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         return [case for group in groups for case in sorted(group, key=lambda c: place[id(c)])]
 
     def plot(self) -> Figure:
-        """The fraction that fell in each case [%] with its 95 % interval, the `DRAWN` worst first; the label with the
-        largest effect has the colours."""
-        from upright.plotting import COLOURS, legend, rows_of
+        """The fraction that fell in each case [%] as a bar, its 95 % interval as a line, the `DRAWN` worst first; the
+        label with the largest effect has the colours."""
+        from upright.plotting import COLOURS, INK, legend, number, rows_of
 
         names, worst, effects = self.names(), self.worst_first()[:DRAWN], self.effects()
         chances = [c.chance or Interval(np.nan, np.nan, np.nan) for c in worst]
@@ -143,10 +143,12 @@ class Cases(Shown, tuple[CaseSummary, ...]):
         marks = [case.labels.get(first, "") for case in worst]
         for k, level in enumerate(levels if 1 < len(levels) < len(COLOURS) else [None]):
             rows = np.array([i for i, mark in enumerate(marks) if level is None or mark == level], dtype=int)
-            name = "estimate and 95 % interval" if level is None else self.labelled(first, level)
-            ax.hlines(rows, percent[rows, 1], percent[rows, 2], linewidth=2.5, color=COLOURS[k])
-            ax.plot(percent[rows, 0], rows, "o", markersize=6, color=COLOURS[k], label=name)
-        ax.set_xlim(0, max(1.0, 1.1 * float(np.nanmax(percent, initial=0.0))))
+            name = "robots that fell" if level is None else self.labelled(first, level)
+            ax.barh(rows, percent[rows, 0], height=0.6, color=COLOURS[k], label=name)
+        ax.hlines(np.arange(len(worst)), percent[:, 1], percent[:, 2], linewidth=1.2, color=INK, zorder=3)
+        for row, (value, _, high) in enumerate(percent.tolist()):
+            ax.annotate(f"{number(value, 2)} %", (high, row), (4, 0), textcoords="offset points", va="center")
+        ax.set_xlim(0, max(1.0, 1.18 * float(np.nanmax(percent, initial=0.0))))
         return legend(figure)
 
     def listing(self) -> Listing:
@@ -182,7 +184,7 @@ def _tied(worse: CaseSummary, case: CaseSummary) -> bool:
     return one is not None and other is not None and one.value - other.value < TIED * (one.high - one.low)
 
 
-def _together(cases: Sequence[CaseSummary]) -> Interval:
+def together(cases: Sequence[CaseSummary]) -> Interval:
     """The fraction that fell in several cases, with the interval of as many robots as differ."""
     fell, runs = sum(c.fell or 0 for c in cases), sum(c.n for c in cases)
     robots: dict[str | float, int] = {}

@@ -20,7 +20,7 @@ SHORT = 6  # rows of a table that is shown without being asked for
 
 IN_PART = "reproduced in part"  # a reproduced claim with an aside
 
-LEVEL_OF = {REPRODUCED: "good", IN_PART: "info", NOT_AS_PRINTED: "warn", BEYOND: "info"}
+LEVEL_OF = {REPRODUCED: "good", IN_PART: "warn", NOT_AS_PRINTED: "bad", BEYOND: "info"}
 
 
 @dataclass(frozen=True, eq=False)

@@ -231,7 +231,10 @@ def _tested(measured: dict[str, Measured]) -> Claim:
         "yaw is negligible": sum(c.yaw_negligible for c in every),
     }
     verdicts = {claim: count == len(every) for claim, count in held.items()}
-    text = "; ".join(f"{claim} in {count} of {len(every)} cases" for claim, count in held.items())
+    text = "; ".join(
+        f"{'not so: ' if count < len(every) else ''}{claim}, in {count} of {len(every)} cases"
+        for claim, count in sorted(held.items(), key=lambda item: item[1])
+    )
     summary = (
         f"{sentence(text)} A case is one robot under one push; a claim holds where it does in every case. A twin that "
         f"never settles counts as later than its models. Times that are a sample, {cell_text(printed.PERIOD)} s, or "

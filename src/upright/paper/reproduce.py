@@ -24,8 +24,8 @@ from upright.tables import Shown
 LIGHT, HEAVY = "nxtway-gs", "herrera2015"
 
 LEAD = (
-    "The paper models the LEGO NXT balancing robot twice, and pushes robot and models under one regulator. Here a "
-    "simulated twin stands in for the robot."
+    "“Two-Wheeled Inverted Pendulum Robot NXT Lego Mindstorms” models a balancing robot twice, and pushes robot and "
+    "models under one regulator. Here a simulated twin stands in for the robot."
 )
 PAPER = (
     "M. Herrera, W. Chamorro, A. Gómez and O. Camacho (2015), Two-Wheeled Inverted Pendulum Robot NXT Lego Mindstorms: "
@@ -77,7 +77,8 @@ def _page(claims: Sequence[Claim]) -> Page:
     """What holds and what does not, figure 5, then each claim with its evidence folded."""
     judged = [c for c in claims if c.says != BEYOND]
     counted = {verdict: sum(c.says == verdict for c in judged) for verdict in (REPRODUCED, IN_PART, NOT_AS_PRINTED)}
-    numbers = [(f"{n} of {len(judged)}", f"claims {verdict}") for verdict, n in counted.items() if n]
+    counts = [(f"{n} of {len(judged)}", f"claims {verdict}") for verdict, n in counted.items() if n]
+    numbers = _findings(claims) or counts
     failed = [_named(c) for c in judged if c.says == NOT_AS_PRINTED]
     missed = f" Not as printed: {', '.join(failed)}." if failed else ""
     part = next(c for c in claims if c.part == "5c")
@@ -113,6 +114,21 @@ def _page(claims: Sequence[Claim]) -> Page:
     verdict = Verdict("all as printed", "good") if not failed else Verdict("not all as printed", "warn")
     facts = {"command": "upright reproduce", "paper": PAPER, **_versions()}
     return Page(title, sections, f"{LEAD}{missed}{AFTER}", facts, verdict=verdict, picture=picture, numbers=numbers)
+
+
+def _findings(claims: Sequence[Claim]) -> list[tuple[str, str]]:
+    """What was found, each in a number: the misprints, the gain and the fit."""
+    known = {claim.part: claim.numbers for claim in claims}
+    facts: list[tuple[str, str]] = []
+    if errata := known.get("1b", {}).get("errata"):
+        facts.append((str(len(errata)), "misprints in the printed equations (1b)"))
+    if gains := known.get("4", {}).get("dlqr_without_noise"):
+        words = f"pitch gain by the printed weights; printed: {cell_text(known['4']['printed'][0][0], 3)} (4)"
+        facts.append((cell_text(gains[0][0], 3), words))
+    if logs := known.get("5c", {}).get("logs"):
+        fit = min(logs[name]["fit"]["pitch"] for name in ("nonlinear", "linear"))
+        facts.append((f"{cell_text(fit, 2)} %", f"fit of both models to the twin of {HEAVY}, in pitch (5c)"))
+    return facts
 
 
 def _named(claim: Claim) -> str:

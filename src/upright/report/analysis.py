@@ -82,7 +82,9 @@ def _lead(analysis: Analysis, first: str) -> str:
     short = [name for name, _, _, part in targets if part < 1]
     unstable = int((analysis.radii >= 1).sum())
     drawn = (
-        f"{len(analysis.radii)} robots drawn within the uncertainty of the robot's file" if len(analysis.radii) else ""
+        f"{len(analysis.radii)} simulated robots, as different as the robot's file allows"
+        if len(analysis.radii)
+        else ""
     )
     of = f" Of {drawn}, {unstable or 'none'} {'is' if unstable <= 1 else 'are'} unstable." if drawn else ""
     below = f"Below the usual target: {', '.join(short)}." if short else "All margins reach the usual targets."
@@ -94,21 +96,30 @@ def _lead(analysis: Analysis, first: str) -> str:
 def _targets(analysis: Analysis) -> list[tuple[str, str, str, float]]:
     """Name, value, usual target, and the part of the target that is reached; gains are compared in decibels."""
     both, delay = analysis.both(), min(analysis.delay, analysis.weakest.delay)
-    weak, strong = math.log(max(both.gain_low, 1e-3), WEAK), math.log(both.gain_high, STRONG)
+    low, high = (20 * math.log10(max(gain, 1e-3)) for gain in (both.gain_low, both.gain_high))
+    least, most = 20 * math.log10(WEAK), 20 * math.log10(STRONG)
     return [
         ("distance from −1", cell_text(1 / both.Ms, 2), f"{CLOSE:g}", 1 / both.Ms / CLOSE),
         ("phase margin", f"{cell_text(math.degrees(both.phase), 2)}°", f"{PHASE:g}°", math.degrees(both.phase) / PHASE),
-        ("gain margin upwards", f"{100 * both.gain_high:.0f} %", f"{100 * STRONG:.0f} %", strong),
-        ("gain margin downwards", f"{100 * both.gain_low:.0f} %", f"{100 * WEAK:.0f} %", weak),
+        ("gain margin, stronger", _decibels(high), f"{_decibels(most)} dB", high / most),
+        ("gain margin, weaker", _decibels(low), f"{_decibels(least)} dB", low / least),
         (f"delay margin, {_weakest(analysis)}", _delay(analysis), f"{1e3 * analysis.period:g} ms",
          delay / analysis.period),
     ]  # fmt: skip
 
 
+def _decibels(gain: float) -> str:
+    """A gain [dB], cut where no robot reaches it."""
+    return cell_text(gain, 2) if abs(gain) < MOST_DECIBELS else "> 40"
+
+
+MOST_DECIBELS = 40.0
+
+
 def _against_targets(analysis: Analysis) -> Figure:
     """Each margin as a part of its usual target."""
     targets = _targets(analysis)
-    names = [f"{name}: {value}, target {target}" for name, value, target, _ in targets]
+    names = [f"{name}: {value} of {target}" for name, value, target, _ in targets]
     figure, ax = rows_of(names, "part of the usual target [%]", "margin")
     parts = np.array([100 * min(part, 2.0) for *_, part in targets])
     for label, kept, colour in (("reaches the target", parts >= 100, 2), ("too small", parts < 100, 1)):
@@ -120,7 +131,7 @@ def _against_targets(analysis: Analysis) -> Figure:
     return Figure(f"{met} of {len(parts)} margins reach the usual target", legend(figure), _DECIBELS)
 
 
-_DECIBELS = "Gain margins are those of both motors, compared in decibels: no change at all is 0 % of the target."
+_DECIBELS = "Gain margins are those of both motors in decibels: 6 dB is a factor of two. No change at all is 0 dB."
 _BODE = (
     "The loop is broken at both motors at once. The coloured lines are the margins, each at the frequency that sets it."
 )

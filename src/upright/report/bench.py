@@ -38,7 +38,7 @@ def page_of(bench: Bench) -> Page:
     who = f"{joined(firsts)} survive" if 1 < len(firsts) <= FEW else f"{best} survives"
     heading = f"{who} the largest knock on {bench.robot}" if knocked else f"Controllers of {bench.robot}"
     lead = f"{len(ranked)} controllers on a {bench.body} of {bench.robot} with kit {bench.kit}: knocked ever "
-    lead += "harder, and held at a lean until 3 s."
+    lead += "harder; and held leaning for 3 s, then let go."
     lead += f" {take} is in the first place with the least effort." if take and len(firsts) > 1 else ""
     lead += f" Next: `upright certify` {take or 'the best one'} with slightly different robots."
     return Page(

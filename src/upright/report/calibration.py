@@ -5,19 +5,30 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from upright.calibrate.calibration import GOOD, NORMAL, PREDICTED, VERDICTS, VISIBLE, Calibration, Estimate
-from upright.plotting import COLOURS, INK, SMALL, SPAN, legend, line, number, panels, rows_of
+from upright.calibrate.calibration import (
+    GOOD,
+    HELD,
+    PREDICTED,
+    QUIET,
+    SURPRISE,
+    VERDICTS,
+    VISIBLE,
+    Calibration,
+    Estimate,
+)
+from upright.plotting import legend, line, number, panels
 from upright.report.figure import Figure
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
-from upright.robots import PARAMETERS
+from upright.report.priors import BOUNDED, CLOSE, MEASURED, NOT_VISIBLE, by_name, groups, width
 from upright.tables import joined, least, sentence, spoken
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as MplFigure
+    pass
 
-CLOSE = 0.25  # of a value: the half width of an interval up to which it counts as measured
 GIVEN = 2  # parameters named on the first screen
 STRONG = 0.9
 """Correlations from this size up are listed: only the prior separates such pairs."""
@@ -25,12 +36,12 @@ STRONG = 0.9
 
 def page_of(calibration: Calibration) -> Page:
     """The calibration's page, not yet written."""
-    wrong = calibration.check()
+    wrong = _reservations(calibration)
     others = (*calibration.delays, *calibration.electronics)
-    drawn = [figure for figure in (_measured(calibration), _by_name(calibration)) if figure]
+    drawn = [figure for figure in (_measured(calibration), by_name(calibration)) if figure]
     sections = [
-        *([Section("Reservations", _reservations(calibration))] if wrong else []),
-        Section("Parameters", [*calibration.notes, *drawn[1:], *_estimates(calibration.parameters)]),
+        *([Section("Reservations", wrong)] if wrong else []),
+        Section("Parameters", [*map(_as_words, calibration.notes), *drawn[1:], *_by_origin(calibration)]),
         Section("Predictions of each sensor", [*_predicted_words(calibration), *_predicted(calibration)], folded=True),
         *([Section("Delays and motors", [_DELAYS, *_estimates(others)], folded=True)] if others else []),
         Section(
@@ -45,7 +56,7 @@ def page_of(calibration: Calibration) -> Page:
     kept = {
         "prior": calibration.prior.name,
         "samples": str(calibration.samples),
-        "logs": ", ".join(calibration.sources),
+        "logs": _names_of(calibration),
     }
     return Page(
         _title(calibration), sections, _lead(calibration), kept, False, verdict=_verdict(calibration),
@@ -53,17 +64,45 @@ def page_of(calibration: Calibration) -> Page:
     )  # fmt: skip
 
 
-def _reservations(c: Calibration) -> list[Item]:
-    return [text if text in c.apart else _sentence(text) for text in c.check()]
+def _names_of(c: Calibration) -> str:
+    """The files of the logs, without their folders."""
+    return ", ".join(Path(source).name for source in c.sources)
+
+
+def _reservations(c: Calibration) -> list[str]:
+    """What speaks against the calibration; sensors with the same fault are named in one sentence."""
+    words, coloured = list[str](), list[str]()
+    for text in c.check():
+        match = None if text in c.apart else _COLOURED.fullmatch(text.rstrip("."))
+        if match:
+            coloured.append(_plain(match[1]).strip())
+        else:
+            words.append(text if text in c.apart else _sentence(text))
+    words += [
+        f"The {spoken(e.name)} is {number(abs(e.shift), 2)} standard deviations from the guess of the robot's file: "
+        "check it."
+        for e in c.parameters
+        if e.guess and abs(e.shift) > SURPRISE and e.verdict not in (HELD, QUIET)
+    ]
+    if coloured:
+        words.append(
+            f"The prediction errors (innovations) of the {joined(coloured)} are not white noise: later ones follow "
+            "from earlier ones. So the model leaves something out."
+        )
+    return words
+
+
+_COLOURED = re.compile(r"innovations of the (.+) are not white")
 
 
 def _verdict(c: Calibration) -> Verdict:
     """Two questions: whether the model follows the log, and whether most parameters come from the log."""
-    wrong, kept = c.check(), sum(e.verdict != VISIBLE for e in c.parameters)
+    wrong, kept = _reservations(c), sum(e.verdict != VISIBLE for e in c.parameters)
     if c.refused:
         return Verdict("refused", "bad")
     if wrong:
-        return Verdict(f"{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}", "warn")
+        predicts = "predicts the log, with " if _least(c)[0] >= GOOD else ""
+        return Verdict(f"{predicts}{len(wrong)} reservation{'s' if len(wrong) > 1 else ''}", "warn")
     rest = f"; {kept} of {len(c.parameters)} parameters stay uncertain" if kept else ""
     return Verdict(f"predicts the log{rest}", "warn" if 2 * kept > len(c.parameters) else "good")
 
@@ -71,32 +110,18 @@ def _verdict(c: Calibration) -> Verdict:
 def _title(c: Calibration) -> str:
     if c.refused:
         return f"The log does not describe {c.robot.name}"
-    count, logs = sum(map(len, _groups(c))), "this log" if len(c.sources) < 2 else f"these {len(c.sources)} logs"
+    count, logs = sum(map(len, groups(c))), "this log" if len(c.sources) < 2 else f"these {len(c.sources)} logs"
     predicts = "predicts" if _least(c)[0] >= GOOD else "predicts in part"
-    tell = f"{'it determines' if len(c.sources) < 2 else 'they determine'} {count or 'none'} of {len(c.parameters)}"
-    return f"Calibrated, {c.robot.name} {predicts} {logs}; {tell} parameters"
-
-
-def _groups(c: Calibration) -> tuple[list[Estimate], list[Estimate], list[Estimate]]:
-    """What the log measures, the closest first; what it only bounds from above; and what it gives roughly."""
-    visible = sorted((e for e in c.parameters if e.verdict == VISIBLE and not c.refused), key=_width)
-    bounded = [e for e in visible if e.low * e.high <= 0 or e.low < 0.1 * e.high]
-    measured = [e for e in visible if e not in bounded and _width(e) <= CLOSE]
-    return measured, bounded, [e for e in visible if e not in bounded and e not in measured]
-
-
-MEASURED, BOUNDED = f"{VISIBLE}: measured", f"{VISIBLE}: bounded"
-NOT_VISIBLE = f"not {VISIBLE}"
+    measures = "the log measures" if len(c.sources) < 2 else "they measure"
+    close = len(groups(c)[0])
+    bounds = f" and {'bounds' if len(c.sources) < 2 else 'bound'} {count - close}" if count > close else ""
+    of = f"{close or 'none'} of {len(c.parameters)} parameters{bounds}"
+    return f"Calibrated, {c.robot.name} {predicts} {logs}; {measures} {of}"
 
 
 def _kind_of_verdict(e: Estimate) -> str:
     """The verdict as one of two words, visible or not, with its kind."""
-    return f"{NOT_VISIBLE}: {e.verdict}" if e.verdict != VISIBLE else MEASURED if _width(e) <= CLOSE else BOUNDED
-
-
-def _width(e: Estimate) -> float:
-    """Half of the interval over the value."""
-    return (e.high - e.low) / max(abs(e.high + e.low), 1e-300)
+    return f"{NOT_VISIBLE}: {e.verdict}" if e.verdict != VISIBLE else MEASURED if width(e) <= CLOSE else BOUNDED
 
 
 def _sentence(text: str) -> str:
@@ -108,19 +133,21 @@ def _numbers(c: Calibration) -> list[tuple[str, str]]:
     if c.refused:
         return []
     (lowest, sensor), pole = _least(c), c["unstable_pole"]
-    measured, bounded, rough = _groups(c)
+    measured, bounded, rough = groups(c)
     numbers: list[tuple[str, str]] = []
-    if math.isfinite(lowest):
-        numbers.append((least(lowest), f"R² of the {sensor} over half seconds, the worst sensor; target {GOOD:g}"))
+    if scores := _held_out(c):
+        worst = min(scores, key=lambda name: scores[name])
+        numbers.append((least(scores[worst]), f"R² of the {_plain(worst)} where it was not fitted; good from {GOOD:g}"))
+    elif math.isfinite(lowest):
+        numbers.append((least(lowest), f"R² of the {sensor} over half seconds, the worst sensor; good from {GOOD:g}"))
     if pole.value > 0:
-        doubles = cell_text(1e3 * math.log(2) / pole.value, 2)
+        doubles = number(1e3 * math.log(2) / pole.value, 2)
         within = f"{cell_text(pole.low, 3)} to {cell_text(pole.high, 3)}"
         grows = f"rate at which a lean grows (unstable pole; 95 %: {within}): doubles in {doubles} ms"
         numbers.append((_whole(f"{_value(pole)} {pole.unit}"), grows))
-    kinds = [f"{len(measured)} to ± {100 * CLOSE:g} % or better" if measured else ""]
-    kinds += [f"{len(bounded) + len(rough)} more roughly" if bounded or rough else ""]
-    words = f"parameters that the log determines: {', '.join(filter(None, kinds)) or 'none'}"
-    return [*numbers, (f"{sum(map(len, _groups(c)))} of {len(c.parameters)}", words)]
+    more = len(bounded) + len(rough)
+    words = f"parameters are measured, to ± {100 * CLOSE:g} % or better{f'; {more} more are bounded' if more else ''}"
+    return [*numbers, (f"{len(measured)} of {len(c.parameters)}", words)]
 
 
 def _whole(text: str) -> str:
@@ -154,98 +181,41 @@ def _each(c: Calibration, names: Sequence[str]) -> str:
 
 
 def _least(c: Calibration) -> tuple[float, str]:
-    """The smallest R² of half seconds, and its sensor."""
-    sensors = [(v, n.removeprefix("sensor/").replace("_", " ")) for n, v in c.segments.items() if n[:7] == "sensor/"]
-    return min(sensors, default=(math.nan, ""))
+    """The smallest R² of half seconds, and its sensor; a compass, which also turns with iron nearby, counts alone."""
+    sensors = {name: value for name, value in c.segments.items() if name.startswith("sensor/")}
+    judged = {name: value for name, value in sensors.items() if name in PREDICTED} or sensors
+    return min(((value, _plain(name)) for name, value in judged.items()), default=(math.nan, ""))
 
 
-def _by_name(c: Calibration) -> Figure | None:
-    if not any(0 < e.prior_spread < math.inf for e in c.parameters):
-        return None
-    note = (
-        "Left or right of the middle: the log moved the value. Numbers: how much is left of the uncertainty before. "
-        f"Visible: the log halves it; measured where that leaves ± {100 * CLOSE:g} % or less, bounded where it leaves "
-        "more. Not visible: it does not, or not reliably. The kinds of both are at the end."
-    )
-    drawn = [e for e in c.parameters if 0 < e.prior_spread < math.inf]
-    one_sided = [e for e in _groups(c)[1] if e in drawn and e.name in PARAMETERS]
-    short = [e for e in drawn if e not in one_sided and e.high - e.low < 0.1 * e.prior_spread]
-    if any(e.wider for e in c.parameters):
-        note += " Wider: the log knows less of it than the file, for the reason beside the estimates."
-    note += " A dot without a bar: its interval is shorter than the dot." if short else ""
-    note += " A bar without a dot: only an upper bound is known; it reaches from zero to that." if one_sided else ""
-    return Figure("What this log tells of each parameter, beside what was known before", _bars(c), note)
-
-
-def _bars(c: Calibration) -> MplFigure:
-    """Intervals in standard deviations of the prior, coloured by what the log says of the parameter."""
-    measured, bounded, rough = _groups(c)
-    sorts = {
-        MEASURED: (measured, COLOURS[2]),
-        BOUNDED: ([*rough, *bounded], COLOURS[0]),
-        NOT_VISIBLE: ([e for e in c.parameters if e not in (*measured, *rough, *bounded)], INK),
+def _held_out(c: Calibration) -> dict[str, float]:
+    """R² of the half seconds that were not fitted, of each sensor that is drawn; empty where all were."""
+    if not c.held_out or not c.free:
+        return {}
+    free, (start, _) = c.free[0], c.held_out
+    rest = free.when >= start
+    part = replace(free, **{name: getattr(free, name)[rest] for name in _READINGS})
+    return {
+        name: part.r_squared(name)
+        for name in free.rows
+        if name in PREDICTED and (part.row == free.rows.index(name)).sum() > 2
     }
-    kept = {k: ([e for e in group if 0 < e.prior_spread < math.inf], tone) for k, (group, tone) in sorts.items()}
-    names = [e.name for group, _ in kept.values() for e in group]
-    figure, ax = rows_of(names, "difference from the value before [its standard deviations]", "parameter")
-    for label, (group, colour) in kept.items():
-        if group:
-            rows = [names.index(e.name) for e in group]
-            value, low, high = ([(x - e.prior) / e.prior_spread for e, x in zip(group, xs, strict=True)]
-                                for xs in zip(*((e.value, e.low, e.high) for e in group), strict=True))  # fmt: skip
-            one_sided = [e in bounded and e.name in PARAMETERS for e in group]
-            low = [_zero(e) if side else x for e, x, side in zip(group, low, one_sided, strict=True)]
-            ax.hlines(rows, low, high, linewidth=2.5, color=colour, label=label)
-            for row, x, end, side in zip(rows, value, high, one_sided, strict=True):
-                mark, size = ("|", 9.0) if side else ("o", 4.5)
-                ax.plot(end if side else x, row, mark, color=colour, markersize=size, markeredgewidth=size / 4.5)
-            for e, row, end in zip(group, rows, high, strict=True):
-                ax.annotate(
-                    _left(e),
-                    (max(end, *value), row),
-                    (6, 0),
-                    textcoords="offset points",
-                    va="center",
-                    size=SMALL,
-                )
-    every = [e for group, _ in kept.values() for e in group]
-    least = [max(-NORMAL, _zero(e)) if e.name in PARAMETERS else -NORMAL for e in every]
-    ax.barh(
-        range(len(every)),
-        [NORMAL - x for x in least],
-        1.0,
-        least,
-        color=SPAN,
-        alpha=0.22,
-        zorder=0,
-        label="95 % before this log",
-    )
-    low, high = ax.get_xlim()
-    ax.set_xlim(low, high + ROOM * (high - low))
-    return legend(figure)
 
 
-def _zero(e: Estimate) -> float:
-    """Where zero lies, which no number of a robot is below, in standard deviations of the prior."""
-    return -e.prior / e.prior_spread
-
-
-def _left(e: Estimate) -> str:
-    """How much of the uncertainty is left [%], with more digits where they decide whether it is half; in a word where
-    it is more than before."""
-    if e.wider:
-        return "wider"
-    left = min(100 * e.shrink, 100.0)
-    return next((text for digits in (2, 3, 4) if (text := number(left, digits)) != "50"), "50") + " %"
-
-
-ROOM = 0.08  # of the width, for the number beside the longest bar
+_READINGS = ("row", "when", "measured", "predicted", "segment")
 
 
 def _undetermined(c: Calibration) -> list[Item]:
     pairs = _pairs(c)
-    plain = [re.sub(r"\b[a-z]+(?:_[a-z]+)+(?:/[a-z_]+)?", lambda m: spoken(m[0]), text) for text in c.unseen]
-    return [*(plain or ["The log determines every direction."]), *([pairs] if pairs.rows else [])]
+    return [
+        *(list(map(_as_words, c.unseen)) or ["The log determines every direction."]),
+        *([pairs] if pairs.rows else []),
+    ]
+
+
+def _as_words(text: str) -> str:
+    """A sentence with names of parameters in words, and options as code."""
+    named = re.sub(r"\b[a-z]+(?:_[a-z]+)+(?:/[a-z_]+)?", lambda m: spoken(m[0]), text)
+    return re.sub(r"(?<![`\w-])--[a-z]+(?:-[a-z]+)*", r"`\g<0>`", named)
 
 
 _DELAYS = (
@@ -274,13 +244,24 @@ def _lead(c: Calibration) -> str:
     """How well the calibrated robot predicts, and what to run next."""
     if c.refused:
         return sentence(c.refused[0])
-    logs = ", ".join(c.sources) or "the log"
+    logs = _names_of(c) or "the log"
     text = f"{c.robot.name} was fitted to {c.samples} rows of {logs}."
-    measured = [f"{spoken(e.name)} (± {cell_text(100 * _width(e), 2)} %)" for e in _groups(c)[0]]
-    text += f" Best known now: {joined(measured[:GIVEN])}." if measured else ""
+    measured = [f"{spoken(e.name)} (± {cell_text(100 * width(e), 2)} %)" for e in groups(c)[0]]
+    text += f" The log tells most of the {joined(measured[:GIVEN])}." if measured else ""
     unknown = sum(e.verdict != VISIBLE for e in c.parameters)
-    text += f" {unknown} parameters keep what was known before." if unknown else ""
+    text += f" It says little of {unknown} other parameters." if unknown else ""
     return text + (" Next: `upright excite` plans a run that tells more parameters." if unknown else "")
+
+
+def _by_origin(c: Calibration) -> list[Item]:
+    """The numbers that the log determines; those that stay as they were are pressed for."""
+    measured, bounded, rough = groups(c)
+    known = [*measured, *rough, *bounded]  # as in the figure
+    rest = [e for e in c.parameters if e not in known]
+    if not known or not rest:
+        return _estimates(c.parameters)
+    folded = Details(f"The other {len(rest)}, which the log does not determine", _estimates(rest))
+    return [f"The {len(known)} numbers that the log determines:", *_estimates(known), folded]
 
 
 def _estimates(estimates: Sequence[Estimate]) -> list[Item]:
@@ -327,7 +308,7 @@ def _pairs(c: Calibration) -> Table:
 
 def _predicted_words(c: Calibration) -> list[Item]:
     pole = c["unstable_pole"].value
-    grows = f" doubles every {cell_text(1e3 * math.log(2) / pole, 2)} ms" if pole > 0 else " grows"
+    grows = f" doubles every {number(1e3 * math.log(2) / pole, 2)} ms" if pole > 0 else " grows"
     return [text.replace("{grows}", grows) for text in _PREDICTED]
 
 

@@ -10,7 +10,7 @@ from upright.certify.verdict import MOST_FALLS
 from upright.fleet.binomial import Interval, upper_bound
 from upright.fleet.ensemble import SETTLED
 from upright.fleet.results import origin_of
-from upright.fleet.tally import Cases, CaseSummary
+from upright.fleet.tally import Cases, CaseSummary, together
 from upright.plotting import AXIS, legend, number
 from upright.report.figure import Figure
 from upright.report.page import Cell, Page, Section, Table, Verdict
@@ -37,30 +37,48 @@ def page_of(cases: Cases) -> Page:
     knocks = harder(cases.origins)
     return Page(
         _title(cases, worst), sections, _lead(cases, knocks), twin_note=False,
-        verdict=falls_verdict(worst.fell or 0, worst.n, knocks), picture=Figure(_claim(cases), _limited(cases)),
+        verdict=_verdict(counted, knocks), picture=Figure(_claim(cases), _limited(cases), _LINES),
         numbers=_numbers(cases, worst),
     )  # fmt: skip
 
 
+_LINES = "Thin lines: 95 % intervals."
+
+
+def _verdict(counted: Sequence[CaseSummary], knocks: str) -> Verdict:
+    """In how many cases more fall than a certificate allows; of a single case as of a fleet."""
+    above = [case for case in counted if (case.fell or 0) > MOST_FALLS * case.n]
+    if knocks or not above or len(counted) == 1:
+        worst = max(counted, key=lambda case: (case.fell or 0) / case.n)
+        return falls_verdict(worst.fell or 0, worst.n, knocks)
+    of = f"{len(above)} of {len(counted)}" if len(above) < len(counted) else f"all {len(counted)}"
+    return Verdict(f"in {of} cases more fall than the {100 * MOST_FALLS:g} % that a certificate allows", "bad")
+
+
 def _limited(cases: Cases) -> Drawing:
     """The falls of each case beside the limit of a certificate."""
+    from matplotlib.text import Annotation
+
     drawing = cases.plot()
     (ax,) = drawing.axes
     limit = 100 * MOST_FALLS
     ax.axvline(limit, linestyle="--", linewidth=1, color=AXIS, label=f"limit of a certificate, {limit:g} %")
     ax.set_xlim(0, max(1.4 * limit, ax.get_xlim()[1]))
+    for text in ax.texts:
+        if isinstance(text, Annotation):  # not across the line of the limit
+            text.xy = (max(text.xy[0], limit), text.xy[1])
     return legend(drawing)
 
 
 def falls_verdict(fallen: int, all_of_them: int, harder: str = "") -> Verdict:
-    """By a certificate's rule, which counts the upper bound of falls: green where none fell and it is within the limit,
-    red where what was counted is above it too; amber also where they were pushed `harder` than a certificate pushes."""
+    """By a certificate's rule, which counts the upper bound of falls: green where it is within the limit, red where
+    what was counted is above it too; amber also where they were pushed `harder` than a certificate pushes."""
     limit = f"{100 * MOST_FALLS:g} % that a certificate allows"
     bound = upper_bound(fallen, all_of_them)
     few = bound <= MOST_FALLS
     if harder and not few:
         return Verdict("pushed harder than for a certificate", "warn")
-    level = "bad" if fallen > MOST_FALLS * all_of_them else "good" if few and not fallen else "warn"
+    level = "bad" if fallen > MOST_FALLS * all_of_them else "good" if few else "warn"
     return Verdict(f"up to {_percent(bound)} may fall: {'below' if few else 'above'} the {limit}", level)
 
 
@@ -75,22 +93,23 @@ def robot_of(origin: Mapping[str, Any]) -> tuple[Robot, Kit] | None:
 
 
 def harder(origins: Sequence[Mapping[str, Any]]) -> str:
-    """How much harder the hardest knock of these runs is than those of a certificate on the same robot, as a sentence
-    with a space before it; nothing where it is not harder."""
+    """How much harder the hardest knock of a robot is than those of a certificate on the same robot, as a sentence with
+    a space before it; nothing where it is not harder."""
     from upright.certify.checks import batteries, standard_pushes
 
     def knock(origin: Mapping[str, Any]) -> float:
         return max((abs(p.get("impulse") or 0.0) for p in origin.get("scenario", {}).get("push") or ()), default=0.0)
 
-    origin = max(origins, key=knock, default={})
-    known = robot_of(origin)
-    if not known or not knock(origin):
-        return ""
-    sizes = [[*standard_pushes(*known, volts).values()][-1].size for volts in batteries(*known) or (None,)]
-    if knock(origin) <= max(sizes):
-        return ""
-    ends = " to ".join(dict.fromkeys(number(size, 2) for size in sorted(sizes)))
-    return f" A certificate knocks {known[0].name} with {ends} N s, less than here."
+    hardest = {str(origin.get("robot", {}).get("name", "")): origin for origin in sorted(origins, key=knock)}
+    for origin in hardest.values():  # one of each robot
+        known = robot_of(origin)
+        if not known or not knock(origin):
+            continue
+        sizes = [[*standard_pushes(*known, volts).values()][-1].size for volts in batteries(*known) or (None,)]
+        if knock(origin) > max(sizes):
+            ends = " to ".join(dict.fromkeys(number(size, 2) for size in sorted(sizes)))
+            return f" A certificate knocks {known[0].name} with {ends} N s, less than here."
+    return ""
 
 
 def pushed(pushes: Sequence[Mapping[str, Any]] | None) -> str:
@@ -122,13 +141,51 @@ def _title(cases: Cases, worst: CaseSummary) -> str:
     """The label that makes a difference, with 95 % intervals, or that none does."""
     if not worst.fell:
         return f"No robot fell in {len(cases)} cases"
+    group = _group(cases)
     apart = _apart(cases)
+    if group:
+        others = [case for case in cases.worst_first() if case not in group]
+        return f"{_shared(cases, group)}: {_within(together(group))} of the robots fall; otherwise {_over(others)}"
     if not apart:
         in_case = f", in all {len(cases)} cases about alike" if len(cases) > 1 else ""
         return f"{_chance(worst)} of the robots fall{in_case}"
     name, (best, least), (hardest, most) = apart[0]
     good, bad = cases.labelled(name, best), cases.labelled(name, hardest)
     return f"With {bad} {_within(most)} of the robots fall, with {good} {_within(least)}"
+
+
+def _group(cases: Cases) -> list[CaseSummary]:
+    """The worst cases, where no single label tells who falls: the label with the largest effect has at one of its
+    values cases that differ among themselves, so that their mean describes none of them. Empty else."""
+    apart = _apart(cases)
+    if not apart:
+        return []
+    name, (best, _), (hardest, _) = apart[0]
+    counted = cases.worst_first()
+    levels = [[c.chance for c in counted if c.labels.get(name) == level and c.chance] for level in (best, hardest)]
+    if all(max(chance.low for chance in level) <= min(chance.high for chance in level) for level in levels):
+        return []
+    first = counted[0].chance
+    assert first
+    worst = [case for case in counted if case.chance and case.chance.high >= first.low]
+    return worst if len(worst) < len(counted) else []
+
+
+def _shared(cases: Cases, group: Sequence[CaseSummary]) -> str:
+    """What the cases of a group have in common and no other case has; else how many they are."""
+    labels = {name: values[0] for name in cases.varied()
+              if len(values := list(dict.fromkeys(case.labels.get(name, "") for case in group))) == 1}  # fmt: skip
+    alike = [case for case in cases if all(case.labels.get(name, "") == value for name, value in labels.items())]
+    if not labels or len(alike) > len(group):
+        return f"{len(group)} of {len(cases)} cases"
+    return ", ".join(cases.labelled(name, value) for name, value in labels.items())
+
+
+def _over(others: Sequence[CaseSummary]) -> str:
+    """The range of the 95 % intervals of several cases."""
+    chances = [case.chance for case in others if case.chance]
+    low, high = min(c.low for c in chances), max(c.high for c in chances)
+    return f"{number(100 * low, 2) + ' to ' if low else 'at most '}{number(100 * high, 2)} %"
 
 
 def _chance(case: CaseSummary) -> str:
@@ -157,12 +214,12 @@ def _apart(cases: Cases) -> list[tuple[str, Level, Level]]:
 def _lead(cases: Cases, knocks: str) -> str:
     """What was run, how hard its `knocks` are, and what makes no difference."""
     sizes = sorted({case.n for case in cases})
-    robots = " and ".join(dict.fromkeys(str(case.labels.get("robot", "")) for case in cases))
+    robots = " or ".join(dict.fromkeys(str(case.labels.get("robot", "")) for case in cases))
     same = "the same " if len(sizes) == 1 and _one_robot(cases) and len(cases) > 1 else ""
     many = (
-        f"{same}{sizes[0]} random variations of {robots or 'the robot'}"
+        f"{same}{sizes[0]} simulated variations of {robots or 'the robot'}"
         if len(sizes) == 1
-        else f"variations of {robots}"
+        else f"simulated variations of {robots}"
     )
     scenes = list(dict.fromkeys(str(case.labels.get("scenario", "")) for case in cases))
     known = len(scenes) == 1 and cases.pushes
@@ -189,11 +246,16 @@ def _scenarios(cases: Cases) -> str:
 
 def _next(cases: Cases) -> str:
     """What to run next: where even the best case falls too often, its push is too large."""
-    least = min((case.chance.value for case in cases if case.chance), default=0.0)
-    if least > MOST_FALLS and cases.pushes:
-        return " Next: `upright push-map`, which finds the largest push that each survives."
+    chances = [case.chance.value for case in cases if case.chance]
+    if cases.pushes and chances and (min(chances) > MOST_FALLS or max(chances) > HOPELESS):
+        worst = str(cases.worst_first()[0].labels.get("robot", ""))
+        of = f" --robot {worst}" if worst else ""
+        return f" Next: `upright push-map{of}`, which finds the largest push that it survives."
     best = "the best" if any(name == "controller" for name, *_ in _apart(cases)) else "a"
     return f" Next: `upright tune` {best} controller." if any(case.fell for case in cases) else ""
+
+
+HOPELESS = 0.5  # of the robots: where more fall, other weights save few
 
 
 def _one_robot(cases: Cases) -> bool:
@@ -256,6 +318,15 @@ def _numbers(cases: Cases, worst: CaseSummary) -> list[tuple[str, str]]:
     if not worst.fell:
         at_most = f"≤ {_percent(upper_bound(0, worst.n))}"
         return [(at_most, f"of the robots of a case fall (95 %, one-sided); the limit is {100 * MOST_FALLS:g} %")]
+    if group := _group(cases):
+        others = [case for case in cases.worst_first() if case not in group]
+        chance, safe = together(group), sum(not case.fell for case in others)
+        numbers = [(_percent(chance.value), f"fall with {_shared(cases, group)} (95 %: {_within(chance)})")]
+        if others[0].fell and others[0].chance:
+            named = cases.names()[cases.index(others[0])]
+            inside = f"fall in the worst of the other cases, {named} (95 %: {_within(others[0].chance)})"
+            numbers.append((_percent(others[0].chance.value), inside))
+        return [*numbers, (f"{safe} of {len(cases)}", "cases without a fall")]
     numbers: list[tuple[str, str]] = []
     name, levels = next(iter(cases.effects().items()), ("", {}))
     ranked = sorted(levels, key=lambda v: levels[v].value)
@@ -272,9 +343,10 @@ def _numbers(cases: Cases, worst: CaseSummary) -> list[tuple[str, str]]:
 
 
 def _claim(cases: Cases) -> str:
+    group = _group(cases)
     apart = [f"{cases.labelled(name, worst)}" for name, _, (worst, _) in _apart(cases)]
-    most = f": most with {joined(apart)}" if apart else ""
-    return f"Robots that fell in each case, with 95 % intervals{most}"
+    with_these = _shared(cases, group) if group else joined(apart)
+    return f"Robots that fell in each case{f': most with {with_these}' if with_these else ''}"
 
 
 def _table(cases: Cases) -> Table:
@@ -290,7 +362,7 @@ def _table(cases: Cases) -> Table:
     order = [*(cases.index(case) for case in first), *(k for k, case in enumerate(cases) if case not in first)]
     for name, case in ((names[k], cases[k]) for k in order):
         means = [(case.mean(o), kinds[o][1]) for o in shown]
-        fell = None if case.fell is None else 100 * case.fell / case.n
+        fell = None if case.fell is None else float(f"{100 * case.fell / case.n:.2g}")
         rows.append([name, fell, *(None if mean is None else factor * mean for mean, factor in means)])
     header = ["case", "fell [%]", *(kinds[o][0] for o in shown)]
     caption = (

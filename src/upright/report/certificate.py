@@ -42,9 +42,9 @@ def page_of(certificate: Certificate) -> Page:
     facts = {"controller": certificate.hash[:12], "seed": str(certificate.seed), "kit": certificate.kit}
     c = certificate
     lead = (
-        f"{c.samples} robots, each within the uncertainty of {c.robot}, were held, let go and knocked: "
-        f"{c.fell} fell. At most {number(100 * c.bound, 2)} % of such robots fall, with 95 % confidence; the limit is "
-        f"{100 * MOST_FALLS:g} %."
+        f"{c.samples} simulated robots, each within the uncertainty of {c.robot}, were held, let go and knocked: "
+        f"{c.fell} fell in some trial. At most {number(100 * c.bound, 2)} % of such robots fall, with 95 % confidence; "
+        f"the limit is {100 * MOST_FALLS:g} %."
     )
     if c.beyond:
         lead += f" Of the {c.fell}, {c.beyond} {'was' if c.beyond == 1 else 'were'} beyond any controller."
@@ -74,6 +74,8 @@ def _numbers(c: Certificate) -> list[tuple[str, str]]:
                 f"more delay{placed(c.linear.delay_at)} alone makes the nominal loop unstable",
             )
         ]
+    if periods := _periods(c):
+        return [*numbers, periods]
     stood = [t.travel for t in c.trials if t.fell < t.runs]
     return [
         *numbers,
@@ -83,6 +85,24 @@ def _numbers(c: Certificate) -> list[tuple[str, str]]:
             else []
         ),
     ]
+
+
+def _periods(c: Certificate) -> tuple[str, str] | None:
+    """The periods tried round the designed one at which few fall, and how many do at those beside them."""
+    rows = sorted(c.slower, key=lambda s: s.value)
+    near = [k for k, s in enumerate(rows) if c.period and math.isclose(s.value, c.period)]
+    if not near or rows[near[0]].fell > MOST_FALLS * rows[near[0]].runs:
+        return None
+    first = last = near[0]
+    while first > 0 and rows[first - 1].fell <= MOST_FALLS * rows[first - 1].runs:
+        first -= 1
+    while last < len(rows) - 1 and rows[last + 1].fell <= MOST_FALLS * rows[last + 1].runs:
+        last += 1
+    beside = [rows[k] for k in (first - 1, last + 1) if 0 <= k < len(rows)]
+    ends = " to ".join(dict.fromkeys(number(1e3 * rows[k].value, 3) for k in (first, last)))
+    falls = " and ".join(f"{number(100 * s.fell / s.runs, 2)} % at {number(1e3 * s.value, 3)} ms" for s in beside)
+    words = f"period of the loop at which few fall{f'; beyond it {falls}' if falls else ''}"
+    return f"{ends} ms", words
 
 
 def _falls(c: Certificate) -> Figure:
@@ -222,7 +242,7 @@ def _figure(name: str, swept: Sequence[Swept], title: str, note: str, designed: 
     return Figure(
         f"{title}: {fallen(milliseconds, parts)}",
         figure,
-        f"{runs} The certificate compares the bound with the limit; the bound is above these counts. {note}".strip(),
+        f"{runs} They show the trend; the light is from the trials above. {note}".strip(),
     )
 
 

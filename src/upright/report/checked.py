@@ -39,6 +39,14 @@ CHECKS = {
     "motion": ("motion/quiet", "segment/still", "segment/none"), "falls and slips": ("segment/",),
 }  # fmt: skip
 """What is checked → how the codes of its findings begin; a code counts for the first that fits."""
+FAULTS = {
+    "rows": "rows that miss or repeat", "units": "a unit", "signs and sides": "a sign or side",
+    "rates and angles": "a rate taken for an angle", "delays": "a delay", "gyro's bias": "bias of the gyro",
+    "readings": "odd readings", "encoder's resolution": "coarse encoders", "motion": "too little motion",
+    "falls and slips": "a fall or slip",
+}  # fmt: skip
+"""What is wrong where a check finds something, for the title."""
+NAMED = 3  # faults in the title
 
 
 def _diagnosis(result: Diagnosis) -> Page:
@@ -52,7 +60,8 @@ def _diagnosis(result: Diagnosis) -> Page:
     renamed = any(name != column for name, column in columns)
     drawn = result.plot()
     poses = ", then ".join(dict.fromkeys(segment.kind for segment in result.segments))
-    of = ", ".join(dict.fromkeys(_check_of(f) for f in result.findings if f.severity != "note"))
+    kinds = list(dict.fromkeys(_check_of(f) for f in result.findings if f.severity != "note"))
+    of = ", ".join([*(FAULTS.get(kind, kind) for kind in kinds[:NAMED]), *(["…"] if len(kinds) > NAMED else [])])
     counted = f"{faults} fault{'' if faults == 1 else 's'} ({of})" if faults else "no fault found"
     checks, values, limits = _checks(result), _values(result), _limits(result)
     checked_rows: list[list[Cell]] = [[*c, values.get(c[0], ""), limits[c[0]]] for c in checks]
@@ -73,7 +82,7 @@ def _diagnosis(result: Diagnosis) -> Page:
         numbers=[
             (f"{passed} of {len(checks)}", "checks passed, from time stamps to falls; all are listed below"),
             (f"{result.seconds:.4g} s", f"length: {result.rows} rows, one every {result.period * 1e3:.4g} ms"),
-            (str(remarks), f"remark{'' if remarks == 1 else 's'}, not a fault" + ("" if remarks == 1 else "s")),
+            (str(remarks), "remark, which is no fault" if remarks == 1 else "remarks, which are no faults"),
         ],
     )  # fmt: skip
 
@@ -99,6 +108,9 @@ def _mapped(name: str) -> str:
 def _channel(finding: Finding) -> str:
     if "both encoders" in finding.evidence:
         return "encoders"
+    kind, _, side = finding.channel.rpartition("/")
+    if side in ("left", "right") and kind in ("applied", "command"):
+        return f"{side} {'motor' if kind == 'applied' else 'command'}"
     return finding.channel.removeprefix("sensor/").replace("_", " ")
 
 
@@ -217,7 +229,10 @@ def _parity(result: Parity) -> Page:
 
 
 SYMBOLS = {"pitch": "ψ", "pitch_rate": "ψ̇", "wheel": "θ", "wheel_rate": "θ̇", "yaw": "φ", "yaw_rate": "φ̇"}
-_SYMBOLS = "ψ pitch, θ wheel angle, φ yaw [rad], and with a dot their rates [rad/s]. Commands are in {unit}."
+_SYMBOLS = (
+    "ψ pitch, positive forward; θ wheel angle against the floor; φ yaw, anticlockwise [rad]. With a dot: their rates "
+    "[rad/s]. Commands are in {unit}."
+)
 
 
 def linear_page(model: LinearModel, robot: Robot) -> Page:
@@ -277,7 +292,7 @@ def _linear(model: LinearModel, unit_of_command: str = "V, or in N m for a robot
             for p in unstable[:1]
         ),
         *([(doubles, "in which a small lean doubles")] if unstable else []),
-        (f"{model.A.shape[0]} × {model.B.shape[1]}", "states × inputs of the model"),
+        *_others(poles.tolist(), model.continuous),
     ]
     return Page(
         linear_title(model),
@@ -285,10 +300,18 @@ def _linear(model: LinearModel, unit_of_command: str = "V, or in N m for a robot
             Section("Matrices", [*legend_of, *matrices]),
             Section("Poles", [Table([f"real part [{unit}]", f"imaginary part [{unit}]", "motion"], rows)]),
         ],
-        f"The linear model near the upright rest, {equation}. {count}. Next: `upright design` a controller.", {}, False,
+        f"The linear model near the upright rest with motors at zero command, {equation}. {count}. "
+        "Next: `upright design` a controller.", {}, False,
         verdict=Verdict("unstable without control" if unstable else "stable", "info"),
         picture=_pole_figure(poles, model.continuous, count, motions), numbers=numbers,
     )  # fmt: skip
+
+
+def _others(poles: Sequence[complex], continuous: bool) -> list[tuple[str, str]]:
+    """How many poles keep what they have: nothing brings the robot back there."""
+    still = sum(abs(p) < 1e-9 if continuous else abs(p - 1) < 1e-9 for p in poles)
+    at = "at zero" if continuous else "at one"
+    return [(f"{still} of {len(poles)}", f"poles {at}: where it has rolled or turned, it stays")] if still else []
 
 
 _POLE = {

@@ -16,6 +16,7 @@ from upright.plotting import AXIS, line
 from upright.report.figure import Figure
 from upright.report.metrics import around, degrees, fit_tables, how, left_out, listed_metrics, words
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
+from upright.report.single import alone, band, leans_into, settles, travel, way
 from upright.tables import sentence
 
 if TYPE_CHECKING:
@@ -61,7 +62,7 @@ def _title(comparison: Comparison, first: str) -> str:
         robot, pushes = log.origin.get("robot", {}).get("name", "") or "The robot", comparison.pushed
         lasting = f" for {min(pushes[0][1], log.t[-1]) - pushes[0][0]:.3g} s" if len(pushes) == 1 else ""
         under = (
-            f", pushed {_way(log)}{f'{len(pushes)} times ' if not lasting else ''}with {_force(log)}{lasting}"
+            f", pushed {way(log)}{f'{len(pushes)} times ' if not lasting else ''}with {_force(log)}{lasting}"
             if pushes
             else ""
         )
@@ -89,10 +90,11 @@ def _lead(comparison: Comparison) -> str:
     who = f"{robot} under {kind}" if robot and kind else robot or "One experiment"
     pushes = [f"from {start:.3g} to {stop:.3g} s" for start, stop in comparison.pushed]
     size = f" with {force}" if (force := _force(log)) else ""
-    pushed = f", pushed {_way(log)}".rstrip() + f"{size} {' and '.join(pushes[:2])}" if pushes else ", without a push"
+    pushed = f", pushed {way(log)}".rstrip() + f"{size} {' and '.join(pushes[:2])}" if pushes else ", without a push"
     several = f"; runs: {', '.join(comparison.logs)}" if len(comparison.fits) > 1 else ""
     twin = any(kind.startswith("twin") for kind in comparison.kinds.values())
     stands = " The twin is a simulation, no real robot." if twin else ""
+    stands += leans_into(comparison) if len(comparison.logs) == 1 else ""
     after = (
         "`upright compare` it with another body" if len(comparison.logs) == 1 else "`upright certify` the controller"
     )
@@ -103,12 +105,6 @@ def _force(log: Log) -> str:
     """The largest push, with its unit; nothing where there is none."""
     force = float(np.nanmax(np.abs(log["push/force"]), initial=0.0)) if "push/force" in log else 0.0
     return f"{cell_text(force, 2)} N" if force else ""
-
-
-def _way(log: Log) -> str:
-    """The way of the pushes with a space behind it; nothing where they differ."""
-    ways = set(np.sign(log["push/force"]).tolist()) - {0.0} if "push/force" in log else set[float]()
-    return "" if len(ways) != 1 else "forward " if ways == {1.0} else "backward "
 
 
 def _worse(comparison: Comparison) -> str:
@@ -122,8 +118,8 @@ def _worse(comparison: Comparison) -> str:
     if averaged < FAIR:
         return f" {sentence(words(name), '')} fits {plain} only."
     return (
-        f" {sentence(words(name), '')} fits {plain}, and {_percent(averaged)} averaged over {AVERAGED:g} s: its quick "
-        "swings do not coincide."
+        f" {sentence(words(name), '')} fits {plain}, and {_percent(averaged)} averaged over {AVERAGED:g} s: quick "
+        "swings, such as noise, do not repeat."
     )
 
 
@@ -181,8 +177,8 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
         rest, limit = comparison.at_rest(label)
         return [
             (degrees(m.pitch_peak), "largest pitch"),
-            (_settles(rest), f"after the release, until pitch has settled: it stays within ±{degrees(limit)}"),
-            (degrees(m.wheel_travel), f"largest turn of the wheels{_rolls(comparison, label)}"),
+            (settles(rest, 2), f"after the release, until pitch has settled: it stays within ±{degrees(limit)}"),
+            travel(comparison, label),
         ]
     fits = [
         (_percent(fit["pitch"]), f"fit of {label} to {comparison.reference} in pitch; good from {CLOSE:g} %")
@@ -208,14 +204,6 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
     ]  # fmt: skip
 
 
-def _rolls(comparison: Comparison, label: str) -> str:
-    """Which way the wheels turn furthest from where they begin."""
-    wheel = comparison.logs[label].channels.get(f"{comparison.sources[label]}/wheel")
-    if wheel is None or not np.isfinite(wheel).all():
-        return ""
-    return ", forward" if wheel.max() - wheel[0] >= wheel[0] - wheel.min() else ", backward"
-
-
 def _both(comparison: Comparison, name: str, label: str) -> tuple[Array, Array, Array]:
     """Times [s], the reference's state and that of a run at these times, while both last."""
     reference, log = comparison.logs[comparison.reference], comparison.logs[label]
@@ -233,16 +221,12 @@ def _apart(comparison: Comparison, name: str) -> dict[str, float]:
     return apart
 
 
-def _settles(seconds: float) -> str:
-    return "never" if math.isnan(seconds) else f"{cell_text(seconds, 3)} s"
-
-
 def state_figure(comparison: Comparison, name: str) -> Figure:
     """One state of all runs over time, under a title that says how they differ."""
     figure = comparison.plot(name)
     _in_degrees(figure)
     if name == "pitch" and comparison.pushed and len(comparison.logs) == 1:
-        _band(comparison, figure.axes[0])
+        band(comparison, figure.axes[0])
     if name == "pitch" and len(comparison.fits) == 1:
         _gap(comparison, figure.axes[0])
     limits, note = _limits(comparison, name)
@@ -282,16 +266,6 @@ def _means(comparison: Comparison, name: str, ax: Axes) -> None:
         line(ax, label, t, factor * mean, style=style)
 
 
-def _band(comparison: Comparison, ax: Axes) -> None:
-    """Dotted: what counts as settled after the release."""
-    ((label, log),) = comparison.logs.items()
-    calm, limit = comparison.at_rest(label)
-    if math.isfinite(calm):
-        for side in (-1, 1):
-            level, start = side * math.degrees(limit), comparison.releases[label]
-            ax.hlines(level, start, log.t[-1], linestyle=":", linewidth=1.2, color=AXIS)
-
-
 def _gap(comparison: Comparison, ax: Axes) -> None:
     """A stroke where two runs differ most, with the difference."""
     (label,) = comparison.fits
@@ -308,7 +282,7 @@ def _gap(comparison: Comparison, ax: Axes) -> None:
 
 def _claim(comparison: Comparison, name: str) -> str:
     if not comparison.fits:
-        return _alone(comparison, name)
+        return alone(comparison, name)
     if name == "pitch":
         apart = _apart(comparison, name)
         if len(apart) == 1:
@@ -322,21 +296,6 @@ def _claim(comparison: Comparison, name: str) -> str:
         return f"{over}: {worst[1]} fits {comparison.reference} {_percent(worst[2])}"
     fits = (f"{label} {_percent(fits[name])}" for label, fits in comparison.fits.items())
     return f"{sentence(words(name), '')}, fit to {comparison.reference}: {', '.join(fits)}"
-
-
-def _alone(comparison: Comparison, name: str) -> str:
-    """What one run shows of a state."""
-    ((label, log),) = comparison.logs.items()
-    if name == "pitch" and comparison.pushed and not comparison.metrics[label].fell:
-        calm, limit = comparison.at_rest(label)
-        if math.isnan(calm):
-            return "Pitch does not come to rest within the run"
-        return f"Pitch has settled, within the dotted ±{degrees(limit)}, {_settles(calm)} after the release"
-    source = f"{comparison.sources[label]}/{name}"
-    finite = log[source][np.isfinite(log[source])]
-    furthest = float(finite[np.abs(finite).argmax()]) if len(finite) else 0.0
-    size, per = f"{'−' if furthest < 0 else ''}{degrees(furthest)}", log.unit(source).removeprefix("rad")
-    return f"{sentence(words(name), '')} reaches {size}{per}"
 
 
 def _percent(fit: float) -> str:

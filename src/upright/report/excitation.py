@@ -27,6 +27,7 @@ def page_of(plan: ExcitationPlan) -> Page:
         Section("Limits", [_limits(plan), _checked_words(plan), *plan.notes]),
         Section("Frequencies and energy", [_spectrum(plan), _energies(plan), _energy(plan)], folded=True),
         Section("Predicted intervals", [_PREDICTED, *_tables(plan)], folded=True),
+        Section("Beside a random dither", [_beside_dither(plan)], folded=True),
         Section("Alternatives", [_TRIED.format(_focus(plan)), _tried(plan)], folded=True),
     ]
     facts = {"controller": plan.hash[:12], "seed": str(plan.seed), "kit": plan.kit}
@@ -50,7 +51,8 @@ def page_of(plan: ExcitationPlan) -> Page:
 def _falls(plan: ExcitationPlan) -> str:
     c = plan.checked
     of = " that stand without it" if c.dropped else ""
-    return f"fall (95 %, one-sided): {c.fell} of {c.samples} robots{of} fell; allowed {100 * plan.limits.falls:g} %"
+    counted = f"{c.fell} of {c.samples} simulated robots{of}"
+    return f"fall, with 95 % confidence: {counted}; allowed {100 * plan.limits.falls:g} %"
 
 
 def _safe(plan: ExcitationPlan) -> str:
@@ -100,7 +102,7 @@ def _focus(plan: ExcitationPlan) -> str:
 def _lead(plan: ExcitationPlan) -> str:
     halved = sorted((p for p in plan.predicted if p.after < VISIBLE * p.before), key=lambda p: p.after / p.before)
     names = joined([spoken(p.name) for p in halved[:3]])
-    most = f" It tells most of {names}." if names else ""
+    most = f" It tells most about {names}." if names else ""
     from upright.excite.search import COMBINED
 
     way = "a mix of random steps, sines, drives and turns" if plan.way == COMBINED else f"a {plan.way}"
@@ -179,31 +181,52 @@ def _halved(plan: ExcitationPlan) -> int:
 
 
 def _widths(plan: ExcitationPlan) -> Figure:
-    """Widths over those before, a row for each parameter that the run tells something of, the best known first."""
-    shown = sorted((p for p in plan.predicted if p.after < DRAWN * p.before), key=lambda p: p.after / p.before)
+    """Widths over those before, a bar for each parameter that the run tells something of, the best known first."""
+    shown = _shrunk(plan)
     figure, ax = rows_of([p.name for p in shown], "uncertainty left after the run [% of that before]", "parameter")
-    ax.set_xscale("log")
-    numbered(ax.xaxis)
     rows, after = np.arange(len(shown)), np.array([100 * p.after / p.before for p in shown])
-    ax.plot(
-        [100 * p.dither / p.before for p in shown],
-        rows,
-        "x",
-        color=COLOURS[4],
-        label="random dither of the same energy",
-    )
     for label, kept, colour in (
-        ("this run, halved", after < 100 * VISIBLE, 2),
+        ("halved or better", after < 100 * VISIBLE, 2),
         ("not halved", after >= 100 * VISIBLE, 1),
     ):
-        ax.plot(after[kept], rows[kept], "o", markersize=6, color=COLOURS[colour], label=label)
+        if kept.any():
+            ax.barh(rows[kept], after[kept], height=0.6, color=COLOURS[colour], label=label)
+    for row, left in zip(rows.tolist(), after.tolist(), strict=True):
+        beside = 100 * VISIBLE if 0 < 100 * VISIBLE - left < WIDE else left  # not across the dashed line
+        ax.annotate(f"{number(left, 2)} %", (beside, row), (4, 0), textcoords="offset points", va="center")
     ax.axvline(100 * VISIBLE, linestyle="--", linewidth=1, color=AXIS, label="half")
+    ax.set_xlim(0, 112)
     lost = [spoken(p.name) for p in plan.predicted if p not in shown]
     none = f" Not shown, since the run tells nothing of them: {', '.join(lost)}." if lost else ""
-    title = f"The run halves the uncertainty of {_halved(plan)} of {len(plan.predicted)} parameters; left is better"
+    title = f"Uncertainty that the run leaves: less than half for {_halved(plan)} of {len(plan.predicted)} parameters"
+    return Figure(title, legend(figure), f"A short bar: well known after the run.{none}{_vague(plan)}")
+
+
+WIDE = 12.0  # [%] of the axis that a number beside a bar takes, at most
+
+
+def _shrunk(plan: ExcitationPlan) -> list[Predicted]:
+    """The parameters that the run tells something of, the best known first."""
+    return sorted((p for p in plan.predicted if p.after < DRAWN * p.before), key=lambda p: p.after / p.before)
+
+
+def _beside_dither(plan: ExcitationPlan) -> Figure:
+    """Widths over those before, of the run and of a random signal as loud."""
+    shown = _shrunk(plan)
+    figure, ax = rows_of([p.name for p in shown], "uncertainty left [% of that before]", "parameter")
+    ax.set_xscale("log")
+    numbered(ax.xaxis)
+    rows = np.arange(len(shown))
+    for name, left, mark, colour in (
+        ("random dither of the same energy", [p.dither / p.before for p in shown], "x", 4),
+        ("this run", [p.after / p.before for p in shown], "o", 0),
+    ):
+        ax.plot(100 * np.array(left), rows, mark, markersize=6, color=COLOURS[colour], label=name)
+    worse = [p for p in plan.predicted if p.after < BETTER * p.dither]
     better = [spoken(p.name) for p in plan.predicted if p.after < VISIBLE * p.before and p.dither < BETTER * p.after]
+    title = f"The run tells more than a random dither of {len(worse)} of {len(plan.predicted)} parameters"
     dither = f" It would tell more of {joined(better)}." if better else ""
-    note = f"Dither: a random binary signal of the same energy at the motors.{dither}{none}{_vague(plan)}"
+    note = f"Left is better. Dither: a random binary signal of the same energy at the motors.{dither}"
     return Figure(title, legend(figure), note)
 
 
@@ -257,7 +280,7 @@ def _limits(plan: ExcitationPlan) -> Table:
         ["travel [m]", c.travel, limits.travel],
         ["largest pitch [°]", math.degrees(c.peak), None],
     ]
-    return Table(["", "predicted", "limit"], rows, "Limits", 3)
+    return Table(["", "at most", "limit"], rows, "Predicted, with 95 % confidence or as 95 % quantiles", 3)
 
 
 def _tried(plan: ExcitationPlan) -> Table:

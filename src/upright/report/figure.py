@@ -30,6 +30,7 @@ UNIT = 72  # a drawing has 72 units for an inch of matplotlib's
 NARROW = 4.0  # [inches] of a drawing for phones: its letters of 9 pt are 11 px high on a screen of 390 px
 SHARP = 216  # dots for an inch of a map, so that its borders are no stairs
 ABOVE = 0.14  # [inches] that a row is higher on a phone, for letters that stood right of it
+LONG, ROW = 2.0, 0.46  # [inches] of names left of rows: longer ones stand above their rows on a phone, so high each
 SCALE, SQUARE = 0.5, 3.0  # [inches]: a scale of colours is narrower, a plane or a map higher
 
 _VARIABLES = {colour: f"var(--c{k})" for k, colour in enumerate(plotting.COLOURS)} | {
@@ -97,10 +98,11 @@ class Figure:
         entries: dict[str, str] = {}
         for ax in self.drawing.axes:
             handles, names = ax.get_legend_handles_labels()
-            if len(names) == 1 and ax.get_ylabel().startswith(f"{names[0]} "):
-                continue
+            lines = [name for handle, name in zip(handles, names, strict=True) if isinstance(handle, Line2D)]
+            named = lines[0] if len(lines) == 1 and ax.get_ylabel().startswith(f"{lines[0]} ") else None
             for handle, name in zip(handles, names, strict=True):
-                entries.setdefault(str(name), _sample(handle))
+                if name != named:
+                    entries.setdefault(str(name), _sample(handle))
         return [Key(name, sample) for name, sample in entries.items()] if len(entries) > 1 else []
 
     def _curves(self) -> list[dict[str, Any]]:
@@ -129,7 +131,8 @@ class Figure:
 def _narrowed(drawing: mpl.Figure) -> Generator[None]:
     """The same drawing for a phone, `NARROW` inches wide: its letters keep their size, its panels lose width.
 
-    What is as high as wide loses height too, a scale of colours only moves, letters right of a row stand above it.
+    What is as high as wide loses height too, a scale of colours only moves, letters right of a row stand below its
+    name, and long names left of a row above it.
     """
     width, height = drawing.get_size_inches()
     less = max(width - NARROW, 0.0)
@@ -139,15 +142,20 @@ def _narrowed(drawing: mpl.Figure) -> Generator[None]:
     square = any(
         box.height * height > SQUARE and abs(box.height * height - box.width * width) < 0.2 for box in boxes.values()
     )
+    named = [] if beside else [ax for ax in boxes if ax.get_gid() == plotting.ROWS and boxes[ax].x0 * width > LONG]
+    rows = {ax: len(ax.get_yticks()) for ax in named}
     lower = less if square else -ABOVE * len(beside)
+    lower -= sum(max(ROW * n - boxes[ax].height * height, 0.0) for ax, n in rows.items())
     drawing.set_size_inches(width - less, height - lower)
-    places = [(text.xy, text.xyann, text.get_va()) for text in beside]
-    for text in beside:
-        text.xy, text.xyann = (0, text.xy[1]), (2, 4)
-        text.set_va("bottom")
+    places = [(text.xy, text.xyann, text.get_va(), text.get_ha()) for text in beside]
+    for text in beside:  # below the name of its row
+        text.xy, text.xyann = (0, text.xy[1]), (-4, -6)
+        text.set(va="top", ha="right")
     for ax, box in boxes.items():
         across = less if box.width * width > SCALE else 0.0
         left = box.x0 * width - (less - across)
+        if ax in rows:
+            across, left = across - (left - plotting.RIGHT), plotting.RIGHT
         if any(text.axes is ax for text in beside):
             across -= (1 - box.x1) * width - plotting.RIGHT
         inside = (box.width * width - across, box.height * height - lower)
@@ -156,15 +164,31 @@ def _narrowed(drawing: mpl.Figure) -> Generator[None]:
             inside[1] / (height - lower),
         ))  # fmt: skip
         x, y = labels[ax]
-        ax.yaxis.set_label_coords(x * box.width * width / inside[0], 1 + (y - 1) * box.height * height / inside[1])
+        x = x * box.width * width + (box.x0 * width - left if ax in rows else 0.0)
+        ax.yaxis.set_label_coords(x / inside[0], 1 + (y - 1) * box.height * height / inside[1])
+    above = {ax: _names_above(ax) for ax in rows}
     yield
-    for text, (xy, offset, side) in zip(beside, places, strict=True):
+    for ax, names in above.items():
+        for name in names:
+            name.remove()
+        ax.tick_params(axis="y", labelleft=True)
+    for text, (xy, offset, up, across) in zip(beside, places, strict=True):
         text.xy, text.xyann = xy, offset
-        text.set_va(side)
+        text.set(va=up, ha=across)
     drawing.set_size_inches(width, height)
     for ax, box in boxes.items():
         ax.set_position(box)
         ax.yaxis.set_label_coords(*labels[ax])
+
+
+def _names_above(ax: Any) -> list[Any]:
+    """The names of the rows, each between its own row and the one before instead of left of it."""
+    ax.tick_params(axis="y", labelleft=False)
+    across, names = ax.get_yaxis_transform(), ax.yaxis.get_major_formatter().format_ticks(ax.get_yticks())
+    return [
+        ax.annotate(name, (0, row - 0.49), (3, 0), xycoords=across, textcoords="offset points", va="center")
+        for row, name in zip(ax.get_yticks(), names, strict=True)
+    ]
 
 
 @contextmanager

@@ -40,19 +40,24 @@ def histogram(data: Dataset, name: str) -> Figure:
     scale, unit = (100.0, "%") if unit == "1" else (scale, unit)
     middle, high = (scale * np.quantile(values, (0.5, 0.95))).tolist() if len(values) else (math.nan, math.nan)
     after = unit if unit == "°" else f" {unit}"
-    title = f"{sentence(words, ':')} half below {middle:.3g}{after}, 95 % below {high:.3g}{after}"
+    title = f"{sentence(words, ':')} half below {_two(middle)}{after}, 95 % below {_two(high)}{after}"
     drawing, note = distribution(data, name), _GROUPS if name == "settling" else ""
     (ax,) = drawing.axes
     ax.xaxis.label.set_text(ax.get_xlabel().replace(str(data[name].attrs["long_name"]), words))
     if len(values) and np.ptp(values) > 0:
         for place, text, style in ((middle, "half", "-"), (high, "95 %", "--")):
-            ax.axvline(place, linestyle=style, linewidth=1.2, color=INK, label=f"{text} of the robots are below")
+            ax.axvline(place, linestyle=style, linewidth=1.2, color=INK, label=f"{text} of those that stood are below")
         low, end, most = (scale * np.quantile(values, (0.0, SHOWN, 1.0))).tolist()
         if most - end > 0.1 * (most - low):
             ax.set_xlim(low - 0.03 * (end - low), end + 0.03 * (end - low))
-            note = f"{note} Not drawn: the last {100 * (1 - SHOWN):.2g} % of them, up to {most:.3g}{after}.".strip()
+            note = f"{note} Not drawn: the {100 * (1 - SHOWN):.2g} % with the most, up to {_two(most)}{after}.".strip()
         legend(drawing)
     return Figure(title, drawing, note)
+
+
+def _two(value: float) -> str:
+    """Two digits; a dash where no robot stood."""
+    return number(value, 2) if math.isfinite(value) else "–"
 
 
 def _called(data: Dataset, name: str) -> str:
@@ -80,9 +85,35 @@ def influence(data: Dataset, outcome: str) -> Figure | None:
         return None
     ranked = list(sizes)[:12]
     drawing = bars(ranked, [abs(sizes[n]) for n in ranked], "size of the rank correlation [1]", "varied number")
-    follow = "Falls follow" if outcome == "fell" else f"{_words(data, outcome)} follows"
-    chance = 2 / math.sqrt(len(data[outcome]))  # two standard deviations without any relation
-    return Figure(f"{follow} {spoken(ranked[0])} most", drawing, f"Below {number(chance, 2)} it may be chance.")
+    limit, (ax,) = _chance(data, len(sizes)), drawing.axes
+    ax.axvline(limit, linestyle="--", linewidth=1, color=AXIS)
+    ax.set_xlim(0, max(1.2 * limit, ax.get_xlim()[1]))
+    note = f"Left of the dashed line, {number(limit, 2)}, it may be chance."
+    follows = "falls follow" if outcome == "fell" else f"{_words(data, outcome).lower()} follows"
+    if abs(sizes[ranked[0]]) <= limit:
+        return Figure(f"Chance alone may make these: {follows} no varied number clearly", drawing, note)
+    return Figure(f"{sentence(follows, '')} {spoken(ranked[0])} most", drawing, note)
+
+
+def _chance(data: Dataset, tried: int) -> float:
+    """The largest of several rank correlations that chance alone makes in 95 of 100 fleets (Bonferroni)."""
+    from scipy.stats import norm
+
+    return float(norm.ppf(1 - 0.025 / max(tried, 1))) / math.sqrt(max(len(data["fell"]), 1))
+
+
+def _clear(data: Dataset, outcome: str) -> bool:
+    """Whether dots of an outcome over the number that it follows most show a trend."""
+    return max((abs(size) for size in _correlations(data, outcome).values()), default=0.0) > CLEAR
+
+
+def _explained(data: Dataset, fallen: int) -> bool:
+    """Whether a varied number tells who fell, by more falls than chance makes."""
+    sizes = _correlations(data, "fell")
+    return fallen >= ENOUGH and bool(sizes) and abs(next(iter(sizes.values()))) > _chance(data, len(sizes))
+
+
+ENOUGH = 10  # falls: from fewer no cause is told
 
 
 def over_strongest(data: Dataset, outcome: str) -> Figure | None:
@@ -92,7 +123,7 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
         return None
     name, size = next(iter(sizes.items()))
     x, y = data[name].values.astype(np.float64), data[outcome].values.astype(np.float64)
-    use = np.isfinite(y)
+    use = np.isfinite(y) & ((outcome == "fell") | (data["fell"].values == 0))
     x, y, across = x[use], y[use], f"{spoken(name)} [{data[name].attrs.get('unit', '1')}]"
     if outcome == "fell":
         parts = np.array_split(np.argsort(x), min(PARTS, max(len(x) // 20, 2)))
@@ -119,10 +150,11 @@ def over_strongest(data: Dataset, outcome: str) -> Figure | None:
             ax.axhline(limit, linestyle="--", linewidth=1, color=AXIS)
             ax.annotate("a fall", (1, limit), (-4, -11), ha="right", **FRACTION)
             ax.set_ylim(0, 1.08 * limit)
-        if "fell" not in data or not data["fell"].values.any():
+        if len(y):
             reached = f"{number(float(y.min()), 3)} to {number(float(y.max()), 3)}°"
             clear = f" and {how} with {spoken(name)}" if abs(size) > CLEAR else ""
-            return Figure(f"No robot fell: the largest pitch is {reached}{clear}", figure, sentence(f"{dots}{far}"))
+            who = "Those that stood" if data["fell"].values.any() else "No robot fell"
+            return Figure(f"{who}: the largest pitch is {reached}{clear}", figure, sentence(f"{dots}{far}"))
     return Figure(f"{_words(data, outcome)} {how} with {spoken(name)}: {dots}", figure)
 
 
@@ -137,7 +169,7 @@ def _correlations(data: Dataset, outcome: str) -> dict[str, float]:
     """The rank correlation of an outcome with each varied number, the strongest first; none where nothing differs."""
     varied = [str(n) for n, v in data.data_vars.items() if str(n) not in OUTCOMES and np.ptp(v.values) > 0]
     y = data[outcome].values.astype(np.float64)
-    use = np.isfinite(y)
+    use = np.isfinite(y) & ((outcome == "fell") | (data["fell"].values == 0))
     if use.sum() < 3 or np.ptp(y[use]) == 0:
         return {}
     sizes = {name: _rank_correlation(data[name].values[use], y[use]) for name in varied}
@@ -163,39 +195,47 @@ def page_of(result: Fleet | Dataset) -> Page:
 
 def _fleet_page(data: Dataset, summary: Summary) -> Page:
     """Falls and quantiles of the robots, with the distribution of each outcome."""
-    names = [name for name, row in summary.quantiles.items() if np.isfinite(row[1]) and np.ptp(row) > 0]
-    some = 0 < summary.fell < summary.n
+    pushes = origin_of(data).get("scenario", {}).get("push")
+    kept = {name: row for name, row in summary.quantiles.items() if pushes or name != "settling"}
+    names = [name for name, row in kept.items() if np.isfinite(row[1]) and np.ptp(row) > 0]
+    explained = _explained(data, summary.fell)
     rows: list[list[Cell]] = []
-    for name, quantiles in summary.quantiles.items():
+    for name, quantiles in kept.items():
         scale, unit = _scale(summary.units[name])
         scale, unit = (100.0, "%") if unit == "1" else (scale, unit)
         rows.append([f"{_called(data, name)} [{unit}]", *(scale * value for value in quantiles)])
     table = Table(["robots that stood", "5 %", "median", "95 %"], rows, "Quantiles over the robots", 3)
     chance = summary.chance
-    pushes = origin_of(data).get("scenario", {}).get("push")
     robot = origin_of(data)["robot"]["name"]
-    after = "`upright push-map`, which finds the largest push, or `upright sweep`, which compares controllers"
+    after = (
+        f"`upright push-map --robot {robot}`, which finds the largest push, or `upright sweep` with several controllers"
+    )
+    after = after if pushes else "the same with `--push impulse:0.1`, since a robot at rest tests little"
     few = 0 < len(_varied(data)) <= FEW
     all_vary = "; `--vary spread` varies all numbers of the robot" if few else ""
     knocks = harder([origin_of(data)])
-    lead = f"{_differ(data, robot)}{where(pushes)}{knocks} Next: {after}{all_vary}."
-    bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %" if summary.fell else ""
+    lead = f"{_differ(data, robot)}{where(pushes)}{knocks}{_untold(summary, explained)} Next: {after}{all_vary}."
+    rare = summary.fell <= MOST_FALLS * summary.n
+    bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %"
     numbers = [
         (
-            bounds or f"≤ {number(100 * upper_bound(0, summary.n), 2)} %",
-            f"of all such robots fall (95 %{'' if bounds else ', one-sided'}); a certificate allows "
+            f"≤ {number(100 * upper_bound(summary.fell, summary.n), 2)} %" if rare else bounds,
+            f"of all such robots fall (95 %{', one-sided' if rare else ''}); a certificate allows "
             f"{100 * MOST_FALLS:g} %",
         )
     ]
     if "peak_pitch" in summary.quantiles and np.isfinite(summary.quantiles["peak_pitch"][2]):
         peak, fall = math.degrees(summary.quantiles["peak_pitch"][2]), math.degrees(FALLEN)
-        numbers.append((f"{peak:.3g}°", f"largest pitch of 95 % of those that stood; a fall is {fall:.0f}°"))
-    if "settling" in summary.quantiles and np.isfinite(summary.quantiles["settling"]).all():
-        _, half, most = summary.quantiles["settling"]
+        numbers.append((f"{number(peak, 2)}°", f"largest pitch of 95 % of those that stood; a fall is {fall:.0f}°"))
+    if "settling" in kept and np.isfinite(kept["settling"]).all():
+        _, half, most = kept["settling"]
         after = _called(data, "settling").removeprefix("settling time ")
         numbers.append((f"{half:.3g} s", f"{after} half of them stay within {_BAND}; 95 % after {most:.3g} s"))
-    outcomes = ["fell"] if some else names[:1]
-    causes = [figure for name in outcomes for figure in (over_strongest(data, name), influence(data, name)) if figure]
+    elif "travel" in kept and np.isfinite(kept["travel"][2]):
+        numbers.append((f"{kept['travel'][2]:.2g} m", "or less is how far 95 % of those that stood rolled"))
+    outcomes = ["fell"] if explained else names[:1]
+    trends = [name for name in outcomes if explained or _clear(data, name)]
+    causes = [figure for name in trends for figure in (over_strongest(data, name), influence(data, name)) if figure]
     histograms = [histogram(data, name) for name in names]
     picture = (causes or histograms or [None]).pop(0)
     sections = [
@@ -209,16 +249,28 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     )  # fmt: skip
 
 
+def _untold(summary: Summary, explained: bool) -> str:
+    """That the falls have no clear cause, as a sentence with a space before it; nothing where they have, or none is."""
+    if not summary.fell or summary.fell == summary.n or explained:
+        return ""
+    few = f"{summary.fell} fall{' is' if summary.fell == 1 else 's are'} too few to tell why."
+    return f" {few if summary.fell < ENOUGH else 'No varied number clearly tells which fall.'}"
+
+
 def _varied(data: Dataset) -> list[str]:
     """The numbers in which the robots differ."""
     return [spread["name"] for spread in (origin_of(data).get("vary") or {}).get("spreads", [])]
 
 
 def _verdict(data: Dataset, summary: Summary, knocks: str) -> Verdict:
-    """A certificate varies every number: where a few do, few falls are no green light."""
+    """A certificate pushes, and varies every number: without that, few falls are no green light."""
     verdict = falls_verdict(summary.fell, summary.n, knocks)
     names = _varied(data)
-    if verdict.level == "bad" or len(names) > FEW:
+    if verdict.level == "bad":
+        return verdict
+    if not origin_of(data).get("scenario", {}).get("push"):
+        return Verdict("not pushed: no certificate", "info")
+    if len(names) > FEW:
         return verdict
     varied = f"only {joined([spoken(name) for name in names])} varied" if names else "nothing but noise varied"
     return Verdict(f"{varied}: no certificate", "info")
@@ -231,10 +283,11 @@ def _differ(data: Dataset, robot: str) -> str:
     under = f", under {kind}" if kind else ""
     if 0 < len(names) <= FEW:
         varied = joined([f"{spoken(name)}{_range(data, name)}" for name in names])
-        return f"Robots that differ from {robot} only in {varied}{under}."
+        return f"Simulated robots that differ from {robot} only in {varied}{under}."
     if not names:
-        return f"Robots with the numbers of {robot}{under}; only noise differs."
-    return f"Robots that differ from {robot} in {len(names)} numbers ({', '.join(map(spoken, names[:FEW]))}, …){under}."
+        return f"Simulated robots with the numbers of {robot}{under}; only noise differs."
+    first = ", ".join(map(spoken, names[:FEW]))
+    return f"Simulated robots that differ from {robot} in {len(names)} numbers ({first}, …){under}."
 
 
 FEW = 3  # varied numbers that a sentence names

@@ -181,7 +181,12 @@ def _lead(compared: MethodComparison) -> str:
     if len(compared.models) < 2:
         return done
     ranked = _ranked(compared)
-    return f"{done} Next: `upright identify LOG --method {_best(compared)} -o model.json`." if ranked else done
+    rule = (
+        f" Best: the surest pole of those that lean at most {100 * (ALIKE - 1):.0f} % more than the least."
+        if len(ranked) > 1
+        else ""
+    )
+    return f"{done}{rule} Next: `upright identify LOG --method {_best(compared)} -o model.json`." if ranked else done
 
 
 def _lead_of_loop(compared: MethodComparison) -> str:

@@ -153,7 +153,7 @@ def basin_figure(data: Dataset) -> Figure:
     note = f"Tried: {whole}, every {steps}"
     note += f", with {_several(data)} robots at each state." if family else "."
     note += " Drawn is the part around what recovers."
-    note += "" if family else " The border is drawn smooth, with every state tried on its side."
+    note += "" if family else " The border is smoothed between the states tried."
     apart = float(data["island"].values.mean())
     islands = f" {100 * apart:.2g} % of these states are islands: from states between them and rest the robot falls."
     return Figure(title, drawing, note + (islands if apart else ""))
@@ -351,7 +351,12 @@ def _in_degrees(value: float, data: Dataset, name: str) -> str:
     if unit not in ("rad", "rad/s"):
         return f"{cell_text(value, 2)} {unit}"
     size = math.degrees(value)
-    return f"{round(size) if abs(size) >= 10 else cell_text(size, 2)}{unit.replace('rad', '°')}".replace("-", "−")
+    whole = round(size, -1) if abs(size) >= 100 and unit == "rad/s" else round(size)
+    return (
+        f"{whole:.0f}{unit.replace('rad', '°')}".replace("-", "−")
+        if abs(size) >= 10
+        else f"{cell_text(size, 2)}{unit.replace('rad', '°')}".replace("-", "−")
+    )
 
 
 def rest_range(data: Dataset) -> tuple[float, float]:

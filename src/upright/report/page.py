@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from jinja2 import Template
 
 LEVELS = ("good", "warn", "bad", "info")
-NEXT = " Next: "  # in a lead: what follows stands at the end of the page
+NEXT = " Next: "  # in a lead: what follows stands below the picture
 PHONE, WRAPPED, BRIEF = 44, 20, 21  # letters of a row on a phone, of a text that it breaks, of half a row with its name
 
 
@@ -172,7 +172,7 @@ class Page:
 
     @property
     def following(self) -> str:
-        """What to run next, which stands at the end of the page."""
+        """What to run next, which stands below the picture."""
         return self.lead.partition(NEXT)[2]
 
     def made(self) -> list[tuple[str, str]]:
@@ -224,11 +224,13 @@ def cell_text(cell: Cell, digits: int = 4) -> str:
 
 
 def _decimals(cells: Sequence[Cell], digits: int) -> int | None:
-    """The decimals that the largest number of a column has with as many digits, if any number needs them."""
+    """The decimals that the largest number of a column has with as many digits, if any number needs them; at least one
+    beside numbers below 10, so that 2.8 of 100 is not 3."""
     sizes = [abs(cell) for cell in cells if isinstance(cell, float) and math.isfinite(cell)]
     if not any(sizes) or max(sizes) >= 10**digits or max(sizes) < 10**-digits:
         return None
-    most = max(0, digits - 1 - math.floor(math.log10(max(sizes))))
+    least = int(any(0 < size < 10 for size in sizes))
+    most = max(least, digits - 1 - math.floor(math.log10(max(sizes))))
     return min(most, max(len(f"{size:.{digits}g}".partition(".")[2]) for size in sizes))
 
 
@@ -263,9 +265,15 @@ _UNIT = re.compile(
 def symbols(text: str) -> str:
     """Text as HTML: a letter with an index, such as J_ψ, gets a subscript, and a name in backticks is code."""
     parts = _CODE.split(escape(text))  # prose and code by turns
-    return "".join(
-        _code(p) if i % 2 else _INDEX.sub(r"\1<sub>\2</sub>", _MINUS.sub("−", p)) for i, p in enumerate(parts)
-    )
+    return "".join(_code(p) if i % 2 else _INDEX.sub(r"\1<sub>\2</sub>", _prose(p)) for i, p in enumerate(parts))
+
+
+def _prose(text: str) -> str:
+    """A true minus sign, and a space before a per cent sign."""
+    return _PERCENT.sub(r"\1 %", _MINUS.sub("−", text))
+
+
+_PERCENT = re.compile(r"(\d)%(?!\d)")
 
 
 def _code(text: str) -> str:

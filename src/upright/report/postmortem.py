@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from upright.diagnose import PostMortem
-from upright.diagnose.causes import NO_FALL
+from upright.diagnose.causes import NO_FALL, PUSH
 from upright.diagnose.fall import LEANING
 from upright.plotting import INK, line, number, numbered, panels, span
 from upright.report.figure import Figure
@@ -76,7 +76,10 @@ def _numbers(result: PostMortem) -> list[tuple[str, str]]:
             (f"{lost - result.onset:.2g} s", "until the motors could no longer save it: the second panel stays above 1")
         )
     likely = [c for k, c in enumerate(result.causes[:3]) if c.likelihood >= (WORTH if k else SHOWN)]
-    return numbers + [(f"{100 * c.likelihood:.0f} %", f"probability of the cause: {c.name}") for c in likely]
+    if not likely:
+        return numbers
+    others = "".join(f"; {c.name} {100 * c.likelihood:.0f} %" for c in likely[1:])
+    return [*numbers, (f"{100 * likely[0].likelihood:.0f} %", f"probability of the cause: {likely[0].name}{others}")]
 
 
 def _lost(result: PostMortem) -> float | None:
@@ -138,8 +141,9 @@ def _causes(result: PostMortem) -> Table:
 
 def _figure(result: PostMortem) -> Figure:
     s = result.series
-    labels = ["pitch [°]", "lean with its speed / what can be recovered [1]",
-              "requested command / what the motors give [1]", "error² of the readings / expected [1]"]  # fmt: skip
+    labels = ["pitch [°]", "lean and its speed / the most that can be saved [1]",
+              "requested command / what the motors give [1]",
+              "surprise of the sensors: error² / expected [1]"]  # fmt: skip
     figure, axes = panels(labels)
     pitch, reach, command, nis = axes
     degrees = np.degrees(s.pitch)
@@ -155,6 +159,8 @@ def _figure(result: PostMortem) -> Figure:
     nis.set_yscale("log")
     numbered(nis.yaxis)
     line(nis, "error²", s.t, np.maximum(s.nis, 1e-3), style=4, solid=True)
+    low, high = nis.get_ylim()
+    nis.set_yticks([power for k in range(-3, 7) if low <= (power := 10.0**k) <= high])
     if math.isfinite(s.high) and s.high > 0:
         _level(nis, s.t, s.high, f"usual, up to {number(s.high, 2)}")
     command.set_ylim(-1.8, 1.8)
@@ -172,6 +178,8 @@ def _figure(result: PostMortem) -> Figure:
     axes[0].set_xlim(start, min(float(s.t[-1]), result.fell_at + AFTER))
     lasted = result.fell_at - result.onset
     note = "Shaded: from the first sign to the fall."
+    if lost is not None and result.causes and result.causes[0].name == PUSH:
+        note += " The curves are a filter's, which follows a push some hundredths of a second late."
     if lost is not None and (s.reserve[(s.t >= start) & (s.t < lost)] > 1).any():
         note += " The lean passed “no return” before and came back: this limit, the model's, is rough here."
     return Figure(f"From the first sign at {result.onset:.2f} s to the fall it took {lasted:.2g} s", figure, note)

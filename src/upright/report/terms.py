@@ -43,7 +43,7 @@ TERMS: dict[str, tuple[str, str]] = {
         "to double."),
     r"delay margin": ("delay margin", "How much later a reading or a command may come, before the loop is "
         "unstable. Usual target: at least one period."),
-    r"unstable poles?|poles (?:is|are) unstable": ("unstable pole", "The rate at which a small lean grows: it doubles "
+    r"unstable poles?": ("unstable pole", "The rate at which a small lean grows: it doubles "
         "in 0.69 / pole."),
     r"N s": ("N s", "Newton second: force times duration. 0.2 N s is a push of 10 N for 20 ms."),
     r"knocks?|knocked": ("knock", "A push so short that only its impulse counts [N s]."),
@@ -54,7 +54,7 @@ TERMS: dict[str, tuple[str, str]] = {
     r"multisine": ("multisine", "A sum of sines, so that one run excites many frequencies."),
     r"lqr": ("lqr", "Linear quadratic regulator: the state feedback that is optimal for a quadratic cost."),
     r"lqi": ("lqi", "An lqr with an integrator, so that the robot returns to its place."),
-    r"lqg": ("lqg", "An lqr that gets its state from a Kalman filter."),
+    r"lqg": ("lqg", "Linear quadratic regulator (lqr) of the state that a Kalman filter estimates."),
     r"pid": ("pid", "Proportional, integral and derivative gains on pitch and wheels."),
     r"hinf": ("hinf", "H∞ loop shaping: the loop's shape is chosen, then made as robust as possible."),
     r"mpc": ("mpc", "Model predictive control: plans each command some periods ahead, within the motors' limits."),
@@ -92,7 +92,8 @@ def explained(markup: str, twin: bool = True, more: str = "") -> tuple[str, list
                 if marked:
                     del left[pattern]
             parts[k] = text
-    return "".join(parts), [(name, meaning, anchors[name]) for _, name, meaning in used]
+    words = sorted({name: meaning for _, name, meaning in used}.items(), key=lambda term: term[0].lower())
+    return "".join(parts), [(name, meaning, anchors[name]) for name, meaning in words]
 
 
 def _outside(text: str, pattern: re.Pattern[str], link: str) -> tuple[str, int]:

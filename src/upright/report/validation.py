@@ -11,7 +11,7 @@ import numpy as np
 from upright.calibrate.calibration import GOOD, PREDICTED
 from upright.report.figure import Figure
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
-from upright.tables import joined, sentence
+from upright.tables import joined, sentence, spoken
 from upright.tables import least as least_of
 from upright.validate.loop import FreeLoop
 from upright.validate.validation import (
@@ -55,7 +55,7 @@ _STILL = "The robot hardly turns in this log, less than the compass can tell: it
 _ONE = "The right encoder is not judged: the log has none, or its channel equals that of the left one."
 _SHIFTS = (
     "Each parameter is moved alone to where it fits the log best (one Gauss–Newton step). Listed are those that shrink "
-    "the squared error of half seconds by a tenth or more. Steps are in standard deviations of what is known."
+    "the squared error of half seconds by a tenth or more. σ: the standard deviation of what is known."
 )
 
 
@@ -71,9 +71,10 @@ def page_of(result: Validation) -> Page:
     verdict = Verdict(f"{words}; no test" if used else words, "warn" if used and level == "good" else level)
     sections = [section for log in result.logs for section in _sections(log, len(result.logs) > 1)]
     half = f"Measured and predicted, half a second at a time: R² of {_each(worst)}"
+    logs = ", ".join(Path(log.source).name for log in result.logs)
     return Page(
-        _title(result), sections, _lead(result), {"kit": result.kit, "logs": ", ".join(x.source for x in result.logs)},
-        False, verdict=verdict, picture=Figure(half, half_second_figure(worst), _STARTS), numbers=_numbers(result),
+        _title(result), sections, _lead(result), {"kit": result.kit, "logs": logs}, False, verdict=verdict,
+        picture=Figure(half, half_second_figure(worst), _STARTS), numbers=_numbers(result),
     )  # fmt: skip
 
 
@@ -88,8 +89,8 @@ def _title(result: Validation) -> str:
     poor = {c.name for c in fits if c.r2 < GOOD}
     good = {c.name for c in fits} - poor
     if not poor:
-        r2 = f"R² of {_named(good)} at least {least_of(least_r2, 3)}"
-        return f"{result.robot} {result.says(logs)}: {r2}"
+        sensors = f"all {len(good)} sensors" if len(good) > 1 else _named(good)
+        return f"{result.robot} {result.says(logs)}: R² ≥ {least_of(least_r2, 3)} of {sensors}"
     lowest = f"R² {least_of(least_r2, 3)}" if least_r2 >= 0 else "R² below 0"
     lowest = f"{lowest}, needs {GOOD:g}" if len(poor) == 1 else f"least {lowest}, needs {GOOD:g}"
     if good:
@@ -102,8 +103,8 @@ def _each(log: LogJudged) -> str:
     judged = sorted((c for c in log.half_seconds if c.name in PREDICTED), key=lambda c: c.r2)
     names, least_r2 = {c.name for c in judged}, dict[str, float]()
     for c in judged:
-        least_r2.setdefault("encoders" if _both(c.name, names) else short(c.name), c.r2)
-    return ", ".join(f"{name} {_r2(r2)}" for name, r2 in least_r2.items())
+        least_r2.setdefault(_called(c.name, names), c.r2)
+    return ", ".join(f"{name} {'≥ ' if r2 >= 0 else ''}{_r2(r2)}" for name, r2 in least_r2.items())
 
 
 def _r2(r2: float) -> str:
@@ -113,13 +114,14 @@ def _r2(r2: float) -> str:
 
 def _named(names: Collection[str]) -> str:
     """Sensors in words."""
-    words = {"encoders" if _both(name, names) else short(name) for name in names}
-    return joined(sorted(words, reverse=True))
+    return joined(sorted({_called(name, names) for name in names}, reverse=True))
 
 
-def _both(name: str, names: Collection[str]) -> bool:
-    """Whether it is an encoder of which the other side is there too."""
-    return {"sensor/encoder_left", "sensor/encoder_right"} <= {name, *names} and name.startswith("sensor/encoder_")
+def _called(name: str, names: Collection[str]) -> str:
+    """A sensor in words; both sides have one name where both are there."""
+    kind, _, side = name.rpartition("_")
+    other = {"left": "right", "right": "left"}.get(side)
+    return f"{short(kind)}s" if other and f"{kind}_{other}" in names else short(name)
 
 
 def _lead(result: Validation) -> str:
@@ -154,7 +156,7 @@ def _tested(result: Validation) -> str:
         )
     used = [log.no_test for log in result.logs if log.no_test]
     if not used:
-        return f"A test on {seconds} of log: {result.robot} was fitted to other rows."
+        return f"A test on {seconds} of log: {result.robot} was fitted to none of these rows."
     few = "" if len(used) == len(result.logs) else " The other logs do."
     return f"{sentence('; '.join(used))} That part tests nothing.{few}"
 
@@ -184,10 +186,15 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
     shifts = [s for log in result.logs for s in log.shifts]
     if shifts:
         first = max(shifts, key=lambda s: s.explains)
-        numbers.append((f"{first.name.replace('_', ' ')}", "the parameter to doubt first"))
+        name = spoken(first.name)
+        numbers.append((cell_text(100 * first.explains, 2) + " %", _DOUBT.format(name)))
     elif len(numbers) < MOST:
         numbers.append(("none", "of the parameters, changed alone, would make the prediction much better"))
-    return [*numbers, *_passing(result)][:MOST]
+    seconds = (f"{sum(log.seconds for log in result.logs):.3g} s", "of log predicted, half a second at a time")
+    return [*numbers, *_passing(result), seconds][:MOST]
+
+
+_DOUBT = "of the squared error left would go, if {0} moved: doubt it first"
 
 
 def _passing(result: Validation) -> list[tuple[str, str]]:
@@ -250,9 +257,9 @@ def _sections(log: LogJudged, several: bool) -> list[Section]:
     else:
         loop += [law]
     rows: list[list[Cell]] = [
-        [s.name.replace("_", " "), s.unit, s.value, s.proposed, s.deviations, s.explains] for s in log.shifts
+        [f"{spoken(s.name)} [{s.unit}]", s.value, s.proposed, s.deviations, 100 * s.explains] for s in log.shifts
     ]
-    steps = Table(["parameter", "unit", "value", "proposed", "step", "removes"], rows, digits=3)
+    steps = Table(["parameter", "value", "proposed", "step [σ]", "error removed [%]"], rows, digits=3)
     moves: list[Item] = [steps, Details(_COMPUTED, [_SHIFTS])]
     names = {c.name for c in log.half_seconds}
     one = "sensor/encoder_left" in names and "sensor/encoder_right" not in names
@@ -305,7 +312,9 @@ def _table(channels: Sequence[ChannelFit], when: str = "first missed at [s]") ->
          float(least_of(c.r2, 4)) if c.r2 > 0 else "below 0", c.fit if c.r2 > 0 else None, c.breaks]
         for c in channels
     ]  # fmt: skip
-    return Table(["sensor", "R²", "fit [%]", when], [[*row[:2], _rounded(row[2]), row[3]] for row in rows])
+    kept = 4 if any(c.breaks is not None for c in channels) else 3  # a column of dashes says nothing
+    cells = [[*row[:2], _rounded(row[2]), row[3]][:kept] for row in rows]
+    return Table(["sensor", "R²", "fit [%]", when][:kept], cells)
 
 
 def _rounded(fit: Cell) -> Cell:
