@@ -154,11 +154,11 @@ def test_refused_is_a_verdict_with_a_meaning() -> None:
 def test_what_is_refused_is_not_used_elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A certificate is not made for the robot of a log that is another one's, nor are robots drawn from such a fit."""
     refused = SimpleNamespace(refused=("the log is of another robot",))
-    certificate, learnt = (import_module(f"upright.certify.{name}") for name in ("certificate", "learnt"))
-    monkeypatch.setattr(learnt, "calibrate", lambda *_, **__: refused)
-    monkeypatch.setattr(learnt, "as_logged", lambda _, course: (course, (), ()))
-    monkeypatch.setattr(learnt, "doubted", lambda *_: None)
-    monkeypatch.setattr(learnt, "unpushed", lambda log, *_: log)
+    certificate, handed_over = (import_module(f"upright.certify.{name}") for name in ("certificate", "calibrated"))
+    monkeypatch.setattr(handed_over, "calibrate", lambda *_, **__: refused)
+    monkeypatch.setattr(handed_over, "as_logged", lambda _, setup: (setup, (), ()))
+    monkeypatch.setattr(handed_over, "doubted", lambda *_: None)
+    monkeypatch.setattr(handed_over, "unpushed", lambda log, *_: log)
     monkeypatch.setattr(certificate, "raw_log", lambda *_: Log(np.arange(9.0), {}, {}))
     with pytest.raises(InvalidLog, match="another robot"):
         certify("lqr", ROBOT, "nxt", samples=100, log="run.csv")
