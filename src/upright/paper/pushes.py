@@ -232,7 +232,9 @@ def _tested(measured: dict[str, Measured]) -> Claim:
     }
     verdicts = {claim: count == len(every) for claim, count in held.items()}
     text = "; ".join(
-        f"{'not so: ' if count < len(every) else ''}{claim}, in {count} of {len(every)} cases"
+        f"the paper says that {claim}, and here that is so in {count} of {len(every)} cases"
+        if count < len(every)
+        else f"{claim} in all cases"
         for claim, count in sorted(held.items(), key=lambda item: item[1])
     )
     summary = (

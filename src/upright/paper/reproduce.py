@@ -133,7 +133,7 @@ def _findings(claims: Sequence[Claim]) -> list[tuple[str, str]]:
 
 def _named(claim: Claim) -> str:
     """What a claim is about, with its number in brackets: "the regulator and its gains (4)"."""
-    name = claim.title.split(",")[0].split(":")[0]
+    name = claim.title.split(",")[0].split(":")[0].removesuffix(" as printed")
     return f"{name[0].lower()}{name[1:]} ({claim.part})"
 
 

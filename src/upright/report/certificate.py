@@ -100,8 +100,8 @@ def _periods(c: Certificate) -> tuple[str, str] | None:
         last += 1
     beside = [rows[k] for k in (first - 1, last + 1) if 0 <= k < len(rows)]
     ends = " to ".join(dict.fromkeys(number(1e3 * rows[k].value, 3) for k in (first, last)))
-    falls = " and ".join(f"{number(100 * s.fell / s.runs, 2)} % at {number(1e3 * s.value, 3)} ms" for s in beside)
-    words = f"period of the loop at which few fall{f'; beyond it {falls}' if falls else ''}"
+    falls = " and ".join(f"at {number(1e3 * s.value, 3)} ms {number(100 * s.fell / s.runs, 2)} %" for s in beside)
+    words = f"period of the loop at which few fall{f'; {falls} do' if falls else ''}"
     return f"{ends} ms", words
 
 

@@ -205,7 +205,11 @@ def _advice(result: Diagnosis, faults: int) -> str:
     text = f"Worst,{of}" if faults else f"All checks pass.{remark}{more}"
     text += f" {sentence(first.repair)}" if faults and first and first.repair else ""
     fixes = any(f.fixes for f in result.findings)
-    next_one = f"`upright doctor {name} --fix repaired.csv`" if fixes else f"`upright calibrate {name} --robot ROBOT`"
+    repaired = sum(bool(f.fixes) for f in result.findings if f.severity != "note")
+    which = f", which repairs {repaired} of the {faults} faults" if faults and repaired else ""
+    next_one = (
+        f"`upright doctor {name} --fix repaired.csv`{which}" if fixes else f"`upright calibrate {name} --robot ROBOT`"
+    )
     return f"{text} Next: {next_one}.".strip()
 
 

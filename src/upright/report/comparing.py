@@ -195,7 +195,7 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
     if len(rest) == 2 and all(math.isfinite(seconds) for seconds, _ in rest):
         times = " and ".join(cell_text(seconds, 3) for seconds, _ in rest)
         within = degrees(max(size for _, size in rest))
-        fits.append((f"{times} s", f"after the release, {' and '.join(comparison.logs)} stay within ±{within}"))
+        fits.append((f"{times} s", f"{' and '.join(comparison.logs)} settle after the release, to ±{within}"))
     if len(peaks) == len(comparison.logs) == 2 and len(fits) < MOST:
         return [*fits, (" and ".join(peaks.values()), f"largest pitch of {' and '.join(peaks)}")]
     return fits + [

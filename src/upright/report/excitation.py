@@ -116,7 +116,7 @@ def _over_time(plan: ExcitationPlan) -> Figure:
     t = np.arange(len(plan.excitation)) * plan.hold * plan.period
     figure, axes = panels([f"both motors [{plan.unit}]", f"(right − left) / 2 [{plan.unit}]"])
     for ax, (name, wave) in zip(axes, _waves(plan).items(), strict=True):
-        line(ax, name, t, wave, step=True)
+        line(ax, name, t, wave, step=True, solid=True)
     return Figure("The excitation over time", legend(figure), _MODES)
 
 

@@ -181,11 +181,8 @@ def _lead(compared: MethodComparison) -> str:
     if len(compared.models) < 2:
         return done
     ranked = _ranked(compared)
-    rule = (
-        f" Best: the surest pole of those that lean at most {100 * (ALIKE - 1):.0f} % more than the least."
-        if len(ranked) > 1
-        else ""
-    )
+    rule = " Best: of those that lean about as little as the least, the one with the narrowest interval of its pole."
+    rule = rule if len(ranked) > 1 else ""
     return f"{done}{rule} Next: `upright identify LOG --method {_best(compared)} -o model.json`." if ranked else done
 
 

@@ -201,7 +201,9 @@ def _mark(ax: Axes, best: float, colour: str) -> None:
             color=colour,
             label="limit of any controller, let go at rest" if side > 0 else "_",
         )
-    ax.set_xlim(min(ax.get_xlim()[0], -1.1 * best), max(ax.get_xlim()[1], 1.1 * best))
+        text = f"{'−' if side < 0 else ''}{number(best, 2)}°"
+        ax.annotate(text, (side, 0.0), (0, 14), textcoords="offset points", ha="center", color=colour)
+    ax.set_xlim(min(ax.get_xlim()[0], -1.2 * best), max(ax.get_xlim()[1], 1.2 * best))
 
 
 def _ticks(ax: Axes, degrees: bool) -> None:
@@ -273,6 +275,7 @@ def push_map_page(data: Dataset) -> Page:
     title = f"{name} survives every push up to {cell_text(low, 2)} N s"
     if "low" in data:
         weak = float(data["low"].values.min())
+        title += f"; 97.5 % of robots like it {cell_text(weak, 2)} N s"
         numbers.append(
             (
                 f"{cell_text(weak, 2)} N s",

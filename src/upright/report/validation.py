@@ -186,15 +186,15 @@ def _numbers(result: Validation) -> list[tuple[str, str]]:
     shifts = [s for log in result.logs for s in log.shifts]
     if shifts:
         first = max(shifts, key=lambda s: s.explains)
-        name = spoken(first.name)
-        numbers.append((cell_text(100 * first.explains, 2) + " %", _DOUBT.format(name)))
+        left = (
+            f" of the {cell_text(100 * (1 - worst.r2), 2)} % of error left" if GOOD <= worst.r2 < 1 else " of the error"
+        )
+        removes = f"moved alone it removes {cell_text(100 * first.explains, 2)} %{left}"
+        numbers.append((spoken(first.name), f"the parameter to doubt first: {removes}"))
     elif len(numbers) < MOST:
         numbers.append(("none", "of the parameters, changed alone, would make the prediction much better"))
     seconds = (f"{sum(log.seconds for log in result.logs):.3g} s", "of log predicted, half a second at a time")
-    return [*numbers, *_passing(result), seconds][:MOST]
-
-
-_DOUBT = "of the squared error left would go, if {0} moved: doubt it first"
+    return [*numbers, *_passing(result), *([seconds] if len(numbers) < 2 else [])][:MOST]
 
 
 def _passing(result: Validation) -> list[tuple[str, str]]:
