@@ -29,6 +29,8 @@ WORSE = 0.02  # [1] R² of half seconds by which the prior's own numbers may pre
 NEARER = 2 / 3  # [1] of what the file's numbers leave of half seconds: another preset that leaves less is proposed
 LEVEL = 1.1  # [1] of what the best leaves: presets that leave no more are proposed beside it, those of the kit first
 MOST_LAGS = 8  # readings by which a prediction is shifted to see whether it is a delay
+LOSSES = ("motor_friction", "wheel_friction", "coulomb_friction")
+"""Guesses that stand in for what a wrong motor of the file does not brake: on real logs they move by 1.1 deviations."""
 HALF = 0.5  # [1] of the readings' deviation: what a sign, a unit or a delay must explain of them to be named
 NOISY = 4.0  # times the variance that a sensor's noise and steps give: what is left beyond is of the motion
 LEAST = 8  # readings of a half second from which a turn is estimated
@@ -60,6 +62,12 @@ def reasons(
             f"the log is of another robot than the file, which says {stated}: measure these, or choose another robot"
             f"{other}"
         )
+    faults += [
+        f"{e.name} of {e.value:.3g} {e.unit}, {e.shift:.0f} deviations more than a robot like the file's may lose: its "
+        "back_emf, which counts at the wheel, behind the gear, its torque_constant or its gear_ratio is likely wrong"
+        for e in estimates
+        if e.name in LOSSES and e.guess and e.shift > FOREIGN
+    ]
     well = min((p.r_squared(name) for p in free for name in p.rows if name in PREDICTED), default=-1.0) >= GOOD
     return (*(() if well and not faults else wrong), *faults)
 
