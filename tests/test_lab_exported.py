@@ -465,6 +465,7 @@ def test_a_link_without_a_controller_drops_the_robot(page, site):
     page.goto(site.as_uri() + "#controller=off")
     page.wait_for_function("upright.store.snapshot?.x[0][8] === 1")
     assert page.evaluate("upright.store.setup.controller") == "off"
+    assert not page.locator(".hint").is_visible()  # what balances by itself does not lie there
 
 
 @marked

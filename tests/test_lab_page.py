@@ -463,6 +463,9 @@ def test_a_newcomer_is_shown_the_tour(chromium, lab):
         page.wait_for_timeout(300)
         until(page, "Boolean(document.querySelector('.scene.pinned'))")
         assert page.evaluate(lowest) < page.locator("#panel select").first.bounding_box()["y"] < 844 / 2, name
+    page.click("[data-key=impulse]")  # which the tour asks for: in the corner of the room
+    assert page.locator("[data-key=impulse]").bounding_box()["y"] < page.locator(".slot .strip").bounding_box()["y"]
+    assert page.locator(".scene.pinned").count() == 1
     page.context.close()
 
 
