@@ -315,3 +315,22 @@ def test_a_page_shows_runs_that_are_pushed_to_their_end() -> None:
     }
     assert "differs by at most " in page_of(compare(logs)).html().replace("\u00a0", " ")
     assert "does not come to rest" in page_of(compare({"short": logs["short"]})).html().replace("\u00a0", " ")
+
+
+def test_one_of_many_runs_that_was_pushed_and_fell_is_named_and_no_page_says_that_none_was_pushed() -> None:
+    """Of twelve runs beside an unpushed one, the page said "without a push" and listed eleven that stood; and of a run
+    that nothing disturbed it said how long after the release it came to rest."""
+    t = np.arange(0, 2, 0.01)
+    still = Log(t, {f"truth/{name}": 0.001 * np.sin(t) for name in STATE_NAMES} | {"push/force": 0 * t})
+    lean = np.minimum(0.01 * np.exp(5 * t), 1.5)
+    push = np.where(t < 0.1, 300.0, 0.0)
+    origin = {"outcome": {"fell": True, "seconds": 1.0}}
+    fallen = Log(t, {**still.channels, "truth/pitch": lean, "push/force": push}, origin=origin)
+    names = [*"abcdefghj", "a-robot-with-a-name-of-forty-letters-xyz"]
+    page = page_of(compare({**dict.fromkeys(names, still), "i": fallen}))
+    assert page.title == "1 of 11 runs fell: i"
+    assert "other runs are pushed in another way" in page.lead
+    assert page.picture is not None
+    assert "i differs most" in page.picture.title
+    alone = page_of(compare({"calm": still}))
+    assert not any("release" in words for _, words in alone.numbers)

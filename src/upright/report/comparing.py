@@ -12,7 +12,7 @@ from upright.comparison import Comparison
 from upright.comparison.comparison import NEGLIGIBLE
 from upright.comparison.metrics import nrmse_fit
 from upright.experiment import outcome_of
-from upright.plotting import AXIS, line
+from upright.plotting import AXIS, line, number
 from upright.report.figure import Figure
 from upright.report.metrics import around, degrees, fit_tables, how, left_out, listed_metrics, words
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 MOST = 3  # numbers on the first screen
+NAMED = 4  # runs that a sentence names
 CLOSE, FAIR = 80.0, 50.0  # [%] of fit: from where two runs agree well, and at all
 AVERAGED = 0.3  # [s] over which quick swings (noise, rounded readings) average out, the answer to a push does not
 DWARFED = 5.0
@@ -68,7 +69,11 @@ def _title(comparison: Comparison, first: str) -> str:
         )
         return f"{robot} {outcome_of(log)}{under}"
     if fell and len(fell) < len(labels):
-        return f"{', '.join(fell)} fell; {', '.join(label for label in labels if label not in fell)} did not"
+        stood = [label for label in labels if label not in fell]
+        if len(labels) > NAMED:
+            fallen = f": {', '.join(fell)}" if len(fell) <= NAMED else ""
+            return f"{len(fell)} of {len(labels)} runs fell{fallen}"
+        return f"{', '.join(fell)} fell; {', '.join(stood)} did not"
     fits = _fits(comparison, first)
     if not fits:
         return f"{', '.join(labels)} compared"
@@ -91,7 +96,9 @@ def _lead(comparison: Comparison) -> str:
     pushes = [f"from {start:.3g} to {stop:.3g} s" for start, stop in comparison.pushed]
     size = f" with {force}" if (force := _force(log)) else ""
     pushed = f", pushed {way(log)}".rstrip() + f"{size} {' and '.join(pushes[:2])}" if pushes else ", without a push"
-    several = f"; runs: {', '.join(comparison.logs)}" if len(comparison.fits) > 1 else ""
+    few = 1 < len(comparison.fits) < NAMED
+    several = f"; runs: {', '.join(comparison.logs)}" if few else ""
+    several += "; other runs are pushed in another way" if _pushed_differently(comparison) else ""
     twin = any(kind.startswith("twin") for kind in comparison.kinds.values())
     stands = " The twin is a simulation, no real robot." if twin else ""
     stands += leans_into(comparison) if len(comparison.logs) == 1 else ""
@@ -104,7 +111,17 @@ def _lead(comparison: Comparison) -> str:
 def _force(log: Log) -> str:
     """The largest push, with its unit; nothing where there is none."""
     force = float(np.nanmax(np.abs(log["push/force"]), initial=0.0)) if "push/force" in log else 0.0
-    return f"{cell_text(force, 2)} N" if force else ""
+    return f"{number(force, 2)} N" if force else ""
+
+
+def _pushed_differently(comparison: Comparison) -> bool:
+    """Whether the largest pushes of the runs differ."""
+    logs = [log for log in comparison.logs.values() if "push/force" in log]
+    sizes = [float(np.nanmax(np.abs(log["push/force"]), initial=0.0)) for log in logs]
+    return bool(sizes) and max(sizes) - min(sizes) > DIFFERS * max(sizes)
+
+
+DIFFERS = 0.2  # of the largest push
 
 
 def _worse(comparison: Comparison) -> str:
@@ -175,11 +192,9 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
     if len(comparison.logs) == 1:
         ((label, m),) = comparison.metrics.items()
         rest, limit = comparison.at_rest(label)
-        return [
-            (degrees(m.pitch_peak), "largest pitch"),
-            (settles(rest, 2), f"after the release, until pitch has settled: it stays within ±{degrees(limit)}"),
-            travel(comparison, label),
-        ]
+        calm = (settles(rest, 2), f"after the release, until pitch has settled: it stays within ±{degrees(limit)}")
+        kept = [calm] if comparison.pushed and not m.fell else []
+        return [(degrees(m.pitch_peak), "largest pitch"), *kept, travel(comparison, label)]
     fits = [
         (_percent(fit["pitch"]), f"fit of {label} to {comparison.reference} in pitch; good from {CLOSE:g} %")
         for label, fit in list(comparison.fits.items())[:1]
@@ -188,7 +203,7 @@ def _numbers(comparison: Comparison) -> list[tuple[str, str]]:
     apart = _apart(comparison, "pitch") if "pitch" in comparison.signals else {}
     fits += [
         (degrees(size), f"largest difference in pitch between {comparison.reference} and {label}")
-        for label, size in list(apart.items())[:1]
+        for label, size in sorted(apart.items(), key=lambda item: -item[1])[:1]
     ]
     peaks = {label: degrees(m.pitch_peak) for label, m in comparison.metrics.items() if not m.fell}
     rest = [comparison.at_rest(label) for label in comparison.logs] if comparison.pushed else []
@@ -288,6 +303,10 @@ def _claim(comparison: Comparison, name: str) -> str:
         if len(apart) == 1:
             ((label, size),) = apart.items()
             return f"Pitch of {comparison.reference} and {label} differs by at most {degrees(size)}"
+        if len(apart) >= NAMED:
+            far = max(apart, key=lambda label: apart[label])
+            most = f"{far} differs most, by {degrees(apart[far])}"
+            return f"Pitch of {len(apart)} runs beside {comparison.reference}: {most}"
         several = ", ".join(f"{label} {degrees(size)}" for label, size in apart.items())
         return f"Pitch beside that of {comparison.reference}, largest difference: {several}"
     worst = _worst(comparison)

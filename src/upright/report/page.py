@@ -286,7 +286,7 @@ def whole_names(text: str) -> str:
     return _HYPHENED.sub(r'<span class="unit">\g<0></span>', escape(text))
 
 
-_HYPHENED = re.compile(r"\w+(?:-\w+)+")
+_HYPHENED = re.compile(r"(?<![\w-])(?=[\w-]{3,24}(?![\w-]))\w+(?:-\w+)+")  # a longer one may not fit on a phone
 
 
 def united(name: str) -> str:
