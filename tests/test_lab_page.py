@@ -465,6 +465,9 @@ def test_a_newcomer_is_shown_the_tour(chromium, lab):
         assert page.evaluate(lowest) < page.locator("#panel select").first.bounding_box()["y"] < 844 / 2, name
     page.click("[data-key=impulse]")  # which the tour asks for: in the corner of the room
     assert page.locator("[data-key=impulse]").bounding_box()["y"] < page.locator(".slot .strip").bounding_box()["y"]
+    page.evaluate("upright.store.push({ kind: 'Strike', what: 'impulse', size: 0.8 })")
+    page.click(".fell button")  # as is what stands it up again
+    until(page, "!document.querySelector('.fell').textContent")
     assert page.locator(".scene.pinned").count() == 1
     page.context.close()
 
