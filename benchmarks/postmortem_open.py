@@ -31,12 +31,13 @@ from upright.bodies.body import REST, Sample
 from upright.bodies.mjcf import mjcf
 from upright.bodies.twin import Twin, mujoco
 from upright.diagnose import PostMortem, post_mortem
-from upright.diagnose.beyond import _together
 from upright.diagnose.changes import scaled_sensors
-from upright.diagnose.evidence import Evidence, _window, gather
+from upright.diagnose.evidence import Evidence, gather
 from upright.diagnose.fault_fits import FAULT_NUMBERS, FaultFit, score_of, with_pushes
 from upright.diagnose.innovations import FilterRun
+from upright.diagnose.pairs import together
 from upright.diagnose.remedy import COMMAND_FAULTS, READING_FAULTS, beside_pushes, exact, moved
+from upright.diagnose.usual import window_of
 from upright.errors import InvalidRobot, UprightError
 from upright.experiment import Drive, run
 from upright.physics.dynamics import CALM, Disturbance
@@ -65,7 +66,7 @@ UNLISTED: dict[str, tuple[tuple[str, ...], float, float]] = {
 }
 SAME_AS = {
     "stall": ("dropped samples",), "half bridge": ("motor dead",), "counts lost": ("sensor mis-scaled",),
-    "stiction": ("wheel jammed",), "cable": ("ramp",), "tyre lost": (), "ripple": (),
+    "stiction": ("wheel jammed",), "cable": ("ramp",), "tyre lost": ("tyre lost",), "ripple": (),
 }  # fmt: skip
 """Answers that say the same as what happened, besides "none of these"."""
 
@@ -361,7 +362,7 @@ def planted_fit(fault: Fault) -> FaultFit | None:
 def supported(case: Broken, run: FilterRun, evidence: Evidence) -> tuple[float, float]:
     """What the log supports: nats by which a fit that is started at both planted causes explains it better than each of
     them alone, and than the best that was found."""
-    window = _window(run, evidence.fell_at)
+    window = window_of(run, evidence.fell_at)
     bank = window.bank(run, pushes_only=False)
     planted = [fit for fault in case.faults if (fit := planted_fit(fault)) is not None]
     alone: list[FaultFit] = []
@@ -369,7 +370,7 @@ def supported(case: Broken, run: FilterRun, evidence: Evidence) -> tuple[float, 
         planted = [replace(fit, way=fit.way.replace("encoders", "encoder_left")) for fit in planted]
     for i, fit in enumerate(planted):
         if fit.fault in READING_FAULTS + COMMAND_FAULTS:
-            near = (exact(run, one, window, bank) for one in (fit, *moved(run, [fit], window)))
+            near = (exact(run, one, window, bank) for one in (fit, *moved(run, [[fit]], window)))
             best = max(near, key=lambda one: one.score)
             alone.append(beside_pushes(run, best, window, bank) if best.pushes else best)
         else:
@@ -379,7 +380,7 @@ def supported(case: Broken, run: FilterRun, evidence: Evidence) -> tuple[float, 
             alone.append(max((with_pushes(bank, one) for one in signatures[:NEAREST]), key=lambda one: one.score))
             planted[i] = replace(fit, values=alone[-1].values)
     if len(planted) == 2:
-        both, lesser = _together(run, *planted, window, bank).score, [fit.score for fit in alone]
+        both, lesser = together(run, *planted, window, bank).score, [fit.score for fit in alone]
     else:  # beside a push
         if not len(alone[0].rest):  # the filter loses the robot even so
             return -math.inf, -math.inf

@@ -28,12 +28,12 @@ from upright.compiled.generated import constants
 from upright.control import LinearController, make_controller, write_controller
 from upright.control.delay import RAW
 from upright.diagnose import PostMortem, post_mortem
-from upright.diagnose.beyond import _together
 from upright.diagnose.causes import CANNOT_TELL, CAUSES, DEAD, NAMES, NO_FALL, NONE, REVERSED, SATURATION, SCALED
 from upright.diagnose.evidence import Series
 from upright.diagnose.fall import stuck_sensor
 from upright.diagnose.fault_fits import FaultFit, fits
 from upright.diagnose.innovations import driven, follow
+from upright.diagnose.pairs import together
 from upright.diagnose.propagation import fly
 from upright.diagnose.remedy import Window, remedied, searched
 from upright.diagnose.signatures import bank
@@ -233,7 +233,7 @@ def test_two_faults_of_runs_of_different_length_stay_as_they_were_found() -> Non
     run, window = follow(standing(), NXT, KIT), Window(2.9, 1.0, 1.0)
     known = window.bank(run)
     one, other = (FaultFit(fault="load", values=known.y[rows:]) for rows in (0, 3))
-    assert _together(run, one, other, window, known).second is other
+    assert together(run, one, other, window, known).second is other
 
 
 def test_a_window_shorter_than_a_push_has_no_pushes() -> None:

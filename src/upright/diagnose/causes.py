@@ -13,15 +13,15 @@ SATURATION, BIAS, DROPPED, SLIP, BATTERY = "saturation", "gyro bias", "dropped s
 PUSH, DELAY, LOW, HIGH = "push too large", "delay grown", "gain too low", "gain too high"
 STUCK, REVERSED = "sensor stuck", "motor or sensor reversed"
 SCALED, DEAD, JAMMED, WALL = "sensor mis-scaled", "motor dead", "wheel jammed", "wall"
-RAMP, LOAD, NONE = "ramp", "load changed", "none of these"
+RAMP, LOAD, TYRE, NONE = "ramp", "load changed", "tyre lost", "none of these"
 CAUSES = (
     SATURATION, BIAS, DROPPED, SLIP, BATTERY, PUSH, DELAY, LOW, HIGH, STUCK, REVERSED, SCALED, DEAD, JAMMED, WALL, RAMP,
-    LOAD,
+    LOAD, TYRE,
 )  # fmt: skip
 
 NAMES = {
     "bias": BIAS, "weak": BATTERY, "delay": DELAY, "slip": SLIP, "dropped": DROPPED, "scale": SCALED, "motor": DEAD,
-    "ramp": RAMP, "payload": LOAD,
+    "ramp": RAMP, "payload": LOAD, "friction": JAMMED, "radius": TYRE,
 }  # fmt: skip
 
 REPAIRS = {
@@ -41,6 +41,7 @@ REPAIRS = {
     WALL: "leave more room, drive slower near walls, or stop when the wheels are held",
     RAMP: "drive slower on slopes, or design for them (lqi, slope in `upright certify`)",
     LOAD: "fix the load, or calibrate again with it and design anew",
+    TYRE: "put the tyre back on its wheel, and glue it; look at both wheels",
     NONE: "look at the robot where the evidence points; send the log to the authors if it is nothing of the kind",
     REVERSED: "turn the motor or the sensor round, or its sign in the program's first constants",
     CANNOT_TELL: "",

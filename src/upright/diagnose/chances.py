@@ -25,6 +25,7 @@ SURVIVED, SURVIVED_FOR = 4.0, 1.5
 any torque: these loops bear a factor of two or three in a reading's gain."""
 REVERSE, REVERSE_WIDTH = 2.0, 0.3  # the same of a sensor that has another sign
 LIGHTEST, LARGEST_PAYLOAD = -1.1, 4.0  # over the body's mass: what it can lose, within the fit's errors, and gain
+LEAST_RADIUS, MOST_RADIUS = 0.05, 0.8  # of its radius, that a wheel loses with its tyre
 STEEPEST = 0.6  # sine of a slope that robots meet
 
 TOPPLES = 0.3  # [rad] lean that a push must be worth to topple, or
@@ -69,16 +70,17 @@ def enough(evidence: Evidence, fit: FaultFit, most: float) -> float:
 def possible(evidence: Evidence, fit: FaultFit) -> bool:
     """Whether a robot meets a fault of this size: larger ones are what others look like to a filter that is lost."""
     stood = evidence.fell_at - fit.onset > SURVIVED_FOR
-    if fit.fault == "motor":
-        return not (stood and fit.way == "both")
-    if fit.fault == "scale":
-        wild = not 1 - SURVIVED < fit.size < 1 - 1 / SURVIVED
-        return (turned(fit) or fit.size < ALL) and not (stood and wild)
-    if fit.fault == "payload":
-        return LIGHTEST < fit.size < LARGEST_PAYLOAD
-    if fit.fault == "ramp":
-        return abs(fit.size) < STEEPEST
-    return fit.fault != "bias" or abs(fit.size) < LARGEST_OFFSET[fit.way]
+    wild = not 1 - SURVIVED < fit.size < 1 - 1 / SURVIVED
+    meets = {
+        "motor": not (stood and fit.way == "both"),
+        "scale": (turned(fit) or fit.size < ALL) and not (stood and wild),
+        "payload": LIGHTEST < fit.size < LARGEST_PAYLOAD,
+        "friction": fit.size > 0,
+        "radius": LEAST_RADIUS < fit.size < MOST_RADIUS,
+        "ramp": abs(fit.size) < STEEPEST,
+        "bias": abs(fit.size) < LARGEST_OFFSET.get(fit.way, math.inf),
+    }
+    return meets.get(fit.fault, True)
 
 
 def turned(fit: FaultFit) -> bool:

@@ -20,6 +20,9 @@ RATE_TIME = 0.02  # [s] before and after, over which a wheel's rate follows from
 PAYLOADS = (0.3, 1.0, 2.0, -0.3, -0.7)  # over the body's mass, that come or go in a signature
 LEAST_PART = 0.2  # of a signature's payload, from which a torque beside it is its weight
 PAYLOAD_HEIGHTS = (0.8, 1.5)  # above the axle, over that of the centre of mass
+LOST_RADII = (0.2, 0.35, 0.5)  # of the wheels' radius, that go in a signature
+SLOW = 1.0  # [rad/s] of a wheel, below which its dry friction need not be all of it
+DRAGGED = {"left": (True, False), "right": (False, True), "both": (True, True)}
 PART = "part"  # the way of what is only looked for beside another fault: alone, the filter itself searches for it
 LIMITS = (0.05, 0.15, 0.3, 0.5)  # of the largest command, that a weak battery still gives
 DELAYS = (1.0, 2.0, 3.5, 5.0, 7.0, 10.0)  # periods
@@ -91,6 +94,32 @@ def motors(run: FilterRun, onsets: Array) -> list[Signature]:
     """Motors that give nothing from an onset on."""
     lost = [lost_command(run, way) for way in MOTORS]
     return _several("motor", dict.fromkeys(MOTORS, 1.0), onsets, _commanded(run, onsets, lost))
+
+
+def drag(run: FilterRun, way: str) -> Array:
+    """What dry friction of one unit of command takes from the commands at each event (events, 2): it opposes the
+    turning of its wheels, and of a wheel that hardly turns it takes less."""
+    return -np.tanh(turning(run) / SLOW) * np.array(DRAGGED[way])
+
+
+def frictions(run: FilterRun, onsets: Array) -> list[Signature]:
+    """Wheels that grow stiff against the body, by dry friction in the unit of commands."""
+    return _several(
+        "friction", dict.fromkeys(DRAGGED), onsets, _commanded(run, onsets, [drag(run, w) for w in DRAGGED])
+    )
+
+
+def radii(run: FilterRun, onsets: Array) -> list[Signature]:
+    """Wheels that lose a free part of each of `LOST_RADII`; errors then grow as those of a robot on smaller wheels."""
+    when = onsets[::2]
+    on = ((run.t - run.spans / 2)[:, None] >= when)[:, None, :]
+    radius, signatures = run.robot.wheel_radius, list[Signature]()
+    for part in LOST_RADII:
+        entered = entering(run, [{"wheel_radius": -part * radius}])
+        smaller = replace(run, robot=run.robot.replace(wheel_radius=(1 - part) * radius))
+        response = propagated(smaller, entered * on)[run.readings]
+        signatures += [replace(one, size=part) for one in _several("radius", {"lost": None}, when, response)]
+    return signatures
 
 
 def commands(run: FilterRun, onsets: Array) -> list[Signature]:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from upright.atomic import finite
 from upright.control import Controller
-from upright.diagnose.beyond import Leftover, Pair, jam_or_stuck, leftover, paired
+from upright.diagnose.beyond import Leftover, jam_or_stuck, leftover
 from upright.diagnose.causes import foreign, noisy
 from upright.diagnose.fall import (
     StuckSensor,
@@ -24,18 +24,19 @@ from upright.diagnose.fall import (
     frozen_rows,
     last_fall,
     limit,
-    lost_rows,
+    lost_lately,
     stale_rows,
     stuck_sensor,
 )
 from upright.diagnose.fault_fits import FaultFit, PushEstimate, fits, with_commands
 from upright.diagnose.innovations import FilterRun, follow
 from upright.diagnose.law import CommandMatch, matched, references
+from upright.diagnose.pairs import Pair, paired
 from upright.diagnose.remedy import Window, dropped, remedied, searched, sharpened
 from upright.diagnose.signatures import Bank
+from upright.diagnose.usual import FOREIGN, SECONDS, calm_of, window_of
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import SpecMismatch, UprightError
-from upright.logs.recording import FEWEST
 from upright.physics.dynamics import motor_damping, motor_gain
 from upright.physics.linear import linearise
 from upright.progress import Progress
@@ -44,15 +45,10 @@ from upright.signals import Log
 
 Array = NDArray[np.float64]
 
-SECONDS = 4.0  # [s] before the fall that are judged: a fault that shows earlier has not made it fall
 EXCURSION = 1.2  # [s] before the fall in which a push or a demand must lie to be its cause
-ORDINARY_END = 1.0  # [s] before the fall up to which innovations count as ordinary
-CALMER = 0.3  # of the seconds before the fall, that are calmer than what counts as calm
-MEDIAN = 0.455  # of χ² with one degree of freedom, by which the median of squares becomes their scale
 EXPLAINED = 1.3  # NIS over the ordinary one, up to which nothing is left to explain
 LOST = 20.0  # times the ordinary NIS at which the filter has lost the robot, over the log's last `LOST_SECONDS`
 LOST_SECONDS = 0.4  # [s]
-FOREIGN = 20.0  # ordinary NIS from which the robot is not the one that was given
 TIPPING = 0.35  # [rad] lean at the log's end that is a fall where the filter has lost the robot as well
 UNEXPLAINED, BETTER = 1.5, 5.0  # NIS over the ordinary one, or nats, that pushes leave to other faults to explain
 REPEATING = 1.5  # [s] before the fall in which two repeated readings make dropped samples a hypothesis
@@ -153,8 +149,8 @@ class Evidence:
     where it leaves something. `ordinary` is the scale of the innovations before the fall, `calm` that of its calmer
     seconds, `nis` their mean square in the window. A `stuck` sensor has the scores of a jammed wheel and of a dumb
     encoder in `jam`. `match` compares the recorded commands with the file's, whose loop is `stable`. `lost` is the
-    fraction of periods without a row in the last second, and before it; `battery` the voltage [V] before and at the
-    fall. `demand` is None where the references never change.
+    fraction of periods without a row since a time [s] in the last second, before it, and that time;
+    `battery` the voltage [V] before and at the fall. `demand` is None where the references never change.
     """
 
     run: FilterRun
@@ -171,7 +167,7 @@ class Evidence:
     motors: MotorUse
     match: CommandMatch | None
     stable: bool | None
-    lost: tuple[float, float]
+    lost: tuple[float, float, float]
     demand: Demand | None
     battery: tuple[float, float]
     notes: tuple[str, ...]
@@ -198,7 +194,7 @@ def gather(
     fell_at = fall_time(run)
     if fell_at is None and (stuck := stuck_sensor(log, kit, float(log.t[-1]))) and "gyro" in stuck.channel:
         fell_at, fallen = float(run.t[-1]), True  # nothing balances while its gyro stands still
-    window = _window(run, float(run.t[-1]) if fell_at is None else fell_at)
+    window = window_of(run, float(run.t[-1]) if fell_at is None else fell_at)
     show(0.1)
     if not fallen and (window.usual > FOREIGN or (fell_at is None and not _lost(run, window))):
         return run, None
@@ -219,24 +215,6 @@ def gather(
         several = sorted([*several, dropped(run, stale, window, bank)], key=lambda f: -f.score)
     show(0.9)
     return run, _evidence(run, fell_at, window, bank, several, controller)
-
-
-def _window(run: FilterRun, end: float) -> Window:
-    readings = run.readings
-    early = readings & (run.t < end - ORDINARY_END)
-    part = early if early.sum() > 100 else readings
-    if len(run.log) < FEWEST:  # all of it may be trouble: the noise is what the kit says
-        return Window(end, SECONDS, 1.0)
-    return Window(end, SECONDS, max(1.0, float(np.median(run.innovation[part] ** 2 / run.variance[part])) / MEDIAN))
-
-
-def _calm(run: FilterRun, window: Window) -> float:
-    """The scale of the innovations in the calmer seconds before the fall: trouble may last longer than calm."""
-    use = run.readings & (run.t < window.end - ORDINARY_END)
-    t, squares = run.t[use], run.innovation[use] ** 2 / run.variance[use]
-    seconds = np.floor(t - run.t[0])
-    blocks = [float(np.median(squares[seconds == k])) for k in np.unique(seconds) if (seconds == k).sum() > FEWEST / 2]
-    return min(window.usual, max(1.0, float(np.quantile(blocks, CALMER)) / MEDIAN)) if blocks else window.usual
 
 
 def _lost(run: FilterRun, window: Window) -> bool:
@@ -283,12 +261,12 @@ def _evidence(
         notes = (*notes, noisy(robot.noise))
     per_impulse, per_height, *_ = (mode.w @ model.E).tolist()
     return Evidence(
-        run=run, fell_at=end, ordinary=window.usual, calm=_calm(run, window),
+        run=run, fell_at=end, ordinary=window.usual, calm=calm_of(run, window),
         nis=float(np.mean(bank.y**2)), fits=tuple(several),
         stuck=stuck, jam=jam, pairs=tuple(pairs), left=leftover(several, window, bank) if open_ else None,
         toppling=Toppling(per_impulse, per_height, abs(mode.b) * most / mode.pole, mode.pole),
         motors=_motor_use(run, mode.w, end), match=match, stable=stable,
-        lost=(lost_rows(log, run.kit.period, end - 1, end), lost_rows(log, run.kit.period, log.t[0], end - 1)),
+        lost=lost_lately(log, run.kit.period, end),
         demand=_demand(log, robot, most, end), battery=_battery(log, end), notes=notes,
     )  # fmt: skip
 

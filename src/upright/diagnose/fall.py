@@ -160,6 +160,15 @@ def lost_rows(log: Log, period: float, start: float, stop: float) -> float:
     return float(missing.sum() / (missing.sum() + len(t) - 1))
 
 
+def lost_lately(log: Log, period: float, end: float) -> tuple[float, float, float]:
+    """The fraction of periods without a row from the first of them in the last second before `end` [s] on, but over
+    half a second at least, the fraction before, and that time [s]."""
+    t = log.t[(log.t >= end - 1.0) & (log.t <= end)]
+    gaps = np.flatnonzero(np.diff(t) > 1.5 * period)
+    since = min(float(t[gaps[0]]), end - 0.5) if len(gaps) else end - 1.0
+    return lost_rows(log, period, since, end), lost_rows(log, period, log.t[0], since), since
+
+
 def stale_rows(log: Log) -> Mask:
     """Rows in which every sensor repeats its last reading exactly."""
     names = [n for n in log.channels if n.startswith("sensor/") and "battery" not in n]

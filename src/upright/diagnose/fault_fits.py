@@ -24,6 +24,7 @@ NEAR_BEST = 60.0  # nats behind the likeliest, up to which a fault of the comman
 TRIED = 3  # signatures of each kind, by their squares alone, that are tried with pushes beside them
 LEAST_GAIN = 3.0  # nats that a push must add to the score beyond the price of its numbers
 FAULT_NUMBERS, PUSH_NUMBERS = 2, 3  # free numbers: size and onset; size, start and length
+MORE_NUMBERS = {"payload": 2}  # height and place before the axle
 CORRELATED = 3.0  # readings of one sample share what is wrong with the model, and count as one
 
 
@@ -132,6 +133,7 @@ def with_pushes(
     of two."""
     y, size = bank.y if beside is None else beside, 0.0
     spent = FAULT_NUMBERS * (bool(against or signature) + (beside is not None))
+    spent += MORE_NUMBERS.get(signature.fault, 0) if signature else 0
     values = np.zeros(len(y))
     if signature is not None:
         size = least_squares(y, signature)[0] if amplitude is None else amplitude
@@ -177,6 +179,11 @@ def score_of(bank: Bank, rest: Array, spent: float) -> float:
     n, floor = size / CORRELATED, size * bank.scale
     squares = (rest @ rest) * size / len(rest)
     return n / 2 * math.log((bank.y @ bank.y + floor) / (squares + floor)) - spent * math.log(n)
+
+
+def numbers_of(fault: str) -> int:
+    """How many free numbers a fault has."""
+    return FAULT_NUMBERS + MORE_NUMBERS.get(fault, 0)
 
 
 def dearer(fit: FaultFit, numbers: float, bank: Bank) -> FaultFit:

@@ -9,22 +9,23 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.diagnose.changes import MOTORS, lost_command, scaled_sensors
+from upright.diagnose.changes import MOTORS, drag, lost_command, scaled_sensors
 from upright.diagnose.fall import without
 from upright.diagnose.fault_fits import FaultFit, dearer, remaining, with_pushes
 from upright.diagnose.innovations import FilterRun, follow
-from upright.diagnose.signatures import YOUNGEST, Bank, bank, finer, pushing
+from upright.diagnose.signatures import YOUNGEST, Bank, bank, beside, finer, pushing, unknown_parameters
 from upright.signals import Log
 
 Array = NDArray[np.float64]
 GYRO = "sensor/gyro"
 
 READING_FAULTS = ("bias", "scale")
-COMMAND_FAULTS = ("weak", "delay", "motor")
+COMMAND_FAULTS = ("weak", "delay", "motor", "friction")
 """Faults of the commands, which are not small where the robot falls: the filter itself searches for them."""
 
 CHARGES = (0.05, 0.15, 0.3, 0.5, 0.7)  # fractions of the battery's voltage that are tried first
 DELAYS = (1.0, 2.0, 3.5, 5.0, 7.0, 10.0)  # periods that are tried first
+LONGEST = 20.0  # periods: a loop whose commands arrive later does not run, which lost rows show
 FADE, FADE_PRICE = 0.4, 1  # [s] in which a battery breaks down that are tried first, and its free number
 NO_TIME = 1e-9  # [s]
 ONSET_STEP = 0.4  # [s] between onsets that are tried first
@@ -74,6 +75,10 @@ def _sent(run: FilterRun, fit: FaultFit, before: Array | None = None) -> Array:
     usual = run.driven() if before is None else before
     if fit.fault == "motor":
         return _without_motor(run, fit, usual)
+    if fit.fault == "friction":
+        return np.where(
+            (run.log.t >= fit.onset)[:, None], usual + fit.size * _by_sample(run, drag(run, fit.way)), usual
+        )
     if fit.fault == "delay":
         return np.where((run.log.t >= fit.onset)[:, None], _delayed(usual, fit.size), usual)
     grown = np.clip((run.log.t - fit.onset) / max(fit.rise, NO_TIME), 0.0, 1.0)
@@ -83,13 +88,14 @@ def _sent(run: FilterRun, fit: FaultFit, before: Array | None = None) -> Array:
 
 def _without_motor(run: FilterRun, fit: FaultFit, usual: Array) -> Array:
     """The commands that dead motors act as: none where they are braked, else the voltage that they turn at."""
-    lost = lost_command(run, fit.way)
-    rows = run.row < 0
-    faulty = usual.copy()
-    for side in range(2):
-        change = np.interp(run.log.t, run.t[rows], (run.command + lost)[rows, side])
-        faulty[:, side] = np.where(MOTORS[fit.way][side], change, usual[:, side])
+    faulty = np.where(MOTORS[fit.way][:2], _by_sample(run, run.command + lost_command(run, fit.way)), usual)
     return np.where((run.log.t >= fit.onset)[:, None], faulty, usual)
+
+
+def _by_sample(run: FilterRun, values: Array) -> Array:
+    """What is known at each event (events, 2) at each sample of the log (samples, 2)."""
+    rows = run.row < 0
+    return np.column_stack([np.interp(run.log.t, run.t[rows], one) for one in values[rows].T])
 
 
 def _delayed(commands: Array, periods: float) -> Array:
@@ -164,24 +170,30 @@ def _least(squares: Callable[[FaultFit], float], several: Sequence[FaultFit]) ->
 
 
 def moved(
-    run: FilterRun, fits: Sequence[FaultFit], window: Window, others: Callable[[FilterRun], Array] | None = None
+    run: FilterRun,
+    starts: Sequence[Sequence[FaultFit]],
+    window: Window,
+    basis: Array | None = None,
+    others: Sequence[Array] = (),
 ) -> list[FaultFit]:
-    """Faults that a log can be freed of, with the onsets and sizes that leave the smallest innovations near those
-    given, beside what the signatures (readings, signatures) of `others` on the freed part explain together."""
+    """Faults that a log can be freed of, with the onsets and sizes that leave the smallest innovations near the best of
+    the `starts`, beside what the best of `others` (readings, signatures) and unknown parameters by their `basis`
+    explain."""
     recent = follow(run.log.between(window.end - window.seconds - WARM_UP, math.inf), run.robot, run.kit)
+    bases = [np.linalg.qr(one)[0] for one in others]
 
     def squares(tried: Sequence[FaultFit]) -> float:
         freed = remedied(recent, *tried)
         if freed is None or freed.t[-1] < recent.t[-1] - SHORT:
             return math.inf
-        part = window.of(freed)
-        y = part.whitened
-        if others is not None:
-            columns = others(part)
-            y = y - columns @ np.linalg.lstsq(columns, y, rcond=1e-6)[0]
-        return float(y @ y)
+        y = window.of(freed).whitened
+        if basis is not None:
+            if len(y) + basis.shape[1] != len(basis):  # the filter lost a reading
+                return math.inf
+            y = beside(basis, y)
+        return float(y @ y) - max((float(((y @ one) ** 2).sum()) for one in bases), default=0.0)
 
-    best, least = list(fits), squares(fits)
+    least, best = min(((squares(fits), list(fits)) for fits in starts), key=lambda one: one[0])
     for halving in range(HALVINGS):
         for i in range(len(best)):
             for other in _near(best[i], 0.5**halving, window.end - YOUNGEST):
@@ -190,6 +202,13 @@ def moved(
                 if left < least:
                     best, least = tried, left
     return best
+
+
+def faded(fit: FaultFit) -> list[FaultFit]:
+    """The fault as it is, and of a battery that breaks down at once one that fades about the same time."""
+    if fit.fault != "weak" or fit.rise > 0:
+        return [fit]
+    return [fit, replace(fit, rise=FADE, onset=fit.onset - FADE / 2)]
 
 
 def _near(fit: FaultFit, step: float, latest: float) -> list[FaultFit]:
@@ -201,6 +220,8 @@ def _near(fit: FaultFit, step: float, latest: float) -> list[FaultFit]:
     if fit.fault == "scale":
         return near + [replace(fit, size=fit.size + change * step) for change in (-0.2, 0.2)]
     sizes = [fit.size * 1.6**change for change in (-step, step)]
+    if fit.fault == "delay":
+        sizes = [min(size, LONGEST) for size in sizes]
     if fit.fault != "weak":
         return near + [replace(fit, size=size) for size in sizes]
     near += [replace(fit, size=min(size, 0.97)) for size in sizes]
@@ -234,7 +255,11 @@ def exact(run: FilterRun, fit: FaultFit, window: Window, against: Bank) -> Fault
 def beside_pushes(run: FilterRun, fit: FaultFit, window: Window, against: Bank) -> FaultFit:
     """The fit again, with the onset and size that explain most together with the pushes beside it."""
     edges = [(push.start, push.stop, push.height) for push in fit.pushes]
-    again = moved(run, [fit], window, lambda part: pushing(part, edges))[0]
+    if fit.run is None:
+        return fit
+    part = window.of(fit.run)
+    basis = unknown_parameters(part)
+    again = moved(run, [[one] for one in faded(fit)], window, basis, [beside(basis, pushing(part, edges))])[0]
     return max(fit, exact(run, again, window, against), key=lambda one: one.score)
 
 
@@ -261,7 +286,9 @@ def sharpened(run: FilterRun, fits: Sequence[FaultFit], window: Window, against:
     exact_ones += [fit for fit in fits if fit.fault in ("weak", "delay")]
     alone = sorted((fit for fit in fits if fit.fault == "motor" and not len(fit.rest)), key=lambda fit: fit.nis)
     exact_ones += alone[:MOST_MOTORS] + [fit for fit in fits if fit.fault == "motor" and len(fit.rest)][:1]
-    rest = [fit for fit in fits if not any(fit is one for one in exact_ones)]
+    stiff = [fit for fit in fits if fit.fault == "friction" and fit.size > 0][:1]
+    rest = [fit for fit in fits if not any(fit is one for one in (*exact_ones, *stiff))]
+    exact_ones += [moved(run, [[fit]], window)[0] for fit in stiff]
     exactly = [exact(run, fit, window, against) for fit in exact_ones]
     every = [fit for fit in (*exactly, *rest) if len(fit.rest)]
     every = [

@@ -14,7 +14,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from upright.diagnose.changes import commands, free_steps, motors, payloads, placed, scales
+from upright.diagnose.changes import commands, free_steps, frictions, motors, payloads, placed, radii, scales
 from upright.diagnose.innovations import FilterRun, Signature, answer, misfits, propagated
 from upright.diagnose.slip import slipping
 from upright.robots import Robot
@@ -126,6 +126,7 @@ def bank(run: FilterRun, scale: float, *, pushes_only: bool = False, beside_it: 
         faults = [
             *biases(run, np.arange(start, last, run.log.period)), *_loads(run, onsets), *_slips(run, onsets),
             *scales(run, onsets), *motors(run, onsets), *payloads(run, onsets), *commands(run, onsets),
+            *frictions(run, onsets), *radii(run, onsets),
         ]  # fmt: skip
         free = {channel: beside(basis, values) for channel, values in free_steps(run, onsets).items()}
     elif beside_it:
@@ -147,7 +148,7 @@ def bank(run: FilterRun, scale: float, *, pushes_only: bool = False, beside_it: 
 
 def signatures_of(run: FilterRun, fault: str, onsets: Array) -> list[Signature]:
     """The signatures of one kind of fault that a log cannot be freed of."""
-    makers = {"ramp": _loads, "load": _loads, "payload": payloads, "slip": _slips}
+    makers = {"ramp": _loads, "load": _loads, "payload": payloads, "radius": radii, "slip": _slips}
     return [one for one in makers[fault](run, onsets) if one.fault == fault]
 
 

@@ -79,7 +79,7 @@ PEGGED = 0.95  # fraction of the last second at the limit, where a constant comm
 GAIN_STEP = 0.03  # |ln| of a gain from which it is another one
 EXACT = 0.9999  # fraction of the difference between commands and file that a changed gain explains
 
-TWO, TWO_WIDTH, TWO_LEAVE = 25.0, 5.0, 0.6
+TWO, TWO_WIDTH, TWO_LEAVE = 25.0, 5.0, 0.75
 """Nats by which two faults must explain more than one, the width of that step, and the most NIS beyond the calm one
 that they may leave over what one leaves."""
 
@@ -95,7 +95,7 @@ WALL_HEIGHT, WALL_HOLDS = 0.6, 2.0
 """Where a wall holds a robot, over the height of its centre of mass, and what it takes, over the robot's momentum: the
 motors go on driving."""
 
-UNSOUND, UNSOUND_WIDTH, UNSOUND_LEAVES = 6.0, 0.2, 0.3
+UNSOUND, UNSOUND_WIDTH, UNSOUND_LEAVES = 2.5, 0.2, 0.1
 """NIS that the likeliest fault may leave over that of calmer seconds, the width of that step in its logarithm, and what
 it may leave besides, over the NIS without any fault: beyond both, nothing explains the fall."""
 
@@ -217,14 +217,14 @@ def _changed_gain(evidence: Evidence) -> list[_Answer]:
 
 def _lost(evidence: Evidence) -> list[_Answer]:
     """Whether the loop did not run."""
-    lost, before = evidence.lost
+    lost, before, since = evidence.lost
     if lost <= LOST_BEFORE * before and before > LOST_ROWS / 2:
         lost = min(lost, LOST_ROWS)
     if lost <= FEW_LOST:
         return []
-    text = f"{percent(lost)} of the periods in the last second have no row ({percent(before)} before): the loop "
+    text = f"{percent(lost)} of the periods since t = {since:.2f} s have no row ({percent(before)} before): the loop "
     text += "did not run"
-    return [_Answer(step(lost - LOST_ROWS, LOST_WIDTH), DROPPED, evidence.fell_at - 1.0, text)]
+    return [_Answer(step(lost - LOST_ROWS, LOST_WIDTH), DROPPED, since, text)]
 
 
 def _changed_robot(evidence: Evidence) -> list[_Answer]:
@@ -305,7 +305,9 @@ def _none(evidence: Evidence) -> list[_Answer]:
     badly = step(best.nis / evidence.calm - FITS_BADLY, FITS_WIDTH)
     if best.fault == "slip":  # of a coarse grid of floors
         shaped *= SLIPPERY
-    shaped *= badly * step((best.nis - evidence.calm) / evidence.nis - OF_ITS_SIZE, OF_ITS_SIZE / 6)
+    shaped *= badly
+    if not (best.fault == "motor" and left.channel.removesuffix(" motor") in best.way):  # a dead motor has no torque
+        shaped *= step((best.nis - evidence.calm) / evidence.nis - OF_ITS_SIZE, OF_ITS_SIZE / 6)
     wild = step(math.log(max(best.nis, 1e-9) / (UNSOUND * evidence.calm)), UNSOUND_WIDTH)
     wild *= step(best.nis / evidence.nis - UNSOUND_LEAVES, EXPLAINED_WIDTH)
     return [_Answer(FACT * max(shaped, wild, DOUBT * badly), NONE, left.onset, of_leftover(evidence, left))]

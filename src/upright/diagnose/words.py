@@ -96,12 +96,23 @@ def _payload_text(evidence: Evidence, fit: FaultFit) -> str:
     return f"a load of about {abs(fit.size) * evidence.run.robot.body_mass:.1g} kg that was {way}"
 
 
+def _friction_text(evidence: Evidence, fit: FaultFit) -> str:
+    several = fit.way == "both"
+    torque = fit.size * motor_gain(evidence.run.robot)
+    return f"{'both wheels' if several else f'a {fit.way} wheel'} held by a dry friction of {torque:.2g} N m"
+
+
+def _radius_text(_: Evidence, fit: FaultFit) -> str:
+    return f"wheels of {1 - fit.size:.2g} times their radius, as without tyres,"
+
+
 def _load_text(_: Evidence, fit: FaultFit) -> str:
     return f"a steady force of {fit.size:+.2g} N at the axle"
 
 
 _FAULT_TEXTS = {
     "scale": _scale_text, "motor": _motor_text, "ramp": _ramp_text, "payload": _payload_text, "load": _load_text,
+    "friction": _friction_text, "radius": _radius_text,
     "bias": _bias_text, "weak": _weak_text, "delay": _delay_text, "slip": _slip_text, "dropped": _dropped_text,
 }  # fmt: skip
 

@@ -1,0 +1,38 @@
+"""How large innovations usually are: over the log before the fall, and in its calmer seconds."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from upright.diagnose.innovations import FilterRun
+from upright.diagnose.remedy import Window
+from upright.logs.recording import FEWEST
+
+SECONDS = 4.0  # [s] before the fall that are judged: a fault that shows earlier has not made it fall
+ORDINARY_END = 1.0  # [s] before the fall up to which innovations count as ordinary
+CALMER = 0.3  # of the seconds before the fall, that are calmer than what counts as calm
+MEDIAN = 0.455  # of χ² with one degree of freedom, by which the median of squares becomes their scale
+FOREIGN = 20.0  # ordinary NIS from which the robot is not the one that was given
+FITTED = 3.0  # NIS of calmer seconds, up to which the robot is the given one: its trouble lasts longer than they do
+
+
+def window_of(run: FilterRun, end: float) -> Window:
+    """The part of a run that is judged for a fall at `end` [s], with the usual scale of its innovations."""
+    readings = run.readings
+    early = readings & (run.t < end - ORDINARY_END)
+    part = early if early.sum() > 100 else readings
+    if len(run.log) < FEWEST:  # all of it may be trouble: the noise is what the kit says
+        return Window(end, SECONDS, 1.0)
+    usual = max(1.0, float(np.median(run.innovation[part] ** 2 / run.variance[part])) / MEDIAN)
+    window = Window(end, SECONDS, usual)
+    calm = calm_of(run, window)
+    return window if usual < FOREIGN or calm > FITTED else Window(end, SECONDS, calm)
+
+
+def calm_of(run: FilterRun, window: Window) -> float:
+    """The scale of the innovations in the calmer seconds before the fall: trouble may last longer than calm."""
+    use = run.readings & (run.t < window.end - ORDINARY_END)
+    t, squares = run.t[use], run.innovation[use] ** 2 / run.variance[use]
+    seconds = np.floor(t - run.t[0])
+    blocks = [float(np.median(squares[seconds == k])) for k in np.unique(seconds) if (seconds == k).sum() > FEWEST / 2]
+    return min(window.usual, max(1.0, float(np.quantile(blocks, CALMER)) / MEDIAN)) if blocks else window.usual
