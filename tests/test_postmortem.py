@@ -28,9 +28,9 @@ from upright.compiled.generated import constants
 from upright.control import LinearController, make_controller, write_controller
 from upright.control.delay import RAW
 from upright.diagnose import PostMortem, post_mortem
-from upright.diagnose.causes import CANNOT_TELL, CAUSES, DEAD, NAMES, NO_FALL, NONE, REVERSED, SATURATION, SCALED
+from upright.diagnose.causes import CANNOT_TELL, CAUSES, DEAD, NAMES, NO_FALL, NONE, REVERSED, SATURATION, SCALED, TYRE
 from upright.diagnose.evidence import Series
-from upright.diagnose.fall import stuck_sensor
+from upright.diagnose.fall import lost_lately, stuck_sensor
 from upright.diagnose.fault_fits import FaultFit, fits
 from upright.diagnose.innovations import driven, follow
 from upright.diagnose.pairs import together
@@ -410,3 +410,68 @@ def test_a_robot_that_stands_for_seconds_has_motors() -> None:
     log = example("fall")
     commands = {n: 3 * log[n] if n.startswith(("applied/", "command/")) else log[n] for n in log.channels}
     assert DEAD not in post_mortem(Log(log.t, commands, log.units, log.origin)).verdict
+
+
+def of_channels(log: Log, keep: Any) -> Log:
+    return Log(log.t, {n: v for n, v in log.channels.items() if keep(n)}, log.units, log.origin)
+
+
+def test_one_encoder_of_either_side_is_enough() -> None:
+    # a wheel without an encoder is taken to turn like the other one
+    log = example("fall")
+    several = [
+        post_mortem(of_channels(log, lambda n, side=side: not n.startswith("truth/") and n != f"sensor/encoder_{side}"))
+        for side in ("left", "right")
+    ]
+    assert [found.verdict for found in several] == ["push too large"] * 2
+
+
+def test_a_log_in_which_nothing_turns_lacks_no_channel_but_motion() -> None:
+    t = np.arange(200) * 0.01
+    still = {n: np.zeros(200) for n in ("sensor/encoder_left", "sensor/encoder_right", "command/left", "command/right")}
+    found = post_mortem(Log(t, still | {"sensor/gyro": 0.01 * np.sin(t)}), NXT, KIT)
+    assert found.verdict == CANNOT_TELL
+    assert found.missing == ("an encoder that changes: it reads the same in every row",)
+
+
+def test_the_last_quarter_of_a_second_does_not_show_which_gain_was_wrong() -> None:
+    # planted: a push 0.3 s before these rows, so that neither what came before nor any swing is in them
+    log = example("fall")
+    rows = np.arange(len(log) - 25, len(log))
+    found = post_mortem(Log(log.t[rows], {n: v[rows] for n, v in log.channels.items()}, log.units, log.origin))
+    assert found.verdict == CANNOT_TELL, str(found)
+    assert any("the seconds before" in name for name in found.missing)
+    assert "0 times a second" not in str(found)
+
+
+def test_a_loop_that_stands_still_twice_before_a_fall_has_lost_its_rows() -> None:
+    # two of ten rows in the second before are 0.1 s long gaps; three tenths of the last 0.6 s, since the first of them
+    t = np.setdiff1d(np.arange(300), [*range(245, 255), *range(280, 288)]) * 0.01
+    lost, before, since = lost_lately(Log(t, {"sensor/gyro": np.zeros(len(t))}), 0.01, 2.99)
+    assert since == pytest.approx(2.44)
+    assert lost == pytest.approx(18 / 55, abs=0.02)  # one period more or less at the ends
+    assert before == 0.0
+
+
+@pytest.mark.slow
+def test_two_causes_are_found_where_the_first_one_alone_takes_up_a_part_of_the_second() -> None:
+    # planted: a slope of 0.1 rad from `ONSET` on and, 0.3 s later, a battery that fades to 0.42 within half a second;
+    # neither fells the robot alone. A battery that is fitted alone has its onset and size from both
+    slope = open_bench.BrokenBody(Twin(NXT), KIT, bench.Fault("ramp", "slope", ONSET, 0.1, -1.0), 1)
+    both = open_bench.BrokenBody(slope.twin, KIT, bench.Fault("weak battery", "pwm", ONSET + 0.3, 0.42), 1)
+    both.inner = slope
+    log = run(both, designed(), Impulse(impulse=0.05, start=0.7, duration=0.02), seconds=7.0, seed=2)
+    assert log.origin["outcome"]["fell"]
+    names = [n for n in log.channels if n.startswith(("sensor/", "command/")) and "battery" not in n]
+    found = post_mortem(Log(log.t, {n: log[n] for n in names}), NXT, KIT)
+    assert set(found.verdict.split(" and ")) == {"weak battery", "ramp"}, str(found)
+    assert found.onset == pytest.approx(ONSET, abs=0.2)  # the slope grows within 0.2 s
+
+
+@pytest.mark.slow
+def test_wheels_that_lose_their_tyres_are_named_by_what_is_left_of_them() -> None:
+    body = open_bench.BrokenBody(Twin(NXT), KIT, bench.Fault("tyre lost", "both", ONSET, 0.6), 1)
+    log = run(body, designed(), Impulse(impulse=0.05, start=0.7, duration=0.02), seconds=7.0, seed=2)
+    names = [n for n in log.channels if n.startswith(("sensor/", "command/"))]
+    found = post_mortem(Log(log.t, {n: log[n] for n in names}), NXT, KIT)
+    assert found.verdict in {TYRE, NO_FALL}, str(found)

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from upright.diagnose.causes import NAMES, PUSH, REVERSED
 from upright.diagnose.evidence import EXCURSION, Evidence
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
+from upright.diagnose.sizes import possible, turned
 from upright.diagnose.words import gained
 
 SURE, SURE_WIDTH = 15.0, 3.0
@@ -16,17 +17,6 @@ SURE, SURE_WIDTH = 15.0, 3.0
 EXPLAINED, LIKE_A_PUSH, EXPLAINED_WIDTH = 0.55, 0.74, 0.03
 """Most NIS that a fault may leave over what pushes alone leave, that a slip may leave beside a push that topples, and
 the width of both steps."""
-
-LARGEST_OFFSET = {"step": 4.0, "ramp": 5.0}  # of a gyro [rad/s, rad/s²]: more is a filter that is lost
-
-ALL = 0.97  # most of a reading that is too much where its sensor has another scale
-SURVIVED, SURVIVED_FOR = 4.0, 1.5
-"""A factor on the scale of a sensor with which no robot stands for longer than so many seconds, and as little without
-any torque: these loops bear a factor of two or three in a reading's gain."""
-REVERSE, REVERSE_WIDTH = 2.0, 0.3  # the same of a sensor that has another sign
-LIGHTEST, LARGEST_PAYLOAD = -1.1, 4.0  # over the body's mass: what it can lose, within the fit's errors, and gain
-LEAST_RADIUS, MOST_RADIUS = 0.05, 0.8  # of its radius, that a wheel loses with its tyre
-STEEPEST = 0.6  # sine of a slope that robots meet
 
 TOPPLES = 0.3  # [rad] lean that a push must be worth to topple, or
 TOPPLES_OF_LARGEST = 0.4  # of the largest lean that the motors bring back
@@ -42,7 +32,9 @@ def step(x: float, width: float) -> float:
 def best_of(evidence: Evidence) -> FaultFit:
     """The likeliest of single faults that hold, and of pushes alone."""
     held = (
-        fit for fit in evidence.fits if fit.fault in NAMES and possible(evidence, fit) and holds(evidence, fit) > 0.5
+        fit
+        for fit in evidence.fits
+        if fit.fault in NAMES and possible(fit, evidence.fell_at) and holds(evidence, fit) > 0.5
     )
     return max([evidence.pushes_only, *held], key=lambda fit: fit.score)
 
@@ -65,27 +57,6 @@ def surer(evidence: Evidence, fit: FaultFit) -> float:
 def enough(evidence: Evidence, fit: FaultFit, most: float) -> float:
     """Whether it leaves at most such a fraction of the NIS that pushes alone leave."""
     return step(most - fit.nis / evidence.pushes_only.nis, EXPLAINED_WIDTH)
-
-
-def possible(evidence: Evidence, fit: FaultFit) -> bool:
-    """Whether a robot meets a fault of this size: larger ones are what others look like to a filter that is lost."""
-    stood = evidence.fell_at - fit.onset > SURVIVED_FOR
-    wild = not 1 - SURVIVED < fit.size < 1 - 1 / SURVIVED
-    meets = {
-        "motor": not (stood and fit.way == "both"),
-        "scale": (turned(fit) or fit.size < ALL) and not (stood and wild),
-        "payload": LIGHTEST < fit.size < LARGEST_PAYLOAD,
-        "friction": fit.size > 0,
-        "radius": LEAST_RADIUS < fit.size < MOST_RADIUS,
-        "ramp": abs(fit.size) < STEEPEST,
-        "bias": abs(fit.size) < LARGEST_OFFSET.get(fit.way, math.inf),
-    }
-    return meets.get(fit.fault, True)
-
-
-def turned(fit: FaultFit) -> bool:
-    """Whether a sensor's scale is wrong by its sign."""
-    return fit.fault == "scale" and abs(fit.size - REVERSE) < REVERSE_WIDTH
 
 
 def name_of(fit: FaultFit) -> str:

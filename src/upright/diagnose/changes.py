@@ -78,11 +78,12 @@ def turning(run: FilterRun) -> Array:
     that does not know of a fault is not to be asked."""
     log, near = run.log, run.log.t
     rates: list[Array] = []
-    for side in ("left", "right"):
-        if f"sensor/encoder_rate_{side}" in run.rows:
-            rates.append(np.nan_to_num(log[f"sensor/encoder_rate_{side}"]))
+    for sides in (("left", "right"), ("right", "left")):  # a wheel without an encoder turns like the other one
+        names = [f"sensor/encoder_{kind}{side}" for side in sides for kind in ("rate_", "")]
+        name = next(name for name in names if name in run.rows)
+        if "rate" in name:
+            rates.append(np.nan_to_num(log[name]))
             continue
-        name = f"sensor/encoder_{side}" if f"sensor/encoder_{side}" in run.rows else "sensor/encoder_left"
         angle = log[name]
         there = np.isfinite(angle)
         ends = [np.interp(near + shift, near[there], angle[there]) for shift in (-RATE_TIME, RATE_TIME)]

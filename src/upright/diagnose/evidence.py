@@ -34,6 +34,7 @@ from upright.diagnose.law import CommandMatch, matched, references
 from upright.diagnose.pairs import Pair, paired
 from upright.diagnose.remedy import Window, dropped, remedied, searched, sharpened
 from upright.diagnose.signatures import Bank
+from upright.diagnose.sizes import possible
 from upright.diagnose.usual import FOREIGN, SECONDS, calm_of, window_of
 from upright.doctor.wheels import on_its_wheels
 from upright.errors import SpecMismatch, UprightError
@@ -253,8 +254,9 @@ def _evidence(
     match, stable, notes = _match(run, controller, end)
     stuck = stuck_sensor(log, run.kit, end)
     jam = jam_or_stuck(run, stuck, window, bank) if stuck and "encoder" in stuck.channel else None
-    open_ = not stuck and window.usual <= FOREIGN and several[0].nis > EXPLAINED * window.usual  # more to explain
-    pairs = paired(run, several, window, bank) if open_ else []
+    met = [fit for fit in several if possible(fit, end)]
+    open_ = not stuck and window.usual <= FOREIGN and met[0].nis > EXPLAINED * window.usual  # more to explain
+    pairs = paired(run, met, window, bank) if open_ else []
     if window.usual > FOREIGN:
         notes = (*notes, foreign(window.usual, robot))
     elif robot.noise:
@@ -263,7 +265,7 @@ def _evidence(
     return Evidence(
         run=run, fell_at=end, ordinary=window.usual, calm=calm_of(run, window),
         nis=float(np.mean(bank.y**2)), fits=tuple(several),
-        stuck=stuck, jam=jam, pairs=tuple(pairs), left=leftover(several, window, bank) if open_ else None,
+        stuck=stuck, jam=jam, pairs=tuple(pairs), left=leftover(met, window, bank) if open_ else None,
         toppling=Toppling(per_impulse, per_height, abs(mode.b) * most / mode.pole, mode.pole),
         motors=_motor_use(run, mode.w, end), match=match, stable=stable,
         lost=lost_lately(log, run.kit.period, end),

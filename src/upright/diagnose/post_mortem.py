@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from upright.atomic import finite
 from upright.control import Controller, controller_hash, read_controller
 from upright.diagnose.causes import CANNOT_TELL, NO_FALL, Cause
-from upright.diagnose.evidence import Evidence, Series, gather, series_of
+from upright.diagnose.evidence import EXCURSION, FOREIGN, Evidence, Series, gather, series_of
 from upright.diagnose.fall import against, last_fall
 from upright.diagnose.verdict import ranked, reversed_causes
 from upright.doctor.finding import FEWEST as FEWEST_POSES
@@ -188,14 +188,24 @@ def missing_channels(log: Log) -> tuple[str, ...]:
     def moves(name: str) -> bool:
         return holds(name) and float(np.nanmax(log[name]) - np.nanmin(log[name])) > 0
 
+    def lacking(name: str, what: str) -> list[str]:
+        return [f"{what} that changes: it reads the same in every row"] if holds(name) else [f"{what} ({name})"]
+
     commands = any(all(holds(f"{prefix}/{side}") for side in ("left", "right")) for prefix in ("command", "applied"))
     missing = [] if commands else ["commands (command/left and command/right)"]
-    missing += [] if moves("sensor/gyro") else ["a gyro (sensor/gyro)"]
-    return tuple(missing + ([] if any(moves(n) for pair in RATES.items() for n in pair) else ["encoders"]))
+    missing += [] if moves("sensor/gyro") else lacking("sensor/gyro", "a gyro")
+    encoders = [n for pair in RATES.items() for n in pair]
+    name = next((n for n in encoders if holds(n)), "sensor/encoder_left")
+    return tuple(missing + ([] if any(moves(n) for n in encoders) else lacking(name, "an encoder")))
 
 
 def _helpful(evidence: Evidence) -> tuple[str, ...]:
     """What would help where no cause is likely."""
+    if evidence.ordinary > FOREIGN:
+        return ("the robot's own numbers (upright calibrate)",)
+    seconds = evidence.fell_at - float(evidence.run.log.t[0])
+    if seconds < EXCURSION:
+        return (f"the seconds before: the fall began {seconds:.2g} s after the first row",)
     files = ["the controller's file"] if evidence.match is None else []
     return (*files, *(["the references, if it was driven"] if evidence.demand is None else []))
 

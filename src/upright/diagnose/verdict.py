@@ -41,7 +41,6 @@ from upright.diagnose.chances import (
     enough,
     holds,
     name_of,
-    possible,
     step,
     surer,
     toppled,
@@ -50,6 +49,7 @@ from upright.diagnose.chances import (
 from upright.diagnose.evidence import EXCURSION, FOREIGN, Evidence
 from upright.diagnose.fall import blocked
 from upright.diagnose.fault_fits import FaultFit
+from upright.diagnose.sizes import possible
 from upright.diagnose.words import (
     at_limit,
     began,
@@ -118,6 +118,7 @@ SWINGS = 7.0  # changes of the command's sign a second from which a robot falls 
 SAME_GAIN = 0.1  # of one: a gain that the file confirms
 GAIN_WITHOUT_FILE, GAIN_WITH_FILE, AT_LIMIT = 0.8, 0.9, 0.5  # probability that is left to the gain, or to saturation
 HIDDEN = 0.5  # the same for a robot whose calibration has noise of its own, in which faults hide
+IN_PART = 0.3  # of it where the log begins within the last excursion
 CLEAR = 0.9  # of it for the gain that the fall's shape shows
 LEAST = 1e-4  # of a likelihood, below which a cause is left out
 
@@ -231,7 +232,7 @@ def _changed_robot(evidence: Evidence) -> list[_Answer]:
     """Whether a fault of robot, sensors or floor explains the innovations better than pushes alone."""
     best: dict[str, FaultFit] = {}
     for fit in evidence.fits:
-        if fit.fault in NAMES and possible(evidence, fit) and fit.score > best.get(fit.fault, fit).score - 1e-9:
+        if fit.fault in NAMES and possible(fit, evidence.fell_at) and fit.score > best.get(fit.fault, fit).score - 1e-9:
             best[fit.fault] = fit
     top = max((fit.score for fit in best.values()), default=0.0)
     weights = {name: math.exp(max((fit.score - top) / TEMPER, -50.0)) for name, fit in best.items()}
@@ -261,7 +262,7 @@ def _two(evidence: Evidence) -> list[_Answer]:
     answers: list[_Answer] = []
     for pair in evidence.pairs[:1]:
         names = [name_of(fit) for fit in (pair.first, pair.second)]
-        if names[0] == names[1] or not (possible(evidence, pair.first) and possible(evidence, pair.second)):
+        if names[0] == names[1] or not all(possible(fit, evidence.fell_at) for fit in (pair.first, pair.second)):
             continue
         chance = step(pair.score - best.score - TWO, TWO_WIDTH) * step(
             TWO_LEAVE - _beyond_noise(evidence, pair.second.nis) / _beyond_noise(evidence, best.nis), EXPLAINED_WIDTH
@@ -377,6 +378,8 @@ def _weak_or_wild(evidence: Evidence) -> list[_Answer]:
         return [_Answer(AT_LIMIT, SATURATION, since, text)] if motors.saturated > SATURATED else []
     low = CLEAR if motors.swings < SWINGS and 0.0 < motors.help < 1.0 else 1 - CLEAR
     gain = GAIN_WITHOUT_FILE if match is None else GAIN_WITH_FILE
+    if since < evidence.run.log.t[0]:  # the log begins while it falls: neither swings nor what came before show
+        gain *= IN_PART
     answers: list[_Answer] = []
     if evidence.run.robot.noise:  # it hides faults, so that what is left need not be the gain
         answers, gain = [_Answer(pegged, SATURATION, since, of_pegged(evidence))], (1 - pegged) * HIDDEN

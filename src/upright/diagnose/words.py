@@ -146,6 +146,8 @@ def of_low(evidence: Evidence) -> str:
 
 
 def of_high(evidence: Evidence) -> str:
+    if evidence.motors.swings < 1:
+        return f"{sound(evidence)}, and the commands were large without swings"
     return (
         f"{sound(evidence)}, and the commands changed sign {evidence.motors.swings:.1g} times a second with growing "
         "swings"

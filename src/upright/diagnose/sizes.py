@@ -1,0 +1,40 @@
+"""Which sizes of faults robots meet."""
+
+from __future__ import annotations
+
+import math
+
+from upright.diagnose.fault_fits import FaultFit
+
+LARGEST_OFFSET = {"step": 4.0, "ramp": 5.0}  # of a gyro [rad/s, rad/s²]: more is a filter that is lost
+
+ALL = 0.97  # most of a reading that is too much where its sensor has another scale
+SURVIVED, SURVIVED_FOR = 4.0, 1.5
+"""A factor on the scale of a sensor with which no robot stands for longer than so many seconds, and as little without
+any torque: these loops bear a factor of two or three in a reading's gain."""
+REVERSE, REVERSE_WIDTH = 2.0, 0.3  # the same of a sensor that has another sign
+LIGHTEST, LARGEST_PAYLOAD = -1.1, 4.0  # over the body's mass: what it can lose, within the fit's errors, and gain
+LEAST_RADIUS, MOST_RADIUS = 0.05, 0.8  # of its radius, that a wheel loses with its tyre
+STEEPEST = 0.6  # sine of a slope that robots meet
+
+
+def possible(fit: FaultFit, fell_at: float) -> bool:
+    """Whether a robot that fell at `fell_at` [s] meets a fault of this size: larger ones are what others look like to a
+    filter that is lost."""
+    stood = fell_at - fit.onset > SURVIVED_FOR
+    wild = not 1 - SURVIVED < fit.size < 1 - 1 / SURVIVED
+    meets = {
+        "motor": not (stood and fit.way == "both"),
+        "scale": (turned(fit) or fit.size < ALL) and not (stood and wild),
+        "payload": LIGHTEST < fit.size < LARGEST_PAYLOAD,
+        "friction": fit.size > 0,
+        "radius": LEAST_RADIUS < fit.size < MOST_RADIUS,
+        "ramp": abs(fit.size) < STEEPEST,
+        "bias": abs(fit.size) < LARGEST_OFFSET.get(fit.way, math.inf),
+    }
+    return meets.get(fit.fault, True)
+
+
+def turned(fit: FaultFit) -> bool:
+    """Whether a sensor's scale is wrong by its sign."""
+    return fit.fault == "scale" and abs(fit.size - REVERSE) < REVERSE_WIDTH
