@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from upright.diagnose.causes import NAMES, PUSH, REVERSED
+from upright.diagnose.causes import DEAD, NAMES, PUSH, REVERSED
 from upright.diagnose.evidence import EXCURSION, Evidence
 from upright.diagnose.fault_fits import FaultFit, PushEstimate
 from upright.diagnose.sizes import possible, turned
@@ -18,6 +18,7 @@ EXPLAINED, LIKE_A_PUSH, EXPLAINED_WIDTH = 0.55, 0.74, 0.03
 """Most NIS that a fault may leave over what pushes alone leave, that a slip may leave beside a push that topples, and
 the width of both steps."""
 
+EMPTY = 0.02  # of its voltage: less is no supply, or a driver that is off
 TOPPLES = 0.3  # [rad] lean that a push must be worth to topple, or
 TOPPLES_OF_LARGEST = 0.4  # of the largest lean that the motors bring back
 LIMIT_WIDTH = 0.1  # of these limits: the width of their steps
@@ -60,7 +61,9 @@ def enough(evidence: Evidence, fit: FaultFit, most: float) -> float:
 
 
 def name_of(fit: FaultFit) -> str:
-    """The cause that a fit stands for."""
+    """The cause that a fit stands for; a battery that gives nothing at all is no weak one: it also feeds the logger."""
+    if fit.fault == "weak" and fit.size < EMPTY:
+        return DEAD
     return REVERSED if turned(fit) else NAMES.get(fit.fault, PUSH)
 
 

@@ -33,6 +33,7 @@ from upright.diagnose.remedy import (
     SHORT,
     WARM_UP,
     Window,
+    exact,
     faded,
     moved,
     remedied,
@@ -45,6 +46,7 @@ BESIDE = ("ramp", "payload", "radius")  # faults whose signature may stand besid
 MOST_PAIRS = 4  # that the filter itself searches
 MORE = 2  # faults, besides the likeliest, beside which another one is looked for
 TRIED = 3  # signatures of the second kind that are tried with pushes beside them
+CONTRIBUTES = 10.0  # nats that each of both must explain beyond the other one to be one of two
 BEHIND = 10.0  # nats behind the likeliest, that a start must promise to be searched
 NEAR = 8  # signatures of one kind round its onset, one of which stands for it while the other one is searched
 ALIKE = 0.02  # of a signature's squares, that must be left beside the first fault's changes
@@ -55,10 +57,12 @@ FARTHEST = 3.0  # of these changes, by which a first fault is moved before the f
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Pair:
-    """Two faults that explain the innovations together, by the `score` of both."""
+    """Two faults that explain the innovations together, by the `score` of both; either of them, as it is here, has at
+    most the score `alone`."""
 
     first: FaultFit
     second: FaultFit
+    alone: float = -math.inf
 
     @property
     def score(self) -> float:
@@ -104,7 +108,20 @@ def paired(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank)
     for start in sorted(starts.values(), key=lambda start: -start.promise)[:MOST_PAIRS]:
         if start.promise > max((pair.score for pair in pairs), default=-math.inf) - BEHIND:
             pairs += _searched(run, start, window, bank)
-    return sorted(pairs, key=lambda pair: -pair.score)
+    pairs.sort(key=lambda pair: -pair.score)
+    judged = (replace(pair, alone=_alone(run, pair, window, bank)) for pair in pairs)
+    best = next((pair for pair in judged if pair.score > pair.alone + CONTRIBUTES), None)
+    return [] if best is None else [best]
+
+
+def _alone(run: FilterRun, pair: Pair, window: Window, bank: Bank) -> float:
+    """The larger score of one of both faults, with the size and onset that it has in the pair."""
+    scores = [-math.inf]
+    for fit in (pair.first, pair.second):
+        if fit.fault in READING_FAULTS + COMMAND_FAULTS:
+            one = exact(run, replace(fit, score=-math.inf, run=None), window, bank)
+            scores.append(one.score - RARE * _rare(fit))
+    return max(scores)
 
 
 def _starts(run: FilterRun, first: FaultFit, window: Window, bank: Bank) -> list[_Start]:

@@ -15,6 +15,7 @@ any torque: these loops bear a factor of two or three in a reading's gain."""
 REVERSE, REVERSE_WIDTH = 2.0, 0.3  # the same of a sensor that has another sign
 LIGHTEST, LARGEST_PAYLOAD = -1.1, 4.0  # over the body's mass: what it can lose, within the fit's errors, and gain
 LEAST_RADIUS, MOST_RADIUS = 0.05, 0.8  # of its radius, that a wheel loses with its tyre
+WEAK = 0.9  # of its voltage, that a weak battery has left at most: motors differ by as much
 STEEPEST = 0.6  # sine of a slope that robots meet
 
 
@@ -24,6 +25,7 @@ def possible(fit: FaultFit, fell_at: float) -> bool:
     stood = fell_at - fit.onset > SURVIVED_FOR
     wild = not 1 - SURVIVED < fit.size < 1 - 1 / SURVIVED
     meets = {
+        "weak": fit.size < WEAK,
         "motor": not (stood and fit.way == "both"),
         "scale": (turned(fit) or fit.size < ALL) and not (stood and wild),
         "payload": LIGHTEST < fit.size < LARGEST_PAYLOAD,

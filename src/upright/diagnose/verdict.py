@@ -264,7 +264,7 @@ def _two(evidence: Evidence) -> list[_Answer]:
         names = [name_of(fit) for fit in (pair.first, pair.second)]
         if names[0] == names[1] or not all(possible(fit, evidence.fell_at) for fit in (pair.first, pair.second)):
             continue
-        chance = step(pair.score - best.score - TWO, TWO_WIDTH) * step(
+        chance = step(pair.score - max(best.score, pair.alone) - TWO, TWO_WIDTH) * step(
             TWO_LEAVE - _beyond_noise(evidence, pair.second.nis) / _beyond_noise(evidence, best.nis), EXPLAINED_WIDTH
         )
         if evidence.left is not None:  # one unknown cause rather than two that are known
