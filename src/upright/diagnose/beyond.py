@@ -22,6 +22,7 @@ from upright.signals import Log
 Array = NDArray[np.float64]
 
 RAPID = 0.75  # of the NIS, that slow steps leave where a disturbance is too rapid for them
+SHOWS = 4.0  # standard deviations of an innovation, from which a disturbance shows: its steps may begin before
 LOUD, BLOCK = 0.5, 0.2  # squared innovations over their mean, in blocks of so many seconds, from which they show
 STEP_COST = 0.5  # of a step of a disturbance of any shape, over that of a number that is chosen among many onsets
 
@@ -56,7 +57,11 @@ def leftover(fits: Sequence[FaultFit], window: Window, bank: Bank) -> Leftover |
     explains most of it."""
     bases = {fits[0].fault: fits[0], "none": next(fit for fit in fits if fit.fault == "none")}
     left = [one for fit in bases.values() if (one := _beyond(fit, window, bank)) is not None]
-    return max(left, key=lambda one: one.score, default=None)
+    best = max(left, key=lambda one: one.score, default=None)
+    if best is None:
+        return None
+    loud = (np.abs(bank.y[: len(bank.then)]) > SHOWS * np.sqrt(bank.scale)) & (bank.then >= best.onset)
+    return replace(best, onset=float(bank.then[np.argmax(loud)])) if loud.any() else best
 
 
 def _beyond(fit: FaultFit, window: Window, bank: Bank) -> Leftover | None:

@@ -110,8 +110,8 @@ def paired(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank)
             pairs += _searched(run, start, window, bank)
     pairs.sort(key=lambda pair: -pair.score)
     judged = (replace(pair, alone=_alone(run, pair, window, bank)) for pair in pairs)
-    best = next((pair for pair in judged if pair.score > pair.alone + CONTRIBUTES), None)
-    return [] if best is None else [best]
+    first = next((pair for pair in judged if pair.score > pair.alone + CONTRIBUTES), None)
+    return [first] if first else []
 
 
 def _alone(run: FilterRun, pair: Pair, window: Window, bank: Bank) -> float:
