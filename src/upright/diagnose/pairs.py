@@ -77,7 +77,7 @@ def _rare(*fits: FaultFit) -> int:
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class _Start:
-    """Where the search for a pair begins: the first fault as it was chosen and as the second one `changed` it,
+    """Where the search for a pair begins: the first fault as it was alone and as the second one `changed` it,
     signatures of which one stands for the other fault, those of `pushes` beside both (readings, signatures), the
     `basis` of unknown parameters, and the score that both promise."""
 
@@ -268,7 +268,7 @@ def together(run: FilterRun, first: FaultFit, second: FaultFit, window: Window, 
             again = with_pushes(here, against=bank, beside=here.y)
             again = replace(again, fault=last.fault, way=last.way, onset=last.onset, size=last.size, rise=last.rise)
             return Pair(first=first, second=replace(_priced(again, several, bank), run=freed))
-    if not len(first.values) == len(second.values) == len(bank.y):  # chosen on a run of fewer readings
+    if not len(first.values) == len(second.values) == len(bank.y):  # made on a run of fewer readings
         return Pair(first=first, second=second)
     again = with_pushes(bank, against=bank, beside=bank.y + first.values + second.values)
     return Pair(
