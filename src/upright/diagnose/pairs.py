@@ -51,8 +51,12 @@ BEHIND = 10.0  # nats behind the likeliest, that a start must promise to be sear
 NEAR = 8  # signatures of one kind round its onset, one of which stands for it while the other one is searched
 ALIKE = 0.02  # of a signature's squares, that must be left beside the first fault's changes
 ROUNDS = 2  # most times that the one is searched beside the other's signature where it then is
-LATER, LARGER, LONGER = 0.06, 1.15, 0.1  # [s], a factor, and [s]: changes of onset, size and rise for their slopes
-FARTHEST = 3.0  # of these changes, by which a first fault is moved before the filter searches
+ONSET_CHANGE, SIZE_CHANGE, RISE_CHANGE = (
+    0.06,
+    1.15,
+    0.1,
+)  # [s], a factor, and [s]: changes of onset, size and rise for their slopes
+MOST_CHANGES = 3.0  # of these changes, by which a first fault is moved before the filter searches
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -213,16 +217,16 @@ def _slopes(run: FilterRun, first: FaultFit, window: Window, here: Bank) -> tupl
 
 def _changed(fit: FaultFit, names: Sequence[str], step: Array) -> FaultFit:
     """A fault with its onset, size and rise changed by so many times the changes that give their slopes."""
-    for name, change in zip(names, np.clip(step, -FARTHEST, FARTHEST).tolist(), strict=True):
+    for name, change in zip(names, np.clip(step, -MOST_CHANGES, MOST_CHANGES).tolist(), strict=True):
         if name == "onset":
-            fit = replace(fit, onset=fit.onset + change * LATER)
+            fit = replace(fit, onset=fit.onset + change * ONSET_CHANGE)
         elif name == "size" and fit.fault == "scale":
             fit = replace(fit, size=fit.size + 0.1 * change)
         elif name == "size" and fit.fault != "motor":
-            size = fit.size * LARGER**change
+            size = fit.size * SIZE_CHANGE**change
             fit = replace(fit, size=min(size, 0.97) if fit.fault == "weak" else size)
         elif name == "rise" and fit.fault == "weak":
-            fit = replace(fit, rise=max(0.0, fit.rise + change * LONGER))
+            fit = replace(fit, rise=max(0.0, fit.rise + change * RISE_CHANGE))
     return fit
 
 
