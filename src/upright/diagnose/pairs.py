@@ -51,11 +51,7 @@ BEHIND = 10.0  # nats behind the likeliest, that a start must promise to be sear
 NEAR = 8  # signatures of one kind round its onset, one of which stands for it while the other one is searched
 ALIKE = 0.02  # of a signature's squares, that must be left beside the first fault's changes
 ROUNDS = 2  # most times that the one is searched beside the other's signature where it then is
-ONSET_CHANGE, SIZE_CHANGE, RISE_CHANGE = (
-    0.06,
-    1.15,
-    0.1,
-)  # [s], a factor, and [s]: changes of onset, size and rise for their slopes
+ONSET_CHANGE, SIZE_CHANGE, RISE_CHANGE = 0.06, 1.15, 0.1  # [s], a factor, [s]: changes that give the slopes
 MOST_CHANGES = 3.0  # of these changes, by which a first fault is moved before the filter searches
 
 
