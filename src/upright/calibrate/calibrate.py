@@ -86,7 +86,6 @@ STARTS = ((0, 0, 0), (3, 0, 0), (6, 0, 0), (0, 2, 0), (0, 0, 1), (0, 0, -1))
 """[periods] added to the prior's delay of all sensors and of the gyro, and [deviations] to the pitch inertia."""
 
 PLAUSIBLE_NOISE = 9.0  # [1] variance of all sensors over the kit's, below which the prior's delays are near enough
-
 MOST_SENSOR = 1e6  # [1] most variance that is learnt of a sensor, over the one its kit has
 NOISE_RANGE = 1e-6  # [1] least process noise that is learnt, over the most
 START_SECONDS = 6.0  # [s] of each log that decide between starts
@@ -115,8 +114,7 @@ def calibrate(
     from upright.calibrate.apart import apart
     from upright.calibrate.summary import summarised
 
-    began = time.perf_counter()
-    show = progress or unwatched
+    began, show = time.perf_counter(), progress or unwatched
     given = [raw_log(log, mapping) for log in ([logs] if isinstance(logs, Log | str | os.PathLike) else logs)]
     several, left = zip(*map(on_its_wheels, given), strict=True) if given else ((), ())
     nominal = find_robot(robot)
@@ -272,7 +270,9 @@ def refined(problem: Problem, z: Array, limits: Mapping[str, float]) -> Fitted:
         moved = pool.map(partial(_with_gyro_delay, best.problem, best.z), GYRO_DELAY_TRIALS)
         tries = [fit for fit in moved if fit.normal.objective < best.normal.objective]
         best, _ = _best_simulated([best, *tries], [level, *pool.map(_simulated, tries)])
-    return _tempered(*_between_runs(best))
+        several = [best, *fits] if len(problem.recordings) > 1 else [best]  # weighted, each may go elsewhere
+        last = [_tempered(*fit) for fit in pool.map(_between_runs, several)]
+        return _best_simulated(last, [*pool.map(_simulated, last)], LEVEL)[0]
 
 
 def _between_runs(fit: Fitted) -> Fitted:
