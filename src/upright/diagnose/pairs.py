@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.diagnose.fault_fits import (
+    FAULT_NUMBERS,
     PUSH_NUMBERS,
     FaultFit,
     as_fit,
@@ -300,7 +301,5 @@ def _beside_signature(
 
 def _priced(fit: FaultFit, several: Sequence[FaultFit], bank: Bank) -> FaultFit:
     """The fit of two faults with the price of the numbers that these have beyond onset and size."""
-    more = sum(numbers_of(one.fault) for one in several) - 2 * numbers_of("")
-    if numbers_of(fit.fault) > numbers_of(""):
-        more -= numbers_of(fit.fault) - numbers_of("")  # is in its price
+    more = sum(numbers_of(one.fault) for one in several) - FAULT_NUMBERS - numbers_of(fit.fault)  # which its price has
     return dearer(fit, more + FADE_PRICE * sum(one.rise > 0 for one in several), bank)

@@ -11,8 +11,8 @@ CLEAR = 0.9
 """R² of the pendulum equation above which its lag and residuals are used; below it, quantisation dominates."""
 
 _SHARP = 3.0
-"""Sharpness of that lag below which it is not told: pushes, and friction that holds the wheels, fit a wrong lag almost
-as well as the right one."""
+"""Sharpness of that lag below which it is not reported: pushes, and friction that holds the wheels, fit a wrong lag
+almost as well as the right one."""
 
 _SURE = 8.0  # t-value that the largest response must reach before its onset is read
 _FIRST = 4.0  # t-value above which a row belongs to the response

@@ -113,7 +113,7 @@ def _explained(data: Dataset, fallen: int) -> bool:
     return fallen >= ENOUGH and bool(sizes) and abs(next(iter(sizes.values()))) > _chance(data, len(sizes))
 
 
-ENOUGH = 10  # falls: from fewer no cause is told
+ENOUGH = 10  # falls: from fewer no cause is named
 
 
 def over_strongest(data: Dataset, outcome: str) -> Figure | None:
