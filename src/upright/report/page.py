@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from jinja2 import Template
 
 LEVELS = ("good", "warn", "bad", "info")
-NEXT = " Next: "  # in a lead: what follows stands below the picture
+NEXT = " Next: "  # in a lead: what follows stands in a frame of its own
 PHONE, WRAPPED, BRIEF = 44, 20, 21  # letters of a row on a phone, of a text that it breaks, of half a row with its name
 
 
@@ -172,7 +172,7 @@ class Page:
 
     @property
     def following(self) -> str:
-        """What to run next, which stands below the picture."""
+        """What to run next, which the first screen shows in a frame."""
         return self.lead.partition(NEXT)[2]
 
     def made(self) -> list[tuple[str, str]]:
