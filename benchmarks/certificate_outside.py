@@ -2,6 +2,7 @@
 
     python benchmarks/certificate_outside.py 40                  # 40 robots
     python benchmarks/certificate_outside.py 40 --plain --each   # no posterior: the log is calibrated first
+    python benchmarks/certificate_outside.py 40 --robots twipr ev3way --plain
 
 A robot differs in one way that its certificate does not know of: battery, slope, mass, delay, dead zone, motors, gyro's
 scale or noise, or in none. Its log is of `LOGGED` seconds under the same controller, driven and knocked, in the
@@ -76,6 +77,8 @@ LOGGED = 12.0  # [s]
 OUTSIDE = ("none", "battery", "slope", "mass", "delay", "dead zone", "asymmetry", "gyro scale", "gyro noise")
 HOLDING = ("hinf", "lqg", "lqr")
 REFUSED = "refused"
+ROBOTS = ("nxtway-gs", "nxtway-gs-measured")
+VOLTS = 8.0  # [V] of a full NXT battery: a dead zone of a motor without one is in the same proportion to its limit
 
 
 @dataclass(frozen=True)
@@ -93,10 +96,10 @@ class Stranger:
     logged: bool
 
 
-def stranger(number: int, samples: int, *, plain: bool) -> Stranger:
-    """Robot `number`."""
+def stranger(number: int, samples: int, *, plain: bool, robots: Sequence[str] = ROBOTS) -> Stranger:
+    """Robot `number`, one of `robots`."""
     rng = np.random.Generator(np.random.Philox(3 * SEED + number))
-    name, way = str(rng.choice(["nxtway-gs", "nxtway-gs-measured"])), OUTSIDE[number % len(OUTSIDE)]
+    name, way = str(rng.choice(list(robots))), OUTSIDE[number % len(OUTSIDE)]
     robot, design = Robot.preset(name), str(rng.choice(HOLDING))
     kit = find_kit(robot.kit)
     controller = as_linear(make_controller(design, robot, kit, kit.period))
@@ -104,6 +107,8 @@ def stranger(number: int, samples: int, *, plain: bool) -> Stranger:
     truth = draw(robot, 1, SEED + number, unknown)[0]
     true_kit, size, pushes = kit, 0.0, list[Any]()
     gain, kits = 1.0, dataclasses.replace
+    if way == "battery" and batteries(robot, kit) is None:
+        way = "none"
     if way == "battery":
         size = float(rng.uniform(1.8, 5.5))
         true_kit = kits(kit, battery=kits(kit.battery, voltage=size))
@@ -119,7 +124,7 @@ def stranger(number: int, samples: int, *, plain: bool) -> Stranger:
         later = {n: kits(s, delay=s.delay + size) for n, s in kit.sensors.items()}
         true_kit = kits(kit, sensors=later)  # of commands it would be told, as no program is
     elif way == "dead zone":
-        size = float(rng.uniform(0.7, 4.0))
+        size = float(rng.uniform(0.7, 4.0)) * (kit.motor.limit / VOLTS if kit.drive == "torque" else 1.0)
         true_kit = kits(kit, motor=kits(kit.motor, dead_zone=size))
     elif way == "asymmetry":
         size = float(rng.uniform(0.3, 1.6) * rng.choice([-1, 1]))
@@ -173,16 +178,18 @@ def _recorded(
     columns = dict(zip(names, result.trace[0].T, strict=True))
     full = kit.battery.voltage
     load = np.minimum(np.abs(columns["command/left"]), full) + np.minimum(np.abs(columns["command/right"]), full)
-    columns["sensor/battery"] = full - kit.battery.sag * np.concatenate([[0.0], load[:-1]])  # the kernel records none
+    if np.isfinite(full):
+        late = np.concatenate([[0.0], load[:-1]])
+        columns["sensor/battery"] = full - kit.battery.sag * late  # the kernel records none
     columns["sensor/gyro"] = gain * columns["sensor/gyro"]
     return Log(np.arange(len(result.trace[0])) * met.period, columns)
 
 
-def strangers(first: int, count: int, samples: int, *, each: bool, plain: bool) -> None:
+def strangers(first: int, count: int, samples: int, *, each: bool, plain: bool, robots: Sequence[str]) -> None:
     """Run and print the robots from number `first` on."""
     cases: list[Stranger] = []
     for number in range(first, first + count):
-        cases.append(stranger(number, samples, plain=plain))
+        cases.append(stranger(number, samples, plain=plain, robots=robots))
         if each:
             print(cases[-1], flush=True)
     headings = ("no log", "fell", "not green", "held", "green", "refused", "taken")
@@ -204,8 +211,9 @@ def main() -> None:
     parser.add_argument("--samples", type=int, default=200)
     parser.add_argument("--each", action="store_true", help="print every case")
     parser.add_argument("--plain", action="store_true", help="no posterior, the log is calibrated")
+    parser.add_argument("--robots", nargs="+", default=ROBOTS, help="presets to draw from")
     asked, started = parser.parse_args(), time.perf_counter()
-    strangers(asked.first, asked.count, asked.samples, each=asked.each, plain=asked.plain)
+    strangers(asked.first, asked.count, asked.samples, each=asked.each, plain=asked.plain, robots=asked.robots)
     print(f"{time.perf_counter() - started:.0f} s")
 
 
