@@ -182,7 +182,8 @@ def _recorded(
         late = np.concatenate([[0.0], load[:-1]])
         columns["sensor/battery"] = full - kit.battery.sag * late  # the kernel records none
     columns["sensor/gyro"] = gain * columns["sensor/gyro"]
-    return Log(np.arange(len(result.trace[0])) * met.period, columns)
+    units = {name: robot.command_unit for name in names if name.startswith("command/")}
+    return Log(np.arange(len(result.trace[0])) * met.period, columns, units)
 
 
 def strangers(first: int, count: int, samples: int, *, each: bool, plain: bool, robots: Sequence[str]) -> None:

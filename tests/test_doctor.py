@@ -12,17 +12,17 @@ import numpy as np
 import pytest
 
 from upright import calibrate, identify, post_mortem
-from upright.bodies import Electronics
+from upright.bodies import Electronics, NonlinearBody
 from upright.bodies.twin import Twin
-from upright.control import lqg
-from upright.doctor.doctor import Diagnosis, doctor
+from upright.control import lqg, make_controller
+from upright.doctor.doctor import Diagnosis, contradictions, doctor
 from upright.doctor.physics import _r_squared, _solved
 from upright.errors import InvalidLog
-from upright.experiment import Hold, Impulse, run
+from upright.experiment import Drive, Hold, Impulse, run
 from upright.logs.mapping import Mapping, Source
 from upright.logs.outliers import single
 from upright.logs.readers import RawTable, read_table
-from upright.robots import Kit, Robot
+from upright.robots import Kit, Robot, find_kit
 from upright.signals import Log
 
 
@@ -391,3 +391,20 @@ def test_a_knock_is_no_odd_reading(impulse: float) -> None:
     log = run(Electronics(Twin(robot), kit), lqg(robot, kit, 0.01), knocks, seconds=3.5, seed=2)
     assert np.abs(log[bench.GYRO]).max() > 5 * np.abs(log.between(0, 0.5)[bench.GYRO]).max()  # one that is felt
     assert not single(log[bench.GYRO]).any()
+
+
+@pytest.mark.parametrize("knock", [0.12, 0.2])
+def test_what_a_law_asks_for_beyond_the_battery_is_no_per_cent(knock: float) -> None:
+    """A program may log its command before the limit: 16 V of a battery of 7.5 V after a knock of 0.12 N s a kilogram,
+    and over 100 V in the fall after 0.2."""
+    robot = Robot.preset("ev3way")
+    kit = find_kit(robot.kit)
+    law = make_controller("hinf", robot, kit, kit.period)
+    pushes = [Impulse(impulse=knock * robot.body_mass, start=t, duration=0.02) for t in (2.0, 6.5)]
+    drives = [Drive(speed=0.08, start=3.0), Drive(speed=-0.16, start=5.0), Drive(speed=0.08, start=9.0)]
+    log = run(Electronics(NonlinearBody(robot), kit), law, pushes, reference=drives, seconds=12, seed=3)
+    logged = ("sensor/encoder_left", "sensor/encoder_right", "sensor/gyro", "sensor/battery", "command/left")
+    raw = Log(log.t, {name: log[name] for name in (*logged, "command/right")})
+    assert np.abs(raw["command/left"]).max() > 2 * raw["sensor/battery"].max()
+    assert "units/command" not in doctor(raw).codes()
+    assert contradictions(raw, robot) == []

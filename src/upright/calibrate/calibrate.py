@@ -132,7 +132,7 @@ def calibrate(
     if not np.isfinite(normal.objective):
         raise _lost()
     show(0.77)
-    wrong = [text for log in several for text in contradictions(log)]
+    wrong = [text for log in several for text in contradictions(log, nominal)]
     result = summarised(Fitted(problem, z, normal, paths), several, reason, began, stated=stated, wrong=wrong)
     hidden = parts.delay + parts.jitter / 2 - _dead_time(parts, several)
     notes = [*filter(None, left), *knocked, *([STRAIGHT] if straight else [])]

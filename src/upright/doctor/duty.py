@@ -14,6 +14,10 @@ from upright.logs.mapping import FULL_DUTIES, full_duty
 FAULT = 6.0
 """Prior of a fault in natural log odds: one log in 400 has a given unit wrong."""
 
+UNCLIPPED = 4.0
+"""Negative log odds that commands are larger than the battery: one program in fifty logs what its law asked for, before
+the limit."""
+
 LARGER_DUTY = 2.0  # negative log odds that a full duty is a larger number than the smallest usual one
 USUAL_BATTERY = 7.5  # [V] of a robot whose log and file tell no battery
 
@@ -36,7 +40,7 @@ def command_units(record: Record) -> list[CommandUnit]:
 
     def size(factor: float) -> float:
         total = (max(0.0, math.log(largest / factor / 9.0)) / 0.6) ** 2 / 2 if largest else 0.0
-        return total + 8.0 * (battery > 0 and largest / factor > 1.25 * battery)
+        return total + UNCLIPPED * (battery > 0 and largest / factor > 1.25 * battery)
 
     name, full = _duty(record, names, largest)
     duty = CommandUnit(name, full / (battery or USUAL_BATTERY), 0.0)
@@ -48,7 +52,10 @@ def command_units(record: Record) -> list[CommandUnit]:
 
 
 def largest_command(record: Record, names: tuple[str, str]) -> float:
-    return max(float(np.nanmax(np.abs(record[name]))) for name in names)
+    """Of the rows on the wheels, where there are any: in a fall a law asks for more than any battery has."""
+    on = record.on_wheels(record.t)
+    rows = np.abs(np.array([record[name][on if on.any() else ...] for name in names]))
+    return float(np.nanmax(rows))
 
 
 def battery_of(record: Record) -> float:

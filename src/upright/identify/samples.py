@@ -102,7 +102,7 @@ def samples(
     parts_of_robot = kit or find_kit(robot.kit)
     log, left = on_its_wheels(log, falling=False) if source == "sensors" else (log, "")
     prefix, commands = _commands(log, robot)
-    notes = [*([left] if left else []), *(_contradictions(log) if source == "sensors" else []), *_clock(log)]
+    notes = [*([left] if left else []), *(_contradictions(log, robot) if source == "sensors" else []), *_clock(log)]
     halves = _from_states(log, commands) if source == "states" else _from_sensors(log, robot, parts_of_robot, commands)
     notes += _faster(log)
     ready = _ready(halves, log, parts_of_robot, None if delay is None else round(delay / log.period), notes)
@@ -116,8 +116,9 @@ def samples(
     )  # fmt: skip
 
 
-def _contradictions(log: Log) -> list[str]:
-    return [sentence(f"{text}; the model keeps this fault (`upright doctor --fix`)") for text in contradictions(log)]
+def _contradictions(log: Log, robot: Robot) -> list[str]:
+    kept = "the model keeps this fault (`upright doctor --fix`)"
+    return [sentence(f"{text}; {kept}") for text in contradictions(log, robot)]
 
 
 def _ready(halves: Sequence[Part], log: Log, kit: Kit, known: int | None, notes: list[str]) -> list[Part]:

@@ -95,7 +95,7 @@ def _judged(log: Log, robot: Robot, kit: Kit, controller: Controller | None) -> 
     parts, pushed = unpushed(segments(problem, recording, z), log)
     law, words = _law(log, recording.rows, controller)
     loop: FreeLoop | None = closed_loop(problem, recording, z, log, kit, law) if law else None
-    notes = [*([left] if left else []), *map(sentence, contradictions(log)), *([pushed] if pushed else [])]
+    notes = [*([left] if left else []), *map(sentence, contradictions(log, robot)), *([pushed] if pushed else [])]
     dead = tuple(n for n in log.channels if n in SENSOR and n not in recording.rows and _never_changes(log[n]))
     notes += [f"The {short(name)} never changes, and is not judged: look at its plug and its port." for name in dead]
     half_seconds = channels_of(parts)
