@@ -281,7 +281,7 @@ def test_no_bar_and_no_prior_of_a_positive_number_is_drawn_below_zero() -> None:
 
     found = calibration()
     items = [item for section in page_of(found).sections for item in section.items if isinstance(item, Figure)]
-    (ax,) = next(item for item in items if item.title.startswith("What this log tells")).drawing.axes
+    (ax,) = next(item for item in items if item.title.startswith("The 95 % interval of each")).drawing.axes
     known = {spoken(e.name): e for e in found.parameters}
     assert len(ax.patches) == len(ax.get_yticklabels())
     for label, band in zip(ax.get_yticklabels(), ax.patches, strict=True):
@@ -289,10 +289,11 @@ def test_no_bar_and_no_prior_of_a_positive_number_is_drawn_below_zero() -> None:
         assert band.get_x() * e.prior_spread >= -e.prior * (1 + 1e-9)
 
 
-def test_a_guess_that_the_log_contradicts_is_a_reservation_and_its_per_cent_stands_at_its_own_bar() -> None:
+def test_a_guess_that_the_log_contradicts_is_a_reservation_and_its_arrow_stands_at_its_own_bar() -> None:
     """The page of a real run said that yaw inertia, 4.7 deviations off the file, keeps what was known before."""
     from matplotlib.text import Annotation
 
+    from upright.plotting import number
     from upright.report.calibration import page_of
     from upright.report.figure import Figure
     from upright.report.priors import FAR
@@ -305,11 +306,12 @@ def test_a_guess_that_the_log_contradicts_is_a_reservation_and_its_per_cent_stan
     page = page_of(replace(found, parameters=tuple(off if p.name == e.name else p for p in found.parameters)))
     assert page.verdict is not None
     assert "reservation" in page.verdict.text
-    assert "The yaw inertia is 4.7 standard deviations from the guess" in page.html().replace("\u00a0", " ")
+    words = f"The yaw inertia comes out at {number(at / e.prior, 2)} times the value of the robot's file"
+    assert words in page.html().replace("\u00a0", " ").replace("&#x27;", "'")
     items = [item for section in page.sections for item in section.items if isinstance(item, Figure)]
-    (ax,) = next(item for item in items if item.title.startswith("What this log tells")).drawing.axes
+    (ax,) = next(item for item in items if item.title.startswith("The 95 % interval of each")).drawing.axes
     places = {t.get_text(): t.xy[0] for t in ax.texts if isinstance(t, Annotation)}
-    assert places.pop("→ 58 %") == FAR
+    assert places.pop("→") == FAR
     assert max(places.values()) < 3.0  # a bar of its own of no other number reaches there
 
 
@@ -324,7 +326,7 @@ def test_a_run_that_differs_and_a_sensor_that_is_not_white_are_each_said_once() 
     assert sum("not white" in text for text in several.check()) == 1
     assert several.to_json()["apart"] == [words]
     page = page_of(several)
-    assert "these 3 logs; they measure " in page.title
+    assert "fitted to these 3 logs, predicts them" in page.title
     assert page.verdict is not None
     assert page.verdict.level == "warn"
     assert words in str(page.html())

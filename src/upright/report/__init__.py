@@ -9,6 +9,7 @@ from typing import Any
 
 from upright.errors import UprightError
 from upright.report.figure import Figure as Figure
+from upright.report.made import made_by
 from upright.report.page import Details as Details
 from upright.report.page import Formula as Formula
 from upright.report.page import Page as Page
@@ -35,7 +36,8 @@ def report(result: Any, path: str | Path, *, title: str = "", command: str = "")
     its foot. Raises `UprightError` for a result without a
     page, or where the file cannot be written.
     """
-    page = page_of(result)
+    with made_by(command):
+        page = page_of(result)
     made = {"command": command} if command else {}
     return replace(page, title=title or page.title, provenance={**page.provenance, **made}).write(path)
 

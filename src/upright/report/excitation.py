@@ -8,9 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from upright.excite.plan import VISIBLE, ExcitationPlan, Predicted
-from upright.plotting import AXIS, COLOURS, legend, line, number, numbered, panels, rows_of
+from upright.plotting import AXIS, COLOURS, INK, SMALL, legend, line, number, numbered, panels, rows_of
 from upright.report.figure import Figure
+from upright.report.made import chosen, command, typed
 from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
+from upright.report.priors import BOUNDED, CLOSE, MEASURED, NOT_VISIBLE, ONE_SIDED
 from upright.tables import joined, spoken
 
 Array = NDArray[np.float64]
@@ -23,7 +25,7 @@ def page_of(plan: ExcitationPlan) -> Page:
     verdict = Verdict(several, "warn") if wrong else Verdict(_safe(plan), "good")
     sections = [
         *([Section("Reservations", wrong)] if wrong else []),
-        Section("The run", [_over_time(plan), _WHAT]),
+        Section("The run", [_over_time(plan)]),
         Section("Limits", [_limits(plan), _checked_words(plan), *plan.notes]),
         Section("Frequencies and energy", [_spectrum(plan), _energies(plan), _energy(plan)], folded=True),
         Section("Predicted intervals", [_PREDICTED, *_tables(plan)], folded=True),
@@ -35,12 +37,9 @@ def page_of(plan: ExcitationPlan) -> Page:
         (f"≤ {number(100 * plan.checked.bound, 2)} %", _falls(plan)),
         (
             f"{cell_text(plan.checked.travel, 2)} m",
-            f"or less is the travel of 95 % of the robots; allowed {plan.limits.travel:g} m",
+            f"at most is how far 95 % of the robots travel; allowed {plan.limits.travel:g} m",
         ),
-        (
-            f"{number(100 * plan.checked.saturated, 2)} %",
-            f"of the time a motor is at its limit; allowed {100 * plan.limits.saturated:g} %",
-        ),
+        (f"{cell_text(math.degrees(plan.checked.peak), 2)}°", "at most is how far 95 % of the robots lean"),
     ]
     return Page(
         _title(plan), sections, _lead(plan), facts, False, verdict=verdict, picture=_widths(plan),
@@ -57,15 +56,14 @@ def _falls(plan: ExcitationPlan) -> str:
 
 def _safe(plan: ExcitationPlan) -> str:
     """The limits are those of robots that stand without the excitation, which is said where some do not."""
-    only = ", if the robot balances already" if plan.checked.dropped else ""
+    only = ", once it balances" if plan.checked.dropped else ""
     return f"within its limits{only}"
 
 
 _WHAT = (
-    "The excitation is added to the commands of the controller, which keeps the robot upright. The mean of both motors "
-    "drives the robot; half of their difference turns it."
+    "It is added to the commands of the controller, which keeps the robot upright. The mean of both motors drives the "
+    "robot; half of their difference turns it."
 )
-_MODES = "Driving: the mean of both motors. Turning: half of their difference."
 _PREDICTED = (
     "Predicted from the Fisher information of the calibration's predictor, along a run of the nonlinear model with the "
     "kit."
@@ -100,15 +98,26 @@ def _focus(plan: ExcitationPlan) -> str:
 
 
 def _lead(plan: ExcitationPlan) -> str:
-    halved = sorted((p for p in plan.predicted if p.after < VISIBLE * p.before), key=lambda p: p.after / p.before)
-    names = joined([spoken(p.name) for p in halved[:3]])
-    most = f" It tells most about {names}." if names else ""
+    close = [f"{spoken(p.name)} (± {number(_per_cent(p, p.after), 2)} %)" for p in _own(plan) if _kind(p) == MEASURED]
+    named = close if len(close) <= GIVEN + 1 else [*close[:GIVEN], f"{len(close) - GIVEN} more"]
+    most = f" Its log should measure {joined(named)}." if named else ""
     from upright.excite.search import COMBINED
 
     way = "a mix of random steps, sines, drives and turns" if plan.way == COMBINED else f"a {plan.way}"
+    return f"While {plan.controller} balances the robot, {way} is added to its commands.{most} Next: {_next()}"
+
+
+GIVEN = 3  # parameters named on the first screen
+
+
+def _next() -> str:
+    file, robot = typed("-o", "--output"), chosen("--robot", "--kit")
+    if not file:
+        return f"`{command() or 'upright excite'} -o plan.json` writes the plan as a file."
+    law = chosen("-c") or chosen("--controller")
     return (
-        f"While {plan.controller} balances the robot, {way} is added to its commands.{most} "
-        "Next: `upright simulate --excite plan.json`, or your robot; then `upright calibrate` that log."
+        f"`upright simulate{robot}{law} --excite {file} -o run.csv`, or your robot; then "
+        f"`upright calibrate run.csv{robot} -o robot.toml`."
     )
 
 
@@ -117,7 +126,7 @@ def _over_time(plan: ExcitationPlan) -> Figure:
     figure, axes = panels([f"both motors [{plan.unit}]", f"(right − left) / 2 [{plan.unit}]"])
     for ax, (name, wave) in zip(axes, _waves(plan).items(), strict=True):
         line(ax, name, t, wave, step=True, solid=True)
-    return Figure("The excitation over time", legend(figure), _MODES)
+    return Figure("The excitation over time", legend(figure), _WHAT)
 
 
 def _waves(plan: ExcitationPlan) -> dict[str, Array]:
@@ -168,41 +177,72 @@ def _energy(plan: ExcitationPlan) -> str:
     )
 
 
-DRAWN = 0.95  # of the width before: parameters whose intervals shrink less are not drawn
+DRAWN = 0.95  # of the width before: parameters whose intervals shrink less are not drawn beside a dither
 
 
 def _title(plan: ExcitationPlan) -> str:
-    of = f"{_halved(plan)} of {len(plan.predicted)} parameters of {plan.robot}"
-    return f"A run of {plan.seconds:.3g} s should halve the uncertainty of {of}"
+    kinds = [_kind(p) for p in _own(plan)]
+    close, bounded = (kinds.count(kind) for kind in (MEASURED, BOUNDED))
+    of = f"{close or 'none'} of {len(kinds)} parameters of {plan.robot}"
+    return f"A run of {plan.seconds:.3g} s should measure {of}{f' and bound {bounded} more' if bounded else ''}"
 
 
-def _halved(plan: ExcitationPlan) -> int:
-    return sum(p.after < VISIBLE * p.before for p in plan.predicted)
+def _own(plan: ExcitationPlan) -> list[Predicted]:
+    """The parameters of the robot itself, without delays and motors, as the page of a calibration counts them."""
+    from upright.robots import PARAMETERS
+
+    own = [p for p in plan.predicted if p.name in PARAMETERS or p.name == "roll_fraction"]
+    return own or list(plan.predicted)
+
+
+def _kind(p: Predicted) -> str:
+    """What the log will be said to tell of a parameter, in the words of a calibration's page."""
+    if p.after >= VISIBLE * p.before:
+        return NOT_VISIBLE
+    return MEASURED if _per_cent(p, p.after) <= 100 * CLOSE else BOUNDED
+
+
+def _per_cent(p: Predicted, width: float) -> float:
+    """Half a width in per cent of the value; infinite where the value is zero."""
+    return 50 * width / abs(p.value) if p.value else math.inf
 
 
 def _widths(plan: ExcitationPlan) -> Figure:
-    """Widths over those before, a bar for each parameter that the run tells something of, the best known first."""
-    shown = _shrunk(plan)
-    figure, ax = rows_of([p.name for p in shown], "uncertainty left after the run [% of that before]", "parameter")
-    rows, after = np.arange(len(shown)), np.array([100 * p.after / p.before for p in shown])
-    for label, kept, colour in (
-        ("halved or better", after < 100 * VISIBLE, 2),
-        ("not halved", after >= 100 * VISIBLE, 1),
-    ):
+    """Widths over those before, a bar for each parameter of the robot, the best known of each kind first."""
+    kinds = {MEASURED: COLOURS[2], BOUNDED: COLOURS[0], NOT_VISIBLE: INK}
+    own = sorted(_own(plan), key=lambda p: (list(kinds).index(_kind(p)), p.after / p.before))
+    figure, ax = rows_of(
+        [p.name.replace("fraction", "inertia") for p in own],
+        "uncertainty left after the run [% of that before]",
+        "parameter",
+    )
+    rows, after = np.arange(len(own)), np.array([100 * p.after / p.before for p in own])
+    for label, colour in kinds.items():
+        kept = np.array([_kind(p) == label for p in own])
         if kept.any():
-            ax.barh(rows[kept], after[kept], height=0.6, color=COLOURS[colour], label=label)
-    for row, left in zip(rows.tolist(), after.tolist(), strict=True):
-        beside = 100 * VISIBLE if 0 < 100 * VISIBLE - left < WIDE else left  # not across the dashed line
-        ax.annotate(f"{number(left, 2)} %", (beside, row), (4, 0), textcoords="offset points", va="center")
+            ax.barh(rows[kept], after[kept], height=0.6, color=colour, label=label)
+    for row, p in enumerate(own):
+        ax.annotate(_beside(p), (100, row), (8, 0), textcoords="offset points", va="center", size=SMALL)
     ax.axvline(100 * VISIBLE, linestyle="--", linewidth=1, color=AXIS, label="half")
-    ax.set_xlim(0, 112)
-    lost = [spoken(p.name) for p in plan.predicted if p not in shown]
-    none = f" Not shown, since the run tells nothing of them: {', '.join(lost)}." if lost else ""
-    title = f"Uncertainty that the run leaves: less than half for {_halved(plan)} of {len(plan.predicted)} parameters"
-    return Figure(title, legend(figure), f"A short bar: well known after the run.{none}{_vague(plan)}")
+    ax.set(xlim=(0, WIDE), xticks=range(0, 101, 25))
+    note = (
+        f"Measured: at most half is left, and ± {100 * CLOSE:g} % of the value or less. "
+        "Bounded: at most half, but less close. Numbers: the uncertainty before → after, or the most that is possible."
+    )
+    return Figure("How much of each uncertainty the run should leave", legend(figure), note)
 
 
-WIDE = 12.0  # [%] of the axis that a number beside a bar takes, at most
+def _beside(p: Predicted) -> str:
+    """How uncertain a parameter is before and after, or how large it may be at most."""
+    if _kind(p) == NOT_VISIBLE:
+        return ""
+    low, high = p.value - p.after / 2, p.value + p.after / 2
+    if low < ONE_SIDED * high:
+        return f"≤ {cell_text(high, 2)}"
+    return f"± {number(_per_cent(p, p.before), 2)} → {number(_per_cent(p, p.after), 2)} %"
+
+
+WIDE = 170.0  # [%] of the axis: the numbers stand right of the bars
 
 
 def _shrunk(plan: ExcitationPlan) -> list[Predicted]:
@@ -230,29 +270,19 @@ def _beside_dither(plan: ExcitationPlan) -> Figure:
     return Figure(title, legend(figure), note)
 
 
-def _vague(plan: ExcitationPlan) -> str:
-    """Which intervals stay wide although they are halved: a prior that knows little is soon improved."""
-    vague = [p for p in plan.predicted if p.after < VISIBLE * p.before and p.after > 2 * VAGUE * abs(p.value) > 0]
-    named = [f"{spoken(p.name)} (± {number(50 * p.after / abs(p.value), 2)} %)" for p in vague]
-    return f" Halved, but still unsure: {joined(named)}." if named else ""
-
-
-VAGUE = 0.5  # of a value: a half width above which it is named, though halved
-
-
 def _joules(plan: ExcitationPlan) -> str:
     return f"{plan.energy:.3g} {_energy_unit(plan)}"
 
 
 def _tables(plan: ExcitationPlan) -> list[Item]:
     """Half widths of the intervals; what only some ask for is pressed for."""
-    rows: list[list[Cell]] = [[_named(p), p.before / 2, p.after / 2] for p in plan.predicted]
+    rows: list[list[Cell]] = [[_named(p), p.before / 2, p.after / 2, _kind(p)] for p in plan.predicted]
     more: list[list[Cell]] = [
         [_named(p), p.dither / 2, p.held / 2, p.least / 2, p.after / p.dither] for p in plan.predicted
     ]
     header = ["parameter", "dither", "held 40 ms", "100 runs", "after / dither"]
     return [
-        Table(["parameter", "before", "after"], rows, "Half widths of 95 % intervals", 3),
+        Table(["parameter", "before", "after", "this run"], rows, "Half widths of 95 % intervals", 3),
         Details("Both dithers, and a hundred runs", [_DITHERS, Table(header, more, "Half widths, and their ratio", 3)]),
     ]
 
@@ -278,7 +308,7 @@ def _limits(plan: ExcitationPlan) -> Table:
         ["probability of a fall [%]", 100 * c.bound, 100 * limits.falls],
         ["periods with a saturated motor [%]", 100 * c.saturated, 100 * limits.saturated],
         ["travel [m]", c.travel, limits.travel],
-        ["largest pitch [°]", math.degrees(c.peak), None],
+        ["largest lean [°]", math.degrees(c.peak), "none"],
     ]
     return Table(["", "at most", "limit"], rows, "Predicted, with 95 % confidence or as 95 % quantiles", 3)
 
