@@ -29,8 +29,9 @@ from upright.fleet.results import labelled, load, origin_of, save, summarise
 from upright.fleet.vary import variation, varied, with_number
 from upright.kernel.batch import parameters_of
 from upright.plotting import colour_map
+from upright.report.basins import _between, basin_figure
 from upright.report.fleet import page_of
-from upright.report.maps import _between, basin_figure, push_map_figures
+from upright.report.maps import push_map_figures
 from upright.robots import Kit, Robot
 from upright.robots.uncertainty import Family, Uncertainty
 

@@ -40,7 +40,9 @@ from upright.plotting import (
     span,
 )
 from upright.report import PAGES, Figure, Formula, Page, Section, Table, Verdict, page_of, report
-from upright.report.campaign import falls_verdict, harder
+from upright.report.campaign import falls_verdict
+from upright.report.following import completed
+from upright.report.knocks import harder
 from upright.report.page import cell_text
 from upright.signals import STATE_NAMES, Log
 from upright.tables import spoken
@@ -437,7 +439,10 @@ def test_a_campaign_says_what_is_done_in_each_scenario():
     cases = Cases(CaseSummary({"scenario": name}, 100, 0, clopper_pearson(0, 100), {}) for name in ("knock", "hill"))
     pushes = ((Impulse(impulse=0.3),), (Slope(angle=math.radians(5.0)),))
     cases.origins = [ensemble_of("nxtway-gs", pushes=push).origin() for push in pushes]
-    assert "Knock: pushed forward by 0.3 N s. Hill: on a floor tilted by 5°." in page_of(cases).lead
+    assert (
+        "Knock: pushed forward by 0.3 N s for 10 ms at the centre of mass. Hill: on a floor tilted by 5°."
+        in page_of(cases).lead
+    )
     # the cases have the same 100 robots: none of 200 would bound falls twice as well (1 − 0.05^(1/100) = 3.0 %)
     assert page_of(cases).numbers[0][0] == "≤ 3 %"
 
@@ -447,9 +452,9 @@ def test_a_knock_harder_than_a_certificates_is_said_and_no_red_light():
     fleets = {size: ensemble_of("nxtway-gs", pushes=(Impulse(impulse=size),)).origin() for size in (0.24, 0.3)}
     assert harder([fleets[0.24]]) == ""
     assert harder([fleets[0.24], ensemble_of("ev3way", pushes=(Impulse(impulse=0.24),)).origin()]) == (
-        " A certificate knocks ev3way with 0.064 to 0.085 N s, less than here."
+        " A certificate knocks ev3way there with only 0.0641 to 0.0845 N s."
     )  # as hard a knock for both, and too hard for one
-    assert harder(list(fleets.values())) == " A certificate knocks nxtway-gs with 0.19 to 0.24 N s, less than here."
+    assert harder(list(fleets.values())) == " A certificate knocks nxtway-gs there with only 0.186 to 0.245 N s."
     assert [falls_verdict(30, 100, words).level for words in ("", "harder")] == ["bad", "warn"]
     # 4 of 100 fell, but with 95 % confidence up to 8.9 % may (Clopper and Pearson), which a certificate counts
     assert [falls_verdict(fell, 100).level for fell in (0, 4)] == ["good", "warn"]
@@ -466,8 +471,10 @@ def test_a_bench_takes_of_tied_controllers_the_one_with_the_least_effort():
     logs = {(row.controller, row.push): run() for row in rows}
     page = page_of(Bench(robot="r", kit="k", body="twin", seed=0, rows=tuple(rows), logs=logs))
     assert page.verdict == Verdict("take a; 3 of 3 hold the robot", "good")
-    assert [value for value, _ in page.numbers] == ["0.29 N s", "1 %", "5 V² s"]
-    assert page.numbers[2][1] == "effort of a; of all 1 (c) to 9 (b)"
+    assert [value for value, _ in page.numbers] == ["0.29 N s", "≤ 3.1 %", "5 V² s"]
+    assert (
+        page.numbers[2][1] == "effort of a; of all 1 (c) to 9 (b)"
+    )  # of 2 falls in 200, 95 % one-sided (Clopper and Pearson): 3.1 %
 
 
 def test_a_run_that_dwarfs_the_reference_is_cut_and_named():
@@ -518,3 +525,24 @@ def test_ratios_of_coefficients_keep_their_slash():
     assert [spoken(name) for name in ("weight_moment/a22", "a22/a11", "delay/gyro", "fleet.com_height")] == [
         "weight moment/a22", "a22/a11", "gyro delay", "centre of mass height",
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("following", "command", "completed_one"),
+    [
+        ("certify lqg --robot a", "upright design lqg -r b.toml -o lqg.json", "certify lqg.json --robot b.toml"),
+        ("design hinf --robot a", "upright design lqg --kit ev3", "design hinf --robot a --kit ev3"),
+        ("push-map --robot a --controller lqg", "upright basin -c c.json", "push-map --robot a --controller c.json"),
+        (
+            "fleet --samples 9 --push force:1",
+            "upright fleet -n 5 --vary a=1..2",
+            "fleet --samples 5 --vary a=1..2 --push force:1",
+        ),
+        ("certify mpc --robot a", "upright bench-controllers -c mpc -c lqr", "certify mpc --robot a"),
+        ("certify lqg --robot a", "", "certify lqg --robot a"),
+    ],
+)
+def test_what_to_run_next_keeps_the_robot_kit_and_controller_that_were_typed(following, command, completed_one):
+    assert completed(f"It `upright stands`. Next: `upright {following}`, then.", command) == (
+        f"It `upright stands`. Next: `upright {completed_one}`, then."
+    )

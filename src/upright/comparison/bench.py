@@ -16,6 +16,7 @@ from upright.comparison.comparison import compare
 from upright.control import CONTROLLERS, Controller, make_controller
 from upright.errors import UprightError
 from upright.experiment import Hold, Impulse, outcome_of, run
+from upright.firmware.balance import trace
 from upright.fleet.push_map import CEILING, FLOOR, largest
 from upright.progress import Progress, unwatched
 from upright.robots import Kit, Robot, find_kit, find_robot
@@ -48,7 +49,8 @@ class BenchRow:
     `impulse` [N s] is the largest knock of `KNOCK` at the centre of mass from that side after which the robot still
     stands `WATCHED` later, to `TOLERANCE`.
     `spread` is the fraction of `DRAWN` robots over the spreads of this one's sources that fall under the same push, in
-    the nonlinear model; only of linear controllers.
+    the nonlinear model; only of linear controllers. `products` counts multiplications and divisions of its program in
+    a period; None where there is no program of it.
     """
 
     controller: str
@@ -61,6 +63,7 @@ class BenchRow:
     saturated: float | None = None
     impulse: float | None = None
     spread: float | None = None
+    products: int | None = None
 
     @property
     def holds(self) -> bool:
@@ -77,7 +80,8 @@ COLUMNS = {
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Bench(Shown):
-    """All controllers of one robot under the same pushes; `logs` are the runs by controller and push."""
+    """All controllers of one robot under the same pushes; `logs` are the runs by controller and push, and `period` [s]
+    is the kit's."""
 
     robot: str
     kit: str
@@ -85,6 +89,7 @@ class Bench(Shown):
     seed: int
     rows: tuple[BenchRow, ...]
     logs: Mapping[tuple[str, str], Log]
+    period: float = math.nan
 
     def listing(self) -> Listing:
         """One row for each controller and push."""
@@ -187,7 +192,8 @@ def bench_controllers(
             if log:
                 logs[row.controller, row.push] = log
             progress(len(rows) / (len(methods) * len(PUSHES)))
-    return Bench(robot=nominal.name, kit=parts.name, body=body, seed=seed, rows=tuple(rows), logs=logs)
+    where = {"robot": nominal.name, "kit": parts.name, "body": body, "seed": seed, "period": parts.period}
+    return Bench(**where, rows=tuple(rows), logs=logs)
 
 
 def bench_one(
@@ -215,7 +221,19 @@ def bench_one(
     spread = _spread(setup, side)
     names = {"peak": "pitch_peak", "settling": "settling_5", "travel": "wheel_travel"}
     numbers = {n: measured[names.get(n, n)] for n in ("peak", "settling", "travel", "effort", "saturated")}
-    return BenchRow(controller=method, push=push, outcome=outcome, **numbers, impulse=impulse, spread=spread), log
+    row = BenchRow(
+        controller=method, push=push, outcome=outcome, **numbers, impulse=impulse, spread=spread,
+        products=_products(controller, robot, kit),
+    )  # fmt: skip
+    return row, log
+
+
+def _products(controller: Controller, robot: Robot, kit: Kit) -> int | None:
+    """Of a period of its program on a brick."""
+    try:
+        return trace(controller, robot, kit).operations()
+    except UprightError:
+        return None
 
 
 def largest_knock(

@@ -9,6 +9,7 @@ from typing import Any
 
 from upright.errors import UprightError
 from upright.report.figure import Figure as Figure
+from upright.report.following import completed
 from upright.report.made import made_by
 from upright.report.page import Details as Details
 from upright.report.page import Formula as Formula
@@ -39,7 +40,8 @@ def report(result: Any, path: str | Path, *, title: str = "", command: str = "")
     with made_by(command):
         page = page_of(result)
     made = {"command": command} if command else {}
-    return replace(page, title=title or page.title, provenance={**page.provenance, **made}).write(path)
+    lead = completed(page.lead, command)
+    return replace(page, title=title or page.title, lead=lead, provenance={**page.provenance, **made}).write(path)
 
 
 def page_of(result: Any) -> Page:

@@ -31,7 +31,7 @@ def page_of(result: Analysis | Designed) -> Page:
         both = analysis.both()
         last = f"Bode diagram: beyond {both.crossover:.3g} rad/s the gain stays below 1, the dashed line"
         bode = Figure(last, analysis.plot(), _BODE)
-        drawn = [_nyquist(analysis), bode, _where(both)]
+        drawn = [_nyquist(analysis), bode, *_where(analysis)]
         first_lost = _delayed_first(analysis)
         sections = [*([Section("The loop at one sensor", first_lost, folded=True)] if first_lost else []), *sections]
         sections = [Section("Frequency response", drawn), *sections]
@@ -55,7 +55,28 @@ def _title(analysis: Analysis) -> str:
     if not analysis.stable:
         return f"{who}: unstable"
     small = ", with small margins" if 1 / analysis.both().Ms < CLOSE else ""
-    return f"{who} is stable{small}: {_delay(analysis)} more delay at the {_weakest(analysis)} tips it over"
+    return f"{who} is stable{small}: {_lost(analysis)}"
+
+
+def _lost(analysis: Analysis) -> str:
+    """The change that makes the loop unstable and reaches least of its target."""
+    both = analysis.both()
+    worst = next(name for name, *_ in _targets(analysis) if not name.startswith("distance"))
+    if worst.startswith("phase"):
+        lead = "lead" if both.leads else "lag"
+        return f"a phase {lead} of {cell_text(math.degrees(both.phase), 2)}° tips it over"
+    if worst.startswith("motors"):
+        gain, way = (both.gain_high, "stronger") if "stronger" in worst else (both.gain_low, "weaker")
+        return f"motors {_change(gain)} {way} tip it over"
+    return f"{_delay(analysis)} more delay at the {_weakest(analysis)} tips it over"
+
+
+def _change(gain: float) -> str:
+    return f"{abs(100 * (gain - 1)):.0f} %" if gain < MOST_GAIN else f"{gain:.0f} times"
+
+
+MOST_GAIN = 3.0
+"""A gain from which on it is said in times, not in per cent."""
 
 
 def _verdict(analysis: Analysis) -> Verdict:
@@ -71,7 +92,7 @@ def _weakest(analysis: Analysis) -> str:
 
 
 def _delay(analysis: Analysis) -> str:
-    return f"{cell_text(min(analysis.delay, analysis.weakest.delay) * 1e3, 3)} ms"
+    return _milliseconds(min(analysis.delay, analysis.weakest.delay))
 
 
 def _lead(analysis: Analysis, first: str) -> str:
@@ -81,31 +102,41 @@ def _lead(analysis: Analysis, first: str) -> str:
     targets = _targets(analysis)
     short = [name for name, _, _, part in targets if part < 1]
     unstable = int((analysis.radii >= 1).sum())
-    drawn = (
-        f"{len(analysis.radii)} simulated robots, as different as the robot's file allows"
+    of = (
+        f" Of {len(analysis.radii)} simulated robots, as different as the robot's file allows, {unstable or 'none'} "
+        f"{'is' if unstable <= 1 else 'are'} unstable."
         if len(analysis.radii)
         else ""
     )
-    of = f" Of {drawn}, {unstable or 'none'} {'is' if unstable <= 1 else 'are'} unstable." if drawn else ""
     below = f"Below the usual target: {', '.join(short)}." if short else "All margins reach the usual targets."
     if len(short) == len(targets):
-        below = f"The loop is stable, but all of its {len(targets)} margins are below the usual targets."
-    return f"{below}{of} Next: `upright certify` tries this controller with pushes."
+        below = f"All {len(targets)} margins are below the usual targets."
+    here = f"--robot {analysis.robot}"
+    after = f"`upright certify {analysis.controller} {here}` pushes such robots and counts falls."
+    if 1 / analysis.both().Ms < CLOSE and analysis.controller != ROOMY:
+        after += f" For larger margins: `upright design {ROOMY} {here}`."
+    return f"{below}{of} Next: {after}"
+
+
+ROOMY = "hinf"
+"""The method that is made for margins: of every preset its gain and phase margins are the largest."""
 
 
 def _targets(analysis: Analysis) -> list[tuple[str, str, str, float]]:
-    """Name, value, usual target, and the part of the target that is reached; gains are compared in decibels."""
+    """Name, value, usual target, and the part of the target that is reached, the least first; gains are compared in
+    decibels."""
     both, delay = analysis.both(), min(analysis.delay, analysis.weakest.delay)
     low, high = (20 * math.log10(max(gain, 1e-3)) for gain in (both.gain_low, both.gain_high))
     least, most = 20 * math.log10(WEAK), 20 * math.log10(STRONG)
-    return [
+    targets = [
         ("distance from −1", cell_text(1 / both.Ms, 2), f"{CLOSE:g}", 1 / both.Ms / CLOSE),
         ("phase margin", f"{cell_text(math.degrees(both.phase), 2)}°", f"{PHASE:g}°", math.degrees(both.phase) / PHASE),
-        ("gain margin, stronger", _decibels(high), f"{_decibels(most)} dB", high / most),
-        ("gain margin, weaker", _decibels(low), f"{_decibels(least)} dB", low / least),
+        (f"motors stronger, {_change(both.gain_high)}", _decibels(high), f"{_decibels(most)} dB", high / most),
+        (f"motors weaker, {_change(both.gain_low)}", _decibels(low), f"{_decibels(least)} dB", low / least),
         (f"delay margin, {_weakest(analysis)}", _delay(analysis), f"{1e3 * analysis.period:g} ms",
          delay / analysis.period),
     ]  # fmt: skip
+    return sorted(targets, key=lambda target: target[-1])
 
 
 def _decibels(gain: float) -> str:
@@ -131,7 +162,7 @@ def _against_targets(analysis: Analysis) -> Figure:
     return Figure(f"{met} of {len(parts)} margins reach the usual target", legend(figure), _DECIBELS)
 
 
-_DECIBELS = "Gain margins are those of both motors in decibels: 6 dB is a factor of two. No change at all is 0 dB."
+_DECIBELS = "Both motors together: 6 dB is twice as strong, −6 dB half. Distance from −1: in the Nyquist diagram."
 _BODE = (
     "The loop is broken at both motors at once. The coloured lines are the margins, each at the frequency that sets it."
 )
@@ -139,16 +170,24 @@ _NEAR = "The part of the diagram above that decides how slowly the robot comes t
 SLOW = 6  # poles near 1 that are drawn enlarged: as many as the robot has states
 
 
-def _where(both: Margins) -> Table:
-    """Each margin of both motors with the frequency that sets it."""
-    lead = "lead" if both.leads else "lag"
+def _where(analysis: Analysis) -> list[Item]:
+    """Each margin of both motors with the frequency that sets it, and why a sensor alone bears less delay."""
+    both, first, lead = analysis.both(), analysis.weakest, "lead" if analysis.both().leads else "lag"
     rows: list[list[Cell]] = [
-        ["weaker, to [%]", 100 * both.gain_low, both.gain_low_at],
-        ["stronger, to [%]", 100 * both.gain_high, both.gain_high_at],
+        ["motors weaker, to [%]", 100 * both.gain_low, both.gain_low_at],
+        ["motors stronger, to [%]", 100 * both.gain_high, both.gain_high_at],
         [f"phase margin, by a {lead} [°]", math.degrees(both.phase), both.phase_at],
-        ["delay margin [ms]", 1e3 * both.delay, both.delay_at],
+        ["delay of both motors' commands [ms]", 1e3 * both.delay, both.delay_at],
     ]
-    return Table(["margin of both motors", "value", "at [rad/s]"], rows, "What sets each margin", 3)
+    words: list[Item] = []
+    if first in analysis.outputs and first.delay < both.delay:
+        rows.append([f"delay of the {first.channel} alone [ms]", 1e3 * first.delay, first.delay_at])
+        if first.delay_at > both.delay_at:
+            words = [
+                f"The loop through the {first.channel} alone is quicker ({cell_text(first.delay_at, 3)} rad/s) than "
+                f"that through both motors ({cell_text(both.delay_at, 3)} rad/s): a quicker loop bears less delay."
+            ]
+    return [Table(["margin", "value", "at [rad/s]"], rows, "What sets each margin", 3), *words]
 
 
 def _delayed_first(analysis: Analysis) -> list[Figure]:
@@ -171,18 +210,30 @@ def _delayed_first(analysis: Analysis) -> list[Figure]:
 def _numbers(analysis: Analysis) -> list[tuple[str, str]]:
     if not analysis.stable:
         return []
-    both = analysis.both()
-    gains = f"{100 * both.gain_low:.0f} to {100 * both.gain_high:.0f} %"
+    both, first = analysis.both(), analysis.weakest
+    gains = (
+        f"{100 * both.gain_low:.0f} to {100 * both.gain_high:.0f} %",
+        f"strength of the motors that stays stable; the target is {100 * WEAK:.0f} to {100 * STRONG:.0f} %",
+    )
+    if "stronger" in _lost(analysis):  # which the title says
+        gains = (_change(both.gain_low), f"weaker motors tip it over too; the target is {100 * WEAK:.0f} %")
+    more = f"more delay at the {_weakest(analysis)} tips it over; a period is {1e3 * analysis.period:g} ms"
+    if first.delay < analysis.delay:
+        more = f"more delay at the {first.channel} alone tips it over; of both motors' commands "
+        more += _milliseconds(both.delay)
     return [
+        gains,
         (f"{cell_text(math.degrees(both.phase), 2)}°", _phase(both)),
-        (gains, f"strength of the motors that stays stable; the target is {100 * WEAK:.0f} to {100 * STRONG:.0f} %"),
-        (_delay(analysis), f"more delay at the {_weakest(analysis)} alone; a period is {1e3 * analysis.period:g} ms"),
+        (_delay(analysis), more),
     ]
 
 
+def _milliseconds(seconds: float) -> str:
+    return f"{cell_text(1e3 * seconds, 3)} ms"
+
+
 def _phase(both: Margins) -> str:
-    at = f", a {'lead' if both.leads else 'lag'} at {cell_text(both.phase_at, 3)} rad/s" if both.phase_at > 0 else ""
-    return f"phase margin{at}; the target is at least {PHASE:g}°"
+    return f"phase margin, by a {'lead' if both.leads else 'lag'}; the target is at least {PHASE:g}°"
 
 
 def _margins(analysis: Analysis) -> list[Item]:
@@ -220,8 +271,11 @@ def _nyquist(analysis: Analysis) -> Figure:
     turns = analysis.turns()
     often = {1: "once", 2: "twice"}.get(turns, f"{turns} times")
     poles = f"{turns} unstable pole{'' if turns == 1 else 's'}"
-    count = f" Broken there it has {poles}: as it is stable, the whole curve goes round −1 {often}, anticlockwise."
-    note = "The loop is broken at both motors at once. The curve goes on outwards at lower frequencies."
+    count = (
+        f" Broken there it has {poles}. Closed it is stable, since both halves together go round −1 {often}, "
+        "anticlockwise."
+    )
+    note = "The loop is broken at both motors at once. Solid and dotted half meet far out, at lower frequencies."
     return Figure(title, analysis.plot_nyquist(), note + (count if turns else ""))
 
 

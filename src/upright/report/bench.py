@@ -4,14 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from upright.comparison import compare
-from upright.comparison.bench import DRAWN, TOLERANCE, Bench
-from upright.plotting import number
+from upright.comparison.bench import DRAWN, KNOCK, TOLERANCE, Bench
+from upright.firmware.targets import PRODUCT
+from upright.fleet.binomial import upper_bound
+from upright.plotting import AXIS, COLOURS, number
 from upright.report.figure import Figure
 from upright.report.metrics import degrees
 from upright.report.page import Cell, Details, Page, Section, Table, Verdict, cell_text
 from upright.tables import in_degrees, joined
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Drawing
 
 
 def page_of(bench: Bench) -> Page:
@@ -20,33 +26,94 @@ def page_of(bench: Bench) -> Page:
     held = [name for name in ranked if all(row.holds for row in bench.rows if row.controller == name)]
     best, largest = next(iter(ranked.items()), ("", math.nan))
     knocked = not math.isnan(largest)
-    places = bench.places()
-    firsts = [name for name, place in places.items() if place == 1]
-    take = min(
-        (name for name in firsts if name in held), key=lambda name: _worse(bench, name, "effort") or 0.0, default=""
-    )
+    firsts = [name for name, place in bench.places().items() if place == 1]
+    tied = _tied(bench, held) if knocked else []
+    take = min(tied, key=lambda name: _worse(bench, name, "effort") or 0.0, default="")
     held_by = f"{len(held)} of {len(ranked)} hold the robot"
-    verdict = Verdict(f"take {take}; {held_by}" if take and knocked else held_by, "good" if held else "warn")
-    ties = f"the best {len(firsts)}, in green, tie" if len(firsts) > 1 else f"{best}, in green, is the best"
+    verdict = Verdict(f"take {take}; {held_by}" if take else held_by, "good" if held else "warn")
+    ties = f"the best {len(firsts)}, in green, tie" if len(firsts) > 1 else f"{best}, in green, survives most"
+    slow = bool(take) and not set(firsts) & set(_quick(bench))
+    if slow:
+        ties = f"green is to be taken, grey too slow for {_brick(bench)}"
     title = f"Largest knock that each controller survives: {ties}"
-    numbers = _numbers(bench, take or best) if knocked else []
     facts = {"robot": bench.robot, "kit": bench.kit, "body": bench.body, "seed": str(bench.seed)}
     full = [*tables(bench), *_unsettled(bench)]
     sections = [Section("Tables", [_summary(bench), Details("Numbers under each push", full)])]
     if knocked:
-        sections = [Section("Responses", [responses(bench)]), *sections]
+        sections = [Section("Responses", [responses(bench, take)]), *sections]
     who = f"{joined(firsts)} survive" if 1 < len(firsts) <= FEW else f"{best} survives"
     heading = f"{who} the largest knock on {bench.robot}" if knocked else f"Controllers of {bench.robot}"
-    lead = f"{len(ranked)} controllers on a {bench.body} of {bench.robot} with kit {bench.kit}: knocked ever "
-    lead += "harder; and held leaning for 3 s, then let go."
-    lead += f" {take} is in the first place with the least effort." if take and len(firsts) > 1 else ""
-    lead += f" Next: `upright certify` {take or 'the best one'} with slightly different robots."
+    if slow:
+        more = f"{joined(firsts)} survive{'' if len(firsts) > 1 else 's'} more"
+        heading = f"Take {take} for {bench.robot}: {more}, but {'are' if len(firsts) > 1 else 'is'} too slow for "
+        heading += _brick(bench)
+    after = f"`upright certify {take or best} --robot {bench.robot}` tries it on robots that differ more."
     return Page(
-        heading, sections, lead, facts,
+        heading, sections, f"{_lead(bench, take, firsts, held)} Next: {after}", facts,
         bench.body == "twin", verdict=verdict,
-        picture=Figure(title, bench.plot(), _SMALLER) if knocked else responses(bench),
-        numbers=numbers,
+        picture=Figure(title, _ranked(bench, take, slow), _SMALLER) if knocked else responses(bench),
+        numbers=_numbers(bench, take or best) if knocked else [],
     )  # fmt: skip
+
+
+def _ranked(bench: Bench, take: str, slow: bool) -> Drawing:
+    """The limits; where the best is too slow, the one to `take` is green instead, and those too slow are grey."""
+    drawing = bench.plot()
+    if slow:
+        for bar, name in zip(drawing.axes[0].patches, bench.ranked(), strict=True):
+            bar.set_color(COLOURS[2] if name == take else COLOURS[0] if name in _quick(bench) else AXIS)
+    return drawing
+
+
+BRICKS = {"nxt": ("nxc", "an NXT"), "spike": ("pybricks", "a hub")}
+"""Kit → the target of its firmware whose time for a product is known, and the name of its brick."""
+
+
+def _brick(bench: Bench) -> str:
+    return BRICKS[bench.kit][1] if bench.kit in BRICKS else ""
+
+
+def _time(bench: Bench, name: str) -> float | None:
+    """What a period of this controller's program takes on the kit's brick [s], estimated from its products; None where
+    that is not known."""
+    products = next((row.products for row in bench.rows if row.controller == name), None)
+    return products * PRODUCT[BRICKS[bench.kit][0]] if products and bench.kit in BRICKS else None
+
+
+def _quick(bench: Bench) -> list[str]:
+    """The controllers whose program is not known to take longer than a period."""
+    return [name for name in bench.ranked() if not (time := _time(bench, name)) or not time > bench.period]
+
+
+def _tied(bench: Bench, held: Sequence[str]) -> list[str]:
+    """Of those that hold the robot and are quick enough the ones whose knocks are within the tolerance of the
+    largest."""
+    sizes = {name: size for name, size in bench.ranked().items() if name in held and name in _quick(bench)}
+    return [name for name, size in sizes.items() if size >= (1 - TOLERANCE) * max(sizes.values())]
+
+
+def _lead(bench: Bench, take: str, firsts: Sequence[str], held: Sequence[str]) -> str:
+    """What was tried, how sure the ranking is, and why one of them is to be taken."""
+    ranked = bench.ranked()
+    text = f"{len(ranked)} controllers on a {bench.body} of {bench.robot}, knocked ever harder at the centre of mass"
+    text += f"{_height(bench)}."
+    names = list(ranked)
+    if len(firsts) == 1 and len(names) > 1 and ranked[names[1]] > 0:
+        lead, step = ranked[names[0]] / ranked[names[1]], 1 + TOLERANCE
+        least, most = (number(100 * (ratio - 1), 1) for ratio in (lead / step, lead * step))
+        text += f" Limits are found to {100 * TOLERANCE:g} %: {names[0]} leads {names[1]} by {least} to {most} %."
+    tied = _tied(bench, held)
+    if take and len(tied) > 1:
+        quick = "quick ones" if len(_quick(bench)) < len(names) else "controllers"
+        text += f" Of the {quick} the best {len(tied)} tie; of these {take} needs the least effort."
+    return text
+
+
+def _height(bench: Bench) -> str:
+    """How high above the axle a knock hits, where the runs tell their robot."""
+    origin = next((log.origin for log in bench.logs.values()), {})
+    height = origin.get("robot", {}).get("com_height")
+    return f" ({number(height, 2)} m above the axle)" if height else ""
 
 
 def _worse(bench: Bench, name: str, what: str) -> float | None:
@@ -57,17 +124,26 @@ def _worse(bench: Bench, name: str, what: str) -> float | None:
 
 
 def _numbers(bench: Bench, name: str) -> list[tuple[str, str]]:
-    """The knock that this controller survives, its falls over the spreads and its effort, beside the others."""
+    """The knock that this controller survives, its time on the brick and its falls over the spreads."""
     knocks = {n: size for n, size in bench.ranked().items() if not math.isnan(size)}
-    efforts = {n: effort for n in knocks if (effort := _worse(bench, n, "effort")) is not None}
-    (last, least), falls = list(knocks.items())[-1], _worse(bench, name, "spread")
-    others = f"; the least: {cell_text(least, 2)} ({last})" if last != name else ""
-    numbers = [(f"{cell_text(knocks[name], 2)} N s", f"largest knock survived by {name}{others}")]
+    (first, most), *_, (last, least) = [*knocks.items()] * 2
+    others = [f"{n} {cell_text(size, 2)}" for n, size in {first: most, last: least}.items() if n != name]
+    beside = f"; {', '.join(others)}" if others else ""
+    numbers = [(f"{cell_text(knocks[name], 2)} N s", f"largest knock survived by {name}{beside}")]
+    times = {n: time for n in knocks if (time := _time(bench, n)) is not None}
+    if name in times:
+        slowest = max(times, key=times.__getitem__)
+        of = f"; {slowest} takes {_milliseconds(times[slowest])}" if slowest != name else ""
+        text = f"of a period of {_milliseconds(bench.period)} {name} computes on {_brick(bench)} (estimate){of}"
+        numbers.append((_milliseconds(times[name]), text))
+    falls = _worse(bench, name, "spread")
     if falls is not None:
-        numbers.append(
-            (f"{cell_text(100 * falls, 2)} %", f"of {DRAWN} similar robots fall under {name}, held and let go")
-        )
-    if name in efforts:
+        fell = round(falls * DRAWN)
+        bound = f"{cell_text(100 * upper_bound(fell, DRAWN), 2)} %"
+        text = f"of similar robots fall under {name}, let go from a lean: {fell} of {DRAWN} did (95 %, one-sided)"
+        numbers.append((f"≤ {bound}", text))
+    efforts = {n: effort for n in knocks if (effort := _worse(bench, n, "effort")) is not None}
+    if name in efforts and len(numbers) < MOST:
         ends = (
             f"{cell_text(efforts[n], 2)} ({n})" for n in (pick(efforts, key=efforts.__getitem__) for pick in (min, max))
         )
@@ -76,8 +152,15 @@ def _numbers(bench: Bench, name: str) -> list[tuple[str, str]]:
     return numbers
 
 
+MOST = 3  # numbers on the first screen
+
+
+def _milliseconds(seconds: float) -> str:
+    return f"{cell_text(1e3 * seconds, 2)} ms"
+
+
 _SMALLER = (
-    "Of the knocks from the front and from the back, the smaller one; the tables have both. "
+    f"Knocks of {1e3 * KNOCK:g} ms from front and back: drawn is the smaller limit. "
     f"Controllers within {number(100 * TOLERANCE, 2)} % of the best of a place share it."
 )
 
@@ -88,15 +171,13 @@ def _summary(bench: Bench) -> Table:
     for name, size in bench.ranked().items():
         spreads = [row.spread for row in bench.rows if row.controller == name and row.spread is not None]
         efforts = [row.effort for row in bench.rows if row.controller == name and row.effort is not None]
-        rows.append([name, size, 100 * max(spreads) if spreads else None, max(efforts, default=None)])
-    caption = f"The worse of front and back; falls of {DRAWN} sampled robots and effort: held at a lean and let go"
-    return Table(
-        ["controller", "knock [N s]", "falls [%]", f"effort [{_effort_unit(bench)}]"],
-        rows,
-        caption,
-        2,
-        even=True,
-    )
+        time = _time(bench, name)
+        row = [name, size, 100 * max(spreads) if spreads else None, max(efforts, default=None)]
+        rows.append([*row, *([None if time is None else 1e3 * time] if _brick(bench) else [])])
+    caption = f"The worse of front and back; falls of {DRAWN} similar robots and effort when let go from a lean"
+    header = ["controller", "knock [N s]", "falls [%]", f"effort [{_effort_unit(bench)}]"]
+    header += [f"computes on {_brick(bench)} [ms]"] if _brick(bench) else []
+    return Table(header, rows, caption, 2, even=True)
 
 
 def _unsettled(bench: Bench) -> list[str]:
@@ -118,12 +199,14 @@ def _rest(bench: Bench, push: str) -> tuple[dict[str, float], float]:
     return {name: seconds for name, (seconds, _) in rest.items()}, max(known, default=math.nan)
 
 
-def responses(bench: Bench) -> Figure:
-    """Pitch under every controller and push."""
+def responses(bench: Bench, take: str = "") -> Figure:
+    """Pitch under every controller and push; of many only some, among them the one to `take`."""
     fell = [row.controller for row in bench.rows if row.outcome.startswith("fell")]
     ranked = list(bench.ranked())
-    few = ranked if len(ranked) <= FEW else [*ranked[: FEW - 1], ranked[-1]]
-    first = f"The first {FEW - 1} by the knock that they survive, and the last."
+    chosen = dict.fromkeys([*([take] if take else []), *ranked])
+    few = ranked if len(ranked) <= FEW else [*[*chosen][: FEW - 1], ranked[-1]]
+    few = sorted(few, key=ranked.index)
+    first = f"Drawn are {len(few)} of {len(ranked)}: the best, the one to take, and the last."
     knocked = any(row.impulse is not None for row in bench.rows)
     some = "" if few == ranked else first if knocked else "The tables have the other controllers too."
     title = f"Pitch while held and after; these fall: {', '.join(dict.fromkeys(fell))}" if fell else _leans(bench, few)

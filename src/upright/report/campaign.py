@@ -13,9 +13,8 @@ from upright.fleet.results import origin_of
 from upright.fleet.tally import Cases, CaseSummary, together
 from upright.plotting import AXIS, legend, number
 from upright.report.figure import Figure
+from upright.report.knocks import harder, pushed, where
 from upright.report.page import Cell, Page, Section, Table, Verdict
-from upright.robots import PARAMETERS, Kit, Robot
-from upright.robots.kit import Battery, Motor
 from upright.tables import joined, sentence, spoken
 
 if TYPE_CHECKING:
@@ -80,61 +79,6 @@ def falls_verdict(fallen: int, all_of_them: int, harder: str = "") -> Verdict:
         return Verdict("pushed harder than for a certificate", "warn")
     level = "bad" if fallen > MOST_FALLS * all_of_them else "good" if few else "warn"
     return Verdict(f"up to {_percent(bound)} may fall: {'below' if few else 'above'} the {limit}", level)
-
-
-def robot_of(origin: Mapping[str, Any]) -> tuple[Robot, Kit] | None:
-    """The nominal robot of an origin and its motors and battery; None without a kit."""
-    kit, numbers = origin.get("kit"), origin.get("robot", {})
-    if not kit:
-        return None
-    robot = Robot(name=numbers["name"], drive=numbers["drive"], **{n: numbers[n] for n in PARAMETERS})
-    return robot, Kit(name=kit["name"], motor=Motor(**kit["motor"]), battery=Battery(**kit["battery"]),
-                      delay=kit["delay"])  # fmt: skip
-
-
-def harder(origins: Sequence[Mapping[str, Any]]) -> str:
-    """How much harder the hardest knock of a robot is than those of a certificate on the same robot, as a sentence with
-    a space before it; nothing where it is not harder."""
-    from upright.certify.checks import batteries, standard_pushes
-
-    def knock(origin: Mapping[str, Any]) -> float:
-        return max((abs(p.get("impulse") or 0.0) for p in origin.get("scenario", {}).get("push") or ()), default=0.0)
-
-    hardest = {str(origin.get("robot", {}).get("name", "")): origin for origin in sorted(origins, key=knock)}
-    for origin in hardest.values():  # one of each robot
-        known = robot_of(origin)
-        if not known or not knock(origin):
-            continue
-        sizes = [[*standard_pushes(*known, volts).values()][-1].size for volts in batteries(*known) or (None,)]
-        if knock(origin) > max(sizes):
-            ends = " to ".join(dict.fromkeys(number(size, 2) for size in sorted(sizes)))
-            return f" A certificate knocks {known[0].name} with {ends} N s, less than here."
-    return ""
-
-
-def pushed(pushes: Sequence[Mapping[str, Any]] | None) -> str:
-    """What was done to them."""
-    sizes = {"impulse": "N s", "force": "N"}
-    words: list[str] = []
-    for push in pushes or ():
-        for name, unit in sizes.items():
-            if size := push.get(name):
-                words.append(f"pushed {'forward' if size > 0 else 'backward'} by {number(abs(size))} {unit}")
-        if push.get("pitch"):
-            words.append(f"held at {number(math.degrees(push['pitch']), 2)}° and released")
-        if push.get("angle"):
-            words.append(f"on a floor tilted by {number(math.degrees(push['angle']), 2)}°")
-    return " and ".join(words[:3]) or ("pushed" if pushes else "without a push")
-
-
-def where(pushes: Sequence[Mapping[str, Any]] | None) -> str:
-    """How long the first impulse takes and at which height, as a sentence with a space before it."""
-    for push in pushes or ():
-        if push.get("impulse"):
-            height = push.get("height")
-            at = "at the centre of mass" if height is None else f"{height:g} m above the axle"
-            return f" The push takes {1e3 * push.get('duration', 0.01):g} ms, {at}."
-    return ""
 
 
 def _title(cases: Cases, worst: CaseSummary) -> str:
@@ -226,7 +170,8 @@ def _lead(cases: Cases, knocks: str) -> str:
     scene = (
         f", {pushed(cases.pushes)}" if known else f" in scenario {scenes[0]}" if len(scenes) == 1 and scenes[0] else ""
     )
-    first = f"{len(cases)} cases, each with {many}{scene}.{where(cases.pushes) if known else _scenarios(cases)}"
+    acts = f" {where(cases.pushes)}" if known and where(cases.pushes) else ""
+    first = f"{len(cases)} cases, each with {many}{scene}{acts}.{'' if known else _scenarios(cases)}"
     apart = {name for name, *_ in _apart(cases)}
     alike = [spoken(name) for name in cases.varied() if name not in apart]
     second = f" The {joined(alike)} {'makes' if len(alike) == 1 else 'make'} no clear difference." if alike else ""
@@ -241,7 +186,7 @@ def _scenarios(cases: Cases) -> str:
               for case, origin in zip(cases, cases.origins, strict=True)}  # fmt: skip
     if len(pushes) < 2:
         return ""
-    return "".join(f" {sentence(f'{name}: {pushed(push)}')}" for name, push in pushes.items())
+    return "".join(f" {sentence(f'{name}: {pushed(push)} {where(push)}'.strip())}" for name, push in pushes.items())
 
 
 def _next(cases: Cases) -> str:

@@ -15,9 +15,11 @@ from upright.fleet.ensemble import SETTLED
 from upright.fleet.fleet import Fleet, distribution, stood
 from upright.fleet.results import OUTCOMES, Summary, origin_of, summarise
 from upright.plotting import AXIS, INK, bars, legend, line, number, panels
-from upright.report.campaign import falls_verdict, harder, provenance, pushed, where
+from upright.report.basins import basin_page
+from upright.report.campaign import falls_verdict, provenance
 from upright.report.figure import Figure
-from upright.report.maps import basin_page, push_map_page
+from upright.report.knocks import harder, pushed, where
+from upright.report.maps import push_map_page
 from upright.report.page import Cell, Page, Section, Table, Verdict, cell_text
 from upright.tables import joined, sentence, spoken
 
@@ -207,14 +209,16 @@ def _fleet_page(data: Dataset, summary: Summary) -> Page:
     table = Table(["robots that stood", "5 %", "median", "95 %"], rows, "Quantiles over the robots", 3)
     chance = summary.chance
     robot = origin_of(data)["robot"]["name"]
-    after = (
-        f"`upright push-map --robot {robot}`, which finds the largest push, or `upright sweep` with several controllers"
-    )
-    after = after if pushes else "the same with `--push impulse:0.1`, since a robot at rest tests little"
+    after = f"`upright push-map --robot {robot}`, which finds the largest push"
+    if not pushes:
+        after = (
+            f"`upright fleet --robot {robot} --samples {summary.n} --push impulse:0.1`: a robot at rest tests little"
+        )
     few = 0 < len(_varied(data)) <= FEW
     all_vary = "; `--vary spread` varies all numbers of the robot" if few else ""
     knocks = harder([origin_of(data)])
-    lead = f"{_differ(data, robot)}{where(pushes)}{knocks}{_untold(summary, explained)} Next: {after}{all_vary}."
+    acts = f" The push acts {where(pushes)}." if where(pushes) else ""
+    lead = f"{_differ(data, robot)}{acts}{knocks}{_untold(summary, explained)} Next: {after}{all_vary}."
     rare = summary.fell <= MOST_FALLS * summary.n
     bounds = f"{number(100 * chance.low, 2)} to {number(100 * chance.high, 2)} %"
     numbers = [
