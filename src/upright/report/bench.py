@@ -203,9 +203,8 @@ def responses(bench: Bench, take: str = "") -> Figure:
     """Pitch under every controller and push; of many only some, among them the one to `take`."""
     fell = [row.controller for row in bench.rows if row.outcome.startswith("fell")]
     ranked = list(bench.ranked())
-    chosen = dict.fromkeys([*([take] if take else []), *ranked])
-    few = ranked if len(ranked) <= FEW else [*[*chosen][: FEW - 1], ranked[-1]]
-    few = sorted(few, key=ranked.index)
+    chosen = [*([take] if take else []), *(name for name in ranked if name != take)]
+    few = ranked if len(ranked) <= FEW else sorted([*chosen[: FEW - 1], ranked[-1]], key=ranked.index)
     first = f"Drawn are {len(few)} of {len(ranked)}: the best, the one to take, and the last."
     knocked = any(row.impulse is not None for row in bench.rows)
     some = "" if few == ranked else first if knocked else "The tables have the other controllers too."

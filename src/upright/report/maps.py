@@ -95,7 +95,7 @@ def _numbered(ax: Axes, part: Any, levels: list[float]) -> None:
     lines = ax.contour(part["duration"].values, part["height"].values, part["impulse"].values, levels=inner,
                        colors=colours, linewidths=0.6)  # fmt: skip
     far = [level for level in inner if level > 1.1 * float(np.nanmin(part["impulse"].values))]  # not at the marker
-    ax.clabel(lines, far, fmt=lambda level: number(level, 2), fontsize=9)
+    ax.clabel(lines, far, fmt={level: number(level, 2) for level in inner}, fontsize=9)
 
 
 def _levels(low: float, high: float) -> list[float]:
