@@ -104,9 +104,11 @@ class Diagnosis(Shown):
                 colour = style if side in ("left", "right") else 4
                 line(ax, side, record.t, record[name], step=title == "commands", style=colour, solid=True)
             if title == "commands" and any(finding.code.startswith("saturation") for finding in self.findings):
-                most = max(float(np.nanmax(np.abs(record[name]), initial=0.0)) for name in names)
-                for end in (most, -most):
-                    ax.axhline(end, linestyle="--", linewidth=1.2, color=COLOURS[3], label="limit of the motors")
+                at = sensors.limited(record, names)
+                for name, rows in zip(names, at, strict=True):
+                    ax.plot(
+                        record.t[rows], record[name][rows], ".", color=COLOURS[3], markersize=5, label="at the limit"
+                    )
         for segment in self.segments:
             if segment.kind != BALANCING:
                 span(axes, segment.start, segment.stop, "not balancing")

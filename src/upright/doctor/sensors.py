@@ -246,10 +246,16 @@ def saturation(record: Record) -> list[Finding]:
 def at_limit(record: Record, names: Sequence[str]) -> tuple[float, int]:
     """Fraction of the values of these channels that are at their largest, alone or over the battery, and the longest
     run there; 0 where the largest is a single peak."""
+    at = limited(record, names).ravel()
+    return float(at.mean()), max((last - first for first, last in runs(at)), default=0)
+
+
+def limited(record: Record, names: Sequence[str]) -> NDArray[np.bool_]:
+    """Which values of these channels (channels, n) are at their largest, alone or over the battery."""
     groups = [np.concatenate([of(record, name) for name in names]) for of in (Record.__getitem__, _of_battery)]
     levels = LEVELS if names[0] == GYRO else 0.0
     at = max((at_range(values, levels) for values in groups), key=lambda mask: int(mask.sum()))
-    return float(at.mean()), max((last - first for first, last in runs(at)), default=0)
+    return at.reshape(len(names), -1)
 
 
 def _of_battery(record: Record, name: str) -> Array:

@@ -22,7 +22,7 @@ PAGES = {
     "Comparison": "comparing", "Calibration": "calibration", "MethodComparison": "identification",
     "ExcitationPlan": "excitation", "Analysis": "analysis", "Designed": "analysis", "Certificate": "certificate",
     "PostMortem": "postmortem", "Fleet": "fleet", "Dataset": "fleet", "Bench": "bench",
-    "Cases": "campaign", "Tuned": "tuning", "Validation": "validation", "Diagnosis": "checked", "Parity": "checked",
+    "Cases": "campaign", "Tuned": "tuning", "Validation": "validation", "Diagnosis": "diagnosed", "Parity": "checked",
     "LinearModel": "checked",
 }  # fmt: skip
 """Class of a result → the file of this room that has its page."""

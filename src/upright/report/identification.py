@@ -12,7 +12,8 @@ from upright.identify.judge import HELD, LoopTrial
 from upright.identify.methods import TITLES
 from upright.plotting import legend, line, numbered, panels, plane, points
 from upright.report.figure import Figure
-from upright.report.page import Cell, Item, Page, Section, Table, Verdict, cell_text
+from upright.report.made import again
+from upright.report.page import Cell, Details, Item, Page, Section, Table, Verdict, cell_text
 from upright.tables import joined
 
 
@@ -20,7 +21,7 @@ def page_of(compared: MethodComparison) -> Page:
     """The comparison's page, not yet written."""
     data = compared.samples
     sections = [
-        Section("Regulators in closed loop", [trial_table(compared), _lead_of_loop(compared), methods_table(compared)]),
+        Section("Regulators in closed loop", [trial_table(compared), *_about_trials(compared)]),
         Section("The unstable pole", [pole_table(compared), *_poles(compared), _eigenvalues(compared)], folded=True),
         Section("Predictions", [*_about_predictions(compared), *_predictions(compared)], folded=True),
         Section("Model order", _orders(compared), folded=True),
@@ -48,12 +49,7 @@ def _verdict(compared: MethodComparison) -> Verdict:
         return Verdict("holds the robot" if holding else "does not hold the robot", level)
     if not holding:
         return Verdict("none can be used", level)
-    best = _best(compared)
-    sure = math.isfinite(compared.models[best].pole.high - compared.models[best].pole.low)
-    other = [method for method in _ranked(compared) if method != PRIOR]
-    if best == PRIOR and other:
-        return Verdict(f"best with the robot's file: {best}; from the log alone: {_best(compared, PRIOR)}", "good")
-    return Verdict(f"{best}: narrowest interval of the pole" if sure else f"{best} leans least", "good")
+    return Verdict(f"take {_best(compared)}", "good")
 
 
 PRIOR = "calibrate"  # the method that starts from what is known of the robot
@@ -72,11 +68,16 @@ def _title(compared: MethodComparison) -> str:
 def _best(compared: MethodComparison, without: str = "") -> str:
     """Of the methods, `without` one, whose regulators lean alike the one with the surest pole, since their order is
     chance."""
-    ranked = [method for method in _ranked(compared) if method != without]
-    least = compared.trials[ranked[0]].largest or 0.0
-    alike = [method for method in ranked if (compared.trials[method].largest or 0.0) <= ALIKE * least]
+    alike = _alike(compared, without)
     poles = {method: compared.models[method].pole for method in alike}
     return min(alike, key=lambda m: width if math.isfinite(width := poles[m].high - poles[m].low) else math.inf)
+
+
+def _alike(compared: MethodComparison, without: str = "") -> list[str]:
+    """The methods, `without` one, whose regulators lean about as little as the least."""
+    ranked = [method for method in _ranked(compared) if method != without]
+    least = compared.trials[ranked[0]].largest or 0.0
+    return [method for method in ranked if (compared.trials[method].largest or 0.0) <= ALIKE * least]
 
 
 def _doubling(compared: MethodComparison) -> str:
@@ -95,13 +96,19 @@ def _ranked(compared: MethodComparison) -> list[str]:
 
 
 def _pole_figure(compared: MethodComparison) -> Figure:
-    if math.isnan(compared.true_pole):
-        return Figure("The unstable pole by each method, with its 95 % interval", compared.plot())
-    inside = [n for n, m in compared.models.items() if m.pole.low <= compared.true_pole <= m.pole.high]
-    those = f"that of {inside[0]} contains" if len(inside) == 1 else f"those of {joined(inside)} contain"
-    return Figure(
-        f"95 % intervals of the unstable pole; {those if inside else 'none contains'} the true one", compared.plot()
-    )
+    """The intervals, under what they have to do with balancing."""
+    title, poles = "The unstable pole by each method, with its 95 % interval", compared.models.items()
+    inside = [n for n, m in poles if m.pole.low <= compared.true_pole <= m.pole.high]
+    holding = [n for n, t in compared.trials.items() if t.holds]
+    if inside and set(inside) == set(holding):
+        title = "The regulator holds where the 95 % interval of the pole contains the true one"
+    elif math.isfinite(compared.true_pole):
+        those = f"that of {inside[0]} contains" if len(inside) == 1 else f"those of {joined(inside)} contain"
+        title = f"95 % intervals of the unstable pole; {those if inside else 'none contains'} the true one"
+    still = [n for n, m in poles if m.pole.value <= 0]
+    note = "The pole is the rate at which a lean grows. An interval shorter than its dot stands only in numbers."
+    note += f" By {joined(still)} the robot does not fall at all." if still else ""
+    return Figure(title, compared.plot(), note)
 
 
 def _numbers(compared: MethodComparison) -> list[tuple[str | Verdict, str]]:
@@ -112,21 +119,19 @@ def _numbers(compared: MethodComparison) -> list[tuple[str | Verdict, str]]:
             (f"{cell_text(m.pole.value, 3)} 1/s", f"unstable pole by {n}") for n, m in compared.models.items()
         ]
         return [*poles, *((_did(t), _leans(n, t)) for n, t in compared.trials.items())][:3]
-    ranked = _ranked(compared)
-    held: tuple[str | Verdict, str] = (
-        f"{len(ranked)} of {len(compared.trials)}",
-        "regulators, each from a method's model, hold the robot",
-    )
-    if not ranked:
-        return [held]
+    if not _ranked(compared):
+        return [(f"0 of {len(compared.trials)}", "regulators, each from a method's model, hold the robot")]
     best = _best(compared)
     pole, lean = compared.models[best].pole, compared.trials[best].largest or 0.0
-    true = f"; true: {cell_text(compared.true_pole, 3)}" if math.isfinite(compared.true_pole) else ""
-    return [
-        held,
-        (f"{cell_text(pole.value, 3)} 1/s", f"rate at which a lean grows (unstable pole), by {best}{true}"),
+    true = f"; true: {cell_text(compared.true_pole, 3)} 1/s" if math.isfinite(compared.true_pole) else ""
+    numbers: list[tuple[str | Verdict, str]] = [
+        (f"{cell_text(pole.value, 3)} 1/s", f"unstable pole by {best}, the rate at which a lean grows{true}"),
         (f"{cell_text(math.degrees(lean), 3)}°", f"largest lean under the regulator of {best}, let go at 2.9°"),
     ]
+    if math.isfinite(pole.high - pole.low):
+        wide = f"± {cell_text(50 * (pole.high - pole.low) / abs(pole.value), 2)} %"
+        numbers.insert(1, (wide, f"of the pole: its 95 % interval by {best}"))
+    return numbers
 
 
 def _did(trial: LoopTrial) -> Verdict:
@@ -181,16 +186,40 @@ def _lead(compared: MethodComparison) -> str:
     if len(compared.models) < 2:
         return done
     ranked = _ranked(compared)
-    rule = " Best: of those that lean about as little as the least, the one with the narrowest interval of its pole."
-    rule = rule if len(ranked) > 1 else ""
-    return f"{done}{rule} Next: `upright identify LOG --method {_best(compared)} -o model.json`." if ranked else done
+    return f"{done} {_why(compared)} Next: {_next(compared)}" if ranked else done
 
 
-def _lead_of_loop(compared: MethodComparison) -> str:
+def _why(compared: MethodComparison, without: str = "") -> str:
+    """Why the best of those that hold the robot is best: how far each leans, and how close its pole is."""
+    best, alike = _best(compared, without), _alike(compared, without)
+    degrees = [cell_text(math.degrees(compared.trials[m].largest or 0.0), 3) for m in alike]
+    if len(alike) < 2:
+        return f"Under that of {best} it leaned least, {degrees[0]}°."
+    ends = " to ".join(dict.fromkeys((degrees[0], degrees[-1])))
+    pole = compared.models[best].pole
+    sure = f"; {best} tells the pole most closely" if math.isfinite(pole.high - pole.low) else ""
+    return f"Under those of {joined(alike)} it leaned about as far ({ends}°){sure}."
+
+
+def _next(compared: MethodComparison) -> str:
+    command = again("upright identify LOG", "--method", "-o", "--output", "-c", "--controller")
     return (
-        "Weights, filter noise and kit are the same for all; only the model differs. Tested on "
-        f"{compared.judge.who}: held at 2.9° for a second, then released for seven seconds."
+        f"`{command} --method {_best(compared)} -o model.json -c regulator.json` writes that model and its regulator."
     )
+
+
+def _about_trials(compared: MethodComparison) -> list[Item]:
+    """How they were tried, what to take without the robot's file, and what the methods are."""
+    words: list[Item] = [
+        "Weights, filter noise and kit are the same for all; only the model differs. Tested on "
+        f"{compared.judge.who}: held at {math.degrees(HELD):.2g}° for a second, then released for seven seconds."
+    ]
+    if _ranked(compared)[:1] and _best(compared) == PRIOR and len(_ranked(compared)) > 1:
+        words.append(
+            f"{PRIOR.capitalize()} starts from the robot's file. From the log alone take {_best(compared, PRIOR)}. "
+            f"{_why(compared, PRIOR)}"
+        )
+    return [*words, Details("What the methods are", [methods_table(compared)])]
 
 
 def trial_table(compared: MethodComparison) -> Table:
@@ -213,7 +242,7 @@ def trial_table(compared: MethodComparison) -> Table:
 
 def methods_table(compared: MethodComparison) -> Table:
     """What each method is."""
-    caption = "The methods; rebuilt states are angles and rates computed from the readings, with their noise"
+    caption = "Rebuilt states are angles and rates computed from the readings, with their noise"
     return Table(["method", "how"], [[name, TITLES.get(name, "")] for name in compared.trials], caption)
 
 

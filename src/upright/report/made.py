@@ -50,3 +50,16 @@ def chosen(*names: str) -> str:
     ' --robot nxtway-gs'
     """
     return "".join(f" {name} {value}" for name in names if (value := typed(name)))
+
+
+def again(otherwise: str, *without: str) -> str:
+    """The same command without some options and what was typed behind them; `otherwise` where a program makes the page.
+
+    >>> with made_by("upright identify log.csv --method all --robot nxtway-gs"):
+    ...     again("upright identify LOG", "--method")
+    'upright identify log.csv --robot nxtway-gs'
+    """
+    words = shlex.split(command())
+    gone = {k + n for k, word in enumerate(words) if word in without for n in (0, 1)}
+    kept = [w for k, w in enumerate(words) if k not in gone and w.partition("=")[0] not in without]
+    return shlex.join(kept) or otherwise

@@ -60,7 +60,7 @@ TERMS: dict[str, tuple[str, str]] = {
     r"mpc": ("mpc", "Model predictive control: plans each command some periods ahead, within the motors' limits."),
     r"sliding": ("sliding", "Sliding mode: drives the state onto a surface on which it comes to rest."),
     r"robust": ("robust", "State feedback that is stable for all robots of the spreads at once."),
-    r"BIC": ("BIC", "Bayesian information criterion: of several models the least is the best."),
+    r"BIC": ("BIC", "Bayesian information criterion: the model with the smallest one is best."),
     r"effort": ("effort", "Integral of the squared commands of both motors: how hard they work."),
     r"saturated": ("saturated", "A command larger than the motors can follow."),
     r"rms|RMS": ("rms", "Root of the mean square: the usual size of what swings."),
