@@ -29,6 +29,9 @@ TRIED, MOST_TRIED = 2, 6
 is still `POOR`: near a fall the errors have several minima."""
 POOR = 400.0  # squared error of a reading, over its scale: a fifth of what varies
 FIRST_READINGS = 7  # of a sensor, through which a line gives its first value and slope
+GROWING = (0.25, 0.5, 0.75, 1.0)
+"""Fractions of a stretch to which a first state is fitted in turn. Over a short time the motion is nearly linear in it and
+the error has one minimum; over the whole of a fall it has one for each way to fall."""
 SAME = 1e-3  # [1] of the weak hold below: first states so close descend to one
 MISSED = 1e4  # squared error, over its scale, of a reading beyond a fall: as far off as what varies a hundredfold
 
@@ -64,13 +67,23 @@ class Stretch:
 
     def first(self, filtered: Array) -> Array:
         """The first state (states,) from which the readings are followed best."""
-        best, least = np.full_like(filtered, np.inf), np.inf
-        for tried, first in enumerate(self._likeliest(self._starts(filtered))):
+        best, least, starts = np.full_like(filtered, np.inf), np.inf, self._starts(filtered)
+        for tried, first in enumerate(self._likeliest(starts)):
             if tried >= TRIED and least < POOR * len(self.events):
                 break
             state, cost = self._descended(first, best)
             best, least = (state, cost) if cost < least else (best, least)
-        return best
+        state, cost = self._grown(starts) if least >= POOR * len(self.events) else (best, least)
+        return state if cost < least else best
+
+    def _grown(self, starts: Array) -> tuple[Array, float]:
+        """The first state, and its cost, that is fitted to the beginning alone and then to more and more: from that of
+        the `starts` (states, lanes) which follows the beginning best."""
+        until = [round(fraction * len(self.events)) for fraction in GROWING]
+        state, cost = starts[:, np.argmin(_cost(self._errors(starts)[: until[0]]))], np.inf
+        for events in until:
+            state, cost = self._descended(state, np.full_like(state, np.inf), events)
+        return state, cost
 
     def _errors(self, firsts: Array) -> Array:
         """Errors (events, lanes) over their scale, from the first states (states, lanes)."""
@@ -112,16 +125,16 @@ class Stretch:
         """The best of the first states (states, lanes), best first."""
         return [firsts[:, lane] for lane in np.argsort(_cost(self._errors(firsts)), kind="stable")[:MOST_TRIED]]
 
-    def _descended(self, first: Array, known: Array) -> tuple[Array, float]:
+    def _descended(self, first: Array, known: Array, until: int | None = None) -> tuple[Array, float]:
         """The first state of least error near `first`, and its cost, by damped Gauss–Newton; as far as to one that is
-        `known` already."""
+        `known` already. Of the first `until` events, where given."""
         best, least, damping = first, np.inf, _FIRST_DAMPING
         hessian, slope = np.eye(6), np.zeros(6)
         candidate = first
         for _ in range(_ITERATIONS):
             lanes = np.repeat(candidate[:, None], 7, axis=1)
             lanes[np.arange(6), 1 + np.arange(6)] += _NUDGES
-            e = self._errors(lanes)
+            e = self._errors(lanes)[:until]
             cost = float(_cost(e[:, :1])[0])
             if cost < least:
                 done, best, least, damping = cost > 0.9999 * least, candidate, cost, damping / 10
