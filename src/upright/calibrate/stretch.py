@@ -30,8 +30,8 @@ is still `POOR`: near a fall the errors have several minima."""
 POOR = 400.0  # squared error of a reading, over its scale: a fifth of what varies
 FIRST_READINGS = 7  # of a sensor, through which a line gives its first value and slope
 GROWING = (0.25, 0.5, 0.75, 1.0)
-"""Fractions of a stretch to which a first state is fitted in turn. Over a short time the motion is nearly linear in it and
-the error has one minimum; over the whole of a fall it has one for each way to fall."""
+"""Fractions of a stretch to which a first state is fitted in turn. Over a short time the motion is nearly linear in it
+and the error has one minimum; over the whole of a fall it has one for each way to fall."""
 SAME = 1e-3  # [1] of the weak hold below: first states so close descend to one
 MISSED = 1e4  # squared error, over its scale, of a reading beyond a fall: as far off as what varies a hundredfold
 
