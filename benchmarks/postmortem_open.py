@@ -63,10 +63,28 @@ UNLISTED: dict[str, tuple[tuple[str, ...], float, float]] = {
     "ripple": (("both",), 0.1, 3.0),  # torque over the largest, at 12 times a turn
     "half bridge": (("left", "right", "both"), 1.0, 1.0),  # no current backwards
     "counts lost": (("left", "right", "both"), 0.9, 0.1),  # of the steps in one direction that are counted
+    "loose plug": (("left", "right", "both"), 0.4, 0.95),  # part of the time without a motor, in bits of 0.05 to 0.25 s
+    "frozen program": (("command",), 0.1, 2.0),  # [s] that one command is held, while rows go on
+    "spikes": (("gyro",), 0.05, 0.6),  # of the readings, that are any number up to 3 rad/s
+    "clipped": (("gyro",), 1.0, 0.1),  # [rad/s] beyond which it shows no more
 }
+FRESH: dict[str, tuple[tuple[str, ...], float, float]] = {
+    "clutch": (("left", "right", "both"), 0.6, 0.03),  # of the motor's largest torque, beyond which a gear slips
+    "wrong sign": (("gyro", "encoder_left", "encoder_right", "left", "right"), 1.0, 1.0),  # of a sensor or a motor
+    "hand": (("top",), 0.2, 2.0),  # [s] that a spring holds the body where it was
+    "packets": (("sensors",), 2.0, 16.0),  # periods, up to which each reading may be late
+    "magnet": (("left", "right", "both"), 0.1, 2.0),  # [rad] of an angle's error, once a turn
+    "brown-out": (("reset",), 0.1, 1.0),  # [s] without commands and rows, after which the program begins anew
+}
+"""Faults that were planted for the last judgement, and that nobody had looked at while the rules were made."""
+UNLISTED |= FRESH
 SAME_AS = {
     "stall": ("dropped samples",), "half bridge": ("motor dead",), "counts lost": ("sensor mis-scaled",),
     "stiction": ("wheel jammed",), "cable": ("ramp",), "tyre lost": ("tyre lost",), "ripple": (),
+    "loose plug": ("motor dead",), "frozen program": ("dropped samples",), "spikes": (),
+    "clipped": ("sensor mis-scaled",),
+    "clutch": (), "wrong sign": ("motor or sensor reversed",), "hand": ("push too large", "wall"), "magnet": (),
+    "packets": ("delay grown", "dropped samples"), "brown-out": ("dropped samples",),
 }  # fmt: skip
 """Answers that say the same as what happened, besides "none of these"."""
 
@@ -90,13 +108,15 @@ class BrokenBody(FaultyBody):
         model = self.twin._model
         if not hasattr(self, "usual"):
             names = ("actuator_gainprm", "actuator_biasprm", "dof_frictionloss", "body_mass", "body_ipos",
-                     "body_inertia", "geom_size", "actuator_ctrllimited", "actuator_ctrlrange")  # fmt: skip
+                     "body_inertia", "geom_size", "actuator_ctrllimited", "actuator_ctrlrange",
+                     "actuator_forcelimited", "actuator_forcerange")  # fmt: skip
             self.usual = {name: getattr(model, name).copy() for name in names}
         for name, value in self.usual.items():
             getattr(model, name)[:] = value
         first = super().reset(start, seed)
         self.broken, self.touched, self.lost = False, math.nan, np.zeros(2)
-        self.raw = first.values
+        self.raw, self.chance = first.values, np.random.default_rng([self.seed, 7])
+        self.until, self.past, self.shown, self.places = 0.0, list[Any](), 0, ()
         return first
 
     def step(self, command: Sequence[float], disturbance: Disturbance = CALM) -> Sample:
@@ -112,12 +132,31 @@ class BrokenBody(FaultyBody):
             self._pull(min(1.0, since))
         if on and cause == "ripple":
             self._ripple()
+        if on and cause == "loose plug" and t >= self.until:
+            self._plug(t, off=bool(self.chance.random() < self.fault.size))
+        if on and cause == "hand":
+            self._hold(free=since > self.fault.size)
         if cause == "wall" and math.isnan(self.touched) and self._touches():
             self.touched = t
         return super().step(command, disturbance)
 
     def _seen(self, values: Any, on: bool, t: float) -> Any:
         before, self.raw = self.raw, values
+        if self.fault.cause == "packets":
+            values = self._late(values, on)
+        if on and self.fault.cause in ("spikes", "clipped"):
+            values, i = values.copy(), self.names.index("sensor/gyro")
+            if self.fault.cause == "clipped":
+                values[i] = min(max(values[i], -self.fault.size), self.fault.size)
+            elif self.chance.random() < self.fault.size:
+                values[i] = self.chance.uniform(-3.0, 3.0)
+        if on and self.fault.cause == "magnet":
+            values = values.copy()
+            for i in [self.names.index(name) for name in self._misread()]:
+                values[i] += self.fault.size * (math.sin(values[i]) - math.sin(self.start[i]))
+        if on and self.fault.cause == "wrong sign" and ("gyro" in self.fault.way or "encoder" in self.fault.way):
+            values, i = values.copy(), self.names.index(f"sensor/{self.fault.way}")
+            values[i] = (0.0 if "gyro" in self.fault.way else 2 * self.start[i]) - values[i]
         if on and self.fault.cause in ("sensor mis-scaled", "counts lost"):
             values = values.copy()
             for name in self._misread():
@@ -194,6 +233,43 @@ class BrokenBody(FaultyBody):
         yaw = 2 * math.atan2(data.qpos[6], data.qpos[3])
         way = yaw + (math.pi / 2 if self.fault.way == "side" else 0.0)
         data.xfrc_applied[BODY, :3] = force * math.cos(way), force * math.sin(way), 0.0
+
+    def _plug(self, t: float, *, off: bool) -> None:
+        model = self.twin._model
+        self.until = t + float(self.chance.uniform(0.05, 0.25))
+        for i in self._sides():
+            model.actuator_gainprm[i, 0] = 0.0 if off else self.usual["actuator_gainprm"][i, 0]
+            model.actuator_biasprm[i] = 0.0 if off else self.usual["actuator_biasprm"][i]
+
+    def _hold(self, *, free: bool) -> None:
+        """A spring, as stiff as the weight over a centimetre and well damped, between the body and where it was."""
+        robot, data = self.twin.spec.robot, self.twin._data
+        place = data.xipos[BODY, :2].copy()
+        first, before = self.places or (place, place)
+        self.places = (first, place)
+        stiff = robot.body_mass * robot.gravity / 0.01
+        damping = 2 * math.sqrt(stiff * robot.body_mass)
+        force = -stiff * (place - first) - damping * (place - before) / self.spec.period
+        data.xfrc_applied[BODY, :2] = 0.0 if free else force
+
+    def _late(self, values: Any, on: bool) -> Any:
+        """The newest reading that has arrived; none overtakes an earlier one."""
+        self.past.append(values)
+        now = len(self.past) - 1
+        if self.count % self.stride == 0:
+            late = int(self.chance.integers(0, round(self.fault.size) + 1)) * self.stride if on else 0
+            self.shown = max(self.shown, now - late)
+        return self.past[self.shown if on else now]
+
+    def _clutch(self) -> None:
+        model = self.twin._model
+        most = self.fault.size * self.most * float(self.usual["actuator_gainprm"][0, 0])
+        model.actuator_forcelimited[self._sides()] = 1
+        model.actuator_forcerange[self._sides()] = (-most, most)
+
+    def _wrong_sign(self) -> None:
+        if self.fault.way in ("left", "right"):
+            self.twin._model.actuator_gainprm[self._sides(), 0] *= -1
 
     def _ripple(self) -> None:
         most = self.most * float(self.usual["actuator_gainprm"][0, 0])
@@ -303,12 +379,8 @@ def _run(
         if body is not None:
             outer.inner = body
         body = outer
-    stall = next((f for f in faults if f.cause == "stall"), None)
-    law = (
-        Stalling(known._controller(robot, design), stall)
-        if stall
-        else FaultyController(known._controller(robot, design), calm, body)
-    )
+    usual, idle = known._controller(robot, design), next((f for f in faults if f.cause in IDLE), None)
+    law = IDLE[idle.cause](usual, idle) if idle else FaultyController(usual, calm, body)
     seconds = until or max((f.onset for f in faults), default=3.0) + AFTER
     try:
         log = run(body, law, pushes, reference=references, seconds=seconds, seed=int(seed) % 10_000)
@@ -343,6 +415,33 @@ class Stalling(FaultyController):
     def applied(self, command: Sequence[float]) -> None:
         if not self._stalls():
             self.inner.applied(command)
+
+
+class Freezing(Stalling):
+    """A loop that gives one and the same command for a while, while its rows go on."""
+
+    def _stalls(self) -> bool:
+        return 0 <= self.now * self.spec.period - self.fault.onset < self.fault.size
+
+    def step(self, measurement: Any, reference: Any) -> tuple[float, float]:
+        told = super().step(measurement, reference)
+        self.skipped = []
+        return told
+
+
+class Rebooting(Freezing):
+    """A loop that stops, without commands and rows, and begins anew."""
+
+    def step(self, measurement: Any, reference: Any) -> tuple[float, float]:
+        if not self._stalls():
+            return FaultyController.step(self, measurement, reference)
+        self.inner.reset()
+        self.skipped.append(self.now)
+        self.now, self.last = self.now + 1, (0.0, 0.0)
+        return self.last
+
+
+IDLE = {"stall": Stalling, "frozen program": Freezing, "brown-out": Rebooting}
 
 
 def planted_fit(fault: Fault) -> FaultFit | None:

@@ -478,3 +478,42 @@ def test_wheels_that_lose_their_tyres_are_named_by_what_is_left_of_them() -> Non
     names = [n for n in log.channels if n.startswith(("sensor/", "command/"))]
     found = post_mortem(Log(log.t, {n: log[n] for n in names}), NXT, KIT)
     assert found.verdict == TYRE, str(found)
+
+
+def test_a_program_that_stands_still_is_named_though_robot_and_sensors_are_sound() -> None:
+    # planted: one command is held for 0.6 s, four times the 0.14 s in which a lean of this robot grows e-fold
+    fault = bench.Fault("frozen program", "command", ONSET, 0.6)
+    body = Electronics(Twin(NXT), KIT)
+    log = run(body, open_bench.Freezing(designed(), fault), Impulse(impulse=0.02, start=0.7), seconds=6.0, seed=2)
+    assert log.origin["outcome"]["fell"]
+    names = [n for n in log.channels if n.startswith(("sensor/", "command/"))]
+    found = post_mortem(Log(log.t, {n: log[n] for n in names}), NXT, KIT)
+    assert found.verdict == "dropped samples", str(found)
+    assert "both commands stood still" in found.causes[0].evidence
+    assert found.onset == pytest.approx(ONSET, abs=0.02)
+
+
+def test_a_reading_at_the_end_of_its_range_is_clipped_and_not_stuck() -> None:
+    t = np.arange(300) * 0.01
+    turning = np.round(3 * t, 2)
+    wheels = {"sensor/encoder_left": turning, "sensor/encoder_right": turning}
+    swings = np.clip(np.sin(6 * t), -0.5, 0.5)  # ±0.5 is reached in several rows, and held from 2.6 s on
+    clipped = np.where(t < 2.6, swings, -0.5)
+    stuck = np.where(t < 2.6, swings, -0.4)
+    for gyro, at_its_end in ((clipped, True), (stuck, False)):
+        found = stuck_sensor(Log(t, wheels | {"sensor/gyro": gyro}), KIT, 2.9)
+        assert found is not None
+        assert found.clipped == at_its_end
+
+
+def test_a_log_whose_gyro_has_the_other_sign_sends_its_reader_to_the_doctor() -> None:
+    # planted: the sign of one channel, in a log of seven knocks and the push that fells the robot
+    knocks = [Impulse(impulse=0.06 * MASS * (-1) ** k, start=k + 0.5, duration=0.02) for k in range(7)]
+    fatal = Push(force=MASS / 0.1, start=8.0, duration=0.1)
+    log = run(Electronics(Twin(NXT), KIT), designed(), [*knocks, fatal], seconds=12.0, seed=2)
+    names = [n for n in log.channels if n.startswith(("sensor/", "command/"))]
+    log = Log(log.t, {n: log[n] * (-1 if "gyro" in n else 1) for n in names})
+    found = post_mortem(log, NXT, KIT)
+    assert found.verdict == NONE, str(found)
+    assert "upright doctor" in found.causes[0].repair
+    assert any("upright doctor" in note and "sensor/gyro: its sign" in note for note in found.notes)

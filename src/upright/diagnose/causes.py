@@ -42,7 +42,7 @@ REPAIRS = {
     RAMP: "drive slower on slopes, or design for them (lqi, slope in `upright certify`)",
     LOAD: "fix the load, or calibrate again with it and design anew",
     TYRE: "put the tyre back on its wheel, and glue it; look at both wheels",
-    NONE: "look at the robot where the evidence points; send the log to the authors if it is nothing of the kind",
+    NONE: "look at the robot where the evidence points; `upright doctor` tests the log for signs, units and plugs",
     REVERSED: "turn the motor or the sensor round, or its sign in the program's first constants",
     CANNOT_TELL: "",
 }

@@ -22,6 +22,7 @@ from upright.diagnose.fall import (
     falling,
     falling_lean,
     frozen_rows,
+    held_command,
     last_fall,
     limit,
     lost_lately,
@@ -47,7 +48,7 @@ from upright.signals import Log
 Array = NDArray[np.float64]
 
 EXCURSION = 1.2  # [s] before the fall in which a push or a demand must lie to be its cause
-EXPLAINED = 1.3  # NIS over the ordinary one, up to which nothing is left to explain
+EXPLAINED = 1.1  # NIS over the calm one, up to which nothing is left to explain
 LOST = 20.0  # times the ordinary NIS at which the filter has lost the robot, over the log's last `LOST_SECONDS`
 LOST_SECONDS = 0.4  # [s]
 TIPPING = 0.35  # [rad] lean at the log's end that is a fall where the filter has lost the robot as well
@@ -123,12 +124,14 @@ class Toppling:
 @dataclass(frozen=True)
 class MotorUse:
     """How the motors were used before the fall: fraction of the last excursion at the limit (`saturated`) and of the
-    last second (`pegged`), whether no command changed (`stuck`), changes of the command's sign a second (`swings`), and
-    the median of what they gave over what would have stopped the fall, where they had more (`help`)."""
+    last second (`pegged`), whether no command changed (`stuck`) or from when to when one was `held` short of the limit
+    [s], changes of the command's sign a second (`swings`), and the median of what they gave over what would have
+    stopped the fall, where they had more (`help`)."""
 
     saturated: float
     pegged: float
     stuck: bool
+    held: tuple[float, float] | None
     swings: float
     help: float
 
@@ -255,7 +258,9 @@ def _evidence(
     stuck = stuck_sensor(log, run.kit, end)
     jam = jam_or_stuck(run, stuck, window, bank) if stuck and "encoder" in stuck.channel else None
     met = [fit for fit in several if possible(fit, end)]
-    open_ = not stuck and window.usual <= FOREIGN and met[0].nis > EXPLAINED * window.usual  # more to explain
+    calm = calm_of(run, window)
+    more = met[0].nis > EXPLAINED * calm or (met[0].fault != "none" and met[0].pushes)  # that a fault leaves
+    open_ = not stuck and window.usual <= FOREIGN and bool(more)
     pairs = paired(run, met, window, bank) if open_ else []
     if window.usual > FOREIGN:
         notes = (*notes, foreign(window.usual, robot))
@@ -263,7 +268,7 @@ def _evidence(
         notes = (*notes, noisy(robot.noise))
     per_impulse, per_height, *_ = (mode.w @ model.E).tolist()
     return Evidence(
-        run=run, fell_at=end, ordinary=window.usual, calm=calm_of(run, window),
+        run=run, fell_at=end, ordinary=window.usual, calm=calm,
         nis=float(np.mean(bank.y**2)), fits=tuple(several),
         stuck=stuck, jam=jam, pairs=tuple(pairs), left=leftover(met, window, bank) if open_ else None,
         toppling=Toppling(per_impulse, per_height, abs(mode.b) * most / mode.pole, mode.pole),
@@ -331,7 +336,11 @@ def _motor_use(run: FilterRun, w: Array, end: float) -> MotorUse:
     helped = motors.help[free] / np.maximum(motors.reserve[free], 1e-6)
     recent = motors.command[inside & (motors.t > end - EXCURSION)]
     second = motors.command[inside & (motors.t > end - 1.0)]
+    held = held_command(run, motors, end, EXCURSION)
+    if held is not None and abs(float(np.interp(held[0], motors.t, motors.command))) > LIMIT:
+        held = None
     return MotorUse(
+        held=held,
         saturated=float(full.mean()) if len(rows) else math.nan,
         pegged=float((np.abs(second) > LIMIT).mean()),
         stuck=not np.ptp(run.asked[(log.t > end - EXCURSION) & (log.t <= end)], axis=0).any(),

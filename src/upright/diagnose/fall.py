@@ -16,7 +16,7 @@ from upright.doctor.wheels import record_of
 from upright.logs.raw import RATES
 from upright.logs.recording import commanded
 from upright.physics.linear import linearise, rolling
-from upright.robots import Kit, Robot
+from upright.robots import Kit, Robot, Sensor
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -31,6 +31,9 @@ STUCK_STEPS, STUCK_MOVES = 20, 0.4  # steps, and [rad or rad/s], by which anothe
 DRIVING = 0.08  # [m/s] from which a robot can drive into something
 RUN_UP, CONTACT, HELD = 0.2, 0.03, 0.1  # [s] before a contact, of its beginning, and after it, that are looked at
 GIVES, THROWN = 0.6, 0.6  # of the way that the robot would have gone on: how far it may go, and be thrown back
+USUALLY_HELD = 3.0  # times the longest that a command was held before: a loop may do so near rest
+CLIPPED_GRAINS = 5  # steps of a reading from zero, below which rows repeat each other by chance
+CLIPPED_ROWS = 2  # in which a reading was at the end of its range before
 STILL_GRAINS = 2  # encoder steps that wheels must turn before a repeated reading cannot be true
 
 
@@ -189,16 +192,17 @@ def frozen_rows(run: FilterRun) -> Mask:
 @dataclass(frozen=True)
 class StuckSensor:
     """A sensor, by its channel, that gave one and the same `reading` from `start` [s] on to the fall, while others
-    moved."""
+    moved; `clipped` where that is the end of its range."""
 
     channel: str
     reading: float
     start: float
+    clipped: bool = False
 
 
 def stuck_sensor(log: Log, kit: Kit, end: float) -> StuckSensor | None:
     """The sensor that stood still up to `end` [s] while an encoder, or for an encoder the other one, moved by far more
-    than a step; None where there is none. A reading at the end of its range is clipped, not stuck."""
+    than a step; None where there is none. A reading at the end of its kit's range says nothing, and is not stuck."""
     encoders = [n for pair in RATES.items() for n in pair if n in log]
     upto = log.t <= end
     for name in [n for n in ("sensor/gyro", *encoders) if n in log]:
@@ -214,8 +218,39 @@ def stuck_sensor(log: Log, kit: Kit, end: float) -> StuckSensor | None:
         moves = [float(np.ptp(np.nan_to_num(log[n][upto][first:]))) for n in others]
         grains = [STUCK_STEPS * kit.sensors[n].quantum if n in kit.sensors else 0.0 for n in others]
         if any(m > max(g, STUCK_MOVES) for m, g in zip(moves, grains, strict=True)):
-            return StuckSensor(name, float(readings[-1]), start)
+            return StuckSensor(name, float(readings[-1]), start, _at_its_end(readings, first, sensor))
     return None
+
+
+def _at_its_end(readings: Array, first: int, sensor: Sensor | None) -> bool:
+    """Whether readings that stand still from row `first` on, many steps from zero, were at the same size in rows before
+    and never beyond since then: a range may be smaller than the kit says."""
+    size = abs(float(readings[-1]))
+    if sensor is not None and size < CLIPPED_GRAINS * sensor.quantum:
+        return False
+    before = np.abs(readings[:first])
+    beyond = np.flatnonzero(before > size * (1 + 1e-9))
+    since = before[int(beyond[-1]) + 1 :] if len(beyond) else before
+    return size > 0 and int((since >= size * (1 - 1e-9)).sum()) >= CLIPPED_ROWS
+
+
+def held_command(run: FilterRun, motors: Authority, end: float, seconds: float) -> tuple[float, float] | None:
+    """From when to when [s] both commands stood still for longest in the last `seconds` before `end`, while the motors
+    could still save the robot; None where that took no longer than a lean needs to grow e-fold, or is usual."""
+    log, asked = run.log, run.asked
+    rows = log.t <= end
+    moved = np.flatnonzero((np.diff(asked[rows], axis=0) != 0).any(axis=1)) + 1
+    edges = np.concatenate([[0], moved, [int(rows.sum()) - 1]])
+    starts, stops = log.t[edges[:-1]], log.t[edges[1:]]
+    lengths, late = stops - starts, stops > end - seconds
+    if not late.any():
+        return None
+    i = int(np.argmax(np.where(late, lengths, 0.0)))
+    before = lengths[stops <= starts[i]]
+    reserve = float(np.interp(starts[i], motors.t, motors.reserve))
+    usual = USUALLY_HELD * float(before.max()) if len(before) else math.inf
+    least = max(1 / falling(run.robot).pole, usual)
+    return (float(starts[i]), float(stops[i])) if lengths[i] > least and reserve < 1 else None
 
 
 @dataclass(frozen=True)

@@ -40,6 +40,7 @@ from upright.diagnose.remedy import (
     remedied,
 )
 from upright.diagnose.signatures import Bank, beside, pushing
+from upright.diagnose.usual import calm_of
 
 Array = NDArray[np.float64]
 
@@ -48,7 +49,9 @@ MOST_PAIRS = 4  # that the filter itself searches
 MORE = 2  # faults, besides the likeliest, beside which another one is looked for
 TRIED = 3  # signatures of the second kind that are tried with pushes beside them
 CONTRIBUTES = 10.0  # nats that each of both must explain beyond the other one to be one of two
-BEHIND = 10.0  # nats behind the likeliest, that a start must promise to be searched
+BEHIND = 10.0  # nats behind the likeliest, that a start must promise to be searched where that one leaves only noise
+FAR_BEHIND = 100.0  # the same where it leaves more: the search gains as much where it begins at the right kinds
+LEAVES = 1.3  # NIS over the calm one, that counts as noise
 NEAR = 8  # signatures of one kind round its onset, one of which stands for it while the other one is searched
 ALIKE = 0.02  # of a signature's squares, that must be left beside the first fault's changes
 ROUNDS = 2  # most times that the one is searched beside the other's signature where it then is
@@ -105,9 +108,11 @@ def paired(run: FilterRun, fits: Sequence[FaultFit], window: Window, bank: Bank)
             kinds = frozenset((one.fault, start.second.fault))
             if kinds not in starts or start.promise > starts[kinds].promise:
                 starts[kinds] = start
-    pairs: list[Pair] = []
+    pairs, calm = list[Pair](), calm_of(run, window)
     for start in sorted(starts.values(), key=lambda start: -start.promise)[:MOST_PAIRS]:
-        if start.promise > max((pair.score for pair in pairs), default=-math.inf) - BEHIND:
+        top = max(pairs, key=lambda pair: pair.score, default=None)
+        behind = BEHIND if top is not None and top.second.nis < LEAVES * calm else FAR_BEHIND
+        if top is None or start.promise > top.score - behind:
             pairs += _searched(run, start, window, bank)
     pairs.sort(key=lambda pair: -pair.score)
     judged = (replace(pair, alone=_alone(run, pair, window, bank)) for pair in pairs)

@@ -20,10 +20,11 @@ from numpy.typing import NDArray
 
 from upright.atomic import finite
 from upright.control import Controller, controller_hash, read_controller
-from upright.diagnose.causes import CANNOT_TELL, NO_FALL, Cause
+from upright.diagnose.causes import CANNOT_TELL, NO_FALL, NONE, Cause
 from upright.diagnose.evidence import EXCURSION, FOREIGN, Evidence, Series, gather, series_of
 from upright.diagnose.fall import against, last_fall
 from upright.diagnose.verdict import ranked, reversed_causes
+from upright.doctor.doctor import contradictions
 from upright.doctor.finding import FEWEST as FEWEST_POSES
 from upright.errors import InvalidLog, InvalidRobot
 from upright.logs.mapping import Mapping as Columns
@@ -36,6 +37,7 @@ from upright.tables import Shown
 
 Array = NDArray[np.float64]
 KIND, VERSION = "upright post-mortem", 1
+SIDEWAYS = "a fall to the side, or after the last row, does not show: nothing in the log measures it"
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
@@ -153,14 +155,14 @@ def post_mortem(
         return short  # too few of its readings are within their ranges for a filter
     if evidence is None:
         return PostMortem(
-            verdict=NO_FALL, causes=(), fell_at=math.nan, onset=math.nan, missing=(), notes=(),
+            verdict=NO_FALL, causes=(), fell_at=math.nan, onset=math.nan, missing=(), notes=(SIDEWAYS,),
             series=series_of(run, float(run.t[-1])), **head,
         )  # fmt: skip
     causes = ranked(evidence)
     verdict = causes[0].name
     return PostMortem(
         verdict=verdict, causes=causes, fell_at=evidence.fell_at, onset=causes[0].onset,
-        missing=_helpful(evidence) if verdict == CANNOT_TELL else (), notes=evidence.notes,
+        missing=_helpful(evidence) if verdict == CANNOT_TELL else (), notes=(*evidence.notes, *_wiring(log, verdict)),
         series=series_of(run, evidence.fell_at), **head,
     )  # fmt: skip
 
@@ -177,6 +179,13 @@ def _short(log: Log, head: dict[str, Any]) -> PostMortem:
         missing=(f"{FEWEST} rows",) if fall and not causes else (), notes=(f"the log has only {len(log)} rows",),
         series=Series.none(), **head,
     )  # fmt: skip
+
+
+def _wiring(log: Log, verdict: str) -> tuple[str, ...]:
+    """What the doctor finds wrong in signs, units and sensors of a log that no cause explains."""
+    if verdict not in (NONE, CANNOT_TELL):
+        return ()
+    return tuple(f"`upright doctor` on it: {text}" for text in contradictions(log))
 
 
 def missing_channels(log: Log) -> tuple[str, ...]:

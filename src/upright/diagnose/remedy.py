@@ -14,6 +14,7 @@ from upright.diagnose.fall import without
 from upright.diagnose.fault_fits import FaultFit, dearer, remaining, with_pushes
 from upright.diagnose.innovations import FilterRun, follow
 from upright.diagnose.signatures import YOUNGEST, Bank, bank, beside, finer, pushing, unknown_parameters
+from upright.diagnose.sizes import possible
 from upright.signals import Log
 
 Array = NDArray[np.float64]
@@ -39,7 +40,7 @@ RARE = 50.0
 noise: it follows the motion, so it takes up a part of whatever else is wrong."""
 
 MOST_BIASES, MOST_SCALES, MOST_MOTORS = 4, 2, 2  # that are examined again
-PUSHED = 2  # faults of the commands that are searched again together with the pushes beside them
+PUSHED = 2  # faults that are searched again together with the pushes beside them
 SHORT = 0.1  # [s] before the window's end: a filter that stops earlier has lost the robot
 
 
@@ -255,12 +256,20 @@ def exact(run: FilterRun, fit: FaultFit, window: Window, against: Bank) -> Fault
 def beside_pushes(run: FilterRun, fit: FaultFit, window: Window, against: Bank) -> FaultFit:
     """The fit again, with the onset and size that explain most together with the pushes beside it."""
     edges = [(push.start, push.stop, push.height) for push in fit.pushes]
-    if fit.run is None:
+    freed = fit.run or remedied(run, fit)
+    if freed is None:
         return fit
-    part = window.of(fit.run)
+    part = window.of(freed)
     basis = unknown_parameters(part)
     again = moved(run, [[one] for one in faded(fit)], window, basis, [beside(basis, pushing(part, edges))])[0]
-    return max(fit, exact(run, again, window, against), key=lambda one: one.score)
+    again = _priced(exact(run, replace(again, score=-math.inf), window, against), against)
+    return max(fit, again, key=lambda one: one.score)
+
+
+def _priced(fit: FaultFit, against: Bank) -> FaultFit:
+    """The fit with the price of a scale."""
+    price = RARE * min(max(fit.nis / against.scale, 1.0), 2.0) if fit.fault == "scale" and len(fit.rest) else 0.0
+    return replace(fit, score=fit.score - price)
 
 
 def dropped(run: FilterRun, frozen: NDArray[np.bool_], window: Window, against: Bank) -> FaultFit:
@@ -290,14 +299,12 @@ def sharpened(run: FilterRun, fits: Sequence[FaultFit], window: Window, against:
     rest = [fit for fit in fits if not any(fit is one for one in (*exact_ones, *stiff))]
     exact_ones += [moved(run, [[fit]], window)[0] for fit in stiff]
     exactly = [exact(run, fit, window, against) for fit in exact_ones]
-    every = [fit for fit in (*exactly, *rest) if len(fit.rest)]
-    every = [
-        replace(fit, score=fit.score - RARE * min(max(fit.nis / against.scale, 1.0), 2.0))
-        if fit.fault == "scale"
-        else fit
-        for fit in every
-    ]
+    every = [_priced(fit, against) for fit in (*exactly, *rest) if len(fit.rest)]
     every.sort(key=lambda fit: -fit.score)
-    likely = [fit for fit in every if fit.fault in COMMAND_FAULTS and fit.pushes and fit.run is not None][:PUSHED]
+    pushed: dict[tuple[str, str], FaultFit] = {}
+    for fit in every:
+        if fit.pushes and fit.fault in READING_FAULTS + COMMAND_FAULTS and possible(fit, window.end):
+            pushed.setdefault((fit.fault, fit.way), fit)
+    likely = list(pushed.values())[:PUSHED]
     every = [beside_pushes(run, fit, window, against) if any(fit is one for one in likely) else fit for fit in every]
     return sorted(every, key=lambda fit: -fit.score)

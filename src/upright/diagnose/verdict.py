@@ -11,13 +11,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 from upright.diagnose.causes import (
     CANNOT_TELL,
-    DROPPED,
     HIGH,
-    JAMMED,
     LOW,
     NAMES,
     NONE,
@@ -25,7 +22,6 @@ from upright.diagnose.causes import (
     REPAIRS,
     REVERSED,
     SATURATION,
-    STUCK,
     WALL,
     Cause,
 )
@@ -46,14 +42,14 @@ from upright.diagnose.chances import (
     toppled,
     worth,
 )
-from upright.diagnose.evidence import EXCURSION, FOREIGN, Evidence
+from upright.diagnose.evidence import FOREIGN, Evidence
+from upright.diagnose.facts import FACT, TEMPER, Answer, changed_gain, lost_rows, stuck, stuck_sensor
 from upright.diagnose.fall import blocked
 from upright.diagnose.fault_fits import FaultFit
 from upright.diagnose.sizes import possible
 from upright.diagnose.words import (
     at_limit,
     began,
-    most,
     nothing,
     of_demand,
     of_fault,
@@ -66,7 +62,6 @@ from upright.diagnose.words import (
     sound,
 )
 
-FACT = 0.98  # probability of what the commands themselves show
 LIKELY = 0.95  # most probability of a demand or a steady load, PUSHED of a push: a fault may look like either
 PUSHED = 0.97
 HELPED = 0.1
@@ -75,9 +70,6 @@ not show it, and what is known of the robot is not that this cause alone fells i
 which fells the robot, three do not show in their logs (docs/post-mortem.md); where pairs are a quarter of all falls,
 that is one fall in ten. Not of a push that the motors cannot bring back, which needs no help."""
 
-PEGGED = 0.95  # fraction of the last second at the limit, where a constant command means saturation
-GAIN_STEP = 0.03  # |ln| of a gain from which it is another one
-EXACT = 0.9999  # fraction of the difference between commands and file that a changed gain explains
 
 TWO, TWO_WIDTH, TWO_LEAVE = 25.0, 5.0, 0.75
 """Nats by which two faults must explain more than one, the width of that step, and the most NIS beyond the calm one
@@ -101,13 +93,10 @@ it may leave besides, over the NIS without any fault: beyond both, nothing expla
 
 SLIPPERY = 0.3  # of the probability of something unknown that is left where a slip explains most
 PUSH_LEAVES = 0.065  # of the NIS without any fault, that a fault and a push beside it may leave
+LITTLE = 0.3  # of the calm NIS beyond it, which pushes beside one fault leave where it stands for two
 NOISE = 0.1  # of the calm NIS, that counts as nothing left
 FITS_TWO = 2.7  # NIS over the calm one, that two faults may leave
 HALF = 0.8  # of the lean that topples, from which a push beside a fault is a cause of its own
-TEMPER = 6.0  # nats that count as one between two faults: neighbouring rows share what is wrong with the model
-LOST_ROWS, LOST_WIDTH = 0.14, 0.02  # fraction of periods without a row that these robots' loops hardly survive
-FEW_LOST = 0.05  # below which lost rows are no cause
-LOST_BEFORE = 1.2  # times the fraction before: a loop that always loses so many rows has survived them
 
 JUMP = 0.22  # [m/s] sudden change of the reference speed that asks too much, or
 JUMP_OF_TOP = 0.6  # of the speed at which the motors have no torque left
@@ -123,19 +112,9 @@ CLEAR = 0.9  # of it for the gain that the fall's shape shows
 LEAST = 1e-4  # of a likelihood, below which a cause is left out
 
 
-@dataclass(frozen=True)
-class _Answer:
-    """What one question gives for a cause before it is weighed against the others."""
-
-    probability: float
-    name: str
-    onset: float
-    evidence: str
-
-
 def ranked(evidence: Evidence) -> tuple[Cause, ...]:
     """All causes that have some likelihood, the likeliest first."""
-    left, odds, best = 1.0, dict[str, float](), dict[str, _Answer]()
+    left, odds, best = 1.0, dict[str, float](), dict[str, Answer]()
     foreign = evidence.ordinary > FOREIGN
     for question in QUESTIONS:
         if foreign and question in OF_THE_MODEL:
@@ -148,7 +127,7 @@ def ranked(evidence: Evidence) -> tuple[Cause, ...]:
         left *= 1 - min(sum(answer.probability for answer in answers), 1.0)
     odds[CANNOT_TELL] = odds.get(CANNOT_TELL, 0.0) + left
     if CANNOT_TELL not in best or left > best[CANNOT_TELL].probability:
-        best[CANNOT_TELL] = _Answer(left, CANNOT_TELL, math.nan, nothing(evidence))
+        best[CANNOT_TELL] = Answer(left, CANNOT_TELL, math.nan, nothing(evidence))
     order = sorted((name for name in odds if odds[name] > LEAST), key=lambda name: -odds[name])
     total = sum(odds[name] for name in order)
     return tuple(
@@ -173,62 +152,7 @@ def reversed_causes(notes: Sequence[str], onset: float) -> tuple[Cause, ...]:
     return first, Cause(CANNOT_TELL, rest, onset, "too few rows to tell it from a push", REPAIRS[CANNOT_TELL])
 
 
-def _stuck(evidence: Evidence) -> list[_Answer]:
-    """Whether the motors got one and the same command all through the fall."""
-    if not evidence.motors.stuck:
-        return []
-    pegged = evidence.motors.pegged > PEGGED
-    name, why = (SATURATION, "the motors were at their limit") if pegged else (DROPPED, "the loop did not run")
-    text = f"no command changed in the last {EXCURSION:g} s, while the robot fell: {why}"
-    return [_Answer(FACT, name, began(evidence), text)]
-
-
-def _stuck_sensor(evidence: Evidence) -> list[_Answer]:
-    """Whether a sensor gave one and the same reading up to the fall, while another moved."""
-    stuck = evidence.stuck
-    if stuck is None:
-        return []
-    name, seconds = stuck.channel.removeprefix("sensor/").replace("_", " "), evidence.fell_at - stuck.start
-    text = f"the {name} reads {stuck.reading:.3g} in every row of the last {seconds:.2g} s, while "
-    if evidence.jam is None:
-        return [_Answer(FACT, STUCK, stuck.start, text + "the wheels turn")]
-    held, blind = evidence.jam
-    side = "left" if stuck.channel.endswith("left") else "right"
-    held = max([held, *(fit.score for fit in evidence.fits if fit.fault == "motor" and side in fit.way)])
-    jam = step(held - blind, TEMPER)
-    why = f"a wheel that is held explains the motion {{}} than a dumb encoder ({held - blind:+.0f} nats)"
-    return [
-        _Answer(FACT * (1 - jam), STUCK, stuck.start, text + "the other one turns; " + why.format("less well")),
-        _Answer(FACT * jam, JAMMED, stuck.start, text + "the other one turns; " + why.format("better")),
-    ]
-
-
-def _changed_gain(evidence: Evidence) -> list[_Answer]:
-    """Whether the recorded commands are the file's times a number."""
-    match = evidence.match
-    if match is None or match.explained < EXACT or abs(math.log(max(match.gain, 1e-9))) < GAIN_STEP:
-        return []
-    text = (
-        f"the commands are {match.gain:.2f} times those of the controller's file on the same readings; this explains "
-        f"{most(match.explained)} of their difference"
-    )
-    text += f"; before, they agreed to {percent(match.misfit)}" if match.known else ""
-    return [_Answer(FACT, LOW if match.gain < 1 else HIGH, began(evidence), text)]
-
-
-def _lost(evidence: Evidence) -> list[_Answer]:
-    """Whether the loop did not run."""
-    lost, before, since = evidence.lost
-    if lost <= LOST_BEFORE * before and before > LOST_ROWS / 2:
-        lost = min(lost, LOST_ROWS)
-    if lost <= FEW_LOST:
-        return []
-    text = f"{percent(lost)} of the periods since t = {since:.2f} s have no row ({percent(before)} before): the loop "
-    text += "did not run"
-    return [_Answer(step(lost - LOST_ROWS, LOST_WIDTH), DROPPED, since, text)]
-
-
-def _changed_robot(evidence: Evidence) -> list[_Answer]:
+def _changed_robot(evidence: Evidence) -> list[Answer]:
     """Whether a fault of robot, sensors or floor explains the innovations better than pushes alone."""
     best: dict[str, FaultFit] = {}
     for fit in evidence.fits:
@@ -237,12 +161,12 @@ def _changed_robot(evidence: Evidence) -> list[_Answer]:
     top = max((fit.score for fit in best.values()), default=0.0)
     weights = {name: math.exp(max((fit.score - top) / TEMPER, -50.0)) for name, fit in best.items()}
     total = sum(weights.values())
-    answers: list[_Answer] = []
+    answers: list[Answer] = []
     for name, fit in best.items():
         chance, text = FACT * weights[name] / total * holds(evidence, fit), of_fault(evidence, fit)
-        answers.append(_Answer((1 - HELPED) * chance, name_of(fit), fit.onset, text))
+        answers.append(Answer((1 - HELPED) * chance, name_of(fit), fit.onset, text))
         helped = f"{text}; a second cause beside it need not show in the log"
-        answers.append(_Answer(HELPED * chance, _beside(evidence, fit), fit.onset, helped))
+        answers.append(Answer(HELPED * chance, _beside(evidence, fit), fit.onset, helped))
     return answers
 
 
@@ -256,22 +180,23 @@ def _beside(evidence: Evidence, fit: FaultFit) -> str:
     return f"{mine} and {PUSH}" if fit.pushes else CANNOT_TELL
 
 
-def _two(evidence: Evidence) -> list[_Answer]:
+def _two(evidence: Evidence) -> list[Answer]:
     """Whether two faults at once explain the innovations, and neither alone; a push that goes far to topple is one."""
     best = best_of(evidence)
-    answers: list[_Answer] = []
+    answers: list[Answer] = []
     for pair in evidence.pairs[:1]:
         names = [name_of(fit) for fit in (pair.first, pair.second)]
         if names[0] == names[1] or not all(possible(fit, evidence.fell_at) for fit in (pair.first, pair.second)):
             continue
-        chance = step(pair.score - max(best.score, pair.alone) - TWO, TWO_WIDTH) * step(
-            TWO_LEAVE - _beyond_noise(evidence, pair.second.nis) / _beyond_noise(evidence, best.nis), EXPLAINED_WIDTH
-        )
+        chance = step(pair.score - max(best.score, pair.alone) - TWO, TWO_WIDTH)
+        leaves, one_leaves = (_beyond_noise(evidence, nis) for nis in (pair.second.nis, best.nis))
+        if one_leaves > LITTLE * evidence.calm:  # else the likelihood alone decides
+            chance *= step(TWO_LEAVE - leaves / one_leaves, EXPLAINED_WIDTH)
         if evidence.left is not None:  # one unknown cause rather than two that are known
             chance *= step(pair.score - evidence.left.score, TWO_WIDTH)
         chance *= step(FITS_TWO - pair.second.nis / evidence.calm, FITS_WIDTH)
         text = f"{of_fault(evidence, pair.first)}; with it, {of_fault(evidence, pair.second)}"
-        answers.append(_Answer(FACT * chance, " and ".join(names), min(pair.first.onset, pair.second.onset), text))
+        answers.append(Answer(FACT * chance, " and ".join(names), min(pair.first.onset, pair.second.onset), text))
     if best.fault not in NAMES or best.fault == "slip":  # a slip and a push look alike
         return answers
     lean, push = worth(evidence, best.pushes)
@@ -284,7 +209,7 @@ def _two(evidence: Evidence) -> list[_Answer]:
     text = f"{of_fault(evidence, best)}; and {of_push(evidence, push, lean)}"
     name = f"{name_of(best)} and {PUSH}"
     left = 1 - sum(one.probability for one in answers)
-    return [*answers, _Answer(left * FACT * chance, name, min(best.onset, push.start), text)]
+    return [*answers, Answer(left * FACT * chance, name, min(best.onset, push.start), text)]
 
 
 def _beyond_noise(evidence: Evidence, nis: float) -> float:
@@ -292,7 +217,7 @@ def _beyond_noise(evidence: Evidence, nis: float) -> float:
     return max(nis - evidence.calm, NOISE * evidence.calm)
 
 
-def _none(evidence: Evidence) -> list[_Answer]:
+def _none(evidence: Evidence) -> list[Answer]:
     """Whether what the likeliest leaves follows a disturbance of some other shape, or is far too much; where it is a
     little too much, something else keeps a small part of the probability."""
     left, best = evidence.left, best_of(evidence)
@@ -311,10 +236,10 @@ def _none(evidence: Evidence) -> list[_Answer]:
         shaped *= step((best.nis - evidence.calm) / evidence.nis - OF_ITS_SIZE, OF_ITS_SIZE / 6)
     wild = step(math.log(max(best.nis, 1e-9) / (UNSOUND * evidence.calm)), UNSOUND_WIDTH)
     wild *= step(best.nis / evidence.nis - UNSOUND_LEAVES, EXPLAINED_WIDTH)
-    return [_Answer(FACT * max(shaped, wild, DOUBT * badly), NONE, left.onset, of_leftover(evidence, left))]
+    return [Answer(FACT * max(shaped, wild, DOUBT * badly), NONE, left.onset, of_leftover(evidence, left))]
 
 
-def _driven_into(evidence: Evidence) -> list[_Answer]:
+def _driven_into(evidence: Evidence) -> list[Answer]:
     """Whether a push that shows was something that the robot drove into."""
     log, robot = evidence.run.log, evidence.run.robot
     mass = robot.body_mass + 2 * robot.wheel_mass
@@ -328,21 +253,21 @@ def _driven_into(evidence: Evidence) -> list[_Answer]:
                 f"the robot drove at {wall.speed:.2g} m/s and its wheels were held from t = {wall.start:.2f} s on, "
                 f"within {1e3 * max(wall.further, 0.0):.0f} mm, by {abs(push.impulse):.2g} N s"
             )
-            return [_Answer(LIKELY * sure * free, WALL, wall.start, text)]
+            return [Answer(LIKELY * sure * free, WALL, wall.start, text)]
     return []
 
 
-def _pushed(evidence: Evidence) -> list[_Answer]:
+def _pushed(evidence: Evidence) -> list[Answer]:
     """Whether a push in the last excursion is worth a lean that topples; of one that motors bring back it is less sure
     that it was alone."""
     chance, lean, push = toppled(evidence)
     if push is None:
         return []
     chance *= 1 - HELPED * (1 - step(evidence.toppling.beyond(push) - 1, LIMIT_WIDTH))
-    return [_Answer(PUSHED * chance, PUSH, push.start, of_push(evidence, push, lean))]
+    return [Answer(PUSHED * chance, PUSH, push.start, of_push(evidence, push, lean))]
 
 
-def _steady_load(evidence: Evidence) -> list[_Answer]:
+def _steady_load(evidence: Evidence) -> list[Answer]:
     """Whether a force that stays explains what pushes do not."""
     loads = [fit for fit in evidence.fits if fit.fault == "load"]
     if not loads:
@@ -354,44 +279,44 @@ def _steady_load(evidence: Evidence) -> list[_Answer]:
     )
     name = SATURATION if evidence.motors.saturated > SATURATED else PUSH
     chance = (1 - HELPED) * LIKELY * surer(evidence, fit) * enough(evidence, fit, EXPLAINED)
-    return [_Answer(chance, name, fit.onset, text)]
+    return [Answer(chance, name, fit.onset, text)]
 
 
-def _demanded(evidence: Evidence) -> list[_Answer]:
+def _demanded(evidence: Evidence) -> list[Answer]:
     """Whether the reference asked for more than the motors have."""
     demand = evidence.demand
     if demand is None:
         return []
     limit = min(JUMP, JUMP_OF_TOP * demand.top_speed)
     chance = LIKELY * step(demand.jump / limit - 1, LIMIT_WIDTH)
-    return [_Answer(chance, SATURATION, demand.at, of_demand(evidence, demand))]
+    return [Answer(chance, SATURATION, demand.at, of_demand(evidence, demand))]
 
 
-def _weak_or_wild(evidence: Evidence) -> list[_Answer]:
+def _weak_or_wild(evidence: Evidence) -> list[Answer]:
     """What is left: the gain, by how the robot fell, unless the file shows that it is right."""
     motors, match, since = evidence.motors, evidence.match, began(evidence)
     pegged = FOREIGN_MOST * step(motors.pegged - FOREIGN_PEGGED, FOREIGN_WIDTH)
     if evidence.ordinary > FOREIGN:
-        return [_Answer(pegged, SATURATION, since, of_pegged(evidence))]
+        return [Answer(pegged, SATURATION, since, of_pegged(evidence))]
     if match is not None and match.known and abs(match.gain - 1) < SAME_GAIN and evidence.stable is not False:
         text = f"{sound(evidence)}, the commands are the file's, and {at_limit(evidence)}"
-        return [_Answer(AT_LIMIT, SATURATION, since, text)] if motors.saturated > SATURATED else []
+        return [Answer(AT_LIMIT, SATURATION, since, text)] if motors.saturated > SATURATED else []
     low = CLEAR if motors.swings < SWINGS and 0.0 < motors.help < 1.0 else 1 - CLEAR
     gain = GAIN_WITHOUT_FILE if match is None else GAIN_WITH_FILE
     if since < evidence.run.log.t[0]:  # the log begins while it falls: neither swings nor what came before show
         gain *= IN_PART
-    answers: list[_Answer] = []
+    answers: list[Answer] = []
     if evidence.run.robot.noise:  # it hides faults, so that what is left need not be the gain
-        answers, gain = [_Answer(pegged, SATURATION, since, of_pegged(evidence))], (1 - pegged) * HIDDEN
+        answers, gain = [Answer(pegged, SATURATION, since, of_pegged(evidence))], (1 - pegged) * HIDDEN
     return [
         *answers,
-        _Answer(gain * low, LOW, since, of_low(evidence)),
-        _Answer(gain * (1 - low), HIGH, since, of_high(evidence)),
+        Answer(gain * low, LOW, since, of_low(evidence)),
+        Answer(gain * (1 - low), HIGH, since, of_high(evidence)),
     ]
 
 
-QUESTIONS: tuple[Callable[[Evidence], list[_Answer]], ...] = (
-    _stuck, _stuck_sensor, _changed_gain, _lost, _two, _driven_into, _none, _changed_robot, _pushed, _steady_load,
+QUESTIONS: tuple[Callable[[Evidence], list[Answer]], ...] = (
+    stuck, stuck_sensor, changed_gain, lost_rows, _two, _driven_into, _none, _changed_robot, _pushed, _steady_load,
     _demanded, _weak_or_wild,
 )  # fmt: skip
 

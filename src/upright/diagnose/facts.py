@@ -1,0 +1,100 @@
+"""Plain facts of a fall: commands and readings that stood still, commands that were changed by an exact number, lost
+rows."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from upright.diagnose.causes import DEAD, DROPPED, HIGH, JAMMED, LOW, NONE, SATURATION, STUCK
+from upright.diagnose.chances import step
+from upright.diagnose.evidence import EXCURSION, Evidence
+from upright.diagnose.words import began, most, percent
+
+FACT = 0.98  # probability of what the commands themselves show
+PEGGED = 0.95  # fraction of the last second at the limit, where a constant command means saturation
+GAIN_STEP = 0.03  # |ln| of a gain from which it is another one
+EXACT = 0.9999  # fraction of the difference between commands and file that a changed gain explains
+LOST_ROWS, LOST_WIDTH = 0.14, 0.02  # fraction of periods without a row that these robots' loops hardly survive
+FEW_LOST = 0.05  # below which lost rows are no cause
+LOST_BEFORE = 1.2  # times the fraction before: a loop that always loses so many rows has survived them
+TEMPER = 6.0  # nats that count as one between two faults: neighbouring rows share what is wrong with the model
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What one question gives for a cause before it is weighed against the others."""
+
+    probability: float
+    name: str
+    onset: float
+    evidence: str
+
+
+def stuck(evidence: Evidence) -> list[Answer]:
+    """Whether the motors got one and the same command all through the fall."""
+    if (held := evidence.motors.held) is not None and not evidence.motors.pegged > PEGGED:
+        text = (
+            f"both commands stood still from t = {held[0]:.2f} to {held[1]:.2f} s, while the robot leaned further and "
+        )
+        text += "the motors could have saved it: the loop did not run"
+        return [Answer(FACT, DROPPED, held[0], text)]
+    if not evidence.motors.stuck:
+        return []
+    pegged = evidence.motors.pegged > PEGGED
+    name, why = (SATURATION, "the motors were at their limit") if pegged else (DROPPED, "the loop did not run")
+    text = f"no command changed in the last {EXCURSION:g} s, while the robot fell: {why}"
+    return [Answer(FACT, name, began(evidence), text)]
+
+
+def stuck_sensor(evidence: Evidence) -> list[Answer]:
+    """Whether a sensor gave one and the same reading up to the fall, while another moved."""
+    still = evidence.stuck
+    if still is None:
+        return []
+    name, seconds = still.channel.removeprefix("sensor/").replace("_", " "), evidence.fell_at - still.start
+    text = f"the {name} reads {still.reading:.3g} in every row of the last {seconds:.2g} s, while "
+    if still.clipped:
+        text += "the wheels turn, and it stood there before and never went beyond: that is the end of its range"
+        return [Answer(FACT, NONE, still.start, text)]
+    if evidence.jam is None:
+        return [Answer(FACT, STUCK, still.start, text + "the wheels turn")]
+    held, blind = evidence.jam
+    side = "left" if still.channel.endswith("left") else "right"
+    idle = max((fit.score for fit in evidence.fits if fit.fault == "motor" and side in fit.way), default=-math.inf)
+    jammed, dead = step(max(held, idle) - blind, TEMPER), step(idle - held, TEMPER)
+    texts = {
+        STUCK: f"a wheel that is held explains the motion less well than a dumb encoder ({held - blind:+.0f} nats)",
+        JAMMED: f"a wheel that is held explains the motion better than a dumb encoder ({held - blind:+.0f} nats)",
+        DEAD: f"a motor without torque explains the motion better than a wheel that is held ({idle - held:+.0f} nats)",
+    }
+    chances = {STUCK: 1 - jammed, JAMMED: jammed * (1 - dead), DEAD: jammed * dead}
+    return [
+        Answer(FACT * chance, name, still.start, f"{text}the other one turns; {texts[name]}")
+        for name, chance in chances.items()
+    ]
+
+
+def changed_gain(evidence: Evidence) -> list[Answer]:
+    """Whether the recorded commands are the file's times a number."""
+    match = evidence.match
+    if match is None or match.explained < EXACT or abs(math.log(max(match.gain, 1e-9))) < GAIN_STEP:
+        return []
+    text = (
+        f"the commands are {match.gain:.2f} times those of the controller's file on the same readings; this explains "
+        f"{most(match.explained)} of their difference"
+    )
+    text += f"; before, they agreed to {percent(match.misfit)}" if match.known else ""
+    return [Answer(FACT, LOW if match.gain < 1 else HIGH, began(evidence), text)]
+
+
+def lost_rows(evidence: Evidence) -> list[Answer]:
+    """Whether the loop did not run."""
+    lost, before, since = evidence.lost
+    if lost <= LOST_BEFORE * before and before > LOST_ROWS / 2:
+        lost = min(lost, LOST_ROWS)
+    if lost <= FEW_LOST:
+        return []
+    text = f"{percent(lost)} of the periods since t = {since:.2f} s have no row ({percent(before)} before): the loop "
+    text += "did not run"
+    return [Answer(step(lost - LOST_ROWS, LOST_WIDTH), DROPPED, since, text)]
