@@ -242,10 +242,10 @@ def held_command(run: FilterRun, motors: Authority, end: float, seconds: float) 
     moved = np.flatnonzero((np.diff(asked[rows], axis=0) != 0).any(axis=1)) + 1
     edges = np.concatenate([[0], moved, [int(rows.sum()) - 1]])
     starts, stops = log.t[edges[:-1]], log.t[edges[1:]]
-    lengths, late = stops - starts, stops > end - seconds
-    if not late.any():
+    lengths, recent = stops - starts, stops > end - seconds
+    if not recent.any():
         return None
-    i = int(np.argmax(np.where(late, lengths, 0.0)))
+    i = int(np.argmax(np.where(recent, lengths, 0.0)))
     before = lengths[stops <= starts[i]]
     reserve = float(np.interp(starts[i], motors.t, motors.reserve))
     usual = USUALLY_HELD * float(before.max()) if len(before) else math.inf
